@@ -1,0 +1,5 @@
+//! What a picture means in numbers.
+
+mod probe;
+
+pub use probe::{LightTerms, Probe, ProbeHit, probe};

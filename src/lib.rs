@@ -1,0 +1,4 @@
+pub mod analysis;
+pub mod geometry;
+pub mod render;
+pub mod scene;

@@ -1,0 +1,55 @@
+//! A finished picture and the account of how it came about.
+
+/// A picture as stored: 8 bits a channel, rows from the top.
+#[derive(Clone, Debug, Default)]
+pub struct Frame {
+    pub width: u32,
+    pub height: u32,
+    /// `[r, g, b, 255]`, row by row, `width * height` of them.
+    pub pixels: Vec<[u8; 4]>,
+}
+
+/// The stages of a frame, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stage {
+    /// Tessellation, or the model as loaded, with its vertex normals.
+    Geometry,
+    /// Vertices to the picture; clipping.
+    Transform,
+    /// Which polygon each pixel sees.
+    Coverage,
+    /// The equation at vertices or faces.
+    VertexShading,
+    /// Normals or intensities carried to the pixels.
+    Interpolation,
+    /// The equation at pixels.
+    PixelShading,
+    /// Intensities to stored values.
+    Display,
+}
+
+/// One stage of one frame.
+#[derive(Clone, Copy, Debug, serde::Serialize)]
+pub struct StageRun {
+    pub stage: Stage,
+    /// False where the last output still held.
+    pub ran: bool,
+    /// Time by the renderer's clock, summed over threads and divided by their number; 0 without a clock.
+    pub nanoseconds: u64,
+    /// Evaluations of the illumination equation.
+    pub evaluations: u64,
+}
+
+/// What the last call of `render` did.
+#[derive(Clone, Debug, Default, serde::Serialize)]
+pub struct Report {
+    pub stages: Vec<StageRun>,
+    pub nanoseconds: u64,
+    /// Triangles of the mesh, before culling.
+    pub triangles: u64,
+    /// Pixels that show the object.
+    pub covered: u64,
+    /// Pixels with a channel above 1 before the display.
+    pub overflowing: u64,
+}

@@ -1,0 +1,62 @@
+//! What is drawn, as plain data: camera, object, material, lights and settings.
+//!
+//! A [`Scene`] is what a scene file holds, what the window edits and what every other part of the program reads. Lengths
+//! are world units, angles degrees, intensities linear with 1 the display's white. The types hold any number; a scene
+//! that came through [`Scene::parse`], [`Scene::with_override`] or [`Scene::validate`] is sound (see there).
+
+mod camera;
+mod light;
+mod material;
+mod object;
+mod settings;
+
+pub use camera::{Camera, Projection, Viewer};
+pub use light::{Ambient, Attenuation, Light, LightKind};
+pub use material::Material;
+pub use object::{NormalSource, Object, ObjectKind, Weighting};
+pub use settings::{
+    Backfacing, Display, Encoding, FlatAt, Image, Interpolation, Overflow, Reflection, ReflectionModel, Shading,
+    ShadingMode,
+};
+
+use serde::{Deserialize, Serialize};
+
+/// Red, green and blue, linear.
+pub type Rgb = glam::DVec3;
+
+/// Everything that a picture depends on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Scene {
+    /// Version of the file format; 1.
+    pub version: u32,
+    pub camera: Camera,
+    pub image: Image,
+    pub object: Object,
+    pub material: Material,
+    pub reflection: Reflection,
+    pub shading: Shading,
+    pub display: Display,
+    pub ambient: Ambient,
+    /// The lights, whose contributions are summed. A file without any `[[light]]` gets the default one; `light = []`
+    /// means darkness.
+    #[serde(rename = "light")]
+    pub lights: Vec<Light>,
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            version: 1,
+            camera: Camera::default(),
+            image: Image::default(),
+            object: Object::default(),
+            material: Material::default(),
+            reflection: Reflection::default(),
+            shading: Shading::default(),
+            display: Display::default(),
+            ambient: Ambient::default(),
+            lights: vec![Light::default()],
+        }
+    }
+}

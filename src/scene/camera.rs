@@ -1,0 +1,52 @@
+//! The camera: where the picture is seen from, and where the equation's viewer stands.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Camera {
+    /// Position of the eye, world.
+    pub eye: DVec3,
+    /// The point looked at, world; the middle of the picture.
+    pub target: DVec3,
+    /// The direction that appears upwards.
+    pub up: DVec3,
+    pub projection: Projection,
+    /// Vertical field of view in degrees, perspective only.
+    pub fov_y: f64,
+    /// World units seen from bottom to top, orthographic only.
+    pub height: f64,
+    pub viewer: Viewer,
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self {
+            eye: DVec3::new(0.0, 0.0, 4.0),
+            target: DVec3::ZERO,
+            up: DVec3::Y,
+            projection: Projection::Perspective,
+            fov_y: 40.0,
+            height: 2.5,
+            viewer: Viewer::Local,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Projection {
+    Perspective,
+    Orthographic,
+}
+
+/// Where the equation's V points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Viewer {
+    /// To the eye, from each point.
+    Local,
+    /// Constant, from target to eye: the textbooks' viewer at infinity.
+    Infinite,
+}
