@@ -23,13 +23,7 @@ pub struct Material {
 
 impl Default for Material {
     fn default() -> Self {
-        Self {
-            ka: Rgb::splat(0.1),
-            kd: Rgb::splat(0.7),
-            ks: Rgb::splat(0.4),
-            n: 32.0,
-            color: Rgb::new(0.9, 0.3, 0.2),
-        }
+        Self { ka: Rgb::splat(0.1), kd: Rgb::splat(0.7), ks: Rgb::splat(0.4), n: 32.0, color: Rgb::new(0.9, 0.3, 0.2) }
     }
 }
 
