@@ -9,6 +9,7 @@ mod light;
 mod material;
 mod object;
 mod settings;
+mod view;
 
 pub use camera::{Camera, Projection, Viewer};
 pub use light::{Ambient, Attenuation, Light, LightKind};
@@ -18,6 +19,7 @@ pub use settings::{
     Backfacing, Display, Encoding, FlatAt, Image, Interpolation, Overflow, Reflection, ReflectionModel, Shading,
     ShadingMode,
 };
+pub use view::View;
 
 use serde::{Deserialize, Serialize};
 
