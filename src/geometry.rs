@@ -1,5 +1,9 @@
 //! Shapes: meshes of n-sided polygons, their vertex normals, and the true surfaces that they stand for.
 
 mod mesh;
+mod primitives;
+mod topology;
+mod vertex_normals;
 
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
+pub use primitives::tessellate;

@@ -15,6 +15,7 @@ pub mod presets;
 mod problem;
 mod settings;
 mod validation;
+mod view;
 
 pub use camera::{Camera, Projection, Viewer};
 pub use light::{Ambient, Attenuation, Light, LightKind};
@@ -27,6 +28,7 @@ pub use settings::{
     ShadingMode,
 };
 pub use validation::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
+pub use view::View;
 
 use serde::{Deserialize, Serialize};
 

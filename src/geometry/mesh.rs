@@ -1,6 +1,7 @@
 //! Meshes of n-sided polygons.
 
 use glam::{DVec3, Vec3};
+use std::ops::Range;
 
 /// A corner of a polygon: which point, and which given normal there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +18,8 @@ pub const NO_NORMAL: u32 = u32::MAX;
 /// Polygons over shared points, as the shape or the file gives them.
 ///
 /// Polygons are counter-clockwise seen from outside. Faces that meet at a point share its position, creases included,
-/// so that averaging sees them all; `normals` may give each corner its own.
+/// so that averaging sees them all; `normals` may give each corner its own. Drawn as triangles, a polygon is a fan from
+/// its first corner.
 #[derive(Clone, Debug, Default)]
 pub struct Mesh {
     /// World position of (0, 0, 0) in `positions`: large offsets stay in double precision.
@@ -51,4 +53,127 @@ pub struct VertexMesh {
     pub radius: f64,
     pub closed: bool,
     pub convex: bool,
+}
+
+impl Mesh {
+    /// Number of polygons.
+    pub fn face_count(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// Number of triangles that the polygons are drawn as.
+    pub fn triangle_count(&self) -> usize {
+        triangle_count(&self.starts)
+    }
+
+    /// The corners of face `f`, counter-clockwise from outside.
+    ///
+    /// # Panics
+    /// If there is no face `f`.
+    pub fn face(&self, f: usize) -> &[Corner] {
+        &self.corners[face_range(&self.starts, f)]
+    }
+
+    /// The points of face `f`, relative to `origin`, in double precision.
+    pub(crate) fn face_points(&self, f: usize) -> impl Iterator<Item = DVec3> + Clone {
+        self.face(f).iter().map(|corner| self.positions[corner.position as usize].as_dvec3())
+    }
+
+    /// The unit normal of face `f` by Newell's formula; zero where the face has no area.
+    pub fn face_normal(&self, f: usize) -> DVec3 {
+        area_vector(self.face_points(f)).normalize_or_zero()
+    }
+
+    /// The mean of the points of face `f`, in the world.
+    pub fn face_centre(&self, f: usize) -> DVec3 {
+        self.origin + mean(self.face_points(f))
+    }
+
+    /// The mesh centred and scaled into the unit sphere: the middle of its bounding box comes to the world's origin, the
+    /// farthest point to distance 1. A mesh of a single point is only centred, one without points stays as it is.
+    pub fn fitted(mut self) -> Self {
+        let Some((low, high)) = bounding_box(&self.positions) else { return self };
+        let centre = (low + high) / 2.0;
+        let radius = self.positions.iter().map(|p| p.as_dvec3().distance_squared(centre)).fold(0.0, f64::max).sqrt();
+        let scale = if radius > 0.0 { 1.0 / radius } else { 1.0 };
+        for position in &mut self.positions {
+            *position = ((position.as_dvec3() - centre) * scale).as_vec3();
+        }
+        self.origin = DVec3::ZERO;
+        self
+    }
+}
+
+impl VertexMesh {
+    /// Number of polygons.
+    pub fn face_count(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// Number of triangles that the polygons are drawn as.
+    pub fn triangle_count(&self) -> usize {
+        triangle_count(&self.starts)
+    }
+
+    /// The vertices of face `f`, counter-clockwise from outside.
+    ///
+    /// # Panics
+    /// If there is no face `f`.
+    pub fn face(&self, f: usize) -> &[u32] {
+        &self.indices[face_range(&self.starts, f)]
+    }
+
+    fn face_points(&self, f: usize) -> impl Iterator<Item = DVec3> + Clone {
+        self.face(f).iter().map(|&vertex| self.positions[vertex as usize].as_dvec3())
+    }
+
+    /// The unit normal of face `f` by Newell's formula; zero where the face has no area.
+    pub fn face_normal(&self, f: usize) -> DVec3 {
+        area_vector(self.face_points(f)).normalize_or_zero()
+    }
+
+    /// The mean of the points of face `f`, in the world.
+    pub fn face_centre(&self, f: usize) -> DVec3 {
+        self.origin + mean(self.face_points(f))
+    }
+}
+
+fn face_range(starts: &[u32], f: usize) -> Range<usize> {
+    starts[f] as usize..starts[f + 1] as usize
+}
+
+fn triangle_count(starts: &[u32]) -> usize {
+    starts.windows(2).map(|pair| ((pair[1] - pair[0]) as usize).saturating_sub(2)).sum()
+}
+
+/// The area of a polygon times its unit normal, by Newell's formula ½ Σ pᵢ × pᵢ₊₁, with the points taken relative to the
+/// first one, which keeps the digits of a small polygon far from the origin.
+pub(crate) fn area_vector(mut points: impl Iterator<Item = DVec3>) -> DVec3 {
+    let Some(first) = points.next() else { return DVec3::ZERO };
+    let mut sum = DVec3::ZERO;
+    let mut previous = DVec3::ZERO;
+    for point in points {
+        let current = point - first;
+        sum += previous.cross(current);
+        previous = current;
+    }
+    sum / 2.0
+}
+
+fn mean(points: impl Iterator<Item = DVec3>) -> DVec3 {
+    let (sum, count) = points.fold((DVec3::ZERO, 0.0), |(sum, count), p| (sum + p, count + 1.0));
+    if count > 0.0 { sum / count } else { DVec3::ZERO }
+}
+
+/// The lowest and the highest coordinates of some points, if there are any.
+fn bounding_box(positions: &[Vec3]) -> Option<(DVec3, DVec3)> {
+    let first = *positions.first()?;
+    let (low, high) = positions.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
+    Some((low.as_dvec3(), high.as_dvec3()))
+}
+
+/// Radius of the smallest sphere about (0, 0, 0) that holds every point.
+pub(crate) fn radius_about_origin(positions: &[Vec3]) -> f64 {
+    let squared = positions.iter().map(|p| p.as_dvec3().length_squared()).fold(0.0, f64::max);
+    if squared > 0.0 { squared.sqrt().next_up() } else { 0.0 }
 }

@@ -104,7 +104,7 @@ fn part<'a, 'i>(
             let expected = || Cause::Value { found: "a list".into(), expected: "a number from 0 after it".into() };
             let index: usize = segment.parse().map_err(|_| (key.to_owned(), expected()))?;
             let count = list.len();
-            let element = list.iter_mut().nth(index).ok_or((key.to_owned(), Cause::NoElement { index, count }))?;
+            let element = list.get_mut(index).ok_or((key.to_owned(), Cause::NoElement { index, count }))?;
             Ok(element.get_mut())
         }
         _ => Err((key.to_owned(), Cause::NoParts { part: segment.to_owned() })),

@@ -1,0 +1,50 @@
+//! The built-in shapes as polygons, with the normals of the true surface at every corner.
+//!
+//! In: an [`Object`]. Out: a [`Mesh`] whose points lie on the surface. `segments` counts polygons round the axis, `rings`
+//! along it; azimuth runs from +z towards +x, so that it is counter-clockwise seen from +y.
+
+mod angular;
+mod builder;
+mod round;
+
+use super::Mesh;
+use crate::scene::{Object, ObjectKind};
+pub(crate) use builder::Builder;
+
+pub(crate) const TORUS_RING: f64 = 0.7;
+pub(crate) const TORUS_TUBE: f64 = 0.3;
+pub(crate) const CYLINDER_RADIUS: f64 = 0.6;
+pub(crate) const CYLINDER_HALF_HEIGHT: f64 = 0.8;
+pub(crate) const CONE_RADIUS: f64 = 0.8;
+pub(crate) const CONE_BASE: f64 = -0.6;
+pub(crate) const CONE_APEX: f64 = 1.0;
+/// 1/√3: the corners of the cube lie on the unit sphere.
+pub(crate) const CUBE_HALF_EDGE: f64 = 0.577_350_269_189_625_8;
+
+/// The polygons of an object; none for a model from a file, which brings its own.
+///
+/// | kind | polygons |
+/// |---|---|
+/// | sphere | `segments` × `rings` quads, triangles at the poles |
+/// | torus | `segments` round the axis × `rings` round the tube |
+/// | cylinder | `segments` × `rings` quads and two caps of `segments` sides |
+/// | cone | `segments` × `rings` quads, triangles at the apex, and a base of `segments` sides |
+/// | cube | each upright side `segments`/4 (at least 1) × `rings` quads, top and bottom `segments`/4 squared |
+/// | plane | `segments` across (x) × `rings` down (y) |
+///
+/// Numbers of divisions that [`Scene::validate`](crate::scene::Scene) would refuse are taken as the nearest that it
+/// accepts.
+pub fn tessellate(object: &Object) -> Mesh {
+    let divisions = |number: u32, least: u32| number.clamp(least, Object::MAX_DIVISIONS);
+    let segments = divisions(object.segments, 3);
+    let rings = divisions(object.rings, 1);
+    match object.kind {
+        ObjectKind::Sphere => round::sphere(segments, rings.max(2)),
+        ObjectKind::Torus => round::torus(segments, rings.max(3)),
+        ObjectKind::Cylinder => round::cylinder(segments, rings),
+        ObjectKind::Cone => round::cone(segments, rings),
+        ObjectKind::Cube => angular::cube((segments / 4).max(1), rings),
+        ObjectKind::Plane => angular::plane(divisions(object.segments, 1), rings),
+        ObjectKind::Teapot | ObjectKind::Obj => Mesh { starts: vec![0], ..Mesh::default() },
+    }
+}

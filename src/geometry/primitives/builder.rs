@@ -1,0 +1,45 @@
+//! Puts a mesh together face by face.
+
+use crate::geometry::{Corner, Mesh};
+use glam::DVec3;
+
+/// A mesh under construction about the world's origin.
+pub(crate) struct Builder {
+    mesh: Mesh,
+}
+
+impl Builder {
+    /// Room for so many points and for so many faces of four corners.
+    pub fn with_capacity(points: usize, faces: usize) -> Self {
+        let mut mesh = Mesh::default();
+        mesh.positions.reserve_exact(points);
+        mesh.normals.reserve(points);
+        mesh.starts.reserve_exact(faces + 1);
+        mesh.corners.reserve_exact(4 * faces);
+        mesh.starts.push(0);
+        Self { mesh }
+    }
+
+    /// Adds a point and returns its index.
+    pub fn position(&mut self, position: DVec3) -> u32 {
+        self.mesh.positions.push(position.as_vec3());
+        self.mesh.positions.len() as u32 - 1
+    }
+
+    /// Adds a normal, of unit length, and returns its index.
+    pub fn normal(&mut self, normal: DVec3) -> u32 {
+        self.mesh.normals.push(normal.as_vec3());
+        self.mesh.normals.len() as u32 - 1
+    }
+
+    /// Adds a face with `(position, normal)` at each corner, counter-clockwise from outside.
+    pub fn face(&mut self, corners: impl IntoIterator<Item = (u32, u32)>) {
+        self.mesh.corners.extend(corners.into_iter().map(|(position, normal)| Corner { position, normal }));
+        self.mesh.starts.push(self.mesh.corners.len() as u32);
+    }
+
+    pub fn finish(mut self, closed: bool, convex: bool) -> Mesh {
+        (self.mesh.closed, self.mesh.convex) = (closed, convex);
+        self.mesh
+    }
+}

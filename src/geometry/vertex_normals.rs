@@ -1,0 +1,213 @@
+//! Vertex normals: from a mesh with shared points to vertices with one normal each.
+
+use super::mesh::{Mesh, NO_NORMAL, VertexMesh, area_vector, radius_about_origin};
+use crate::scene::{NormalSource, Weighting};
+use glam::{DVec3, DVec4, Vec3};
+use std::f64::consts::TAU;
+
+/// Where face normals cancel to less than this share of their weights, what is left is rounding and has no direction.
+const CANCELLED: f64 = 1e-9;
+
+/// The normal of a vertex at which no face has an area.
+const NO_DIRECTION: Vec3 = Vec3::Z;
+
+impl Mesh {
+    /// Gives every vertex its normal, in time linear in the number of corners.
+    ///
+    /// - `Averaged`: one vertex per point; all faces that meet there count, by `weighting`. Faces without area do not.
+    /// - `Exact` and `File`: the mesh's own `normals`, averaged ones at corners that have none. A vertex is a distinct
+    ///   pair of point and normal.
+    /// - `Facet`: every face has vertices of its own, with its own normal.
+    ///
+    /// # Guarantees
+    /// Every normal has unit length. Where the average is zero (opposed faces), it is the normal of the first face there
+    /// that has an area; where none has, +z.
+    pub fn with_vertex_normals(&self, source: NormalSource, weighting: Weighting) -> VertexMesh {
+        match source {
+            NormalSource::Facet => self.faceted(),
+            NormalSource::Averaged => self.with_one_normal_per_point(self.averaged_normals(weighting)),
+            NormalSource::Exact | NormalSource::File => self.with_given_normals(weighting),
+        }
+    }
+
+    fn vertex_mesh(&self, positions: Vec<Vec3>, normals: Vec<Vec3>, indices: Vec<u32>) -> VertexMesh {
+        VertexMesh {
+            origin: self.origin,
+            radius: radius_about_origin(&positions),
+            positions,
+            normals,
+            starts: self.starts.clone(),
+            indices,
+            closed: self.closed,
+            convex: self.convex,
+        }
+    }
+
+    fn with_one_normal_per_point(&self, normals: Vec<Vec3>) -> VertexMesh {
+        let indices = self.corners.iter().map(|corner| corner.position).collect();
+        self.vertex_mesh(self.positions.clone(), normals, indices)
+    }
+
+    fn faceted(&self) -> VertexMesh {
+        let positions = self.corners.iter().map(|corner| self.positions[corner.position as usize]).collect();
+        let mut normals = Vec::with_capacity(self.corners.len());
+        for f in 0..self.face_count() {
+            let normal = unit_or(self.face_normal(f), NO_DIRECTION);
+            normals.extend(self.face(f).iter().map(|_| normal));
+        }
+        self.vertex_mesh(positions, normals, (0..self.corners.len() as u32).collect())
+    }
+
+    fn with_given_normals(&self, weighting: Weighting) -> VertexMesh {
+        let complete = self.corners.iter().all(|corner| corner.normal != NO_NORMAL);
+        let averaged = if complete { Vec::new() } else { self.averaged_normals(weighting) };
+        let normal_at = |c: u32| {
+            let corner = self.corners[c as usize];
+            match self.normals.get(corner.normal as usize) {
+                Some(&normal) => normal,
+                None => averaged[corner.position as usize],
+            }
+        };
+        match self.agreed_normals(normal_at) {
+            Some(normals) => self.with_one_normal_per_point(normals),
+            None => self.with_split_points(normal_at),
+        }
+    }
+
+    /// The normal of each point, if the corners that meet there all have the same one.
+    fn agreed_normals(&self, normal_at: impl Fn(u32) -> Vec3) -> Option<Vec<Vec3>> {
+        const UNSEEN: Vec3 = Vec3::ZERO;
+        let mut normals = vec![UNSEEN; self.positions.len()];
+        for (c, corner) in self.corners.iter().enumerate() {
+            let normal = normal_at(c as u32);
+            let agreed = &mut normals[corner.position as usize];
+            if *agreed == UNSEEN {
+                *agreed = normal;
+            } else if *agreed != normal {
+                return None;
+            }
+        }
+        normals.iter_mut().filter(|normal| **normal == UNSEEN).for_each(|normal| *normal = NO_DIRECTION);
+        Some(normals)
+    }
+
+    /// One vertex for each distinct normal at each point.
+    fn with_split_points(&self, normal_at: impl Fn(u32) -> Vec3) -> VertexMesh {
+        let mut around = CornersByPoint::of(self);
+        let mut positions = Vec::with_capacity(self.positions.len());
+        let mut normals: Vec<Vec3> = Vec::with_capacity(self.positions.len());
+        let mut indices = vec![0; self.corners.len()];
+        for (p, &position) in self.positions.iter().enumerate() {
+            let corners = around.at_mut(p);
+            // Sorting brings equal normals together however many there are, which searching would take the square for.
+            corners.sort_unstable_by_key(|&c| normal_at(c).to_array().map(f32::to_bits));
+            let first_here = normals.len();
+            for &mut c in corners {
+                let normal = normal_at(c);
+                if normals.len() == first_here || normals.last() != Some(&normal) {
+                    positions.push(position);
+                    normals.push(normal);
+                }
+                indices[c as usize] = normals.len() as u32 - 1;
+            }
+        }
+        self.vertex_mesh(positions, normals, indices)
+    }
+
+    /// The average of the normals of the faces round each point.
+    fn averaged_normals(&self, weighting: Weighting) -> Vec<Vec3> {
+        let mut sums = vec![DVec4::ZERO; self.positions.len()];
+        for f in 0..self.face_count() {
+            self.add_face(f, weighting, &mut sums);
+        }
+        let mut normals: Vec<Vec3> = sums.iter().map(|&sum| direction_of(sum).unwrap_or(Vec3::ZERO)).collect();
+        if normals.contains(&Vec3::ZERO) {
+            self.fill_from_faces(&mut normals);
+        }
+        normals
+    }
+
+    /// Adds the weighted normal of face `f`, and the weight as the fourth number, to the sums of its points.
+    fn add_face(&self, f: usize, weighting: Weighting, sums: &mut [DVec4]) {
+        let area_vector = area_vector(self.face_points(f));
+        let area = area_vector.length();
+        if area <= 0.0 {
+            return;
+        }
+        let normal = area_vector / area;
+        let corners = self.face(f);
+        for (k, corner) in corners.iter().enumerate() {
+            let weight = match weighting {
+                Weighting::Equal => 1.0,
+                Weighting::Area => area,
+                Weighting::Angle => {
+                    let at = |k: usize| self.positions[corners[k % corners.len()].position as usize].as_dvec3();
+                    interior_angle(at(k + corners.len() - 1), at(k), at(k + 1), normal)
+                }
+            };
+            sums[corner.position as usize] += (normal * weight).extend(weight);
+        }
+    }
+
+    /// Gives each point whose normal is still zero that of the first face there with an area, or else +z.
+    fn fill_from_faces(&self, normals: &mut [Vec3]) {
+        for f in 0..self.face_count() {
+            for corner in self.face(f) {
+                let normal = &mut normals[corner.position as usize];
+                if *normal == Vec3::ZERO {
+                    *normal = unit_or(self.face_normal(f), Vec3::ZERO);
+                }
+            }
+        }
+        normals.iter_mut().filter(|normal| **normal == Vec3::ZERO).for_each(|normal| *normal = NO_DIRECTION);
+    }
+}
+
+/// The angle inside a polygon at `corner`, 0 to 2π, for a polygon with unit normal `normal`.
+fn interior_angle(previous: DVec3, corner: DVec3, next: DVec3, normal: DVec3) -> f64 {
+    let (out, back) = (next - corner, previous - corner);
+    let angle = normal.dot(out.cross(back)).atan2(out.dot(back));
+    if angle < 0.0 { angle + TAU } else { angle }
+}
+
+fn direction_of(sum: DVec4) -> Option<Vec3> {
+    let (normal, weight) = (sum.truncate(), sum.w);
+    let length = normal.length();
+    (length > CANCELLED * weight).then(|| (normal / length).as_vec3())
+}
+
+fn unit_or(normal: DVec3, fallback: Vec3) -> Vec3 {
+    if normal == DVec3::ZERO { fallback } else { normal.as_vec3() }
+}
+
+/// The corners round each point, as one list cut into runs.
+struct CornersByPoint {
+    /// The run of point p ends at `ends[p]` and begins where that of p − 1 ends.
+    ends: Vec<u32>,
+    corners: Vec<u32>,
+}
+
+impl CornersByPoint {
+    fn of(mesh: &Mesh) -> Self {
+        let mut ends = vec![0; mesh.positions.len()];
+        for corner in &mesh.corners {
+            ends[corner.position as usize] += 1;
+        }
+        let mut begin = 0;
+        for end in &mut ends {
+            begin += std::mem::replace(end, begin);
+        }
+        let mut corners = vec![0; mesh.corners.len()];
+        for (c, corner) in mesh.corners.iter().enumerate() {
+            let slot = &mut ends[corner.position as usize];
+            corners[*slot as usize] = c as u32;
+            *slot += 1;
+        }
+        Self { ends, corners }
+    }
+
+    fn at_mut(&mut self, point: usize) -> &mut [u32] {
+        let begin = if point == 0 { 0 } else { self.ends[point - 1] };
+        &mut self.corners[begin as usize..self.ends[point] as usize]
+    }
+}
