@@ -2,8 +2,10 @@
 
 mod mesh;
 mod primitives;
+mod surface;
 mod topology;
 mod vertex_normals;
 
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use primitives::tessellate;
+pub use surface::{Ray, Surface, SurfaceHit};

@@ -1,0 +1,92 @@
+//! The true surfaces behind the polygons, met by rays in double precision.
+//!
+//! In: a ray. Out: the nearest point where it meets the surface itself, outline included, with the true normal. Every
+//! surface lies within [`BOUND`] of the world's origin, so a ray is first brought to unit direction and to its point
+//! nearest the origin: the equations then see numbers about 1 however far away the eye is.
+
+mod polynomial;
+mod solids;
+mod torus;
+
+use crate::scene::{Object, ObjectKind};
+use glam::DVec3;
+
+/// Half a line: the points `origin + t · direction` for t > 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    pub origin: DVec3,
+    /// Of any length but zero; `t` counts in multiples of it.
+    pub direction: DVec3,
+}
+
+/// A point where a ray meets a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceHit {
+    /// The point is `ray.origin + t · ray.direction`.
+    pub t: f64,
+    /// Unit vector that points out of the shape, from whichever side the ray comes. The plane's is +z.
+    pub normal: DVec3,
+}
+
+/// The true surface of a built-in shape. Copied freely and shared between threads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Surface(ObjectKind);
+
+/// A ray as the shapes see it: unit direction, origin nearest to the world's origin, `s` the length along it.
+#[derive(Clone, Copy, Debug)]
+struct UnitRay {
+    origin: DVec3,
+    direction: DVec3,
+    /// Only points beyond this are wanted.
+    s_min: f64,
+}
+
+/// A meeting with a shape: where along the [`UnitRay`], and the normal, not yet of unit length.
+#[derive(Clone, Copy, Debug)]
+struct Meeting {
+    s: f64,
+    normal: DVec3,
+}
+
+/// Radius of a sphere about the origin that holds every surface: √2 for the corners of the plane, a little more for
+/// rounding.
+const BOUND: f64 = 1.415;
+
+impl Surface {
+    /// The surface of `object`; none for a model from a file, which has no surface beyond its polygons.
+    pub fn of(object: &Object) -> Option<Self> {
+        (object.kind != ObjectKind::Obj).then_some(Self(object.kind))
+    }
+
+    /// The nearest point with t > `t_min` where `ray` meets the surface, if there is one.
+    ///
+    /// Closed forms are exact to rounding, about 10⁻¹⁵; the torus and the teapot are iterated until they are. A direction
+    /// that is zero or not finite meets nothing.
+    pub fn intersect(&self, ray: &Ray, t_min: f64) -> Option<SurfaceHit> {
+        let length = ray.direction.length();
+        let direction = ray.direction / length;
+        let shift = -ray.origin.dot(direction);
+        let origin = ray.origin + shift * direction;
+        // Also false, and rightly, where any of it is not a number.
+        if !(origin.length_squared() <= BOUND * BOUND) {
+            return None;
+        }
+        let ray = UnitRay { origin, direction, s_min: t_min * length - shift };
+        let meeting = match self.0 {
+            ObjectKind::Sphere => solids::sphere(&ray),
+            ObjectKind::Torus => torus::torus(&ray),
+            ObjectKind::Cylinder => solids::cylinder(&ray),
+            ObjectKind::Cone => solids::cone(&ray),
+            ObjectKind::Cube => solids::cube(&ray),
+            ObjectKind::Plane => solids::plane(&ray),
+            ObjectKind::Teapot | ObjectKind::Obj => None,
+        }?;
+        Some(SurfaceHit { t: (meeting.s + shift) / length, normal: meeting.normal.normalize_or(DVec3::Y) })
+    }
+}
+
+impl UnitRay {
+    fn at(&self, s: f64) -> DVec3 {
+        self.origin + s * self.direction
+    }
+}

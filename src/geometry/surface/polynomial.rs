@@ -1,0 +1,111 @@
+//! Real roots of a polynomial in an interval.
+//!
+//! Between two neighbouring roots of its derivative a polynomial is monotone, so one change of sign brackets one root.
+//! The derivative's roots are found the same way, down to the quadratic (C. Yuksel, High-Performance Polynomial Root
+//! Finding for Graphics, 2022). Nothing is assumed of the coefficients; a double root may be missed or found, as rounding
+//! has it.
+
+/// The roots of a quartic in an interval, ascending.
+pub struct Roots {
+    values: [f64; 4],
+    count: usize,
+}
+
+impl Roots {
+    const NONE: Self = Self { values: [0.0; 4], count: 0 };
+
+    pub fn as_slice(&self) -> &[f64] {
+        &self.values[..self.count]
+    }
+
+    fn push(&mut self, root: f64) {
+        if self.count < self.values.len() {
+            self.values[self.count] = root;
+            self.count += 1;
+        }
+    }
+}
+
+/// Roots of x⁴ + c₂x² + c₁x + c₀ with `low` ≤ x ≤ `high`.
+pub fn depressed_quartic(c2: f64, c1: f64, c0: f64, low: f64, high: f64) -> Roots {
+    let value = |x: f64| ((x * x + c2) * x + c1) * x + c0;
+    let slope = |x: f64| (4.0 * x * x + 2.0 * c2) * x + c1;
+    let bend = |x: f64| 12.0 * x * x + 2.0 * c2;
+
+    let mut bends = Roots::NONE;
+    if c2 < 0.0 {
+        let x = (-c2 / 6.0).sqrt();
+        [-x, x].into_iter().filter(|x| low < *x && *x < high).for_each(|x| bends.push(x));
+    }
+    let extrema = monotone_roots(slope, bend, &bends, low, high);
+    monotone_roots(value, slope, &extrema, low, high)
+}
+
+/// The roots of `f` in an interval that `turns` cut into pieces where it is monotone.
+fn monotone_roots(f: impl Fn(f64) -> f64, df: impl Fn(f64) -> f64, turns: &Roots, low: f64, high: f64) -> Roots {
+    let mut roots = Roots::NONE;
+    let mut from = (low, f(low));
+    for to in turns.as_slice().iter().copied().chain([high]) {
+        let to = (to, f(to));
+        if (from.1 < 0.0) != (to.1 < 0.0) {
+            roots.push(bracketed_root(&f, &df, from, to));
+        }
+        from = to;
+    }
+    roots
+}
+
+/// The root of `f` between two points where its sign differs: Newton's iteration, halving the bracket whenever that
+/// leaves it, to the last digit.
+fn bracketed_root(f: impl Fn(f64) -> f64, df: impl Fn(f64) -> f64, from: (f64, f64), to: (f64, f64)) -> f64 {
+    /// Halving alone takes as many steps to bring an interval of length 2 to the rounding of its ends.
+    const STEPS: usize = 60;
+    let (mut below, mut above) = if from.1 < 0.0 { (from.0, to.0) } else { (to.0, from.0) };
+    let mut x = 0.5 * (below + above);
+    for _ in 0..STEPS {
+        let value = f(x);
+        if value == 0.0 {
+            return x;
+        }
+        if value < 0.0 {
+            below = x
+        } else {
+            above = x
+        }
+        let newton = x - value / df(x);
+        let next = if newton > below.min(above) && newton < below.max(above) { newton } else { 0.5 * (below + above) };
+        if (next - x).abs() <= f64::EPSILON * x.abs() {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::depressed_quartic;
+
+    #[test]
+    fn finds_the_roots_that_the_quartic_was_made_of() {
+        for [a, b, c] in [[-0.9, -0.2, 0.3], [-0.5, 0.1, 0.1001], [0.7, -0.7, 1e-8], [-1e-3, 2e-3, 3e-3]] {
+            // Four roots that sum to zero have no cubic term.
+            let d = -(a + b + c);
+            let mut expected = [a, b, c, d];
+            expected.sort_by(f64::total_cmp);
+            let c2 = a * b + a * c + a * d + b * c + b * d + c * d;
+            let c1 = -(a * b * c + a * b * d + a * c * d + b * c * d);
+            let roots = depressed_quartic(c2, c1, a * b * c * d, -1.0, 1.0);
+            assert_eq!(roots.as_slice().len(), 4);
+            for (root, expected) in roots.as_slice().iter().zip(expected) {
+                assert!((root - expected).abs() < 1e-9, "{root} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn finds_none_where_there_is_none() {
+        assert!(depressed_quartic(1.0, 0.0, 0.5, -1.0, 1.0).as_slice().is_empty());
+        assert!(depressed_quartic(0.0, 0.0, -16.0, -1.0, 1.0).as_slice().is_empty());
+    }
+}
