@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::analysis::{LightTerms, Probe, ProbeHit};
-use shading_lab::figure::{ArrowHead, Overlay, OverlayLayer, OverlayOptions, draw_overlay, palette};
+use shading_lab::figure::{ArrowHead, Halo, Overlay, OverlayLayer, OverlayOptions, draw_overlay, palette};
 use shading_lab::scene::{Light, LightKind, Projection, ReflectionModel, Rgb, Scene, View, Viewer};
 use tiny_skia::{Color, Pixmap};
 
@@ -86,7 +86,10 @@ fn pictures_to_look_at() {
     let mut white = Scene::default();
     white.image.background = Rgb::ONE;
     white.material.color = Rgb::splat(0.8);
-    let views: [(&str, &Scene, &OverlayOptions, [f64; 2]); 7] = [
+    let dark = OverlayOptions { halo: Halo::Dark, ..all.clone() };
+    let views: [(&str, &Scene, &OverlayOptions, [f64; 2]); 9] = [
+        ("dark-halo", &Scene::default(), &dark, [0.40, 0.42]),
+        ("white-dark-halo", &white, &dark, [0.7, 0.6]),
         ("simple", &Scene::default(), &simple, [0.62, 0.35]),
         ("all", &Scene::default(), &all, [0.40, 0.42]),
         ("several", &several, &all, [0.55, 0.30]),

@@ -69,6 +69,7 @@ impl Mark {
 pub(super) struct Ink<'a, 'b> {
     pub pixmap: &'a mut PixmapMut<'b>,
     pub halo: Rgb8,
+    /// At most; a thin line has less.
     pub breadth: f64,
 }
 
@@ -76,7 +77,8 @@ impl Ink<'_, '_> {
     /// Draws the marks, the later ones on top, above the halos of all.
     pub fn marks(&mut self, marks: &[Mark]) {
         for mark in marks.iter().filter(|mark| mark.halo) {
-            let (halo, breadth) = (self.halo, self.breadth);
+            let breadth = if mark.fill { self.breadth } else { self.breadth.min(0.9 * mark.width) };
+            let halo = self.halo;
             self.mark(&Mark { width: mark.width + 2.0 * breadth, dashes: &[], colour: halo, ..mark.clone() });
         }
         for mark in marks {

@@ -27,7 +27,7 @@ use sketch::{Sketch, Style};
 use tiny_skia::PixmapMut;
 
 /// Length of a unit vector across the line of sight, in the picture's shorter side.
-const UNIT_LENGTH: f64 = 1.0 / 6.0;
+const UNIT_LENGTH: f64 = 0.19;
 
 /// How an arrow ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

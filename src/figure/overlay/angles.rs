@@ -52,7 +52,7 @@ fn arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3), width: f64
     let radius = if angle == Angle::Phi { RADIUS[1] } else { RADIUS[0] };
     let points: Vec<DVec2> =
         turn(from, to)?.into_iter().map(|direction| sketch.end(direction * radius)).collect::<Option<_>>()?;
-    let edge_on = flat(&points, 2.0 * sketch.style.line);
+    let edge_on = flat(sketch.origin, &points, 1.2 * sketch.style.line);
     if !edge_on {
         let mark = Mark::line(points.clone(), width, sketch.style.neutral);
         // Two dashes a width apart: told from θ's solid arc at a glance.
@@ -73,13 +73,13 @@ fn turn(from: DVec3, to: DVec3) -> Option<Vec<DVec3>> {
     Some((0..=CHORDS).map(at).collect())
 }
 
-/// Whether a line is seen so much from its edge that it would only thicken the arrow beneath it.
-fn flat(points: &[DVec2], tolerance: f64) -> bool {
-    let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return true };
-    // A half turn seen from its edge folds onto itself, so its chord may be short: the farthest point gives the line.
-    let far = points.iter().copied().max_by(|a, b| (*a - first).length().total_cmp(&(*b - first).length()));
-    let along = (far.unwrap_or(last) - first).normalize_or_zero();
-    points.iter().all(|point| along.perp_dot(*point - first).abs() < 0.5 * tolerance)
+/// Whether all points lie on one line through `origin`: then the arc is seen from its edge and would only thicken the
+/// arrow beneath it.
+fn flat(origin: DVec2, points: &[DVec2], tolerance: f64) -> bool {
+    let far =
+        points.iter().map(|point| *point - origin).max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
+    let along = far.unwrap_or(DVec2::ZERO).normalize_or_zero();
+    points.iter().all(|point| along.perp_dot(*point - origin).abs() < tolerance)
 }
 
 fn label(sketch: &mut Sketch, arc: &Arc, text: String) {
@@ -113,9 +113,9 @@ mod tests {
     }
 
     #[test]
-    fn a_folded_line_is_flat_and_a_bent_one_is_not() {
-        let points = |list: &[(f64, f64)]| list.iter().map(|&(x, y)| DVec2::new(x, y)).collect::<Vec<_>>();
-        assert!(flat(&points(&[(0.0, 0.0), (10.0, 10.0), (0.1, 0.0)]), 1.0));
-        assert!(!flat(&points(&[(0.0, 0.0), (5.0, 3.0), (10.0, 0.0)]), 1.0));
+    fn an_arc_in_line_with_its_centre_is_flat_and_a_short_one_beside_it_is_not() {
+        let at = |(x, y): (f64, f64)| DVec2::new(x, y);
+        assert!(flat(DVec2::ZERO, &[(0.0, 0.0), (10.0, 10.0), (-5.0, -5.0)].map(at), 1.0));
+        assert!(!flat(DVec2::ZERO, &[(10.0, 0.0), (9.8, 2.0), (9.2, 4.0)].map(at), 1.0));
     }
 }

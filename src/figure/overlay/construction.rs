@@ -10,7 +10,7 @@ const SQUARE: f64 = 0.07;
 /// Of the lines that complete the parallelogram.
 const DASHES: &[f32] = &[4.0, 3.0];
 
-/// Draws the projection of `l` on `n` and the parallelogram of L and R, and letters the foot. Both are unit, and
+/// Draws the projection of `l` on `n` and the parallelogram of L and R. Both are unit, and
 /// `n`·`l` is positive.
 pub(super) fn draw(sketch: &mut Sketch, n: DVec3, l: DVec3) {
     let foot = n * n.dot(l);
@@ -29,6 +29,13 @@ pub(super) fn draw(sketch: &mut Sketch, n: DVec3, l: DVec3) {
         }
     }
     sketch.marks.push(Mark::dot(at_foot, 0.9 * style.line, palette::N));
-    let aside = (at_r - at_l).normalize_or_zero();
+}
+
+/// Letters the foot.
+pub(super) fn letter(sketch: &mut Sketch, n: DVec3, l: DVec3) {
+    let foot = n * n.dot(l);
+    let (Some(at_l), Some(at_foot)) = (sketch.end(l), sketch.end(foot)) else { return };
+    let style = sketch.style;
+    let aside = (at_foot - at_l).normalize_or_zero();
     sketch.letter("N(N·L)".into(), 0.8, palette::N, sketch.inside(at_foot, style.text), aside, 0.3 * style.text);
 }

@@ -42,16 +42,9 @@ impl<'a> Equation<'a> {
         Self { hit, model, half_vector, focus }
     }
 
-    /// Draws the layers asked for.
+    /// Draws the layers asked for at the point in the picture.
     pub fn draw(&self, sketch: &mut Sketch, layers: &[OverlayLayer]) -> (Vec<Arrow>, Vec<Arc>) {
-        let shows = |layer| layers.contains(&layer);
-        let construction = if shows(OverlayLayer::Construction) { self.focus.as_ref() } else { None };
-        if let Some(focus) = construction.filter(|focus| focus.lit) {
-            construction::draw(sketch, focus.n, focus.terms.l);
-        }
-        let arrows = if shows(OverlayLayer::Vectors) { vectors::draw(sketch, self.vectors(true)) } else { vec![] };
-        let arcs = if shows(OverlayLayer::Angles) { self.draw_angles(sketch) } else { vec![] };
-        (arrows, arcs)
+        self.draw_layers(sketch, true, |layer| layers.contains(&layer))
     }
 
     /// The side view in a corner of `picture`, if it is asked for and has room: vectors and angles of one light.
@@ -63,12 +56,29 @@ impl<'a> Equation<'a> {
         }
         let pane = side::pane(picture, sketch.origin, &sketch.style)?;
         let mut side = side::sketch(pane, focus.n, focus.terms.l, v, options)?;
-        if options.layers.contains(&OverlayLayer::Construction) && focus.lit {
-            construction::draw(&mut side, focus.n, focus.terms.l);
-        }
-        vectors::draw(&mut side, self.vectors(false));
-        self.draw_angles(&mut side);
+        let construction = options.layers.contains(&OverlayLayer::Construction);
+        self.draw_layers(&mut side, false, |layer| layer != OverlayLayer::Construction || construction);
         Some(side)
+    }
+
+    /// Draws in the order in which the letters want places: what is lettered first gets the best.
+    fn draw_layers(
+        &self,
+        sketch: &mut Sketch,
+        every_light: bool,
+        shows: impl Fn(OverlayLayer) -> bool,
+    ) -> (Vec<Arrow>, Vec<Arc>) {
+        let constructed = self.focus.as_ref().filter(|focus| focus.lit && shows(OverlayLayer::Construction));
+        if let Some(focus) = constructed {
+            construction::draw(sketch, focus.n, focus.terms.l);
+        }
+        let vectors = if shows(OverlayLayer::Vectors) { self.vectors(every_light) } else { vec![] };
+        let arrows = vectors::draw(sketch, vectors);
+        let arcs = if shows(OverlayLayer::Angles) { self.draw_angles(sketch) } else { vec![] };
+        if let Some(focus) = constructed {
+            construction::letter(sketch, focus.n, focus.terms.l);
+        }
+        (arrows, arcs)
     }
 
     /// The vectors in the order in which they are drawn and lettered; `every_light` adds L of the other lights.

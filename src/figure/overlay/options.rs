@@ -40,8 +40,8 @@ pub struct OverlayOptions {
     /// The light whose L is emphasised and whose R, H, θ, φ and construction are shown, by its index in the scene. With
     /// nothing chosen it is the first that the point faces, or else the first.
     pub light: Option<usize>,
-    /// Length of a unit vector in world units; nothing makes it a sixth of the picture's shorter side at the point's
-    /// depth.
+    /// Length of a unit vector in world units; nothing makes it about a fifth of the picture's shorter side at the
+    /// point's depth.
     pub length: Option<f64>,
     /// Shows H for every model; without it for Blinn's alone.
     pub half_vector: bool,

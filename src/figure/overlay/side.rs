@@ -12,9 +12,11 @@ use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 
 /// Side of the pane: the wanted share of the picture's shorter side, the largest share, and the least in text sizes.
-const SIDE: [f64; 3] = [0.38, 0.6, 9.0];
-/// Length of a unit vector and drop of the point below the pane's middle, in the pane's side.
-const UNIT: [f64; 2] = [0.29, 0.15];
+const SIDE: [f64; 3] = [0.35, 0.6, 8.5];
+/// Length of a unit vector in the pane's side: twice as much fits above the point, where R's construction reaches.
+const UNIT: f64 = 0.36;
+/// Drop of the point below the pane's middle; less where an L from behind the surface would leave the pane.
+const DROP: [f64; 2] = [0.26, 0.45];
 /// The height from which the surface is looked down on, and the turn about N that shows a V square to the plane, radians.
 const TILT: [f64; 2] = [0.22, 0.6];
 /// Radius of the disc that stands for the surface, in unit vectors.
@@ -44,7 +46,7 @@ pub(super) fn pane(picture: Area, point: DVec2, style: &Style) -> Option<Area> {
 pub(super) fn sketch(pane: Area, n: DVec3, l: DVec3, v: DVec3, options: &OverlayOptions) -> Option<Sketch> {
     let side = (pane.max - pane.min).min_element();
     let view = view(pane, n, l, v);
-    let style = Style::new(2.1 * side, options);
+    let style = Style::new(2.3 * side, options);
     let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, Some(1.0), side)?;
     let corner = |x: f64, y: f64| pane.min + DVec2::new(x, y) * side;
     let square = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
@@ -72,16 +74,9 @@ fn view(pane: Area, n: DVec3, l: DVec3, v: DVec3) -> View {
     let (sine, cosine) = TILT[0].sin_cos();
     let (forward, up) = (into * cosine - n * sine, n * cosine + into * sine);
     let side = (pane.max - pane.min).min_element();
-    let centre = pane.centre() + DVec2::new(0.0, UNIT[1] * side);
-    View {
-        eye: forward * -4.0,
-        right,
-        up,
-        forward,
-        centre,
-        scale: UNIT[0] * side,
-        projection: Projection::Orthographic,
-    }
+    let drop = DROP[0].min(DROP[1] - UNIT * (-n.dot(l)).max(0.0));
+    let centre = pane.centre() + DVec2::new(0.0, drop * side);
+    View { eye: forward * -4.0, right, up, forward, centre, scale: UNIT * side, projection: Projection::Orthographic }
 }
 
 #[cfg(test)]
@@ -104,9 +99,9 @@ mod tests {
             let view = view(PANE, n, l, v);
             prop_assert!((view.right.cross(view.up) + view.forward).length() < 1e-9);
             let at = |vector: DVec3| view.project(vector).expect("in front").0 - view.centre;
-            prop_assert!(at(n).y < -0.9 * UNIT[0] * 300.0 && at(n).x.abs() < 1e-6, "N is at {}", at(n));
+            prop_assert!(at(n).y < -0.9 * UNIT * 300.0 && at(n).x.abs() < 1e-6, "N is at {}", at(n));
             prop_assert!(at(l).x < 1e-6, "L is at {}", at(l));
-            prop_assert!(at(v).length() > 0.1 * UNIT[0] * 300.0, "V is at {}", at(v));
+            prop_assert!(at(v).length() > 0.1 * UNIT * 300.0, "V is at {}", at(v));
         }
     }
 

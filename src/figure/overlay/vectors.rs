@@ -9,8 +9,8 @@ use glam::{DVec2, DVec3};
 /// Within this sine of the line of sight (ten degrees) an arrow has no length to speak of and shows its head from the
 /// front or from behind.
 const HEAD_ON: f64 = 0.17;
-/// Width of the arrows of lights that are not emphasised, and how opaque they are.
-const SUBORDINATE: [f64; 2] = [0.6, 0.8];
+/// Width of the arrows of lights that are not emphasised.
+const SUBORDINATE: f64 = 0.55;
 
 /// A vector to be drawn.
 pub(super) struct Given {
@@ -54,14 +54,14 @@ fn plain(sketch: &mut Sketch, arrow: &Arrow, name: String) {
     let style = sketch.style;
     let way = arrow.tip - arrow.tail;
     let along = way.normalize_or_zero();
-    let [thin, faint] = if arrow.emphasised { [1.0, 1.0] } else { SUBORDINATE };
+    let thin = if arrow.emphasised { 1.0 } else { SUBORDINATE };
     let width = style.line * thin;
     let head = (style.head * thin.sqrt()).min(0.6 * way.length());
     let colour = arrow.vector.colour();
     let start = arrow.tail + along * style.ring.min(0.4 * way.length());
     let shaft = vec![start, arrow.tip - along * 0.85 * head];
-    sketch.marks.push(Mark::line(shaft, width, colour).dashed(arrow.vector.dashes()).faded(faint));
-    sketch.marks.push(point_head(arrow.tip, along, head, colour).faded(faint));
+    sketch.marks.push(Mark::line(shaft, width, colour).dashed(arrow.vector.dashes()));
+    sketch.marks.push(point_head(arrow.tip, along, head, colour));
     let anchor = sketch.inside(arrow.tip, 0.5 * style.text);
     let size = if arrow.emphasised { 1.15 } else { 0.9 };
     sketch.letter(name, size, colour, anchor, along, 0.15 * style.text);
