@@ -28,6 +28,8 @@ use tiny_skia::PixmapMut;
 
 /// Length of a unit vector across the line of sight, in the picture's shorter side.
 const UNIT_LENGTH: f64 = 0.19;
+/// Among more lights than this only the chosen one is lettered.
+const LETTERED: usize = 24;
 
 /// How an arrow ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

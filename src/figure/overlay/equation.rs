@@ -1,7 +1,7 @@
 //! Which vectors and angles the equation has at a point: those of all lights, and of the one that is looked at in full.
 
 use super::sketch::Sketch;
-use super::{Arc, Area, Arrow, OverlayLayer, OverlayOptions, angles, construction, side, vectors};
+use super::{Arc, Area, Arrow, LETTERED, OverlayLayer, OverlayOptions, angles, construction, side, vectors};
 use crate::analysis::{LightTerms, ProbeHit};
 use crate::figure::palette::Vector;
 use crate::scene::{Backfacing, ReflectionModel, Scene};
@@ -84,7 +84,8 @@ impl<'a> Equation<'a> {
     /// The vectors in the order in which they are drawn and lettered; `every_light` adds L of the other lights.
     fn vectors(&self, every_light: bool) -> Vec<vectors::Given> {
         let given = |vector: Vector, light, direction, emphasised| {
-            let name = format!("{}{}", vector.letter(), self.subscript(light));
+            let named = emphasised || self.hit.lights.len() <= LETTERED;
+            let name = if named { format!("{}{}", vector.letter(), self.subscript(light)) } else { String::new() };
             vectors::Given { vector, light, direction, name, emphasised }
         };
         let mut list = vec![given(Vector::N, None, self.hit.normal, true)];

@@ -12,6 +12,9 @@ const COST: [f64; 3] = [1.0, 1.0, 5.0];
 /// Places along each side of the picture that are tried when there is no room near the anchor.
 const GRID: u32 = 24;
 
+/// A curve counts as an obstacle by about this many chords.
+const CHORDS: usize = 12;
+
 /// A rectangle in pixels, y downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Area {
@@ -45,12 +48,6 @@ impl Area {
     /// The point of the area next to `point`.
     pub fn nearest(&self, point: DVec2) -> DVec2 {
         point.clamp(self.min, self.max)
-    }
-
-    /// The area moved by as little as brings it inside `outer`, which is larger.
-    pub fn moved_into(&self, outer: &Self) -> Self {
-        let shift = (outer.min - self.min).max(DVec2::ZERO) + (outer.max - self.max).min(DVec2::ZERO);
-        Self { min: self.min + shift, max: self.max + shift }
     }
 
     /// Length of the segment from `a` to `b` inside.
@@ -97,7 +94,8 @@ impl Placer {
     pub fn new(bounds: Area, text_size: f64, marks: &[Mark]) -> Self {
         let mut segments = Vec::new();
         for mark in marks {
-            segments.extend(mark.points.windows(2).filter_map(|ends| match ends {
+            let coarse: Vec<DVec2> = mark.points.iter().copied().step_by(1 + mark.points.len() / CHORDS).collect();
+            segments.extend(coarse.windows(2).filter_map(|ends| match ends {
                 &[a, b] => Some((a, b)),
                 _ => None,
             }));

@@ -1,9 +1,9 @@
 //! Where the lights are: a sun for one that stands somewhere, parallel rays for one that only has a direction.
 
-use super::LightHandle;
 use super::labels::Area;
 use super::sketch::Sketch;
 use super::vectors::point_head;
+use super::{LETTERED, LightHandle};
 use crate::figure::ink::Mark;
 use crate::figure::palette::{self, Rgb8};
 use crate::scene::{Light, LightKind, View};
@@ -29,7 +29,7 @@ pub(super) fn draw(sketch: &mut Sketch, lights: &[Light], chosen: Option<usize>)
         } else {
             sun(sketch, index, light, radius)
         };
-        if lights.len() > 1 {
+        if lights.len() > 1 && (lights.len() <= LETTERED || chosen == Some(index)) {
             let aside = (sketch.view.centre - handle.pixel).normalize_or_zero();
             let clearance = SUN[0] * radius + 0.1 * sketch.style.text;
             sketch.letter((index + 1).to_string(), size, palette::L, handle.pixel, aside, clearance);
@@ -82,7 +82,7 @@ fn on_edge(sketch: &Sketch, point: DVec2, margin: f64) -> DVec2 {
 
 fn rays(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightHandle {
     let style = sketch.style;
-    let direction = light.direction.normalize_or_zero();
+    let direction = (light.direction / light.direction.abs().max_element()).normalize_or_zero();
     let flat = DVec2::new(direction.dot(sketch.view.right), -direction.dot(sketch.view.up));
     let room = RAYS_AT * (sketch.pane.max - sketch.pane.min).min_element();
     let pixel = sketch.pane.centre() - flat * room;

@@ -10,6 +10,10 @@ use glam::{DVec2, DVec3};
 
 /// How near to the eye an arrow may come, in depths of its tail. Beyond, perspective would blow it up without bound.
 const NEAREST: f64 = 0.05;
+/// Along the line of sight an end nearer than this, in pixels, has its direction from rounding alone.
+const ROUNDING: f64 = 1e-3;
+/// Ends farther away than this, in pixels, are drawn this far: the way to them looks the same.
+const FARTHEST: f64 = 1e6;
 /// Text is never smaller than this, in pixels an em, before [`OverlayOptions::scale`].
 const LEAST_TEXT: f64 = 13.0;
 
@@ -92,8 +96,15 @@ impl Sketch {
         let room = (1.0 - NEAREST) * depth;
         let share = if approach > room { room / approach } else { 1.0 };
         let (end, _) = self.view.project(self.position + reach * share)?;
-        // Along the line of sight rounding must not make up a direction.
-        Some(if (end - self.origin).length() < 1e-3 { self.origin } else { end })
+        let way = end - self.origin;
+        let far = way.abs().max_element();
+        Some(if far > FARTHEST {
+            self.origin + way / far * FARTHEST
+        } else if far < ROUNDING {
+            self.origin
+        } else {
+            end
+        })
     }
 
     /// The sine of the angle between `vector` and the line of sight, signed: positive towards the eye.
@@ -122,15 +133,20 @@ impl Sketch {
         from + way * share
     }
 
-    /// Asks for a label of `size` times the usual size.
+    /// Asks for a label of `size` times the usual size; an empty text asks for none.
     pub fn letter(&mut self, text: String, size: f64, colour: Rgb8, anchor: DVec2, direction: DVec2, clearance: f64) {
+        if text.is_empty() {
+            return;
+        }
         self.pending.push(Pending { text, size: size * self.style.text, colour, anchor, direction, clearance });
     }
 
     /// Gives every label asked for its place, in that order, outside `reserved`.
     pub fn labels(&mut self, reserved: &[Area]) -> Vec<Label> {
         let mut placer = Placer::new(self.pane, self.style.text, &self.marks);
-        reserved.iter().for_each(|area| placer.reserve(*area));
+        for area in reserved {
+            placer.reserve(*area);
+        }
         let mut labels = Vec::new();
         for pending in std::mem::take(&mut self.pending) {
             let lettering = Lettering::new(&pending.text, pending.size);

@@ -18,6 +18,7 @@ pub(super) struct Given {
     pub light: Option<usize>,
     pub direction: DVec3,
     /// The letter with its number.
+    /// Empty for none.
     pub name: String,
     pub emphasised: bool,
 }
