@@ -130,7 +130,8 @@ impl<T: Scalar> Equation<T> {
     #[inline(always)]
     pub fn illuminate<R: Real<Scalar = T>, F: Specular>(&self, site: &Site<R>) -> [R; 3] {
         let like = site.inverse_distance;
-        let mut sum = self.ambient.map(|a| like.constant(a));
+        let [r, g, b] = self.ambient;
+        let mut sum = [like.constant(r), like.constant(g), like.constant(b)];
         for source in &self.sources {
             let response = self.respond::<R, F>(source, site);
             for (channel, total) in sum.iter_mut().enumerate() {

@@ -106,8 +106,7 @@ impl Chunk {
             return;
         }
         let range = |axis: usize| {
-            let (low, high) =
-                (a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis]));
+            let (low, high) = (a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis]));
             let limit = i32::try_from(size[axis]).unwrap_or(i32::MAX);
             first_centre(low).max(0)..first_centre(high).min(limit)
         };

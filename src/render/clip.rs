@@ -70,11 +70,8 @@ impl Clipped {
 
 /// Clips the triangle with view components `views`; empty where nothing is left.
 fn clip(lens: &Lens, views: [DVec3; 3]) -> Vec<Corner> {
-    let mut polygon: Vec<Corner> = views
-        .into_iter()
-        .zip([DVec3::X, DVec3::Y, DVec3::Z])
-        .map(|(view, weights)| Corner { view, weights })
-        .collect();
+    let mut polygon: Vec<Corner> =
+        views.into_iter().zip([DVec3::X, DVec3::Y, DVec3::Z]).map(|(view, weights)| Corner { view, weights }).collect();
     cut(&mut polygon, |view| view.z - NEAR);
     // How far the guard band reaches from the middle at depth 1 (or anywhere, without perspective).
     let reach = |side: f64| (GUARD - side.abs()) / lens.focal;

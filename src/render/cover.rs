@@ -1,5 +1,6 @@
 //! A band's triangles in, the runs of pixels that see each of them out.
 
+use super::interpolate::Sources;
 use super::span::scan;
 use super::transform::{HALF, Place, Placed, SUBPIXELS};
 use std::ops::Range;
@@ -67,8 +68,8 @@ impl Weights {
     #[inline(always)]
     #[expect(clippy::cast_possible_truncation, reason = "steps multiply single-precision values")]
     pub fn new([a, b, c]: [Place; 3]) -> Self {
-        let edge = |to: Place| [f64::from(to[0]) - f64::from(a[0]), f64::from(to[1]) - f64::from(a[1])];
-        let (e1, e2) = (edge(b), edge(c));
+        let e1 = [f64::from(b[0]) - f64::from(a[0]), f64::from(b[1]) - f64::from(a[1])];
+        let e2 = [f64::from(c[0]) - f64::from(a[0]), f64::from(c[1]) - f64::from(a[1])];
         let inverse_area = 1.0 / (e1[0] * e2[1] - e1[1] * e2[0]);
         let pixel = f64::from(SUBPIXELS) * inverse_area;
         Self { origin: a, e1, e2, inverse_area, step: [(e2[1] * pixel) as f32, (-e1[1] * pixel) as f32] }
@@ -90,25 +91,25 @@ impl Weights {
 impl Band {
     /// Covers the band by triangles of which no two overlap: no depth is needed.
     #[inline(always)]
-    pub fn cover_directly(
-        &mut self,
-        place: BandPlace,
-        placed: &Placed,
-        triangles: impl Iterator<Item = u32>,
-        vertices: impl Fn(u32) -> [u32; 3],
-    ) {
+    pub fn cover_directly(&mut self, place: BandPlace, sources: &Sources<'_>, triangles: impl Iterator<Item = u32>) {
         self.begin_sorted(place, false);
         let width = as_i32(place.width);
         for triangle in triangles {
-            let corners = vertices(triangle).map(|v| placed.places[v as usize]);
-            scan(corners, place.row_range(), width, |y, x0, x1| {
-                let row = as_u32(y) - place.first_row;
-                let extent = &mut self.extents[row as usize];
-                extent.start = extent.start.min(as_u32(x0));
-                extent.end = extent.end.max(as_u32(x1));
-                self.covered += u64::from(as_u32(x1 - x0));
-                self.runs.push(Run { triangle, row: as_u16(as_i32(row)), x0: as_u16(x0), x1: as_u16(x1) });
-            });
+            let corners = sources.placed.corners(sources.vertices(triangle));
+            scan(
+                corners,
+                place.row_range(),
+                width,
+                #[inline(always)]
+                |y, x0, x1| {
+                    let row = as_u32(y) - place.first_row;
+                    let extent = &mut self.extents[row as usize];
+                    extent.start = extent.start.min(as_u32(x0));
+                    extent.end = extent.end.max(as_u32(x1));
+                    self.covered += u64::from(as_u32(x1 - x0));
+                    self.runs.push(Run { triangle, row: as_u16(as_i32(row)), x0: as_u16(x0), x1: as_u16(x1) });
+                },
+            );
         }
     }
 
@@ -117,9 +118,8 @@ impl Band {
     pub fn cover_nearest(
         &mut self,
         place: BandPlace,
-        placed: &Placed,
+        sources: &Sources<'_>,
         triangles: impl Iterator<Item = u32>,
-        vertices: impl Fn(u32) -> [u32; 3],
         scratch: &mut DepthScratch,
     ) {
         self.begin_sorted(place, true);
@@ -129,7 +129,7 @@ impl Band {
         scratch.triangles.clear();
         scratch.triangles.resize(pixels, NONE);
         for triangle in triangles {
-            scratch.draw(place, placed, triangle, vertices(triangle));
+            scratch.draw(place, sources.placed, triangle, sources.vertices(triangle));
         }
         for row in 0..place.rows {
             let start = (row * place.width) as usize;
@@ -175,24 +175,31 @@ impl DepthScratch {
     #[inline(always)]
     #[expect(clippy::cast_possible_truncation, reason = "depth keys are single precision")]
     fn draw(&mut self, place: BandPlace, placed: &Placed, triangle: u32, vertices: [u32; 3]) {
-        let corners = vertices.map(|v| placed.places[v as usize]);
-        let keys = vertices.map(|v| placed.keys[v as usize]);
+        let corners = placed.corners(vertices);
+        let [a, b, c] = vertices;
+        let keys = [placed.keys[a as usize], placed.keys[b as usize], placed.keys[c as usize]];
         let weights = Weights::new(corners);
         let (d1, d2) = (keys[1] - keys[0], keys[2] - keys[0]);
         let step = weights.step[0] * d1 + weights.step[1] * d2;
-        scan(corners, place.row_range(), as_i32(place.width), |y, x0, x1| {
-            let [w1, w2] = weights.at(x0, y);
-            let start = keys[0] + w1 as f32 * d1 + w2 as f32 * d2;
-            let base = ((as_u32(y) - place.first_row) * place.width) as usize;
-            let range = base + x0 as usize..base + x1 as usize;
-            let depths = &mut self.keys[range.clone()];
-            for (k, (depth, seen)) in depths.iter_mut().zip(&mut self.triangles[range]).enumerate() {
-                let key = start + k as f32 * step;
-                let nearer = key > *depth;
-                *depth = if nearer { key } else { *depth };
-                *seen = if nearer { triangle } else { *seen };
-            }
-        });
+        scan(
+            corners,
+            place.row_range(),
+            as_i32(place.width),
+            #[inline(always)]
+            |y, x0, x1| {
+                let [w1, w2] = weights.at(x0, y);
+                let start = keys[0] + w1 as f32 * d1 + w2 as f32 * d2;
+                let base = ((as_u32(y) - place.first_row) * place.width) as usize;
+                let range = base + x0 as usize..base + x1 as usize;
+                let depths = &mut self.keys[range.clone()];
+                for (k, (depth, seen)) in depths.iter_mut().zip(&mut self.triangles[range]).enumerate() {
+                    let key = start + k as f32 * step;
+                    let nearer = key > *depth;
+                    *depth = if nearer { key } else { *depth };
+                    *seen = if nearer { triangle } else { *seen };
+                }
+            },
+        );
     }
 }
 

@@ -43,6 +43,13 @@ fn encode<S: Simd>(v: Lanes<S>, encoding: Encoding) -> Lanes<S> {
     Lanes::select(v.greater_than(v.constant(0.003_130_8)), high, low)
 }
 
+/// Intensities to code values: clamped, encoded, rounded.
+#[inline(always)]
+fn code<S: Simd>(v: Lanes<S>, encoding: Encoding) -> S::i32s {
+    let clamped = v.max(v.constant(0.0)).min(v.constant(1.0));
+    S::i32s::truncate_from(encode(clamped, encoding).0 + 0.5)
+}
+
 /// Packs a vector of colours into pixels and returns which lanes overflow. Lanes outside `covered` get `background`.
 #[inline(always)]
 pub(super) fn pack<S: Simd>(
@@ -53,13 +60,10 @@ pub(super) fn pack<S: Simd>(
     encoding: Encoding,
 ) -> (S::u8s, u64) {
     let one = Lanes::splat(simd, 1.0);
-    let zero = Lanes::splat(simd, 0.0);
     let peak = color[0].max(color[1]).max(color[2]);
     let over = (peak.greater_than(one) & covered).to_bitmask();
-    let [r, g, b] = color.map(|v| {
-        let code = encode(v.max(zero).min(one), encoding).0 + 0.5;
-        S::i32s::truncate_from(code)
-    });
+    let [r, g, b] = color;
+    let (r, g, b) = (code(r, encoding), code(g, encoding), code(b, encoding));
     let pixel = r | (g << 8) | (b << 16) | S::i32s::simd_from(simd, i32::from_le_bytes([0, 0, 0, 255]));
     (covered.select(pixel, background).bitcast(), over)
 }

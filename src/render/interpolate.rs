@@ -112,8 +112,12 @@ impl<S: Simd> Rule<S> for Barycentric<'_, S> {
         if run.triangle != self.triangle {
             self.triangle = run.triangle;
             let vertices = self.sources.vertices(run.triangle);
-            self.weights = Weights::new(vertices.map(|v| self.sources.placed.places[v as usize]));
-            let [a, b, c] = vertices.map(|v| f32x4::simd_from(simd, self.sources.carried[v as usize]));
+            self.weights = Weights::new(self.sources.placed.corners(vertices));
+            let [a, b, c] = vertices;
+            let carried = self.sources.carried;
+            let a = f32x4::simd_from(simd, carried[a as usize]);
+            let b = f32x4::simd_from(simd, carried[b as usize]);
+            let c = f32x4::simd_from(simd, carried[c as usize]);
             self.origin = a;
             self.d1 = b - a;
             self.d2 = c - a;

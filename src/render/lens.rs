@@ -69,8 +69,8 @@ impl Lens {
     /// The ray through a place in the picture: a point and a direction in camera distances relative to the eye, such
     /// that point + depth·direction lies at that depth.
     pub fn ray(&self, place: DVec2) -> (DVec3, DVec3) {
-        let across = self.right * ((place.x - self.middle.x) / self.focal)
-            - self.up * ((place.y - self.middle.y) / self.focal);
+        let across =
+            self.right * ((place.x - self.middle.x) / self.focal) - self.up * ((place.y - self.middle.y) / self.focal);
         if self.perspective { (DVec3::ZERO, self.forward + across) } else { (across, self.forward) }
     }
 

@@ -93,9 +93,10 @@ impl Bands {
     /// The triangle that a pixel sees.
     pub fn triangle_at(&self, x: u32, y: u32) -> Option<u32> {
         let band = self.bands.get((y / BAND) as usize)?;
-        let run = band.runs.iter().find(|run| {
-            u32::from(run.row) == y % BAND && u32::from(run.x0) <= x && x < u32::from(run.x1)
-        })?;
+        let run = band
+            .runs
+            .iter()
+            .find(|run| u32::from(run.row) == y % BAND && u32::from(run.x0) <= x && x < u32::from(run.x1))?;
         Some(run.triangle)
     }
 
@@ -176,16 +177,11 @@ impl Painting<'_> {
         let counters = Counters::default();
         jobs(&mut bands.bands, &mut bands.fragments, canvas, [width, height])
             .into_par_iter()
-            
             .for_each(|job| painting.paint(job, stale, &counters));
         let threads = rayon::current_num_threads().max(1) as u64;
         let mut nanoseconds = counters.nanoseconds.map(|counter| counter.into_inner() / threads);
         nanoseconds[1] += carrying;
-        Painted {
-            covered: counters.covered.into_inner(),
-            overflowing: counters.overflowing.into_inner(),
-            nanoseconds,
-        }
+        Painted { covered: counters.covered.into_inner(), overflowing: counters.overflowing.into_inner(), nanoseconds }
     }
 
     fn paint(&self, mut job: Job<'_>, stale: Stale, counters: &Counters) {
@@ -220,17 +216,16 @@ impl Painting<'_> {
             return;
         }
         let triangles = self.bins.band(*index);
-        let vertices = |triangle| self.sources.vertices(triangle);
-        let placed = self.sources.placed;
+        let sources = &self.sources;
         if self.plan.depth_test {
             DEPTH.with_borrow_mut(|scratch| {
                 dispatch!(self.level, simd => vectorised(simd, #[inline(always)] || {
-                    band.cover_nearest(*place, placed, triangles, vertices, scratch);
+                    band.cover_nearest(*place, sources, triangles, scratch);
                 }));
             });
         } else {
             dispatch!(self.level, simd => vectorised(simd, #[inline(always)] || {
-                band.cover_directly(*place, placed, triangles, vertices);
+                band.cover_directly(*place, sources, triangles);
             }));
         }
     }

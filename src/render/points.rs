@@ -79,16 +79,17 @@ impl Sites<'_> {
         let scale = Lanes::splat(simd, self.scale);
         let [r, g, b] = out;
         for start in (0..r.len()).step_by(lanes) {
-            let load = |planes: [&[f32]; 3]| {
-                let [x, y, z] = planes.map(|plane| Lanes::<S>::load(simd, &plane[start..]));
-                V3::new(x, y, z)
-            };
-            let position = load(self.position).scale_add(scale, V3::constant(scale, self.offset));
-            let site = self.equation.site(position, load(self.normal));
+            let position = load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
+            let site = self.equation.site(position, load(simd, self.normal, start));
             let rgb = self.equation.illuminate::<Lanes<S>, F>(&site);
-            for (plane, channel) in [&mut *r, &mut *g, &mut *b].into_iter().zip(rgb) {
-                channel.0.store_slice(&mut plane[start..start + lanes]);
-            }
+            rgb[0].0.store_slice(&mut r[start..start + lanes]);
+            rgb[1].0.store_slice(&mut g[start..start + lanes]);
+            rgb[2].0.store_slice(&mut b[start..start + lanes]);
         }
     }
+}
+
+#[inline(always)]
+fn load<S: Simd>(simd: S, [x, y, z]: [&[f32]; 3], start: usize) -> V3<Lanes<S>> {
+    V3::new(Lanes::load(simd, &x[start..]), Lanes::load(simd, &y[start..]), Lanes::load(simd, &z[start..]))
 }

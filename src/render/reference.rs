@@ -145,8 +145,7 @@ fn scanline_weights(polygon: &[u32], at: impl Fn(u32) -> DVec2, place: DVec2) ->
     let pair = crossings.chunks_exact(2).min_by(|p, q| outside(p).total_cmp(&outside(q)));
     let Some(&[p, q]) = pair.and_then(|pair| pair.first_chunk()) else { return vec![(polygon[0], 1.0)] };
     let t = if q.0 > p.0 { ((place.x - p.0) / (q.0 - p.0)).clamp(0.0, 1.0) } else { 0.0 };
-    let of = |(_, from, to, alpha): (f64, u32, u32, f64), share: f64| {
-        [(from, (1.0 - alpha) * share), (to, alpha * share)]
-    };
+    let of =
+        |(_, from, to, alpha): (f64, u32, u32, f64), share: f64| [(from, (1.0 - alpha) * share), (to, alpha * share)];
     [of(p, 1.0 - t), of(q, t)].concat()
 }

@@ -257,8 +257,7 @@ impl Renderer {
         self.note(Stage::Geometry, ran, began, 0);
         let model = &self.model.output;
         self.report.triangles = model.triangles.len() as u64;
-        let facts =
-            Facts { closed: model.closed, convex: model.convex, centre: model.origin, radius: model.radius };
+        let facts = Facts { closed: model.closed, convex: model.convex, centre: model.origin, radius: model.radius };
         Plan::of(scene, &facts)
     }
 
@@ -299,8 +298,7 @@ impl Renderer {
                 self.faces.update(self.model.stamp(), |_, faces| *faces = face_points(model));
             }
             let faces = &self.faces.output;
-            let (position, normal) =
-                if at_faces { (&faces.0, &faces.1) } else { (&model.position, &model.normal) };
+            let (position, normal) = if at_faces { (&faces.0, &faces.1) } else { (&model.position, &model.normal) };
             let inputs = IntensityInputs { model: self.model.stamp(), equation: equation.clone(), per: plan.per };
             let level = self.level;
             ran = self.intensity.update(inputs, |inputs, intensity| {
@@ -410,4 +408,3 @@ fn sample_offset(index: u32, count: u32) -> DVec2 {
     let y = (f64::from(index) * GOLDEN + 0.5).fract();
     DVec2::new(x - 0.5, y - 0.5)
 }
-

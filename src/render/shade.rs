@@ -13,6 +13,9 @@ use std::ops::Range;
 /// Fragments that are taken from interleaved order into lanes at a time.
 const BLOCK: usize = 256;
 
+/// The components of a block's fragments.
+type Planes = [[f32; BLOCK]; 4];
+
 /// Colours of pixels from their fragments.
 pub(super) trait Colour: Copy + Sync {
     /// Readies a row: `y` is the pixel row.
@@ -34,7 +37,8 @@ impl Colour for Carried {
     #[inline(always)]
     fn at<S: Simd>(&self, simd: S, _: Lanes<S>, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
         let factor = if self.by_key { Lanes::splat(simd, 1.0) / key } else { Lanes::splat(simd, 1.0) };
-        carried.map(|v| v * factor)
+        let [r, g, b] = carried;
+        [r * factor, g * factor, b * factor]
     }
 }
 
@@ -181,7 +185,7 @@ impl Target for Unstored<'_> {
         let mut over = 0;
         for (lane, pixel) in self.pixels[first..first + count].iter_mut().enumerate() {
             *pixel = if covered >> lane & 1 == 1 {
-                let [r, g, b] = color.each_ref().map(|channel| channel.0[lane]);
+                let [r, g, b] = [color[0].0[lane], color[1].0[lane], color[2].0[lane]];
                 over += u32::from(r > 1.0 || g > 1.0 || b > 1.0);
                 [r, g, b, 1.0]
             } else {
@@ -217,6 +221,7 @@ pub(super) fn shade<S: Simd>(
 ) -> u64 {
     let width = place.width as usize;
     let mut over = 0;
+    let mut planes = [[0.0; BLOCK]; 4];
     for (row, extent) in extents.iter().enumerate() {
         let line = row * width..(row + 1) * width;
         if extent.is_empty() {
@@ -229,40 +234,46 @@ pub(super) fn shade<S: Simd>(
         colour.row(place.first_row + row as u32);
         for x in (x0..x1).step_by(BLOCK) {
             let end = (x + BLOCK).min(x1);
-            over += shade_block(simd, x, &fragments[line.start + x..line.start + end], colour, line.start, target);
+            let fragments = &fragments[line.start + x..line.start + end];
+            separate(simd, fragments, &mut planes);
+            over += shade_block(simd, x, fragments.len(), &planes, colour, line.start, target);
         }
     }
     over
 }
 
-/// Colours the pixels from column `x` on that `fragments` belong to.
+/// Colours `length` pixels from column `x` on whose fragments `planes` holds.
 #[inline(always)]
 fn shade_block<S: Simd>(
     simd: S,
     x: usize,
-    fragments: &[Fragment],
+    length: usize,
+    planes: &Planes,
     colour: impl Colour,
     line: usize,
     target: &mut impl Target,
 ) -> u64 {
-    let planes = separate(simd, fragments);
     let lanes = Lanes::<S>::LEN;
     let limit = Lanes::splat(simd, f32::MIN);
     let mut over = 0;
-    for start in (0..fragments.len()).step_by(lanes) {
-        let [a, b, c, key] = planes.each_ref().map(|plane| Lanes::<S>::load(simd, &plane[start..]));
+    let mut start = 0;
+    while start < length {
+        let [a, b, c, key] = planes;
+        let carried =
+            [Lanes::<S>::load(simd, &a[start..]), Lanes::load(simd, &b[start..]), Lanes::load(simd, &c[start..])];
+        let key = Lanes::load(simd, &key[start..]);
         let columns = Lanes::count_up(simd) + Lanes::splat(simd, (x + start) as f32);
-        let rgb = colour.at(simd, columns, [a, b, c], key);
-        let count = lanes.min(fragments.len() - start);
+        let rgb = colour.at(simd, columns, carried, key);
+        let count = lanes.min(length - start);
         over += u64::from(target.put(simd, line + x + start, count, rgb, key.greater_than(limit)));
+        start += lanes;
     }
     over
 }
 
 /// Fragments to one plane a component.
 #[inline(always)]
-fn separate<S: Simd>(simd: S, fragments: &[Fragment]) -> [[f32; BLOCK]; 4] {
-    let mut planes = [[0.0; BLOCK]; 4];
+fn separate<S: Simd>(simd: S, fragments: &[Fragment], planes: &mut Planes) {
     let quads = fragments.chunks_exact(4);
     let rest = quads.remainder();
     let whole = fragments.len() - rest.len();
@@ -277,5 +288,4 @@ fn separate<S: Simd>(simd: S, fragments: &[Fragment]) -> [[f32; BLOCK]; 4] {
             plane[index] = *value;
         }
     }
-    planes
 }

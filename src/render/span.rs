@@ -57,26 +57,39 @@ impl Edge {
 
 /// Calls `emit(y, x0, x1)` for each row of `rows` in which the triangle covers the pixels x0..x1 of 0..`width`.
 #[inline(always)]
-pub(super) fn scan(mut corners: [Place; 3], rows: Range<i32>, width: i32, mut emit: impl FnMut(i32, i32, i32)) {
-    corners.sort_unstable_by_key(|p| (p[1], p[0]));
-    let [top, middle, bottom] = corners;
+pub(super) fn scan(corners: [Place; 3], rows: Range<i32>, width: i32, mut emit: impl FnMut(i32, i32, i32)) {
+    let [top, middle, bottom] = sorted(corners);
     let long = Edge::new(top, bottom);
-    let middle_is_right = doubled_area(corners) > 0;
-    let mut half = |from: Place, to: Place| {
-        let range = first_centre(from[1]).max(rows.start)..first_centre(to[1]).min(rows.end);
-        if range.is_empty() {
-            return;
+    let middle_is_right = doubled_area([top, middle, bottom]) > 0;
+    for (from, to) in [(top, middle), (middle, bottom)] {
+        let mut y = first_centre(from[1]).max(rows.start);
+        let end = first_centre(to[1]).min(rows.end);
+        if y >= end {
+            continue;
         }
         let short = Edge::new(from, to);
-        for y in range {
+        while y < end {
             let (l, s) = (long.first_right(y), short.first_right(y));
             let (x0, x1) = if middle_is_right { (l, s) } else { (s, l) };
             let (x0, x1) = (x0.max(0), x1.min(width));
             if x0 < x1 {
                 emit(y, x0, x1);
             }
+            y += 1;
         }
-    };
-    half(top, middle);
-    half(middle, bottom);
+    }
+}
+
+/// Corners from top to bottom, those of one height from left to right.
+#[inline(always)]
+fn sorted([a, b, c]: [Place; 3]) -> [Place; 3] {
+    let (a, b) = in_order(a, b);
+    let (b, c) = in_order(b, c);
+    let (a, b) = in_order(a, b);
+    [a, b, c]
+}
+
+#[inline(always)]
+fn in_order(a: Place, b: Place) -> (Place, Place) {
+    if (b[1], b[0]) < (a[1], a[0]) { (b, a) } else { (a, b) }
 }

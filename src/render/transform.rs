@@ -5,7 +5,7 @@
 
 use super::lens::{Lens, NEAR};
 use super::model::Model;
-use crate::illumination::{Lanes, Real};
+use crate::illumination::{Lanes, Real, V3};
 use fearless_simd::{Level, dispatch, prelude::*};
 use rayon::prelude::*;
 
@@ -39,6 +39,12 @@ pub(super) struct Placed {
 }
 
 impl Placed {
+    /// The places of a triangle's vertices.
+    #[inline(always)]
+    pub fn corners(&self, [a, b, c]: [u32; 3]) -> [Place; 3] {
+        [self.places[a as usize], self.places[b as usize], self.places[c as usize]]
+    }
+
     pub fn run(&mut self, level: Level, lens: &Lens, model: &Model) {
         let rows = Rows::new(lens, model);
         self.places.clear();
@@ -85,33 +91,42 @@ impl Rows {
     }
 }
 
+/// One view component of a point.
+#[inline(always)]
+fn component<S: Simd>(p: V3<Lanes<S>>, [a, b, c, d]: [f32; 4]) -> Lanes<S> {
+    p.x.mul_add(p.x.constant(a), p.y.mul_add(p.x.constant(b), p.z.mul_add(p.x.constant(c), p.x.constant(d))))
+}
+
+/// Pixels to fixed point; [`UNPLACED`] where `outside`.
+#[inline(always)]
+fn fixed<S: Simd>(v: Lanes<S>, outside: S::mask32s) -> S::i32s {
+    let rounded = Lanes((v * as_f32(f64::from(SUBPIXELS))).0.round_ties_even());
+    S::i32s::truncate_from(Lanes::select(outside, v.constant(as_f32(f64::from(UNPLACED))), rounded).0)
+}
+
 #[inline(always)]
 fn transform<S: Simd>(simd: S, rows: &Rows, position: [&[f32]; 3], places: &mut [Place], keys: &mut [f32]) {
     let lanes = Lanes::<S>::LEN;
     let one = Lanes::splat(simd, 1.0);
     let guard = Lanes::splat(simd, as_f32(GUARD));
     let near = Lanes::splat(simd, as_f32(NEAR));
-    let unplaced = Lanes::splat(simd, as_f32(f64::from(UNPLACED)));
     for start in (0..places.len()).step_by(lanes) {
-        let p = position.map(|plane| Lanes::<S>::load(simd, &plane[start..]));
-        let component = |row: [f32; 4]| {
-            let [a, b, c, d] = row.map(|v| Lanes::splat(simd, v));
-            p[0].mul_add(a, p[1].mul_add(b, p[2].mul_add(c, d)))
-        };
-        let depth = component(rows.forward);
+        let [px, py, pz] = position;
+        let p = V3::new(
+            Lanes::<S>::load(simd, &px[start..]),
+            Lanes::load(simd, &py[start..]),
+            Lanes::load(simd, &pz[start..]),
+        );
+        let depth = component(p, rows.forward);
         let (scale, key) = if rows.perspective {
             let inverse = one / depth;
             (inverse * rows.focal, inverse)
         } else {
             (Lanes::splat(simd, rows.focal), -depth)
         };
-        let x = component(rows.right).mul_add(scale, Lanes::splat(simd, rows.middle[0]));
-        let y = Lanes::splat(simd, rows.middle[1]) - component(rows.up) * scale;
+        let x = component(p, rows.right).mul_add(scale, Lanes::splat(simd, rows.middle[0]));
+        let y = Lanes::splat(simd, rows.middle[1]) - component(p, rows.up) * scale;
         let outside = near.greater_than(depth) | !guard.greater_than(x.abs()) | !guard.greater_than(y.abs());
-        let fixed = |v: Lanes<S>, mask: S::mask32s| -> S::i32s {
-            let rounded = Lanes((v * as_f32(f64::from(SUBPIXELS))).0.round_ties_even());
-            S::i32s::truncate_from(Lanes::select(mask, unplaced, rounded).0)
-        };
         let (fx, fy) = (fixed(x, outside), fixed(y, outside));
         key.0.store_slice(&mut keys[start..start + lanes]);
         for (lane, place) in places[start..start + lanes].iter_mut().enumerate() {
