@@ -372,7 +372,10 @@ fn pictures_to_look_at() {
         for side in [300, 768, 1600] {
             let pixel = place.map(|share| (share * f64::from(side)) as u32);
             let mut pixmap = picture(scene, [side, side]);
-            draw_overlay(&mut pixmap.as_mut(), scene, &probe_at(scene, [side, side], pixel), options);
+            let probe = probe_at(scene, [side, side], pixel);
+            let start = std::time::Instant::now();
+            draw_overlay(&mut pixmap.as_mut(), scene, &probe, options);
+            println!("{name} {side}: {:?}", start.elapsed());
             pixmap.save_png(format!("{directory}/{name}-{side}.png")).expect("the picture is written");
         }
     }

@@ -209,3 +209,83 @@ fn stroke(width: f64, dash: Option<StrokeDash>) -> Stroke {
     let line_cap = if dash.is_some() { LineCap::Butt } else { LineCap::Round };
     Stroke { width: width as f32, dash, line_cap, line_join: LineJoin::Round, ..Stroke::default() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tiny_skia::Pixmap;
+
+    const RED: Rgb8 = [255, 0, 0];
+
+    fn drawn(width: u32, height: u32, marks: &[Mark]) -> Pixmap {
+        let mut pixmap = Pixmap::new(width, height).expect("not empty");
+        Ink { pixmap: &mut pixmap.as_mut(), halo: [0, 0, 255], breadth: 2.0 }.marks(marks);
+        pixmap
+    }
+
+    /// `#` the mark's colour, `+` the halo's, `.` neither; what covers less than half a pixel counts as nothing.
+    fn ascii(pixmap: &Pixmap) -> Vec<String> {
+        let symbol = |p: &tiny_skia::PremultipliedColorU8| match (p.red() > 127, p.blue() > 127) {
+            (true, _) => '#',
+            (false, true) => '+',
+            (false, false) => '.',
+        };
+        pixmap.pixels().chunks(pixmap.width() as usize).map(|row| row.iter().map(symbol).collect()).collect()
+    }
+
+    #[test]
+    fn a_dashed_line_lies_in_one_halo() {
+        let line = vec![DVec2::new(4.0, 5.0), DVec2::new(20.0, 5.0)];
+        let pixmap = drawn(24, 10, &[Mark::line(line, 2.0, RED).dashed(&[2.0, 1.0])]);
+        let expected = [
+            "........................",
+            "........................",
+            "...++++++++++++++++++...",
+            "..++++++++++++++++++++..",
+            ".+++####++####++####+++.",
+            ".+++####++####++####+++.",
+            "..++++++++++++++++++++..",
+            "...++++++++++++++++++...",
+            "........................",
+            "........................",
+        ];
+        assert_eq!(ascii(&pixmap), expected);
+    }
+
+    #[test]
+    fn a_line_from_far_outside_keeps_its_dashes_in_step() {
+        let marks = |x: f64| {
+            let line = vec![DVec2::new(x - 90_001.0, 5.0), DVec2::new(x + 40.0, 5.0)];
+            [Mark::line(line, 2.0, RED).dashed(&[4.5, 1.5])]
+        };
+        // A shift by whole periods of twelve pixels cannot be seen.
+        assert_eq!(
+            ascii(&drawn(64, 10, &marks(20.0))),
+            ascii(&drawn(
+                64,
+                10,
+                &[Mark { points: vec![DVec2::new(20.0 - 61.0, 5.0), DVec2::new(60.0, 5.0)], ..marks(0.0)[0].clone() },]
+            ))
+        );
+    }
+
+    #[test]
+    fn a_line_that_leaves_and_returns_is_drawn_in_both_parts() {
+        let points = [(5.0, 5.0), (5.0, -500.0), (35.0, -500.0), (35.0, 5.0)];
+        let line = points.map(|(x, y)| DVec2::new(x, y)).to_vec();
+        let pixmap = drawn(40, 10, &[Mark::line(line, 2.0, RED)]);
+        let row = ascii(&pixmap).swap_remove(2);
+        assert_eq!(row.matches("##").count(), 2, "{row}");
+    }
+
+    #[test]
+    fn what_is_outside_leaves_no_trace() {
+        let far = DVec2::new(1e6, -1e6);
+        let marks = [
+            Mark::ring(far, 10.0, 2.0, RED),
+            Mark::line(vec![far, far * 2.0], 2.0, RED),
+            Mark::area(vec![far, far * 2.0, far + 1.0], 2.0, RED),
+        ];
+        assert!(drawn(20, 20, &marks).data().iter().all(|byte| *byte == 0));
+    }
+}
