@@ -1,4 +1,6 @@
 pub mod analysis;
+pub mod figure;
 pub mod geometry;
+pub mod illumination;
 pub mod render;
 pub mod scene;

@@ -5,19 +5,30 @@
 //! that came through [`Scene::parse`], [`Scene::with_override`] or [`Scene::validate`] is sound (see there).
 
 mod camera;
+mod format;
 mod light;
 mod material;
+mod nearest;
 mod object;
+mod overrides;
+pub mod presets;
+mod problem;
 mod settings;
+mod validation;
+mod view;
 
 pub use camera::{Camera, Projection, Viewer};
 pub use light::{Ambient, Attenuation, Light, LightKind};
 pub use material::Material;
+pub use nearest::nearest;
 pub use object::{NormalSource, Object, ObjectKind, Weighting};
+pub use problem::{Cause, Place, Problem, SceneError};
 pub use settings::{
     Backfacing, Display, Encoding, FlatAt, Image, Interpolation, Overflow, Reflection, ReflectionModel, Shading,
     ShadingMode,
 };
+pub use validation::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
+pub use view::View;
 
 use serde::{Deserialize, Serialize};
 

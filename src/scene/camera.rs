@@ -34,6 +34,15 @@ impl Default for Camera {
     }
 }
 
+impl Camera {
+    /// Distance from eye to target, world units: the scene's own measure of length.
+    pub fn distance(&self) -> f64 {
+        let span = self.eye - self.target;
+        let largest = span.abs().max_element();
+        if largest > 0.0 { (span / largest).length() * largest } else { 1.0 }
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Projection {

@@ -1,0 +1,172 @@
+//! The vectors of the illumination equation at a probed point, over a picture.
+//!
+//! A probe and its scene come in; out goes an [`Overlay`]: arrows, arcs, handles and labels with their places in pixels,
+//! which can be read, tested or drawn.
+
+mod angles;
+mod construction;
+mod equation;
+mod labels;
+mod lights;
+mod options;
+mod side;
+mod sketch;
+mod vectors;
+
+pub use labels::Area;
+pub use options::{Halo, OverlayLayer, OverlayOptions};
+
+use super::ink::{Ink, Mark};
+use super::palette::{Rgb8, Vector};
+use super::text::Lettering;
+use crate::analysis::Probe;
+use crate::scene::{Scene, View};
+use equation::Equation;
+use glam::DVec2;
+use sketch::{Sketch, Style};
+use tiny_skia::PixmapMut;
+
+/// Length of a unit vector across the line of sight, in the picture's shorter side.
+const UNIT_LENGTH: f64 = 0.19;
+/// Among more lights than this only the chosen one is lettered.
+const LETTERED: usize = 24;
+
+/// How an arrow ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArrowHead {
+    /// In a triangle.
+    Plain,
+    /// In a dot within a circle: it points at the eye.
+    Towards,
+    /// In a cross within a circle: it points away from the eye.
+    Away,
+}
+
+/// A vector of the equation in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arrow {
+    pub vector: Vector,
+    /// The light that it belongs to; none for N and V.
+    pub light: Option<usize>,
+    /// Where the probe's point appears, pixels.
+    pub tail: DVec2,
+    /// Where the vector's end appears, which may be outside the picture.
+    pub tip: DVec2,
+    pub head: ArrowHead,
+    /// False for the lights that are not chosen.
+    pub emphasised: bool,
+}
+
+/// What an arc measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Angle {
+    /// Between N and L.
+    Theta,
+    /// Between N and R, which equals θ.
+    Mirror,
+    /// Between R and V, or N and H for Blinn's model.
+    Phi,
+}
+
+/// An arc between two vectors in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arc {
+    pub angle: Angle,
+    /// Points along it, pixels.
+    pub points: Vec<DVec2>,
+    /// Seen from its edge: only its label is drawn.
+    pub edge_on: bool,
+}
+
+/// A light's symbol in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightHandle {
+    /// Index in the scene.
+    pub light: usize,
+    /// The symbol's middle.
+    pub pixel: DVec2,
+    /// Whether the light itself is outside the picture or behind the eye; the symbol then stands at the edge.
+    pub outside: bool,
+}
+
+/// A text in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    pub text: String,
+    /// What it covers, halo included.
+    pub area: Area,
+    /// Size of the type, pixels an em.
+    pub size: f64,
+    pub colour: Rgb8,
+}
+
+/// An overlay laid out for a picture of a given size.
+///
+/// # Guarantees
+///
+/// Labels lie inside the picture and do not overlap; one that finds no room is left out. All coordinates are finite.
+#[derive(Clone, Debug)]
+pub struct Overlay {
+    pub arrows: Vec<Arrow>,
+    pub arcs: Vec<Arc>,
+    pub lights: Vec<LightHandle>,
+    pub labels: Vec<Label>,
+    /// Groups of marks, each with its own halos, the later over the earlier.
+    groups: Vec<Vec<Mark>>,
+    style: Style,
+}
+
+/// Draws the overlay of `probe` on `pixmap`, which holds a picture of `scene` or nothing yet. The camera is fitted to the
+/// pixmap's size, so a picture may be drawn larger or smaller than the scene says. Where the probe met nothing only the
+/// lights are drawn.
+pub fn draw_overlay(pixmap: &mut PixmapMut<'_>, scene: &Scene, probe: &Probe, options: &OverlayOptions) {
+    Overlay::new([pixmap.width(), pixmap.height()], scene, probe, options).draw(pixmap);
+}
+
+impl Overlay {
+    /// Lays out the overlay of `probe` for a picture of `scene` of `size` (width, height) pixels.
+    pub fn new(size: [u32; 2], scene: &Scene, probe: &Probe, options: &OverlayOptions) -> Self {
+        let picture = Area { min: DVec2::ZERO, max: DVec2::from_array(size.map(f64::from)) };
+        let side = picture.max.min_element();
+        let style = Style::new(side, options);
+        let view = View::new(&scene.camera, size);
+        let about = |position, length| Sketch::new(view, style, picture, position, length, UNIT_LENGTH * side);
+        let mut overlay = Self { arrows: vec![], arcs: vec![], lights: vec![], labels: vec![], groups: vec![], style };
+        let hit = probe.hit.as_ref().and_then(|hit| Some((hit, about(hit.position, options.length)?)));
+        let (hit, sketch) = match hit {
+            Some((hit, sketch)) => (Some(hit), Some(sketch)),
+            None => (None, about(view.unproject(view.centre, 1.0), None)),
+        };
+        let Some(mut sketch) = sketch else { return overlay };
+        if options.layers.contains(&OverlayLayer::Lights) {
+            overlay.lights = lights::draw(&mut sketch, &scene.lights, options.light);
+        }
+        let equation = hit.map(|hit| Equation::at(hit, scene, options));
+        let mut corner = equation.as_ref().and_then(|equation| equation.side_view(picture, &sketch, options));
+        if let Some(equation) = equation {
+            (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, &options.layers);
+        }
+        let taken: Vec<Area> = corner.iter().map(|corner| corner.pane).collect();
+        overlay.take(&mut sketch, &taken);
+        if let Some(corner) = &mut corner {
+            overlay.take(corner, &[]);
+        }
+        overlay
+    }
+
+    /// Draws the overlay on a pixmap of the size for which it was laid out.
+    pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
+        let mut ink = Ink { pixmap, halo: self.style.halo_colour, breadth: self.style.halo };
+        for marks in &self.groups {
+            ink.marks(marks);
+        }
+        for label in &self.labels {
+            ink.text(&Lettering::new(&label.text, label.size), label.size, label.area.centre(), label.colour);
+        }
+    }
+
+    fn take(&mut self, sketch: &mut Sketch, reserved: &[Area]) {
+        self.labels.extend(sketch.labels(reserved));
+        self.groups.push(std::mem::take(&mut sketch.marks));
+    }
+}

@@ -1,0 +1,78 @@
+//! The visual language: one letter, one colour and one line style for each vector, wherever it is drawn.
+//!
+//! The colours are Okabe and Ito's (2008, "Color Universal Design"), which colour-blind eyes tell apart; the letters and
+//! the dashes carry the meaning where colour cannot.
+
+/// A display colour: red, green, blue, as stored in a picture.
+pub type Rgb8 = [u8; 3];
+
+/// The normal: blue.
+pub const N: Rgb8 = [0x00, 0x72, 0xB2];
+/// The direction to a light: orange.
+pub const L: Rgb8 = [0xE6, 0x9F, 0x00];
+/// L mirrored at N: vermilion.
+pub const R: Rgb8 = [0xD5, 0x5E, 0x00];
+/// The direction to the viewer: bluish green.
+pub const V: Rgb8 = [0x00, 0x9E, 0x73];
+/// Half-way between L and V: reddish purple.
+pub const H: Rgb8 = [0xCC, 0x79, 0xA7];
+/// The transmitted direction: sky blue.
+pub const T: Rgb8 = [0x56, 0xB4, 0xE9];
+
+/// The vectors of the illumination equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Vector {
+    /// The surface's normal.
+    N,
+    /// To the light.
+    L,
+    /// L mirrored at N.
+    R,
+    /// To the viewer.
+    V,
+    /// Half-way between L and V.
+    H,
+    /// Transmitted.
+    T,
+}
+
+impl Vector {
+    /// Every vector, in the order of the legend.
+    pub const ALL: [Self; 6] = [Self::N, Self::L, Self::R, Self::V, Self::H, Self::T];
+
+    /// The letter by which the textbooks call it.
+    pub const fn letter(self) -> &'static str {
+        match self {
+            Self::N => "N",
+            Self::L => "L",
+            Self::R => "R",
+            Self::V => "V",
+            Self::H => "H",
+            Self::T => "T",
+        }
+    }
+
+    /// Its colour, as stored in a picture.
+    pub const fn colour(self) -> Rgb8 {
+        match self {
+            Self::N => N,
+            Self::L => L,
+            Self::R => R,
+            Self::V => V,
+            Self::H => H,
+            Self::T => T,
+        }
+    }
+
+    /// Lengths of dashes and gaps in turn, in stroke widths, for a stroke with flat ends; empty is a solid line.
+    pub const fn dashes(self) -> &'static [f32] {
+        match self {
+            Self::N => &[],
+            Self::L => &[4.5, 1.5],
+            Self::R => &[4.5, 1.25, 1.25, 1.25],
+            Self::V => &[1.25, 1.25],
+            Self::H => &[2.5, 1.5],
+            Self::T => &[4.5, 1.25, 1.25, 1.25, 1.25, 1.25],
+        }
+    }
+}

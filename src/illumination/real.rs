@@ -1,0 +1,125 @@
+//! The number type that the equation is written over.
+
+use std::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
+
+/// A coefficient: `f32` for pictures, `f64` for the reference.
+pub trait Scalar: Copy + PartialEq + PartialOrd + Default + Send + Sync + 'static {
+    /// Rounds to this type; values beyond its range become its greatest.
+    fn from_f64(value: f64) -> Self;
+}
+
+impl Scalar for f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "rounding to single precision is what is asked for")]
+    fn from_f64(value: f64) -> Self {
+        (value as f32).clamp(f32::MIN, f32::MAX)
+    }
+}
+
+impl Scalar for f64 {
+    fn from_f64(value: f64) -> Self {
+        value.clamp(f64::MIN, f64::MAX)
+    }
+}
+
+/// One or several real numbers that are computed with alike.
+///
+/// Nothing here yields a NaN from finite input as long as nothing overflows.
+pub trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Mul<Self::Scalar, Output = Self>
+{
+    /// One lane's coefficient type.
+    type Scalar: Scalar;
+    /// One truth value a lane.
+    type Mask: Copy + BitAnd<Output = Self::Mask>;
+
+    /// The constant in every lane; `self` only tells how many lanes there are.
+    #[must_use]
+    fn constant(self, value: Self::Scalar) -> Self;
+    /// `self · a + b`, fused where the machine can.
+    #[must_use]
+    fn mul_add(self, a: Self, b: Self) -> Self;
+    #[must_use]
+    fn max(self, other: Self) -> Self;
+    #[must_use]
+    fn min(self, other: Self) -> Self;
+    #[must_use]
+    fn abs(self) -> Self;
+    /// `1/√self` for `self` ≥ 0, to 3 units in the last place; finite at 0, so that a zero vector stays zero when
+    /// it is multiplied by the inverse of its length.
+    #[must_use]
+    fn inverse_sqrt(self) -> Self;
+    /// `2^self`; 0 or almost 0 below the range of exponents. Relative error 2·10⁻⁷ in single precision.
+    #[must_use]
+    fn exp2(self) -> Self;
+    /// Base-2 logarithm of a positive number, absolute error 2·10⁻⁷ times its size in single precision.
+    #[must_use]
+    fn log2(self) -> Self;
+    /// Base-2 logarithm of `1 − t` for 0 ≤ t ≤ 0.29, relative error 2·10⁻⁷ in single precision: no digits are lost as
+    /// t → 0.
+    #[must_use]
+    fn log2_one_minus(t: Self) -> Self;
+    #[must_use]
+    fn greater_than(self, other: Self) -> Self::Mask;
+    #[must_use]
+    fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
+    fn any(mask: Self::Mask) -> bool;
+}
+
+impl Real for f64 {
+    type Scalar = Self;
+    type Mask = bool;
+
+    fn constant(self, value: Self) -> Self {
+        value
+    }
+
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
+
+    fn max(self, other: Self) -> Self {
+        Self::max(self, other)
+    }
+
+    fn min(self, other: Self) -> Self {
+        Self::min(self, other)
+    }
+
+    fn abs(self) -> Self {
+        Self::abs(self)
+    }
+
+    fn inverse_sqrt(self) -> Self {
+        1.0 / self.max(Self::MIN_POSITIVE).sqrt()
+    }
+
+    fn exp2(self) -> Self {
+        Self::exp2(self)
+    }
+
+    fn log2(self) -> Self {
+        Self::log2(self)
+    }
+
+    fn log2_one_minus(t: Self) -> Self {
+        (-t).ln_1p() * std::f64::consts::LOG2_E
+    }
+
+    fn greater_than(self, other: Self) -> bool {
+        self > other
+    }
+
+    fn select(mask: bool, if_true: Self, if_false: Self) -> Self {
+        if mask { if_true } else { if_false }
+    }
+
+    fn any(mask: bool) -> bool {
+        mask
+    }
+}

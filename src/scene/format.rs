@@ -1,0 +1,112 @@
+//! The scene file: TOML in, TOML out.
+//!
+//! Reading names every unknown key and every value out of range with its line; a key of the wrong type ends the
+//! reading, since what follows it is not known. Writing and reading again gives the same scene, bit for bit.
+
+mod reader;
+mod writer;
+
+use super::Scene;
+use super::problem::{Cause, Place, Problem, SceneError};
+use reader::Finding;
+use toml::de::{DeTable, DeValue};
+
+pub(super) use reader::read;
+
+impl Scene {
+    /// The version of the format that this program reads and writes.
+    pub const VERSION: u32 = 1;
+
+    /// The longest scene file, in bytes. A thousand lights with every key take a quarter of a megabyte; the parser
+    /// takes up to a hundred times the text.
+    pub const MAX_TEXT: usize = 4 << 20;
+
+    /// Reads a scene file's text. `name` stands for the file in messages.
+    ///
+    /// # Guarantees
+    /// The scene is one that [`Scene::validate`] accepts.
+    ///
+    /// # Errors
+    /// Not TOML, another version, unknown keys or words, values of a wrong type or out of range: each with its line.
+    pub fn parse(text: &str, name: &str) -> Result<Self, SceneError> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let at = |offset: usize| Place::Line { file: name.to_owned(), line: line_of(text, offset) };
+        if text.len() > Self::MAX_TEXT {
+            return Err(Problem { place: at(0), key: String::new(), cause: Cause::TooLong }.into());
+        }
+        let document = DeTable::parse(text).map_err(|error| {
+            let place = at(error.span().map_or(0, |span| span.start));
+            Problem { place, key: String::new(), cause: Cause::Syntax(error.message().to_owned()) }
+        })?;
+        let place = |Finding { offset, key, cause }: Finding| Problem { place: at(offset), key, cause };
+        let (scene, findings) = read(document.get_ref());
+        let mut problems = findings;
+        if let Some(scene) = &scene {
+            problems.extend(scene.range_problems().into_iter().map(|(key, cause)| Finding {
+                offset: offset_of(document.get_ref(), &key),
+                key,
+                cause,
+            }));
+        }
+        problems.sort_by_key(|finding| finding.offset);
+        SceneError::check(problems.into_iter().map(place).collect())?;
+        Ok(scene.unwrap_or_default())
+    }
+
+    /// The scene as the text of a scene file. Keys of a light that its kind and attenuation do not read are left out
+    /// where they have their default.
+    pub fn to_toml(&self) -> String {
+        writer::write(self)
+    }
+}
+
+/// The line of a byte of `text`, counted from 1.
+fn line_of(text: &str, offset: usize) -> usize {
+    let before = text.as_bytes().get(..offset).unwrap_or(text.as_bytes());
+    1 + before.iter().filter(|&&byte| byte == b'\n').count()
+}
+
+/// Where `key` stands in the document, or the innermost table round it that does.
+fn offset_of(document: &DeTable<'_>, key: &str) -> usize {
+    let mut segments = key.split('.');
+    let Some((name, mut value)) = segments.next().and_then(|first| document.get_key_value(first)) else { return 0 };
+    let mut offset = name.span().start;
+    for segment in segments {
+        match value.get_ref() {
+            DeValue::Table(table) => match table.get_key_value(segment) {
+                Some((name, inner)) => (offset, value) = (name.span().start, inner),
+                None => break,
+            },
+            DeValue::Array(list) => match segment.parse().ok().and_then(|i: usize| list.get(i)) {
+                Some(inner) => (offset, value) = (inner.span().start, inner),
+                None => break,
+            },
+            _ => break,
+        }
+    }
+    offset
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_counted_from_one() {
+        let text = "a\nb\n\nc";
+        let lines: Vec<_> = (0..=text.len() + 1).map(|offset| line_of(text, offset)).collect();
+        assert_eq!(lines, [1, 1, 2, 2, 3, 4, 4, 4]);
+    }
+
+    #[test]
+    fn a_key_is_found_or_the_table_round_it() {
+        let text = "[camera]\neye = [1, 2, 3]\n[[light]]\nk = 1\n[[light]]\nc1 = 2\n";
+        let document = DeTable::parse(text).expect("sound TOML");
+        let line = |key| line_of(text, offset_of(document.get_ref(), key));
+        assert_eq!(line("camera.eye"), 2);
+        assert_eq!(line("camera.up"), 1);
+        assert_eq!(line("light.1.c1"), 6);
+        assert_eq!(line("light.1.k"), 5);
+        assert_eq!(line("material.n"), 1);
+    }
+}

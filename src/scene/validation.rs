@@ -1,0 +1,244 @@
+//! What a sound scene is: every number in its range, and no two that contradict each other.
+
+use super::problem::{Cause, Place, Problem, SceneError};
+use super::{Ambient, Attenuation, Camera, Image, Light, LightKind, Material, Object, ObjectKind, Rgb, Scene};
+use glam::DVec3;
+use std::ops::RangeInclusive;
+
+/// Greatest coordinate and greatest length, world units: its square stays far below the greatest `f64`, and so do the
+/// squares' sums.
+pub const GREATEST_LENGTH: f64 = 1e30;
+
+/// Shortest length that counts as one, world units: its square is still a normal number.
+pub const LEAST_LENGTH: f64 = 1e-30;
+
+/// Greatest intensity of a light or of the background, in units of the display's white.
+pub const GREATEST_INTENSITY: f64 = 1e30;
+
+/// Eye and target are two points when they are further apart than this part of their distance from the origin: of the
+/// 16 digits of an `f64`, 6 are left for the viewing direction.
+const LEAST_SEPARATION: f64 = 1e-10;
+
+/// Sine of the smallest angle between the viewing direction and the direction that appears upwards.
+const LEAST_TILT: f64 = 1e-6;
+
+impl Scene {
+    /// Most lights in a scene. Each adds a term to every pixel.
+    pub const MAX_LIGHTS: usize = 1000;
+
+    /// Checks every number and what they are together.
+    ///
+    /// # Guarantees
+    /// `Ok` says that every number is finite (`material.n` may be infinite) and in the range that its section documents,
+    /// that eye and target are different points and `up` points across the line between them, that directions are not
+    /// zero, and that a model has a path, in Unicode.
+    ///
+    /// # Errors
+    /// Every number that is out of range and every contradiction, with its key.
+    pub fn validate(&self) -> Result<(), SceneError> {
+        let problem = |(key, cause)| Problem { place: Place::Scene, key, cause };
+        SceneError::check(self.range_problems().into_iter().map(problem).collect())
+    }
+
+    /// What [`Scene::validate`] reports, as keys and causes.
+    pub(super) fn range_problems(&self) -> Vec<(String, Cause)> {
+        let mut checks = Checks::default();
+        if self.version != Self::VERSION {
+            checks.found("version", Cause::Version { found: self.version.to_string() });
+        }
+        self.camera.check(&mut checks);
+        self.image.check(&mut checks);
+        self.object.check(&mut checks);
+        self.material.check(&mut checks);
+        let Ambient { color } = self.ambient;
+        checks.colour("ambient.color", color, GREATEST_INTENSITY);
+        if self.lights.len() > Self::MAX_LIGHTS {
+            checks.value("light", format!("a list of {}", self.lights.len()), format!("at most {}", Self::MAX_LIGHTS));
+        }
+        for (i, light) in self.lights.iter().take(Self::MAX_LIGHTS).enumerate() {
+            light.check(&mut checks, &format!("light.{i}"));
+        }
+        checks.problems
+    }
+}
+
+impl Camera {
+    /// Degrees. Below, a pixel is narrower than single precision resolves; above, the picture is all rim.
+    pub const FOV_Y: RangeInclusive<f64> = 1e-3..=179.0;
+
+    fn check(&self, checks: &mut Checks) {
+        let &Self { eye, target, up, projection: _, fov_y, height, viewer: _ } = self;
+        checks.number("camera.fov_y", fov_y, Self::FOV_Y, " degrees");
+        checks.number("camera.height", height, LEAST_LENGTH..=GREATEST_LENGTH, "");
+        let points = checks.point("camera.eye", eye) & checks.point("camera.target", target);
+        let upright = checks.direction("camera.up", up);
+        if !points {
+            return;
+        }
+        let scale = eye.length().max(target.length());
+        let forward = target - eye;
+        if forward.length() <= (LEAST_SEPARATION * scale).max(LEAST_LENGTH) {
+            let cause =
+                Cause::Conflict { is: "is the same point as `camera.target`", expected: "two different points" };
+            checks.found("camera.eye", cause);
+        } else if upright && forward.normalize().cross(up.normalize()).length() < LEAST_TILT {
+            let is = "is parallel to the viewing direction";
+            checks.found("camera.up", Cause::Conflict { is, expected: "a direction across it" });
+        }
+    }
+}
+
+impl Image {
+    /// Most pixels in a picture: 16384 × 8192, half a gigabyte as stored.
+    pub const MAX_PIXELS: u64 = 1 << 27;
+
+    fn check(&self, checks: &mut Checks) {
+        let Self { size, background } = self;
+        let [width, height] = *size;
+        if [width, height].iter().any(|side| !(1..=Self::MAX_SIDE).contains(side)) {
+            let expected = format!("sides of 1 to {} pixels", Self::MAX_SIDE);
+            checks.value("image.size", format!("[{width}, {height}]"), expected);
+        } else if u64::from(width) * u64::from(height) > Self::MAX_PIXELS {
+            let expected = format!("at most {} pixels in all", Self::MAX_PIXELS);
+            checks.value("image.size", format!("[{width}, {height}]"), expected);
+        }
+        checks.colour("image.background", *background, GREATEST_INTENSITY);
+    }
+}
+
+impl Object {
+    /// Fewest polygons round the axis: fewer than three enclose nothing. A plane's are counted across it.
+    pub fn min_segments(&self) -> u32 {
+        if self.kind == ObjectKind::Plane { 1 } else { 3 }
+    }
+
+    /// Fewest polygons along the axis: a sphere needs both of its caps, the tube of a torus encloses something.
+    pub fn min_rings(&self) -> u32 {
+        match self.kind {
+            ObjectKind::Sphere => 2,
+            ObjectKind::Torus => 3,
+            _ => 1,
+        }
+    }
+
+    fn check(&self, checks: &mut Checks) {
+        let Self { kind, segments, rings, normals: _, weighting: _, path, fit: _ } = self;
+        checks.count("object.segments", *segments, self.min_segments()..=Self::MAX_DIVISIONS);
+        checks.count("object.rings", *rings, self.min_rings()..=Self::MAX_DIVISIONS);
+        match path {
+            Some(path) if path.to_str().is_none() => {
+                let found = format!("{:?}", path.to_string_lossy());
+                checks.value("object.path", found, "a path in Unicode, as a scene file can hold it");
+            }
+            Some(path) if path.as_os_str().is_empty() => checks.value("object.path", "empty", "the path of a model"),
+            None if *kind == ObjectKind::Obj => {
+                let expected = "the path of a model since `object.kind` is \"obj\"";
+                checks.found("object.path", Cause::Conflict { is: "is missing", expected });
+            }
+            _ => {}
+        }
+    }
+}
+
+impl Material {
+    /// Greatest reflection coefficient. Above 1 a surface sends out more than it receives, which is no physics but
+    /// shows what overflows; the bound keeps every product far from the end of single precision.
+    pub const MAX_COEFFICIENT: f64 = 1e6;
+
+    fn check(&self, checks: &mut Checks) {
+        let &Self { ka, kd, ks, n, color } = self;
+        for (key, value) in [("material.ka", ka), ("material.kd", kd), ("material.ks", ks), ("material.color", color)] {
+            checks.colour(key, value, Self::MAX_COEFFICIENT);
+        }
+        if n.is_nan() || n < 0.0 {
+            checks.value("material.n", number(n), "0 or more (inf: a mirror)");
+        }
+    }
+}
+
+impl Light {
+    fn check(&self, checks: &mut Checks, key: &str) {
+        let &Self { kind, position, direction, color, attenuation, k, c1, c2, c3 } = self;
+        let inside = |name: &str| format!("{key}.{name}");
+        checks.point(&inside("position"), position);
+        if kind == LightKind::Directional {
+            checks.direction(&inside("direction"), direction);
+        } else {
+            checks.point(&inside("direction"), direction);
+        }
+        checks.colour(&inside("color"), color, GREATEST_INTENSITY);
+        let mut sound = true;
+        for (name, value) in [("k", k), ("c1", c1), ("c2", c2), ("c3", c3)] {
+            sound &= checks.number(&inside(name), value, 0.0..=GREATEST_LENGTH, "");
+        }
+        if sound && attenuation == Attenuation::Quadratic && c1 + c2 + c3 == 0.0 {
+            let expected = "one of c1, c2, c3 above 0";
+            checks.found(&inside("c1"), Cause::Conflict { is: "is 0 like `c2` and `c3`", expected });
+        }
+    }
+}
+
+/// The problems found so far. The checks return whether they found none.
+#[derive(Default)]
+struct Checks {
+    problems: Vec<(String, Cause)>,
+}
+
+impl Checks {
+    fn found(&mut self, key: &str, cause: Cause) {
+        self.problems.push((key.to_owned(), cause));
+    }
+
+    fn value(&mut self, key: &str, found: impl Into<String>, expected: impl Into<String>) {
+        self.found(key, Cause::Value { found: found.into(), expected: expected.into() });
+    }
+
+    fn number(&mut self, key: &str, value: f64, range: RangeInclusive<f64>, unit: &str) -> bool {
+        let sound = range.contains(&value);
+        if !sound {
+            self.value(key, number(value), format!("{} to {}{unit}", number(*range.start()), number(*range.end())));
+        }
+        sound
+    }
+
+    fn count(&mut self, key: &str, value: u32, range: RangeInclusive<u32>) {
+        if !range.contains(&value) {
+            self.value(key, value.to_string(), format!("{} to {}", range.start(), range.end()));
+        }
+    }
+
+    fn colour(&mut self, key: &str, value: Rgb, greatest: f64) {
+        if !value.to_array().iter().all(|channel| (0.0..=greatest).contains(channel)) {
+            self.value(key, triple(value), format!("0 to {} in each channel", number(greatest)));
+        }
+    }
+
+    fn point(&mut self, key: &str, value: DVec3) -> bool {
+        let sound = value.to_array().iter().all(|x| x.abs() <= GREATEST_LENGTH);
+        if !sound {
+            self.value(key, triple(value), format!("coordinates up to {}", number(GREATEST_LENGTH)));
+        }
+        sound
+    }
+
+    fn direction(&mut self, key: &str, value: DVec3) -> bool {
+        let point = self.point(key, value);
+        let sound = point && value.length() >= LEAST_LENGTH;
+        if point && !sound {
+            self.value(key, triple(value), format!("a direction, of length {} or more", number(LEAST_LENGTH)));
+        }
+        sound
+    }
+}
+
+fn triple(value: DVec3) -> String {
+    format!("[{}, {}, {}]", number(value.x), number(value.y), number(value.z))
+}
+
+/// A number as a scene's author would write it.
+fn number(value: f64) -> String {
+    if value.is_nan() {
+        return "nan".to_owned();
+    }
+    if value != 0.0 && !(1e-6..1e9).contains(&value.abs()) { format!("{value:e}") } else { value.to_string() }
+}

@@ -1,0 +1,460 @@
+//! The scene file: what reading it says about mistakes, and that nothing is lost on the way through a file.
+
+use glam::DVec3;
+use proptest::prelude::*;
+use shading_lab::scene::{
+    Ambient, Attenuation, Backfacing, Camera, Cause, Display, Encoding, FlatAt, Image, Interpolation, Light, LightKind,
+    Material, NormalSource, Object, ObjectKind, Overflow, Projection, Reflection, ReflectionModel, Rgb, Scene, Shading,
+    ShadingMode, Viewer, Weighting,
+};
+
+/// Everything that reading `text` as the file `s.toml` objects to, a line each.
+fn objections(text: &str) -> String {
+    Scene::parse(text, "s.toml").expect_err("a mistake").to_string()
+}
+
+#[track_caller]
+fn assert_objections(text: &str, expected: &[&str]) {
+    assert_eq!(objections(text).lines().collect::<Vec<_>>(), expected, "{text}");
+}
+
+#[test]
+fn an_empty_file_is_the_default_scene() {
+    assert_eq!(Scene::parse("", "s.toml"), Ok(Scene::default()));
+    assert_eq!(Scene::parse("\u{feff}version = 1\r\n", "s.toml"), Ok(Scene::default()));
+}
+
+#[test]
+fn values_are_read_as_an_author_writes_them() {
+    let text = "
+        material = { ka = 1, kd = [0.25, 0, 1e-3], n = inf }
+        camera.eye = [0, 0x10, 5_000]
+        shading.mode = 'gouraud'
+        [[light]]
+        kind = \"directional\"
+        [[light]]
+    ";
+    let scene = Scene::parse(text, "s.toml").expect("sound");
+    assert_eq!(scene.material.ka, Rgb::ONE);
+    assert_eq!(scene.material.kd, Rgb::new(0.25, 0.0, 0.001));
+    assert_eq!(scene.material.n, f64::INFINITY);
+    assert_eq!(scene.camera.eye, DVec3::new(0.0, 16.0, 5000.0));
+    assert_eq!(scene.shading.mode, ShadingMode::Gouraud);
+    assert_eq!(scene.lights.len(), 2);
+    assert_eq!(scene.lights[1], Light::default());
+    assert_eq!(Scene::parse("light = []", "s.toml").expect("darkness").lights, []);
+}
+
+#[test]
+fn text_that_is_no_toml_is_named_with_its_line() {
+    assert_objections("version = 1\n[camera\neye = 1\n", &["s.toml:2: unclosed table, expected `]`"]);
+    assert_objections("\n\nmode = phong\n", &["s.toml:3: string values must be quoted, expected literal string"]);
+    assert_objections("[camera]\n[camera]\n", &["s.toml:2: duplicate key"]);
+}
+
+#[test]
+fn unknown_keys_are_all_named_with_their_choices() {
+    assert_objections(
+        "[camera]\nfov = 3\n\n[shadow]\non = true\n[[light]]\n[[light]]\npositoin = [0, 0, 0]\n",
+        &[
+            "s.toml:2: unknown key `camera.fov`, expected one of eye, target, up, projection, fov_y, height, viewer \
+             (did you mean fov_y?)",
+            "s.toml:4: unknown key `shadow`, expected one of version, camera, image, object, material, reflection, \
+             shading, display, ambient, light",
+            "s.toml:8: unknown key `light.1.positoin`, expected one of kind, position, direction, color, attenuation, \
+             k, c1, c2, c3 (did you mean position?)",
+        ],
+    );
+    assert_objections(
+        "lights = []\n",
+        &["s.toml:1: unknown key `lights`, expected one of version, camera, image, object, material, reflection, \
+           shading, display, ambient, light (did you mean light?)"],
+    );
+}
+
+#[test]
+fn unknown_words_are_named_with_their_choices() {
+    assert_objections(
+        "[shading]\nmode = \"Gourad\"\n",
+        &["s.toml:2: `shading.mode` is \"Gourad\", expected one of flat, interpolated, gouraud, phong, exact \
+           (did you mean gouraud?)"],
+    );
+    assert_objections(
+        "[[light]]\nattenuation = \"squared\"\n",
+        &["s.toml:2: `light.0.attenuation` is \"squared\", expected one of none, viewer, light, inverse-square, \
+           quadratic"],
+    );
+    assert_objections(
+        "[object]\nkind = 3\n",
+        &["s.toml:2: `object.kind` is 3, expected one of sphere, torus, cylinder, cone, cube, plane, teapot, obj"],
+    );
+}
+
+#[test]
+fn wrong_types_are_named_with_what_was_expected() {
+    for (text, expected) in [
+        ("[material]\nn = \"abc\"\n", "s.toml:2: `material.n` is \"abc\", expected a number"),
+        ("[material]\nka = true\n", "s.toml:2: `material.ka` is true, expected a number or [red, green, blue]"),
+        (
+            "[material]\nka = [1, 2]\n",
+            "s.toml:2: `material.ka` is a list of 2, expected a number or [red, green, blue]",
+        ),
+        ("[camera]\neye = [1,\n2,\n'x']\n", "s.toml:4: `camera.eye.2` is \"x\", expected a number"),
+        ("[camera]\neye = [1, 2]\n", "s.toml:2: `camera.eye` is a list of 2, expected a list of three numbers"),
+        ("[camera]\neye = [1, 2, 3, 4]\n", "s.toml:2: `camera.eye` is a list of 4, expected a list of three numbers"),
+        ("[camera]\neye = 1979-05-27\n", "s.toml:2: `camera.eye` is a date, expected a list of three numbers"),
+        ("[camera]\nfov_y = {}\n", "s.toml:2: `camera.fov_y` is a table of keys, expected a number"),
+        ("[object]\nsegments = 2.5\n", "s.toml:2: `object.segments` is 2.5, expected a whole number, 0 or more"),
+        ("[object]\nsegments = -4\n", "s.toml:2: `object.segments` is -4, expected a whole number, 0 or more"),
+        ("[object]\npath = 4\n", "s.toml:2: `object.path` is 4, expected a path in quotation marks"),
+        ("[object]\nfit = 1\n", "s.toml:2: `object.fit` is 1, expected true or false"),
+        ("[image]\nsize = [1]\n", "s.toml:2: `image.size` is a list of 1, expected a list of two whole numbers"),
+        ("camera = 7\n", "s.toml:1: `camera` is 7, expected a table of keys"),
+        ("[light]\nk = 1\n", "s.toml:1: `light` is a table of keys, expected a list of tables"),
+        ("light = [1]\n", "s.toml:1: `light.0` is 1, expected a table of keys"),
+        ("[material]\nn = 1e999\n", "s.toml:2: `material.n` is 1e999, expected a number below 1.8e308 (or inf)"),
+        ("version = 'x'\n", "s.toml:1: `version` is \"x\", expected a whole number, 0 or more"),
+    ] {
+        assert_objections(text, &[expected]);
+    }
+}
+
+#[test]
+fn another_version_is_all_that_is_reported() {
+    let text = "\nversion = 2\n[camera]\nlens = 'fish'\n";
+    let expected = format!(
+        "s.toml:2: `version` is 2, expected 1: shading-lab {} reads version 1, for a later one take a later shading-lab",
+        env!("CARGO_PKG_VERSION")
+    );
+    assert_objections(text, &[&expected]);
+}
+
+#[test]
+fn every_value_out_of_range_is_named_in_the_order_of_the_lines() {
+    assert_objections(
+        "[camera]
+fov_y = 400
+height = 0
+[image]
+size = [0, 10]
+background = [-1, 0, 0]
+[object]
+segments = 2
+rings = 5000
+[material]
+ks = [0.1, 0.2, -0.3]
+n = -1
+[[light]]
+color = [1e31, 0, 0]
+k = nan
+[[light]]
+kind = 'directional'
+direction = [0, 0, 0]
+position = [0, -1e31, 0]
+[[light]]
+attenuation = 'quadratic'
+c1 = 0
+c2 = 0
+c3 = 0
+",
+        &[
+            "s.toml:2: `camera.fov_y` is 400, expected 0.001 to 179 degrees",
+            "s.toml:3: `camera.height` is 0, expected 1e-30 to 1e30",
+            "s.toml:5: `image.size` is [0, 10], expected sides of 1 to 16384 pixels",
+            "s.toml:6: `image.background` is [-1, 0, 0], expected 0 to 1e30 in each channel",
+            "s.toml:8: `object.segments` is 2, expected 3 to 4096",
+            "s.toml:9: `object.rings` is 5000, expected 2 to 4096",
+            "s.toml:11: `material.ks` is [0.1, 0.2, -0.3], expected 0 to 1000000 in each channel",
+            "s.toml:12: `material.n` is -1, expected 0 or more (inf: a mirror)",
+            "s.toml:14: `light.0.color` is [1e31, 0, 0], expected 0 to 1e30 in each channel",
+            "s.toml:15: `light.0.k` is nan, expected 0 to 1e30",
+            "s.toml:18: `light.1.direction` is [0, 0, 0], expected a direction, of length 1e-30 or more",
+            "s.toml:19: `light.1.position` is [0, -1e31, 0], expected coordinates up to 1e30",
+            "s.toml:22: `light.2.c1` is 0 like `c2` and `c3`, expected one of c1, c2, c3 above 0",
+        ],
+    );
+}
+
+#[test]
+fn values_that_contradict_each_other_are_named() {
+    assert_objections(
+        "[camera]\neye = [1, 2, 3]\ntarget = [1, 2, 3]\n",
+        &["s.toml:2: `camera.eye` is the same point as `camera.target`, expected two different points"],
+    );
+    assert_objections(
+        "[camera]\ntarget = [0, 0, 4]\n",
+        &["s.toml:1: `camera.eye` is the same point as `camera.target`, expected two different points"],
+    );
+    assert_objections(
+        "[camera]\neye = [0, 3, 0]\n",
+        &["s.toml:1: `camera.up` is parallel to the viewing direction, expected a direction across it"],
+    );
+    assert_objections(
+        "[camera]\nup = [0, 0, 0]\n",
+        &["s.toml:2: `camera.up` is [0, 0, 0], expected a direction, of length 1e-30 or more"],
+    );
+    assert_objections(
+        "[object]\nkind = 'obj'\n",
+        &["s.toml:1: `object.path` is missing, expected the path of a model since `object.kind` is \"obj\""],
+    );
+    assert_objections("[object]\npath = ''\n", &["s.toml:2: `object.path` is empty, expected the path of a model"]);
+    assert_objections(
+        "[image]\nsize = [16384, 16384]\n",
+        &["s.toml:2: `image.size` is [16384, 16384], expected at most 134217728 pixels in all"],
+    );
+}
+
+#[test]
+fn the_shapes_have_their_own_least_tessellation() {
+    let read = |kind: &str, segments: u32, rings: u32| {
+        Scene::parse(&format!("object = {{kind = '{kind}', segments = {segments}, rings = {rings}}}"), "").is_ok()
+    };
+    assert!(read("sphere", 3, 2) && !read("sphere", 3, 1) && !read("sphere", 2, 2));
+    assert!(read("torus", 3, 3) && !read("torus", 3, 2));
+    assert!(read("plane", 1, 1) && !read("plane", 0, 1) && !read("plane", 1, 0));
+    assert!(read("cylinder", 3, 1) && !read("cylinder", 2, 1));
+}
+
+#[test]
+fn no_text_takes_the_reader_down() {
+    let deep = format!("a = {}", "[".repeat(200_000));
+    let dotted = format!("{}a = 1", "a.".repeat(200_000));
+    let long_key = format!("{} = 1", "k".repeat(100_000));
+    let long_word = format!("shading.mode = '{}'", "w".repeat(100_000));
+    let controls = "shading.mode = \"\\u001B[31m\\n\"".to_owned();
+    for text in [deep, dotted, long_key, long_word, controls] {
+        let message = objections(&text);
+        assert!(message.starts_with("s.toml:1: "), "{message}");
+        assert!(message.len() < 400 && !message.contains(['\n', '\u{1b}']), "{message:?}");
+    }
+    assert_eq!(objections(&" ".repeat(Scene::MAX_TEXT + 1)), "s.toml:1: longer than 4 MiB, expected a scene");
+    let many = format!("light = [{}]", "{},".repeat(Scene::MAX_LIGHTS + 1));
+    assert_eq!(objections(&many), "s.toml:1: `light` is a list of 1001, expected at most 1000");
+}
+
+#[test]
+fn a_key_is_overridden() {
+    let scene = Scene::default();
+    let set = |assignments: &[&str]| scene.with_overrides(assignments).expect("sound");
+    assert_eq!(set(&["material.n=1005"]).material.n, 1005.0);
+    assert_eq!(set(&["material.n = inf"]).material.n, f64::INFINITY);
+    assert_eq!(set(&["shading.mode=gouraud"]).shading.mode, ShadingMode::Gouraud);
+    assert_eq!(set(&["shading.mode=\"flat\""]).shading.mode, ShadingMode::Flat);
+    assert_eq!(set(&["light.0.position=[2,2,3.5]"]).lights[0].position, DVec3::new(2.0, 2.0, 3.5));
+    assert_eq!(set(&["light.0.k=7"]).lights[0].k, 7.0);
+    assert_eq!(set(&["camera.eye.1=-0.5"]).camera.eye, DVec3::new(0.0, -0.5, 4.0));
+    assert_eq!(set(&["light=[]"]).lights, []);
+    assert_eq!(set(&["light=[{}, {kind='directional'}]"]).lights.len(), 2);
+    assert_eq!(set(&["material={n=2}"]).material, Material { n: 2.0, ..Material::default() });
+    let model = set(&["object.kind=obj", "object.path=/models/a=b.obj"]).object;
+    assert_eq!((model.kind, model.path), (ObjectKind::Obj, Some("/models/a=b.obj".into())));
+    assert_eq!(set(&["camera.eye=[0,0,0]", "camera.target=[0,0,-1]"]).camera.target, DVec3::NEG_Z);
+    assert_eq!(set(&[]), scene);
+}
+
+#[test]
+fn an_override_at_fault_is_named() {
+    let scene = Scene::default();
+    for (assignments, expected) in [
+        (&["material.n=abc"][..], "--set material.n=abc: `material.n` is \"abc\", expected a number"),
+        (&["material.n=-1"], "--set material.n=-1: `material.n` is -1, expected 0 or more (inf: a mirror)"),
+        (&["material.n"], "--set material.n: no `=` after a key, expected KEY=VALUE, for example material.n=50"),
+        (&["=3"], "--set =3: no `=` after a key, expected KEY=VALUE, for example material.n=50"),
+        (&["material.m=3"], "--set material.m=3: unknown key `material.m`, expected one of ka, kd, ks, n, color"),
+        (
+            &["shading.mode=gouraux"],
+            "--set shading.mode=gouraux: `shading.mode` is \"gouraux\", expected one of flat, interpolated, gouraud, \
+             phong, exact (did you mean gouraud?)",
+        ),
+        (&["light.1.k=3"], "--set light.1.k=3: `light` has no element 1, expected 0, its only one"),
+        (&["camera.eye.3=1"], "--set camera.eye.3=1: `camera.eye` has no element 3, expected 0 to 2"),
+        (&["light.x.k=3"], "--set light.x.k=3: `light` is a list, expected a number from 0 after it"),
+        (&["material.n.x=3"], "--set material.n.x=3: `material.n` is a single value, expected no `x` after it"),
+        (
+            &["camera.eye=[1,2"],
+            "--set camera.eye=[1,2: `camera.eye` is not a value (unclosed array, expected `]`), expected one as in a \
+             file",
+        ),
+        (
+            &["material.n="],
+            "--set material.n=: `material.n` is not a value (string values must be quoted, expected literal string), \
+             expected one as in a file",
+        ),
+        (
+            &["camera.target=[0,0,4]", "material.n=3"],
+            "--set camera.target=[0,0,4]: `camera.eye` is the same point as `camera.target`, expected two different \
+             points",
+        ),
+        (
+            &["material.n=3", "object.kind=obj"],
+            "--set object.kind=obj: `object.path` is missing, expected the path of a model since `object.kind` is \"obj\"",
+        ),
+    ] {
+        let error = scene.with_overrides(assignments).expect_err("a mistake");
+        assert_eq!(error.to_string(), expected);
+    }
+    let two = scene.with_overrides(&["material.n=-1", "camera.fov_y=0"]).expect_err("two mistakes").to_string();
+    assert_eq!(two.lines().count(), 2);
+}
+
+#[test]
+fn a_scene_made_in_the_program_is_checked_too() {
+    let mut scene = Scene::default();
+    assert_eq!(scene.validate(), Ok(()));
+    scene.material.n = f64::NAN;
+    scene.camera.eye.x = f64::INFINITY;
+    let error = scene.validate().expect_err("two numbers that are none");
+    let keys: Vec<_> = error.problems().iter().map(|problem| problem.key.as_str()).collect();
+    assert_eq!(keys, ["camera.eye", "material.n"]);
+    assert!(error.problems().iter().all(|problem| matches!(problem.cause, Cause::Value { .. })));
+}
+
+#[test]
+fn a_written_light_has_only_the_keys_that_it_reads_or_that_were_set() {
+    let text = Scene::default().to_toml();
+    let light = text.split("[[light]]\n").nth(1).expect("a light");
+    assert_eq!(
+        light,
+        "kind = \"point\"\nposition = [2.0, 2.0, 3.0]\ncolor = [1.0, 1.0, 1.0]\nattenuation = \"none\"\n"
+    );
+}
+
+fn number(least: f64, greatest: f64) -> impl Strategy<Value = f64> {
+    prop_oneof![least..=greatest, Just(least), Just(greatest), Just(1.0 / 3.0)]
+}
+
+fn triple(least: f64, greatest: f64) -> impl Strategy<Value = DVec3> {
+    prop_oneof![
+        [number(least, greatest), number(least, greatest), number(least, greatest)].prop_map(DVec3::from_array),
+        number(least, greatest).prop_map(DVec3::splat),
+    ]
+}
+
+fn word<T: Clone + std::fmt::Debug + 'static>(words: &'static [T]) -> impl Strategy<Value = T> {
+    proptest::sample::select(words)
+}
+
+prop_compose! {
+    fn light()(
+        kind in word(&[LightKind::Point, LightKind::Directional]),
+        attenuation in word(&[
+            Attenuation::None, Attenuation::Viewer, Attenuation::Light, Attenuation::InverseSquare,
+            Attenuation::Quadratic,
+        ]),
+        position in triple(-1e30, 1e30),
+        direction in triple(1.0, 1e30),
+        color in triple(0.0, 1e30),
+        k in number(0.0, 1e30),
+        c in triple(1e-300, 1e30),
+    ) -> Light {
+        Light { kind, position, direction, color, attenuation, k, c1: c.x, c2: c.y, c3: c.z }
+    }
+}
+
+prop_compose! {
+    fn camera()(
+        eye in triple(-1e3, 1e3),
+        projection in word(&[Projection::Perspective, Projection::Orthographic]),
+        fov_y in number(1e-3, 179.0),
+        height in number(1e-30, 1e30),
+        viewer in word(&[Viewer::Local, Viewer::Infinite]),
+    ) -> Camera {
+        let target = eye + DVec3::new(1.0, 0.25, -2.0);
+        Camera { eye, target, up: DVec3::new(0.1, 1.0, 0.0), projection, fov_y, height, viewer }
+    }
+}
+
+prop_compose! {
+    fn object()(
+        kind in word(&[
+            ObjectKind::Sphere, ObjectKind::Torus, ObjectKind::Cylinder, ObjectKind::Cone, ObjectKind::Cube,
+            ObjectKind::Plane, ObjectKind::Teapot, ObjectKind::Obj,
+        ]),
+        segments in 3..=4096u32,
+        rings in 3..=4096u32,
+        normals in word(&[NormalSource::Averaged, NormalSource::Exact, NormalSource::File, NormalSource::Facet]),
+        weighting in word(&[Weighting::Equal, Weighting::Area, Weighting::Angle]),
+        path in "[^\u{0}]{1,20}",
+        named in any::<bool>(),
+        fit in any::<bool>(),
+    ) -> Object {
+        let path = (named || kind == ObjectKind::Obj).then(|| path.into());
+        Object { kind, segments, rings, normals, weighting, path, fit }
+    }
+}
+
+prop_compose! {
+    fn settings()(
+        model in word(&[ReflectionModel::Phong, ReflectionModel::Blinn]),
+        backfacing in word(&[Backfacing::Clamp, Backfacing::Flip]),
+        mode in word(&[
+            ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact,
+        ]),
+        flat_at in word(&[FlatAt::Centre, FlatAt::VertexMean, FlatAt::ProvokingVertex]),
+        interpolation in word(&[Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline]),
+        renormalise in any::<bool>(),
+        overflow in word(&[Overflow::Clamp, Overflow::Scale, Overflow::Mark]),
+        encoding in word(&[Encoding::Raw, Encoding::Srgb]),
+    ) -> (Reflection, Shading, Display) {
+        (
+            Reflection { model, backfacing },
+            Shading { mode, flat_at, interpolation, renormalise },
+            Display { overflow, encoding },
+        )
+    }
+}
+
+prop_compose! {
+    fn scene()(
+        camera in camera(),
+        object in object(),
+        (reflection, shading, display) in settings(),
+        width in 1..=16_384u32,
+        height in 1..=8192u32,
+        background in triple(0.0, 1e30),
+        coefficients in [triple(0.0, 1e6), triple(0.0, 1e6), triple(0.0, 1e6), triple(0.0, 1e6)],
+        n in prop_oneof![0.0..1e6, Just(f64::INFINITY), Just(f64::MAX)],
+        ambient in triple(0.0, 1e30),
+        lights in proptest::collection::vec(light(), 0..4),
+    ) -> Scene {
+        let [ka, kd, ks, color] = coefficients;
+        Scene {
+            version: 1,
+            camera,
+            image: Image { size: [width, height], background },
+            object,
+            material: Material { ka, kd, ks, n, color },
+            reflection,
+            shading,
+            display,
+            ambient: Ambient { color: ambient },
+            lights,
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn a_sound_scene_survives_its_file(scene in scene()) {
+        prop_assert_eq!(scene.validate(), Ok(()));
+        prop_assert_eq!(Scene::parse(&scene.to_toml(), "s.toml"), Ok(scene));
+    }
+
+    #[test]
+    fn any_text_is_read_or_refused(text in ".{0,200}") {
+        let _ = Scene::parse(&text, "s.toml");
+        let _ = Scene::default().with_override(&text);
+    }
+
+    #[test]
+    fn any_number_is_accepted_only_if_sound(
+        key in word(&["camera.fov_y", "camera.height", "material.n", "light.0.k", "camera.eye.2", "material.ks"]),
+        bits in any::<u64>(),
+    ) {
+        let value = f64::from_bits(bits);
+        if let Ok(scene) = Scene::default().with_override(&format!("{key}={value:?}")) {
+            prop_assert!(scene.validate().is_ok());
+            prop_assert!(!value.is_nan());
+        }
+    }
+}
