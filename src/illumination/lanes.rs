@@ -87,7 +87,7 @@ fn ln_one_plus<S: Simd>(x: Lanes<S>) -> Lanes<S> {
         -1.666_805_7e-1,
         2.000_071_5e-1,
         -2.499_999_4e-1,
-        3.333_333_1e-1,
+        3.333_333e-1,
     ];
     let mut p = x.constant(P[0]);
     for coefficient in &P[1..] {
