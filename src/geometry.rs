@@ -11,3 +11,5 @@ mod vertex_normals;
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use primitives::tessellate;
 pub use surface::{Ray, Surface, SurfaceHit};
+mod obj;
+pub use obj::{ObjError, read_obj};
