@@ -60,8 +60,7 @@ fn random_light(dice: &mut Dice) -> Light {
 }
 
 fn random_scene(dice: &mut Dice, n: f64) -> Scene {
-    let mut scene = Scene::default();
-    scene.camera = Camera {
+    let camera = Camera {
         eye: dice.direction() * dice.between(2.5, 6.0),
         up: dice.direction(),
         projection: if dice.unit() < 0.7 { Projection::Perspective } else { Projection::Orthographic },
@@ -69,6 +68,7 @@ fn random_scene(dice: &mut Dice, n: f64) -> Scene {
         viewer: if dice.unit() < 0.5 { Viewer::Local } else { Viewer::Infinite },
         ..Camera::default()
     };
+    let mut scene = Scene { camera, ..Scene::default() };
     scene.image = Image { size: [256, 192], background: DVec3::ZERO };
     scene.object.kind = ObjectKind::Sphere;
     scene.material.ka = dice.colour() * 0.3;

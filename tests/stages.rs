@@ -64,7 +64,8 @@ fn the_camera_leaves_the_geometry_alone() {
 /// Changes of every kind, one after another, against a renderer that has never seen the scene before.
 #[test]
 fn what_is_kept_is_what_would_be_drawn() {
-    let changes: [(&str, fn(&mut Scene)); 16] = [
+    type Change = (&'static str, fn(&mut Scene));
+    let changes: [Change; 16] = [
         ("light", |s| s.lights[0].position.x = -1.0),
         ("gouraud", |s| s.shading.mode = ShadingMode::Gouraud),
         ("kd", |s| s.material.kd *= 0.5),

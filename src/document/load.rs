@@ -69,11 +69,7 @@ pub fn load(source: &Path) -> Result<Loaded, LoadError> {
 ///
 /// # Errors
 /// See [`LoadError`].
-pub fn load_with(
-    source: &Path,
-    overrides: &[impl AsRef<str>],
-    progress: Progress<'_>,
-) -> Result<Loaded, LoadError> {
+pub fn load_with(source: &Path, overrides: &[impl AsRef<str>], progress: Progress<'_>) -> Result<Loaded, LoadError> {
     let (mut scene, path) = read_scene(source)?;
     if !overrides.is_empty() {
         scene = scene.with_overrides(overrides)?;
@@ -95,8 +91,8 @@ pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<
     let (ObjectKind::Obj, Some(path)) = (object.kind, &object.path) else { return Ok(None) };
     let (file, total) = open(path, "an OBJ model")?;
     let mut told = |read| progress(read, total);
-    let mesh = read_obj(BufReader::new(file), &mut told)
-        .map_err(|source| LoadError::Model { path: path.clone(), source })?;
+    let mesh =
+        read_obj(BufReader::new(file), &mut told).map_err(|source| LoadError::Model { path: path.clone(), source })?;
     Ok(Some(Arc::new(if object.fit { mesh.fitted() } else { mesh })))
 }
 
@@ -117,9 +113,11 @@ fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
     let (file, _) = open(path, expected)?;
     let mut bytes = Vec::new();
     // One byte more than the parser accepts, so that it can object.
-    file.take(Scene::MAX_TEXT as u64 + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|source| LoadError::Unreadable { path: path.to_owned(), expected, source })?;
+    file.take(Scene::MAX_TEXT as u64 + 1).read_to_end(&mut bytes).map_err(|source| LoadError::Unreadable {
+        path: path.to_owned(),
+        expected,
+        source,
+    })?;
     let text = match std::str::from_utf8(&bytes) {
         Ok(text) => text,
         Err(error) => {
@@ -133,8 +131,8 @@ fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
 
 fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {
     let (file, _) = open(path, "a picture")?;
-    let text = read_scene_text(BufReader::new(file))
-        .map_err(|source| LoadError::Picture { path: path.to_owned(), source })?;
+    let text =
+        read_scene_text(BufReader::new(file)).map_err(|source| LoadError::Picture { path: path.to_owned(), source })?;
     Ok(Scene::parse(&text, &path.to_string_lossy())?)
 }
 

@@ -69,8 +69,8 @@ impl Surface {
         let direction = ray.direction / length;
         let shift = -ray.origin.dot(direction);
         let origin = ray.origin + shift * direction;
-        // Also false, and rightly, where any of it is not a number.
-        if !(origin.length_squared() <= BOUND * BOUND) {
+        let squared = origin.length_squared();
+        if squared.is_nan() || squared > BOUND * BOUND {
             return None;
         }
         let ray = UnitRay { origin, direction, s_min: t_min * length - shift };

@@ -112,8 +112,7 @@ fn newton(patch: &Patch<DVec2>) -> Newton {
             / jet.along_u.perp_dot(jet.along_v);
         uv -= step;
         let distance = (uv - 0.5).abs().max_element();
-        // Also true where the step is not a number.
-        if !(distance <= STRAYED) {
+        if distance.is_nan() || distance > STRAYED {
             return Newton::Undecided;
         }
         if step.abs().max_element() < CONVERGED {
