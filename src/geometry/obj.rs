@@ -298,11 +298,12 @@ impl<R: BufRead> Read for Prepared<'_, R> {
 
 impl<R: BufRead> BufRead for Prepared<'_, R> {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        if self.taken == self.out.len() && self.error.is_none() {
-            if let Err(cause) = self.advance() {
-                let line = (!matches!(cause, ObjCause::Io(_))).then_some(self.line);
-                self.error = Some(ObjError { line, cause });
-            }
+        if self.taken == self.out.len()
+            && self.error.is_none()
+            && let Err(cause) = self.advance()
+        {
+            let line = (!matches!(cause, ObjCause::Io(_))).then_some(self.line);
+            self.error = Some(ObjError { line, cause });
         }
         if self.error.is_some() {
             return Err(io::ErrorKind::InvalidData.into());
