@@ -1,8 +1,10 @@
 //! Shapes: meshes of n-sided polygons, their vertex normals, and the true surfaces that they stand for.
 
+mod bezier;
 mod mesh;
 mod primitives;
 mod surface;
+mod teapot;
 mod topology;
 mod vertex_normals;
 
