@@ -169,10 +169,10 @@ fn a_ray_at_any_point_of_the_pot_meets_it_there() {
         }
         tried += 1;
         let ray = Ray { origin: p - 3.0 * d, direction: d };
-        let first = surface.intersect(&ray, 0.0).expect("the ray is aimed at the pot");
+        let first = surface.intersect(&ray, 0.0).unwrap_or_else(|| panic!("{p} from {d} is missed"));
         assert!(first.t < 3.0 + 1e-5);
         // Points are rounded to single precision; along the ray that is 10⁻⁷ over the cosine.
-        let hit = surface.intersect(&ray, 3.0 - 1e-5).expect("the ray is aimed at the pot");
+        let hit = surface.intersect(&ray, 3.0 - 1e-5).unwrap_or_else(|| panic!("{p} from {d} is missed, n {n}"));
         assert!((hit.t - 3.0).abs() < 1e-5, "{p} from {d}: {}", hit.t);
     }
     assert!(tried > 10_000);
