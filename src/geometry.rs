@@ -2,6 +2,7 @@
 
 mod bezier;
 mod mesh;
+mod obj;
 mod primitives;
 mod surface;
 mod teapot;
@@ -9,5 +10,6 @@ mod topology;
 mod vertex_normals;
 
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
+pub use obj::{ObjError, read_obj};
 pub use primitives::tessellate;
 pub use surface::{Ray, Surface, SurfaceHit};
