@@ -70,7 +70,8 @@ impl Surface {
         let shift = -ray.origin.dot(direction);
         let origin = ray.origin + shift * direction;
         // Also false, and rightly, where any of it is not a number.
-        if !(origin.length_squared() <= BOUND * BOUND) {
+        let comes_near = origin.length_squared() <= BOUND * BOUND;
+        if !comes_near {
             return None;
         }
         let ray = UnitRay { origin, direction, s_min: t_min * length - shift };

@@ -14,6 +14,7 @@ pub fn mesh(pieces: Vec<tobj::Model>, origin: DVec3) -> Result<Mesh, ObjError> {
     }
     let mut assembly = Assembly { mesh: Mesh { origin, starts: vec![0], ..Mesh::default() }, points: HashMap::new() };
     assembly.mesh.corners.reserve_exact(corners);
+    assembly.mesh.starts.reserve_exact(pieces.iter().map(|piece| face_count(&piece.mesh)).sum());
     for piece in pieces {
         assembly.add(&piece.mesh);
     }
@@ -36,10 +37,8 @@ impl Assembly {
         let normals: Vec<u32> = vectors(&piece.normals).map(|normal| self.normal(normal)).collect();
         let mut face = Vec::new();
         let mut begin = 0;
-        // No arities means triangles only.
-        let triangles = std::iter::repeat_n(3, if piece.face_arities.is_empty() { piece.indices.len() / 3 } else { 0 });
-        for arity in piece.face_arities.iter().copied().chain(triangles) {
-            let end = begin + arity as usize;
+        for f in 0..face_count(piece) {
+            let end = begin + piece.face_arities.get(f).map_or(3, |&arity| arity as usize);
             face.clear();
             face.extend((begin..end).map(|c| Corner {
                 position: points[piece.indices[c] as usize],
@@ -88,6 +87,11 @@ impl Assembly {
             },
         );
     }
+}
+
+/// Faces of a piece, which lists no arities where all are triangles.
+fn face_count(piece: &tobj::Mesh) -> usize {
+    if piece.face_arities.is_empty() { piece.indices.len() / 3 } else { piece.face_arities.len() }
 }
 
 fn vectors(numbers: &[f32]) -> impl Iterator<Item = Vec3> {

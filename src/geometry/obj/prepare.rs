@@ -11,8 +11,9 @@ use super::lines::{Line, Lines};
 use glam::DVec3;
 use std::io::{self, BufRead, Read, Write};
 
-/// Corners in a piece: some megabytes of memory in `tobj`.
-const PIECE: usize = 1 << 17;
+/// Most corners in a piece, but for one large face: some megabytes of memory in `tobj`, and a little less than a power of
+/// two, to which its lists grow.
+const PIECE: usize = (1 << 17) - 64;
 
 /// Bytes written before they are passed on.
 const CHUNK: usize = 1 << 16;
@@ -156,7 +157,7 @@ impl Writer {
         if corners.len() < 3 {
             return Err(ObjError::TooFewCorners { line: line.number, found: corners.len() });
         }
-        if self.corners_in_piece >= PIECE {
+        if self.corners_in_piece + corners.len() > PIECE {
             self.end_piece();
         }
         self.faces += 1;

@@ -134,8 +134,9 @@ fn newton(patch: &Patch<DVec2>) -> Newton {
             / jet.along_u.perp_dot(jet.along_v);
         uv -= step;
         let distance = (uv - 0.5).abs().max_element();
-        // Also true where the step is not a number.
-        if !(distance <= STRAYED) {
+        // Also false where the step is not a number.
+        let near = distance <= STRAYED;
+        if !near {
             return Newton::Undecided;
         }
         if step.abs().max_element() < CONVERGED {
