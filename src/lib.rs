@@ -2,5 +2,6 @@ pub mod analysis;
 pub mod figure;
 pub mod geometry;
 pub mod illumination;
+pub mod picture;
 pub mod render;
 pub mod scene;

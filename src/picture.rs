@@ -1,0 +1,179 @@
+//! Pictures as PNG, with the scene that they show inside.
+//!
+//! A finished [`Frame`] goes out as 8 bits a channel with its scene as the text of a scene file in an iTXt chunk, so that
+//! the picture can be opened in place of the scene. Only the chunk is read back, never the pixels.
+
+use crate::render::Frame;
+use crate::scene::{Encoding, Scene};
+use png::text_metadata::ITXtChunk;
+use std::io::{BufRead, Seek, Write};
+
+/// The keyword of the text chunk that holds the scene.
+pub const SCENE_KEYWORD: &str = "shading-lab:scene";
+
+/// Memory granted to everything in a PNG file besides its pixels, in bytes.
+const ANCILLARY_LIMIT: usize = 64 << 20;
+
+/// Why a picture could not be read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum PictureError {
+    /// Not a PNG file, or a damaged one.
+    #[error("not a sound PNG picture ({0}), expected one that shading-lab exported")]
+    Damaged(png::DecodingError),
+    /// A picture from elsewhere, or one whose text another program dropped.
+    #[error("a picture without a scene, expected one that shading-lab exported")]
+    NoScene,
+    /// The text chunk does not hold text, or more than [`Scene::MAX_TEXT`] bytes of it.
+    #[error("the scene in the picture cannot be read ({0}), expected at most {limit} MiB of text", limit = Scene::MAX_TEXT >> 20)]
+    UnreadableScene(png::DecodingError),
+    /// The picture could not be written.
+    #[error("{0}")]
+    Unwritten(#[from] png::EncodingError),
+}
+
+/// Writes `frame` as a PNG that holds `scene`: three channels where every pixel is opaque, else four. A picture encoded
+/// as sRGB says so; a raw one says nothing about its colours.
+///
+/// # Errors
+/// [`PictureError::Unwritten`], when `out` refuses or the frame has no pixels.
+pub fn write_png(out: &mut dyn Write, frame: &Frame, scene: &Scene) -> Result<(), PictureError> {
+    let opaque = frame.pixels.iter().all(|pixel| pixel[3] == 255);
+    let mut encoder = png::Encoder::new(out, frame.width, frame.height);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_color(if opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
+    if scene.display.encoding == Encoding::Srgb {
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    }
+    encoder.add_text_chunk("Software".into(), concat!("shading-lab ", env!("CARGO_PKG_VERSION")).into())?;
+    encoder.add_itxt_chunk(SCENE_KEYWORD.into(), scene.to_toml())?;
+    let mut writer = encoder.write_header()?;
+    let mut stream = writer.stream_writer()?;
+    let channels = if opaque { 3 } else { 4 };
+    for row in frame.pixels.chunks(frame.width.max(1) as usize) {
+        let bytes: Vec<u8> = row.iter().flat_map(|pixel| &pixel[..channels]).copied().collect();
+        stream.write_all(&bytes).map_err(png::EncodingError::from)?;
+    }
+    stream.finish()?;
+    writer.finish()?;
+    Ok(())
+}
+
+/// The text of the scene in a PNG.
+///
+/// # Errors
+/// Not a PNG, no scene inside, or a text that is too long.
+pub fn read_scene_text(png: impl BufRead + Seek) -> Result<String, PictureError> {
+    let decoder = png::Decoder::new_with_limits(png, png::Limits { bytes: ANCILLARY_LIMIT });
+    let mut reader = decoder.read_info().map_err(PictureError::Damaged)?;
+    if scene_chunk(reader.info()).is_none() {
+        // Some programs move text behind the pixels.
+        reader.finish().map_err(PictureError::Damaged)?;
+    }
+    let mut chunk = scene_chunk(reader.info()).ok_or(PictureError::NoScene)?.clone();
+    chunk.decompress_text_with_limit(Scene::MAX_TEXT).map_err(PictureError::UnreadableScene)?;
+    chunk.get_text().map_err(PictureError::UnreadableScene)
+}
+
+fn scene_chunk<'a>(info: &'a png::Info<'_>) -> Option<&'a ITXtChunk> {
+    info.utf8_text.iter().find(|chunk| chunk.keyword == SCENE_KEYWORD)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Cursor;
+
+    fn checkered(alpha: u8) -> Frame {
+        let pixels = (0..35u8).map(|i| [i * 7, 255 - i, i % 2 * 255, if i == 17 { alpha } else { 255 }]).collect();
+        Frame { width: 7, height: 5, pixels }
+    }
+
+    fn written(frame: &Frame, scene: &Scene) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        write_png(&mut bytes, frame, scene).expect("a picture");
+        bytes
+    }
+
+    fn pixels(bytes: &[u8]) -> (png::ColorType, Vec<u8>) {
+        let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().expect("a header");
+        let mut buffer = vec![0; reader.output_buffer_size().expect("a small picture")];
+        reader.next_frame(&mut buffer).expect("pixels");
+        (reader.info().color_type, buffer)
+    }
+
+    #[test]
+    fn pixels_arrive_as_they_were() {
+        let frame = checkered(255);
+        let three: Vec<u8> = frame.pixels.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
+        assert_eq!(pixels(&written(&frame, &Scene::default())), (png::ColorType::Rgb, three));
+        let frame = checkered(128);
+        let four = frame.pixels.concat();
+        assert_eq!(pixels(&written(&frame, &Scene::default())), (png::ColorType::Rgba, four));
+    }
+
+    #[test]
+    fn the_scene_comes_back() {
+        let mut scene = Scene::default();
+        scene.object.path = Some("/models/Kännchen „茶壺“.obj".into());
+        let text = read_scene_text(Cursor::new(written(&checkered(255), &scene))).expect("a scene");
+        assert_eq!(Scene::parse(&text, ""), Ok(scene));
+    }
+
+    #[test]
+    fn only_an_encoded_picture_names_its_encoding() {
+        for (encoding, expected) in [(Encoding::Raw, false), (Encoding::Srgb, true)] {
+            let mut scene = Scene::default();
+            scene.display.encoding = encoding;
+            let bytes = written(&checkered(255), &scene);
+            let reader = png::Decoder::new(Cursor::new(&bytes)).read_info().expect("a header");
+            assert_eq!(reader.info().srgb.is_some(), expected);
+        }
+    }
+
+    fn with_text(text: String, compressed: bool, keyword: &str) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
+        encoder.set_color(png::ColorType::Grayscale);
+        let mut writer = encoder.write_header().expect("a header");
+        writer.write_image_data(&[0]).expect("a pixel");
+        let mut chunk = ITXtChunk::new(keyword, text);
+        if compressed {
+            chunk.compress_text().expect("compressed");
+        }
+        chunk.compressed = compressed;
+        writer.write_text_chunk(&chunk).expect("a chunk");
+        writer.finish().expect("an end");
+        bytes
+    }
+
+    #[test]
+    fn text_behind_the_pixels_is_found_compressed_or_not() {
+        for compressed in [false, true] {
+            let bytes = with_text("version = 1".into(), compressed, SCENE_KEYWORD);
+            assert_eq!(read_scene_text(Cursor::new(bytes)).expect("a scene"), "version = 1");
+        }
+    }
+
+    #[test]
+    fn what_holds_no_scene_is_refused() {
+        let other = with_text("version = 1".into(), false, "Comment");
+        assert!(matches!(read_scene_text(Cursor::new(other)), Err(PictureError::NoScene)));
+        let bomb = with_text(" ".repeat(Scene::MAX_TEXT + 1), true, SCENE_KEYWORD);
+        assert!(bomb.len() < 100_000);
+        assert!(matches!(read_scene_text(Cursor::new(bomb)), Err(PictureError::UnreadableScene(_))));
+        assert!(matches!(read_scene_text(Cursor::new(b"GIF89a")), Err(PictureError::Damaged(_))));
+    }
+
+    #[test]
+    fn no_damage_takes_the_reader_down() {
+        let sound = written(&checkered(255), &Scene::default());
+        for end in 0..sound.len() {
+            let _ = read_scene_text(Cursor::new(&sound[..end]));
+        }
+        for i in 0..sound.len() {
+            let mut damaged = sound.clone();
+            damaged[i] ^= 0xff;
+            let _ = read_scene_text(Cursor::new(damaged));
+        }
+    }
+}
