@@ -4,7 +4,11 @@
 //! (arrows, arcs, labels), then drawn. Everything here is a pure function of its arguments, so the same scene gives the
 //! same pixels everywhere.
 
+mod ink;
 mod overlay;
 pub mod palette;
+mod text;
 
-pub use overlay::{Halo, OverlayLayer, OverlayOptions, draw_overlay};
+pub use overlay::{
+    Angle, Arc, Area, Arrow, ArrowHead, Halo, Label, LightHandle, Overlay, OverlayLayer, OverlayOptions, draw_overlay,
+};

@@ -15,5 +15,7 @@ pub use equation::{Equation, LightResponse, Site};
 pub use lanes::Lanes;
 pub use real::{Real, Scalar};
 pub use source::{Falloff, Source};
-pub use specular::{BlinnChord, BlinnCosine, Exponent, NoSpecular, PhongChord, PhongCosine, Specular, SpecularForm};
+pub use specular::{
+    BlinnChord, BlinnCosine, Exponent, FormTask, NoSpecular, PhongChord, PhongCosine, Specular, SpecularForm,
+};
 pub use vector::V3;

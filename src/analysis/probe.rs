@@ -1,7 +1,8 @@
 //! The pixel probe: the equation at one pixel, in double precision.
 
-use crate::render::Renderer;
-use crate::scene::{LightKind, Rgb, Scene};
+use crate::illumination::Equation;
+use crate::render::{Evaluation, Renderer};
+use crate::scene::{LightKind, ReflectionModel, Rgb, Scene};
 use glam::DVec3;
 
 /// The equation at one pixel.
@@ -61,7 +62,62 @@ pub struct LightTerms {
 }
 
 /// Evaluates the equation at pixel (`x`, `y`) of `scene`, drawing it first if it is not the picture last drawn.
+///
+/// The sum is what the picture shows there, to the rounding of single precision: it is evaluated where the shading mode
+/// evaluates it. Where that is not at the pixel (flat, interpolated and Gouraud shading), `diffuse` and `specular` are the
+/// weighted sums over those places, while the vectors and angles are those at the pixel itself, with the normal that the
+/// mode has there. A pixel outside the picture sees nothing.
 pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
-    renderer.render(scene);
-    Probe { pixel: [x, y], hit: None }
+    let frame = renderer.render(scene);
+    let stored = frame.pixel(x, y);
+    let hit = stored.zip(renderer.evaluation(x, y)).map(|(stored, evaluation)| {
+        let equation = Equation::<f64>::new(scene);
+        let lights = (0..scene.lights.len()).map(|light| light_terms(scene, &equation, &evaluation, light)).collect();
+        ProbeHit {
+            position: evaluation.position,
+            normal: evaluation.normal,
+            view: equation.view_at(evaluation.position),
+            depth: evaluation.depth,
+            face: evaluation.face,
+            ambient: Rgb::from_array(equation.ambient),
+            lights,
+            sum: evaluation.intensity(&equation),
+            stored,
+        }
+    });
+    Probe { pixel: [x, y], hit }
+}
+
+fn light_terms(scene: &Scene, equation: &Equation<f64>, evaluation: &Evaluation, light: usize) -> LightTerms {
+    let (here, [view, r, h]) = equation.respond_world(light, evaluation.position, evaluation.normal);
+    let source = &equation.sources[light];
+    let (mut diffuse, mut specular) = (0.0, 0.0);
+    for &(weight, point, normal) in &evaluation.sites {
+        let (response, _) = equation.respond_world(light, point, normal);
+        diffuse += weight * response.diffuse;
+        specular += weight * response.specular;
+    }
+    let l = DVec3::from(here.l);
+    let phi = match scene.reflection.model {
+        ReflectionModel::Phong => angle(r, view),
+        ReflectionModel::Blinn => angle(evaluation.normal, h),
+    };
+    LightTerms {
+        kind: scene.lights[light].kind,
+        l,
+        r,
+        h,
+        n_dot_l: evaluation.normal.dot(l),
+        theta: angle(evaluation.normal, l),
+        phi,
+        attenuation: here.attenuation,
+        diffuse: Rgb::from_array(source.diffuse) * diffuse,
+        specular: Rgb::from_array(source.specular) * specular,
+    }
+}
+
+/// Angle between two vectors in radians, exact to rounding for small and for straight angles too (Kahan).
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    let (a, b) = (a.normalize_or_zero(), b.normalize_or_zero());
+    2.0 * (a - b).length().atan2((a + b).length())
 }

@@ -1,106 +1,172 @@
 //! The vectors of the illumination equation at a probed point, over a picture.
+//!
+//! A probe and its scene come in; out goes an [`Overlay`]: arrows, arcs, handles and labels with their places in pixels,
+//! which can be read, tested or drawn.
 
-use super::palette::Vector;
-use crate::analysis::{Probe, ProbeHit};
-use crate::scene::{ReflectionModel, Scene, View};
-use glam::DVec3;
-use serde::{Deserialize, Serialize};
-use tiny_skia::{Color, LineCap, Paint, PathBuilder, PixmapMut, Stroke, StrokeDash, Transform};
+mod angles;
+mod construction;
+mod equation;
+mod labels;
+mod lights;
+mod options;
+mod side;
+mod sketch;
+mod vectors;
 
-/// What an overlay may show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum OverlayLayer {
-    /// N, L, R, V and, for Blinn's model, H at the probe's point.
-    Vectors,
-    /// The arcs of θ and φ with their values.
-    Angles,
-    /// How R comes from L by projection on N.
-    Construction,
-    /// A sun for each light, an arrow for each directional one.
-    Lights,
-    /// The vectors once more in a corner, seen from the side: V points at the eye, so in the picture itself it is a point.
-    SideView,
+pub use labels::Area;
+pub use options::{Halo, OverlayLayer, OverlayOptions};
+
+use super::ink::{Ink, Mark};
+use super::palette::{Rgb8, Vector};
+use super::text::Lettering;
+use crate::analysis::Probe;
+use crate::scene::{Scene, View};
+use equation::Equation;
+use glam::DVec2;
+use sketch::{Sketch, Style};
+use tiny_skia::PixmapMut;
+
+/// Length of a unit vector across the line of sight, in the picture's shorter side.
+const UNIT_LENGTH: f64 = 0.19;
+/// Among more lights than this only the chosen one is lettered.
+const LETTERED: usize = 24;
+
+/// How an arrow ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArrowHead {
+    /// In a triangle.
+    Plain,
+    /// In a dot within a circle: it points at the eye.
+    Towards,
+    /// In a cross within a circle: it points away from the eye.
+    Away,
 }
 
-impl OverlayLayer {
-    /// Every layer.
-    pub const ALL: [Self; 5] = [Self::Vectors, Self::Angles, Self::Construction, Self::Lights, Self::SideView];
-}
-
-/// What surrounds strokes and letters to set them off from the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Halo {
-    /// White.
-    Light,
-    /// Nearly black.
-    Dark,
-}
-
-/// How an overlay is drawn.
+/// A vector of the equation in the picture.
 #[derive(Clone, Debug, PartialEq)]
-pub struct OverlayOptions {
-    pub layers: Vec<OverlayLayer>,
-    /// The light whose L is emphasised and whose R, H, θ, φ and construction are shown, by its index in the scene. With
-    /// nothing chosen it is the first that the point faces, or else the first.
+pub struct Arrow {
+    pub vector: Vector,
+    /// The light that it belongs to; none for N and V.
     pub light: Option<usize>,
-    /// Length of a unit vector in world units; nothing makes it a sixth of the picture's height at the point's depth.
-    pub length: Option<f64>,
-    /// Shows H, and φ between N and H, for every model; without it for Blinn's alone.
-    pub half_vector: bool,
-    pub halo: Halo,
-    /// Multiplies lettering and line widths; 1 suits a picture that fills the screen.
-    pub scale: f64,
+    /// Where the probe's point appears, pixels.
+    pub tail: DVec2,
+    /// Where the vector's end appears, which may be outside the picture.
+    pub tip: DVec2,
+    pub head: ArrowHead,
+    /// False for the lights that are not chosen.
+    pub emphasised: bool,
 }
 
-impl Default for OverlayOptions {
-    fn default() -> Self {
-        Self {
-            layers: vec![OverlayLayer::Vectors, OverlayLayer::Angles],
-            light: None,
-            length: None,
-            half_vector: false,
-            halo: Halo::Light,
-            scale: 1.0,
-        }
-    }
+/// What an arc measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Angle {
+    /// Between N and L.
+    Theta,
+    /// Between N and R, which equals θ.
+    Mirror,
+    /// Between R and V, or N and H for Blinn's model.
+    Phi,
+}
+
+/// An arc between two vectors in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arc {
+    pub angle: Angle,
+    /// Points along it, pixels.
+    pub points: Vec<DVec2>,
+    /// Seen from its edge: only its label is drawn.
+    pub edge_on: bool,
+}
+
+/// A light's symbol in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightHandle {
+    /// Index in the scene.
+    pub light: usize,
+    /// The symbol's middle.
+    pub pixel: DVec2,
+    /// Whether the light itself is outside the picture or behind the eye; the symbol then stands at the edge.
+    pub outside: bool,
+}
+
+/// A text in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    pub text: String,
+    /// What it covers, halo included.
+    pub area: Area,
+    /// Size of the type, pixels an em.
+    pub size: f64,
+    pub colour: Rgb8,
+}
+
+/// An overlay laid out for a picture of a given size.
+///
+/// # Guarantees
+///
+/// Labels lie inside the picture and do not overlap; one that finds no room is left out. All coordinates are finite.
+#[derive(Clone, Debug)]
+pub struct Overlay {
+    pub arrows: Vec<Arrow>,
+    pub arcs: Vec<Arc>,
+    pub lights: Vec<LightHandle>,
+    pub labels: Vec<Label>,
+    /// Groups of marks, each with its own halos, the later over the earlier.
+    groups: Vec<Vec<Mark>>,
+    style: Style,
 }
 
 /// Draws the overlay of `probe` on `pixmap`, which holds a picture of `scene` or nothing yet. The camera is fitted to the
 /// pixmap's size, so a picture may be drawn larger or smaller than the scene says. Where the probe met nothing only the
 /// lights are drawn.
 pub fn draw_overlay(pixmap: &mut PixmapMut<'_>, scene: &Scene, probe: &Probe, options: &OverlayOptions) {
-    let view = View::new(&scene.camera, [pixmap.width(), pixmap.height()]);
-    if let Some(hit) = &probe.hit {
-        draw_vectors(pixmap, &view, scene, hit, options);
-    }
+    Overlay::new([pixmap.width(), pixmap.height()], scene, probe, options).draw(pixmap);
 }
 
-fn draw_vectors(pixmap: &mut PixmapMut<'_>, view: &View, scene: &Scene, hit: &ProbeHit, options: &OverlayOptions) {
-    let height = f64::from(pixmap.height());
-    let Some((tail, depth)) = view.project(hit.position) else { return };
-    let length = options.length.unwrap_or(height / 6.0 * view.world_per_pixel(depth));
-    let mut vectors: Vec<(Vector, DVec3)> = vec![(Vector::N, hit.normal), (Vector::V, hit.view)];
-    for light in &hit.lights {
-        vectors.push((Vector::L, light.l));
-        vectors.push((Vector::R, light.r));
-        if options.half_vector || scene.reflection.model == ReflectionModel::Blinn {
-            vectors.push((Vector::H, light.h));
+impl Overlay {
+    /// Lays out the overlay of `probe` for a picture of `scene` of `size` (width, height) pixels.
+    pub fn new(size: [u32; 2], scene: &Scene, probe: &Probe, options: &OverlayOptions) -> Self {
+        let picture = Area { min: DVec2::ZERO, max: DVec2::from_array(size.map(f64::from)) };
+        let side = picture.max.min_element();
+        let style = Style::new(side, options);
+        let view = View::new(&scene.camera, size);
+        let about = |position, length| Sketch::new(view, style, picture, position, length, UNIT_LENGTH * side);
+        let mut overlay = Self { arrows: vec![], arcs: vec![], lights: vec![], labels: vec![], groups: vec![], style };
+        let hit = probe.hit.as_ref().and_then(|hit| Some((hit, about(hit.position, options.length)?)));
+        let (hit, sketch) = match hit {
+            Some((hit, sketch)) => (Some(hit), Some(sketch)),
+            None => (None, about(view.unproject(view.centre, 1.0), None)),
+        };
+        let Some(mut sketch) = sketch else { return overlay };
+        if options.layers.contains(&OverlayLayer::Lights) {
+            overlay.lights = lights::draw(&mut sketch, &scene.lights, options.light);
+        }
+        let equation = hit.map(|hit| Equation::at(hit, scene, options));
+        let mut corner = equation.as_ref().and_then(|equation| equation.side_view(picture, &sketch, options));
+        if let Some(equation) = equation {
+            (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, &options.layers);
+        }
+        let taken: Vec<Area> = corner.iter().map(|corner| corner.pane).collect();
+        overlay.take(&mut sketch, &taken);
+        if let Some(corner) = &mut corner {
+            overlay.take(corner, &[]);
+        }
+        overlay
+    }
+
+    /// Draws the overlay on a pixmap of the size for which it was laid out.
+    pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
+        let mut ink = Ink { pixmap, halo: self.style.halo_colour, breadth: self.style.halo };
+        for marks in &self.groups {
+            ink.marks(marks);
+        }
+        for label in &self.labels {
+            ink.text(&Lettering::new(&label.text, label.size), label.size, label.area.centre(), label.colour);
         }
     }
-    let width = (height / 200.0 * options.scale).max(1.0) as f32;
-    for (vector, direction) in vectors {
-        let Some((tip, _)) = view.project(hit.position + direction * length) else { continue };
-        let mut builder = PathBuilder::new();
-        builder.move_to(tail.x as f32, tail.y as f32);
-        builder.line_to(tip.x as f32, tip.y as f32);
-        let Some(path) = builder.finish() else { continue };
-        let mut paint = Paint::default();
-        let [r, g, b] = vector.colour();
-        paint.set_color(Color::from_rgba8(r, g, b, 255));
-        let dash = StrokeDash::new(vector.dashes().iter().map(|d| d * width).collect(), 0.0);
-        let stroke = Stroke { width, dash, line_cap: LineCap::Butt, ..Stroke::default() };
-        pixmap.stroke_path(&path, &paint, &stroke, Transform::identity(), None);
+
+    fn take(&mut self, sketch: &mut Sketch, reserved: &[Area]) {
+        self.labels.extend(sketch.labels(reserved));
+        self.groups.push(std::mem::take(&mut sketch.marks));
     }
 }

@@ -1,6 +1,6 @@
 //! The equation itself.
 
-use super::{Exponent, Real, Scalar, Source, Specular, SpecularForm, V3, specular};
+use super::{Exponent, FormTask, Real, Scalar, Source, Specular, SpecularForm, V3, specular};
 use crate::scene::{Backfacing, Rgb, Scene, Viewer};
 use glam::DVec3;
 
@@ -130,7 +130,8 @@ impl<T: Scalar> Equation<T> {
     #[inline(always)]
     pub fn illuminate<R: Real<Scalar = T>, F: Specular>(&self, site: &Site<R>) -> [R; 3] {
         let like = site.inverse_distance;
-        let mut sum = self.ambient.map(|a| like.constant(a));
+        let [r, g, b] = self.ambient;
+        let mut sum = [like.constant(r), like.constant(g), like.constant(b)];
         for source in &self.sources {
             let response = self.respond::<R, F>(source, site);
             for (channel, total) in sum.iter_mut().enumerate() {
@@ -145,16 +146,15 @@ impl<T: Scalar> Equation<T> {
 }
 
 impl Equation<f64> {
+    /// V at a point of the world.
+    pub fn view_at(&self, point: DVec3) -> DVec3 {
+        self.site(V3::from(self.from_world(point)), V3::from(DVec3::ZERO)).view.into()
+    }
+
     /// I at a point of the world with normal `n`, per channel: the reference.
     pub fn illuminate_world(&self, point: DVec3, n: DVec3) -> Rgb {
         let site = self.site(V3::from(self.from_world(point)), V3::from(n));
-        Rgb::from_array(match self.form {
-            SpecularForm::None => self.illuminate::<f64, specular::NoSpecular>(&site),
-            SpecularForm::PhongCosine => self.illuminate::<f64, specular::PhongCosine>(&site),
-            SpecularForm::PhongChord => self.illuminate::<f64, specular::PhongChord>(&site),
-            SpecularForm::BlinnCosine => self.illuminate::<f64, specular::BlinnCosine>(&site),
-            SpecularForm::BlinnChord => self.illuminate::<f64, specular::BlinnChord>(&site),
-        })
+        Rgb::from_array(self.form.dispatch(Illuminate { equation: self, site: &site }))
     }
 
     /// What the light of index `light` does at a point of the world with normal `n`, with V, R and H there.
@@ -164,15 +164,36 @@ impl Equation<f64> {
     pub fn respond_world(&self, light: usize, point: DVec3, n: DVec3) -> (LightResponse<f64>, [DVec3; 3]) {
         let site = self.site(V3::from(self.from_world(point)), V3::from(n));
         let source = &self.sources[light];
-        let response = match self.form {
-            SpecularForm::None => self.respond::<f64, specular::NoSpecular>(source, &site),
-            SpecularForm::PhongCosine => self.respond::<f64, specular::PhongCosine>(source, &site),
-            SpecularForm::PhongChord => self.respond::<f64, specular::PhongChord>(source, &site),
-            SpecularForm::BlinnCosine => self.respond::<f64, specular::BlinnCosine>(source, &site),
-            SpecularForm::BlinnChord => self.respond::<f64, specular::BlinnChord>(source, &site),
-        };
+        let response = self.form.dispatch(Respond { equation: self, source, site: &site });
         let r = specular::reflect(site.normal, response.l, site.normal.dot(response.l));
         let h = specular::halfway(response.l, site.view);
         (response, [site.view.into(), r.into(), h.into()])
+    }
+}
+
+struct Illuminate<'a> {
+    equation: &'a Equation<f64>,
+    site: &'a Site<f64>,
+}
+
+impl FormTask for Illuminate<'_> {
+    type Output = [f64; 3];
+
+    fn run<F: Specular>(self, _: F) -> [f64; 3] {
+        self.equation.illuminate::<f64, F>(self.site)
+    }
+}
+
+struct Respond<'a> {
+    equation: &'a Equation<f64>,
+    source: &'a Source<f64>,
+    site: &'a Site<f64>,
+}
+
+impl FormTask for Respond<'_> {
+    type Output = LightResponse<f64>;
+
+    fn run<F: Specular>(self, _: F) -> LightResponse<f64> {
+        self.equation.respond::<f64, F>(self.source, self.site)
     }
 }

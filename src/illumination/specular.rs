@@ -59,6 +59,26 @@ impl SpecularForm {
     }
 }
 
+/// Work that is compiled once for each specular form.
+pub trait FormTask {
+    type Output;
+
+    fn run<F: Specular>(self, form: F) -> Self::Output;
+}
+
+impl SpecularForm {
+    /// Runs `task` with the type that stands for this form.
+    pub fn dispatch<T: FormTask>(self, task: T) -> T::Output {
+        match self {
+            Self::None => task.run(NoSpecular),
+            Self::PhongCosine => task.run(PhongCosine),
+            Self::PhongChord => task.run(PhongChord),
+            Self::BlinnCosine => task.run(BlinnCosine),
+            Self::BlinnChord => task.run(BlinnChord),
+        }
+    }
+}
+
 /// The specular factor of one light, a type for each form so that loops carry no choice.
 pub trait Specular: Copy + Send + Sync + 'static {
     const PRESENT: bool = true;

@@ -9,6 +9,15 @@ pub struct Frame {
     pub pixels: Vec<[u8; 4]>,
 }
 
+impl Frame {
+    /// The stored colour of a pixel inside the picture.
+    pub fn pixel(&self, x: u32, y: u32) -> Option<[u8; 3]> {
+        let index = y as usize * self.width as usize + x as usize;
+        let [r, g, b, _] = *self.pixels.get(index).filter(|_| x < self.width)?;
+        Some([r, g, b])
+    }
+}
+
 /// The stages of a frame, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]

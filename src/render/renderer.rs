@@ -1,39 +1,195 @@
 //! The renderer: runs the plan's stages, each only when what it reads has changed.
 
-use super::{Frame, Report};
-use crate::geometry::Mesh;
-use crate::scene::Scene;
+use super::bins::Bins;
+use super::clip::Clipped;
+use super::display::{Linear, display};
+use super::interpolate::Sources;
+use super::lens::Lens;
+use super::model::Model;
+use super::painting::{Bands, Canvas, CoverageInputs, InterpolationInputs, Painted, Painting};
+use super::plan::{Facts, Per, Plan};
+use super::points::{Planes, PointShading, face_points};
+use super::reference::{Evaluation, Reference};
+use super::stage::Kept;
+use super::transform::Placed;
+use super::{Frame, Report, Stage, StageRun};
+use crate::geometry::{Mesh, Surface, tessellate};
+use crate::illumination::Equation;
+use crate::scene::{Display, NormalSource, Object, ObjectKind, Overflow, Scene, Weighting};
+use fearless_simd::Level;
+use glam::DVec2;
 use std::sync::Arc;
 
 /// Draws scenes, keeping each stage's output for the next call.
-#[derive(Default)]
 pub struct Renderer {
-    model: Option<Arc<Mesh>>,
+    level: Level,
+    clock: fn() -> u64,
+    given: Option<Arc<Mesh>>,
+    given_stamp: u64,
+    mesh: Kept<MeshInputs, Arc<Mesh>>,
+    model: Kept<ModelInputs, Model>,
+    faces: Kept<u64, (Planes, Planes)>,
+    surface: Kept<Object, Option<Surface>>,
+    placed: Kept<PlacedInputs, (Placed, Clipped, Bins)>,
+    intensity: Kept<IntensityInputs, Planes>,
+    bands: Bands,
+    canvas: Kept<CanvasInputs, ()>,
+    drawn: Option<Drawn>,
+    linear: Vec<Linear>,
     frame: Frame,
     report: Report,
 }
 
+/// What the last picture was drawn from.
+struct Drawn {
+    scene: Scene,
+    plan: Plan,
+    lens: Lens,
+}
+
+#[derive(PartialEq)]
+struct MeshInputs {
+    kind: ObjectKind,
+    segments: u32,
+    rings: u32,
+    given: u64,
+}
+
+#[derive(PartialEq)]
+struct ModelInputs {
+    mesh: u64,
+    normals: NormalSource,
+    weighting: Weighting,
+}
+
+#[derive(PartialEq)]
+struct PlacedInputs {
+    model: u64,
+    lens: Lens,
+    size: [u32; 2],
+    cull: bool,
+}
+
+#[derive(PartialEq)]
+struct IntensityInputs {
+    model: u64,
+    equation: Equation<f32>,
+    per: Per,
+}
+
+#[derive(PartialEq)]
+struct CanvasInputs {
+    bands: u64,
+    equation: Option<Equation<f32>>,
+    background: [f64; 3],
+    display: Display,
+    whole_picture: bool,
+}
+
+impl Default for Renderer {
+    fn default() -> Self {
+        Self::with_clock(|| 0)
+    }
+}
+
 impl Renderer {
     /// A renderer that measures its stages by `clock`, which gives nanoseconds from any fixed moment.
-    pub fn with_clock(_clock: fn() -> u64) -> Self {
-        Self::default()
+    pub fn with_clock(clock: fn() -> u64) -> Self {
+        Self {
+            level: Level::new(),
+            clock,
+            given: None,
+            given_stamp: 0,
+            mesh: Kept::default(),
+            model: Kept::default(),
+            faces: Kept::default(),
+            surface: Kept::default(),
+            placed: Kept::default(),
+            intensity: Kept::default(),
+            bands: Bands::default(),
+            canvas: Kept::default(),
+            drawn: None,
+            linear: Vec::new(),
+            frame: Frame::default(),
+            report: Report::default(),
+        }
     }
 
-    /// The mesh that an object of kind `obj` shows; none shows nothing. A new `Arc` is a new model.
+    /// The same renderer on another SIMD level than the machine's best.
+    #[must_use]
+    pub fn with_level(mut self, level: Level) -> Self {
+        self.level = level;
+        self
+    }
+
+    /// The mesh that an object of kind `obj` shows; none shows nothing. Another `Arc` is another model.
     pub fn set_model(&mut self, model: Option<Arc<Mesh>>) {
-        self.model = model;
+        let same = match (&self.given, &model) {
+            (Some(old), Some(new)) => Arc::ptr_eq(old, new),
+            (None, None) => true,
+            _ => false,
+        };
+        if !same {
+            self.given = model;
+            self.given_stamp += 1;
+        }
+    }
+
+    /// Forgets every stage's output, so that the next picture is drawn from nothing. Buffers are kept.
+    pub fn invalidate(&mut self) {
+        self.mesh.forget();
+        self.model.forget();
+        self.faces.forget();
+        self.surface.forget();
+        self.redraw();
+    }
+
+    /// Forgets every output but the geometry's: the next picture is transformed, covered and shaded anew.
+    pub fn redraw(&mut self) {
+        self.placed.forget();
+        self.intensity.forget();
+        self.bands.forget();
+        self.canvas.forget();
     }
 
     /// Draws a scene that [`Scene::validate`] accepts. What has not changed since the last call is not done again.
     pub fn render(&mut self, scene: &Scene) -> &Frame {
-        let [width, height] = scene.image.size;
-        self.frame = Frame { width, height, pixels: vec![[40, 60, 90, 255]; (width * height) as usize] };
+        let began = (self.clock)();
+        self.report.stages.clear();
+        let plan = self.plan_of(scene);
+        self.draw(scene, plan, DVec2::ZERO);
+        self.report.nanoseconds = (self.clock)().saturating_sub(began);
         &self.frame
     }
 
-    /// Draws with `samples` samples a pixel, the mean of their displayed intensities.
-    pub fn render_supersampled(&mut self, scene: &Scene, _samples: u32) -> Frame {
-        self.render(scene).clone()
+    /// Draws with `samples` samples a pixel: the mean of their intensities, each clamped first where the display clamps.
+    pub fn render_supersampled(&mut self, scene: &Scene, samples: u32, progress: &mut dyn FnMut(u32)) -> Frame {
+        let samples = samples.max(1);
+        if samples == 1 {
+            return self.render(scene).clone();
+        }
+        let clamp = scene.display.overflow == Overflow::Clamp;
+        let mut sum: Vec<Linear> = Vec::new();
+        for sample in 0..samples {
+            let mut plan = self.plan_of(scene);
+            plan.whole_picture = true;
+            self.report.stages.clear();
+            self.draw(scene, plan, sample_offset(sample, samples));
+            sum.resize(self.linear.len(), [0.0; 4]);
+            for (total, pixel) in sum.iter_mut().zip(&self.linear) {
+                for (total, value) in total.iter_mut().zip(pixel) {
+                    *total += if clamp { value.min(1.0) } else { *value };
+                }
+            }
+            progress(sample + 1);
+        }
+        #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2²⁴")]
+        let factor = 1.0 / samples as f32;
+        sum.iter_mut().flatten().for_each(|value| *value *= factor);
+        let mut frame = self.frame.clone();
+        display(&sum, frame.width as usize, scene.display.overflow, scene.display.encoding, &mut frame.pixels);
+        self.redraw();
+        frame
     }
 
     /// The last picture.
@@ -45,4 +201,210 @@ impl Renderer {
     pub fn report(&self) -> &Report {
         &self.report
     }
+
+    /// The plan of the last picture.
+    pub fn plan(&self) -> Option<&Plan> {
+        self.drawn.as_ref().map(|drawn| &drawn.plan)
+    }
+
+    /// Where the equation is evaluated for a pixel of the last picture; nothing where the background is seen.
+    pub(crate) fn evaluation(&self, x: u32, y: u32) -> Option<Evaluation> {
+        let drawn = self.drawn.as_ref()?;
+        let reference = Reference {
+            scene: &drawn.scene,
+            plan: &drawn.plan,
+            lens: &drawn.lens,
+            model: &self.model.output,
+            clipped: &self.placed.output.1,
+            surface: self.surface.output.as_ref(),
+        };
+        let place = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        if drawn.plan.true_surface {
+            reference.of_surface(place)
+        } else {
+            Some(reference.of_triangle(self.bands.triangle_at(x, y)?, place))
+        }
+    }
+
+    /// Runs the geometry stages and plans the rest.
+    fn plan_of(&mut self, scene: &Scene) -> Plan {
+        let began = (self.clock)();
+        let object = &scene.object;
+        let given = if object.kind == ObjectKind::Obj { self.given_stamp } else { 0 };
+        let source = self.given.clone();
+        let inputs = MeshInputs { kind: object.kind, segments: object.segments, rings: object.rings, given };
+        let mut ran = self.mesh.update(inputs, |_, mesh| {
+            *mesh = match object.kind {
+                ObjectKind::Obj => source.unwrap_or_default(),
+                _ => Arc::new(tessellate(object)),
+            };
+        });
+        let preview = Plan::of(scene, &Facts::default());
+        let weighting = if preview.normals == NormalSource::Averaged || preview.normals == NormalSource::File {
+            object.weighting
+        } else {
+            Weighting::Equal
+        };
+        let inputs = ModelInputs { mesh: self.mesh.stamp(), normals: preview.normals, weighting };
+        let mesh = &self.mesh.output;
+        ran |= self.model.update(inputs, |inputs, model| {
+            *model = Model::new(mesh.with_vertex_normals(inputs.normals, inputs.weighting));
+        });
+        if preview.true_surface {
+            let key = Object { path: None, ..object.clone() };
+            ran |= self.surface.update(key, |object, surface| *surface = Surface::of(object));
+        }
+        self.note(Stage::Geometry, ran, began, 0);
+        let model = &self.model.output;
+        self.report.triangles = model.triangles.len() as u64;
+        let facts = Facts { closed: model.closed, convex: model.convex, centre: model.origin, radius: model.radius };
+        Plan::of(scene, &facts)
+    }
+
+    /// Runs the stages from the transform on.
+    fn draw(&mut self, scene: &Scene, plan: Plan, offset: DVec2) {
+        let size = scene.image.size;
+        let lens = Lens::new(&scene.camera, size, offset);
+        let mut equation = Equation::<f32>::new(scene);
+        equation.retain_lights(|light| plan.lights[light]);
+        self.place(&plan, &lens, size);
+        self.shade_points(&plan, &lens, &equation);
+        self.paint(scene, &plan, &lens, equation);
+        self.drawn = Some(Drawn { scene: scene.clone(), plan, lens });
+    }
+
+    fn place(&mut self, plan: &Plan, lens: &Lens, size: [u32; 2]) {
+        let began = (self.clock)();
+        let mut ran = false;
+        if !plan.true_surface {
+            let inputs = PlacedInputs { model: self.model.stamp(), lens: *lens, size, cull: plan.cull };
+            let model = &self.model.output;
+            let level = self.level;
+            ran = self.placed.update(inputs, |inputs, (placed, clipped, bins)| {
+                placed.run(level, &inputs.lens, model);
+                bins.run(model, &inputs.lens, size, inputs.cull, placed, clipped);
+            });
+        }
+        self.note(Stage::Transform, ran, began, 0);
+    }
+
+    fn shade_points(&mut self, plan: &Plan, lens: &Lens, equation: &Equation<f32>) {
+        let began = (self.clock)();
+        let (mut ran, mut evaluations) = (false, 0);
+        if plan.per != Per::Pixel {
+            let at_faces = plan.per == Per::Face;
+            let model = &self.model.output;
+            if at_faces {
+                self.faces.update(self.model.stamp(), |_, faces| *faces = face_points(model));
+            }
+            let faces = &self.faces.output;
+            let (position, normal) = if at_faces { (&faces.0, &faces.1) } else { (&model.position, &model.normal) };
+            let inputs = IntensityInputs { model: self.model.stamp(), equation: equation.clone(), per: plan.per };
+            let level = self.level;
+            ran = self.intensity.update(inputs, |inputs, intensity| {
+                inputs.equation.form().dispatch(PointShading {
+                    level,
+                    equation: &inputs.equation,
+                    origin: model.origin,
+                    unit: lens.unit,
+                    eye: lens.eye,
+                    position,
+                    normal,
+                    intensity,
+                });
+            });
+            evaluations = if at_faces { model.face_count() as u64 } else { model.vertex_count as u64 };
+        }
+        self.note(Stage::VertexShading, ran, began, if ran { evaluations } else { 0 });
+    }
+
+    /// Coverage, interpolation, shading and display, band by band.
+    fn paint(&mut self, scene: &Scene, plan: &Plan, lens: &Lens, equation: Equation<f32>) {
+        let [width, height] = scene.image.size;
+        let pixels = width as usize * height as usize;
+        self.frame.width = width;
+        self.frame.height = height;
+        if self.frame.pixels.len() != pixels {
+            self.frame.pixels.clear();
+            self.frame.pixels.resize(pixels, [0; 4]);
+            self.canvas.forget();
+        }
+        let (placed, clipped, _) = &self.placed.output;
+        let model = &self.model.output;
+        let coverage = CoverageInputs {
+            size: scene.image.size,
+            source: if plan.true_surface { self.surface.stamp() } else { self.placed.stamp() },
+            lens: plan.true_surface.then_some(*lens),
+            depth_test: plan.depth_test,
+        };
+        let carried = if plan.per == Per::Pixel { self.model.stamp() } else { self.intensity.stamp() };
+        let interpolation = InterpolationInputs {
+            source: if plan.true_surface { 0 } else { carried },
+            per: plan.per,
+            perspective: plan.perspective,
+            scanline: plan.scanline,
+            flat_at: (!plan.carries).then_some(scene.shading.flat_at),
+        };
+        let stale = self.bands.stale(coverage, interpolation);
+        let inputs = CanvasInputs {
+            bands: self.bands.stamp(),
+            equation: (plan.per == Per::Pixel).then_some(equation.clone()),
+            background: scene.image.background.to_array(),
+            display: scene.display.clone(),
+            whole_picture: plan.whole_picture,
+        };
+        let repaint = self.canvas.update(inputs, |_, ()| {});
+        let shaded = repaint || stale.any();
+        let mut painted = Painted::default();
+        if shaded {
+            self.linear.resize(if plan.whole_picture { pixels } else { 0 }, [0.0; 4]);
+            let painting = Painting {
+                level: self.level,
+                clock: self.clock,
+                scene,
+                plan,
+                lens,
+                equation: &equation,
+                surface: self.surface.output.as_ref(),
+                sources: Sources { model, clipped, placed, carried: &[] },
+                bins: &self.placed.output.2,
+                intensity: &self.intensity.output,
+            };
+            let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
+            painted = painting.run(&mut self.bands, stale, canvas);
+            self.report.covered = painted.covered;
+            self.report.overflowing = painted.overflowing;
+        }
+        let began = (self.clock)();
+        if plan.whole_picture && shaded {
+            let Display { overflow, encoding } = scene.display;
+            display(&self.linear, width as usize, overflow, encoding, &mut self.frame.pixels);
+        }
+        let whole = (self.clock)().saturating_sub(began);
+        let at_pixels = plan.per == Per::Pixel;
+        let [covering, interpolating, shading] = painted.nanoseconds;
+        let (shading, displaying) = if at_pixels { (shading, 0) } else { (0, shading) };
+        let evaluations = if at_pixels { painted.covered } else { 0 };
+        self.push(Stage::Coverage, stale.coverage, covering, 0);
+        self.push(Stage::Interpolation, stale.interpolation && plan.interpolates(), interpolating, 0);
+        self.push(Stage::PixelShading, shaded && at_pixels, shading, evaluations);
+        self.push(Stage::Display, shaded, displaying + whole, 0);
+    }
+
+    fn note(&mut self, stage: Stage, ran: bool, began: u64, evaluations: u64) {
+        let nanoseconds = if ran { (self.clock)().saturating_sub(began) } else { 0 };
+        self.push(stage, ran, nanoseconds, evaluations);
+    }
+
+    fn push(&mut self, stage: Stage, ran: bool, nanoseconds: u64, evaluations: u64) {
+        self.report.stages.push(StageRun { stage, ran, nanoseconds, evaluations });
+    }
+}
+
+/// Place of sample `index` of `count` relative to the pixel's centre: a lattice of rank 1 with the golden section.
+fn sample_offset(index: u32, count: u32) -> DVec2 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let x = (f64::from(index) + 0.5) / f64::from(count);
+    let y = (f64::from(index) * GOLDEN + 0.5).fract();
+    DVec2::new(x - 0.5, y - 0.5)
 }

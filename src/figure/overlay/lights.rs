@@ -1,0 +1,117 @@
+//! Where the lights are: a sun for one that stands somewhere, parallel rays for one that only has a direction.
+
+use super::labels::Area;
+use super::sketch::Sketch;
+use super::vectors::point_head;
+use super::{LETTERED, LightHandle};
+use crate::figure::ink::Mark;
+use crate::figure::palette::{self, Rgb8};
+use crate::scene::{Light, LightKind, View};
+use glam::DVec2;
+
+/// Distance of parallel rays from the picture's middle, in the pane's shorter side.
+const RAYS_AT: f64 = 0.4;
+/// Length of the rays when they lie in the picture's plane, in text sizes.
+const RAYS_LENGTH: f64 = 3.2;
+/// Rays shorter than this share of their full length are shown from the front or from behind.
+const HEAD_ON: f64 = 0.17;
+/// Outer radius of a sun and reach of the pointer beside one that stands outside the picture, in its disc's radii.
+const SUN: [f64; 2] = [1.95, 3.1];
+
+/// Draws the lights of a scene; `chosen` is drawn larger. Several are numbered from 1.
+pub(super) fn draw(sketch: &mut Sketch, lights: &[Light], chosen: Option<usize>) -> Vec<LightHandle> {
+    let mut handles = Vec::new();
+    for (index, light) in lights.iter().enumerate() {
+        let size = if chosen == Some(index) { 1.25 } else { 1.0 };
+        let radius = 0.4 * sketch.style.text * size;
+        let handle = if light.kind == LightKind::Directional {
+            rays(sketch, index, light, radius)
+        } else {
+            sun(sketch, index, light, radius)
+        };
+        if lights.len() > 1 && (lights.len() <= LETTERED || chosen == Some(index)) {
+            let aside = (sketch.view.centre - handle.pixel).normalize_or_zero();
+            let clearance = SUN[0] * radius + 0.1 * sketch.style.text;
+            sketch.letter((index + 1).to_string(), size, palette::L, handle.pixel, aside, clearance);
+        }
+        handles.push(handle);
+    }
+    handles
+}
+
+fn sun(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightHandle {
+    let (wanted, behind) = whereabouts(&sketch.view, light, sketch.pane);
+    let margin = (SUN[0] * radius).min(0.5 * (sketch.pane.max - sketch.pane.min).min_element());
+    let seen = Area { min: sketch.pane.min + margin, max: sketch.pane.max - margin };
+    let outside = behind || seen.nearest(wanted) != wanted;
+    let pixel = if outside { on_edge(sketch, wanted, SUN[1] * radius) } else { wanted };
+    let line = 0.7 * sketch.style.line;
+    for eighth in 0..8 {
+        let way = DVec2::from_angle(f64::from(eighth) * std::f64::consts::FRAC_PI_4);
+        let ray = vec![pixel + way * 1.4 * radius, pixel + way * SUN[0] * radius];
+        sketch.marks.push(Mark::line(ray, line, palette::L));
+    }
+    if outside {
+        let way = (wanted - sketch.view.centre).normalize_or_zero();
+        sketch.marks.push(point_head(pixel + way * SUN[1] * radius, way, 0.9 * radius, palette::L));
+    }
+    sketch.marks.push(Mark::dot(pixel, radius, shown(light)));
+    sketch.marks.push(Mark { halo: false, ..Mark::ring(pixel, radius, line, palette::L) });
+    LightHandle { light: index, pixel, outside }
+}
+
+/// Where a light appears, and whether it is behind the eye; then a point far out on the side on which it stands.
+fn whereabouts(view: &View, light: &Light, pane: Area) -> (DVec2, bool) {
+    if let Some((pixel, _)) = view.project(light.position) {
+        return (pixel, false);
+    }
+    let from_eye = light.position - view.eye;
+    let aside = DVec2::new(from_eye.dot(view.right), -from_eye.dot(view.up)).try_normalize();
+    let far = 2.0 * (pane.max - pane.min).length();
+    (view.centre + aside.unwrap_or(DVec2::NEG_Y) * far, true)
+}
+
+/// Where the way from the pane's middle to `point` comes within `margin` of its edge.
+fn on_edge(sketch: &Sketch, point: DVec2, margin: f64) -> DVec2 {
+    let centre = sketch.pane.centre();
+    let room = ((sketch.pane.max - sketch.pane.min) * 0.5 - margin).max(DVec2::ZERO);
+    let way = point - centre;
+    let share = (room / way.abs().max(DVec2::splat(f64::MIN_POSITIVE))).min_element().min(1.0);
+    centre + way * share
+}
+
+fn rays(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightHandle {
+    let style = sketch.style;
+    let direction = (light.direction / light.direction.abs().max_element()).normalize_or_zero();
+    let flat = DVec2::new(direction.dot(sketch.view.right), -direction.dot(sketch.view.up));
+    let room = RAYS_AT * (sketch.pane.max - sketch.pane.min).min_element();
+    let pixel = sketch.pane.centre() - flat * room;
+    if flat.length() < HEAD_ON {
+        sketch.marks.push(Mark::ring(pixel, 1.5 * radius, 0.8 * style.line, palette::L));
+        if direction.dot(sketch.view.forward) < 0.0 {
+            sketch.marks.push(Mark::dot(pixel, 1.1 * style.line, palette::L));
+        } else {
+            let arm = DVec2::splat(1.5 * radius * std::f64::consts::FRAC_1_SQRT_2);
+            for arm in [arm, arm.perp()] {
+                sketch.marks.push(Mark::line(vec![pixel - arm, pixel + arm], 0.6 * style.line, palette::L));
+            }
+        }
+        return LightHandle { light: index, pixel, outside: false };
+    }
+    let (along, half) = (flat.normalize(), flat * 0.5 * RAYS_LENGTH * style.text * radius / (0.4 * style.text));
+    for side in [-1.0, 0.0, 1.0] {
+        let middle = pixel + along.perp() * side * 1.3 * radius;
+        let width = if side == 0.0 { style.line } else { 0.6 * style.line };
+        let (tip, head) = (middle + half, (4.5 * width).min(half.length()));
+        sketch.marks.push(Mark::line(vec![middle - half, tip - along * 0.85 * head], width, palette::L));
+        sketch.marks.push(point_head(tip, along, head, palette::L));
+    }
+    LightHandle { light: index, pixel, outside: false }
+}
+
+/// The light's hue at full brightness: a dim light is still to be found.
+fn shown(light: &Light) -> Rgb8 {
+    let brightest = light.color.max_element();
+    let scale = if brightest > 0.0 && brightest.is_finite() { 255.0 / brightest } else { 0.0 };
+    light.color.to_array().map(|channel| (channel * scale).round().clamp(0.0, 255.0) as u8)
+}

@@ -1,0 +1,123 @@
+//! The vectors seen from the side, in a corner of the picture.
+//!
+//! V points at the eye, so in the picture it is a point and φ is seen from its edge. From the side, square to the plane
+//! of N and L with N upwards and L on the left, the figure is the textbooks' own; a little from above, so that a V that
+//! leaves the plane is seen to do so.
+
+use super::OverlayOptions;
+use super::labels::Area;
+use super::sketch::{Sketch, Style};
+use crate::figure::ink::Mark;
+use crate::scene::{Projection, View};
+use glam::{DVec2, DVec3};
+
+/// Side of the pane: the wanted share of the picture's shorter side, the largest share, and the least in text sizes.
+const SIDE: [f64; 3] = [0.35, 0.6, 8.5];
+/// Length of a unit vector in the pane's side: twice as much fits above the point, where R's construction reaches.
+const UNIT: f64 = 0.36;
+/// Drop of the point below the pane's middle; less where an L from behind the surface would leave the pane.
+const DROP: [f64; 2] = [0.26, 0.45];
+/// The height from which the surface is looked down on, and the turn about N that shows a V square to the plane, radians.
+const TILT: [f64; 2] = [0.22, 0.6];
+/// Radius of the disc that stands for the surface, in unit vectors.
+const DISC: f64 = 0.62;
+/// The surface's grey, and how opaque it and the pane's ground are.
+const SURFACE: [u8; 3] = [128; 3];
+const OPAQUE: [f64; 2] = [0.35, 0.88];
+
+/// The pane in the corner farthest from `point`; nothing in a picture too small for it.
+pub(super) fn pane(picture: Area, point: DVec2, style: &Style) -> Option<Area> {
+    let shorter = (picture.max - picture.min).min_element();
+    let side = (SIDE[0] * shorter).max(SIDE[2] * style.text);
+    if side > SIDE[1] * shorter {
+        return None;
+    }
+    let inset = DVec2::splat(0.5 * style.text + 0.5 * side);
+    let centre = picture.centre();
+    let corner = |near: f64, far: f64, middle: f64, at: f64, inset: f64| {
+        if at < middle { far - inset } else { near + inset }
+    };
+    let x = corner(picture.min.x, picture.max.x, centre.x, point.x, inset.x);
+    let y = corner(picture.min.y, picture.max.y, centre.y, point.y, inset.y);
+    Some(Area::about(DVec2::new(x, y), DVec2::splat(side)))
+}
+
+/// A sketch of the surface about the point, ready for vectors. `n`, `l` and `v` are unit.
+pub(super) fn sketch(pane: Area, n: DVec3, l: DVec3, v: DVec3, options: &OverlayOptions) -> Option<Sketch> {
+    let side = (pane.max - pane.min).min_element();
+    let view = view(pane, n, l, v);
+    let style = Style::new(2.3 * side, options);
+    let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, Some(1.0), side)?;
+    let corner = |x: f64, y: f64| pane.min + DVec2::new(x, y) * side;
+    let square = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
+    let ground = Mark { halo: false, ..Mark::area(square.clone(), 0.0, style.halo_colour) };
+    let frame = Mark { halo: false, closed: true, ..Mark::line(square, 0.35 * style.line, SURFACE) };
+    sketch.marks.extend([ground.faded(OPAQUE[1]), frame]);
+    let (across, into) = n.any_orthonormal_pair();
+    let rim = Mark::ring(DVec2::ZERO, DISC, 0.0, SURFACE).points;
+    let rim: Option<Vec<DVec2>> = rim.into_iter().map(|p| sketch.end(across * p.x + into * p.y)).collect();
+    if let Some(rim) = rim {
+        let disc = Mark { halo: false, ..Mark::area(rim, 0.0, SURFACE) };
+        sketch.marks.push(disc.faded(OPAQUE[0]));
+    }
+    Some(sketch)
+}
+
+fn view(pane: Area, n: DVec3, l: DVec3, v: DVec3) -> View {
+    let aside = |vector: DVec3| (vector - n * vector.dot(n)).try_normalize();
+    let right = aside(-l).or_else(|| aside(v)).unwrap_or_else(|| n.any_orthonormal_vector());
+    let into = n.cross(right);
+    let steep = ((aside(v).map_or(0.0, |v| v.dot(into).abs()) - 0.5) / 0.4).clamp(0.0, 1.0);
+    let turn = TILT[1] * steep * steep * (3.0 - 2.0 * steep) * v.dot(into).signum() * v.dot(right).signum();
+    let (sine, cosine) = turn.sin_cos();
+    let (right, into) = (right * cosine + into * sine, into * cosine - right * sine);
+    let (sine, cosine) = TILT[0].sin_cos();
+    let (forward, up) = (into * cosine - n * sine, n * cosine + into * sine);
+    let side = (pane.max - pane.min).min_element();
+    let drop = DROP[0].min(DROP[1] - UNIT * (-n.dot(l)).max(0.0));
+    let centre = pane.centre() + DVec2::new(0.0, drop * side);
+    View { eye: forward * -4.0, right, up, forward, centre, scale: UNIT * side, projection: Projection::Orthographic }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn unit() -> impl Strategy<Value = DVec3> {
+        prop::array::uniform3(-1.0..1.0)
+            .prop_map(DVec3::from_array)
+            .prop_filter("has a direction", |v| v.length() > 0.01)
+            .prop_map(DVec3::normalize)
+    }
+
+    const PANE: Area = Area { min: DVec2::ZERO, max: DVec2::new(300.0, 300.0) };
+
+    proptest! {
+        #[test]
+        fn n_points_up_l_to_the_left_and_v_is_never_a_point(n in unit(), l in unit(), v in unit()) {
+            let view = view(PANE, n, l, v);
+            prop_assert!((view.right.cross(view.up) + view.forward).length() < 1e-9);
+            let at = |vector: DVec3| view.project(vector).expect("in front").0 - view.centre;
+            prop_assert!(at(n).y < -0.9 * UNIT * 300.0 && at(n).x.abs() < 1e-6, "N is at {}", at(n));
+            prop_assert!(at(l).x < 1e-6, "L is at {}", at(l));
+            prop_assert!(at(v).length() > 0.1 * UNIT * 300.0, "V is at {}", at(v));
+        }
+    }
+
+    #[test]
+    fn coinciding_vectors_still_have_a_side() {
+        let view = view(PANE, DVec3::Y, DVec3::Y, DVec3::Y);
+        assert!((view.right.cross(view.up) + view.forward).length() < 1e-9, "{view:?}");
+    }
+
+    #[test]
+    fn the_pane_takes_the_far_corner_of_a_picture_with_room() {
+        let picture = Area { min: DVec2::ZERO, max: DVec2::new(800.0, 600.0) };
+        let style = Style::new(600.0, &OverlayOptions::default());
+        let far = pane(picture, DVec2::new(100.0, 100.0), &style).expect("room enough");
+        assert!(far.min.x > 400.0 && far.min.y > 300.0 && picture.holds(&far));
+        let small = Area { min: DVec2::ZERO, max: DVec2::splat(60.0) };
+        assert_eq!(pane(small, DVec2::ZERO, &Style::new(60.0, &OverlayOptions::default())), None);
+    }
+}

@@ -1,0 +1,171 @@
+//! The pane being drawn: one point seen through one view, with what gathers there until it is inked.
+
+use super::labels::{Area, Placer, Wish};
+use super::{Halo, Label, OverlayOptions};
+use crate::figure::ink::Mark;
+use crate::figure::palette::Rgb8;
+use crate::figure::text::Lettering;
+use crate::scene::{Projection, View};
+use glam::{DVec2, DVec3};
+
+/// How near to the eye an arrow may come, in depths of its tail. Beyond, perspective would blow it up without bound.
+const NEAREST: f64 = 0.05;
+/// Along the line of sight an end nearer than this, in pixels, has its direction from rounding alone.
+const ROUNDING: f64 = 1e-3;
+/// Ends farther away than this, in pixels, are drawn this far: the way to them looks the same.
+const FARTHEST: f64 = 1e6;
+/// Text is never smaller than this, in pixels an em, before [`OverlayOptions::scale`].
+const LEAST_TEXT: f64 = 13.0;
+
+/// Sizes of everything, in pixels, and the neutral colours.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Style {
+    pub text: f64,
+    pub line: f64,
+    pub halo: f64,
+    /// Length of an arrow's head.
+    pub head: f64,
+    /// Radius of the probe's ring.
+    pub ring: f64,
+    /// Colour of what belongs to no vector.
+    pub neutral: Rgb8,
+    pub halo_colour: Rgb8,
+}
+
+impl Style {
+    /// The style of a pane whose shorter side is `side` pixels.
+    pub fn new(side: f64, options: &OverlayOptions) -> Self {
+        let scale = if options.scale.is_finite() { options.scale.clamp(0.05, 20.0) } else { 1.0 };
+        let text = LEAST_TEXT.max(side / 28.0) * scale;
+        let line = 0.115 * text;
+        let (neutral, halo_colour) = match options.halo {
+            Halo::Light => ([24; 3], [255; 3]),
+            Halo::Dark => ([255; 3], [16; 3]),
+        };
+        Self { text, line, halo: 0.075 * text, head: 5.0 * line, ring: 2.1 * line, neutral, halo_colour }
+    }
+}
+
+/// A label that has no place yet.
+struct Pending {
+    text: String,
+    size: f64,
+    colour: Rgb8,
+    anchor: DVec2,
+    direction: DVec2,
+    clearance: f64,
+}
+
+/// A point of the world in a view, and what is drawn about it.
+pub(super) struct Sketch {
+    pub view: View,
+    pub style: Style,
+    /// The part of the picture that may be drawn in.
+    pub pane: Area,
+    pub position: DVec3,
+    /// Where `position` appears.
+    pub origin: DVec2,
+    /// Length of a unit vector, world units.
+    pub length: f64,
+    pub marks: Vec<Mark>,
+    pending: Vec<Pending>,
+}
+
+impl Sketch {
+    /// Nothing where `position` does not appear. Without a `length`, unit vectors measure `pixels`.
+    pub fn new(
+        view: View,
+        style: Style,
+        pane: Area,
+        position: DVec3,
+        length: Option<f64>,
+        pixels: f64,
+    ) -> Option<Self> {
+        let (origin, depth) = view.project(position)?;
+        let length = length.filter(|length| *length > 0.0 && length.is_finite());
+        let length = length.unwrap_or(pixels * view.world_per_pixel(depth));
+        Some(Self { view, style, pane, position, origin, length, marks: Vec::new(), pending: Vec::new() })
+    }
+
+    /// Where the end of `vector` appears when it starts at the point: in perspective, at the end's own depth. A vector
+    /// that would pass the eye is cut short before it.
+    pub fn end(&self, vector: DVec3) -> Option<DVec2> {
+        let depth = (self.position - self.view.eye).dot(self.view.forward);
+        let reach = vector * self.length;
+        let approach = -reach.dot(self.view.forward);
+        let room = (1.0 - NEAREST) * depth;
+        let share = if approach > room { room / approach } else { 1.0 };
+        let (end, _) = self.view.project(self.position + reach * share)?;
+        let way = end - self.origin;
+        let far = way.abs().max_element();
+        Some(if far > FARTHEST {
+            self.origin + way / far * FARTHEST
+        } else if far < ROUNDING {
+            self.origin
+        } else {
+            end
+        })
+    }
+
+    /// The sine of the angle between `vector` and the line of sight, signed: positive towards the eye.
+    pub fn slant(&self, vector: DVec3) -> f64 {
+        let towards = match self.view.projection {
+            Projection::Perspective => self.view.towards_eye(self.position),
+            Projection::Orthographic => -self.view.forward,
+        };
+        let cosine = vector.normalize_or_zero().dot(towards);
+        (1.0 - cosine * cosine).max(0.0).sqrt().copysign(cosine)
+    }
+
+    /// The last point of the way from the origin to `point` inside the pane, `margin` from its edge.
+    pub fn inside(&self, point: DVec2, margin: f64) -> DVec2 {
+        let room = Area { min: self.pane.min + margin, max: (self.pane.max - margin).max(self.pane.min + margin) };
+        let from = room.nearest(self.origin);
+        let way = point - from;
+        let mut share = 1.0f64;
+        for axis in 0..2 {
+            if way[axis] > 0.0 {
+                share = share.min((room.max[axis] - from[axis]) / way[axis]);
+            } else if way[axis] < 0.0 {
+                share = share.min((room.min[axis] - from[axis]) / way[axis]);
+            }
+        }
+        from + way * share
+    }
+
+    /// Asks for a label of `size` times the usual size; an empty text asks for none.
+    pub fn letter(&mut self, text: String, size: f64, colour: Rgb8, anchor: DVec2, direction: DVec2, clearance: f64) {
+        if text.is_empty() {
+            return;
+        }
+        self.pending.push(Pending { text, size: size * self.style.text, colour, anchor, direction, clearance });
+    }
+
+    /// Gives every label asked for its place, in that order, outside `reserved`.
+    pub fn labels(&mut self, reserved: &[Area]) -> Vec<Label> {
+        let mut placer = Placer::new(self.pane, self.style.text, &self.marks);
+        for area in reserved {
+            placer.reserve(*area);
+        }
+        let mut labels = Vec::new();
+        for pending in std::mem::take(&mut self.pending) {
+            let lettering = Lettering::new(&pending.text, pending.size);
+            let size = lettering.max - lettering.min + 2.0 * self.style.halo + 0.1 * pending.size;
+            let Pending { anchor, direction, clearance, .. } = pending;
+            let Some(area) = placer.place(&Wish { anchor, direction, size, clearance }) else { continue };
+            self.leader(anchor, clearance, area, pending.colour);
+            labels.push(Label { text: pending.text, area, size: pending.size, colour: pending.colour });
+        }
+        labels
+    }
+
+    /// A thin line from a label that had to go far away to what it names.
+    fn leader(&mut self, anchor: DVec2, clearance: f64, label: Area, colour: Rgb8) {
+        let near = label.nearest(anchor);
+        let way = near - anchor;
+        if way.length() > clearance + 1.3 * self.style.text {
+            let start = anchor + way.normalize_or_zero() * clearance;
+            self.marks.push(Mark::line(vec![start, near], 0.35 * self.style.line, colour));
+        }
+    }
+}

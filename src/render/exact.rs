@@ -1,0 +1,35 @@
+//! The true surface in, fragments out: each pixel's ray meets the surface itself, in double precision.
+
+use super::cover::{Band, BandPlace};
+use super::interpolate::{Fragment, GAP};
+use super::lens::{Lens, NEAR};
+use crate::geometry::{Ray, Surface, SurfaceHit};
+use glam::{DVec2, DVec3};
+
+/// Where the ray through a place in the picture meets the surface: the depth in camera distances and the hit.
+pub(super) fn meet(lens: &Lens, surface: &Surface, place: DVec2) -> Option<(DVec3, SurfaceHit)> {
+    let (point, direction) = lens.ray(place);
+    let ray = Ray { origin: lens.world(point), direction: direction * lens.unit };
+    let hit = surface.intersect(&ray, NEAR)?;
+    Some((ray.origin + ray.direction * hit.t, hit))
+}
+
+/// Fills the fragments of a band and its extents.
+#[expect(clippy::cast_possible_truncation, reason = "fragments are single precision")]
+pub(super) fn meet_band(lens: &Lens, surface: &Surface, place: BandPlace, band: &mut Band, fragments: &mut [Fragment]) {
+    band.begin(place);
+    for (row, line) in fragments.chunks_exact_mut(place.width as usize).take(place.rows as usize).enumerate() {
+        let y = f64::from(place.first_row) + row as f64 + 0.5;
+        let extent = &mut band.extents[row];
+        for (x, fragment) in line.iter_mut().enumerate() {
+            *fragment = GAP;
+            let Some((_, hit)) = meet(lens, surface, DVec2::new(x as f64 + 0.5, y)) else { continue };
+            let [nx, ny, nz] = hit.normal.as_vec3().to_array();
+            *fragment = [nx, ny, nz, lens.key_from_depth(hit.t) as f32];
+            let x = x as u32;
+            extent.start = extent.start.min(x);
+            extent.end = extent.end.max(x + 1);
+            band.covered += 1;
+        }
+    }
+}

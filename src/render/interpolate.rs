@@ -1,0 +1,236 @@
+//! Runs in, fragments out: the normal or the intensity and the depth key at every pixel that sees the object.
+//!
+//! What is carried from the vertices to the pixels is four numbers: three of a normal or an intensity, and the depth key.
+//! For perspective-correct interpolation the three are multiplied by the key (1/depth), which makes them linear in the
+//! picture; the kernels that read the fragments divide again where it matters.
+
+use super::clip::Clipped;
+use super::cover::{Band, BandPlace, Run, Weights};
+use super::model::Model;
+use super::transform::{HALF, Place, Placed, SUBPIXELS};
+use fearless_simd::{f32x4, prelude::*};
+use rayon::prelude::*;
+
+/// Three carried numbers and the depth key.
+pub(super) type Fragment = [f32; 4];
+
+/// A pixel that does not see the object.
+pub(super) const GAP: Fragment = [0.0, 0.0, 0.0, f32::MIN];
+
+/// Fills `carried` with what each vertex carries: `values` (one plane a component) and its depth key.
+pub(super) fn carry(
+    carried: &mut Vec<Fragment>,
+    values: &[Vec<f32>; 3],
+    placed: &Placed,
+    clipped: &Clipped,
+    perspective: bool,
+) {
+    const CHUNK: usize = 4096;
+    let of = |v: [f32; 3], key: f32| {
+        let factor = if perspective { key } else { 1.0 };
+        [v[0] * factor, v[1] * factor, v[2] * factor, key]
+    };
+    let count = values[0].len();
+    carried.clear();
+    carried.resize(count, GAP);
+    carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
+        let range = chunk * CHUNK..chunk * CHUNK + carried.len();
+        let [a, b, c] = values.each_ref().map(|plane| &plane[range.clone()]);
+        for ((((out, a), b), c), key) in carried.iter_mut().zip(a).zip(b).zip(c).zip(&placed.keys[range.clone()]) {
+            *out = of([*a, *b, *c], *key);
+        }
+    });
+    for (cut, key) in clipped.cuts.iter().zip(&placed.keys[count..]) {
+        #[expect(clippy::cast_possible_truncation, reason = "back to the precision of the vertices")]
+        let value = [0, 1, 2].map(|component| {
+            let plane = &values[component];
+            cut.vertices.iter().zip(cut.weights).map(|(&v, w)| f64::from(plane[v as usize]) * w).sum::<f64>() as f32
+        });
+        carried.push(of(value, *key));
+    }
+}
+
+/// What the interpolation of a band reads.
+#[derive(Clone, Copy)]
+pub(super) struct Sources<'a> {
+    pub model: &'a Model,
+    pub clipped: &'a Clipped,
+    pub placed: &'a Placed,
+    pub carried: &'a [Fragment],
+}
+
+impl Sources<'_> {
+    /// Vertices of a triangle of the model or of the clipper.
+    #[inline(always)]
+    pub fn vertices(&self, triangle: u32) -> [u32; 3] {
+        let own = self.model.triangles.len();
+        match self.model.triangles.get(triangle as usize) {
+            Some(vertices) => *vertices,
+            None => self.clipped.triangles[triangle as usize - own],
+        }
+    }
+
+    /// The face that a triangle belongs to.
+    #[inline(always)]
+    pub fn face(&self, triangle: u32) -> u32 {
+        let own = self.model.faces.len();
+        match self.model.faces.get(triangle as usize) {
+            Some(face) => *face,
+            None => self.model.faces[self.clipped.parents[triangle as usize - own] as usize],
+        }
+    }
+}
+
+/// How values run along a row inside a polygon: linearly, from `start` at the run's first pixel by `step` a pixel.
+trait Rule<S: Simd> {
+    fn along(&mut self, simd: S, run: Run, y: i32) -> (f32x4<S>, f32x4<S>);
+}
+
+/// Linear over the triangle (of values that are linear there: affine ones, or perspective ones times the key).
+struct Barycentric<'a, S: Simd> {
+    sources: Sources<'a>,
+    triangle: u32,
+    weights: Weights,
+    origin: f32x4<S>,
+    d1: f32x4<S>,
+    d2: f32x4<S>,
+}
+
+impl<'a, S: Simd> Barycentric<'a, S> {
+    #[inline(always)]
+    fn new(simd: S, sources: Sources<'a>) -> Self {
+        let zero = f32x4::splat(simd, 0.0);
+        let weights = Weights::new([[0, 0], [1, 0], [0, 1]]);
+        Self { sources, triangle: u32::MAX, weights, origin: zero, d1: zero, d2: zero }
+    }
+}
+
+impl<S: Simd> Rule<S> for Barycentric<'_, S> {
+    #[inline(always)]
+    #[expect(clippy::cast_possible_truncation, reason = "weights multiply single-precision values")]
+    fn along(&mut self, simd: S, run: Run, y: i32) -> (f32x4<S>, f32x4<S>) {
+        if run.triangle != self.triangle {
+            self.triangle = run.triangle;
+            let vertices = self.sources.vertices(run.triangle);
+            self.weights = Weights::new(self.sources.placed.corners(vertices));
+            let [a, b, c] = vertices;
+            let carried = self.sources.carried;
+            let a = f32x4::simd_from(simd, carried[a as usize]);
+            let b = f32x4::simd_from(simd, carried[b as usize]);
+            let c = f32x4::simd_from(simd, carried[c as usize]);
+            self.origin = a;
+            self.d1 = b - a;
+            self.d2 = c - a;
+        }
+        let [w1, w2] = self.weights.at(i32::from(run.x0), y);
+        let [s1, s2] = self.weights.step;
+        let start = self.d1.mul_add(w1 as f32, self.d2.mul_add(w2 as f32, self.origin));
+        (start, self.d1.mul_add(s1, self.d2 * s2))
+    }
+}
+
+/// Linear along the polygon's edges to P and Q on the scan line, then linear from P to Q (Gouraud 1971).
+struct Scanline<'a> {
+    sources: Sources<'a>,
+    /// The triangle whose polygon is `corners`.
+    triangle: u32,
+    corners: Vec<(Place, Fragment)>,
+    /// Crossings of the polygon's edges with the scan line.
+    crossings: Vec<(f64, [f64; 4])>,
+}
+
+impl Scanline<'_> {
+    fn load(&mut self, triangle: u32) {
+        self.triangle = triangle;
+        let sources = self.sources;
+        let own = sources.model.triangles.len();
+        let corner = |&v: &u32| (sources.placed.places[v as usize], sources.carried[v as usize]);
+        self.corners.clear();
+        // A clipped polygon has lost corners; its pieces are interpolated as the triangles they are.
+        if (triangle as usize) < own {
+            self.corners.extend(sources.model.face(sources.face(triangle)).iter().map(corner));
+        } else {
+            self.corners.extend(sources.vertices(triangle).iter().map(corner));
+        }
+    }
+
+    /// Finds P and Q, the crossings on either side of pixel `x` in row `y`.
+    fn cross(&mut self, x: f64, y: i32) -> Option<[(f64, [f64; 4]); 2]> {
+        let line = f64::from(y * SUBPIXELS + HALF);
+        self.crossings.clear();
+        for (i, a) in self.corners.iter().enumerate() {
+            let b = &self.corners[(i + 1) % self.corners.len()];
+            let (ya, yb) = (f64::from(a.0[1]), f64::from(b.0[1]));
+            if (ya <= line) == (yb <= line) {
+                continue;
+            }
+            let alpha = (line - ya) / (yb - ya);
+            let mix = |p: f64, q: f64| (1.0 - alpha) * p + alpha * q;
+            let value = [0, 1, 2, 3].map(|k| mix(f64::from(a.1[k]), f64::from(b.1[k])));
+            self.crossings.push((mix(f64::from(a.0[0]), f64::from(b.0[0])), value));
+        }
+        self.crossings.sort_unstable_by(|p, q| p.0.total_cmp(&q.0));
+        let outside = |pair: &[(f64, [f64; 4])]| (pair[0].0 - x).max(x - pair[1].0);
+        let best = self.crossings.chunks_exact(2).min_by(|p, q| outside(p).total_cmp(&outside(q)))?;
+        Some([best[0], best[1]])
+    }
+}
+
+impl<S: Simd> Rule<S> for Scanline<'_> {
+    #[expect(clippy::cast_possible_truncation, reason = "fragments are single precision")]
+    fn along(&mut self, simd: S, run: Run, y: i32) -> (f32x4<S>, f32x4<S>) {
+        if run.triangle != self.triangle {
+            self.load(run.triangle);
+        }
+        let pixel = f64::from(SUBPIXELS);
+        let x = f64::from(run.x0) * pixel + f64::from(HALF);
+        let Some([(xp, p), (xq, q)]) = self.cross(x, y) else {
+            return (f32x4::simd_from(simd, self.corners[0].1), f32x4::splat(simd, 0.0));
+        };
+        // A span of no length has one value, P's.
+        let per_unit = if xq > xp { 1.0 / (xq - xp) } else { 0.0 };
+        let t = ((x - xp) * per_unit).clamp(0.0, 1.0);
+        let start = [0, 1, 2, 3].map(|k| (p[k] + t * (q[k] - p[k])) as f32);
+        let step = [0, 1, 2, 3].map(|k| (per_unit * pixel * (q[k] - p[k])) as f32);
+        (f32x4::simd_from(simd, start), f32x4::simd_from(simd, step))
+    }
+}
+
+/// Fills the fragments of a band, rows of `place.width`. In each row all pixels of the extent are written.
+#[inline(always)]
+pub(super) fn interpolate<S: Simd>(
+    simd: S,
+    place: BandPlace,
+    band: &Band,
+    sources: Sources<'_>,
+    scanline: bool,
+    fragments: &mut [Fragment],
+) {
+    if scanline {
+        let rule = Scanline { sources, triangle: u32::MAX, corners: Vec::new(), crossings: Vec::new() };
+        fill(simd, place, band, rule, fragments);
+    } else {
+        fill(simd, place, band, Barycentric::new(simd, sources), fragments);
+    }
+}
+
+#[inline(always)]
+fn fill<S: Simd>(simd: S, place: BandPlace, band: &Band, mut rule: impl Rule<S>, fragments: &mut [Fragment]) {
+    let mut cursor = (u16::MAX, 0);
+    for run in &band.runs {
+        #[expect(clippy::cast_possible_wrap, reason = "pictures are at most 16384 pixels high")]
+        let y = (place.first_row + u32::from(run.row)) as i32;
+        let row = usize::from(run.row) * place.width as usize;
+        // Runs that are sorted may leave gaps between them; runs that are not leave none.
+        if cursor.0 == run.row && cursor.1 < run.x0 && band.sorted {
+            fragments[row + usize::from(cursor.1)..row + usize::from(run.x0)].fill(GAP);
+        }
+        cursor = (run.row, run.x1);
+        let (start, step) = rule.along(simd, *run, y);
+        let mut k = f32x4::splat(simd, 0.0);
+        for fragment in &mut fragments[row + usize::from(run.x0)..row + usize::from(run.x1)] {
+            step.mul_add(k, start).store_slice(fragment);
+            k += 1.0;
+        }
+    }
+}

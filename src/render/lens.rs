@@ -1,0 +1,81 @@
+//! The camera as the kernels need it: lengths in camera distances, positions relative to the eye.
+
+use crate::scene::{Camera, Projection};
+use glam::{DVec2, DVec3};
+
+/// What is nearer to the eye than this many camera distances is clipped away.
+pub(super) const NEAR: f64 = 1e-3;
+
+/// Projection of one picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lens {
+    pub eye: DVec3,
+    /// World units to one camera distance.
+    pub unit: f64,
+    /// Unit vectors, world.
+    pub right: DVec3,
+    pub up: DVec3,
+    pub forward: DVec3,
+    pub perspective: bool,
+    /// Pixels to one camera distance, at depth 1 where the projection is a perspective one.
+    pub focal: f64,
+    /// Where the viewing direction meets the picture, pixels.
+    pub middle: DVec2,
+}
+
+impl Lens {
+    /// The lens of `camera` for a picture of `size` pixels whose samples lie `offset` pixels from the centres.
+    pub fn new(camera: &Camera, size: [u32; 2], offset: DVec2) -> Self {
+        let [width, height] = size.map(f64::from);
+        let unit = camera.distance();
+        let forward = ((camera.target - camera.eye) / unit).normalize_or(-DVec3::Z);
+        let right = forward.cross(camera.up.normalize_or(DVec3::Y)).normalize_or(forward.any_orthonormal_vector());
+        let perspective = camera.projection == Projection::Perspective;
+        let focal = if perspective {
+            height / 2.0 / (camera.fov_y.to_radians() / 2.0).tan()
+        } else {
+            height / camera.height * unit
+        };
+        Self {
+            eye: camera.eye,
+            unit,
+            right,
+            up: right.cross(forward),
+            forward,
+            perspective,
+            focal,
+            middle: DVec2::new(width, height) / 2.0 - offset,
+        }
+    }
+
+    /// Right, up and forward components of a world point, camera distances.
+    pub fn view_from_world(&self, world: DVec3) -> DVec3 {
+        let p = (world - self.eye) / self.unit;
+        DVec3::new(p.dot(self.right), p.dot(self.up), p.dot(self.forward))
+    }
+
+    /// Where a point given by its view components appears, pixels.
+    pub fn picture_from_view(&self, view: DVec3) -> DVec2 {
+        let scale = if self.perspective { self.focal / view.z } else { self.focal };
+        DVec2::new(self.middle.x + view.x * scale, self.middle.y - view.y * scale)
+    }
+
+    /// The depth key of a point at distance `depth` along the viewing direction: linear in the picture over a flat
+    /// polygon, the greater the nearer.
+    pub fn key_from_depth(&self, depth: f64) -> f64 {
+        if self.perspective { 1.0 / depth } else { -depth }
+    }
+
+    /// The ray through a place in the picture: a point and a direction in camera distances relative to the eye, such
+    /// that point + depth·direction lies at that depth.
+    pub fn ray(&self, place: DVec2) -> (DVec3, DVec3) {
+        let across =
+            self.right * ((place.x - self.middle.x) / self.focal) - self.up * ((place.y - self.middle.y) / self.focal);
+        if self.perspective { (DVec3::ZERO, self.forward + across) } else { (across, self.forward) }
+    }
+
+    /// World coordinates of a point relative to the eye in camera distances.
+    pub fn world(&self, position: DVec3) -> DVec3 {
+        self.eye + position * self.unit
+    }
+}

@@ -1,0 +1,131 @@
+//! The geometry stage's output: a mesh as structures of arrays.
+
+use crate::geometry::VertexMesh;
+use glam::{DVec3, Vec3};
+use std::ops::Range;
+
+/// Arrays are filled up to a multiple of this, the widest vector's lanes.
+pub(super) const PADDING: usize = 16;
+
+/// A mesh for the kernels.
+#[derive(Default)]
+pub(super) struct Model {
+    /// World position of (0, 0, 0) in the arrays.
+    pub origin: DVec3,
+    /// Vertices without the padding.
+    pub vertex_count: usize,
+    /// Radius about `origin` that holds every vertex, world units.
+    pub radius: f64,
+    /// Coordinates and normals of the vertices, padded by zeros.
+    pub position: [Vec<f32>; 3],
+    pub normal: [Vec<f32>; 3],
+    /// Vertices of each triangle, counter-clockwise from outside.
+    pub triangles: Vec<[u32; 3]>,
+    /// The face that each triangle belongs to.
+    pub faces: Vec<u32>,
+    /// The faces themselves: face f has the vertices `indices[starts[f]..starts[f + 1]]`.
+    pub starts: Vec<u32>,
+    pub indices: Vec<u32>,
+    pub closed: bool,
+    pub convex: bool,
+}
+
+impl Model {
+    pub fn new(mesh: VertexMesh) -> Self {
+        let triangles = fan(&mesh.starts, &mesh.indices);
+        let count = mesh.starts.len().saturating_sub(1);
+        let mut faces = Vec::with_capacity(triangles.len());
+        for face in 0..count {
+            let corners = (mesh.starts[face + 1] - mesh.starts[face]) as usize;
+            faces.extend(std::iter::repeat_n(u32::try_from(face).unwrap_or(u32::MAX), corners.saturating_sub(2)));
+        }
+        Self {
+            origin: mesh.origin,
+            vertex_count: mesh.positions.len(),
+            radius: mesh.radius,
+            position: planes(&mesh.positions),
+            normal: planes(&mesh.normals),
+            triangles,
+            faces,
+            starts: mesh.starts,
+            indices: mesh.indices,
+            closed: mesh.closed,
+            convex: mesh.convex,
+        }
+    }
+
+    pub fn face_count(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// Vertices, padding included.
+    pub fn padded_len(&self) -> usize {
+        self.position[0].len()
+    }
+
+    /// Vertices of face `face`.
+    pub fn face(&self, face: u32) -> &[u32] {
+        let range = |f: usize| -> Range<usize> { self.starts[f] as usize..self.starts[f + 1] as usize };
+        &self.indices[range(face as usize)]
+    }
+
+    pub fn position(&self, vertex: u32) -> DVec3 {
+        self.origin + at(&self.position, vertex).as_dvec3()
+    }
+
+    pub fn normal(&self, vertex: u32) -> DVec3 {
+        at(&self.normal, vertex).as_dvec3()
+    }
+
+    /// The mean of a face's corners, world.
+    pub fn face_centre(&self, face: u32) -> DVec3 {
+        let corners = self.face(face);
+        let sum: DVec3 = corners.iter().map(|&v| at(&self.position, v).as_dvec3()).sum();
+        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
+        let count = corners.len().max(1) as f64;
+        self.origin + sum / count
+    }
+
+    /// The unit normal of a face by Newell's formula; zero for a face without area.
+    pub fn face_normal(&self, face: u32) -> DVec3 {
+        let corners = self.face(face);
+        let Some((&first, rest)) = corners.split_first() else { return DVec3::ZERO };
+        // Relative to the first corner, so that nothing cancels far from the origin.
+        let base = at(&self.position, first).as_dvec3();
+        let mut sum = DVec3::ZERO;
+        for pair in rest.windows(2) {
+            let a = at(&self.position, pair[0]).as_dvec3() - base;
+            let b = at(&self.position, pair[1]).as_dvec3() - base;
+            sum += a.cross(b);
+        }
+        let largest = sum.abs().max_element();
+        if largest > 0.0 { (sum / largest).normalize_or_zero() } else { DVec3::ZERO }
+    }
+}
+
+fn at(planes: &[Vec<f32>; 3], vertex: u32) -> Vec3 {
+    let v = vertex as usize;
+    Vec3::new(planes[0][v], planes[1][v], planes[2][v])
+}
+
+fn planes(vectors: &[Vec3]) -> [Vec<f32>; 3] {
+    let padded = vectors.len().next_multiple_of(PADDING);
+    [0, 1, 2].map(|axis| {
+        let mut plane = Vec::with_capacity(padded);
+        plane.extend(vectors.iter().map(|v| v[axis]));
+        plane.resize(padded, 0.0);
+        plane
+    })
+}
+
+/// Triangles of each polygon, fanned from its first vertex.
+fn fan(starts: &[u32], indices: &[u32]) -> Vec<[u32; 3]> {
+    let faces = starts.len().saturating_sub(1);
+    let mut triangles = Vec::with_capacity(indices.len().saturating_sub(2 * faces));
+    for range in starts.windows(2) {
+        if let Some((&first, rest)) = indices[range[0] as usize..range[1] as usize].split_first() {
+            triangles.extend(rest.windows(2).map(|pair| [first, pair[0], pair[1]]));
+        }
+    }
+    triangles
+}

@@ -1,0 +1,369 @@
+//! Coverage, interpolation and shading, band by band: a band goes through all three while it is in a core's cache.
+
+use super::bins::{BAND, Bins};
+use super::cover::{Band, BandPlace, DepthScratch};
+use super::display::{Linear, stored_pixel};
+use super::exact::meet_band;
+use super::interpolate::{Fragment, GAP, Sources, carry, interpolate};
+use super::lens::Lens;
+use super::plan::{Per, Plan};
+use super::points::Planes;
+use super::reference::Reference;
+use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
+use crate::geometry::Surface;
+use crate::illumination::{Equation, FormTask, Specular};
+use crate::scene::{FlatAt, Rgb, Scene};
+use fearless_simd::{Level, Simd, dispatch};
+use glam::DVec2;
+use rayon::prelude::*;
+use std::cell::RefCell;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// What coverage and interpolation keep between frames.
+#[derive(Default)]
+pub(super) struct Bands {
+    bands: Vec<Band>,
+    /// What each vertex carries to the pixels.
+    carried: Vec<Fragment>,
+    /// What each pixel was brought.
+    fragments: Vec<Fragment>,
+    coverage: Option<CoverageInputs>,
+    interpolation: Option<InterpolationInputs>,
+    stamp: u64,
+    width: u32,
+}
+
+/// What coverage reads.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct CoverageInputs {
+    pub size: [u32; 2],
+    /// The stamp of the stage before: the placed triangles', or the true surface's.
+    pub source: u64,
+    /// Rays of the true surface depend on the lens; placed triangles have taken it in.
+    pub lens: Option<Lens>,
+    pub depth_test: bool,
+}
+
+/// What interpolation reads besides the coverage.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct InterpolationInputs {
+    /// The stamp of what the vertices carry.
+    pub source: u64,
+    pub per: Per,
+    pub perspective: bool,
+    pub scanline: bool,
+    pub flat_at: Option<FlatAt>,
+}
+
+/// Which of the bands' stages have to run again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Stale {
+    pub coverage: bool,
+    pub interpolation: bool,
+}
+
+impl Stale {
+    pub fn any(self) -> bool {
+        self.coverage || self.interpolation
+    }
+}
+
+impl Bands {
+    /// Compares the inputs with the last ones and takes them over.
+    pub fn stale(&mut self, coverage: CoverageInputs, interpolation: InterpolationInputs) -> Stale {
+        let covers = self.coverage.as_ref() != Some(&coverage);
+        let interpolates = covers || self.interpolation.as_ref() != Some(&interpolation);
+        self.width = coverage.size[0];
+        self.coverage = Some(coverage);
+        self.interpolation = Some(interpolation);
+        self.stamp += u64::from(interpolates);
+        Stale { coverage: covers, interpolation: interpolates }
+    }
+
+    /// Counts the runs.
+    pub fn stamp(&self) -> u64 {
+        self.stamp
+    }
+
+    /// The next picture is covered anew.
+    pub fn forget(&mut self) {
+        self.coverage = None;
+    }
+
+    /// The triangle that a pixel sees.
+    pub fn triangle_at(&self, x: u32, y: u32) -> Option<u32> {
+        let band = self.bands.get((y / BAND) as usize)?;
+        let run = band
+            .runs
+            .iter()
+            .find(|run| u32::from(run.row) == y % BAND && u32::from(run.x0) <= x && x < u32::from(run.x1))?;
+        Some(run.triangle)
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        let runs: usize = self.bands.iter().map(|band| band.runs.capacity() * size_of::<super::cover::Run>()).sum();
+        runs + (self.carried.capacity() + self.fragments.capacity()) * size_of::<Fragment>()
+    }
+}
+
+/// Where a picture goes.
+pub(super) struct Canvas<'a> {
+    pub pixels: &'a mut [[u8; 4]],
+    /// Filled instead of `pixels` where the display needs to see the whole picture first; otherwise empty.
+    pub linear: &'a mut [Linear],
+}
+
+/// Figures of one painting.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Painted {
+    pub covered: u64,
+    pub overflowing: u64,
+    /// Nanoseconds of coverage, interpolation and shading, summed over the threads and divided by their number.
+    pub nanoseconds: [u64; 3],
+}
+
+/// What painting reads.
+#[derive(Clone, Copy)]
+pub(super) struct Painting<'a> {
+    pub level: Level,
+    pub clock: fn() -> u64,
+    pub scene: &'a Scene,
+    pub plan: &'a Plan,
+    pub lens: &'a Lens,
+    pub equation: &'a Equation<f32>,
+    pub surface: Option<&'a Surface>,
+    pub sources: Sources<'a>,
+    pub bins: &'a Bins,
+    pub intensity: &'a Planes,
+}
+
+/// One band's share of the buffers.
+struct Job<'a> {
+    place: BandPlace,
+    index: usize,
+    band: &'a mut Band,
+    fragments: &'a mut [Fragment],
+    pixels: &'a mut [[u8; 4]],
+    linear: &'a mut [Linear],
+}
+
+#[derive(Default)]
+struct Counters {
+    covered: AtomicU64,
+    overflowing: AtomicU64,
+    nanoseconds: [AtomicU64; 3],
+}
+
+thread_local! {
+    static DEPTH: RefCell<DepthScratch> = RefCell::default();
+}
+
+impl Painting<'_> {
+    /// Paints what is stale.
+    pub fn run(self, bands: &mut Bands, stale: Stale, canvas: Canvas<'_>) -> Painted {
+        let began = (self.clock)();
+        let [width, height] = self.scene.image.size;
+        bands.bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
+        let fragment_count = if self.plan.keeps_fragments() { width as usize * height as usize } else { 0 };
+        bands.fragments.resize(fragment_count, GAP);
+        if stale.interpolation && self.plan.interpolates() {
+            let values = if self.plan.per == Per::Pixel { &self.sources.model.normal } else { self.intensity };
+            let Sources { placed, clipped, .. } = self.sources;
+            carry(&mut bands.carried, values, placed, clipped, self.plan.perspective);
+        }
+        let painting = Painting { sources: Sources { carried: &bands.carried, ..self.sources }, ..self };
+        let carrying = (self.clock)().saturating_sub(began);
+        let counters = Counters::default();
+        jobs(&mut bands.bands, &mut bands.fragments, canvas, [width, height])
+            .into_par_iter()
+            .for_each(|job| painting.paint(job, stale, &counters));
+        let threads = rayon::current_num_threads().max(1) as u64;
+        let mut nanoseconds = counters.nanoseconds.map(|counter| counter.into_inner() / threads);
+        nanoseconds[1] += carrying;
+        Painted { covered: counters.covered.into_inner(), overflowing: counters.overflowing.into_inner(), nanoseconds }
+    }
+
+    fn paint(&self, mut job: Job<'_>, stale: Stale, counters: &Counters) {
+        let mut last = (self.clock)();
+        let mut lap = |stage: usize| {
+            let now = (self.clock)();
+            counters.nanoseconds[stage].fetch_add(now.saturating_sub(last), Ordering::Relaxed);
+            last = now;
+        };
+        if stale.coverage {
+            self.cover(&mut job);
+            lap(0);
+        }
+        if stale.interpolation && self.plan.interpolates() {
+            let Job { place, band, fragments, .. } = &mut job;
+            let scanline = self.plan.scanline;
+            dispatch!(self.level, simd => interpolate(simd, *place, band, self.sources, scanline, fragments));
+            lap(1);
+        }
+        let over = self.colour(&mut job);
+        lap(2);
+        counters.covered.fetch_add(job.band.covered, Ordering::Relaxed);
+        counters.overflowing.fetch_add(over, Ordering::Relaxed);
+    }
+
+    fn cover(&self, job: &mut Job<'_>) {
+        let Job { place, index, band, fragments, .. } = job;
+        if self.plan.true_surface {
+            if let Some(surface) = self.surface {
+                meet_band(self.lens, surface, *place, band, fragments);
+            }
+            return;
+        }
+        let triangles = self.bins.band(*index);
+        let sources = &self.sources;
+        if self.plan.depth_test {
+            DEPTH.with_borrow_mut(|scratch| {
+                dispatch!(self.level, simd => vectorised(simd, #[inline(always)] || {
+                    band.cover_nearest(*place, sources, triangles, scratch);
+                }));
+            });
+        } else {
+            dispatch!(self.level, simd => vectorised(simd, #[inline(always)] || {
+                band.cover_directly(*place, sources, triangles);
+            }));
+        }
+    }
+
+    /// Colours a band; returns how many pixels overflow.
+    fn colour(&self, job: &mut Job<'_>) -> u64 {
+        let display = &self.scene.display;
+        let background = self.scene.image.background;
+        if job.linear.is_empty() {
+            let background = stored_pixel(background, display.encoding);
+            let target = Stored { pixels: &mut *job.pixels, background, encoding: display.encoding };
+            self.colour_into(job.place, job.band, job.fragments, target)
+        } else {
+            let [r, g, b] = background.as_vec3().to_array();
+            let target = Unstored { pixels: &mut *job.linear, background: [r, g, b, 0.0] };
+            self.colour_into(job.place, job.band, job.fragments, target)
+        }
+    }
+
+    fn colour_into(&self, place: BandPlace, band: &Band, fragments: &[Fragment], mut target: impl Target) -> u64 {
+        if self.plan.double {
+            return self.colour_in_double_precision(place, band, target);
+        }
+        if !self.plan.keeps_fragments() {
+            return self.colour_faces(place, band, target);
+        }
+        if self.plan.per == Per::Pixel {
+            let task = ShadePixels { painting: self, place, band, fragments, target };
+            return self.equation.form().dispatch(task);
+        }
+        let carried = Carried { by_key: self.plan.perspective };
+        dispatch!(self.level, simd => shade(simd, place, &band.extents, fragments, carried, &mut target))
+    }
+
+    /// Flat shading: each run in its face's colour.
+    fn colour_faces(&self, place: BandPlace, band: &Band, mut target: impl Target) -> u64 {
+        let width = place.width as usize;
+        target.clear(0..place.rows as usize * width);
+        let mut over = 0;
+        let mut last = (u32::MAX, [0.0; 3]);
+        for run in &band.runs {
+            if last.0 != run.triangle {
+                last = (run.triangle, self.face_intensity(run.triangle));
+            }
+            let row = usize::from(run.row) * width;
+            over += target.fill(row + usize::from(run.x0)..row + usize::from(run.x1), last.1);
+        }
+        over
+    }
+
+    fn face_intensity(&self, triangle: u32) -> [f32; 3] {
+        let at = |point: u32| self.intensity.each_ref().map(|plane| plane[point as usize]);
+        let face = self.sources.face(triangle);
+        let corners = self.sources.model.face(face);
+        match self.scene.shading.flat_at {
+            FlatAt::Centre => at(face),
+            FlatAt::ProvokingVertex => at(corners.first().copied().unwrap_or_default()),
+            FlatAt::VertexMean => {
+                #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
+                let share = 1.0 / corners.len().max(1) as f32;
+                let sum = corners.iter().map(|&v| at(v)).fold([0.0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
+                sum.map(|v| v * share)
+            }
+        }
+    }
+
+    /// A model's `exact` picture: Phong shading evaluated in `f64`.
+    fn colour_in_double_precision(&self, place: BandPlace, band: &Band, mut target: impl Target) -> u64 {
+        let mut equation = Equation::<f64>::new(self.scene);
+        equation.retain_lights(|light| self.plan.lights[light]);
+        let Self { scene, plan, lens, .. } = *self;
+        let Sources { model, clipped, .. } = self.sources;
+        let reference = Reference { scene, plan, lens, model, clipped, surface: None };
+        let width = place.width as usize;
+        target.clear(0..place.rows as usize * width);
+        let mut over = 0;
+        for run in &band.runs {
+            let y = f64::from(place.first_row + u32::from(run.row)) + 0.5;
+            for x in run.x0..run.x1 {
+                let evaluation = reference.of_triangle(run.triangle, DVec2::new(f64::from(x) + 0.5, y));
+                let color: Rgb = evaluation.intensity(&equation);
+                let at = usize::from(run.row) * width + usize::from(x);
+                over += target.fill(at..at + 1, color.as_vec3().to_array());
+            }
+        }
+        over
+    }
+}
+
+/// Shading at pixels, compiled for each specular form.
+struct ShadePixels<'a, T> {
+    painting: &'a Painting<'a>,
+    place: BandPlace,
+    band: &'a Band,
+    fragments: &'a [Fragment],
+    target: T,
+}
+
+impl<T: Target> FormTask for ShadePixels<'_, T> {
+    type Output = u64;
+
+    fn run<F: Specular>(mut self, form: F) -> u64 {
+        let Painting { plan, lens, equation, level, .. } = *self.painting;
+        let by_key = plan.perspective && !plan.true_surface;
+        let colour = Evaluated::new(form, equation, lens, by_key, plan.renormalise);
+        let extents = &self.band.extents;
+        dispatch!(level, simd => shade(simd, self.place, extents, self.fragments, colour, &mut self.target))
+    }
+}
+
+/// Lets what is inlined into `work` use the level's instructions.
+#[inline(always)]
+fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
+    work();
+}
+
+/// Splits the buffers into bands.
+fn jobs<'a>(
+    bands: &'a mut [Band],
+    fragments: &'a mut [Fragment],
+    canvas: Canvas<'a>,
+    [width, height]: [u32; 2],
+) -> Vec<Job<'a>> {
+    let share = (BAND * width) as usize;
+    let mut fragments = fragments.chunks_mut(share);
+    let mut linear = canvas.linear.chunks_mut(share);
+    bands
+        .iter_mut()
+        .zip(canvas.pixels.chunks_mut(share))
+        .zip((0..height).step_by(BAND as usize))
+        .enumerate()
+        .map(|(index, ((band, pixels), first_row))| Job {
+            place: BandPlace { first_row, rows: BAND.min(height - first_row), width },
+            index,
+            band,
+            fragments: fragments.next().unwrap_or_default(),
+            pixels,
+            linear: linear.next().unwrap_or_default(),
+        })
+        .collect()
+}

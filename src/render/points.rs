@@ -1,0 +1,95 @@
+//! The equation at vertices or at faces: points with a normal in, intensities out.
+
+use super::model::{Model, PADDING};
+use crate::illumination::{Equation, FormTask, Lanes, Specular, V3};
+use fearless_simd::{Level, dispatch, prelude::*};
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// Three planes of numbers, one a component or a channel.
+pub(super) type Planes = [Vec<f32>; 3];
+
+/// Points that one task shades.
+const CHUNK: usize = 4096;
+
+/// The middle of each face, relative to the model's origin, and its own normal; padded as the vertices are.
+pub(super) fn face_points(model: &Model) -> (Planes, Planes) {
+    let count = model.face_count();
+    let points: Vec<(DVec3, DVec3)> = (0..u32::try_from(count).unwrap_or(u32::MAX))
+        .into_par_iter()
+        .map(|face| (model.face_centre(face) - model.origin, model.face_normal(face)))
+        .collect();
+    let plane = |get: &dyn Fn(&(DVec3, DVec3)) -> f64| -> Vec<f32> {
+        #[expect(clippy::cast_possible_truncation, reason = "the kernel's precision")]
+        let mut plane: Vec<f32> = points.iter().map(|p| get(p) as f32).collect();
+        plane.resize(count.next_multiple_of(PADDING), 0.0);
+        plane
+    };
+    ([0, 1, 2].map(|axis| plane(&|p| p.0[axis])), [0, 1, 2].map(|axis| plane(&|p| p.1[axis])))
+}
+
+/// What a call of [`shade_points`] reads and writes.
+pub(super) struct PointShading<'a> {
+    pub level: Level,
+    pub equation: &'a Equation<f32>,
+    /// World position of (0, 0, 0) in `position`.
+    pub origin: DVec3,
+    /// World units to one camera distance.
+    pub unit: f64,
+    /// The eye, world.
+    pub eye: DVec3,
+    pub position: &'a Planes,
+    pub normal: &'a Planes,
+    pub intensity: &'a mut Planes,
+}
+
+impl FormTask for PointShading<'_> {
+    type Output = ();
+
+    fn run<F: Specular>(self, _: F) {
+        let count = self.position[0].len();
+        self.intensity.iter_mut().for_each(|plane| plane.resize(count, 0.0));
+        #[expect(clippy::cast_possible_truncation, reason = "the kernel's precision")]
+        let scale = (1.0 / self.unit) as f32;
+        let offset = ((self.origin - self.eye) / self.unit).as_vec3().to_array();
+        let [r, g, b] = self.intensity;
+        let out = r.par_chunks_mut(CHUNK).zip(g.par_chunks_mut(CHUNK)).zip(b.par_chunks_mut(CHUNK));
+        out.enumerate().for_each(|(chunk, ((r, g), b))| {
+            let range = chunk * CHUNK..chunk * CHUNK + r.len();
+            let position = self.position.each_ref().map(|plane| &plane[range.clone()]);
+            let normal = self.normal.each_ref().map(|plane| &plane[range.clone()]);
+            let site = Sites { equation: self.equation, scale, offset, position, normal };
+            dispatch!(self.level, simd => site.shade::<_, F>(simd, [r, g, b]));
+        });
+    }
+}
+
+struct Sites<'a> {
+    equation: &'a Equation<f32>,
+    scale: f32,
+    offset: [f32; 3],
+    position: [&'a [f32]; 3],
+    normal: [&'a [f32]; 3],
+}
+
+impl Sites<'_> {
+    #[inline(always)]
+    fn shade<S: Simd, F: Specular>(&self, simd: S, out: [&mut [f32]; 3]) {
+        let lanes = Lanes::<S>::LEN;
+        let scale = Lanes::splat(simd, self.scale);
+        let [r, g, b] = out;
+        for start in (0..r.len()).step_by(lanes) {
+            let position = load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
+            let site = self.equation.site(position, load(simd, self.normal, start));
+            let rgb = self.equation.illuminate::<Lanes<S>, F>(&site);
+            rgb[0].0.store_slice(&mut r[start..start + lanes]);
+            rgb[1].0.store_slice(&mut g[start..start + lanes]);
+            rgb[2].0.store_slice(&mut b[start..start + lanes]);
+        }
+    }
+}
+
+#[inline(always)]
+fn load<S: Simd>(simd: S, [x, y, z]: [&[f32]; 3], start: usize) -> V3<Lanes<S>> {
+    V3::new(Lanes::load(simd, &x[start..]), Lanes::load(simd, &y[start..]), Lanes::load(simd, &z[start..]))
+}

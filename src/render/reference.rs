@@ -1,0 +1,151 @@
+//! The picture's values again, one pixel at a time in double precision.
+//!
+//! The modes differ only in where the equation is evaluated; so a pixel's value is a weighted sum of the equation at a few
+//! sites, and [`Evaluation`] lists them: one at the face's centre, three at vertices, one at the pixel.
+
+use super::clip::Clipped;
+use super::exact::meet;
+use super::lens::{Lens, NEAR};
+use super::model::Model;
+use super::plan::Plan;
+use crate::geometry::Surface;
+use crate::illumination::Equation;
+use crate::scene::{FlatAt, Rgb, Scene, ShadingMode};
+use glam::{DVec2, DVec3};
+
+/// Where the equation is evaluated for a pixel, and with what weight each site enters.
+#[derive(Clone, Debug)]
+pub(crate) struct Evaluation {
+    /// The point that the pixel sees, world.
+    pub position: DVec3,
+    /// N at the pixel, as the mode has it.
+    pub normal: DVec3,
+    /// Distance along the viewing direction, world units.
+    pub depth: f64,
+    pub face: Option<u32>,
+    /// Weight, point (world) and normal.
+    pub sites: Vec<(f64, DVec3, DVec3)>,
+}
+
+impl Evaluation {
+    fn at_pixel(lens: &Lens, position: DVec3, normal: DVec3, face: Option<u32>) -> Self {
+        let depth = (position - lens.eye).dot(lens.forward);
+        Self { position, normal, depth, face, sites: vec![(1.0, position, normal)] }
+    }
+
+    /// I at the pixel, before the display.
+    pub fn intensity(&self, equation: &Equation<f64>) -> Rgb {
+        self.sites.iter().map(|&(weight, point, normal)| equation.illuminate_world(point, normal) * weight).sum()
+    }
+}
+
+/// What the evaluation of a pixel reads.
+#[derive(Clone, Copy)]
+pub(super) struct Reference<'a> {
+    pub scene: &'a Scene,
+    pub plan: &'a Plan,
+    pub lens: &'a Lens,
+    pub model: &'a Model,
+    pub clipped: &'a Clipped,
+    pub surface: Option<&'a Surface>,
+}
+
+impl Reference<'_> {
+    /// The pixel whose sample lies at `place` meets the true surface.
+    pub fn of_surface(&self, place: DVec2) -> Option<Evaluation> {
+        let (position, hit) = meet(self.lens, self.surface?, place)?;
+        Some(Evaluation::at_pixel(self.lens, position, hit.normal, None))
+    }
+
+    /// The pixel whose sample lies at `place` sees `triangle`, one of the model's or of the clipper's.
+    pub fn of_triangle(&self, triangle: u32, place: DVec2) -> Evaluation {
+        let own = self.model.triangles.len();
+        let triangle = self.clipped.parents.get((triangle as usize).wrapping_sub(own)).copied().unwrap_or(triangle);
+        let vertices = self.model.triangles[triangle as usize];
+        let face = self.model.faces[triangle as usize];
+        let in_space = self.weights_in_space(vertices, place);
+        let position = mix(&in_space, |v| self.model.position(v));
+        let carried = self.weights(face, &in_space, place);
+        let normal = self.pixel_normal(face, &carried);
+        let depth = (position - self.lens.eye).dot(self.lens.forward);
+        let at_vertex = |v: u32, weight: f64| (weight, self.model.position(v), self.model.normal(v));
+        let corners = self.model.face(face);
+        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
+        let share = 1.0 / corners.len().max(1) as f64;
+        let sites = match self.scene.shading.mode {
+            ShadingMode::Phong | ShadingMode::Exact => vec![(1.0, position, normal)],
+            ShadingMode::Interpolated | ShadingMode::Gouraud => {
+                carried.iter().map(|&(v, weight)| at_vertex(v, weight)).collect()
+            }
+            ShadingMode::Flat => match self.scene.shading.flat_at {
+                FlatAt::Centre => vec![(1.0, self.model.face_centre(face), self.model.face_normal(face))],
+                FlatAt::VertexMean => corners.iter().map(|&v| at_vertex(v, share)).collect(),
+                FlatAt::ProvokingVertex => vec![at_vertex(vertices[0], 1.0)],
+            },
+        };
+        Evaluation { position, normal, depth, face: Some(face), sites }
+    }
+
+    fn pixel_normal(&self, face: u32, carried: &[(u32, f64)]) -> DVec3 {
+        if matches!(self.scene.shading.mode, ShadingMode::Flat | ShadingMode::Interpolated) {
+            return self.model.face_normal(face);
+        }
+        let normal = mix(carried, |v| self.model.normal(v));
+        if self.plan.renormalise { normal.normalize_or_zero() } else { normal }
+    }
+
+    /// The weights by which values are carried to the pixel.
+    fn weights(&self, face: u32, in_space: &[(u32, f64)], place: DVec2) -> Vec<(u32, f64)> {
+        let lens = self.lens;
+        let before_the_eye = |v: u32| lens.view_from_world(self.model.position(v)).z >= NEAR;
+        let at = |v: u32| lens.picture_from_view(lens.view_from_world(self.model.position(v)));
+        if self.plan.scanline && self.model.face(face).iter().all(|&v| before_the_eye(v)) {
+            scanline_weights(self.model.face(face), at, place)
+        } else if lens.perspective && !self.plan.perspective && in_space.iter().all(|&(v, _)| before_the_eye(v)) {
+            let [a, b, c] = [0, 1, 2].map(|i: usize| at(in_space[i].0));
+            let area = (b - a).perp_dot(c - a);
+            let (w1, w2) = ((place - a).perp_dot(c - a) / area, (b - a).perp_dot(place - a) / area);
+            vec![(in_space[0].0, 1.0 - w1 - w2), (in_space[1].0, w1), (in_space[2].0, w2)]
+        } else {
+            in_space.to_vec()
+        }
+    }
+
+    /// Barycentric weights of the point of the triangle's plane that the pixel sees.
+    fn weights_in_space(&self, vertices: [u32; 3], place: DVec2) -> Vec<(u32, f64)> {
+        let (point, direction) = self.lens.ray(place);
+        let [a, b, c] = vertices.map(|v| (self.model.position(v) - self.lens.eye) / self.lens.unit);
+        let (e1, e2, from) = (b - a, c - a, point - a);
+        let (p, q) = (direction.cross(e2), from.cross(e1));
+        let determinant = e1.dot(p);
+        let (w1, w2) = (from.dot(p) / determinant, direction.dot(q) / determinant);
+        // Seen exactly edge-on the plane has no single point at the pixel; the middle stands for it.
+        let (w1, w2) = if w1.is_finite() && w2.is_finite() { (w1, w2) } else { (1.0 / 3.0, 1.0 / 3.0) };
+        vec![(vertices[0], 1.0 - w1 - w2), (vertices[1], w1), (vertices[2], w2)]
+    }
+}
+
+fn mix(weights: &[(u32, f64)], value: impl Fn(u32) -> DVec3) -> DVec3 {
+    weights.iter().map(|&(v, weight)| value(v) * weight).sum()
+}
+
+/// Weights over a polygon's vertices by the course's bilinear formula: α along two edges to P and Q, then along the span.
+fn scanline_weights(polygon: &[u32], at: impl Fn(u32) -> DVec2, place: DVec2) -> Vec<(u32, f64)> {
+    let mut crossings: Vec<(f64, u32, u32, f64)> = Vec::new();
+    for (i, &from) in polygon.iter().enumerate() {
+        let to = polygon[(i + 1) % polygon.len()];
+        let (a, b) = (at(from), at(to));
+        if (a.y <= place.y) != (b.y <= place.y) {
+            let alpha = (place.y - a.y) / (b.y - a.y);
+            crossings.push((a.x + alpha * (b.x - a.x), from, to, alpha));
+        }
+    }
+    crossings.sort_by(|p, q| p.0.total_cmp(&q.0));
+    let outside = |pair: &[(f64, u32, u32, f64)]| (pair[0].0 - place.x).max(place.x - pair[1].0);
+    let pair = crossings.chunks_exact(2).min_by(|p, q| outside(p).total_cmp(&outside(q)));
+    let Some(&[p, q]) = pair.and_then(|pair| pair.first_chunk()) else { return vec![(polygon[0], 1.0)] };
+    let t = if q.0 > p.0 { ((place.x - p.0) / (q.0 - p.0)).clamp(0.0, 1.0) } else { 0.0 };
+    let of =
+        |(_, from, to, alpha): (f64, u32, u32, f64), share: f64| [(from, (1.0 - alpha) * share), (to, alpha * share)];
+    [of(p, 1.0 - t), of(q, t)].concat()
+}

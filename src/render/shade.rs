@@ -1,0 +1,291 @@
+//! A band's fragments in, colours out: the equation at pixels, or intensities that vertices carried.
+
+use super::cover::BandPlace;
+use super::display::{Linear, pack, stored};
+use super::interpolate::Fragment;
+use super::lens::Lens;
+use crate::illumination::{Equation, Lanes, Real, Specular, V3};
+use crate::scene::Encoding;
+use fearless_simd::{f32x4, prelude::*};
+use glam::DVec2;
+use std::ops::Range;
+
+/// Fragments that are taken from interleaved order into lanes at a time.
+const BLOCK: usize = 256;
+
+/// The components of a block's fragments.
+type Planes = [[f32; BLOCK]; 4];
+
+/// Colours of pixels from their fragments.
+pub(super) trait Colour: Copy + Sync {
+    /// Readies a row: `y` is the pixel row.
+    #[inline(always)]
+    fn row(&mut self, _y: u32) {}
+
+    /// Red, green, blue at pixels whose columns are `x`, given the three carried numbers and the depth key.
+    fn at<S: Simd>(&self, simd: S, x: Lanes<S>, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3];
+}
+
+/// The carried numbers are intensities.
+#[derive(Clone, Copy)]
+pub(super) struct Carried {
+    /// They were multiplied by the depth key.
+    pub by_key: bool,
+}
+
+impl Colour for Carried {
+    #[inline(always)]
+    fn at<S: Simd>(&self, simd: S, _: Lanes<S>, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
+        let factor = if self.by_key { Lanes::splat(simd, 1.0) / key } else { Lanes::splat(simd, 1.0) };
+        let [r, g, b] = carried;
+        [r * factor, g * factor, b * factor]
+    }
+}
+
+/// The carried numbers are normals, and the equation is evaluated.
+#[derive(Clone, Copy)]
+pub(super) struct Evaluated<'a, F> {
+    equation: &'a Equation<f32>,
+    rays: Rays,
+    by_key: bool,
+    renormalise: bool,
+    form: F,
+}
+
+impl<'a, F: Specular> Evaluated<'a, F> {
+    pub fn new(form: F, equation: &'a Equation<f32>, lens: &Lens, by_key: bool, renormalise: bool) -> Self {
+        Self { equation, rays: Rays::new(lens), by_key, renormalise, form }
+    }
+}
+
+/// The rays of a picture's pixels, in camera distances relative to the eye.
+#[derive(Clone, Copy)]
+struct Rays {
+    lens: Lens,
+    perspective: bool,
+    /// Change of the ray to the next pixel on the right.
+    step: [f32; 3],
+    /// Through column 0 of the present row.
+    start: [f32; 3],
+    forward: [f32; 3],
+}
+
+impl Rays {
+    fn new(lens: &Lens) -> Self {
+        let step = (lens.right / lens.focal).as_vec3().to_array();
+        let forward = lens.forward.as_vec3().to_array();
+        Self { lens: *lens, perspective: lens.perspective, step, start: [0.0; 3], forward }
+    }
+
+    #[inline(always)]
+    fn row(&mut self, y: u32) {
+        let (point, direction) = self.lens.ray(DVec2::new(0.5, f64::from(y) + 0.5));
+        let start = if self.perspective { direction } else { point };
+        self.start = start.as_vec3().to_array();
+    }
+
+    /// The points that pixels in columns `x` see at depth key `key`.
+    #[inline(always)]
+    fn positions<S: Simd>(&self, simd: S, x: Lanes<S>, key: Lanes<S>) -> V3<Lanes<S>> {
+        let step = V3::constant(x, self.step);
+        let across = step.scale_add(x, V3::constant(x, self.start));
+        if self.perspective {
+            across.scale(Lanes::splat(simd, 1.0) / key)
+        } else {
+            V3::constant(x, self.forward).scale_add(-key, across)
+        }
+    }
+}
+
+impl<F: Specular> Colour for Evaluated<'_, F> {
+    #[inline(always)]
+    fn row(&mut self, y: u32) {
+        self.rays.row(y);
+    }
+
+    #[inline(always)]
+    fn at<S: Simd>(&self, simd: S, x: Lanes<S>, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
+        let _ = self.form;
+        let [nx, ny, nz] = carried;
+        let normal = V3::new(nx, ny, nz);
+        let normal = if self.renormalise {
+            normal.normalised()
+        } else if self.by_key {
+            normal.scale(Lanes::splat(simd, 1.0) / key)
+        } else {
+            normal
+        };
+        let site = self.equation.site(self.rays.positions(simd, x, key), normal);
+        self.equation.illuminate::<Lanes<S>, F>(&site)
+    }
+}
+
+/// Where colours go.
+pub(super) trait Target {
+    /// Writes one vector's lanes to the pixels from `first` on, at most `count` of them; returns how many overflow.
+    fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32;
+    /// Fills pixels that see no object.
+    fn clear(&mut self, range: Range<usize>);
+    /// Fills pixels with one linear colour; returns how many overflow.
+    fn fill(&mut self, range: Range<usize>, color: [f32; 3]) -> u64;
+}
+
+/// Pixels of a run that overflow if they all have this colour.
+fn overflowing(color: [f32; 3], count: usize) -> u64 {
+    if color.iter().any(|&v| v > 1.0) { count as u64 } else { 0 }
+}
+
+/// Stored pixels of a band.
+pub(super) struct Stored<'a> {
+    pub pixels: &'a mut [[u8; 4]],
+    pub background: [u8; 4],
+    pub encoding: Encoding,
+}
+
+impl Target for Stored<'_> {
+    #[inline(always)]
+    fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32 {
+        let background = S::i32s::simd_from(simd, i32::from_le_bytes(self.background));
+        let (packed, over) = pack(simd, color, covered, background, self.encoding);
+        let bytes = self.pixels[first..first + count].as_flattened_mut();
+        if count == Lanes::<S>::LEN {
+            packed.store_slice(bytes);
+            over.count_ones()
+        } else {
+            bytes.copy_from_slice(&packed.as_slice()[..4 * count]);
+            (over & ((1 << count) - 1)).count_ones()
+        }
+    }
+
+    #[inline(always)]
+    fn clear(&mut self, range: Range<usize>) {
+        self.pixels[range].fill(self.background);
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, range: Range<usize>, color: [f32; 3]) -> u64 {
+        let over = overflowing(color, range.len());
+        let [r, g, b] = color.map(|v| stored(f64::from(v), self.encoding));
+        self.pixels[range].fill([r, g, b, 255]);
+        over
+    }
+}
+
+/// Linear colours of a band.
+pub(super) struct Unstored<'a> {
+    pub pixels: &'a mut [Linear],
+    pub background: Linear,
+}
+
+impl Target for Unstored<'_> {
+    #[inline(always)]
+    fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32 {
+        let _ = simd;
+        let covered = covered.to_bitmask();
+        let mut over = 0;
+        for (lane, pixel) in self.pixels[first..first + count].iter_mut().enumerate() {
+            *pixel = if covered >> lane & 1 == 1 {
+                let [r, g, b] = [color[0].0[lane], color[1].0[lane], color[2].0[lane]];
+                over += u32::from(r > 1.0 || g > 1.0 || b > 1.0);
+                [r, g, b, 1.0]
+            } else {
+                self.background
+            };
+        }
+        over
+    }
+
+    #[inline(always)]
+    fn clear(&mut self, range: Range<usize>) {
+        self.pixels[range].fill(self.background);
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, range: Range<usize>, color: [f32; 3]) -> u64 {
+        let over = overflowing(color, range.len());
+        let [r, g, b] = color;
+        self.pixels[range].fill([r, g, b, 1.0]);
+        over
+    }
+}
+
+/// Colours a band and returns how many pixels overflow.
+#[inline(always)]
+pub(super) fn shade<S: Simd>(
+    simd: S,
+    place: BandPlace,
+    extents: &[Range<u32>],
+    fragments: &[Fragment],
+    mut colour: impl Colour,
+    target: &mut impl Target,
+) -> u64 {
+    let width = place.width as usize;
+    let mut over = 0;
+    let mut planes = [[0.0; BLOCK]; 4];
+    for (row, extent) in extents.iter().enumerate() {
+        let line = row * width..(row + 1) * width;
+        if extent.is_empty() {
+            target.clear(line);
+            continue;
+        }
+        let (x0, x1) = (extent.start as usize, extent.end as usize);
+        target.clear(line.start..line.start + x0);
+        target.clear(line.start + x1..line.end);
+        colour.row(place.first_row + row as u32);
+        for x in (x0..x1).step_by(BLOCK) {
+            let end = (x + BLOCK).min(x1);
+            let fragments = &fragments[line.start + x..line.start + end];
+            separate(simd, fragments, &mut planes);
+            over += shade_block(simd, x, fragments.len(), &planes, colour, line.start, target);
+        }
+    }
+    over
+}
+
+/// Colours `length` pixels from column `x` on whose fragments `planes` holds.
+#[inline(always)]
+fn shade_block<S: Simd>(
+    simd: S,
+    x: usize,
+    length: usize,
+    planes: &Planes,
+    colour: impl Colour,
+    line: usize,
+    target: &mut impl Target,
+) -> u64 {
+    let lanes = Lanes::<S>::LEN;
+    let limit = Lanes::splat(simd, f32::MIN);
+    let mut over = 0;
+    let mut start = 0;
+    while start < length {
+        let [a, b, c, key] = planes;
+        let carried =
+            [Lanes::<S>::load(simd, &a[start..]), Lanes::load(simd, &b[start..]), Lanes::load(simd, &c[start..])];
+        let key = Lanes::load(simd, &key[start..]);
+        let columns = Lanes::count_up(simd) + Lanes::splat(simd, (x + start) as f32);
+        let rgb = colour.at(simd, columns, carried, key);
+        let count = lanes.min(length - start);
+        over += u64::from(target.put(simd, line + x + start, count, rgb, key.greater_than(limit)));
+        start += lanes;
+    }
+    over
+}
+
+/// Fragments to one plane a component.
+#[inline(always)]
+fn separate<S: Simd>(simd: S, fragments: &[Fragment], planes: &mut Planes) {
+    let quads = fragments.chunks_exact(4);
+    let rest = quads.remainder();
+    let whole = fragments.len() - rest.len();
+    for (quad, start) in quads.zip((0..).step_by(4)) {
+        let vectors = f32x4::load_four_interleaved(simd, quad.as_flattened());
+        for (plane, vector) in planes.iter_mut().zip(vectors) {
+            vector.store_slice(&mut plane[start..start + 4]);
+        }
+    }
+    for (fragment, index) in rest.iter().zip(whole..) {
+        for (plane, value) in planes.iter_mut().zip(fragment) {
+            plane[index] = *value;
+        }
+    }
+}
