@@ -1,4 +1,5 @@
 pub mod analysis;
+pub mod document;
 pub mod figure;
 pub mod geometry;
 pub mod illumination;
