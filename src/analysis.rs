@@ -2,4 +2,4 @@
 
 mod probe;
 
-pub use probe::{LightTerms, Probe, ProbeHit, probe, probe_for_overlay};
+pub use probe::{LightTerms, Probe, ProbeHit, probe};

@@ -24,9 +24,6 @@
 //! ```
 
 pub mod analysis;
-#[cfg(feature = "app")]
-pub mod app;
-pub mod cli;
 pub mod document;
 pub mod figure;
 pub mod geometry;

@@ -1,7 +1,9 @@
 //! The program: a window, or one command.
 
+mod cli;
+
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    shading_lab::cli::main()
+    cli::run()
 }

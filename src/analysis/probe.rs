@@ -121,17 +121,3 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     let (a, b) = (a.normalize_or_zero(), b.normalize_or_zero());
     2.0 * (a - b).length().atan2((a + b).length())
 }
-
-/// A probe where vectors are worth looking at: at the brightest pixel of the object (of several the one nearest to the
-/// middle), or at the middle of the picture where no object is seen.
-pub fn probe_for_overlay(renderer: &mut Renderer, scene: &Scene) -> Probe {
-    let frame = renderer.render(scene);
-    let (width, height) = (frame.width, frame.height);
-    let from_middle = |x: u32, y: u32| (2 * x).abs_diff(width).pow(2) + (2 * y).abs_diff(height).pow(2);
-    let mut places: Vec<_> = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).collect();
-    let brightness = |(x, y): (u32, u32)| frame.pixel(x, y).map_or(0, |p| p.iter().map(|&v| u32::from(v)).sum());
-    places.sort_by_cached_key(|&(x, y)| (std::cmp::Reverse(brightness((x, y))), from_middle(x, y)));
-    let seen = places.into_iter().find(|&(x, y)| renderer.sees_object(x, y));
-    let (x, y) = seen.unwrap_or((width / 2, height / 2));
-    probe(renderer, scene, x, y)
-}

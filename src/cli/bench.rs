@@ -1,194 +1,267 @@
-//! `shading-lab bench`: the median time of a frame and of its stages.
+//! `bench`: the time of a frame.
 //!
-//! A full frame starts from the tessellated mesh, as a graphics card starts from its vertex buffers: transform, coverage,
-//! interpolation, shading and display all run. The changes are frames in which one slider has moved.
+//! Every figure is the median over the frames asked for, after frames that are not counted: of everything drawn anew,
+//! with its stages, and of frames in which a single thing changed since the frame before.
 
-use super::output::{print, print_json};
-use super::{Failure, SceneArguments, nanoseconds, progress_bar};
-use crate::render::{Renderer, Report};
-use crate::scene::{LightKind, Scene};
+use super::failure::Failure;
+use super::input::{SceneArguments, nanoseconds, parse_size};
+use super::output::{print, print_json, progress_bar};
 use clap::Args;
 use glam::DQuat;
+use indicatif::ProgressBar;
 use serde_json::{Map, Value, json};
-use std::collections::BTreeMap;
+use shading_lab::document::Loaded;
+use shading_lab::render::{Renderer, Report};
+use shading_lab::scene::{LightKind, Rgb, Scene};
 use std::fmt::Write;
 
-/// Frames before the measured ones: caches, buffers and threads settle.
-const WARM_UP: u32 = 3;
+/// Frames that warm caches and buffers up before any is counted.
+const WARM_UP: u32 = 2;
 
-#[derive(Debug, Args)]
-pub(super) struct Arguments {
+#[derive(Args)]
+pub struct Bench {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Measured frames of each kind
-    #[arg(long, value_name = "N", default_value_t = 31, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    /// Frames for each figure
+    #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     frames: u32,
-    /// Threads; without it one for each of the machine's
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
-    threads: Option<u32>,
-    /// Prints JSON
+    /// Threads; one for each core unless given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Width and height in pixels, instead of the scene's
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    size: Option<[u32; 2]>,
+    /// Print one JSON object; times in milliseconds
     #[arg(long)]
     json: bool,
 }
 
-/// A slider that is moved to and fro.
-struct Change {
-    name: &'static str,
-    /// Alters the scene in frame `index`, so that it differs from the frame before.
-    apply: fn(&mut Scene, &Scene, u32),
+impl Bench {
+    pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
+        let mut loaded = self.scene.load(earlier)?;
+        loaded.scene.image.size = self.size.unwrap_or(loaded.scene.image.size);
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(self.threads.map_or(0, usize::from))
+            .build()
+            .map_err(|error| Failure::work(format!("the threads cannot be started ({error})")))?;
+        let bar = progress_bar(u64::from(self.frames) * (1 + CHANGES.len() as u64), "measuring");
+        let figures = pool.install(|| measure(&loaded, self.frames, &bar));
+        bar.finish_and_clear();
+        let threads = pool.current_num_threads();
+        if self.json {
+            print_json(&json(&figures, &loaded, threads, self.frames))
+        } else {
+            print(&text(&figures, &loaded, threads, self.frames))
+        }
+    }
 }
 
-/// A factor that is another one in every frame.
-fn wobble(frame: u32) -> f64 {
-    1.0 + 0.01 * f64::from(frame % 7 + 1)
+/// What the next frame differs in from the one before.
+type Change = fn(&Scene, u32) -> Option<Scene>;
+
+/// Each makes the scene's frame of a number; consecutive numbers up to 8 give different scenes.
+const CHANGES: [(&str, Change); 4] = [("light", move_light), ("n", turn_n), ("ka", turn_ka), ("camera", orbit)];
+
+fn move_light(scene: &Scene, step: u32) -> Option<Scene> {
+    let mut scene = scene.clone();
+    let by = 0.01 * f64::from(step) * scene.camera.distance();
+    let light = scene.lights.first_mut()?;
+    match light.kind {
+        LightKind::Directional => light.direction.x += 0.01 * f64::from(step) * light.direction.length(),
+        _ => light.position.x += by.max(light.position.length() * 1e-3 * f64::from(step)),
+    }
+    Some(scene)
 }
 
-const CHANGES: [Change; 4] = [
-    Change {
-        name: "light",
-        apply: |scene, original, frame| {
-            for (light, original) in scene.lights.iter_mut().zip(&original.lights) {
-                match light.kind {
-                    LightKind::Point => light.position = original.position * wobble(frame),
-                    LightKind::Directional => light.direction.x = original.direction.x + wobble(frame),
-                }
-            }
-        },
-    },
-    Change {
-        name: "n",
-        apply: |scene, original, frame| {
-            let n = if original.material.n.is_finite() { original.material.n.max(1.0) } else { 1e6 };
-            scene.material.n = n * wobble(frame);
-        },
-    },
-    Change {
-        name: "ka",
-        apply: |scene, original, frame| scene.material.ka = (original.material.ka + 0.01) * wobble(frame),
-    },
-    Change {
-        name: "camera",
-        apply: |scene, original, frame| {
-            let turn = DQuat::from_axis_angle(original.camera.up.normalize(), 0.02 * f64::from(frame % 7 + 1));
-            scene.camera.eye = original.camera.target + turn * (original.camera.eye - original.camera.target);
-        },
-    },
-];
+#[expect(clippy::unnecessary_wraps, reason = "one signature for all changes")]
+fn turn_n(scene: &Scene, step: u32) -> Option<Scene> {
+    let mut scene = scene.clone();
+    let n = &mut scene.material.n;
+    *n = if n.is_finite() { *n * 0.9 + 0.1 * f64::from(step) } else { 1000.0 + f64::from(step) };
+    Some(scene)
+}
+
+#[expect(clippy::unnecessary_wraps, reason = "one signature for all changes")]
+fn turn_ka(scene: &Scene, step: u32) -> Option<Scene> {
+    let mut scene = scene.clone();
+    scene.material.ka = scene.material.ka * 0.9 + Rgb::splat(0.005 * f64::from(step));
+    Some(scene)
+}
+
+#[expect(clippy::unnecessary_wraps, reason = "one signature for all changes")]
+fn orbit(scene: &Scene, step: u32) -> Option<Scene> {
+    let mut scene = scene.clone();
+    let camera = &mut scene.camera;
+    let turn = DQuat::from_axis_angle(camera.up.normalize(), 0.01 * f64::from(step));
+    camera.eye = camera.target + turn * (camera.eye - camera.target);
+    Some(scene)
+}
 
 /// Medians in milliseconds.
-struct Measured {
+struct Figures {
     full: f64,
-    stages: BTreeMap<String, f64>,
-    changes: Vec<(&'static str, f64)>,
+    stages: Vec<(String, f64)>,
+    /// None where the scene has nothing of the kind to change.
+    changes: Vec<(&'static str, Option<f64>)>,
+    /// Of a frame drawn anew.
     report: Report,
-    threads: usize,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let loaded = arguments.scene.load()?;
-    let threads = arguments.threads.unwrap_or(0) as usize;
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| Failure::other(&error))?;
+fn measure(loaded: &Loaded, frames: u32, bar: &ProgressBar) -> Figures {
     let mut renderer = Renderer::with_clock(nanoseconds);
-    renderer.set_model(loaded.model);
-    let measured = pool.install(|| measure(&mut renderer, &loaded.scene, arguments.frames));
-    let size = loaded.scene.image.size;
-    if arguments.json { print_json(&as_json(&measured, size)) } else { print(&as_text(&measured, size)) }
-}
-
-fn measure(renderer: &mut Renderer, scene: &Scene, frames: u32) -> Measured {
-    let bar = progress_bar("measuring");
-    bar.set_length(u64::from(frames + WARM_UP) * (1 + CHANGES.len() as u64));
-    let mut full = Vec::new();
-    let mut stages: BTreeMap<String, Vec<u64>> = BTreeMap::new();
-    let mut report = Report::default();
-    for frame in 0..frames + WARM_UP {
+    renderer.set_model(loaded.model.clone());
+    let scene = &loaded.scene;
+    let mut times = Vec::new();
+    let mut stages: Vec<(String, Vec<u64>)> = Vec::new();
+    for frame in 0..WARM_UP + frames {
         renderer.redraw();
-        renderer.render(scene);
-        bar.inc(1);
-        if frame < WARM_UP {
-            continue;
-        }
-        report = renderer.report().clone();
-        full.push(report.nanoseconds);
-        for run in &report.stages {
-            stages.entry(stage_name(run.stage)).or_default().push(run.nanoseconds);
+        let time = timed(&mut renderer, scene);
+        if frame >= WARM_UP {
+            times.push(time);
+            collect_stages(&mut stages, renderer.report());
+            bar.inc(1);
         }
     }
-    let changes = CHANGES
-        .iter()
-        .map(|change| {
-            let mut changed = scene.clone();
-            let mut times = Vec::new();
-            for frame in 0..frames + WARM_UP {
-                (change.apply)(&mut changed, scene, frame);
-                renderer.render(&changed);
-                bar.inc(1);
-                if frame >= WARM_UP {
-                    times.push(renderer.report().nanoseconds);
-                }
-            }
-            (change.name, median(&mut times))
-        })
-        .collect();
-    bar.finish_and_clear();
-    Measured {
-        full: median(&mut full),
-        stages: stages.into_iter().map(|(name, mut times)| (name, median(&mut times))).collect(),
-        changes,
+    let report = renderer.report().clone();
+    let changes = CHANGES.map(|(name, change)| (name, measure_change(&mut renderer, scene, change, frames, bar)));
+    Figures {
+        full: median_ms(&mut times),
+        stages: stages.into_iter().map(|(name, mut times)| (name, median_ms(&mut times))).collect(),
+        changes: changes.to_vec(),
         report,
-        threads: rayon::current_num_threads(),
     }
 }
 
-fn stage_name(stage: crate::render::Stage) -> String {
-    serde_json::to_value(stage).ok().and_then(|value| value.as_str().map(str::to_owned)).unwrap_or_default()
+fn measure_change(
+    renderer: &mut Renderer,
+    scene: &Scene,
+    change: Change,
+    frames: u32,
+    bar: &ProgressBar,
+) -> Option<f64> {
+    let mut times = Vec::new();
+    for frame in 0..WARM_UP + frames {
+        let time = timed(renderer, &change(scene, 1 + frame % 8)?);
+        if frame >= WARM_UP {
+            times.push(time);
+            bar.inc(1);
+        }
+    }
+    Some(median_ms(&mut times))
 }
 
-/// The median in milliseconds.
-#[expect(clippy::cast_precision_loss, reason = "nanoseconds of a frame")]
-fn median(times: &mut [u64]) -> f64 {
+fn timed(renderer: &mut Renderer, scene: &Scene) -> u64 {
+    let began = nanoseconds();
+    renderer.render(scene);
+    nanoseconds() - began
+}
+
+fn collect_stages(stages: &mut Vec<(String, Vec<u64>)>, report: &Report) {
+    for run in &report.stages {
+        let name = stage_name(run.stage);
+        match stages.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, times)) => times.push(run.nanoseconds),
+            None => stages.push((name, vec![run.nanoseconds])),
+        }
+    }
+}
+
+fn stage_name(stage: shading_lab::render::Stage) -> String {
+    match serde_json::to_value(stage) {
+        Ok(Value::String(name)) => name,
+        _ => format!("{stage:?}"),
+    }
+}
+
+/// The median of nanoseconds, in milliseconds; of an even number the mean of the middle two.
+#[expect(clippy::cast_precision_loss, reason = "2⁵³ ns are a hundred days")]
+fn median_ms(times: &mut [u64]) -> f64 {
     times.sort_unstable();
-    times.get(times.len() / 2).map_or(0.0, |time| *time as f64 / 1e6)
+    let middle = times.len() / 2;
+    let upper = times.get(middle).copied().unwrap_or(0);
+    let lower = if times.len() % 2 == 0 { middle.checked_sub(1).and_then(|i| times.get(i)).copied() } else { None };
+    (lower.unwrap_or(upper) as f64 + upper as f64) / 2.0 * 1e-6
+}
+
+fn json(figures: &Figures, loaded: &Loaded, threads: usize, frames: u32) -> Value {
+    let median = |ms: &Value| json!({"median_ms": ms});
+    let stages: Map<_, _> = figures.stages.iter().map(|(name, ms)| (name.clone(), median(&json!(ms)))).collect();
+    let changes: Map<_, _> =
+        figures.changes.iter().map(|(name, ms)| ((*name).to_owned(), median(&json!(ms)))).collect();
+    json!({
+        "scene": loaded.name,
+        "full": median(&json!(figures.full)),
+        "stages": stages,
+        "changes": changes,
+        "threads": threads,
+        "size": loaded.scene.image.size,
+        "triangles": figures.report.triangles,
+        "covered": figures.report.covered,
+        "evaluations": evaluations(&figures.report),
+        "frames": frames,
+    })
 }
 
 fn evaluations(report: &Report) -> u64 {
     report.stages.iter().map(|run| run.evaluations).sum()
 }
 
-fn as_json(measured: &Measured, size: [u32; 2]) -> Value {
-    let times = |pairs: &mut dyn Iterator<Item = (String, f64)>| -> Map<String, Value> {
-        pairs.map(|(name, time)| (name, json!({ "median_ms": time }))).collect()
-    };
-    json!({
-        "full": { "median_ms": measured.full },
-        "stages": times(&mut measured.stages.iter().map(|(name, time)| (name.clone(), *time))),
-        "changes": times(&mut measured.changes.iter().map(|(name, time)| ((*name).to_owned(), *time))),
-        "threads": measured.threads,
-        "size": size,
-        "triangles": measured.report.triangles,
-        "covered": measured.report.covered,
-        "evaluations": evaluations(&measured.report),
-    })
-}
-
-fn as_text(measured: &Measured, [width, height]: [u32; 2]) -> String {
-    let mut text = String::new();
-    let report = &measured.report;
-    // Writing to a string cannot fail.
-    let _ = writeln!(
-        text,
-        "{width}x{height}, {} triangles, {} pixels covered, {} evaluations, {} thread(s); medians in milliseconds\n",
-        report.triangles,
-        report.covered,
-        evaluations(report),
-        measured.threads
+fn text(figures: &Figures, loaded: &Loaded, threads: usize, frames: u32) -> String {
+    let [width, height] = loaded.scene.image.size;
+    let Report { triangles, covered, .. } = figures.report;
+    let mut text = format!(
+        "{}: {width}×{height}, {triangles} triangles, {covered} pixels covered, {} evaluations\n\
+         {threads} threads, median of {frames} frames, ms\n\n",
+        loaded.name,
+        evaluations(&figures.report),
     );
-    let _ = writeln!(text, "{:<20}{:>9.3}", "full frame", measured.full);
-    for (name, time) in &measured.stages {
-        let _ = writeln!(text, "  {name:<18}{time:>9.3}");
+    let _ = writeln!(text, "everything      {:10.3}", figures.full);
+    for (name, ms) in &figures.stages {
+        let _ = writeln!(text, "  {name:14}{ms:10.3}");
     }
-    for (name, time) in &measured.changes {
-        let _ = writeln!(text, "{:<20}{time:>9.3}", format!("{name} moved"));
+    text.push_str("\nwhat changed\n");
+    for (name, ms) in &figures.changes {
+        let ms = ms.map_or_else(|| format!("{:>10}", "-"), |ms| format!("{ms:10.3}"));
+        let _ = writeln!(text, "  {name:14}{ms}");
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shading_lab::scene::presets;
+
+    #[test]
+    fn medians_are_in_the_middle() {
+        assert_eq!(median_ms(&mut [3_000_000, 1_000_000, 2_000_000]), 2.0);
+        assert_eq!(median_ms(&mut [4_000_000, 1_000_000, 2_000_000, 3_000_000]), 2.5);
+        assert_eq!(median_ms(&mut [7_000_000]), 7.0);
+        assert_eq!(median_ms(&mut []), 0.0);
+    }
+
+    #[test]
+    fn every_change_changes_one_thing_and_leaves_the_scene_sound() {
+        let mut far = Scene::default();
+        far.lights[0].position = glam::DVec3::splat(1e20);
+        let mut mirror = Scene::default();
+        mirror.material.n = f64::INFINITY;
+        for scene in presets::ALL.iter().map(|preset| (preset.build)()).chain([far, mirror]) {
+            for (name, change) in CHANGES {
+                for step in 1..8 {
+                    let (a, b) = (change(&scene, step).expect("a light"), change(&scene, step + 1).expect("a light"));
+                    assert_ne!(a, b, "{name}");
+                    assert_eq!(a.validate(), Ok(()), "{name}");
+                    let parts = [
+                        a.lights != b.lights,
+                        a.material.n != b.material.n,
+                        a.material.ka != b.material.ka,
+                        a.camera != b.camera,
+                    ];
+                    assert_eq!(parts.iter().filter(|&&differs| differs).count(), 1, "{name}");
+                }
+            }
+        }
+        assert_eq!(move_light(&Scene { lights: vec![], ..Scene::default() }, 1), None);
+    }
 }

@@ -1,31 +1,36 @@
-//! `shading-lab check`: whether a file is sound.
+//! `check`: whether a file can be opened, and what is wrong with it.
 
-use super::output::{print, print_json};
-use super::{Failure, load};
+use super::failure::Failure;
+use super::input::SceneArguments;
+use super::output::print;
 use clap::Args;
-use serde_json::json;
 use std::path::PathBuf;
 
-#[derive(Debug, Args)]
-pub(super) struct Arguments {
-    /// A scene file (.toml), a model (.obj) or a picture exported by this program (.png)
+#[derive(Args)]
+pub struct Check {
+    /// A .toml, .obj or .png file, or a built-in scene's name
+    #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Prints JSON
-    #[arg(long)]
-    json: bool,
+    /// Override one key of the scene first
+    #[arg(long, value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    set: Vec<String>,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let loaded = load(&arguments.file, &[])?;
-    let (scene, model) = (&loaded.scene, loaded.model.as_deref());
-    let file = arguments.file.display().to_string();
-    if arguments.json {
-        let model = model.map(|mesh| json!({ "faces": mesh.face_count(), "vertices": mesh.positions.len() }));
-        return print_json(&json!({ "file": file, "valid": true, "lights": scene.lights.len(), "model": model }));
+impl Check {
+    pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
+        let arguments = SceneArguments { source: Some(self.file), set: self.set };
+        let loaded = arguments.load(earlier)?;
+        let scene = &loaded.scene;
+        let [width, height] = scene.image.size;
+        let polygons = loaded.model.map(|model| format!(", {} polygons", model.starts.len().saturating_sub(1)));
+        let lights = scene.lights.len();
+        print(&format!(
+            "{}: ok ({:?}{}, {lights} {}, {:?} shading, {width}×{height})\n",
+            arguments.source.unwrap_or_default().display(),
+            scene.object.kind,
+            polygons.unwrap_or_default(),
+            if lights == 1 { "light" } else { "lights" },
+            scene.shading.mode,
+        ))
     }
-    let model = model.map_or_else(String::new, |mesh| {
-        format!(", a model of {} faces and {} vertices", mesh.face_count(), mesh.positions.len())
-    });
-    let plural = if scene.lights.len() == 1 { "light" } else { "lights" };
-    print(&format!("{file}: sound: {} {plural}{model}\n", scene.lights.len()))
 }

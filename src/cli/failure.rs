@@ -1,75 +1,59 @@
-//! What ends the program early, and with which status.
+//! What ends a command early, and the exit status for it.
 
-use crate::document::{LoadError, SaveError};
-use crate::scene::SceneError;
+use shading_lab::document::{LoadError, SaveError};
+use shading_lab::scene::SceneError;
 use std::fmt::Display;
-use std::io;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
-/// An error on its way to stderr.
+/// Why a command did not do what it was asked for.
 #[derive(Debug)]
-pub(super) enum Failure {
-    /// Lines to print, and the exit status.
-    Error { text: String, status: u8 },
-    /// Whoever read our output has stopped; there is nobody to tell.
-    Unread,
+pub enum Failure {
+    /// The input is at fault; a line for each problem.
+    Input(String),
+    /// The input is sound, but it could not be done.
+    Work(String),
+    /// Nobody reads the output any more, which ends the work without fuss.
+    Closed,
 }
 
 impl Failure {
-    /// The input is at fault.
-    pub fn input(error: &impl Display) -> Self {
-        Self::Error { text: error.to_string(), status: 2 }
+    pub fn input(message: impl Display) -> Self {
+        Self::Input(message.to_string())
     }
 
-    /// Something else failed.
-    pub fn other(error: &impl Display) -> Self {
-        Self::Error { text: error.to_string(), status: 1 }
+    pub fn work(message: impl Display) -> Self {
+        Self::Work(message.to_string())
     }
 
-    /// Prints the error, a line for each problem.
-    pub fn report(self) -> ExitCode {
-        match self {
-            Self::Unread => ExitCode::SUCCESS,
-            Self::Error { text, status } => {
-                for line in text.lines() {
-                    eprintln!("error: {line}");
-                }
-                ExitCode::from(status)
-            }
-        }
+    /// Writes the problems to stderr and chooses the exit status.
+    pub fn report(&self) -> ExitCode {
+        let (message, status) = match self {
+            Self::Input(message) => (message, 2),
+            Self::Work(message) => (message, 1),
+            Self::Closed => return ExitCode::SUCCESS,
+        };
+        let lines: String = message.lines().map(|line| format!("error: {line}\n")).collect();
+        // Without stderr there is nowhere to say so.
+        let _ = io::stderr().write_all(lines.as_bytes());
+        ExitCode::from(status)
     }
 }
 
 impl From<LoadError> for Failure {
     fn from(error: LoadError) -> Self {
-        Self::input(&error)
+        Self::input(error)
     }
 }
 
 impl From<SceneError> for Failure {
     fn from(error: SceneError) -> Self {
-        Self::input(&error)
+        Self::input(error)
     }
 }
 
 impl From<SaveError> for Failure {
     fn from(error: SaveError) -> Self {
-        Self::other(&error)
-    }
-}
-
-impl From<io::Error> for Failure {
-    fn from(error: io::Error) -> Self {
-        if error.kind() == io::ErrorKind::BrokenPipe { Self::Unread } else { Self::other(&error) }
-    }
-}
-
-/// Help and version are no errors; wrong arguments are bad input.
-pub(super) fn usage(error: &clap::Error) -> Result<(), Failure> {
-    if error.use_stderr() {
-        let text = error.to_string();
-        Err(Failure::Error { text: text.strip_prefix("error: ").unwrap_or(&text).replace("\n\n", "\n"), status: 2 })
-    } else {
-        error.print().map_err(Failure::from)
+        Self::work(error)
     }
 }

@@ -1,27 +1,26 @@
-//! `shading-lab scenes`: the built-in scenes, a line each.
+//! `scenes`: the built-in scenes.
 
+use super::failure::Failure;
 use super::output::{print, print_json};
-use super::{Failure, presets};
 use clap::Args;
 use serde_json::json;
+use shading_lab::scene::presets;
 
-#[derive(Debug, Args)]
-pub(super) struct Arguments {
-    /// Prints JSON
+#[derive(Args)]
+pub struct Scenes {
+    /// Print one JSON object
     #[arg(long)]
     json: bool,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    if arguments.json {
-        let scenes: Vec<_> = presets::ALL
-            .iter()
-            .map(|p| json!({ "name": p.name, "title": p.title, "description": p.description }))
-            .collect();
-        return print_json(&json!({ "scenes": scenes, "default": presets::DEFAULT }));
+impl Scenes {
+    pub fn run(self) -> Result<(), Failure> {
+        if self.json {
+            let scene = |preset: &presets::Preset| json!({"name": preset.name, "title": preset.title, "description": preset.description});
+            return print_json(&json!({"scenes": presets::ALL.iter().map(scene).collect::<Vec<_>>()}));
+        }
+        let width = presets::ALL.iter().map(|preset| preset.name.len()).max().unwrap_or(0);
+        let line = |preset: &presets::Preset| format!("{:width$}  {}\n", preset.name, preset.description);
+        print(&presets::ALL.iter().map(line).collect::<String>())
     }
-    let width = presets::ALL.iter().map(|preset| preset.name.len()).max().unwrap_or(0);
-    let lines: String =
-        presets::ALL.iter().map(|preset| format!("{:width$}  {}\n", preset.name, preset.description)).collect();
-    print(&lines)
 }

@@ -74,8 +74,13 @@ pub fn load_with(source: &Path, overrides: &[impl AsRef<str>], progress: Progres
     if !overrides.is_empty() {
         scene = scene.with_overrides(overrides)?;
     }
-    resolve_model_path(&mut scene, Path::new(""));
     let model = load_model(&scene.object, progress)?;
+    // Only now, so that messages name the model as its user does. Where the working directory is unknown, so be it.
+    if let Some(model_path) = &mut scene.object.path
+        && let Ok(absolute) = std::path::absolute(&*model_path)
+    {
+        *model_path = absolute;
+    }
     let name = match &path {
         Some(path) => path.file_name().unwrap_or(path.as_os_str()),
         None => source.as_os_str(),
@@ -104,7 +109,9 @@ fn read_scene(source: &Path) -> Result<(Scene, Option<PathBuf>), LoadError> {
         Some("obj") => scene_of_model(source)?,
         _ => return Ok((built_in(source)?, None)),
     };
-    resolve_model_path(&mut scene, source.parent().unwrap_or(Path::new("")));
+    if let (Some(model_path), Some(folder)) = (&mut scene.object.path, source.parent()) {
+        *model_path = folder.join(&*model_path);
+    }
     Ok((scene, Some(source.to_owned())))
 }
 
@@ -160,15 +167,6 @@ fn built_in(source: &Path) -> Result<Scene, LoadError> {
     let name: String = source.to_string_lossy().escape_debug().collect();
     let meant = nearest(&name, presets::ALL.iter().map(|preset| preset.name));
     Err(LoadError::UnknownName { name, meant })
-}
-
-/// Makes a model's path absolute; `folder` is what a relative one starts from. Where the working directory is unknown
-/// the path stays as it is.
-fn resolve_model_path(scene: &mut Scene, folder: &Path) {
-    if let Some(path) = &mut scene.object.path {
-        let joined = folder.join(&*path);
-        *path = std::path::absolute(&joined).unwrap_or(joined);
-    }
 }
 
 /// A regular file with its length in bytes.

@@ -207,11 +207,6 @@ impl Renderer {
         self.drawn.as_ref().map(|drawn| &drawn.plan)
     }
 
-    /// Whether a pixel of the last picture shows the object.
-    pub fn sees_object(&self, x: u32, y: u32) -> bool {
-        x < self.frame.width && self.evaluation(x, y).is_some()
-    }
-
     /// Where the equation is evaluated for a pixel of the last picture; nothing where the background is seen.
     pub(crate) fn evaluation(&self, x: u32, y: u32) -> Option<Evaluation> {
         let drawn = self.drawn.as_ref()?;
