@@ -24,6 +24,8 @@
 //! ```
 
 pub mod analysis;
+#[cfg(feature = "app")]
+pub mod app;
 pub mod document;
 pub mod figure;
 pub mod geometry;

@@ -68,9 +68,9 @@ fn bracketed_root(f: impl Fn(f64) -> f64, df: impl Fn(f64) -> f64, from: (f64, f
             return x;
         }
         if value < 0.0 {
-            below = x
+            below = x;
         } else {
-            above = x
+            above = x;
         }
         let newton = x - value / df(x);
         let next = if newton > below.min(above) && newton < below.max(above) { newton } else { 0.5 * (below + above) };
