@@ -6,4 +6,3 @@ use std::io::BufRead;
 pub struct ObjError;
 impl ObjError { pub fn line(&self) -> Option<u64> { None } }
 pub fn read_obj(_reader: impl BufRead, _progress: &mut dyn FnMut(u64)) -> Result<Mesh, ObjError> { Ok(Mesh::default()) }
-impl Mesh { pub fn fitted(self) -> Mesh { self } }
