@@ -14,6 +14,8 @@ mod plan;
 mod points;
 mod reference;
 mod renderer;
+#[cfg(test)]
+mod robustness;
 mod shade;
 mod span;
 mod stage;

@@ -69,17 +69,18 @@ pub fn load(source: &Path) -> Result<Loaded, LoadError> {
 ///
 /// # Errors
 /// See [`LoadError`].
-pub fn load_with(
-    source: &Path,
-    overrides: &[impl AsRef<str>],
-    progress: Progress<'_>,
-) -> Result<Loaded, LoadError> {
+pub fn load_with(source: &Path, overrides: &[impl AsRef<str>], progress: Progress<'_>) -> Result<Loaded, LoadError> {
     let (mut scene, path) = read_scene(source)?;
     if !overrides.is_empty() {
         scene = scene.with_overrides(overrides)?;
     }
-    resolve_model_path(&mut scene, Path::new(""));
     let model = load_model(&scene.object, progress)?;
+    // Only now, so that messages name the model as its user does. Where the working directory is unknown, so be it.
+    if let Some(model_path) = &mut scene.object.path
+        && let Ok(absolute) = std::path::absolute(&*model_path)
+    {
+        *model_path = absolute;
+    }
     let name = match &path {
         Some(path) => path.file_name().unwrap_or(path.as_os_str()),
         None => source.as_os_str(),
@@ -95,8 +96,8 @@ pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<
     let (ObjectKind::Obj, Some(path)) = (object.kind, &object.path) else { return Ok(None) };
     let (file, total) = open(path, "an OBJ model")?;
     let mut told = |read| progress(read, total);
-    let mesh = read_obj(BufReader::new(file), &mut told)
-        .map_err(|source| LoadError::Model { path: path.clone(), source })?;
+    let mesh =
+        read_obj(BufReader::new(file), &mut told).map_err(|source| LoadError::Model { path: path.clone(), source })?;
     Ok(Some(Arc::new(if object.fit { mesh.fitted() } else { mesh })))
 }
 
@@ -108,7 +109,9 @@ fn read_scene(source: &Path) -> Result<(Scene, Option<PathBuf>), LoadError> {
         Some("obj") => scene_of_model(source)?,
         _ => return Ok((built_in(source)?, None)),
     };
-    resolve_model_path(&mut scene, source.parent().unwrap_or(Path::new("")));
+    if let (Some(model_path), Some(folder)) = (&mut scene.object.path, source.parent()) {
+        *model_path = folder.join(&*model_path);
+    }
     Ok((scene, Some(source.to_owned())))
 }
 
@@ -117,9 +120,11 @@ fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
     let (file, _) = open(path, expected)?;
     let mut bytes = Vec::new();
     // One byte more than the parser accepts, so that it can object.
-    file.take(Scene::MAX_TEXT as u64 + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|source| LoadError::Unreadable { path: path.to_owned(), expected, source })?;
+    file.take(Scene::MAX_TEXT as u64 + 1).read_to_end(&mut bytes).map_err(|source| LoadError::Unreadable {
+        path: path.to_owned(),
+        expected,
+        source,
+    })?;
     let text = match std::str::from_utf8(&bytes) {
         Ok(text) => text,
         Err(error) => {
@@ -133,8 +138,8 @@ fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
 
 fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {
     let (file, _) = open(path, "a picture")?;
-    let text = read_scene_text(BufReader::new(file))
-        .map_err(|source| LoadError::Picture { path: path.to_owned(), source })?;
+    let text =
+        read_scene_text(BufReader::new(file)).map_err(|source| LoadError::Picture { path: path.to_owned(), source })?;
     Ok(Scene::parse(&text, &path.to_string_lossy())?)
 }
 
@@ -162,15 +167,6 @@ fn built_in(source: &Path) -> Result<Scene, LoadError> {
     let name: String = source.to_string_lossy().escape_debug().collect();
     let meant = nearest(&name, presets::ALL.iter().map(|preset| preset.name));
     Err(LoadError::UnknownName { name, meant })
-}
-
-/// Makes a model's path absolute; `folder` is what a relative one starts from. Where the working directory is unknown
-/// the path stays as it is.
-fn resolve_model_path(scene: &mut Scene, folder: &Path) {
-    if let Some(path) = &mut scene.object.path {
-        let joined = folder.join(&*path);
-        *path = std::path::absolute(&joined).unwrap_or(joined);
-    }
 }
 
 /// A regular file with its length in bytes.

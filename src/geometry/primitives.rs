@@ -6,6 +6,7 @@
 mod angular;
 mod builder;
 mod round;
+mod teapot;
 
 use super::Mesh;
 use crate::scene::{Object, ObjectKind};
@@ -31,6 +32,7 @@ pub(crate) const CUBE_HALF_EDGE: f64 = 0.577_350_269_189_625_8;
 /// | cone | `segments` × `rings` quads, triangles at the apex, and a base of `segments` sides |
 /// | cube | each upright side `segments`/4 (at least 1) × `rings` quads, top and bottom `segments`/4 squared |
 /// | plane | `segments` across (x) × `rings` down (y) |
+/// | teapot | each of its 32 patches `segments`/4 round × `rings`/4 along (at least 1; handle and spout 2 round), triangles at the poles |
 ///
 /// Numbers of divisions that [`Scene::validate`](crate::scene::Scene) would refuse are taken as the nearest that it
 /// accepts.
@@ -45,6 +47,7 @@ pub fn tessellate(object: &Object) -> Mesh {
         ObjectKind::Cone => round::cone(segments, rings),
         ObjectKind::Cube => angular::cube((segments / 4).max(1), rings),
         ObjectKind::Plane => angular::plane(divisions(object.segments, 1), rings),
-        ObjectKind::Teapot | ObjectKind::Obj => Mesh { starts: vec![0], ..Mesh::default() },
+        ObjectKind::Teapot => teapot::teapot((rings / 4).max(1), (segments / 4).max(1)),
+        ObjectKind::Obj => Mesh { starts: vec![0], ..Mesh::default() },
     }
 }

@@ -4,6 +4,8 @@
 //! surface lies within [`BOUND`] of the world's origin, so a ray is first brought to unit direction and to its point
 //! nearest the origin: the equations then see numbers about 1 however far away the eye is.
 
+mod patch_ray;
+mod patches;
 mod polynomial;
 mod solids;
 mod torus;
@@ -68,7 +70,8 @@ impl Surface {
         let shift = -ray.origin.dot(direction);
         let origin = ray.origin + shift * direction;
         // Also false, and rightly, where any of it is not a number.
-        if !(origin.length_squared() <= BOUND * BOUND) {
+        let comes_near = origin.length_squared() <= BOUND * BOUND;
+        if !comes_near {
             return None;
         }
         let ray = UnitRay { origin, direction, s_min: t_min * length - shift };
@@ -79,7 +82,8 @@ impl Surface {
             ObjectKind::Cone => solids::cone(&ray),
             ObjectKind::Cube => solids::cube(&ray),
             ObjectKind::Plane => solids::plane(&ray),
-            ObjectKind::Teapot | ObjectKind::Obj => None,
+            ObjectKind::Teapot => patches::teapot(&ray),
+            ObjectKind::Obj => None,
         }?;
         Some(SurfaceHit { t: (meeting.s + shift) / length, normal: meeting.normal.normalize_or(DVec3::Y) })
     }

@@ -87,7 +87,7 @@ fn ln_one_plus<S: Simd>(x: Lanes<S>) -> Lanes<S> {
         -1.666_805_7e-1,
         2.000_071_5e-1,
         -2.499_999_4e-1,
-        3.333_333_1e-1,
+        3.333_333e-1,
     ];
     let mut p = x.constant(P[0]);
     for coefficient in &P[1..] {
@@ -131,10 +131,12 @@ impl<S: Simd> Real for Lanes<S> {
     #[inline(always)]
     fn inverse_sqrt(self) -> Self {
         let simd = self.0.token();
-        let halved: S::i32s = self.bits() >> 1;
+        // Smaller squares would overflow the square of the inverse root.
+        let square = self.max(self.constant(1e-36));
+        let halved: S::i32s = square.bits() >> 1;
         let guess = S::i32s::simd_from(simd, 0x5f37_59df) - halved;
         let mut y = Self(guess.bitcast());
-        let half = self * -0.5;
+        let half = square * -0.5;
         for _ in 0..3 {
             y = y * half.mul_add(y * y, y.constant(1.5));
         }
@@ -188,5 +190,86 @@ impl<S: Simd> Real for Lanes<S> {
     #[inline(always)]
     fn any(mask: Self::Mask) -> bool {
         mask.any_true()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fearless_simd::{Level, dispatch};
+
+    /// Applies `function` to a number at the machine's best level and at its baseline.
+    fn at_both(function: Function, x: f32) -> [f32; 2] {
+        [Level::new(), Level::baseline()].map(|level| dispatch!(level, simd => apply(simd, function, x)))
+    }
+
+    #[derive(Clone, Copy)]
+    enum Function {
+        InverseSqrt,
+        Exp2,
+        Log2,
+        Log2OneMinus,
+    }
+
+    #[inline(always)]
+    fn apply<S: Simd>(simd: S, function: Function, x: f32) -> f32 {
+        let x = Lanes::splat(simd, x);
+        let y = match function {
+            Function::InverseSqrt => x.inverse_sqrt(),
+            Function::Exp2 => x.exp2(),
+            Function::Log2 => x.log2(),
+            Function::Log2OneMinus => Lanes::log2_one_minus(x),
+        };
+        y.0[0]
+    }
+
+    fn relative(got: f32, expected: f64) -> f64 {
+        (f64::from(got) - expected).abs() / expected.abs()
+    }
+
+    #[test]
+    fn inverse_square_roots_are_good_to_three_units() {
+        for exponent in -60..60 {
+            for step in 0..50 {
+                let x = 2_f32.powi(exponent) * (1.0 + step as f32 / 50.0);
+                for got in at_both(Function::InverseSqrt, x) {
+                    assert!(relative(got, 1.0 / f64::from(x).sqrt()) < 3.6e-7, "{x}: {got}");
+                }
+            }
+        }
+        assert!(at_both(Function::InverseSqrt, 0.0).iter().all(|y| y.is_finite()));
+    }
+
+    #[test]
+    fn powers_and_logarithms_are_good_to_their_documented_errors() {
+        for step in -1200..1200 {
+            let x = step as f32 / 10.0;
+            for got in at_both(Function::Exp2, x) {
+                assert!(relative(got, f64::from(x).exp2()) < 3e-7, "2^{x}: {got}");
+            }
+        }
+        for step in 1..20_000 {
+            let x = step as f32 / 5000.0;
+            for got in at_both(Function::Log2, x) {
+                let truth = f64::from(x).log2();
+                assert!((f64::from(got) - truth).abs() < 2e-7 * truth.abs().max(1.0), "log2 {x}: {got}");
+            }
+        }
+        for step in 1..2900 {
+            let t = step as f32 / 10_000.0;
+            for scale in [1.0, 1e-3, 1e-6] {
+                for got in at_both(Function::Log2OneMinus, t * scale) {
+                    let truth = (-f64::from(t * scale)).ln_1p() / std::f64::consts::LN_2;
+                    assert!(relative(got, truth) < 3e-7, "{t}: {got}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_lost_below_the_range_of_exponents() {
+        for got in at_both(Function::Exp2, -1e30) {
+            assert!((0.0..1e-37).contains(&got));
+        }
     }
 }

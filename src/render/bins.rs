@@ -78,12 +78,6 @@ impl Bins {
     pub fn band(&self, band: usize) -> impl Iterator<Item = u32> {
         self.chunks[..self.used].iter().flat_map(move |chunk| chunk.bands[band].iter().copied())
     }
-
-    /// Bytes held.
-    pub fn bytes(&self) -> usize {
-        let lists = self.chunks.iter().flat_map(|chunk| chunk.bands.iter().chain([&chunk.clip]));
-        lists.map(|list| list.capacity() * size_of::<u32>()).sum()
-    }
 }
 
 impl Chunk {

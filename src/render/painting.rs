@@ -99,12 +99,6 @@ impl Bands {
             .find(|run| u32::from(run.row) == y % BAND && u32::from(run.x0) <= x && x < u32::from(run.x1))?;
         Some(run.triangle)
     }
-
-    /// Bytes held.
-    pub fn bytes(&self) -> usize {
-        let runs: usize = self.bands.iter().map(|band| band.runs.capacity() * size_of::<super::cover::Run>()).sum();
-        runs + (self.carried.capacity() + self.fragments.capacity()) * size_of::<Fragment>()
-    }
 }
 
 /// Where a picture goes.

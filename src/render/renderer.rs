@@ -226,6 +226,12 @@ impl Renderer {
         }
     }
 
+    /// The last picture before the display, where the display's policy needed all of it.
+    #[cfg(test)]
+    pub(super) fn linear(&self) -> &[Linear] {
+        &self.linear
+    }
+
     /// Runs the geometry stages and plans the rest.
     fn plan_of(&mut self, scene: &Scene) -> Plan {
         let began = (self.clock)();

@@ -93,3 +93,85 @@ fn sorted([a, b, c]: [Place; 3]) -> [Place; 3] {
 fn in_order(a: Place, b: Place) -> (Place, Place) {
     if (b[1], b[0]) < (a[1], a[0]) { (b, a) } else { (a, b) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// How often each pixel of a square picture is covered.
+    fn counts(triangles: &[[Place; 3]], side: i32) -> Vec<u32> {
+        let mut counts = vec![0; (side * side) as usize];
+        for triangle in triangles {
+            scan(*triangle, 0..side, side, |y, x0, x1| {
+                counts[(y * side + x0) as usize..(y * side + x1) as usize].iter_mut().for_each(|c| *c += 1);
+            });
+        }
+        counts
+    }
+
+    fn art(counts: &[u32], side: usize) -> String {
+        counts
+            .chunks(side)
+            .map(|row| row.iter().map(|c| if *c > 0 { '#' } else { '.' }).collect::<String>() + "\n")
+            .collect()
+    }
+
+    #[test]
+    fn centres_on_left_and_top_edges_belong_to_the_triangle() {
+        // Corners at pixel centres: the left and the top edge run exactly through centres.
+        let at = |x: i32, y: i32| [x * SUBPIXELS + HALF, y * SUBPIXELS + HALF];
+        let covered = counts(&[[at(1, 1), at(5, 1), at(1, 5)]], 7);
+        assert_eq!(art(&covered, 7), ".......\n.####..\n.###...\n.##....\n.#.....\n.......\n.......\n");
+    }
+
+    #[test]
+    fn a_triangle_between_centres_covers_nothing() {
+        let covered = counts(&[[[130, 130], [380, 130], [255, 380]]], 4);
+        assert!(covered.iter().all(|&c| c == 0));
+    }
+
+    proptest! {
+        /// A fan about any inner point covers each pixel of a rectangle exactly once.
+        #[test]
+        fn a_fan_covers_every_pixel_once(
+            hub in (1..16_i32 * 256, 1..16_i32 * 256),
+            rim in prop::collection::vec(0..16_i32 * 256, 0..12),
+        ) {
+            let side = 16 * SUBPIXELS;
+            let mut border: Vec<Place> = vec![[0, 0], [side, 0], [side, side], [0, side]];
+            for (i, &t) in rim.iter().enumerate() {
+                border.push([[t, 0], [side, t], [t, side], [0, t]][i % 4]);
+            }
+            let angle = |p: &Place| f64::from(p[1] - hub.1).atan2(f64::from(p[0] - hub.0));
+            border.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+            let triangles: Vec<_> = (0..border.len())
+                .map(|i| [[hub.0, hub.1], border[i], border[(i + 1) % border.len()]])
+                .collect();
+            let covered = counts(&triangles, 16);
+            prop_assert!(covered.iter().all(|&c| c == 1), "{:?}", covered);
+        }
+
+        /// However a strip of points is joined, its triangles neither overlap nor leave gaps.
+        #[test]
+        fn a_grid_of_any_points_covers_every_pixel_once(moves in prop::collection::vec((-500..500_i32, -500..500_i32), 9), turns in prop::collection::vec(any::<bool>(), 16)) {
+            let cell = 4 * SUBPIXELS;
+            let place = |i: usize, j: usize| -> Place {
+                let inner = (1..4).contains(&i) && (1..4).contains(&j);
+                let (dx, dy) = if inner { moves[(j - 1) * 3 + i - 1] } else { (0, 0) };
+                [i as i32 * cell + dx, j as i32 * cell + dy]
+            };
+            let mut triangles = Vec::new();
+            for j in 0..4 {
+                for i in 0..4 {
+                    let [a, b, c, d] = [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
+                    if turns[j * 4 + i] { triangles.extend([[a, b, c], [a, c, d]]) } else { triangles.extend([[a, b, d], [b, c, d]]) }
+                }
+            }
+            // Moves under half a cell keep every triangle's orientation in nearly all draws; others are no grid.
+            prop_assume!(triangles.iter().all(|t| doubled_area(*t) > 0));
+            let covered = counts(&triangles, 16);
+            prop_assert!(covered.iter().all(|&c| c == 1), "{:?}", covered);
+        }
+    }
+}

@@ -35,7 +35,6 @@ mod coefficient {
     use serde::{Deserializer, Serializer};
     use std::fmt;
 
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde's `with` calls")]
     pub fn serialize<S: Serializer>(value: &Rgb, serializer: S) -> Result<S::Ok, S::Error> {
         if value.x == value.y && value.y == value.z {
             return serializer.serialize_f64(value.x);

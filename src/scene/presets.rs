@@ -63,7 +63,7 @@ pub const ALL: &[Preset] = &[
     Preset {
         name: "teapot",
         title: "Teapot",
-        description: "Newell's teapot, 28 bicubic patches, glazed, under a warm lamp and a cool window.",
+        description: "Newell's teapot, 32 bicubic patches, glazed, under a warm lamp and a cool window.",
         build: teapot,
     },
     Preset {
@@ -105,7 +105,7 @@ pub const ALL: &[Preset] = &[
     Preset {
         name: "blinn",
         title: "The half-way vector",
-        description: "Blinn's (N·H)^n on a cylinder: a longer highlight than Phong's at the same n.",
+        description: "Blinn's (N·H)^n at a grazing angle: a streak towards the viewer, where Phong's highlight stays round.",
         build: blinn,
     },
     Preset {
@@ -173,7 +173,12 @@ fn torus() -> Scene {
 }
 
 fn cylinder() -> Scene {
-    Scene { material: surface([0.93, 0.67, 0.22], 0.75, 0.45, 50.0), ..studio(ObjectKind::Cylinder, 192, 48) }
+    Scene {
+        material: surface([0.93, 0.67, 0.22], 0.75, 0.45, 50.0),
+        // Low enough to be mirrored to the eye by an upright wall, with a window above for the cap.
+        lights: vec![lamp([2.2, -0.2, 3.0], WARM), lamp([-1.6, 3.4, 1.4], COOL * 0.5)],
+        ..studio(ObjectKind::Cylinder, 192, 48)
+    }
 }
 
 fn cone() -> Scene {
@@ -183,8 +188,8 @@ fn cone() -> Scene {
 fn cube() -> Scene {
     Scene {
         camera: seen_from(DVec3::new(2.0, 1.7, 3.0)),
-        material: surface([0.30, 0.55, 0.90], 0.80, 0.30, 30.0),
-        lights: vec![lamp([1.2, 3.2, 3.6], WARM)],
+        material: surface([0.38, 0.64, 0.96], 0.88, 0.30, 30.0),
+        lights: vec![lamp([1.6, 3.8, 2.6], WARM)],
         ..studio(ObjectKind::Cube, 24, 24)
     }
 }
@@ -200,9 +205,9 @@ fn plane() -> Scene {
 
 fn teapot() -> Scene {
     Scene {
-        camera: seen_from(DVec3::new(0.8, 1.5, 3.6)),
-        material: surface([0.24, 0.50, 0.74], 0.68, 0.60, 70.0),
-        lights: vec![lamp([2.6, 3.2, 3.0], WARM), lamp([-3.4, 1.4, 1.2], COOL * 0.45)],
+        camera: Camera { fov_y: 30.0, target: DVec3::new(0.0, -0.05, 0.0), ..seen_from(DVec3::new(0.8, 1.5, 3.6)) },
+        material: surface([0.28, 0.58, 0.86], 0.78, 0.80, 85.0),
+        lights: vec![lamp([1.6, 2.2, 3.4], WARM), lamp([-3.4, 1.4, 1.2], COOL * 0.45)],
         ..studio(ObjectKind::Teapot, 64, 64)
     }
 }
@@ -277,9 +282,12 @@ fn attenuation() -> Scene {
 
 fn blinn() -> Scene {
     Scene {
-        material: surface([0.72, 0.20, 0.30], 0.70, 0.60, 50.0),
+        // Z is up here, so that the plane is a floor, lit from beyond.
+        camera: Camera { up: DVec3::Z, target: DVec3::new(0.0, -0.2, 0.0), ..seen_from(DVec3::new(0.0, -3.7, 1.7)) },
+        material: surface([0.70, 0.26, 0.32], 0.60, 0.75, 90.0),
         reflection: Reflection { model: ReflectionModel::Blinn, ..Reflection::default() },
-        ..studio(ObjectKind::Cylinder, 192, 48)
+        lights: vec![lamp([0.2, 2.6, 1.2], WARM)],
+        ..studio(ObjectKind::Plane, 96, 96)
     }
 }
 

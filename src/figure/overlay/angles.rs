@@ -55,7 +55,7 @@ fn arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3), width: f64
     let edge_on = flat(sketch.origin, &points, 1.2 * sketch.style.line);
     if !edge_on {
         let mark = Mark::line(points.clone(), width, sketch.style.neutral);
-        // Two dashes a width apart: told from θ's solid arc at a glance.
+        // The two arcs share a colour; dashes tell φ's from θ's.
         sketch.marks.push(if angle == Angle::Phi { mark.dashed(&[3.0, 2.0]) } else { mark });
     }
     Some(Arc { angle, points, edge_on })

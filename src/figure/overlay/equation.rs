@@ -55,7 +55,9 @@ impl<'a> Equation<'a> {
             return None;
         }
         let pane = side::pane(picture, sketch.origin, &sketch.style)?;
-        let mut side = side::sketch(pane, focus.n, focus.terms.l, v, options)?;
+        let phi_between = if focus.lit { self.phi_between(focus.n, focus.terms) } else { (v, v) };
+        let directions = side::Directions { n: focus.n, l: focus.terms.l, v, phi_between };
+        let mut side = side::sketch(pane, &directions, options)?;
         let construction = options.layers.contains(&OverlayLayer::Construction);
         self.draw_layers(&mut side, false, |layer| layer != OverlayLayer::Construction || construction);
         Some(side)
@@ -109,18 +111,21 @@ impl<'a> Equation<'a> {
 
     fn draw_angles(&self, sketch: &mut Sketch) -> Vec<Arc> {
         let Some(Focus { index, terms, n, lit }) = &self.focus else { return vec![] };
-        let phong = self.model == ReflectionModel::Phong;
-        let phi_between = if phong { (terms.r, self.hit.view) } else { (*n, terms.h) };
         let given = angles::Given {
             n: *n,
             l: terms.l,
             r: lit.then_some(terms.r),
-            phi_between: lit.then_some(phi_between),
+            phi_between: lit.then(|| self.phi_between(*n, terms)),
             theta: terms.theta,
             phi: terms.phi,
             subscript: self.subscript(Some(*index)),
         };
         angles::draw(sketch, &given)
+    }
+
+    /// The vectors whose angle is φ.
+    fn phi_between(&self, n: DVec3, terms: &LightTerms) -> (DVec3, DVec3) {
+        if self.model == ReflectionModel::Phong { (terms.r, self.hit.view) } else { (n, terms.h) }
     }
 
     /// The light's number below the line, where there are several lights.

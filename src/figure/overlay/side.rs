@@ -2,7 +2,7 @@
 //!
 //! V points at the eye, so in the picture it is a point and φ is seen from its edge. From the side, square to the plane
 //! of N and L with N upwards and L on the left, the figure is the textbooks' own; a little from above, so that a V that
-//! leaves the plane is seen to do so.
+//! leaves the plane is seen to do so, and turned about N where V would hide behind another vector.
 
 use super::OverlayOptions;
 use super::labels::Area;
@@ -17,8 +17,13 @@ const SIDE: [f64; 3] = [0.35, 0.6, 8.5];
 const UNIT: f64 = 0.36;
 /// Drop of the point below the pane's middle; less where an L from behind the surface would leave the pane.
 const DROP: [f64; 2] = [0.26, 0.45];
-/// The height from which the surface is looked down on, and the turn about N that shows a V square to the plane, radians.
-const TILT: [f64; 2] = [0.22, 0.6];
+/// The height from which the surface is looked down on, radians.
+const TILT: f64 = 0.22;
+/// The farthest turn about N, radians, so that L stays on the left; in how many steps each way it is sought; and what a
+/// turn's square costs against the share in which the worst angle is shown.
+const TURN: f64 = 1.1;
+const TURNS: u32 = 60;
+const RELUCTANCE: f64 = 0.2;
 /// Radius of the disc that stands for the surface, in unit vectors.
 const DISC: f64 = 0.62;
 /// The surface's grey, and how opaque it and the pane's ground are.
@@ -42,10 +47,19 @@ pub(super) fn pane(picture: Area, point: DVec2, style: &Style) -> Option<Area> {
     Some(Area::about(DVec2::new(x, y), DVec2::splat(side)))
 }
 
-/// A sketch of the surface about the point, ready for vectors. `n`, `l` and `v` are unit.
-pub(super) fn sketch(pane: Area, n: DVec3, l: DVec3, v: DVec3, options: &OverlayOptions) -> Option<Sketch> {
+/// What is to be seen from the side, all unit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Directions {
+    pub n: DVec3,
+    pub l: DVec3,
+    pub v: DVec3,
+    pub phi_between: (DVec3, DVec3),
+}
+
+/// A sketch of the surface about the point, ready for vectors.
+pub(super) fn sketch(pane: Area, directions: &Directions, options: &OverlayOptions) -> Option<Sketch> {
     let side = (pane.max - pane.min).min_element();
-    let view = view(pane, n, l, v);
+    let view = view(pane, directions);
     let style = Style::new(2.3 * side, options);
     let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, Some(1.0), side)?;
     let corner = |x: f64, y: f64| pane.min + DVec2::new(x, y) * side;
@@ -53,7 +67,7 @@ pub(super) fn sketch(pane: Area, n: DVec3, l: DVec3, v: DVec3, options: &Overlay
     let ground = Mark { halo: false, ..Mark::area(square.clone(), 0.0, style.halo_colour) };
     let frame = Mark { halo: false, closed: true, ..Mark::line(square, 0.35 * style.line, SURFACE) };
     sketch.marks.extend([ground.faded(OPAQUE[1]), frame]);
-    let (across, into) = n.any_orthonormal_pair();
+    let (across, into) = directions.n.any_orthonormal_pair();
     let rim = Mark::ring(DVec2::ZERO, DISC, 0.0, SURFACE).points;
     let rim: Option<Vec<DVec2>> = rim.into_iter().map(|p| sketch.end(across * p.x + into * p.y)).collect();
     if let Some(rim) = rim {
@@ -63,20 +77,53 @@ pub(super) fn sketch(pane: Area, n: DVec3, l: DVec3, v: DVec3, options: &Overlay
     Some(sketch)
 }
 
-fn view(pane: Area, n: DVec3, l: DVec3, v: DVec3) -> View {
+/// The view, turned about N by as little as shows the angles and V at a fair part of their size.
+fn view(pane: Area, directions: &Directions) -> View {
+    let Directions { n, l, v, phi_between: (a, b) } = *directions;
+    let pairs = [(n, l), (a, b), (v, DVec3::ZERO)];
+    let shown = |view: &View| {
+        pairs.iter().fold(1.0, |least: f64, (from, to)| {
+            let between = *from - *to;
+            let across = between - view.forward * between.dot(view.forward);
+            // Vectors that coincide have no angle to show.
+            if between.length() < 1e-6 { least } else { least.min(across.length() / between.length()) }
+        })
+    };
+    let straight = view_turned(pane, directions, 0.0);
+    let (mut best, mut most) = (straight, shown(&straight));
+    for step in 1..=TURNS {
+        for side in [1.0, -1.0] {
+            let turn = side * TURN * f64::from(step) / f64::from(TURNS);
+            let turned = view_turned(pane, directions, turn);
+            let merit = shown(&turned) - RELUCTANCE * turn * turn;
+            if merit > most {
+                (best, most) = (turned, merit);
+            }
+        }
+    }
+    best
+}
+
+fn view_turned(pane: Area, directions: &Directions, turn: f64) -> View {
+    let Directions { n, l, v, .. } = *directions;
     let aside = |vector: DVec3| (vector - n * vector.dot(n)).try_normalize();
     let right = aside(-l).or_else(|| aside(v)).unwrap_or_else(|| n.any_orthonormal_vector());
     let into = n.cross(right);
-    let steep = ((aside(v).map_or(0.0, |v| v.dot(into).abs()) - 0.5) / 0.4).clamp(0.0, 1.0);
-    let turn = TILT[1] * steep * steep * (3.0 - 2.0 * steep) * v.dot(into).signum() * v.dot(right).signum();
     let (sine, cosine) = turn.sin_cos();
     let (right, into) = (right * cosine + into * sine, into * cosine - right * sine);
-    let (sine, cosine) = TILT[0].sin_cos();
+    let (sine, cosine) = TILT.sin_cos();
     let (forward, up) = (into * cosine - n * sine, n * cosine + into * sine);
     let side = (pane.max - pane.min).min_element();
     let drop = DROP[0].min(DROP[1] - UNIT * (-n.dot(l)).max(0.0));
-    let centre = pane.centre() + DVec2::new(0.0, drop * side);
-    View { eye: forward * -4.0, right, up, forward, centre, scale: UNIT * side, projection: Projection::Orthographic }
+    View {
+        eye: forward * -4.0,
+        right,
+        up,
+        forward,
+        centre: pane.centre() + DVec2::new(0.0, drop * side),
+        scale: UNIT * side,
+        projection: Projection::Orthographic,
+    }
 }
 
 #[cfg(test)]
@@ -96,18 +143,20 @@ mod tests {
     proptest! {
         #[test]
         fn n_points_up_l_to_the_left_and_v_is_never_a_point(n in unit(), l in unit(), v in unit()) {
-            let view = view(PANE, n, l, v);
+            let r = 2.0 * n.dot(l) * n - l;
+            let view = view(PANE, &Directions { n, l, v, phi_between: (r, v) });
             prop_assert!((view.right.cross(view.up) + view.forward).length() < 1e-9);
             let at = |vector: DVec3| view.project(vector).expect("in front").0 - view.centre;
             prop_assert!(at(n).y < -0.9 * UNIT * 300.0 && at(n).x.abs() < 1e-6, "N is at {}", at(n));
             prop_assert!(at(l).x < 1e-6, "L is at {}", at(l));
-            prop_assert!(at(v).length() > 0.1 * UNIT * 300.0, "V is at {}", at(v));
+            prop_assert!(at(v).length() > 0.25 * UNIT * 300.0, "V is at {}", at(v));
         }
     }
 
     #[test]
     fn coinciding_vectors_still_have_a_side() {
-        let view = view(PANE, DVec3::Y, DVec3::Y, DVec3::Y);
+        let y = DVec3::Y;
+        let view = view(PANE, &Directions { n: y, l: y, v: y, phi_between: (y, y) });
         assert!((view.right.cross(view.up) + view.forward).length() < 1e-9, "{view:?}");
     }
 

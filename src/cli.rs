@@ -1,0 +1,82 @@
+//! The command line: what was asked for, done by one file a command.
+//!
+//! Exit status 0 when it is done, 2 for bad input, 1 for a failure. Errors take a line each on stderr, with the file and
+//! the line that they are about.
+
+mod bench;
+mod check;
+mod failure;
+mod input;
+mod output;
+mod overlay;
+mod probe;
+mod render;
+mod scenes;
+mod window;
+
+use clap::{Parser, Subcommand};
+use failure::Failure;
+use input::SceneArguments;
+use std::process::ExitCode;
+
+/// A laboratory for local illumination and polygon shading.
+///
+/// Without a command it opens the window. SCENE is a scene file (.toml), a model (.obj), a picture that this program
+/// exported (.png), or the name of a built-in scene (`shading-lab scenes`).
+#[derive(Parser)]
+#[command(version, disable_help_subcommand = true)]
+struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Draw a scene into a PNG file, without a window.
+    Render(render::Render),
+    /// Fill in the equation at one pixel.
+    Probe(probe::ProbeCommand),
+    /// List the built-in scenes.
+    Scenes(scenes::Scenes),
+    /// Read a scene, a model or a picture, and say what is wrong with it.
+    Check(check::Check),
+    /// Measure the time of a frame, of its stages, and of a frame in which one thing changed.
+    Bench(bench::Bench),
+}
+
+/// Does what the command line asks for, reports what goes wrong, and says how the process should end.
+pub fn run() -> ExitCode {
+    match perform(Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn perform(arguments: Arguments) -> Result<(), Failure> {
+    let Arguments { scene, command } = arguments;
+    match command {
+        None => window::open(&scene),
+        Some(_) if scene.source.is_some() => {
+            Err(Failure::input("a scene before the command, expected it after: shading-lab COMMAND SCENE"))
+        }
+        Some(Command::Render(render)) => render.run(&scene.set),
+        Some(Command::Probe(probe)) => probe.run(&scene.set),
+        Some(Command::Check(check)) => check.run(&scene.set),
+        Some(Command::Bench(bench)) => bench.run(&scene.set),
+        Some(Command::Scenes(scenes)) if scene.set.is_empty() => scenes.run(),
+        Some(Command::Scenes(_)) => Err(Failure::input("--set without a scene, expected `scenes` alone")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_agree_with_each_other() {
+        Arguments::command().debug_assert();
+    }
+}

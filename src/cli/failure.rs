@@ -1,0 +1,59 @@
+//! What ends a command early, and the exit status for it.
+
+use shading_lab::document::{LoadError, SaveError};
+use shading_lab::scene::SceneError;
+use std::fmt::Display;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+/// Why a command did not do what it was asked for.
+#[derive(Debug)]
+pub enum Failure {
+    /// The input is at fault; a line for each problem.
+    Input(String),
+    /// The input is sound, but it could not be done.
+    Work(String),
+    /// Nobody reads the output any more, which ends the work without fuss.
+    Closed,
+}
+
+impl Failure {
+    pub fn input(message: impl Display) -> Self {
+        Self::Input(message.to_string())
+    }
+
+    pub fn work(message: impl Display) -> Self {
+        Self::Work(message.to_string())
+    }
+
+    /// Writes the problems to stderr and chooses the exit status.
+    pub fn report(&self) -> ExitCode {
+        let (message, status) = match self {
+            Self::Input(message) => (message, 2),
+            Self::Work(message) => (message, 1),
+            Self::Closed => return ExitCode::SUCCESS,
+        };
+        let lines: String = message.lines().map(|line| format!("error: {line}\n")).collect();
+        // Without stderr there is nowhere to say so.
+        let _ = io::stderr().write_all(lines.as_bytes());
+        ExitCode::from(status)
+    }
+}
+
+impl From<LoadError> for Failure {
+    fn from(error: LoadError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<SaveError> for Failure {
+    fn from(error: SaveError) -> Self {
+        Self::work(error)
+    }
+}

@@ -1,0 +1,109 @@
+//! Arguments that several commands share.
+
+use super::failure::Failure;
+use super::output::progress_bar;
+use clap::Args;
+use shading_lab::document::{Loaded, load_with};
+use shading_lab::scene::{Image, presets};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::time::Instant;
+
+/// Files from this many bytes on get a progress bar while they are read.
+const LARGE_FILE: u64 = 4 << 20;
+
+/// Which scene, and what is different in it.
+#[derive(Args)]
+pub struct SceneArguments {
+    /// A .toml, .obj or .png file, or a built-in scene's name
+    #[arg(value_name = "SCENE")]
+    pub source: Option<PathBuf>,
+    /// Override one key of the scene, as in material.n=1005 or light.0.position=[2,2,3]
+    #[arg(long, value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
+}
+
+impl SceneArguments {
+    /// Opens the scene, or the default one, with the overrides of both sides of the command's name.
+    pub fn load(&self, earlier: &[String]) -> Result<Loaded, Failure> {
+        let overrides: Vec<&String> = earlier.iter().chain(&self.set).collect();
+        let mut bar = None;
+        let mut progress = |read: u64, total: u64| {
+            if total >= LARGE_FILE {
+                bar.get_or_insert_with(|| progress_bar(total, "reading")).set_position(read);
+            }
+        };
+        let source = self.source.as_deref().unwrap_or(Path::new(presets::DEFAULT));
+        let loaded = load_with(source, &overrides, &mut progress);
+        if let Some(bar) = bar {
+            bar.finish_and_clear();
+        }
+        Ok(loaded?)
+    }
+}
+
+/// `WxH`, in the bounds of a picture.
+pub fn parse_size(text: &str) -> Result<[u32; 2], String> {
+    let expected = || format!("expected WIDTHxHEIGHT in pixels, 1 to {} each, as in 768x512", Image::MAX_SIDE);
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(expected)?;
+    let side = |text: &str| text.trim().parse().ok().filter(|side| (1..=Image::MAX_SIDE).contains(side));
+    let size = [side(width).ok_or_else(expected)?, side(height).ok_or_else(expected)?];
+    if u64::from(size[0]) * u64::from(size[1]) > Image::MAX_PIXELS {
+        return Err(format!("expected at most {} pixels in all", Image::MAX_PIXELS));
+    }
+    Ok(size)
+}
+
+/// `X,Y`, whole numbers from the top left.
+pub fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
+    let expected = || "expected X,Y in whole pixels from the top left, as in 100,80".to_owned();
+    let (x, y) = text.split_once(',').ok_or_else(expected)?;
+    let coordinate = |text: &str| text.trim().parse().map_err(|_| expected());
+    Ok([coordinate(x)?, coordinate(y)?])
+}
+
+/// Refuses a pixel outside a picture of `size`; `argument` is what names it.
+pub fn inside_picture(argument: &str, [x, y]: [u32; 2], [width, height]: [u32; 2]) -> Result<(), Failure> {
+    if x < width && y < height {
+        return Ok(());
+    }
+    let (right, bottom) = (width - 1, height - 1);
+    Err(Failure::input(format!("{argument}: outside the picture, expected 0,0 to {right},{bottom}")))
+}
+
+/// Nanoseconds since the first call: the renderer's clock.
+pub fn nanoseconds() -> u64 {
+    static START: OnceLock<Instant> = OnceLock::new();
+    u64::try_from(START.get_or_init(Instant::now).elapsed().as_nanos()).unwrap_or(u64::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_read_within_their_bounds() {
+        assert_eq!(parse_size("768x512"), Ok([768, 512]));
+        assert_eq!(parse_size("16384×8192"), Ok([16_384, 8192]));
+        for text in ["", "x", "768", "0x5", "5x0", "16385x1", "-1x5", "5x5x5", "16384x8193", "99999999999x1"] {
+            assert!(parse_size(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn pixels_are_read_and_kept_inside() {
+        assert_eq!(parse_pixel("3, 4"), Ok([3, 4]));
+        for text in ["", "3", "3,", "-1,2", "1.5,2", "1,2,3", "99999999999,1"] {
+            assert!(parse_pixel(text).is_err(), "{text}");
+        }
+        assert!(inside_picture("", [2, 3], [3, 4]).is_ok());
+        assert!(inside_picture("", [3, 3], [3, 4]).is_err());
+        assert!(inside_picture("", [2, 4], [3, 4]).is_err());
+    }
+
+    #[test]
+    fn the_clock_does_not_go_back() {
+        let first = nanoseconds();
+        assert!(nanoseconds() >= first);
+    }
+}

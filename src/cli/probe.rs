@@ -1,0 +1,91 @@
+//! `probe`: the equation at one pixel, filled in.
+
+mod text;
+
+use super::failure::Failure;
+use super::input::{SceneArguments, inside_picture, parse_pixel};
+use super::output::{print, print_json};
+use clap::Args;
+use glam::DVec3;
+use serde::Serialize;
+use shading_lab::analysis::{LightTerms, Probe, ProbeHit, probe};
+use shading_lab::render::Renderer;
+use shading_lab::scene::{LightKind, Rgb};
+
+#[derive(Args)]
+pub struct ProbeCommand {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// The pixel, (0,0) top left
+    #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
+    pixel: [u32; 2],
+    /// Print one JSON object; angles in degrees, vectors in the world
+    #[arg(long)]
+    json: bool,
+}
+
+impl ProbeCommand {
+    pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
+        let loaded = self.scene.load(earlier)?;
+        let [x, y] = self.pixel;
+        inside_picture(&format!("--pixel {x},{y}"), self.pixel, loaded.scene.image.size)?;
+        let mut renderer = Renderer::default();
+        renderer.set_model(loaded.model);
+        let probe = probe(&mut renderer, &loaded.scene, x, y);
+        if self.json { print_json(&Printed::from(probe)) } else { print(&text::describe(&probe, &loaded.scene)) }
+    }
+}
+
+/// A pixel as printed, its keys in the order of the equation.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Printed {
+    Background {
+        pixel: [u32; 2],
+        hit: bool,
+    },
+    Surface {
+        pixel: [u32; 2],
+        position: DVec3,
+        normal: DVec3,
+        view: DVec3,
+        depth: f64,
+        face: Option<u32>,
+        ambient: Rgb,
+        lights: Vec<PrintedLight>,
+        sum: Rgb,
+        stored: [u8; 3],
+    },
+}
+
+#[derive(Serialize)]
+struct PrintedLight {
+    kind: LightKind,
+    l: DVec3,
+    r: DVec3,
+    h: DVec3,
+    n_dot_l: f64,
+    /// Degrees, as phi.
+    theta: f64,
+    phi: f64,
+    attenuation: f64,
+    diffuse: Rgb,
+    specular: Rgb,
+}
+
+impl From<Probe> for Printed {
+    fn from(Probe { pixel, hit }: Probe) -> Self {
+        let Some(hit) = hit else { return Self::Background { pixel, hit: false } };
+        let ProbeHit { position, normal, view, depth, face, ambient, lights, sum, stored } = hit;
+        let lights = lights.into_iter().map(PrintedLight::from).collect();
+        Self::Surface { pixel, position, normal, view, depth, face, ambient, lights, sum, stored }
+    }
+}
+
+impl From<LightTerms> for PrintedLight {
+    fn from(terms: LightTerms) -> Self {
+        let LightTerms { kind, l, r, h, n_dot_l, theta, phi, attenuation, diffuse, specular } = terms;
+        let (theta, phi) = (theta.to_degrees(), phi.to_degrees());
+        Self { kind, l, r, h, n_dot_l, theta, phi, attenuation, diffuse, specular }
+    }
+}

@@ -1,0 +1,173 @@
+//! Bicubic Bézier patches.
+
+use glam::{DVec2, DVec3};
+use std::ops::{Add, Mul, Sub};
+
+/// What a patch can be made of: points of the plane or of space.
+pub(crate) trait Point: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
+impl Point for DVec2 {}
+impl Point for DVec3 {}
+
+/// S(u, v) = Σᵢⱼ Bᵢ(u)·Bⱼ(v)·`points[4i + j]` for 0 ≤ u, v ≤ 1, with Bernstein's cubic polynomials B.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Patch<P> {
+    pub points: [P; 16],
+}
+
+/// A point of a patch with its partial derivatives.
+pub(crate) struct Jet<P> {
+    pub point: P,
+    pub along_u: P,
+    pub along_v: P,
+}
+
+/// Bernstein's cubic polynomials at `t`.
+fn bernstein(t: f64) -> [f64; 4] {
+    let s = 1.0 - t;
+    [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t]
+}
+
+/// Their derivatives at `t`.
+fn bernstein_slopes(t: f64) -> [f64; 4] {
+    let s = 1.0 - t;
+    [-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t]
+}
+
+fn blend<P: Point>(points: [P; 4], weights: &[f64; 4]) -> P {
+    points[0] * weights[0] + points[1] * weights[1] + points[2] * weights[2] + points[3] * weights[3]
+}
+
+/// The point at `t` on the cubic with four control points.
+pub(crate) fn on_curve<P: Point>(points: [P; 4], t: f64) -> P {
+    blend(points, &bernstein(t))
+}
+
+/// Cuts a cubic in the middle (de Casteljau).
+fn halves<P: Point>([a, b, c, d]: [P; 4]) -> [[P; 4]; 2] {
+    let middle = |p: P, q: P| (p + q) * 0.5;
+    let (ab, bc, cd) = (middle(a, b), middle(b, c), middle(c, d));
+    let (abc, bcd) = (middle(ab, bc), middle(bc, cd));
+    let centre = middle(abc, bcd);
+    [[a, ab, abc, centre], [centre, bcd, cd, d]]
+}
+
+impl<P: Point> Patch<P> {
+    pub fn map<Q: Point>(&self, f: impl FnMut(P) -> Q) -> Patch<Q> {
+        Patch { points: self.points.map(f) }
+    }
+
+    fn row(&self, i: usize) -> [P; 4] {
+        let p = &self.points[4 * i..4 * i + 4];
+        [p[0], p[1], p[2], p[3]]
+    }
+
+    fn column(&self, j: usize) -> [P; 4] {
+        [self.points[j], self.points[4 + j], self.points[8 + j], self.points[12 + j]]
+    }
+
+    fn weighted(&self, u: &[f64; 4], v: &[f64; 4]) -> P {
+        blend([0, 1, 2, 3].map(|i| blend(self.row(i), v)), u)
+    }
+
+    pub fn at(&self, u: f64, v: f64) -> P {
+        self.weighted(&bernstein(u), &bernstein(v))
+    }
+
+    /// The point at (u, v) and ∂S/∂u, ∂S/∂v there.
+    pub fn jet(&self, u: f64, v: f64) -> Jet<P> {
+        let (bv, dv) = (bernstein(v), bernstein_slopes(v));
+        let rows = [0, 1, 2, 3].map(|i| blend(self.row(i), &bv));
+        let row_slopes = [0, 1, 2, 3].map(|i| blend(self.row(i), &dv));
+        let bu = bernstein(u);
+        Jet { point: blend(rows, &bu), along_u: blend(rows, &bernstein_slopes(u)), along_v: blend(row_slopes, &bu) }
+    }
+
+    /// The quarters with u below and above ½, and within each v below and above ½.
+    pub fn quarters(&self) -> [Self; 4] {
+        let [low, high] = self.halves_in_u();
+        let [low_low, low_high] = low.halves_in_v();
+        let [high_low, high_high] = high.halves_in_v();
+        [low_low, low_high, high_low, high_high]
+    }
+
+    /// The halves with u below and above ½.
+    pub fn halves_in_u(&self) -> [Self; 2] {
+        let (mut low, mut high) = (*self, *self);
+        for j in 0..4 {
+            let [a, b] = halves(self.column(j));
+            for i in 0..4 {
+                (low.points[4 * i + j], high.points[4 * i + j]) = (a[i], b[i]);
+            }
+        }
+        [low, high]
+    }
+
+    /// The halves with v below and above ½.
+    pub fn halves_in_v(&self) -> [Self; 2] {
+        let (mut low, mut high) = (*self, *self);
+        for i in 0..4 {
+            let [a, b] = halves(self.row(i));
+            low.points[4 * i..4 * i + 4].copy_from_slice(&a);
+            high.points[4 * i..4 * i + 4].copy_from_slice(&b);
+        }
+        [low, high]
+    }
+}
+
+impl Patch<DVec3> {
+    /// The unit vector along ∂S/∂v × ∂S/∂u at (u, v).
+    ///
+    /// Where a row of control points has collapsed to a pole, ∂S/∂v vanishes like u·∂²S/∂u∂v, and the direction that the
+    /// normal tends to is that of ∂²S/∂u∂v × ∂S/∂u.
+    pub fn normal(&self, u: f64, v: f64) -> DVec3 {
+        /// Squared length, for patches of a size about 1, below which the product is rounding only.
+        const VANISHED: f64 = 1e-24;
+        let jet = self.jet(u, v);
+        let normal = jet.along_v.cross(jet.along_u);
+        if normal.length_squared() > VANISHED {
+            return normal.normalize();
+        }
+        let twist = self.weighted(&bernstein_slopes(u), &bernstein_slopes(v));
+        twist.cross(jet.along_u).normalize_or(DVec3::Y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Patch, halves, on_curve};
+    use glam::DVec3;
+
+    fn wavy() -> Patch<DVec3> {
+        let mut points = [DVec3::ZERO; 16];
+        for (k, point) in points.iter_mut().enumerate() {
+            let (i, j) = ((k / 4) as f64, (k % 4) as f64);
+            *point = DVec3::new(i + 0.1 * j * j, j - 0.2 * i * j, (i * 1.3 + j * 0.7).sin());
+        }
+        Patch { points }
+    }
+
+    #[test]
+    fn derivatives_agree_with_differences() {
+        let patch = wavy();
+        let h = 1e-5;
+        for (u, v) in [(0.2, 0.3), (0.5, 0.9), (0.0001, 0.7), (0.99, 0.01)] {
+            let jet = patch.jet(u, v);
+            let along_u = (patch.at(u + h, v) - patch.at(u - h, v)) / (2.0 * h);
+            let along_v = (patch.at(u, v + h) - patch.at(u, v - h)) / (2.0 * h);
+            assert!(jet.point.distance(patch.at(u, v)) < 1e-14);
+            assert!(jet.along_u.distance(along_u) < 1e-8 && jet.along_v.distance(along_v) < 1e-8);
+        }
+    }
+
+    #[test]
+    fn a_quarter_is_the_patch_over_a_quarter_of_its_domain() {
+        let patch = wavy();
+        for (k, quarter) in patch.quarters().iter().enumerate() {
+            let (u, v) = (0.3, 0.8);
+            let whole = patch.at((u + (k / 2) as f64) / 2.0, (v + (k % 2) as f64) / 2.0);
+            assert!(quarter.at(u, v).distance(whole) < 1e-14);
+        }
+        let curve = [patch.points[0], patch.points[1], patch.points[2], patch.points[3]];
+        assert!(on_curve(halves(curve)[1], 0.5).distance(on_curve(curve, 0.75)) < 1e-15);
+    }
+}

@@ -1,0 +1,195 @@
+//! A ray and a Bézier patch.
+//!
+//! Seen along the ray the patch is a map from (u, v) to the plane, with the ray at the plane's origin; where the map is
+//! zero, they meet. The control points, projected too, bound the map and its derivatives. A cell of the patch is
+//!
+//! - dropped if its control points leave the origin outside their box;
+//! - solved by Newton's iteration if its derivatives cannot make the Jacobian vanish, so that it meets the ray once at
+//!   most (the mean value theorem, with the derivatives in a regular interval matrix);
+//! - halved otherwise, across its greater extent in the plane. That happens only about the outline, where the ray grazes,
+//!   and about a pole, where it peels off rings: to halve round the pole would not separate anything.
+
+use crate::geometry::bezier::Patch;
+use glam::DVec2;
+
+/// Beyond its edge by so much of its size a cell still meets the ray, so that rounding opens no crack between cells.
+const EDGE: f64 = 1e-9;
+
+/// A cell that is no larger than this in the plane, in world units, is a point.
+const POINT: f64 = 1e-11;
+
+/// Cells looked at before a patch is given up: far beyond what grazing needs, it only bounds the time.
+const MOST_CELLS: u32 = 4096;
+
+/// Reports every (u, v) at which a patch, projected along the ray to the plane with the ray at its origin, meets the ray.
+pub fn meet(patch: &Patch<DVec2>, mut found: impl FnMut(f64, f64)) {
+    let mut search = Search { cells: 0, found: &mut found };
+    search.cell(patch, DVec2::ZERO, DVec2::ONE);
+}
+
+struct Search<'a> {
+    cells: u32,
+    found: &'a mut dyn FnMut(f64, f64),
+}
+
+/// What Newton's iteration came to.
+enum Newton {
+    Root(DVec2),
+    Elsewhere,
+    Undecided,
+}
+
+impl Search<'_> {
+    /// Searches the cell with lowest (u, v) = `corner` and of the given size in the parameters.
+    fn cell(&mut self, patch: &Patch<DVec2>, corner: DVec2, size: DVec2) {
+        self.cells += 1;
+        let (low, high) = bounds(patch.points.into_iter());
+        if self.cells > MOST_CELLS || !holds_origin(low, high) {
+            return;
+        }
+        if (high - low).max_element() <= POINT {
+            return self.report(corner + 0.5 * size);
+        }
+        let slopes = Slopes::of(patch);
+        let outcome = if slopes.may_fold() { Newton::Undecided } else { newton(patch) };
+        match outcome {
+            Newton::Root(uv) => self.report(corner + size * uv),
+            Newton::Elsewhere => {}
+            Newton::Undecided => {
+                let (axis, parts) = if slopes.u_is_longer() {
+                    (DVec2::X, patch.halves_in_u())
+                } else {
+                    (DVec2::Y, patch.halves_in_v())
+                };
+                let half = size - 0.5 * size * axis;
+                self.cell(&parts[0], corner, half);
+                self.cell(&parts[1], corner + half * axis, half);
+            }
+        }
+    }
+
+    fn report(&mut self, uv: DVec2) {
+        let uv = uv.clamp(DVec2::ZERO, DVec2::ONE);
+        (self.found)(uv.x, uv.y);
+    }
+}
+
+/// Whether the origin lies in the box round the control points, and so perhaps in the patch.
+fn holds_origin(low: DVec2, high: DVec2) -> bool {
+    /// Rounding of the projection, which must not lose a ray along the edge of two patches.
+    const ROUNDING: f64 = 1e-12;
+    low.max_element() <= ROUNDING && high.min_element() >= -ROUNDING
+}
+
+/// Boxes round the differences of the control points in u and in v: thrice these hold the derivatives.
+struct Slopes {
+    in_u: (DVec2, DVec2),
+    in_v: (DVec2, DVec2),
+}
+
+impl Slopes {
+    fn of(patch: &Patch<DVec2>) -> Self {
+        let p = &patch.points;
+        Self {
+            in_u: bounds((0..12).map(|k| p[k + 4] - p[k])),
+            in_v: bounds((0..16).filter(|k| k % 4 < 3).map(|k| p[k + 1] - p[k])),
+        }
+    }
+
+    /// Whether the Jacobian may vanish.
+    fn may_fold(&self) -> bool {
+        let (u, v) = (&self.in_u, &self.in_v);
+        let (low, high) = product((u.0.x, u.1.x), (v.0.y, v.1.y));
+        let (other_low, other_high) = product((u.0.y, u.1.y), (v.0.x, v.1.x));
+        low - other_high <= 0.0 && high - other_low >= 0.0
+    }
+
+    fn u_is_longer(&self) -> bool {
+        let extent = |bounds: &(DVec2, DVec2)| bounds.0.abs().max(bounds.1.abs()).max_element();
+        extent(&self.in_u) >= extent(&self.in_v)
+    }
+}
+
+fn bounds(vectors: impl Iterator<Item = DVec2>) -> (DVec2, DVec2) {
+    vectors.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+}
+
+/// The product of two intervals.
+fn product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    let products = [a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1];
+    (products.iter().copied().fold(f64::INFINITY, f64::min), products.iter().copied().fold(f64::NEG_INFINITY, f64::max))
+}
+
+/// Newton's iteration from the middle of a cell that cannot fold.
+fn newton(patch: &Patch<DVec2>) -> Newton {
+    const STEPS: usize = 10;
+    /// After a step as short as this the next would be of the order of its square, which is rounding.
+    const CONVERGED: f64 = 1e-8;
+    /// Farther from the middle than this the bounds on the derivatives tell nothing.
+    const STRAYED: f64 = 1.0;
+    let mut uv = DVec2::splat(0.5);
+    for _ in 0..STEPS {
+        let jet = patch.jet(uv.x, uv.y);
+        let step = DVec2::new(jet.point.perp_dot(jet.along_v), jet.along_u.perp_dot(jet.point))
+            / jet.along_u.perp_dot(jet.along_v);
+        uv -= step;
+        let distance = (uv - 0.5).abs().max_element();
+        // Also false where the step is not a number.
+        let near = distance <= STRAYED;
+        if !near {
+            return Newton::Undecided;
+        }
+        if step.abs().max_element() < CONVERGED {
+            return if distance <= 0.5 + EDGE { Newton::Root(uv) } else { Newton::Elsewhere };
+        }
+    }
+    Newton::Undecided
+}
+
+#[cfg(test)]
+mod tests {
+    use super::meet;
+    use crate::geometry::bezier::Patch;
+    use glam::DVec2;
+
+    /// The map (u, v) → (x, y) given at the control points of the polynomials themselves.
+    fn patch(map: impl Fn(f64, f64) -> DVec2) -> Patch<DVec2> {
+        let mut points = [DVec2::ZERO; 16];
+        for (k, point) in points.iter_mut().enumerate() {
+            *point = map((k / 4) as f64 / 3.0, (k % 4) as f64 / 3.0);
+        }
+        Patch { points }
+    }
+
+    fn roots(patch: &Patch<DVec2>) -> Vec<DVec2> {
+        let mut roots = Vec::new();
+        meet(patch, |u, v| roots.push(DVec2::new(u, v)));
+        roots.sort_by(|a, b| a.x.total_cmp(&b.x));
+        roots.dedup_by(|a, b| a.distance(*b) < 1e-6);
+        roots
+    }
+
+    #[test]
+    fn an_affine_patch_is_met_once_or_not_at_all() {
+        let hit = roots(&patch(|u, v| DVec2::new(2.0 * u - 0.6, v - u)));
+        assert!(hit.len() == 1 && hit[0].distance(DVec2::new(0.3, 0.3)) < 1e-12);
+        assert!(roots(&patch(|u, v| DVec2::new(2.0 * u - 0.6, v - u + 0.5))).is_empty());
+    }
+
+    #[test]
+    fn a_folded_patch_is_met_twice() {
+        // x = (u − ½)² − ¹⁄₁₆ vanishes at u = ¼ and ¾: as a cubic Bézier polynomial, by its blossom.
+        let x = [0.1875, -0.145_833_333_333_333_33, -0.145_833_333_333_333_33, 0.1875];
+        let folded = patch(|u, v| DVec2::new(x[(3.0 * u).round() as usize], v - 0.4));
+        let roots = roots(&folded);
+        assert_eq!(roots.len(), 2);
+        assert!(roots[0].distance(DVec2::new(0.25, 0.4)) < 1e-12 && roots[1].distance(DVec2::new(0.75, 0.4)) < 1e-12);
+    }
+
+    #[test]
+    fn a_patch_that_the_ray_runs_in_ends() {
+        let mut found = 0;
+        meet(&patch(|u, _| DVec2::new(0.0, u - 0.5)), |_, _| found += 1);
+        assert!(found < 5000);
+    }
+}

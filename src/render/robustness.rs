@@ -1,0 +1,104 @@
+//! Scenes of ordinary, extreme and special numbers: no panic, and no intensity that is not a finite number.
+
+use super::Renderer;
+use crate::scene::{
+    Attenuation, Backfacing, FlatAt, Interpolation, Light, LightKind, NormalSource, ObjectKind, Overflow, Projection,
+    ReflectionModel, Scene, ShadingMode, Viewer, Weighting,
+};
+use glam::DVec3;
+use proptest::prelude::*;
+
+/// A number of either sign: everyday ones most of the time, the ends of the range sometimes.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        6 => -5.0..5.0f64,
+        1 => Just(0.0),
+        1 => prop_oneof![Just(1e-15), Just(1e-9), Just(1e9), Just(1e15), Just(1e30), Just(-1e30), Just(-1e-30)],
+    ]
+}
+
+fn vector() -> impl Strategy<Value = DVec3> {
+    (number(), number(), number()).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+}
+
+fn exponent() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(0.0), Just(0.3), 1.0..2000.0f64, Just(1e6), Just(1e12), Just(f64::INFINITY)]
+}
+
+fn choice<T: Copy + std::fmt::Debug + 'static>(values: &'static [T]) -> impl Strategy<Value = T> {
+    (0..values.len()).prop_map(move |i| values[i])
+}
+
+fn light() -> impl Strategy<Value = Light> {
+    const KINDS: &[LightKind] = &[LightKind::Point, LightKind::Directional];
+    const ATTENUATIONS: &[Attenuation] = &[
+        Attenuation::None,
+        Attenuation::Viewer,
+        Attenuation::Light,
+        Attenuation::InverseSquare,
+        Attenuation::Quadratic,
+    ];
+    (choice(KINDS), vector(), vector(), vector(), choice(ATTENUATIONS), number(), vector()).prop_map(
+        |(kind, position, direction, color, attenuation, k, c)| {
+            let [c1, c2, c3] = c.abs().to_array();
+            Light { kind, position, direction, color: color.abs(), attenuation, k: k.abs(), c1, c2, c3 }
+        },
+    )
+}
+
+fn scene() -> impl Strategy<Value = Scene> {
+    const KINDS: &[ObjectKind] = &[
+        ObjectKind::Sphere,
+        ObjectKind::Torus,
+        ObjectKind::Cylinder,
+        ObjectKind::Cone,
+        ObjectKind::Cube,
+        ObjectKind::Plane,
+    ];
+    const MODES: &[ShadingMode] =
+        &[ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+    const PLACES: &[FlatAt] = &[FlatAt::Centre, FlatAt::VertexMean, FlatAt::ProvokingVertex];
+    const RULES: &[Interpolation] = &[Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline];
+    const NORMALS: &[NormalSource] = &[NormalSource::Averaged, NormalSource::Exact, NormalSource::Facet];
+    const WEIGHTS: &[Weighting] = &[Weighting::Equal, Weighting::Area, Weighting::Angle];
+    let camera = (vector(), vector(), vector(), any::<bool>(), 1.0..170.0f64, number(), any::<bool>());
+    let object = (choice(KINDS), 3..9u32, 3..7u32, choice(NORMALS), choice(WEIGHTS));
+    let material = (vector(), vector(), vector(), exponent(), any::<bool>(), any::<bool>());
+    let shading = (choice(MODES), choice(PLACES), choice(RULES), any::<bool>());
+    let lights = prop::collection::vec(light(), 0..4);
+    (camera, object, material, shading, lights).prop_map(|(camera, object, material, shading, lights)| {
+        let mut scene = Scene::default();
+        scene.image.size = [16, 16];
+        (scene.camera.eye, scene.camera.target, scene.camera.up) = (camera.0, camera.1, camera.2);
+        scene.camera.projection = if camera.3 { Projection::Perspective } else { Projection::Orthographic };
+        scene.camera.fov_y = camera.4;
+        scene.camera.height = camera.5.abs();
+        scene.camera.viewer = if camera.6 { Viewer::Local } else { Viewer::Infinite };
+        (scene.object.kind, scene.object.segments, scene.object.rings) = (object.0, object.1, object.2);
+        (scene.object.normals, scene.object.weighting) = (object.3, object.4);
+        (scene.material.ka, scene.material.kd, scene.material.ks) =
+            (material.0.abs(), material.1.abs(), material.2.abs());
+        scene.material.n = material.3;
+        scene.reflection.model = if material.4 { ReflectionModel::Phong } else { ReflectionModel::Blinn };
+        scene.reflection.backfacing = if material.5 { Backfacing::Clamp } else { Backfacing::Flip };
+        (scene.shading.mode, scene.shading.flat_at) = (shading.0, shading.1);
+        (scene.shading.interpolation, scene.shading.renormalise) = (shading.2, shading.3);
+        // The policy that keeps the picture as it was before the display.
+        scene.display.overflow = Overflow::Scale;
+        scene.lights = lights;
+        scene
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 3000, max_global_rejects: 200_000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn every_accepted_scene_is_drawn_in_finite_numbers(scene in scene()) {
+        prop_assume!(scene.validate().is_ok());
+        let mut renderer = Renderer::default();
+        renderer.render(&scene);
+        let finite = renderer.linear().iter().flatten().all(|v| v.is_finite());
+        prop_assert!(finite, "{}", scene.to_toml());
+    }
+}

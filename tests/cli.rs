@@ -1,0 +1,459 @@
+//! The program as a script sees it: what it prints, what it writes, and how it ends.
+
+use serde_json::Value;
+use shading_lab::scene::{Scene, ShadingMode, presets};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A folder of a test's own, in which the program runs; removed at its end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-{name}"));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).expect("a folder");
+        Self(path)
+    }
+
+    fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        fs::write(self.0.join(name), content).expect("a file");
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).expect("a folder");
+        let mut names: Vec<_> =
+            entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+
+    fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_shading-lab"));
+        command.current_dir(&self.0).args(arguments).stdin(Stdio::null());
+        command
+    }
+
+    fn run(&self, arguments: &[&str]) -> Output {
+        self.command(arguments).output().expect("the program")
+    }
+
+    /// What a run prints that ends well.
+    #[track_caller]
+    fn prints(&self, arguments: &[&str]) -> String {
+        let output = self.run(arguments);
+        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""), "{arguments:?}");
+        String::from_utf8(output.stdout).expect("UTF-8")
+    }
+
+    #[track_caller]
+    fn json(&self, arguments: &[&str]) -> Value {
+        serde_json::from_str(&self.prints(arguments)).expect("JSON")
+    }
+
+    /// A run that ends with `status`, says exactly `errors` on stderr and nothing on stdout.
+    #[track_caller]
+    fn fails(&self, arguments: &[&str], status: i32, errors: &[&str]) {
+        let output = self.run(arguments);
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(text.lines().collect::<Vec<_>>(), errors, "{arguments:?}");
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}");
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+    }
+
+    /// A run that the reading of the arguments refuses.
+    #[track_caller]
+    fn refuses(&self, arguments: &[&str], expected: &str) {
+        let output = self.run(arguments);
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {text}");
+        assert!(text.starts_with("error: ") && text.contains(expected), "{arguments:?}: {text}");
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+fn size_of(png: &Path) -> (u32, u32) {
+    let file = std::io::BufReader::new(fs::File::open(png).expect("a picture"));
+    let reader = png::Decoder::new(file).read_info().expect("a header");
+    reader.info().size()
+}
+
+fn pixels_of(png: &Path) -> Vec<u8> {
+    let file = std::io::BufReader::new(fs::File::open(png).expect("a picture"));
+    let mut reader = png::Decoder::new(file).read_info().expect("a header");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("a small picture")];
+    reader.next_frame(&mut pixels).expect("pixels");
+    pixels
+}
+
+#[test]
+fn every_built_in_scene_is_listed_and_drawn() {
+    let folder = Folder::new("scenes");
+    let listed = folder.prints(&["scenes"]);
+    let json = folder.json(&["scenes", "--json"]);
+    assert_eq!(listed.lines().count(), presets::ALL.len());
+    for (i, preset) in presets::ALL.iter().enumerate() {
+        assert!(listed.lines().any(|line| line.starts_with(preset.name) && line.ends_with(preset.description)));
+        assert_eq!(json["scenes"][i]["name"], preset.name);
+        assert_eq!(json["scenes"][i]["title"], preset.title);
+        folder.prints(&["render", preset.name, "-o", "a.png", "--size", "48x32"]);
+        assert_eq!(size_of(&folder.0.join("a.png")), (48, 32), "{}", preset.name);
+        let pixels = pixels_of(&folder.0.join("a.png"));
+        let background = &pixels[..3];
+        assert!(pixels.chunks(3).any(|pixel| pixel != background), "{} shows nothing", preset.name);
+    }
+}
+
+#[test]
+fn a_picture_restores_its_scene() {
+    let folder = Folder::new("restore");
+    folder.prints(&["render", "torus", "-o", "a.png", "--set", "material.n=7.25", "--size", "60x40"]);
+    folder.prints(&["render", "a.png", "-o", "b.png"]);
+    let (a, b) = (folder.0.join("a.png"), folder.0.join("b.png"));
+    assert_eq!(fs::read(&a).expect("a picture"), fs::read(&b).expect("a picture"));
+    let loaded = shading_lab::document::load(&a).expect("a scene");
+    let mut expected = (presets::find("torus").expect("a scene").build)();
+    expected.material.n = 7.25;
+    expected.image.size = [60, 40];
+    assert_eq!(loaded.scene, expected);
+    assert_eq!(loaded.name, "a.png");
+    assert_eq!(folder.names(), ["a.png", "b.png"]);
+}
+
+#[test]
+fn a_picture_finds_its_model_again_from_elsewhere() {
+    let folder = Folder::new("model");
+    fs::create_dir_all(folder.0.join("models")).expect("a folder");
+    folder.write("models/t.obj", TRIANGLE);
+    folder.write("models/s.toml", "object = {kind = 'obj', path = 't.obj', fit = true}\nimage.size = [40, 40]\n");
+    folder.prints(&["render", "models/s.toml", "-o", "a.png"]);
+    folder.prints(&["render", "--size", "40x40", "-o", "b.png", "--set", "object={kind='obj', path='models/t.obj'}"]);
+    let overridden = shading_lab::document::load(&folder.0.join("b.png")).expect("a scene");
+    assert_eq!(overridden.scene.object.path, Some(folder.0.join("models/t.obj")));
+    let elsewhere = Folder::new("model-elsewhere");
+    let picture = folder.0.join("a.png");
+    elsewhere.prints(&["render", picture.to_str().expect("Unicode"), "-o", "b.png"]);
+    assert_eq!(fs::read(&picture).expect("a picture"), fs::read(elsewhere.0.join("b.png")).expect("a picture"));
+    assert!(folder.prints(&["check", "models/t.obj"]).starts_with("models/t.obj: ok (Obj, 1 polygons"));
+    fs::remove_file(folder.0.join("models/t.obj")).expect("a file");
+    folder.fails(&["check", "models/s.toml"], 2, &["error: models/t.obj: no such file, expected an OBJ model"]);
+    let model = folder.0.join("models/t.obj");
+    let expected = format!("error: {}: no such file, expected an OBJ model", model.display());
+    folder.fails(&["check", "a.png"], 2, &[&expected]);
+}
+
+#[test]
+fn what_is_wrong_with_a_file_is_named_with_its_line() {
+    let folder = Folder::new("check");
+    folder.write("bad.toml", "[camera]\nfov_y = 400\nlens = 1\n[material]\nn = -1\n");
+    folder.write("latin.toml", b"version = 1\n# caf\xe9\n");
+    folder.write("model.toml", "\n[object]\nkind = 'obj'\n");
+    folder.write("plain.png", b"\x89PNG\r\n\x1a\n");
+    folder.write("notes.txt", "");
+    folder.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n");
+    folder.write("empty.obj", "");
+    fs::create_dir_all(folder.0.join("folder.toml")).expect("a folder");
+    fs::create_dir_all(folder.0.join("folder")).expect("a folder");
+    let bad: &[&str] = &[
+        "error: bad.toml:2: `camera.fov_y` is 400, expected 0.001 to 179 degrees",
+        "error: bad.toml:3: unknown key `camera.lens`, expected one of eye, target, up, projection, fov_y, height, viewer",
+        "error: bad.toml:5: `material.n` is -1, expected 0 or more (inf: a mirror)",
+    ];
+    folder.fails(&["check", "bad.toml"], 2, bad);
+    folder.fails(&["render", "bad.toml", "-o", "a.png"], 2, bad);
+    folder.fails(&["probe", "bad.toml", "--pixel", "1,1"], 2, bad);
+    folder.fails(&["bench", "bad.toml"], 2, bad);
+    folder.fails(&["bad.toml"], 2, bad);
+    for (file, error) in [
+        ("latin.toml", "latin.toml:2: not UTF-8, expected a text"),
+        (
+            "model.toml",
+            "model.toml:2: `object.path` is missing, expected the path of a model since `object.kind` is \"obj\"",
+        ),
+        ("none.toml", "none.toml: no such file, expected a scene file"),
+        ("none.obj", "none.obj: no such file, expected an OBJ model"),
+        ("bad.obj", "bad.obj:3: `x` is not a coordinate"),
+        ("empty.obj", "empty.obj: the file is empty, expected an OBJ model with `v` and `f` lines"),
+        ("none.png", "none.png: no such file, expected a picture"),
+        ("folder.toml", "folder.toml: a directory, expected a scene file"),
+        ("folder", "folder: a directory, expected a .toml, .obj or .png file"),
+        ("notes.txt", "notes.txt: an unknown kind of file, expected .toml, .obj or .png"),
+        (
+            "spere",
+            "spere: no built-in scene of that name, expected a .toml, .obj or .png file or a name \
+             (did you mean sphere?); see `shading-lab scenes`",
+        ),
+        (
+            "zzz",
+            "zzz: no built-in scene of that name, expected a .toml, .obj or .png file or a name; see `shading-lab scenes`",
+        ),
+    ] {
+        folder.fails(&["check", file], 2, &[&format!("error: {error}")]);
+    }
+    let output = folder.run(&["check", "plain.png"]);
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(text.starts_with("error: plain.png: not a sound PNG picture ("), "{text}");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(!folder.names().contains(&"a.png".to_owned()));
+}
+
+#[test]
+fn a_sound_file_is_said_to_be_so() {
+    let folder = Folder::new("sound");
+    folder.write("s.toml", Scene::default().to_toml());
+    assert_eq!(folder.prints(&["check", "s.toml"]), "s.toml: ok (Sphere, 1 light, Phong shading, 768×768)\n");
+    folder.prints(&["render", "cube", "-o", "p.png", "--size", "8x8"]);
+    assert!(folder.prints(&["check", "p.png"]).starts_with("p.png: ok (Cube"));
+}
+
+#[test]
+fn an_override_is_taken_before_and_after_the_command() {
+    let folder = Folder::new("set");
+    folder.prints(&[
+        "--set",
+        "material.n=3",
+        "render",
+        "sphere",
+        "--set",
+        "shading.mode=flat",
+        "-o",
+        "a.png",
+        "--size",
+        "9x9",
+    ]);
+    let scene = shading_lab::document::load(&folder.0.join("a.png")).expect("a scene").scene;
+    assert_eq!((scene.material.n, scene.shading.mode), (3.0, ShadingMode::Flat));
+    folder.fails(
+        &["render", "sphere", "-o", "b.png", "--set", "material.n=abc"],
+        2,
+        &["error: --set material.n=abc: `material.n` is \"abc\", expected a number"],
+    );
+    folder.fails(
+        &["probe", "sphere", "--pixel", "1,1", "--set", "object.rings=1", "--set", "camera.fov_y=0"],
+        2,
+        &[
+            "error: --set camera.fov_y=0: `camera.fov_y` is 0, expected 0.001 to 179 degrees",
+            "error: --set object.rings=1: `object.rings` is 1, expected 2 to 4096",
+        ],
+    );
+    folder.fails(&["--set", "material.n=1", "scenes"], 2, &["error: --set without a scene, expected `scenes` alone"]);
+    folder.fails(
+        &["sphere", "scenes"],
+        2,
+        &["error: a scene before the command, expected it after: shading-lab COMMAND SCENE"],
+    );
+}
+
+#[test]
+fn arguments_that_make_no_sense_are_refused() {
+    let folder = Folder::new("usage");
+    for (arguments, expected) in [
+        (&["render", "sphere"][..], "--output"),
+        (&["render", "sphere", "-o", "a.jpg"], "expected a name that ends in .png"),
+        (&["render", "sphere", "-o", "a.png", "--size", "0x10"], "expected WIDTHxHEIGHT"),
+        (&["render", "sphere", "-o", "a.png", "--size", "16384x16384"], "at most 134217728 pixels"),
+        (&["render", "sphere", "-o", "a.png", "--samples", "0"], "0 is not in 1..=4096"),
+        (&["render", "sphere", "-o", "a.png", "--overlay", "vector"], "did you mean vectors?"),
+        (&["render", "sphere", "-o", "a.png", "--overlay", "vectors=1"], "expected X,Y"),
+        (&["probe", "sphere"], "--pixel"),
+        (&["probe", "sphere", "--pixel", "-1,2"], "expected X,Y"),
+        (&["bench", "sphere", "--frames", "0"], "0 is not in 1..=100000"),
+        (&["bench", "sphere", "--threads", "0"], "0 is not in 1..=1024"),
+        (&["check"], "FILE"),
+        (&["--nonsense"], "--nonsense"),
+    ] {
+        folder.refuses(arguments, expected);
+    }
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn a_target_that_cannot_be_written_is_a_failure_and_leaves_nothing() {
+    let folder = Folder::new("target");
+    fs::create_dir_all(folder.0.join("d.png")).expect("a folder");
+    folder.fails(
+        &["render", "sphere", "-o", "no/such/a.png", "--size", "8x8"],
+        1,
+        &["error: no/such/a.png: its folder does not exist, expected a file in an existing folder"],
+    );
+    folder.fails(
+        &["render", "sphere", "-o", "d.png", "--size", "8x8"],
+        1,
+        &["error: d.png: a directory, expected a file to write"],
+    );
+    assert_eq!(folder.names(), ["d.png"]);
+    if cfg!(target_os = "linux") {
+        // No file can be made there, not even by the superuser.
+        let output = folder.run(&["render", "sphere", "-o", "/proc/a.png", "--size", "8x8"]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(String::from_utf8_lossy(&output.stderr).starts_with("error: /proc/a.png: cannot be written ("));
+        assert_eq!(folder.run(&["render", "sphere", "-o", "/dev/full", "--size", "8x8"]).status.code(), Some(1));
+        assert_eq!(folder.run(&["render", "sphere", "-o", "/dev/null", "--size", "8x8"]).status.code(), Some(0));
+    }
+}
+
+#[test]
+fn samples_soften_the_outline_only() {
+    let folder = Folder::new("samples");
+    for (samples, name) in [("1", "a.png"), ("16", "b.png")] {
+        let set = "--set=material={ka=1, kd=0, ks=0, color=[1,1,1]}";
+        folder.prints(&["render", "sphere", "-o", name, "--size", "40x40", "--samples", samples, set]);
+    }
+    let values = |name| {
+        let mut values = pixels_of(&folder.0.join(name));
+        values.sort_unstable();
+        values.dedup();
+        values.len()
+    };
+    // The background has three values, the white sphere one more.
+    assert_eq!(values("a.png"), 4);
+    assert!(values("b.png") > 10);
+}
+
+#[test]
+fn overlays_are_drawn_where_they_can_be() {
+    let folder = Folder::new("overlay");
+    let render = |name: &str, more: &[&str]| {
+        let mut arguments = vec!["render", "sphere", "--size", "200x200", "-o", name];
+        arguments.extend(more);
+        folder.prints(&arguments);
+        pixels_of(&folder.0.join(name))
+    };
+    let plain = render("plain.png", &[]);
+    let vectors = render("vectors.png", &["--overlay", "vectors=100,80,angles"]);
+    let elsewhere = render("elsewhere.png", &["--overlay", "vectors=120,120,angles"]);
+    let lights = render("lights.png", &["--overlay", "lights"]);
+    assert!(plain != vectors && plain != lights && vectors != elsewhere);
+    // The scene inside knows nothing of them.
+    assert_eq!(render("again.png", &["--set", "version=1"]), plain);
+    folder.prints(&["render", "vectors.png", "-o", "restored.png"]);
+    assert_eq!(pixels_of(&folder.0.join("restored.png")), plain);
+    folder.fails(
+        &["render", "sphere", "-o", "x.png", "--overlay", "vectors=0,0"],
+        2,
+        &["error: --overlay 0,0: the background, expected a pixel that shows the object"],
+    );
+    folder.fails(
+        &["render", "sphere", "-o", "x.png", "--size", "9x9", "--overlay", "vectors=9,0"],
+        2,
+        &["error: --overlay 9,0: outside the picture, expected 0,0 to 8,8"],
+    );
+}
+
+fn vector(value: &Value) -> [f64; 3] {
+    let numbers = value.as_array().expect("a list").iter().map(|x| x.as_f64().expect("a number"));
+    numbers.collect::<Vec<_>>().try_into().expect("three numbers")
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+#[test]
+fn a_probe_adds_up_to_its_pixel() {
+    let folder = Folder::new("probe");
+    for mode in ["flat", "interpolated", "gouraud", "phong", "exact"] {
+        let set = format!("shading.mode={mode}");
+        let probe = folder.json(&["probe", "three-lights", "--pixel", "384,500", "--set", &set, "--json"]);
+        assert_eq!(probe["pixel"], serde_json::json!([384, 500]));
+        let lights = probe["lights"].as_array().expect("a list");
+        assert_eq!(lights.len(), 3);
+        let (ambient, sum) = (vector(&probe["ambient"]), vector(&probe["sum"]));
+        for channel in 0..3 {
+            let terms =
+                lights.iter().map(|light| vector(&light["diffuse"])[channel] + vector(&light["specular"])[channel]);
+            let total = ambient[channel] + terms.sum::<f64>();
+            assert!((total - sum[channel]).abs() < 1e-9, "{mode}: {total} {}", sum[channel]);
+            let stored = probe["stored"][channel].as_f64().expect("a number");
+            assert!((255.0 * sum[channel].min(1.0) - stored).abs() <= 0.51, "{mode}: {stored}");
+        }
+        let (normal, view) = (vector(&probe["normal"]), vector(&probe["view"]));
+        for light in lights {
+            let l = vector(&light["l"]);
+            assert_eq!(light["kind"], "point");
+            assert!((light["n_dot_l"].as_f64().expect("a number") - dot(normal, l)).abs() < 1e-9);
+            let cosine = dot(normal, l) / dot(normal, normal).sqrt();
+            let theta = light["theta"].as_f64().expect("degrees").to_radians().cos();
+            let phi = light["phi"].as_f64().expect("degrees").to_radians().cos();
+            assert!((theta - cosine).abs() < 1e-6, "{mode}");
+            assert!((phi - dot(vector(&light["r"]), view)).abs() < 1e-3, "{mode}");
+        }
+        for key in ["position", "depth", "face"] {
+            assert!(!probe[key].is_null() || (mode, key) == ("exact", "face"), "{mode} {key}");
+        }
+    }
+    assert_eq!(
+        folder.json(&["probe", "sphere", "--pixel", "0,0", "--json"]),
+        serde_json::json!({"pixel": [0, 0], "hit": false})
+    );
+    assert_eq!(folder.prints(&["probe", "sphere", "--pixel", "0,0"]), "pixel (0, 0) shows the background\n");
+    folder.fails(
+        &["probe", "sphere", "--pixel", "768,0"],
+        2,
+        &["error: --pixel 768,0: outside the picture, expected 0,0 to 767,767"],
+    );
+}
+
+#[test]
+fn a_probe_in_words_has_the_numbers_of_the_probe_in_json() {
+    let folder = Folder::new("probe-text");
+    for scene in ["sphere", "blinn", "infinite", "attenuation", "highlight", "flat-facets"] {
+        let arguments = ["probe", scene, "--pixel", "384,384"];
+        let text = folder.prints(&arguments);
+        let probe = folder.json(&[&arguments[..], &["--json"]].concat());
+        for (channel, name) in ["red", "green", "blue"].iter().enumerate() {
+            let sum = vector(&probe["sum"])[channel];
+            let stored = probe["stored"][channel].as_u64().expect("a code value");
+            let expected = format!("  {name:6}{sum:10.4}  -> {stored:>3}");
+            assert!(text.lines().any(|line| line == expected), "{scene}: {expected}\n{text}");
+        }
+        let ambient = vector(&probe["ambient"])[0];
+        let expected = format!(" = {ambient:10.4}");
+        assert!(text.lines().any(|line| line.starts_with("  red ") && line.ends_with(&expected)), "{scene}\n{text}");
+    }
+}
+
+#[test]
+fn a_benchmark_names_every_figure() {
+    let folder = Folder::new("bench");
+    let bench = folder.json(&["bench", "sphere", "--frames", "3", "--threads", "2", "--size", "64x48", "--json"]);
+    assert_eq!(bench["threads"], 2);
+    assert_eq!(bench["size"], serde_json::json!([64, 48]));
+    assert_eq!(bench["triangles"], 2 * 192 * 95);
+    assert!(bench["full"]["median_ms"].as_f64().expect("a time") > 0.0);
+    for change in ["light", "n", "ka", "camera"] {
+        assert!(bench["changes"][change]["median_ms"].as_f64().expect("a time") > 0.0, "{change}");
+    }
+    let stages = bench["stages"].as_object().expect("stages");
+    for stage in ["geometry", "transform", "coverage", "pixel-shading", "display"] {
+        assert!(stages[stage]["median_ms"].is_number(), "{stage}");
+    }
+    let dark = folder.json(&["bench", "sphere", "--frames", "1", "--size", "8x8", "--set", "light=[]", "--json"]);
+    assert!(dark["changes"]["light"]["median_ms"].is_null());
+    let text = folder.prints(&["bench", "cube", "--frames", "1", "--size", "8x8"]);
+    assert!(text.contains("everything") && text.contains("camera"), "{text}");
+}
+
+#[test]
+fn an_output_that_nobody_reads_is_no_failure() {
+    let folder = Folder::new("pipe");
+    let mut child = folder
+        .command(&["probe", "sphere", "--pixel", "384,384", "--json"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("an end");
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    assert_eq!(output.status.code(), Some(0));
+}

@@ -1,0 +1,143 @@
+//! A change re-runs only the stages that read it, and what is kept shows the same picture as what is drawn anew.
+
+use fearless_simd::Level;
+use shading_lab::render::{Renderer, Stage};
+use shading_lab::scene::{Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer, presets};
+
+const MODES: [ShadingMode; 5] =
+    [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+
+fn scene(mode: ShadingMode) -> Scene {
+    let mut scene = Scene::default();
+    scene.image.size = [160, 120];
+    scene.shading.mode = mode;
+    scene
+}
+
+fn ran(renderer: &Renderer) -> Vec<Stage> {
+    renderer.report().stages.iter().filter(|run| run.ran).map(|run| run.stage).collect()
+}
+
+#[test]
+fn nothing_moved_nothing_runs() {
+    for mode in MODES {
+        let mut renderer = Renderer::default();
+        renderer.render(&scene(mode));
+        renderer.render(&scene(mode));
+        assert_eq!(ran(&renderer), [], "{mode:?}");
+    }
+}
+
+#[test]
+fn a_light_or_an_exponent_touches_neither_geometry_nor_coverage() {
+    for mode in MODES {
+        let mut renderer = Renderer::default();
+        let mut scene = scene(mode);
+        renderer.render(&scene);
+        scene.lights[0].position.x -= 1.0;
+        renderer.render(&scene);
+        let expected: &[Stage] = match mode {
+            ShadingMode::Flat => &[Stage::VertexShading, Stage::Display],
+            ShadingMode::Interpolated | ShadingMode::Gouraud => {
+                &[Stage::VertexShading, Stage::Interpolation, Stage::Display]
+            }
+            ShadingMode::Phong | ShadingMode::Exact => &[Stage::PixelShading, Stage::Display],
+        };
+        assert_eq!(ran(&renderer), expected, "light, {mode:?}");
+        scene.material.n = 7.0;
+        renderer.render(&scene);
+        assert_eq!(ran(&renderer), expected, "exponent, {mode:?}");
+    }
+}
+
+#[test]
+fn the_camera_leaves_the_geometry_alone() {
+    let mut renderer = Renderer::default();
+    let mut scene = scene(ShadingMode::Phong);
+    renderer.render(&scene);
+    scene.camera.eye.x += 1.0;
+    renderer.render(&scene);
+    assert!(!ran(&renderer).contains(&Stage::Geometry));
+    assert!(ran(&renderer).contains(&Stage::Coverage));
+}
+
+/// Changes of every kind, one after another, against a renderer that has never seen the scene before.
+#[test]
+fn what_is_kept_is_what_would_be_drawn() {
+    type Change = (&'static str, fn(&mut Scene));
+    let changes: [Change; 16] = [
+        ("light", |s| s.lights[0].position.x = -1.0),
+        ("gouraud", |s| s.shading.mode = ShadingMode::Gouraud),
+        ("kd", |s| s.material.kd *= 0.5),
+        ("flat", |s| s.shading.mode = ShadingMode::Flat),
+        ("n", |s| s.material.n = 100.0),
+        ("camera", |s| s.camera.eye.y = 2.0),
+        ("torus", |s| s.object.kind = ObjectKind::Torus),
+        ("phong", |s| s.shading.mode = ShadingMode::Phong),
+        ("affine", |s| s.shading.interpolation = Interpolation::Affine),
+        ("no renormalisation", |s| s.shading.renormalise = false),
+        ("scan line", |s| s.shading.interpolation = Interpolation::Scanline),
+        ("exact", |s| s.shading.mode = ShadingMode::Exact),
+        ("size", |s| s.image.size = [121, 77]),
+        ("background", |s| s.image.background.y = 0.5),
+        ("mark", |s| s.display.overflow = shading_lab::scene::Overflow::Mark),
+        ("srgb", |s| {
+            s.display = shading_lab::scene::Display {
+                overflow: shading_lab::scene::Overflow::Clamp,
+                encoding: shading_lab::scene::Encoding::Srgb,
+            }
+        }),
+    ];
+    let mut renderer = Renderer::default();
+    let mut scene = scene(ShadingMode::Phong);
+    for (name, change) in changes {
+        change(&mut scene);
+        let kept = renderer.render(&scene).clone();
+        let fresh = Renderer::default().render(&scene).clone();
+        assert!(kept.pixels == fresh.pixels, "after the change of {name}");
+    }
+}
+
+/// The levels of this machine, best first.
+fn levels() -> Vec<Level> {
+    let best = Level::new();
+    let mut levels = vec![best, Level::baseline()];
+    #[cfg(target_arch = "x86_64")]
+    {
+        levels.extend(best.as_avx2().map(Level::Avx2));
+        levels.extend(best.as_sse4_2().map(Level::Sse4_2));
+    }
+    levels
+}
+
+#[test]
+fn every_level_and_any_number_of_threads_draw_the_same() {
+    for preset in presets::ALL {
+        let mut scene = (preset.build)();
+        scene.image.size = [150, 150];
+        let reference = Renderer::default().render(&scene).clone();
+        for level in levels() {
+            let picture = Renderer::default().with_level(level).render(&scene).clone();
+            let worst = reference.pixels.as_flattened().iter().zip(picture.pixels.as_flattened());
+            let worst = worst.map(|(a, b)| a.abs_diff(*b)).max();
+            assert!(worst <= Some(1), "{}: {level:?} differs by {worst:?}", preset.name);
+        }
+        for threads in [1, 2, 3, 8] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
+            let picture = pool.install(|| Renderer::default().render(&scene).clone());
+            assert!(picture.pixels == reference.pixels, "{}: {threads} threads", preset.name);
+        }
+    }
+}
+
+#[test]
+fn an_infinite_viewer_and_far_lights_change_the_picture() {
+    let mut renderer = Renderer::default();
+    let mut scene = scene(ShadingMode::Phong);
+    let local = renderer.render(&scene).clone();
+    scene.camera.viewer = Viewer::Infinite;
+    let infinite = renderer.render(&scene).clone();
+    assert!(local.pixels != infinite.pixels);
+    scene.reflection.model = ReflectionModel::Blinn;
+    assert!(renderer.render(&scene).pixels != infinite.pixels);
+}
