@@ -179,7 +179,8 @@ fn median_ms(times: &mut [u64]) -> f64 {
     times.sort_unstable();
     let middle = times.len() / 2;
     let upper = times.get(middle).copied().unwrap_or(0);
-    let lower = if times.len() % 2 == 0 { middle.checked_sub(1).and_then(|i| times.get(i)).copied() } else { None };
+    let lower =
+        if times.len().is_multiple_of(2) { middle.checked_sub(1).and_then(|i| times.get(i)).copied() } else { None };
     (lower.unwrap_or(upper) as f64 + upper as f64) / 2.0 * 1e-6
 }
 
