@@ -25,8 +25,9 @@ mod state;
 mod symbol;
 mod theme;
 
+pub use document::{Document, Origin};
 pub use start::{AppError, run};
-pub use state::AppState;
+pub use state::{AppState, Look, OverlayLook, ProbePoint};
 
 use crate::document::Loaded;
 use crate::figure::draw_overlay;
@@ -34,7 +35,6 @@ use crate::render::Frame;
 use crate::scene::presets;
 use action::{Action, Shown};
 use dialog::{Dialog, ExportForm};
-use document::{Document, Origin};
 use eframe::egui::{CentralPanel, ColorImage, Context, Frame as Margins, Panel, Ui, ViewportCommand};
 use engine::Engine;
 use files::Files;

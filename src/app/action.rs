@@ -103,7 +103,10 @@ impl AppState {
             Action::OrdinarySize => self.look.scale = 1.0,
             Action::Projector => {
                 let large = PROJECTOR_TEXT / TEXT;
-                self.look.scale = if self.look.scale < large - 0.01 { large } else { 1.0 };
+                let enter = self.look.scale < large - 0.01;
+                self.look.scale = if enter { large } else { 1.0 };
+                // Large type leaves no room for the picture between two panels; F5 brings the numbers back.
+                self.look.numbers = !enter;
             }
             other => return Some(other),
         }

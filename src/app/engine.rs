@@ -27,6 +27,7 @@ struct Overlay {
     look: OverlayLook,
     light: usize,
     dark: bool,
+    scale: f32,
 }
 
 impl Default for Engine {
@@ -93,19 +94,20 @@ impl Engine {
     fn draw_overlay(&mut self, ctx: &Context, state: &AppState, reprobed: bool) {
         let look = &state.look.overlay;
         let dark = is_dark(&state.document.scene);
-        let kept = self
-            .overlay
-            .as_ref()
-            .is_some_and(|overlay| overlay.look == *look && overlay.light == state.light && overlay.dark == dark);
+        let scale = state.look.scale;
+        let kept = self.overlay.as_ref().is_some_and(|overlay| {
+            overlay.look == *look && overlay.light == state.light && overlay.dark == dark && overlay.scale == scale
+        });
         if kept && !reprobed {
             return;
         }
-        let options = overlay_options(look, state.light, &state.document.scene);
+        let mut options = overlay_options(look, state.light, &state.document.scene);
+        options.scale = f64::from(scale);
         let (Some((_, probe)), Some(scene)) = (&self.probed, &self.drawn) else { return };
         let Some(image) = overlay_image(scene, probe, &options) else { return };
         let mut texture = self.overlay.take().map(|overlay| overlay.texture);
         upload(ctx, &mut texture, "overlay", image);
-        self.overlay = texture.map(|texture| Overlay { texture, look: look.clone(), light: state.light, dark });
+        self.overlay = texture.map(|texture| Overlay { texture, look: look.clone(), light: state.light, dark, scale });
     }
 
     /// The picture's texture.

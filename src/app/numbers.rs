@@ -63,7 +63,7 @@ fn equation_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit) {
     let model = scene.reflection.model;
     let visuals = ui.visuals().clone();
     let tint = |term| term_text(&visuals, term, model);
-    Grid::new("terms").num_columns(4).spacing([10.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
+    Grid::new("terms").num_columns(4).spacing([4.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
         header(ui, ["I =", "red", "green", "blue"]);
         channels(ui, "Ka·Od·Ia", tint(Term::Ambient), hit.ambient);
         let several = hit.lights.len() > 1;
@@ -105,17 +105,17 @@ fn channels(ui: &mut Ui, name: &str, colour: Color32, values: DVec3) {
 
 /// A cell of a table: words at the left, numbers at the right of columns of one width.
 fn cell(ui: &mut Ui, text: RichText, align: Align) {
-    let width = if align == Align::Min { 92.0 } else { 58.0 };
+    let width = if align == Align::Min { 88.0 } else { 66.0 };
     ui.allocate_ui_with_layout(vec2(width, ROW), Layout::top_down(align), |ui| {
         ui.set_min_width(width);
-        ui.add(Label::new(text).truncate().selectable(true));
+        ui.add(Label::new(text).extend().selectable(true));
     });
 }
 
 /// A number with as many digits as fit a column.
 fn number(value: f64) -> String {
     let size = value.abs();
-    if size >= 1e5 || (size > 0.0 && size < 5e-5) {
+    if size >= 1e5 {
         format!("{value:.0e}").replace('-', "−")
     } else if size >= 100.0 {
         format!("{value:.1}").replace('-', "−")
@@ -130,7 +130,7 @@ fn vectors_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit, light: usize) {
     ui.label(RichText::new(title).strong());
     let visuals = ui.visuals().clone();
     let tint = |letter| vector_text(&visuals, letter);
-    Grid::new("vectors").num_columns(4).spacing([10.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
+    Grid::new("vectors").num_columns(4).spacing([4.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
         header(ui, ["", "x", "y", "z"]);
         channels(ui, "point", visuals.text_color(), hit.position);
         channels(ui, "N", tint(Vector::N), hit.normal);
@@ -152,7 +152,7 @@ fn angles_ui(ui: &mut Ui, scene: &Scene, terms: &LightTerms) {
         ReflectionModel::Phong => "φ, R to V",
         ReflectionModel::Blinn => "φ, N to H",
     };
-    Grid::new("angles").num_columns(2).spacing([10.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
+    Grid::new("angles").num_columns(2).spacing([4.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
         let mut line = |name: &str, value: String| {
             cell(ui, RichText::new(name), Align::Min);
             ui.add(Label::new(RichText::new(value).monospace()).selectable(true));

@@ -19,7 +19,9 @@ pub fn stages_ui(ui: &mut Ui, state: &AppState, engine: &Engine) {
         ui.label(RichText::new(format!("{ms:.1} ms")).monospace());
         let words = if evaluations == 1 { "evaluation" } else { "evaluations" };
         ui.label(format!("{} {words}", grouped(evaluations)));
-        ui.label(RichText::new(format!("{} triangles", grouped(report.triangles))).weak());
+        if ui.available_width() > 420.0 {
+            ui.label(RichText::new(format!("{} triangles", grouped(report.triangles))).weak());
+        }
         if report.overflowing > 0 {
             ui.label(format!("{} pixels above 1", grouped(report.overflowing)));
         }

@@ -2,7 +2,8 @@
 
 use eframe::egui::style::{HandleShape, Selection, TextCursorStyle, WidgetVisuals, Widgets};
 use eframe::egui::{
-    Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme, Visuals, vec2,
+    Color32, Context, CornerRadius, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle,
+    Theme, Visuals, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -36,10 +37,19 @@ impl From<ThemeChoice> for eframe::egui::ThemePreference {
 
 /// Gives `ctx` the window's two themes.
 pub fn install(ctx: &Context) {
+    ctx.set_fonts(fonts());
     ctx.set_style_of(Theme::Dark, style(dark_visuals()));
     ctx.set_style_of(Theme::Light, style(light_visuals()));
     // The window has its own commands for this, which remember the size.
     ctx.options_mut(|options| options.zoom_with_keyboard = false);
+}
+
+/// The usual fonts, with the monospaced one behind the proportional one: it has the arrows and the squares.
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::default();
+    let behind = fonts.families.get(&FontFamily::Monospace).cloned().unwrap_or_default();
+    fonts.families.entry(FontFamily::Proportional).or_default().extend(behind);
+    fonts
 }
 
 fn style(visuals: Visuals) -> Style {

@@ -50,7 +50,7 @@ fn chips_ui(ui: &mut Ui, state: &mut AppState) {
             state.ask(Action::AddLight);
         }
         let any = index < state.document.scene.lights.len();
-        if tool(ui, "⧉", "Duplicate this light", any) {
+        if tool(ui, "▫▫", "Duplicate this light", any) {
             state.ask(Action::DuplicateLight(index));
         }
         if tool(ui, "−", "Remove this light", any) {

@@ -122,8 +122,8 @@ fn reflection_ui(ui: &mut Ui, state: &mut AppState) {
         ..About::default()
     };
     let choices = [
-        (ReflectionModel::Phong, "Phong  (R·V)ⁿ", "R is L mirrored at N"),
-        (ReflectionModel::Blinn, "Blinn  (N·H)ⁿ", "H is half-way between L and V"),
+        (ReflectionModel::Phong, "Phong  (R·V)^n", "R is L mirrored at N"),
+        (ReflectionModel::Blinn, "Blinn  (N·H)^n", "H is half-way between L and V"),
     ];
     choice(ui, lit, &about, ReflectionModel::Phong, &choices, &mut scene.reflection.model);
     let about = About {

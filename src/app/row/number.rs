@@ -89,7 +89,8 @@ pub fn coefficient(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, channels: b
 pub fn three_fields(ui: &mut Ui, name: &str, value: &mut Rgb) {
     let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0;
     for (channel, part) in ["red", "green", "blue"].into_iter().zip(value.as_mut()) {
-        field(ui, &format!("{name} {channel}"), part, &Rail::linear(0.0..=1.0), width);
+        let rail = Rail { decimals: 2, ..Rail::linear(0.0..=1.0) };
+        field(ui, &format!("{name} {channel}"), part, &rail, width);
     }
 }
 

@@ -1,0 +1,146 @@
+//! The window without a screen: controls are found by role and name, change the picture, and undo takes that back.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use shading_lab::app::App;
+use shading_lab::document::load;
+use shading_lab::scene::{Scene, ShadingMode};
+use std::path::Path;
+
+fn window(scene: &str) -> Harness<'static, App> {
+    let loaded = load(Path::new(scene)).expect("a built-in scene");
+    let mut harness = Harness::builder().with_size([1280.0, 800.0]).build_eframe(|cc| App::new(cc, loaded));
+    harness.run();
+    harness
+}
+
+fn picture(harness: &Harness<'_, App>) -> Vec<[u8; 4]> {
+    harness.state().frame().pixels.clone()
+}
+
+fn scene<'h>(harness: &'h Harness<'_, App>) -> &'h Scene {
+    &harness.state().state().document.scene
+}
+
+/// Sets a slider by its accessible name, sees the picture change, and takes it back.
+fn slider_changes_the_picture(scene: &str, name: &str, value: f64) {
+    let mut harness = window(scene);
+    let before = picture(&harness);
+    harness.get_by_role_and_label(Role::Slider, name).set_value_accesskit(value);
+    harness.run();
+    assert!(picture(&harness) != before, "{name} = {value} changes nothing in {scene}");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+    assert!(picture(&harness) == before, "undo of {name} does not bring the picture back");
+}
+
+#[test]
+fn every_slider_of_the_material_changes_the_picture() {
+    for (name, value) in [("Ka", 0.6), ("Kd", 0.2), ("Ks", 0.0), ("n", 3.0)] {
+        slider_changes_the_picture("sphere", name, value);
+    }
+}
+
+#[test]
+fn tessellation_changes_the_picture() {
+    slider_changes_the_picture("flat-facets", "Segments", 7.0);
+    slider_changes_the_picture("flat-facets", "Rings", 5.0);
+}
+
+#[test]
+fn keys_choose_the_shading_mode() {
+    let modes = [
+        (Key::Num1, ShadingMode::Flat, true),
+        (Key::Num2, ShadingMode::Interpolated, true),
+        (Key::Num3, ShadingMode::Gouraud, true),
+        (Key::Num5, ShadingMode::Exact, true),
+        (Key::Num6, ShadingMode::Phong, false),
+        (Key::Num4, ShadingMode::Phong, true),
+    ];
+    let mut harness = window("flat-facets");
+    let mut seen = vec![picture(&harness)];
+    for (key, mode, renormalise) in modes {
+        harness.key_press(key);
+        harness.run();
+        assert_eq!((scene(&harness).shading.mode, scene(&harness).shading.renormalise), (mode, renormalise));
+        seen.push(picture(&harness));
+    }
+    seen.sort();
+    seen.dedup();
+    assert!(seen.len() >= 6, "six ways of shading are six pictures, not {}", seen.len());
+}
+
+#[test]
+fn a_number_can_be_infinite() {
+    let mut harness = window("sphere");
+    let before = picture(&harness);
+    harness.get_by_role_and_label(Role::Button, "n infinite").click_accesskit();
+    harness.run();
+    assert_eq!(scene(&harness).material.n, f64::INFINITY);
+    assert!(picture(&harness) != before);
+}
+
+#[test]
+fn lights_are_added_and_removed() {
+    let mut harness = window("sphere");
+    let before = picture(&harness);
+    harness.get_by_role_and_label(Role::Button, "Add a light").click_accesskit();
+    harness.run();
+    assert_eq!(scene(&harness).lights.len(), 2);
+    let lit = picture(&harness);
+    assert!(lit != before, "another light changes the picture");
+    harness.get_by_role_and_label(Role::Button, "Remove this light").click_accesskit();
+    harness.run();
+    assert!(picture(&harness) == before);
+}
+
+#[test]
+fn a_control_without_effect_is_disabled() {
+    let mut harness = window("sphere");
+    harness.get_by_role_and_label(Role::Slider, "Ks").set_value_accesskit(0.0);
+    harness.run();
+    assert!(harness.get_by_role_and_label(Role::Slider, "n").is_disabled(), "n has no effect without Ks");
+}
+
+#[test]
+fn keys_turn_the_camera_and_move_the_probe() {
+    let mut harness = window("sphere");
+    let before = scene(&harness).camera.eye;
+    harness.key_press(Key::D);
+    harness.run();
+    assert!(scene(&harness).camera.eye.distance(before) > 0.1);
+    assert!((scene(&harness).camera.eye.length() - before.length()).abs() < 1e-9, "turning keeps the distance");
+    let probe = harness.state().state().probe;
+    harness.key_press(Key::ArrowLeft);
+    harness.run();
+    assert!(harness.state().state().probe != probe);
+}
+
+#[test]
+fn a_file_that_cannot_be_opened_says_so_and_changes_nothing() {
+    let folder = std::env::temp_dir().join(format!("shading-lab-window-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder for the test");
+    let path = folder.join("broken.toml");
+    std::fs::write(&path, "version = 1\n[material]\nn = -3\n").expect("a file for the test");
+    let mut harness = window("sphere");
+    let before = scene(&harness).clone();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    harness.run();
+    harness.get_by_role_and_label(Role::TextInput, "File").type_text(&path.display().to_string());
+    harness.run();
+    harness.get_by_role_and_label(Role::Button, "Open").click_accesskit();
+    let mut shown = false;
+    for _ in 0..200 {
+        harness.run_ok();
+        shown = harness.query_by_label_contains("broken.toml:3").is_some();
+        if shown {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    std::fs::remove_dir_all(&folder).expect("the test's own folder");
+    assert!(shown, "the dialog names the file and the line");
+    assert!(*scene(&harness) == before, "the scene is left alone");
+}
