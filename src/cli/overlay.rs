@@ -94,7 +94,7 @@ fn nearest_hit(renderer: &mut Renderer, scene: &Scene) -> Probe {
     grid.sort_by_key(distance);
     let mut probes = grid.iter().map(|&[x, y]| probe(renderer, scene, x, y));
     let found = probes.find(|probed| probed.hit.is_some());
-    found.unwrap_or_else(|| Probe { pixel: middle, hit: None })
+    found.unwrap_or(Probe { pixel: middle, hit: None })
 }
 
 #[cfg(test)]
