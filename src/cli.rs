@@ -43,6 +43,10 @@ enum Command {
     /// Read a scene, a model or a picture, and say what is wrong with it.
     Check(check::Check),
     /// Measure the time of a frame, of its stages, and of a frame in which one thing changed.
+    ///
+    /// A frame of `full` is transformed, covered, shaded and displayed anew; the tessellation is kept, as a graphics card
+    /// keeps it in its buffers. In a frame of `changes` one thing differs from the frame before: the place of the first
+    /// light, n, ka, or the eye on an orbit.
     Bench(bench::Bench),
 }
 

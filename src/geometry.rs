@@ -10,6 +10,6 @@ mod topology;
 mod vertex_normals;
 
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
-pub use obj::{ObjCause, ObjError, read_obj};
+pub use obj::{ObjError, read_obj};
 pub use primitives::tessellate;
 pub use surface::{Ray, Surface, SurfaceHit};

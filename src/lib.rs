@@ -1,4 +1,31 @@
+//! An interactive laboratory for local illumination and polygon shading.
+//!
+//! A [`scene::Scene`] says what is drawn; a [`render::Renderer`] draws it with a software rasterizer of its own, in any
+//! shading mode from flat to exact; [`analysis`] says what a picture means in numbers, and [`figure`] draws that over it.
+//!
+//! # Conventions
+//! The world is right-handed with y up; lengths are world units. Angles are degrees in scenes and radians in code.
+//! Intensities are linear, 1 is the display's white. Pictures are stored row by row from the top; the centre of pixel
+//! (x, y) is (x + 0.5, y + 0.5). Vectors are named as in the textbooks: N the surface normal, L towards the light, R its
+//! mirror image at N, V towards the viewer, H half-way between L and V.
+//!
+//! # Example
+//! ```
+//! use shading_lab::render::Renderer;
+//! use shading_lab::scene::{Scene, ShadingMode};
+//!
+//! let mut scene = Scene::default();
+//! scene.image.size = [64, 64];
+//! scene.shading.mode = ShadingMode::Gouraud;
+//! let mut renderer = Renderer::default();
+//! let picture = renderer.render(&scene);
+//! let middle = picture.pixel(32, 32).expect("a pixel inside the picture");
+//! assert!(middle[0] > middle[2], "the sphere is red");
+//! ```
+
 pub mod analysis;
+#[cfg(feature = "app")]
+pub mod app;
 pub mod document;
 pub mod figure;
 pub mod geometry;

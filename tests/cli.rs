@@ -336,6 +336,8 @@ fn overlays_are_drawn_where_they_can_be() {
     let plain = render("plain.png", &[]);
     let vectors = render("vectors.png", &["--overlay", "vectors=100,80,angles"]);
     let elsewhere = render("elsewhere.png", &["--overlay", "vectors=120,120,angles"]);
+    assert_eq!(render("probe.png", &["--overlay", "vectors,angles,probe=100,80"]), vectors);
+    assert_ne!(render("chosen.png", &["--overlay", "vectors,angles"]), plain);
     let lights = render("lights.png", &["--overlay", "lights"]);
     assert!(plain != vectors && plain != lights && vectors != elsewhere);
     // The scene inside knows nothing of them.

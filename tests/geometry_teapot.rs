@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Mesh, Ray, Surface, tessellate};
 use shading_lab::scene::{NormalSource, Object, ObjectKind, Weighting};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 fn mesh(segments: u32, rings: u32) -> Mesh {
     tessellate(&Object { kind: ObjectKind::Teapot, segments, rings, ..Object::default() })
@@ -52,8 +52,7 @@ fn it_has_the_published_size() {
 
 #[test]
 fn neighbouring_patches_share_their_edges_and_only_the_six_openings_are_open() {
-    // With one quad a patch, handle and spout would have two sides that share their edges.
-    for (segments, rings) in [(8, 4), (12, 8), (32, 16), (8, 40)] {
+    for (segments, rings) in [(4, 4), (12, 8), (32, 16), (8, 40)] {
         let mesh = mesh(segments, rings);
         let mut edges: HashMap<(u32, u32), i32> = HashMap::new();
         for f in 0..mesh.face_count() {
@@ -70,7 +69,7 @@ fn neighbouring_patches_share_their_edges_and_only_the_six_openings_are_open() {
         }
         // Inside of the rim, outside of the lid: four patches round. Both ends of handle and spout: two patches round.
         let open = edges.values().filter(|count| **count == 0).count();
-        assert_eq!(open as u32, (2 * 4 + 4 * 2) * (segments / 4), "{segments} × {rings}");
+        assert_eq!(open as u32, 8 * (segments / 4) + 8 * (segments / 4).max(2), "{segments} × {rings}");
         assert!(!mesh.closed && !mesh.clone().with_closedness_detected().closed);
 
         let mut distinct: Vec<[u32; 3]> = mesh.positions.iter().map(|p| p.to_array().map(f32::to_bits)).collect();
@@ -93,7 +92,6 @@ fn all_patches_face_outwards() {
             let (n, centre) = (mesh.face_normal(f), mesh.face_centre(f));
             let outward = match patch {
                 4..12 => n.dot((centre - axis) * DVec3::new(1.0, 0.0, 1.0)) > 0.0,
-                // The lip of the spout, patches 18 and 19, turns inwards.
                 12..18 => n.z.abs() < 0.3 || n.z.signum() == centre.z.signum(),
                 24..28 => n.dot(centre + DVec3::Y - axis) > 0.0,
                 28..32 => n.y < 0.0,
@@ -142,12 +140,27 @@ fn smooth_seams_have_one_vertex_and_averaged_normals_near_the_exact_ones() {
     assert!(far * 20 < mesh.corners.len(), "{far} of {}", mesh.corners.len());
 }
 
+/// The points on edges with a face on one side only.
+fn border(mesh: &Mesh) -> HashSet<u32> {
+    let mut edges = HashSet::new();
+    for f in 0..mesh.face_count() {
+        let face = mesh.face(f);
+        edges.extend((0..face.len()).map(|k| (face[k].position, face[(k + 1) % face.len()].position)));
+    }
+    edges.iter().filter(|(a, b)| !edges.contains(&(*b, *a))).flat_map(|(a, b)| [*a, *b]).collect()
+}
+
 #[test]
 fn a_ray_at_any_point_of_the_pot_meets_it_there() {
     let (mesh, surface) = (mesh(40, 40), surface());
-    let (mut tried, mut missed, mut k) = (0, 0, 0);
+    let border = border(&mesh);
+    let (mut tried, mut k) = (0, 0);
     for corner in &mesh.corners {
         k += 1;
+        // There rounding may take the point off the surface.
+        if border.contains(&corner.position) {
+            continue;
+        }
         let p = mesh.positions[corner.position as usize].as_dvec3();
         let n = mesh.normals[corner.normal as usize].as_dvec3();
         let d = direction(k);
@@ -156,13 +169,13 @@ fn a_ray_at_any_point_of_the_pot_meets_it_there() {
         }
         tried += 1;
         let ray = Ray { origin: p - 3.0 * d, direction: d };
+        let first = surface.intersect(&ray, 0.0).unwrap_or_else(|| panic!("{p} from {d} is missed"));
+        assert!(first.t < 3.0 + 1e-5);
         // Points are rounded to single precision; along the ray that is 10⁻⁷ over the cosine.
-        let hit = surface.intersect(&ray, 3.0 - 1e-5);
-        missed += usize::from(hit.is_none_or(|hit| (hit.t - 3.0).abs() >= 1e-5));
+        let hit = surface.intersect(&ray, 3.0 - 1e-5).unwrap_or_else(|| panic!("{p} from {d} is missed, n {n}"));
+        assert!((hit.t - 3.0).abs() < 1e-5, "{p} from {d}: {}", hit.t);
     }
     assert!(tried > 10_000);
-    // Rounding takes a point of an opening's border off the surface as often as onto it: 40 points round each of six.
-    assert!(missed <= 3 * 40, "{missed} of {tried}");
 }
 
 /// The first triangle that a ray meets: t and the normal.

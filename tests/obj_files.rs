@@ -1,99 +1,301 @@
-//! OBJ files as they are met: the good ones load, the bad ones say what is wrong and where.
+//! Wavefront OBJ: what real files contain is read, what is wrong is named with its line.
 
-use shading_lab::geometry::{Mesh, read_obj};
+use glam::{DVec3, Vec3};
+use proptest::prelude::*;
+use shading_lab::geometry::{Mesh, NO_NORMAL, ObjError, read_obj};
 use shading_lab::scene::{NormalSource, Weighting};
-use std::fmt::Write;
+use std::io::{BufReader, Cursor};
 
-fn read(text: impl AsRef<[u8]>) -> Result<Mesh, (Option<u64>, String)> {
-    read_obj(text.as_ref(), &mut |_| {}).map_err(|error| (error.line(), error.to_string()))
+fn read(file: impl AsRef<[u8]>) -> Result<Mesh, ObjError> {
+    read_obj(Cursor::new(file), &mut |_| {})
+}
+
+fn good(file: impl AsRef<[u8]>) -> Mesh {
+    let mesh = read(file).expect("the model is sound");
+    assert_eq!(mesh.corners.len(), *mesh.starts.last().expect("starts has an end") as usize);
+    assert!(mesh.corners.iter().all(|c| (c.position as usize) < mesh.positions.len()));
+    assert!(mesh.corners.iter().all(|c| c.normal == NO_NORMAL || (c.normal as usize) < mesh.normals.len()));
+    mesh
+}
+
+fn arities(mesh: &Mesh) -> Vec<usize> {
+    (0..mesh.face_count()).map(|f| mesh.face(f).len()).collect()
+}
+
+/// The message and the line of the error.
+fn bad(file: impl AsRef<[u8]>) -> (String, Option<u64>) {
+    let error = read(file).expect_err("the model is not sound");
+    (error.to_string(), error.line())
 }
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-fn good(text: impl AsRef<[u8]>) -> Mesh {
-    let mesh = read(text).expect("a sound model");
-    let vertices = mesh.with_vertex_normals(NormalSource::File, Weighting::Equal);
-    assert!(vertices.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-4), "unit normals");
-    mesh
-}
-
-fn bad(text: impl AsRef<[u8]>, line: Option<u64>, words: &str) {
-    let (at, what) = read(text).expect_err("a model with an error");
-    assert_eq!(at, line, "{what}");
-    assert!(what.contains(words), "{what}");
+fn square(rest: &str) -> String {
+    format!("{SQUARE}{rest}")
 }
 
 #[test]
-fn faces_keep_their_corners() {
-    for corners in 3..=40_u32 {
-        let mut text = String::new();
-        for i in 0..corners {
-            let angle = std::f64::consts::TAU * f64::from(i) / f64::from(corners);
-            writeln!(text, "v {} {} 0", angle.cos(), angle.sin()).expect("a string");
+fn a_file_as_programs_write_it() {
+    let mesh = good(std::fs::read("tests/data/obj/tower.obj").expect("the file is there"));
+    assert_eq!(arities(&mesh), [vec![8], vec![4; 8], vec![3; 8]].concat());
+    assert_eq!(mesh.positions.len(), 17, "the unused vertex is not there");
+    assert!(mesh.closed && !mesh.convex && mesh.normals.is_empty());
+    let area = 2.0 * 2f64.sqrt();
+    assert!((mesh.signed_volume() - area * (2.0 + 1.0 / 3.0)).abs() < 1e-3);
+}
+
+#[test]
+fn line_ends_marks_and_encodings() {
+    let plain = good(square("f 1 2 3 4\n"));
+    assert_eq!(arities(&plain), [4]);
+    assert!(plain.face_normal(0) == DVec3::Z && !plain.closed);
+    for variant in [
+        square("f 1 2 3 4"),
+        square("f 1 2 3 4\n").replace('\n', "\r\n"),
+        format!("\u{feff}{}", square("f 1 2 3 4\n")),
+        square("f 1 2 \\\n3 \\\n4\n"),
+        square("f 1 2 \\\n3 4\n").replace('\n', "\r\n"),
+        square("\tf  1\t2 3  4  # a face\n\n#f 9 9 9\n"),
+        square("# Größe \\\nf 1 2 3 4\n"),
+        square("mtllib no such file.mtl\nusemtl x\ng\ns 1\no\nvp 1 2\ncurv 0 1 1 2\nf 1 2 3 4\nl 1 2\np 1\ncall x\n"),
+    ] {
+        let mesh = good(&variant);
+        assert_eq!((&mesh.positions, &mesh.corners), (&plain.positions, &plain.corners), "{variant:?}");
+    }
+    let latin_1 = [b"# Gr\xf6\xdfe\ng \xe9t\xe9\n".as_slice(), square("f 1 2 3 4\n").as_bytes()].concat();
+    assert_eq!(good(latin_1).positions, plain.positions);
+}
+
+#[test]
+fn polygons_of_any_size() {
+    for sides in 3..=40 {
+        let mut file = String::new();
+        for k in 0..sides {
+            let angle = std::f64::consts::TAU * f64::from(k) / f64::from(sides);
+            file += &format!("v {} {} 0\n", angle.cos(), angle.sin());
         }
-        let list: Vec<String> = (1..=corners).map(|i| i.to_string()).collect();
-        let mesh = good(format!("{text}f {}\n", list.join(" ")));
-        assert_eq!((mesh.face_count(), mesh.face(0).len()), (1, corners as usize));
+        file += "f";
+        (1..=sides).for_each(|k| file += &format!(" {k}"));
+        let mesh = good(file);
+        assert_eq!(arities(&mesh), [sides as usize]);
+        assert!(mesh.face_normal(0).distance(DVec3::Z) < 1e-6);
+        assert_eq!(mesh.triangle_count(), sides as usize - 2);
     }
 }
 
 #[test]
-fn the_habits_of_real_files() {
-    assert_eq!(good(format!("{SQUARE}f -4 -3 -2 -1\n")).face_count(), 1);
-    assert_eq!(good(format!("\u{feff}{SQUARE}f 1 2 3 4\n").replace('\n', "\r\n")).positions.len(), 4);
-    let mixed = good(format!("{SQUARE}vn 0 0 2\nf 1//1 2 3//1\nf 1 3 4\n"));
-    let with: Vec<bool> = mixed.corners.iter().map(|c| c.normal != shading_lab::geometry::NO_NORMAL).collect();
-    assert_eq!(with, [true, false, true, false, false, false]);
-    assert_eq!(
-        good(format!("mtllib none.mtl\no a\n{SQUARE}g one\nusemtl x\nf 1 2 3\ng two\nf 1 3 4\n")).face_count(),
-        2
+fn numbers_of_every_form() {
+    let mesh = good(square("f -4 -3 -2 -1\nv 5 5 5\nf -5 -4 -3\nf +1 2/7/ 3// 4/9\n"));
+    assert_eq!(arities(&mesh), [4, 3, 4]);
+    assert_eq!(mesh.positions.len(), 4);
+    let mesh = good("v 1e0 .5 -2.\nv +1 1E1 0 0.1 0.2 0.3\nv 2 4 6 2\nv 0 0 0 1 0.5 0.5 0.5\nf 1 2 3\n");
+    assert_eq!(mesh.positions, [Vec3::new(1.0, 0.5, -2.0), Vec3::new(1.0, 10.0, 0.0), Vec3::new(1.0, 2.0, 3.0)]);
+}
+
+#[test]
+fn given_normals_missing_ones_and_useless_ones() {
+    let file = square(
+        "f 1 2 3\nvn 0 0 5\nvn 0 0 0\nvn nan 0 1\nvn 0.6 0 0.8\n\
+         f 1//1 2//-1 3//2\nf 1//3 3 4//4\n",
     );
-    assert_eq!(good(format!("{SQUARE}v 9 9 9\nvt 0 0\nl 1 2\np 1\ns off\nf 1/1 2/1 3/1\n")).face_count(), 1);
-    assert_eq!(good(format!("{SQUARE}f 1 2 \\\n3 4\n")).face(0).len(), 4);
-    good("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 0.5 0.2 0.3\nf 1 2 3");
-    good(format!("{SQUARE}f 1 2 3\nf 1 2 3\nf 1 1 2\nf 1 2 2\n"));
-    let mut latin = SQUARE.as_bytes().to_vec();
-    latin.extend_from_slice(b"# caf\xe9\nf 1 2 3\n");
-    good(latin);
-    // Faces may come before the vertices that they name.
-    good("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    let mesh = good(file);
+    let given: Vec<Option<Vec3>> = mesh.corners.iter().map(|c| mesh.normals.get(c.normal as usize).copied()).collect();
+    let slanted = Vec3::new(0.6, 0.0, 0.8);
+    assert_eq!(given, [None, None, None, Some(Vec3::Z), Some(slanted), None, None, None, Some(slanted)]);
+    let vertices = mesh.with_vertex_normals(NormalSource::File, Weighting::Equal);
+    assert_eq!(vertices.normals[vertices.indices[3] as usize], Vec3::Z);
+    assert_eq!(vertices.normals[vertices.indices[4] as usize], slanted);
+    assert_eq!(vertices.normals[vertices.indices[7] as usize], Vec3::Z, "averaged");
+    let none = good(square("f 1 2 3 4\n"));
+    for source in [NormalSource::File, NormalSource::Exact] {
+        assert_eq!(none.with_vertex_normals(source, Weighting::Area).normals, vec![Vec3::Z; 4]);
+    }
 }
 
 #[test]
-fn a_closed_model_is_known_as_one() {
-    let cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
-                f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-    assert!(good(cube).closed);
-    assert!(!good(cube.replace("f 4 1 5 8\n", "")).closed);
+fn objects_share_points_at_one_place() {
+    let two = format!("o a\n{SQUARE}f 1 2 3\no b\n{SQUARE}g c\nf 5 7 8\nv -0.0 0 0\nf 9 2 3\n");
+    let mesh = good(two);
+    assert_eq!((mesh.positions.len(), mesh.face_count()), (4, 3));
 }
 
 #[test]
-fn what_is_wrong_and_where() {
-    bad(format!("{SQUARE}f 1 2 5\n"), Some(5), "vertex index 5 is out of range");
-    bad(format!("{SQUARE}f 1 2 0\n"), Some(5), "index 0 is out of range");
-    bad(format!("{SQUARE}f -5 -2 -1\n"), Some(5), "index -5 is out of range");
-    bad(format!("{SQUARE}f 1//2 2//1 3//1\n"), Some(5), "normal index");
-    bad(format!("{SQUARE}f 1 2 99999999999\n"), Some(5), "out of range");
-    bad("v 0 0 0\nv NaN 0 0\n", Some(2), "not finite");
-    bad("v 0 0 0\nv 1 0 inf\n", Some(2), "not finite");
-    bad("v 0 0 1e39\n", Some(1), "not finite");
-    bad("v 0 zero 0\n", Some(1), "not a number");
-    bad(format!("{SQUARE}f 1 2\n"), Some(5), "a face of 2 vertices");
-    bad(format!("{SQUARE}f 1\n"), Some(5), "a face of 1 vertices");
-    bad(format!("{SQUARE}f 1 2 3\nv 0.5 0."), Some(6), "2 numbers, expected 3");
-    bad(format!("{SQUARE}f 1 2 x\n"), Some(5), "not a corner");
-    bad(SQUARE, None, "no face");
-    bad("", None, "no face");
-    bad(b"\x7fELF\x02\x01\x01\0\0\0\0", Some(1), "binary");
-    bad("v 0 0 0\nv 1 \\\n2\nf 1 1 1\n", Some(3), "2 numbers");
+fn faces_without_area_do_no_harm() {
+    let mesh = good(square("f 1 1 1\nf 1 2 2 3\nf 1 2 1\nf 3 1 2 3\nf 1 2 3 4\nf 1 2 3 4\nv 2 0 0\nf 1 2 5\n"));
+    assert_eq!(arities(&mesh), [3, 3, 4, 4, 3]);
+    let vertices = mesh.with_vertex_normals(NormalSource::Averaged, Weighting::Angle);
+    assert!(vertices.normals.iter().all(|n| n.is_normalized()));
 }
 
 #[test]
-fn progress_is_told_while_reading() {
-    let mut text = SQUARE.repeat(100_000);
-    text.push_str("f 1 2 3\n");
+fn concave_polygons_are_covered_by_their_fans() {
+    // An arrow head whose fan from its first corner would leave it, an L, and a comb that no fan covers.
+    let arrow = "v 2 0 0\nv 0 1 0\nv 0.5 0 0\nv 0 -1 0\nf 1 2 3 4\nf 2 3 4 1\n";
+    let l = "v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nf 2 3 4 5 6 1\n";
+    let comb = "v 0 0 0\nv 5 0 0\nv 5 3 0\nv 4 3 0\nv 4 1 0\nv 3 1 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\nv 1 1 0\nv 1 3 0\n\
+                v 0 3 0\nf 1 2 3 4 5 6 7 8 9 10 11 12\n";
+    for (file, faces, area) in [(arrow, 2, 3.0), (l, 1, 5.0), (comb, 10, 11.0)] {
+        let mesh = good(file);
+        assert_eq!(mesh.face_count(), faces);
+        let mut covered = 0.0;
+        for f in 0..mesh.face_count() {
+            let at = |k: usize| mesh.positions[mesh.face(f)[k].position as usize].as_dvec3();
+            for k in 1..mesh.face(f).len() - 1 {
+                let doubled = (at(k) - at(0)).cross(at(k + 1) - at(0)).z;
+                assert!(doubled >= 0.0, "a triangle is turned over");
+                covered += doubled / 2.0;
+            }
+        }
+        assert!((covered - area).abs() < 1e-6, "{covered} {area}");
+    }
+    // A corner on a straight edge is no reason to change a polygon.
+    let straight = good("v 0 0 0\nv 0.1 0.1 0\nv 0.3 0.3 0\nv 0 1 0\nf 1 2 3 4\n");
+    assert_eq!((arities(&straight), straight.corners[0].position), (vec![4], 0));
+}
+
+#[test]
+fn far_models_keep_their_digits() {
+    let mesh = good("v 500000.125 4000000.25 0\nv 500001.125 4000000.25 0\nv 500000.125 4000001.375 0\nf 1 2 3\n");
+    let world: Vec<DVec3> = mesh.positions.iter().map(|p| mesh.origin + p.as_dvec3()).collect();
+    assert_eq!(world[2], DVec3::new(500_000.125, 4_000_001.375, 0.0));
+    let fitted = mesh.fitted();
+    assert_eq!(fitted.origin, DVec3::ZERO);
+    let farthest = fitted.positions.iter().map(|p| p.length()).fold(0.0, f32::max);
+    assert!((farthest - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn many_faces_come_in_pieces_and_make_one_mesh() {
+    let n = 300;
+    let (mut file, mut faces) = (String::new(), String::new());
+    for j in 0..=n {
+        for i in 0..=n {
+            file += &format!("v {i} {j} 0\nvn 0 {} 1\n", j % 7);
+            if i < n && j < n {
+                let at = |i: usize, j: usize| j * (n + 1) + i + 1;
+                let corners = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+                faces += &format!("f {}\n", corners.map(|c| format!("{c}//{c}")).join(" "));
+            }
+        }
+    }
+    file += &faces;
     let mut told = Vec::new();
-    read_obj(text.as_bytes(), &mut |bytes| told.push(bytes)).expect("a sound model");
-    assert!(told.len() >= 3 && told.is_sorted());
-    assert_eq!(told.last().copied(), Some(text.len() as u64));
+    let reader = BufReader::with_capacity(1000, Cursor::new(&file));
+    let mesh = read_obj(reader, &mut |bytes| told.push(bytes)).expect("the model is sound");
+    assert_eq!((mesh.face_count(), mesh.positions.len()), (n * n, (n + 1) * (n + 1)));
+    for corner in &mesh.corners {
+        let y = mesh.positions[corner.position as usize].y;
+        let expected = Vec3::new(0.0, y % 7.0, 1.0).normalize();
+        assert!(mesh.normals[corner.normal as usize].distance(expected) < 1e-6);
+    }
+    assert!(told.len() > file.len() >> 18 && told.is_sorted());
+    assert_eq!(told.last(), Some(&(file.len() as u64)));
+}
+
+#[test]
+fn errors_name_the_line_and_what_was_expected() {
+    let cases: &[(&str, Option<u64>, &str)] = &[
+        ("f 1 2 5\n", Some(5), "vertex 5, expected 1 to 4"),
+        ("f 0 1 2\n", Some(5), "vertex 0, expected 1 to 4"),
+        ("f -5 1 2\n", Some(5), "-4 to -1"),
+        ("f 1 2 99999999999999999999999999\n", Some(5), "vertex 99999999999999999999999999"),
+        ("f 1 2 -9223372036854775808\n", Some(5), "vertex -9223372036854775808"),
+        ("\n# x\nf 1//1 2 3\n", Some(7), "normal 1"),
+        ("f 1\n", Some(5), "a face of 1 vertices, expected at least 3"),
+        ("f 1 2 3\nf 1 2\n", Some(6), "a face of 2 vertices"),
+        ("f\n", Some(5), "a face of 0 vertices"),
+        ("f 1 2 x\n", Some(5), "`x` is not a corner"),
+        ("f 1 2 3/1/1/1\n", Some(5), "`3/1/1/1` is not"),
+        ("f 1 2 3.5\n", Some(5), "`3.5` is not"),
+        ("f 1 2 3-\n", Some(5), "`3-` is not"),
+        ("f 1 2 \\\n3 \\\nq\nv\n", Some(5), "`q` is not"),
+        ("v 1 2\nf 1 2 3\n", Some(5), "2 numbers, expected three coordinates"),
+        ("v 1 2 nan\nf 1 2 3\n", Some(5), "coordinate nan is not finite"),
+        ("v 1 -inf 2\nf 1 2 3\n", Some(5), "coordinate -inf is not finite"),
+        ("v 1 1e39 2\nf 1 2 3\n", Some(5), "coordinate 1e39 is not finite"),
+        ("v 1 1e999 2\nf 1 2 3\n", Some(5), "coordinate 1e999"),
+        ("v 1 2 3 0\nf 1 2 3\n", Some(5), "weight"),
+        ("v 1,5 2 3\nf 1 2 3\n", Some(5), "`1,5` is not a coordinate"),
+        ("vn 0 1\nf 1 2 3\n", Some(5), "2 numbers, expected three components"),
+        ("vn 0 1 z\nf 1 2 3\n", Some(5), "`z` is not a component"),
+        ("", None, "no face"),
+        ("l 1 2\np 1\n", None, "no face"),
+        ("f 1 1 1\n", None, "no face"),
+        // Cut off in the middle of a line.
+        ("f 1 2 3\nf 1 2", Some(6), "a face of 2"),
+        ("f 1 2 3\nf 1/1 2/1 3/", Some(6), "`3/` is not"),
+        ("f 1 2 3\nf 1 2 -", Some(6), "`-` is not"),
+        ("f 1 2 3 \\", Some(5), "`\\` is not"),
+        ("f 1 2 3\nv 1.0 2.", Some(6), "2 numbers"),
+        ("f 1 2 3\nv 1.0 2.0 1e", Some(6), "`1e` is not"),
+    ];
+    for (rest, line, message) in cases {
+        let (found, found_line) = bad(square(rest));
+        assert!(found.contains(message), "{rest:?}: {found}");
+        assert_eq!(found_line, *line, "{rest:?}: {found}");
+    }
+}
+
+#[test]
+fn what_is_no_model_at_all_is_refused() {
+    assert_eq!(bad("").1, None);
+    assert!(bad("").0.contains("empty"));
+    let binary = bad([square("").as_bytes(), b"\x7fELF\x02\x01\x01\0\0\0"].concat());
+    assert!(binary.0.contains("not text") && binary.1 == Some(5), "{binary:?}");
+    assert!(bad(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR").0.contains("not text"));
+    assert!(bad("f 1 2 3\n".encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>()).0.contains("not text"));
+    assert!(bad(vec![b'x'; 3 << 20]).0.contains("longer than"));
+    assert!(bad("# only a comment\n").0.contains("no face"));
+    let in_a_number = bad([b"v 0 0 \xff1\n".as_slice()].concat());
+    assert!(in_a_number.0.contains("is not a coordinate") && in_a_number.1 == Some(1));
+    let message = bad(format!("f {}\n", "9".repeat(100_000))).0;
+    assert!(message.len() < 300);
+}
+
+#[test]
+fn a_reader_that_fails_is_an_error() {
+    struct Broken;
+    impl std::io::Read for Broken {
+        fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+            Err(std::io::Error::other("the disk is on fire"))
+        }
+    }
+    let error = read_obj(BufReader::new(Broken), &mut |_| {}).expect_err("nothing can be read");
+    assert!(matches!(error, ObjError::Read(_)) && error.to_string().contains("on fire"));
+}
+
+proptest! {
+    #[test]
+    fn no_text_makes_a_panic_or_a_normal_that_is_not_unit(
+        words in proptest::collection::vec(
+            prop_oneof![
+                Just("v 0 0 0\n"), Just("v 1 0 0\n"), Just("v 0 1e-30 0\n"), Just("v 0 3e38 -3e38\n"), Just("f 1 2 3\n"),
+                Just("f -1 -2 -3 -4\n"), Just("vn 1 0 0\n"), Just("vn 0 0 0\n"), Just("f 1//1 2//-1 3\n"), Just("v"),
+                Just(" 1"), Just(" 2"), Just(" 3"), Just(" -1"), Just("\n"), Just("f"), Just("/"), Just("\\\n"),
+                Just("o x\n"), Just("\u{e9}"), Just("#"), Just("v 1e30 1 1\n"), Just("f 1 2 3 4 5\n"), Just("v 1 1 1 0.5\n")
+            ], 0..60)
+    ) {
+        if let Ok(mesh) = read(words.concat()) {
+            prop_assert!(mesh.face_count() > 0);
+            for mesh in [mesh.clone(), mesh.fitted()] {
+                prop_assert!(mesh.positions.iter().all(|p| p.is_finite()));
+                for source in [NormalSource::Averaged, NormalSource::File, NormalSource::Facet] {
+                    for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
+                        let vertices = mesh.with_vertex_normals(source, weighting);
+                        prop_assert!(vertices.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-5));
+                        prop_assert!(vertices.radius.is_finite());
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_bytes_make_a_panic(bytes in proptest::collection::vec(any::<u8>(), 0..200), cut in 0usize..900) {
+        let _ = read(&bytes);
+        let tower = std::fs::read("tests/data/obj/tower.obj").expect("the file is there");
+        let mut damaged = tower[..cut.min(tower.len())].to_vec();
+        damaged.extend(bytes);
+        let _ = read(damaged);
+    }
 }

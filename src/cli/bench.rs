@@ -111,7 +111,7 @@ fn measure(loaded: &Loaded, frames: u32, bar: &ProgressBar) -> Figures {
     let mut times = Vec::new();
     let mut stages: Vec<(String, Vec<u64>)> = Vec::new();
     for frame in 0..WARM_UP + frames {
-        renderer.invalidate();
+        renderer.redraw();
         let time = timed(&mut renderer, scene);
         if frame >= WARM_UP {
             times.push(time);

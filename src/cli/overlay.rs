@@ -9,12 +9,16 @@ use shading_lab::analysis::{Probe, probe};
 use shading_lab::figure::{OverlayLayer, OverlayOptions, draw_overlay};
 use shading_lab::render::{Frame, Renderer};
 use shading_lab::scene::{Scene, nearest};
+use std::ops::RangeInclusive;
 use tiny_skia::PixmapMut;
 
 /// Without a given pixel, the one probed is sought on a grid of this many columns and rows.
 const SEARCH_GRID: u32 = 64;
 
-/// The layers of `--overlay vectors=X,Y,angles,…` and the pixel that they explain.
+/// Degrees between the vectors of a drawing whose letters do not crowd.
+const APART: RangeInclusive<f64> = 15.0..=65.0;
+
+/// The layers of `--overlay vectors,angles,probe=X,Y` and the pixel that they explain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OverlayList {
     layers: Vec<OverlayLayer>,
@@ -22,13 +26,17 @@ pub struct OverlayList {
 }
 
 impl OverlayList {
-    /// Names between commas, one of which may be followed by `=X,Y`.
+    /// Names between commas; `probe=X,Y` or any of the names followed by `=X,Y` gives the pixel.
     pub fn parse(text: &str) -> Result<Self, String> {
         let mut list = Self { layers: Vec::new(), pixel: None };
         let mut pieces = text.split(',');
         while let Some(piece) = pieces.next() {
             let (name, x) = piece.split_once('=').map_or((piece, None), |(name, x)| (name, Some(x)));
-            list.layers.push(layer(name.trim())?);
+            match name.trim() {
+                "probe" if x.is_none() => return Err("probe without its pixel, expected probe=X,Y".to_owned()),
+                "probe" => {}
+                name => list.layers.push(layer(name)?),
+            }
             if let Some(x) = x {
                 let pixel = parse_pixel(&format!("{x},{}", pieces.next().unwrap_or_default()))?;
                 if list.pixel.is_some_and(|other| other != pixel) {
@@ -36,6 +44,9 @@ impl OverlayList {
                 }
                 list.pixel = Some(pixel);
             }
+        }
+        if list.layers.is_empty() {
+            return Err("a pixel alone, expected what to draw there, as in vectors,angles,probe=100,80".to_owned());
         }
         Ok(list)
     }
@@ -51,7 +62,7 @@ impl OverlayList {
         let about_pixel = self.layers.iter().any(|layer| *layer != OverlayLayer::Lights);
         let probed = match self.pixel {
             Some([x, y]) => probe(renderer, scene, x, y),
-            None => nearest_hit(renderer, scene),
+            None => telling_pixel(renderer, scene),
         };
         if about_pixel && probed.hit.is_none() {
             let [x, y] = probed.pixel;
@@ -81,20 +92,51 @@ fn word_of(layer: &OverlayLayer) -> Option<String> {
     serde_json::to_value(layer).ok()?.as_str().map(str::to_owned)
 }
 
-/// The pixel nearest to the picture's middle that shows the object, among those of a coarse grid; else the middle.
-fn nearest_hit(renderer: &mut Renderer, scene: &Scene) -> Probe {
+/// The pixel nearest to the picture's middle, of those of a coarse grid that explain most.
+fn telling_pixel(renderer: &mut Renderer, scene: &Scene) -> Probe {
     let [width, height] = scene.image.size;
     let middle = [width / 2, height / 2];
     let middles = |side: u32| (0..SEARCH_GRID).map(move |i| (2 * i + 1) * side / (2 * SEARCH_GRID));
     let mut grid: Vec<[u32; 2]> = middles(height).flat_map(|y| middles(width).map(move |x| [x, y])).collect();
+    grid.dedup();
     let distance = |[x, y]: &[u32; 2]| {
         let (dx, dy) = (u64::from(x.abs_diff(middle[0])), u64::from(y.abs_diff(middle[1])));
         dx * dx + dy * dy
     };
     grid.sort_by_key(distance);
-    let mut probes = grid.iter().map(|&[x, y]| probe(renderer, scene, x, y));
-    let found = probes.find(|probed| probed.hit.is_some());
-    found.unwrap_or(Probe { pixel: middle, hit: None })
+    let mut best = (Telling::Nothing, Probe { pixel: middle, hit: None });
+    for [x, y] in grid {
+        let probed = probe(renderer, scene, x, y);
+        let telling = Telling::of(&probed);
+        if telling > best.0 {
+            best = (telling, probed);
+        }
+        if best.0 == Telling::Apart {
+            break;
+        }
+    }
+    best.1
+}
+
+/// How much a drawing at a pixel explains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Telling {
+    /// The background.
+    Nothing,
+    /// No light reaches the point.
+    Dark,
+    Lit,
+    /// Lit, near the highlight but not in it: N, L, R and V point in directions of their own.
+    Apart,
+}
+
+impl Telling {
+    fn of(probed: &Probe) -> Self {
+        let Some(hit) = &probed.hit else { return Self::Nothing };
+        let Some(light) = hit.lights.iter().find(|light| light.n_dot_l > 0.0) else { return Self::Dark };
+        let angles = [light.theta, light.phi, hit.normal.angle_between(hit.view)];
+        if angles.iter().all(|angle| APART.contains(&angle.to_degrees())) { Self::Apart } else { Self::Lit }
+    }
 }
 
 #[cfg(test)]
@@ -107,7 +149,11 @@ mod tests {
         let read = |text| OverlayList::parse(text).map(|list| (list.layers, list.pixel));
         assert_eq!(read("vectors"), Ok((vec![Vectors], None)));
         assert_eq!(read("vectors=10,20"), Ok((vec![Vectors], Some([10, 20]))));
+        assert_eq!(read("vectors,angles,probe=10,20"), Ok((vec![Vectors, Angles], Some([10, 20]))));
         assert_eq!(read("lights, angles=1,2,side-view"), Ok((vec![Lights, Angles, SideView], Some([1, 2]))));
+        for text in ["probe", "probe=1,2", "vectors,probe", "vectors,probe=1"] {
+            assert!(read(text).is_err(), "{text}");
+        }
         for text in
             ["", "vectors,", "vectors=", "vectors=1", "vectors=1,angles", "vectors=1,2,angles=3,4", "vectors=-1,2"]
         {
@@ -121,5 +167,20 @@ mod tests {
         for one in OverlayLayer::ALL {
             assert_eq!(layer(&word_of(&one).expect("a word")), Ok(one));
         }
+    }
+
+    #[test]
+    fn without_a_pixel_one_is_found_whose_vectors_are_apart() {
+        for name in ["sphere", "teapot", "torus", "three-lights"] {
+            let scene = (shading_lab::scene::presets::find(name).expect("a scene").build)();
+            let probed = telling_pixel(&mut Renderer::default(), &scene);
+            assert_eq!(Telling::of(&probed), Telling::Apart, "{name}");
+        }
+        let mut dark = Scene { lights: vec![], ..Scene::default() };
+        dark.image.size = [3, 2];
+        assert_eq!(Telling::of(&telling_pixel(&mut Renderer::default(), &dark)), Telling::Dark);
+        dark.camera.target = dark.camera.eye * 2.0;
+        let missed = telling_pixel(&mut Renderer::default(), &dark);
+        assert_eq!((missed.pixel, missed.hit.is_none()), ([1, 1], true));
     }
 }

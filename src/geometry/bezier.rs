@@ -90,7 +90,8 @@ impl<P: Point> Patch<P> {
         [low_low, low_high, high_low, high_high]
     }
 
-    fn halves_in_u(&self) -> [Self; 2] {
+    /// The halves with u below and above ½.
+    pub fn halves_in_u(&self) -> [Self; 2] {
         let (mut low, mut high) = (*self, *self);
         for j in 0..4 {
             let [a, b] = halves(self.column(j));
@@ -101,7 +102,8 @@ impl<P: Point> Patch<P> {
         [low, high]
     }
 
-    fn halves_in_v(&self) -> [Self; 2] {
+    /// The halves with v below and above ½.
+    pub fn halves_in_v(&self) -> [Self; 2] {
         let (mut low, mut high) = (*self, *self);
         for i in 0..4 {
             let [a, b] = halves(self.row(i));

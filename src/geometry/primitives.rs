@@ -32,7 +32,7 @@ pub(crate) const CUBE_HALF_EDGE: f64 = 0.577_350_269_189_625_8;
 /// | cone | `segments` × `rings` quads, triangles at the apex, and a base of `segments` sides |
 /// | cube | each upright side `segments`/4 (at least 1) × `rings` quads, top and bottom `segments`/4 squared |
 /// | plane | `segments` across (x) × `rings` down (y) |
-/// | teapot | each of its 32 patches `segments`/4 round × `rings`/4 along (at least 1), triangles at the two poles |
+/// | teapot | each of its 32 patches `segments`/4 round × `rings`/4 along (at least 1; handle and spout 2 round), triangles at the poles |
 ///
 /// Numbers of divisions that [`Scene::validate`](crate::scene::Scene) would refuse are taken as the nearest that it
 /// accepts.

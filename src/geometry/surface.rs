@@ -69,8 +69,9 @@ impl Surface {
         let direction = ray.direction / length;
         let shift = -ray.origin.dot(direction);
         let origin = ray.origin + shift * direction;
-        let squared = origin.length_squared();
-        if squared.is_nan() || squared > BOUND * BOUND {
+        // Also false, and rightly, where any of it is not a number.
+        let comes_near = origin.length_squared() <= BOUND * BOUND;
+        if !comes_near {
             return None;
         }
         let ray = UnitRay { origin, direction, s_min: t_min * length - shift };

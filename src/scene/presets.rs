@@ -63,7 +63,7 @@ pub const ALL: &[Preset] = &[
     Preset {
         name: "teapot",
         title: "Teapot",
-        description: "Newell's teapot, 28 bicubic patches, glazed, under a warm lamp and a cool window.",
+        description: "Newell's teapot, 32 bicubic patches, glazed, under a warm lamp and a cool window.",
         build: teapot,
     },
     Preset {

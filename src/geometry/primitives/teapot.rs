@@ -7,13 +7,15 @@ use crate::geometry::teapot::{Shell, TEAPOT, Teapot};
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Each of the 32 patches as `along` × `round` quads, triangles at the poles of lid and bottom.
+/// Each of the 32 patches as `along` × `round` quads, triangles at the poles of lid and bottom. Handle and spout consist of
+/// two halves, which with one quad each would lie flat on one another; they have at least two.
 pub fn teapot(along: u32, round: u32) -> Mesh {
     let per_patch = along as usize * round as usize;
     let builder = Builder::with_capacity(32 * per_patch + 2 * (along + round) as usize, 32 * per_patch);
     let mut seams = Seams { builder, corners: HashMap::new(), edges: HashMap::new(), normals: HashMap::new() };
     for patch in 0..TEAPOT.patches.len() {
-        add_patch(&mut seams, patch, along, round);
+        let least = if matches!(Teapot::shell(patch), Shell::Handle | Shell::Spout) { 2 } else { 1 };
+        add_patch(&mut seams, patch, along, round.max(least));
     }
     seams.builder.finish(false, false)
 }

@@ -6,7 +6,8 @@
 //! - dropped if its control points leave the origin outside their box;
 //! - solved by Newton's iteration if its derivatives cannot make the Jacobian vanish, so that it meets the ray once at
 //!   most (the mean value theorem, with the derivatives in a regular interval matrix);
-//! - quartered otherwise. That happens only about the outline, where the ray grazes, and about a pole.
+//! - halved otherwise, across its greater extent in the plane. That happens only about the outline, where the ray grazes,
+//!   and about a pole, where it peels off rings: to halve round the pole would not separate anything.
 
 use crate::geometry::bezier::Patch;
 use glam::DVec2;
@@ -14,8 +15,8 @@ use glam::DVec2;
 /// Beyond its edge by so much of its size a cell still meets the ray, so that rounding opens no crack between cells.
 const EDGE: f64 = 1e-9;
 
-/// A cell that has been quartered so often is a point: 2⁻²⁴ of a leaf, below 10⁻⁸ of the pot.
-const DEEPEST: u32 = 24;
+/// A cell that is no larger than this in the plane, in world units, is a point.
+const POINT: f64 = 1e-11;
 
 /// Cells looked at before a patch is given up: far beyond what grazing needs, it only bounds the time.
 const MOST_CELLS: u32 = 4096;
@@ -23,7 +24,7 @@ const MOST_CELLS: u32 = 4096;
 /// Reports every (u, v) at which a patch, projected along the ray to the plane with the ray at its origin, meets the ray.
 pub fn meet(patch: &Patch<DVec2>, mut found: impl FnMut(f64, f64)) {
     let mut search = Search { cells: 0, found: &mut found };
-    search.cell(patch, DVec2::ZERO, 1.0, 0);
+    search.cell(patch, DVec2::ZERO, DVec2::ONE);
 }
 
 struct Search<'a> {
@@ -40,24 +41,29 @@ enum Newton {
 
 impl Search<'_> {
     /// Searches the cell with lowest (u, v) = `corner` and of the given size in the parameters.
-    fn cell(&mut self, patch: &Patch<DVec2>, corner: DVec2, size: f64, depth: u32) {
+    fn cell(&mut self, patch: &Patch<DVec2>, corner: DVec2, size: DVec2) {
         self.cells += 1;
-        if self.cells > MOST_CELLS || !may_hold_origin(patch) {
+        let (low, high) = bounds(patch.points.into_iter());
+        if self.cells > MOST_CELLS || !holds_origin(low, high) {
             return;
         }
-        if depth == DEEPEST {
+        if (high - low).max_element() <= POINT {
             return self.report(corner + 0.5 * size);
         }
-        let outcome = if may_fold(patch) { Newton::Undecided } else { newton(patch) };
+        let slopes = Slopes::of(patch);
+        let outcome = if slopes.may_fold() { Newton::Undecided } else { newton(patch) };
         match outcome {
             Newton::Root(uv) => self.report(corner + size * uv),
             Newton::Elsewhere => {}
             Newton::Undecided => {
-                let half = 0.5 * size;
-                let offsets = [(0.0, 0.0), (0.0, half), (half, 0.0), (half, half)].map(DVec2::from);
-                for (quarter, offset) in patch.quarters().iter().zip(offsets) {
-                    self.cell(quarter, corner + offset, half, depth + 1);
-                }
+                let (axis, parts) = if slopes.u_is_longer() {
+                    (DVec2::X, patch.halves_in_u())
+                } else {
+                    (DVec2::Y, patch.halves_in_v())
+                };
+                let half = size - 0.5 * size * axis;
+                self.cell(&parts[0], corner, half);
+                self.cell(&parts[1], corner + half * axis, half);
             }
         }
     }
@@ -69,23 +75,39 @@ impl Search<'_> {
 }
 
 /// Whether the origin lies in the box round the control points, and so perhaps in the patch.
-fn may_hold_origin(patch: &Patch<DVec2>) -> bool {
-    let first = patch.points[0];
-    let (low, high) = patch.points.iter().fold((first, first), |(low, high), &p| (low.min(p), high.max(p)));
-    // Rounding of the projection, which must not lose a ray along the edge of two patches.
+fn holds_origin(low: DVec2, high: DVec2) -> bool {
+    /// Rounding of the projection, which must not lose a ray along the edge of two patches.
     const ROUNDING: f64 = 1e-12;
-    low.x <= ROUNDING && low.y <= ROUNDING && high.x >= -ROUNDING && high.y >= -ROUNDING
+    low.max_element() <= ROUNDING && high.min_element() >= -ROUNDING
 }
 
-/// Whether the Jacobian may vanish, by the boxes round the differences of the control points in u and in v, which hold
-/// the derivatives.
-fn may_fold(patch: &Patch<DVec2>) -> bool {
-    let p = &patch.points;
-    let in_u = bounds((0..12).map(|k| p[k + 4] - p[k]));
-    let in_v = bounds((0..16).filter(|k| k % 4 < 3).map(|k| p[k + 1] - p[k]));
-    let (low, high) = product((in_u.0.x, in_u.1.x), (in_v.0.y, in_v.1.y));
-    let (other_low, other_high) = product((in_u.0.y, in_u.1.y), (in_v.0.x, in_v.1.x));
-    low - other_high <= 0.0 && high - other_low >= 0.0
+/// Boxes round the differences of the control points in u and in v: thrice these hold the derivatives.
+struct Slopes {
+    in_u: (DVec2, DVec2),
+    in_v: (DVec2, DVec2),
+}
+
+impl Slopes {
+    fn of(patch: &Patch<DVec2>) -> Self {
+        let p = &patch.points;
+        Self {
+            in_u: bounds((0..12).map(|k| p[k + 4] - p[k])),
+            in_v: bounds((0..16).filter(|k| k % 4 < 3).map(|k| p[k + 1] - p[k])),
+        }
+    }
+
+    /// Whether the Jacobian may vanish.
+    fn may_fold(&self) -> bool {
+        let (u, v) = (&self.in_u, &self.in_v);
+        let (low, high) = product((u.0.x, u.1.x), (v.0.y, v.1.y));
+        let (other_low, other_high) = product((u.0.y, u.1.y), (v.0.x, v.1.x));
+        low - other_high <= 0.0 && high - other_low >= 0.0
+    }
+
+    fn u_is_longer(&self) -> bool {
+        let extent = |bounds: &(DVec2, DVec2)| bounds.0.abs().max(bounds.1.abs()).max_element();
+        extent(&self.in_u) >= extent(&self.in_v)
+    }
 }
 
 fn bounds(vectors: impl Iterator<Item = DVec2>) -> (DVec2, DVec2) {
@@ -112,7 +134,9 @@ fn newton(patch: &Patch<DVec2>) -> Newton {
             / jet.along_u.perp_dot(jet.along_v);
         uv -= step;
         let distance = (uv - 0.5).abs().max_element();
-        if distance.is_nan() || distance > STRAYED {
+        // Also false where the step is not a number.
+        let near = distance <= STRAYED;
+        if !near {
             return Newton::Undecided;
         }
         if step.abs().max_element() < CONVERGED {

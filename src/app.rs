@@ -1,0 +1,215 @@
+//! The window: controls in the order of the equation, the picture, and its meaning in numbers.
+//!
+//! [`AppState`] is all that the window remembers; each panel is a function of it. Menus, keys and buttons ask for
+//! [`Action`]s, which are done in one place at the end of the frame. Nothing is drawn again unless something has changed.
+
+mod action;
+mod controls;
+mod dialog;
+mod document;
+mod engine;
+mod equation;
+mod files;
+mod handles;
+mod history;
+mod keys;
+mod menus;
+mod numbers;
+mod orbit;
+mod palette;
+mod picture;
+mod row;
+mod stages;
+mod start;
+mod state;
+mod symbol;
+mod theme;
+
+pub use start::{AppError, run};
+pub use state::AppState;
+
+use crate::document::Loaded;
+use crate::figure::draw_overlay;
+use crate::render::Frame;
+use crate::scene::presets;
+use action::{Action, Shown};
+use dialog::{Dialog, ExportForm};
+use document::{Document, Origin};
+use eframe::egui::{CentralPanel, ColorImage, Context, Frame as Margins, Panel, Ui, ViewportCommand};
+use engine::Engine;
+use files::Files;
+use history::History;
+
+/// Where the window's look is kept between two sessions.
+const STORAGE_KEY: &str = "look";
+
+/// The window.
+pub struct App {
+    state: AppState,
+    engine: Engine,
+    files: Files,
+    size: [u32; 2],
+    title: String,
+}
+
+impl App {
+    /// A window that shows `loaded`, looking as it did last time.
+    pub fn new(cc: &eframe::CreationContext<'_>, loaded: Loaded) -> Self {
+        theme::install(&cc.egui_ctx);
+        let mut state: AppState =
+            cc.storage.and_then(|storage| eframe::get_value(storage, STORAGE_KEY)).unwrap_or_default();
+        state.open(Document::from(loaded));
+        state.history = History::new(state.document.clone());
+        Self { state, engine: Engine::default(), files: Files::default(), size: [1, 1], title: String::new() }
+    }
+
+    /// The picture as last drawn.
+    pub fn frame(&self) -> &Frame {
+        self.engine.frame()
+    }
+
+    /// What the window remembers.
+    pub fn state(&self) -> &AppState {
+        &self.state
+    }
+
+    fn panels(&mut self, ui: &mut Ui) {
+        let Self { state, engine, .. } = self;
+        if !state.picture_alone {
+            Panel::top("menus").show(ui, |ui| menus::menus_ui(ui, state));
+            if state.look.stages {
+                Panel::bottom("stages").show(ui, |ui| stages::stages_ui(ui, state, engine));
+            }
+            if state.look.controls {
+                let panel = Panel::left("controls").resizable(true).default_size(344.0).min_size(300.0);
+                panel.show(ui, |ui| controls::controls_ui(ui, state));
+            }
+            if state.look.numbers {
+                let panel = Panel::right("numbers").resizable(true).default_size(322.0).min_size(280.0);
+                panel.show(ui, |ui| numbers::numbers_ui(ui, state, engine));
+            }
+        }
+        let shown = CentralPanel::default().frame(Margins::NONE).show(ui, |ui| picture::picture_ui(ui, state, engine));
+        self.size = shown.inner.size;
+    }
+
+    fn settle(&mut self, ctx: &Context) {
+        let asked = std::mem::take(&mut self.state.asked);
+        if !asked.is_empty() {
+            ctx.request_repaint();
+        }
+        for action in asked {
+            let alone = action == Action::Show(Shown::PictureAlone);
+            if let Some(rest) = self.state.perform(action, self.size) {
+                self.perform(ctx, rest);
+            }
+            if alone {
+                ctx.send_viewport_cmd(ViewportCommand::Fullscreen(self.state.picture_alone));
+            }
+        }
+        let (held, time) = ctx.input(|input| (input.pointer.any_down(), input.time));
+        self.state.history.observe(&self.state.document, held, time);
+        if self.state.lit.turn() {
+            ctx.request_repaint();
+        }
+        self.show_look(ctx);
+    }
+
+    fn show_look(&mut self, ctx: &Context) {
+        ctx.set_theme(eframe::egui::ThemePreference::from(self.state.look.theme));
+        ctx.set_zoom_factor(self.state.look.scale);
+        let mark = if self.state.modified() { "*" } else { "" };
+        let title = format!("{}{mark} — shading-lab", self.state.document.name());
+        if title != self.title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+
+    /// Does what needs the window, files or the clipboard.
+    fn perform(&mut self, ctx: &Context, action: Action) {
+        match action {
+            Action::Open => self.state.dialog = Some(Dialog::Open { path: String::new() }),
+            Action::OpenFile(path) => self.files.open(ctx, path),
+            Action::OpenBuiltIn(name) => self.open_built_in(&name),
+            Action::Save => match self.state.document.scene_file() {
+                Some(path) => self.save(path),
+                None => self.state.dialog = Some(Dialog::Save { path: self.state.document.suggested("toml") }),
+            },
+            Action::SaveAs => self.state.dialog = Some(Dialog::Save { path: self.state.document.suggested("toml") }),
+            Action::SaveTo(path) => self.save(path),
+            Action::Export => self.state.dialog = Some(Dialog::Export(self.export_form())),
+            Action::CopyPicture => self.copy_picture(ctx),
+            Action::Keys => self.state.dialog = Some(Dialog::Keys),
+            Action::About => self.state.dialog = Some(Dialog::About),
+            Action::Quit => ctx.send_viewport_cmd(ViewportCommand::Close),
+            // What is left concerns the state alone and has been done.
+            _ => {}
+        }
+    }
+
+    fn open_built_in(&mut self, name: &str) {
+        if let Some(preset) = presets::find(name) {
+            let scene = (preset.build)();
+            self.state.open(Document { scene, model: None, origin: Origin::BuiltIn(name.to_owned()) });
+        }
+    }
+
+    fn save(&mut self, path: std::path::PathBuf) {
+        match crate::document::save_scene(&path, &self.state.document.scene) {
+            Ok(()) => {
+                self.state.notice = Some(format!("saved {}", path.display()));
+                self.state.document.origin = Origin::File(path);
+                self.state.saved = self.state.document.clone();
+            }
+            Err(error) => self.state.dialog = Some(Dialog::message("The scene was not saved", error.to_string())),
+        }
+    }
+
+    fn export_form(&self) -> ExportForm {
+        ExportForm { size: self.size, samples: 1, overlay: true, path: self.state.document.suggested("png") }
+    }
+
+    fn copy_picture(&mut self, ctx: &Context) {
+        let mut frame = self.engine.frame().clone();
+        self.draw_overlay_on(&mut frame);
+        let size = [frame.width as usize, frame.height as usize];
+        ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, frame.pixels.as_flattened()));
+        self.state.notice = Some("copied the picture".to_owned());
+    }
+
+    fn draw_overlay_on(&self, frame: &mut Frame) {
+        let Some(probe) = self.engine.probed() else { return };
+        let mut scene = self.state.document.scene.clone();
+        scene.image.size = [frame.width, frame.height];
+        let options = engine::overlay_options(&self.state.look.overlay, self.state.light, &scene);
+        let (width, height) = (frame.width, frame.height);
+        if let Some(mut map) = tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height) {
+            draw_overlay(&mut map, &scene, probe, &options);
+        }
+    }
+
+    /// Takes what was dropped on the window.
+    fn drops(&mut self, ctx: &Context) {
+        for file in ctx.input(|input| input.raw.dropped_files.clone()) {
+            self.state.ask(Action::OpenFile(file.path().to_path_buf()));
+        }
+    }
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        self.drops(&ctx);
+        let focus = ctx.memory(|memory| memory.has_focus(picture::id()));
+        keys::listen(&ctx, &mut self.state, focus);
+        self.panels(ui);
+        self.files.poll(&ctx, &mut self.state);
+        dialog::dialog_ui(&ctx, &mut self.state, &mut self.files);
+        self.settle(&ctx);
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        eframe::set_value(storage, STORAGE_KEY, &self.state);
+    }
+}

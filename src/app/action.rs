@@ -1,0 +1,154 @@
+//! What can be asked of the window. Menus, buttons and keys all ask here, so that each does the same by every way.
+
+use super::document::Document;
+use super::orbit;
+use super::state::AppState;
+use super::theme::{PROJECTOR_TEXT, SCALES, TEXT, ThemeChoice};
+use crate::scene::{Camera, Light, ShadingMode};
+use std::path::PathBuf;
+
+/// Something to do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// The scene that the program starts with.
+    New,
+    /// Asks for a file to open.
+    Open,
+    OpenFile(PathBuf),
+    OpenBuiltIn(String),
+    Save,
+    SaveAs,
+    SaveTo(PathBuf),
+    /// Asks how to export the picture.
+    Export,
+    CopyPicture,
+    Undo,
+    Redo,
+    ResetCamera,
+    Shade {
+        mode: ShadingMode,
+        renormalise: bool,
+    },
+    AddLight,
+    DuplicateLight(usize),
+    RemoveLight(usize),
+    /// Moves the probe by pixels.
+    MoveProbe([i32; 2]),
+    /// Turns the camera about its target, degrees to the right and up.
+    Orbit([f64; 2]),
+    /// Moves the camera sideways and up, in heights of the picture.
+    Pan([f64; 2]),
+    /// Multiplies the distance from the target.
+    Zoom(f64),
+    Show(Shown),
+    Theme(ThemeChoice),
+    Larger,
+    Smaller,
+    OrdinarySize,
+    Projector,
+    Keys,
+    About,
+    Quit,
+}
+
+/// What can be shown and hidden.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    Controls,
+    Numbers,
+    Stages,
+    PictureAlone,
+    Vectors,
+    Angles,
+    Construction,
+    SideView,
+    HalfVector,
+    Handles,
+}
+
+impl AppState {
+    /// Does what concerns the state alone; returns what needs the window, files or the clipboard.
+    ///
+    /// `size` is the picture's, in pixels.
+    pub fn perform(&mut self, action: Action, size: [u32; 2]) -> Option<Action> {
+        match action {
+            Action::New => self.open(Document::default()),
+            Action::Undo => self.history.undo(&mut self.document),
+            Action::Redo => self.history.redo(&mut self.document),
+            Action::ResetCamera => self.reset_camera(),
+            Action::Shade { mode, renormalise } => {
+                self.document.scene.shading.mode = mode;
+                self.document.scene.shading.renormalise = renormalise;
+            }
+            Action::AddLight => self.add_light(Light::default()),
+            Action::DuplicateLight(index) => {
+                if let Some(light) = self.document.scene.lights.get(index).cloned() {
+                    self.add_light(light);
+                }
+            }
+            Action::RemoveLight(index) => self.remove_light(index),
+            Action::MoveProbe(by) => self.probe = self.probe.moved(by, size),
+            Action::Orbit(by) => orbit::orbit(&mut self.document.scene.camera, by[0], by[1]),
+            Action::Pan(by) => orbit::pan(&mut self.document.scene.camera, by[0], by[1]),
+            Action::Zoom(factor) => orbit::zoom(&mut self.document.scene.camera, factor),
+            Action::Show(shown) => {
+                let flag = self.flag(shown);
+                *flag = !*flag;
+            }
+            Action::Theme(theme) => self.look.theme = theme,
+            Action::Larger => self.look.scale = *SCALES.iter().find(|s| **s > self.look.scale + 0.01).unwrap_or(&2.5),
+            Action::Smaller => {
+                self.look.scale = *SCALES.iter().rev().find(|s| **s < self.look.scale - 0.01).unwrap_or(&0.8);
+            }
+            Action::OrdinarySize => self.look.scale = 1.0,
+            Action::Projector => {
+                let large = PROJECTOR_TEXT / TEXT;
+                self.look.scale = if self.look.scale < large - 0.01 { large } else { 1.0 };
+            }
+            other => return Some(other),
+        }
+        None
+    }
+
+    /// The switch that shows or hides something.
+    pub fn flag(&mut self, shown: Shown) -> &mut bool {
+        let look = &mut self.look;
+        match shown {
+            Shown::Controls => &mut look.controls,
+            Shown::Numbers => &mut look.numbers,
+            Shown::Stages => &mut look.stages,
+            Shown::PictureAlone => &mut self.picture_alone,
+            Shown::Vectors => &mut look.overlay.vectors,
+            Shown::Angles => &mut look.overlay.angles,
+            Shown::Construction => &mut look.overlay.construction,
+            Shown::SideView => &mut look.overlay.side_view,
+            Shown::HalfVector => &mut look.overlay.half_vector,
+            Shown::Handles => &mut look.overlay.handles,
+        }
+    }
+
+    fn reset_camera(&mut self) {
+        let Camera { eye, target, up, fov_y, height, .. } = self.saved.scene.camera.clone();
+        let camera = &mut self.document.scene.camera;
+        (camera.eye, camera.target, camera.up, camera.fov_y, camera.height) = (eye, target, up, fov_y, height);
+    }
+
+    fn add_light(&mut self, mut light: Light) {
+        let lights = &mut self.document.scene.lights;
+        // A light upon another looks like none was added.
+        while lights.iter().any(|other| other.position == light.position && other.direction == light.direction) {
+            light.position.x = -light.position.x - 0.5 * f64::from(u8::from(light.position.x <= 0.0));
+            light.direction.x = -light.direction.x + 0.5 * f64::from(u8::from(light.direction.x >= 0.0));
+        }
+        lights.push(light);
+        self.light = lights.len() - 1;
+    }
+
+    fn remove_light(&mut self, index: usize) {
+        let lights = &mut self.document.scene.lights;
+        if index < lights.len() {
+            lights.remove(index);
+            self.light = self.light.min(lights.len().saturating_sub(1));
+        }
+    }
+}

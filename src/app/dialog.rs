@@ -1,0 +1,222 @@
+//! What is asked or told in front of everything else.
+
+use super::action::Action;
+use super::files::{Files, Pick};
+use super::keys::BINDINGS;
+use super::state::AppState;
+use crate::scene::Image;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Button, Context, DragValue, Grid, Id, Key, Modal, ProgressBar, Response, RichText, ScrollArea, TextEdit, Ui,
+    WidgetInfo,
+};
+use std::path::PathBuf;
+
+/// A dialog.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dialog {
+    Message { title: String, text: String },
+    Open { path: String },
+    Save { path: String },
+    Export(ExportForm),
+    Keys,
+    About,
+}
+
+/// How a picture is to be exported.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExportForm {
+    pub size: [u32; 2],
+    pub samples: u32,
+    /// With the vectors as they are shown.
+    pub overlay: bool,
+    pub path: String,
+}
+
+/// What the user has decided.
+enum Choice {
+    Stay,
+    Leave,
+    Accept,
+    Browse(Pick),
+}
+
+impl Dialog {
+    /// A message, for example an error.
+    pub fn message(title: &str, text: String) -> Self {
+        Self::Message { title: title.to_owned(), text }
+    }
+
+    /// Takes over a path that was picked elsewhere.
+    pub fn take_path(&mut self, picked: String) {
+        if let Self::Open { path } | Self::Save { path } | Self::Export(ExportForm { path, .. }) = self {
+            *path = picked;
+        }
+    }
+}
+
+/// Shows the dialog, if any, and how far work on a file has come.
+pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
+    let browsing = state.dialog.is_some();
+    if let Some((what, fraction)) = files.progress().map(|(what, fraction)| (what.to_owned(), fraction)) {
+        let shown = Modal::new(Id::unique("progress")).show(ctx, |ui| {
+            ui.set_width(420.0);
+            ui.label(what);
+            ui.add(ProgressBar::new(fraction).show_percentage());
+            ui.add_space(6.0);
+            ui.button("Cancel").clicked()
+        });
+        if shown.inner {
+            files.cancel();
+        }
+        if !browsing {
+            return;
+        }
+    }
+    let Some(mut dialog) = state.dialog.take() else { return };
+    let shown = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
+        ui.set_width(if dialog == Dialog::Keys { 620.0 } else { 480.0 });
+        contents_ui(ui, &mut dialog)
+    });
+    let leave = shown.should_close();
+    match shown.inner {
+        Choice::Browse(pick) => {
+            files.pick(ctx, pick);
+            state.dialog = Some(dialog);
+        }
+        Choice::Accept => accept(ctx, state, files, dialog),
+        Choice::Stay if !leave => state.dialog = Some(dialog),
+        Choice::Stay | Choice::Leave => ctx.request_repaint(),
+    }
+}
+
+fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog) {
+    match dialog {
+        Dialog::Open { path } => state.ask(Action::OpenFile(PathBuf::from(path.trim()))),
+        Dialog::Save { path } => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
+        Dialog::Export(form) => files.export(ctx, state, &form),
+        Dialog::Message { .. } | Dialog::Keys | Dialog::About => {}
+    }
+    ctx.request_repaint();
+}
+
+fn contents_ui(ui: &mut Ui, dialog: &mut Dialog) -> Choice {
+    match dialog {
+        Dialog::Message { title, text } => message_ui(ui, title, text),
+        Dialog::Open { path } => {
+            let hint = "scene.toml, model.obj or picture.png";
+            path_ui(ui, "Open a scene, a model or an exported picture", "Open", path, hint, Pick::Open)
+        }
+        Dialog::Save { path } => path_ui(ui, "Save the scene", "Save", path, "scene.toml", Pick::SaveScene),
+        Dialog::Export(form) => export_ui(ui, form),
+        Dialog::Keys => keys_ui(ui),
+        Dialog::About => message_ui(
+            ui,
+            concat!("shading-lab ", env!("CARGO_PKG_VERSION")),
+            "A laboratory for local illumination and polygon shading: the illumination equation, a rasterizer of its own, \
+             and what both mean in numbers.",
+        ),
+    }
+}
+
+fn message_ui(ui: &mut Ui, title: &str, text: &str) -> Choice {
+    ui.heading(title);
+    ui.add_space(8.0);
+    ScrollArea::vertical().max_height(320.0).show(ui, |ui| ui.label(text));
+    ui.add_space(12.0);
+    let close = ui.button("Close");
+    if close.clicked() || ui.input(|input| input.key_pressed(Key::Enter)) { Choice::Leave } else { Choice::Stay }
+}
+
+/// A field for a path, with the desktop's dialog a button away: there may be none.
+fn path_ui(ui: &mut Ui, title: &str, verb: &str, path: &mut String, hint: &str, pick: Pick) -> Choice {
+    ui.heading(title);
+    ui.add_space(8.0);
+    let (field, browse) = path_field(ui, path, hint);
+    ui.add_space(12.0);
+    buttons(ui, verb, path, &field, browse.then_some(pick))
+}
+
+fn path_field(ui: &mut Ui, path: &mut String, hint: &str) -> (Response, bool) {
+    ui.horizontal(|ui| {
+        let field = TextEdit::singleline(path).hint_text(hint).desired_width(ui.available_width() - 92.0);
+        let field = ui.add(field);
+        let enabled = ui.is_enabled();
+        field.widget_info(|| WidgetInfo::labeled(Role::TextInput, enabled, "File"));
+        if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
+            field.request_focus();
+        }
+        let browse = ui.button("Browse…").on_hover_text("The desktop's own dialog, where it has one").clicked();
+        (field, browse)
+    })
+    .inner
+}
+
+fn buttons(ui: &mut Ui, verb: &str, path: &str, field: &Response, browse: Option<Pick>) -> Choice {
+    let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    let ready = !path.trim().is_empty();
+    let mut choice = browse.map_or(Choice::Stay, Choice::Browse);
+    ui.horizontal(|ui| {
+        if ui.add_enabled(ready, Button::new(verb)).clicked() || (ready && entered) {
+            choice = Choice::Accept;
+        }
+        if ui.button("Cancel").clicked() {
+            choice = Choice::Leave;
+        }
+    });
+    choice
+}
+
+fn export_ui(ui: &mut Ui, form: &mut ExportForm) -> Choice {
+    ui.heading("Export the picture");
+    ui.label(RichText::new("The scene goes with it: opening the picture brings it back.").weak());
+    ui.add_space(8.0);
+    Grid::new("export").num_columns(2).spacing([16.0, 8.0]).show(ui, |ui| {
+        ui.label("Size");
+        ui.horizontal(|ui| {
+            side_ui(ui, "Width", &mut form.size[0]);
+            ui.label("×");
+            side_ui(ui, "Height", &mut form.size[1]);
+            ui.label("pixels");
+        });
+        ui.end_row();
+        ui.label("Samples per pixel");
+        let samples = ui.add(DragValue::new(&mut form.samples).range(1..=1024));
+        samples.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Samples per pixel"));
+        ui.end_row();
+        ui.label("Vectors");
+        ui.checkbox(&mut form.overlay, "as they are shown");
+        ui.end_row();
+    });
+    ui.add_space(8.0);
+    let (field, browse) = path_field(ui, &mut form.path, "picture.png");
+    ui.add_space(12.0);
+    buttons(ui, "Export", &form.path, &field, browse.then_some(Pick::SavePicture))
+}
+
+fn side_ui(ui: &mut Ui, name: &str, side: &mut u32) {
+    let field = ui.add(DragValue::new(side).range(1..=Image::MAX_SIDE / 2));
+    field.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
+}
+
+fn keys_ui(ui: &mut Ui) -> Choice {
+    ui.heading("Keys and gestures");
+    ui.add_space(8.0);
+    ScrollArea::vertical().max_height(440.0).show(ui, |ui| {
+        Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).striped(true).show(ui, |ui| {
+            let mut section = "";
+            for binding in BINDINGS {
+                if binding.section != section {
+                    section = binding.section;
+                    ui.label(RichText::new(section).strong());
+                    ui.end_row();
+                }
+                ui.label(RichText::new(binding.keys).monospace());
+                ui.label(binding.does);
+                ui.end_row();
+            }
+        });
+    });
+    ui.add_space(12.0);
+    if ui.button("Close").clicked() { Choice::Leave } else { Choice::Stay }
+}

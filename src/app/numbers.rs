@@ -1,0 +1,166 @@
+//! The picture's meaning in numbers at the probe: vectors, angles, and the equation filled in.
+
+use super::engine::Engine;
+use super::palette::{Term, term_text, vector_text};
+use super::state::AppState;
+use crate::analysis::{LightTerms, Probe, ProbeHit};
+use crate::figure::palette::Vector;
+use crate::scene::{Encoding, ReflectionModel, Scene};
+use eframe::egui::{Align, Color32, CornerRadius, Grid, Label, Layout, RichText, ScrollArea, Sense, Ui, vec2};
+use glam::DVec3;
+
+/// Height of a table's rows, points.
+const ROW: f32 = 21.0;
+
+/// The panel of numbers.
+pub fn numbers_ui(ui: &mut Ui, state: &AppState, engine: &Engine) {
+    ui.add_space(6.0);
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        let Some(probe) = engine.probed() else { return };
+        match &probe.hit {
+            None => background_ui(ui, probe),
+            Some(hit) => hit_ui(ui, state, probe, hit),
+        }
+    });
+}
+
+fn background_ui(ui: &mut Ui, probe: &Probe) {
+    let [x, y] = probe.pixel;
+    ui.label(RichText::new(format!("Pixel {x}, {y}")).strong());
+    ui.add_space(4.0);
+    ui.label("The probe sees the background. Double-click the object, or drag the ring onto it.");
+}
+
+fn hit_ui(ui: &mut Ui, state: &AppState, probe: &Probe, hit: &ProbeHit) {
+    let scene = &state.document.scene;
+    pixel_ui(ui, probe, hit);
+    ui.add_space(8.0);
+    equation_ui(ui, scene, hit);
+    ui.add_space(8.0);
+    ui.separator();
+    vectors_ui(ui, scene, hit, state.light.min(hit.lights.len().saturating_sub(1)));
+}
+
+/// The pixel, its stored colour and where it lies.
+fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
+    let [x, y] = probe.pixel;
+    let [r, g, b] = hit.stored;
+    ui.horizontal(|ui| {
+        let (rect, _) = ui.allocate_exact_size(vec2(34.0, 34.0), Sense::hover());
+        ui.painter().rect_filled(rect, CornerRadius::same(5), Color32::from_rgb(r, g, b));
+        ui.vertical(|ui| {
+            ui.spacing_mut().item_spacing.y = 1.0;
+            ui.label(RichText::new(format!("Pixel {x}, {y}")).strong());
+            let face = hit.face.map_or_else(|| "true surface".to_owned(), |face| format!("face {face}"));
+            ui.label(RichText::new(format!("{face}, depth {:.3}", hit.depth)).weak());
+        });
+    });
+}
+
+/// The equation, a line a term, adding up to the stored pixel.
+fn equation_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit) {
+    ui.label(RichText::new("The equation here").strong());
+    let model = scene.reflection.model;
+    let visuals = ui.visuals().clone();
+    let tint = |term| term_text(&visuals, term, model);
+    Grid::new("terms").num_columns(4).spacing([10.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
+        header(ui, ["I =", "red", "green", "blue"]);
+        channels(ui, "Ka·Od·Ia", tint(Term::Ambient), hit.ambient);
+        let several = hit.lights.len() > 1;
+        for (index, light) in hit.lights.iter().enumerate() {
+            let number = if several { format!(" {}", index + 1) } else { String::new() };
+            let faint = light.diffuse == DVec3::ZERO && light.specular == DVec3::ZERO;
+            let pick = |term| if faint { visuals.weak_text_color() } else { tint(term) };
+            channels(ui, &format!("+ diffuse{number}"), pick(Term::Diffuse), light.diffuse);
+            channels(ui, &format!("+ specular{number}"), pick(Term::Specular), light.specular);
+        }
+        channels(ui, "= sum", visuals.strong_text_color(), hit.sum);
+        if hit.sum.max_element() > 1.0 {
+            channels(ui, "clamped", visuals.text_color(), hit.sum.min(DVec3::ONE));
+        }
+        let way = if scene.display.encoding == Encoding::Raw { "× 255" } else { "sRGB × 255" };
+        cell(ui, RichText::new(way).color(visuals.strong_text_color()), Align::Min);
+        for code in hit.stored {
+            cell(ui, RichText::new(code.to_string()).monospace().strong(), Align::Max);
+        }
+        ui.end_row();
+    });
+}
+
+fn header(ui: &mut Ui, texts: [&str; 4]) {
+    for (index, text) in texts.into_iter().enumerate() {
+        let align = if index == 0 { Align::Min } else { Align::Max };
+        cell(ui, RichText::new(text).weak(), align);
+    }
+    ui.end_row();
+}
+
+fn channels(ui: &mut Ui, name: &str, colour: Color32, values: DVec3) {
+    cell(ui, RichText::new(name).color(colour), Align::Min);
+    for value in values.to_array() {
+        cell(ui, RichText::new(number(value)).monospace().color(colour), Align::Max);
+    }
+    ui.end_row();
+}
+
+/// A cell of a table: words at the left, numbers at the right of columns of one width.
+fn cell(ui: &mut Ui, text: RichText, align: Align) {
+    let width = if align == Align::Min { 92.0 } else { 58.0 };
+    ui.allocate_ui_with_layout(vec2(width, ROW), Layout::top_down(align), |ui| {
+        ui.set_min_width(width);
+        ui.add(Label::new(text).truncate().selectable(true));
+    });
+}
+
+/// A number with as many digits as fit a column.
+fn number(value: f64) -> String {
+    let size = value.abs();
+    if size >= 1e5 || (size > 0.0 && size < 5e-5) {
+        format!("{value:.0e}").replace('-', "−")
+    } else if size >= 100.0 {
+        format!("{value:.1}").replace('-', "−")
+    } else {
+        format!("{value:.4}").replace('-', "−")
+    }
+}
+
+/// The vectors at the probe and the angles between them, for one light.
+fn vectors_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit, light: usize) {
+    let title = if hit.lights.len() > 1 { format!("Vectors, light {}", light + 1) } else { "Vectors".to_owned() };
+    ui.label(RichText::new(title).strong());
+    let visuals = ui.visuals().clone();
+    let tint = |letter| vector_text(&visuals, letter);
+    Grid::new("vectors").num_columns(4).spacing([10.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
+        header(ui, ["", "x", "y", "z"]);
+        channels(ui, "point", visuals.text_color(), hit.position);
+        channels(ui, "N", tint(Vector::N), hit.normal);
+        channels(ui, "V", tint(Vector::V), hit.view);
+        if let Some(terms) = hit.lights.get(light) {
+            channels(ui, "L", tint(Vector::L), terms.l);
+            channels(ui, "R", tint(Vector::R), terms.r);
+            channels(ui, "H", tint(Vector::H), terms.h);
+        }
+    });
+    if let Some(terms) = hit.lights.get(light) {
+        ui.add_space(6.0);
+        angles_ui(ui, scene, terms);
+    }
+}
+
+fn angles_ui(ui: &mut Ui, scene: &Scene, terms: &LightTerms) {
+    let phi = match scene.reflection.model {
+        ReflectionModel::Phong => "φ, R to V",
+        ReflectionModel::Blinn => "φ, N to H",
+    };
+    Grid::new("angles").num_columns(2).spacing([10.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
+        let mut line = |name: &str, value: String| {
+            cell(ui, RichText::new(name), Align::Min);
+            ui.add(Label::new(RichText::new(value).monospace()).selectable(true));
+            ui.end_row();
+        };
+        line("θ, N to L", format!("{:>7.2}°", terms.theta.to_degrees()));
+        line(phi, format!("{:>7.2}°", terms.phi.to_degrees()));
+        line("N·L", format!("{:>7.4}", terms.n_dot_l).replace('-', "−"));
+        line("f", format!("{:>7.4}", terms.attenuation));
+    });
+}

@@ -1,0 +1,108 @@
+//! The camera moved by hand: round its target, along the picture, nearer and farther.
+
+use crate::scene::{Camera, Projection, View};
+use glam::{DQuat, DVec3};
+
+/// The viewing direction keeps this far from `up`, degrees, so that the picture never turns over.
+const POLE: f64 = 0.5;
+/// The eye keeps within these distances of its target, world units.
+const DISTANCES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
+
+/// Turns the eye about the target: `right` and `up` are degrees that the eye travels to the right and upwards.
+pub fn orbit(camera: &mut Camera, right: f64, up: f64) {
+    let offset = camera.eye - camera.target;
+    let pole = camera.up.normalize_or(DVec3::Y);
+    let View { right: sideways, .. } = View::new(camera, [1, 1]);
+    let height = 90.0 - offset.angle_between(pole).to_degrees();
+    let up = (height + up).clamp(-90.0 + POLE, 90.0 - POLE) - height;
+    let turn = DQuat::from_axis_angle(pole, right.to_radians()) * DQuat::from_axis_angle(sideways, -up.to_radians());
+    let turned = camera.target + turn * offset;
+    if turned.is_finite() {
+        camera.eye = turned;
+    }
+}
+
+/// Moves eye and target together: `right` and `up` in heights of the picture at the target's distance.
+pub fn pan(camera: &mut Camera, right: f64, up: f64) {
+    let view = View::new(camera, [1, 1]);
+    let seen = view.world_per_pixel(camera.eye.distance(camera.target));
+    let shift = (view.right * right + view.up * up) * seen;
+    if shift.is_finite() {
+        camera.eye += shift;
+        camera.target += shift;
+    }
+}
+
+/// Multiplies the eye's distance from the target, or the height that an orthographic picture spans.
+pub fn zoom(camera: &mut Camera, factor: f64) {
+    match camera.projection {
+        Projection::Orthographic => camera.height = (camera.height * factor).clamp(1e-6, 1e6),
+        Projection::Perspective => {
+            let offset = camera.eye - camera.target;
+            let distance = offset.length();
+            let wanted = (distance * factor).clamp(*DISTANCES.start(), *DISTANCES.end());
+            let eye = camera.target + offset * (wanted / distance);
+            if eye.is_finite() {
+                camera.eye = eye;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_orbit_keeps_the_distance_and_never_passes_the_pole() {
+        let mut camera = Camera { eye: DVec3::new(3.0, 1.0, 2.0), ..Camera::default() };
+        let distance = camera.eye.length();
+        for _ in 0..100 {
+            orbit(&mut camera, 17.0, 11.0);
+            assert!((camera.eye.length() - distance).abs() < 1e-9);
+        }
+        let from_pole = camera.eye.angle_between(DVec3::Y).to_degrees();
+        assert!((from_pole - POLE).abs() < 1e-6, "{from_pole}");
+    }
+
+    #[test]
+    fn to_the_right_and_up_is_to_the_right_and_up() {
+        let mut camera = Camera::default();
+        orbit(&mut camera, 10.0, 0.0);
+        assert!(camera.eye.x > 0.0);
+        orbit(&mut camera, 0.0, 10.0);
+        assert!(camera.eye.y > 0.0);
+    }
+
+    #[test]
+    fn panning_by_a_height_shifts_the_picture_by_its_height() {
+        let mut camera = Camera::default();
+        let before = View::new(&camera, [100, 100]).project(DVec3::ZERO).expect("in sight").0;
+        pan(&mut camera, 0.0, 1.0);
+        let after = View::new(&camera, [100, 100]).project(DVec3::ZERO).expect("in sight").0;
+        assert!((after.y - before.y - 100.0).abs() < 1e-9, "{before} {after}");
+    }
+
+    #[test]
+    fn zooming_is_bounded() {
+        let mut camera = Camera::default();
+        for _ in 0..1000 {
+            zoom(&mut camera, 0.5);
+        }
+        assert!((camera.eye.length() - DISTANCES.start()).abs() < 1e-9);
+        camera.projection = Projection::Orthographic;
+        for _ in 0..1000 {
+            zoom(&mut camera, 2.0);
+        }
+        assert!(camera.height <= 1e6);
+    }
+
+    #[test]
+    fn an_eye_upon_its_target_stays_a_number() {
+        let mut camera = Camera { eye: DVec3::ZERO, ..Camera::default() };
+        orbit(&mut camera, 10.0, 10.0);
+        pan(&mut camera, 1.0, 1.0);
+        zoom(&mut camera, 2.0);
+        assert!(camera.eye.is_finite() && camera.target.is_finite());
+    }
+}

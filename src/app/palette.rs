@@ -1,0 +1,89 @@
+//! The colours that carry meaning: one for each vector and one for each term of the equation.
+//!
+//! The interface itself is grey, so that a colour on the screen always says which letter is meant. A term takes the
+//! colour of the vector that makes it: diffuse light that of L, specular light that of R (of H for Blinn's model);
+//! ambient light comes from nowhere in particular and stays neutral.
+
+use crate::figure::palette::Vector;
+use crate::scene::ReflectionModel;
+use eframe::egui::{Color32, Visuals};
+
+/// Contrast that WCAG 2.2 asks of text (success criterion 1.4.3).
+pub const READABLE: f32 = 4.5;
+
+/// The terms of the equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Term {
+    Ambient,
+    Diffuse,
+    Specular,
+}
+
+/// A vector's colour as drawn in pictures.
+pub fn vector(vector: Vector) -> Color32 {
+    let [r, g, b] = vector.colour();
+    Color32::from_rgb(r, g, b)
+}
+
+/// A vector's colour as text on a panel.
+pub fn vector_text(visuals: &Visuals, letter: Vector) -> Color32 {
+    readable(vector(letter), visuals.panel_fill)
+}
+
+/// A term's colour as text on a panel.
+pub fn term_text(visuals: &Visuals, term: Term, model: ReflectionModel) -> Color32 {
+    match (term, model) {
+        (Term::Ambient, _) => visuals.text_color(),
+        (Term::Diffuse, _) => vector_text(visuals, Vector::L),
+        (Term::Specular, ReflectionModel::Blinn) => vector_text(visuals, Vector::H),
+        (Term::Specular, _) => vector_text(visuals, Vector::R),
+    }
+}
+
+/// `colour`, moved towards black or white no further than it takes to be read on `background`.
+pub fn readable(colour: Color32, background: Color32) -> Color32 {
+    const STEPS: u8 = 20;
+    let away = if luminance(background) > 0.18 { Color32::BLACK } else { Color32::WHITE };
+    (0..=STEPS)
+        .map(|step| colour.lerp_to_gamma(away, f32::from(step) / f32::from(STEPS)))
+        .find(|candidate| contrast(*candidate, background) >= READABLE)
+        .unwrap_or(away)
+}
+
+/// Contrast ratio as WCAG 2.2 defines it, from 1 to 21.
+pub fn contrast(a: Color32, b: Color32) -> f32 {
+    let (a, b) = (luminance(a), luminance(b));
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
+/// Relative luminance as WCAG 2.2 defines it.
+fn luminance(colour: Color32) -> f32 {
+    let [r, g, b] = [colour.r(), colour.g(), colour.b()].map(|code| {
+        let value = f32::from(code) / 255.0;
+        if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+    });
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::theme;
+
+    #[test]
+    fn every_letter_is_readable_in_both_themes() {
+        for visuals in [theme::dark_visuals(), theme::light_visuals()] {
+            for letter in Vector::ALL {
+                let ratio = contrast(vector_text(&visuals, letter), visuals.panel_fill);
+                assert!(ratio >= READABLE, "{} has contrast {ratio}", letter.letter());
+            }
+            assert!(contrast(visuals.text_color(), visuals.panel_fill) >= 7.0);
+            assert!(contrast(visuals.weak_text_color(), visuals.panel_fill) >= READABLE);
+        }
+    }
+
+    #[test]
+    fn contrast_of_black_on_white_is_21() {
+        assert!((contrast(Color32::BLACK, Color32::WHITE) - 21.0).abs() < 1e-3);
+    }
+}

@@ -1,0 +1,205 @@
+//! The picture in the middle: drawn pixel for pixel, turned, zoomed and probed by hand.
+
+use super::action::Action;
+use super::engine::Engine;
+use super::handles::{self, Handle, Placed};
+use super::orbit;
+use super::state::{AppState, Drag, ProbePoint};
+use crate::scene::View;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Color32, CursorIcon, EventFilter, Id, Painter, PointerButton, Rect, Response, Sense, Stroke, Ui, WidgetInfo, pos2,
+    vec2,
+};
+use glam::DVec2;
+
+/// Degrees that the camera turns when the pointer travels the picture's height.
+const DEGREES_PER_HEIGHT: f64 = 180.0;
+/// How fast the wheel zooms: the logarithm of the factor a point of scrolling makes.
+const ZOOM_PER_POINT: f64 = 0.0025;
+/// How near the pointer must be to take hold of something, points.
+const REACH: f32 = 14.0;
+
+/// Where the picture is on the screen, in points and in pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    pub rect: Rect,
+    /// In physical pixels.
+    pub size: [u32; 2],
+    pub pixels_per_point: f32,
+}
+
+impl Place {
+    /// The whole pixels inside the space that `ui` has left.
+    pub fn of(ui: &Ui) -> Self {
+        let pixels_per_point = ui.ctx().pixels_per_point();
+        let room = ui.available_rect_before_wrap();
+        let min = vec2((room.min.x * pixels_per_point).ceil(), (room.min.y * pixels_per_point).ceil());
+        let max = vec2((room.max.x * pixels_per_point).floor(), (room.max.y * pixels_per_point).floor());
+        let size = (max - min).max(vec2(1.0, 1.0));
+        let rect = Rect::from_min_size((min / pixels_per_point).to_pos2(), size / pixels_per_point);
+        Self { rect, size: [size.x as u32, size.y as u32], pixels_per_point }
+    }
+
+    /// A point of the screen in the picture's pixels.
+    pub fn pixel(&self, at: eframe::egui::Pos2) -> DVec2 {
+        let offset = (at - self.rect.min) * self.pixels_per_point;
+        DVec2::new(f64::from(offset.x), f64::from(offset.y))
+    }
+
+    /// A point of the picture, in pixels, on the screen.
+    pub fn point(&self, pixel: DVec2) -> eframe::egui::Pos2 {
+        self.rect.min + vec2(pixel.x as f32, pixel.y as f32) / self.pixels_per_point
+    }
+}
+
+/// The identity of the picture, for the keyboard's focus.
+pub fn id() -> Id {
+    Id::unique("the picture")
+}
+
+/// Shows the picture and does what the pointer asks for.
+pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Place {
+    let place = Place::of(ui);
+    let response = ui.interact(place.rect, id(), Sense::click_and_drag());
+    describe(ui, state, &response);
+    keep_arrows(ui, &response);
+    let view = View::new(&state.document.scene.camera, place.size);
+    let handles = handles::place(state, &view, place);
+    gesture(ui, state, &response, place, &view, &handles);
+    wheel(ui, state, &response, place, &view, &handles);
+    engine.update(ui.ctx(), state, place.size);
+    paint(ui, state, engine, place);
+    place
+}
+
+fn describe(ui: &Ui, state: &AppState, response: &Response) {
+    let mode = format!("{:?}", state.document.scene.shading.mode).to_lowercase();
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, enabled, format!("Picture, {mode} shading")));
+}
+
+/// With the focus on the picture the arrow keys are the probe's.
+fn keep_arrows(ui: &Ui, response: &Response) {
+    if response.clicked() || response.drag_started() {
+        response.request_focus();
+    }
+    if response.has_focus() {
+        let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    }
+}
+
+/// What a drag that begins at `at` would move.
+fn under(state: &AppState, place: Place, handles: &[Placed], at: eframe::egui::Pos2) -> Drag {
+    if let Some(placed) = handles::nearest(handles, at, REACH) {
+        return Drag::Light { index: placed.index, grab: place.pixel(placed.at) - place.pixel(at) };
+    }
+    let probe = place.point(probe_centre(state, place));
+    if probe.distance(at) <= REACH { Drag::Probe } else { Drag::Orbit }
+}
+
+fn probe_centre(state: &AppState, place: Place) -> DVec2 {
+    let [x, y] = state.probe.pixel(place.size);
+    DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5)
+}
+
+fn gesture(ui: &Ui, state: &mut AppState, response: &Response, place: Place, view: &View, handles: &[Placed]) {
+    let shift = ui.input(|input| input.modifiers.shift);
+    if response.drag_started() {
+        let at = ui.input(|input| input.pointer.press_origin()).unwrap_or(place.rect.center());
+        let middle = response.dragged_by(PointerButton::Middle) || response.dragged_by(PointerButton::Secondary);
+        state.drag = match under(state, place, handles, at) {
+            Drag::Light { index, .. } if shift => Drag::LightDepth { index },
+            Drag::Orbit if shift || middle => Drag::Pan,
+            drag => drag,
+        };
+        if let Drag::Light { index, .. } | Drag::LightDepth { index } = state.drag {
+            state.light = index;
+        }
+    }
+    if response.dragged() {
+        drag(ui, state, response, place, view);
+    }
+    if response.drag_stopped() {
+        state.drag = Drag::Nothing;
+    }
+    if let Some(at) = response.interact_pointer_pos().filter(|_| response.double_clicked()) {
+        put_probe(state, place, at);
+    }
+    if response.clicked() && !response.double_clicked() {
+        let hit = response.interact_pointer_pos().and_then(|at| handles::nearest(handles, at, REACH));
+        state.light = hit.map_or(state.light, |placed| placed.index);
+    }
+    cursor(ui, state, response, place, handles, shift);
+}
+
+fn put_probe(state: &mut AppState, place: Place, at: eframe::egui::Pos2) {
+    let pixel = place.pixel(at);
+    let inside = |value: f64, side: u32| value.clamp(0.0, f64::from(side.saturating_sub(1))) as u32;
+    state.probe = ProbePoint::at([inside(pixel.x, place.size[0]), inside(pixel.y, place.size[1])], place.size);
+}
+
+fn drag(ui: &Ui, state: &mut AppState, response: &Response, place: Place, view: &View) {
+    let Some(at) = response.interact_pointer_pos() else { return };
+    let delta = response.drag_delta() / place.rect.height().max(1.0);
+    let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));
+    let camera = &mut state.document.scene.camera;
+    match state.drag {
+        Drag::Nothing => {}
+        Drag::Orbit => orbit::orbit(camera, -dx * DEGREES_PER_HEIGHT, dy * DEGREES_PER_HEIGHT),
+        Drag::Pan => orbit::pan(camera, -dx, dy),
+        Drag::Probe => put_probe(state, place, at),
+        Drag::Light { index, grab } => handles::drag_to(state, index, view, place.pixel(at) + grab),
+        Drag::LightDepth { index } => handles::push(state, index, view, -dy * 2.0),
+    }
+    ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
+}
+
+fn cursor(ui: &Ui, state: &AppState, response: &Response, place: Place, handles: &[Placed], shift: bool) {
+    let hover = response.hover_pos().filter(|_| !response.dragged());
+    let Some(at) = hover else { return };
+    let icon = match under(state, place, handles, at) {
+        Drag::Light { .. } if shift => CursorIcon::ResizeVertical,
+        Drag::Light { .. } => CursorIcon::Grab,
+        Drag::Probe => CursorIcon::Crosshair,
+        _ if shift => CursorIcon::Move,
+        _ => CursorIcon::AllScroll,
+    };
+    ui.ctx().set_cursor_icon(icon);
+}
+
+fn wheel(ui: &Ui, state: &mut AppState, response: &Response, place: Place, view: &View, handles: &[Placed]) {
+    let Some(at) = response.hover_pos() else { return };
+    let (scroll, pinch) = ui.input(|input| (f64::from(input.smooth_scroll_delta().y), f64::from(input.zoom_delta())));
+    if scroll == 0.0 && pinch == 1.0 {
+        return;
+    }
+    let factor = (-scroll * ZOOM_PER_POINT).exp() / pinch;
+    match under(state, place, handles, at) {
+        Drag::Light { index, .. } => handles::push(state, index, view, -factor.ln()),
+        _ => state.ask(Action::Zoom(factor)),
+    }
+}
+
+fn paint(ui: &Ui, state: &AppState, engine: &Engine, place: Place) {
+    let painter = ui.painter().with_clip_rect(place.rect);
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    for texture in [engine.picture(), engine.overlay()].into_iter().flatten() {
+        painter.image(texture.id(), place.rect, whole, Color32::WHITE);
+    }
+    let view = View::new(&state.document.scene.camera, place.size);
+    if state.look.overlay.vectors {
+        probe_ui(&painter, place.point(probe_centre(state, place)), state.drag == Drag::Probe);
+    }
+    for placed in handles::place(state, &view, place) {
+        Handle::paint(&painter, &placed, state.light == placed.index);
+    }
+}
+
+/// A ring round the probed pixel, light on dark on light, so that it shows on any picture.
+fn probe_ui(painter: &Painter, at: eframe::egui::Pos2, held: bool) {
+    let radius = if held { 8.0 } else { 6.0 };
+    painter.circle_stroke(at, radius, Stroke::new(3.5, Color32::from_black_alpha(150)));
+    painter.circle_stroke(at, radius, Stroke::new(1.5, Color32::WHITE));
+}

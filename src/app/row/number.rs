@@ -1,0 +1,223 @@
+//! Rows with a slider and a field for a number.
+
+use super::{About, FIELD, row};
+use crate::app::symbol::Lit;
+use crate::scene::Rgb;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Button, DragValue, Response, Slider, SliderClamping, Ui, WidgetInfo, vec2};
+use std::ops::RangeInclusive;
+
+/// Width of the switch that makes a number infinite, points.
+const INFINITY_SWITCH: f32 = 26.0;
+
+/// The slider of a number and the limits of what may be typed.
+#[derive(Clone, Debug)]
+pub struct Rail {
+    /// What the slider spans.
+    pub span: RangeInclusive<f64>,
+    /// What the field takes.
+    pub limits: RangeInclusive<f64>,
+    pub logarithmic: bool,
+    /// Digits after the point at most.
+    pub decimals: usize,
+    pub suffix: &'static str,
+}
+
+impl Rail {
+    /// A linear slider over `span`, with three decimals and no limit but to be finite and not negative.
+    pub fn linear(span: RangeInclusive<f64>) -> Self {
+        Self { span, limits: 0.0..=f64::MAX, logarithmic: false, decimals: 3, suffix: "" }
+    }
+
+    /// The same, logarithmic.
+    pub fn logarithmic(span: RangeInclusive<f64>) -> Self {
+        Self { logarithmic: true, ..Self::linear(span) }
+    }
+}
+
+/// A row for one number; `default` is what resetting gives.
+pub struct NumberRow<'a> {
+    pub about: About<'a>,
+    pub rail: Rail,
+    pub default: f64,
+}
+
+impl NumberRow<'_> {
+    /// Whether infinity is one of the values, with a switch of its own.
+    fn reaches_infinity(&self) -> bool {
+        *self.rail.limits.end() == f64::INFINITY
+    }
+}
+
+/// A slider with a field.
+pub fn number(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, value: &mut f64) {
+    let changed = value.to_bits() != spec.default.to_bits();
+    if row(ui, lit, &spec.about, changed, |ui| slider_and_field(ui, spec, value)) {
+        *value = spec.default;
+    }
+}
+
+/// A slider with a field for a whole number.
+pub fn whole(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, value: &mut u32) {
+    let mut real = f64::from(*value);
+    number(ui, lit, spec, &mut real);
+    // The limits keep it inside; the cast saturates.
+    *value = real.round() as u32;
+}
+
+/// A coefficient of the material: one slider, which keeps the ratio of the channels, and with `channels` a field each.
+pub fn coefficient(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, channels: bool, value: &mut Rgb) {
+    let largest = value.max_element();
+    let mut scalar = largest;
+    let unequal = *value != Rgb::splat(largest);
+    number(ui, lit, spec, &mut scalar);
+    if scalar.to_bits() != largest.to_bits() {
+        let keeps_ratio = unequal && largest > 0.0 && scalar > 0.0 && scalar.to_bits() != spec.default.to_bits();
+        *value = if keeps_ratio { *value * (scalar / largest) } else { Rgb::splat(scalar) };
+    }
+    if channels || unequal {
+        let name = format!("{} per channel", spec.about.name());
+        let about = About { letter: "", label: "", name: &name, ..spec.about.clone() };
+        let reset = row(ui, lit, &about, unequal, |ui| three_fields(ui, spec.about.name(), value));
+        if reset {
+            *value = Rgb::splat(scalar);
+        }
+    }
+}
+
+/// Red, green and blue as three fields.
+pub fn three_fields(ui: &mut Ui, name: &str, value: &mut Rgb) {
+    let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0;
+    for (channel, part) in ["red", "green", "blue"].into_iter().zip(value.as_mut()) {
+        field(ui, &format!("{name} {channel}"), part, &Rail::linear(0.0..=1.0), width);
+    }
+}
+
+fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
+    let space = ui.spacing().item_spacing.x;
+    let switch = if spec.reaches_infinity() { INFINITY_SWITCH + space } else { 0.0 };
+    ui.spacing_mut().slider_width = (ui.available_width() - FIELD - space - switch).max(40.0);
+    if let Some(tint) = spec.about.tint {
+        ui.visuals_mut().selection.bg_fill = tint;
+    }
+    let slider = slider(ui, spec, value);
+    let field = field(ui, spec.about.name(), value, &spec.rail, FIELD);
+    if !spec.about.tip.is_empty() {
+        slider.on_hover_text(spec.about.tip);
+        field.on_hover_text(spec.about.tip);
+    }
+    if spec.reaches_infinity() {
+        infinity_switch(ui, spec, value);
+    }
+}
+
+fn infinity_switch(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
+    let on = *value == f64::INFINITY;
+    let button = Button::selectable(on, "∞").min_size(vec2(INFINITY_SWITCH, 0.0));
+    let response = ui.scope(|ui| {
+        ui.spacing_mut().button_padding.x = 4.0;
+        ui.add(button)
+    });
+    let (enabled, name) = (ui.is_enabled(), format!("{} infinite", spec.about.name()));
+    response.inner.widget_info(|| WidgetInfo::selected(Role::Button, enabled, on, &name));
+    if response.inner.on_hover_text("Infinity: a mirror").clicked() {
+        *value = if on { spec.default } else { f64::INFINITY };
+    }
+}
+
+fn slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) -> Response {
+    let rail = &spec.rail;
+    let mut slider = Slider::new(value, rail.span.clone())
+        .show_value(false)
+        .clamping(SliderClamping::Edits)
+        .logarithmic(rail.logarithmic)
+        .smallest_positive(rail.span.start().max(1e-6));
+    if rail.decimals == 0 {
+        slider = slider.integer();
+    }
+    let response = ui.add(slider);
+    let (enabled, shown) = (ui.is_enabled(), *value);
+    response.widget_info(|| WidgetInfo::slider(enabled, shown, spec.about.name()));
+    response
+}
+
+/// A field for one number, which takes its limits, `inf` and `∞`.
+pub fn field(ui: &mut Ui, name: &str, value: &mut f64, rail: &Rail, width: f32) -> Response {
+    let size = vec2(width, ui.spacing().interact_size.y);
+    let decimals = rail.decimals;
+    let speed =
+        if rail.logarithmic { value.abs().max(1e-3) * 0.01 } else { (rail.span.end() - rail.span.start()) * 0.002 };
+    let widget = DragValue::new(value)
+        .range(rail.limits.clone())
+        .clamp_existing_to_range(false)
+        .speed(if decimals == 0 { speed.max(0.1) } else { speed })
+        .suffix(rail.suffix)
+        .update_while_editing(false)
+        .custom_formatter(move |value, _| display(value, decimals))
+        .custom_parser(parse);
+    let response = ui.add_sized(size, widget);
+    let (enabled, shown) = (ui.is_enabled(), *value);
+    response.widget_info(|| WidgetInfo { label: Some(name.to_owned()), ..WidgetInfo::drag_value(enabled, shown) });
+    response
+}
+
+/// A number as fields show it: no more digits than mean something.
+pub fn display(value: f64, decimals: usize) -> String {
+    if value == f64::INFINITY {
+        return "∞".to_owned();
+    }
+    let size = value.abs();
+    if size >= 1e7 || (size > 0.0 && size < 0.5 * 10f64.powi(-(decimals.min(9) as i32))) {
+        return format!("{value:.2e}");
+    }
+    let digits = match size {
+        s if s >= 1000.0 => decimals.min(0),
+        s if s >= 100.0 => decimals.min(1),
+        s if s >= 10.0 => decimals.min(2),
+        _ => decimals,
+    };
+    let text = format!("{value:.digits$}");
+    if digits > 2 && text.ends_with('0') { text[..text.len() - 1].to_owned() } else { text }
+}
+
+fn parse(text: &str) -> Option<f64> {
+    let text = text.trim().replace(['\u{2009}', ' ', '°'], "").replace('−', "-").replace(',', ".");
+    match text.as_str() {
+        "∞" => Some(f64::INFINITY),
+        _ => text.parse().ok().filter(|value: &f64| !value.is_nan()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_show_the_digits_that_mean_something() {
+        for (value, decimals, text) in [
+            (0.1, 3, "0.10"),
+            (0.125, 3, "0.125"),
+            (32.0, 2, "32.00"),
+            (123.456, 2, "123.5"),
+            (1005.0, 2, "1005"),
+            (f64::INFINITY, 2, "∞"),
+            (-1.5, 2, "-1.50"),
+            (1e9, 2, "1.00e9"),
+            (0.0, 3, "0.00"),
+            (1e-7, 3, "1.00e-7"),
+        ] {
+            assert_eq!(display(value, decimals), text);
+        }
+    }
+
+    #[test]
+    fn what_is_shown_can_be_typed() {
+        for value in [0.1, 32.0, 1005.0, f64::INFINITY, 1e9, -2.5] {
+            assert_eq!(parse(&display(value, 3)), Some(value));
+        }
+        assert_eq!(parse("0,5"), Some(0.5));
+        assert_eq!(parse("−3"), Some(-3.0));
+        assert_eq!(parse("nan"), None);
+        assert_eq!(parse("x"), None);
+    }
+}

@@ -1,0 +1,97 @@
+//! The bar at the bottom: which stages the last change ran, what they cost, and what was left out.
+
+use super::engine::Engine;
+use super::state::AppState;
+use crate::render::{Stage, StageRun};
+use eframe::egui::{Align, Label, Layout, RichText, Sense, Ui};
+
+/// The bar of stages.
+pub fn stages_ui(ui: &mut Ui, state: &AppState, engine: &Engine) {
+    ui.add_space(2.0);
+    ui.horizontal(|ui| {
+        let report = engine.report();
+        for run in &report.stages {
+            stage_ui(ui, run);
+        }
+        ui.separator();
+        let evaluations: u64 = report.stages.iter().map(|run| run.evaluations).sum();
+        let ms = report.nanoseconds as f64 / 1e6;
+        ui.label(RichText::new(format!("{ms:.1} ms")).monospace());
+        let words = if evaluations == 1 { "evaluation" } else { "evaluations" };
+        ui.label(format!("{} {words}", grouped(evaluations)));
+        ui.label(RichText::new(format!("{} triangles", grouped(report.triangles))).weak());
+        if report.overflowing > 0 {
+            ui.label(format!("{} pixels above 1", grouped(report.overflowing)));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            omissions_ui(ui, engine);
+            if let Some(notice) = &state.notice {
+                ui.add(Label::new(RichText::new(notice).weak()).truncate());
+            }
+        });
+    });
+    ui.add_space(2.0);
+}
+
+fn stage_ui(ui: &mut Ui, run: &StageRun) {
+    let (name, what) = words(run.stage);
+    let text = if run.ran {
+        RichText::new(format!("■ {name}")).strong()
+    } else {
+        RichText::new(format!("□ {name}")).weak()
+    };
+    let time = if run.ran {
+        format!("{what}\nran for {:.2} ms, {} evaluations", run.nanoseconds as f64 / 1e6, grouped(run.evaluations))
+    } else {
+        format!("{what}\nnot run: nothing that it reads has changed")
+    };
+    ui.add(Label::new(text).sense(Sense::hover())).on_hover_text(time);
+}
+
+fn omissions_ui(ui: &mut Ui, engine: &Engine) {
+    let Some(plan) = engine.plan() else { return };
+    let omitted: Vec<_> = plan.omissions().collect();
+    let label = Label::new(format!("left out: {}", omitted.len())).sense(Sense::hover());
+    ui.add(label).on_hover_ui(|ui| {
+        for term in &omitted {
+            let reason = term.omitted.as_deref().unwrap_or_default();
+            ui.label(format!("{}: {reason}", term.name));
+        }
+    });
+}
+
+fn words(stage: Stage) -> (&'static str, &'static str) {
+    match stage {
+        Stage::Geometry => ("geometry", "Tessellation and vertex normals"),
+        Stage::Transform => ("transform", "Vertices to the picture; clipping; back faces"),
+        Stage::Coverage => ("coverage", "Which polygon each pixel sees"),
+        Stage::VertexShading => ("vertices", "The equation at vertices or faces"),
+        Stage::Interpolation => ("interpolation", "Normals or intensities to the pixels"),
+        Stage::PixelShading => ("pixels", "The equation at pixels"),
+        Stage::Display => ("display", "Intensities to stored values"),
+    }
+}
+
+/// Digits in groups of three.
+fn grouped(value: u64) -> String {
+    let digits = value.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index) % 3 == 0 {
+            text.push('\u{2009}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::grouped;
+
+    #[test]
+    fn digits_are_grouped_from_the_right() {
+        assert_eq!((grouped(0), grouped(999)), ("0".to_owned(), "999".to_owned()));
+        assert_eq!(grouped(1_234_567), "1\u{2009}234\u{2009}567");
+    }
+}

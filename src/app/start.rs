@@ -1,0 +1,86 @@
+//! Opening the window, and saying in a sentence why it does not open.
+
+use super::App;
+use crate::document::Loaded;
+use eframe::egui::ViewportBuilder;
+use std::path::Path;
+
+/// Why there is no window.
+#[derive(Debug, thiserror::Error)]
+pub enum AppError {
+    /// Neither X nor Wayland.
+    #[error(
+        "no display was found, expected DISPLAY or WAYLAND_DISPLAY to name one; `shading-lab render` draws without"
+    )]
+    NoDisplay,
+    /// A library is not installed.
+    #[error("the library {library} is missing, expected the Debian package {package}")]
+    MissingLibrary { library: &'static str, package: &'static str },
+    #[error("no OpenGL was found, expected the Debian packages libgl1 and libgl1-mesa-dri ({0})")]
+    NoOpenGl(String),
+    #[error("the window could not be opened ({0})")]
+    Other(String),
+}
+
+/// What the window loads while it starts, and the Debian package that brings it.
+const X11_LIBRARIES: [(&str, &str); 5] = [
+    ("libX11.so.6", "libx11-6"),
+    ("libX11-xcb.so.1", "libx11-xcb1"),
+    ("libXcursor.so.1", "libxcursor1"),
+    ("libXi.so.6", "libxi6"),
+    ("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
+];
+
+/// Opens the window on `loaded` and returns when it is closed.
+///
+/// # Errors
+/// No display, or a library that it needs is missing.
+pub fn run(loaded: Loaded) -> Result<(), AppError> {
+    check_environment()?;
+    let viewport = ViewportBuilder::default()
+        .with_title("shading-lab")
+        .with_app_id("shading-lab")
+        .with_inner_size([1280.0, 800.0])
+        .with_min_inner_size([720.0, 480.0]);
+    let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
+    eframe::run_native("shading-lab", options, Box::new(|cc| Ok(Box::new(App::new(cc, loaded))))).map_err(|error| {
+        let text = error.to_string();
+        match error {
+            eframe::Error::NoGlutinConfigs(..) | eframe::Error::Glutin(_) | eframe::Error::OpenGL(_) => {
+                AppError::NoOpenGl(text)
+            }
+            _ => AppError::Other(text),
+        }
+    })
+}
+
+/// Looks for the display and the libraries before anything panics for want of them.
+fn check_environment() -> Result<(), AppError> {
+    if !cfg!(target_os = "linux") {
+        return Ok(());
+    }
+    let set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    if set("WAYLAND_DISPLAY") || set("WAYLAND_SOCKET") {
+        return Ok(());
+    }
+    if !set("DISPLAY") {
+        return Err(AppError::NoDisplay);
+    }
+    for (library, package) in X11_LIBRARIES {
+        if !is_installed(library) {
+            return Err(AppError::MissingLibrary { library, package });
+        }
+    }
+    Ok(())
+}
+
+/// Whether the dynamic linker would find a library: in its cache, in its usual folders or where it is told to look. Where
+/// there is no cache to read nothing can be said, and the library counts as installed.
+fn is_installed(library: &str) -> bool {
+    let Ok(cache) = std::fs::read("/etc/ld.so.cache") else { return true };
+    let named = |bytes: &[u8]| bytes.windows(library.len()).any(|window| window == library.as_bytes());
+    let told = std::env::var_os("LD_LIBRARY_PATH").unwrap_or_default();
+    let mut folders: Vec<_> = std::env::split_paths(&told).collect();
+    folders.extend(["/lib", "/usr/lib", "/lib64", "/usr/lib64"].map(|folder| Path::new(folder).to_owned()));
+    named(&cache) || folders.iter().any(|folder| folder.join(library).exists())
+}

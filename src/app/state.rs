@@ -1,0 +1,202 @@
+//! Everything that the window remembers: what is open, what is shown of it, and what was asked for.
+
+use super::action::Action;
+use super::dialog::Dialog;
+use super::document::Document;
+use super::history::History;
+use super::symbol::Lit;
+use super::theme::ThemeChoice;
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+/// The state of the window. What is written to disk between two sessions is how the window looks, not what is open.
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct AppState {
+    pub look: Look,
+    #[serde(skip)]
+    pub document: Document,
+    #[serde(skip)]
+    pub history: History,
+    /// The document as last opened or saved.
+    #[serde(skip)]
+    pub saved: Document,
+    #[serde(skip)]
+    pub probe: ProbePoint,
+    /// Index of the light whose controls are shown.
+    #[serde(skip)]
+    pub light: usize,
+    #[serde(skip)]
+    pub drag: Drag,
+    #[serde(skip)]
+    pub lit: Lit,
+    /// Shows the picture alone.
+    #[serde(skip)]
+    pub picture_alone: bool,
+    #[serde(skip)]
+    pub dialog: Option<Dialog>,
+    /// A line in the bottom bar about what was last done.
+    #[serde(skip)]
+    pub notice: Option<String>,
+    /// What was asked for in this frame, by button, menu or key.
+    #[serde(skip)]
+    pub asked: Vec<Action>,
+}
+
+impl AppState {
+    /// Asks for an action, done at the end of the frame.
+    pub fn ask(&mut self, action: Action) {
+        self.asked.push(action);
+    }
+
+    /// Shows another document; the present one is a step of undo away.
+    pub fn open(&mut self, document: Document) {
+        self.document = document;
+        self.saved = self.document.clone();
+        self.light = 0;
+    }
+
+    /// Whether the document has changed since it was opened or saved.
+    pub fn modified(&self) -> bool {
+        self.document != self.saved
+    }
+}
+
+/// How the window looks.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Look {
+    pub theme: ThemeChoice,
+    /// Size of the interface; 1 is 14-point text.
+    pub scale: f32,
+    /// Whether the panel of controls is open.
+    pub controls: bool,
+    /// Whether the panel of numbers is open.
+    pub numbers: bool,
+    /// Whether the bar of stages is open.
+    pub stages: bool,
+    /// Whether coefficients have a number for each channel.
+    pub channels: bool,
+    pub overlay: OverlayLook,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self {
+            theme: ThemeChoice::System,
+            scale: 1.0,
+            controls: true,
+            numbers: true,
+            stages: true,
+            channels: false,
+            overlay: OverlayLook::default(),
+        }
+    }
+}
+
+/// What is drawn over the picture.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct OverlayLook {
+    pub vectors: bool,
+    pub angles: bool,
+    pub construction: bool,
+    pub side_view: bool,
+    pub half_vector: bool,
+    /// The lights' handles.
+    pub handles: bool,
+}
+
+impl Default for OverlayLook {
+    fn default() -> Self {
+        Self { vectors: true, angles: true, construction: false, side_view: false, half_vector: false, handles: true }
+    }
+}
+
+/// Where the probe stands: from the picture's middle, in units of the picture's height, so that it keeps to the same
+/// place of the scene when the window changes its size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProbePoint(pub DVec2);
+
+impl Default for ProbePoint {
+    fn default() -> Self {
+        Self(DVec2::new(0.11, -0.13))
+    }
+}
+
+impl ProbePoint {
+    /// The pixel it stands on in a picture of `size` pixels, kept inside.
+    pub fn pixel(self, size: [u32; 2]) -> [u32; 2] {
+        let [width, height] = size.map(f64::from);
+        let inside = |value: f64, side: u32| value.floor().clamp(0.0, f64::from(side.saturating_sub(1))) as u32;
+        [inside(self.0.x * height + width * 0.5, size[0]), inside(self.0.y * height + height * 0.5, size[1])]
+    }
+
+    /// The probe at the centre of pixel `x`, `y` of a picture of `size` pixels.
+    pub fn at(pixel: [u32; 2], size: [u32; 2]) -> Self {
+        let [width, height] = size.map(|side| f64::from(side.max(1)));
+        let [x, y] = pixel.map(|value| f64::from(value) + 0.5);
+        Self(DVec2::new((x - width * 0.5) / height, (y - height * 0.5) / height))
+    }
+
+    /// The probe moved by whole pixels, not past the picture's edge.
+    pub fn moved(self, by: [i32; 2], size: [u32; 2]) -> Self {
+        let [x, y] = self.pixel(size);
+        let step = |value: u32, by: i32, side: u32| value.saturating_add_signed(by).min(side.saturating_sub(1));
+        Self::at([step(x, by[0], size[0]), step(y, by[1], size[1])], size)
+    }
+}
+
+/// What the pointer drags in the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Drag {
+    #[default]
+    Nothing,
+    /// The camera about its target.
+    Orbit,
+    /// The camera along the picture's plane.
+    Pan,
+    Probe,
+    /// A light, by its index; `grab` leads from the pointer to the light in pixels.
+    Light {
+        index: usize,
+        grab: DVec2,
+    },
+    /// A light towards the viewer and away.
+    LightDepth {
+        index: usize,
+    },
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_probe_returns_to_its_pixel() {
+        for size in [[1, 1], [640, 480], [33, 1001]] {
+            for pixel in [[0, 0], [size[0] - 1, size[1] - 1], [size[0] / 2, size[1] / 3]] {
+                assert_eq!(ProbePoint::at(pixel, size).pixel(size), pixel);
+            }
+        }
+    }
+
+    #[test]
+    fn the_probe_stays_in_the_picture() {
+        let size = [10, 10];
+        assert_eq!(ProbePoint::at([0, 9], size).moved([-1, 1], size).pixel(size), [0, 9]);
+        assert_eq!(ProbePoint::at([0, 9], size).moved([3, -2], size).pixel(size), [3, 7]);
+        assert_eq!(ProbePoint::default().pixel([0, 0]), [0, 0]);
+    }
+
+    #[test]
+    fn the_look_survives_being_written_and_what_is_open_is_not_written() {
+        let mut state = AppState::default();
+        state.look.scale = 1.25;
+        state.document.scene.material.n = 77.0;
+        let text = serde_json::to_string(&state).expect("plain data");
+        assert!(!text.contains("77"), "{text}");
+        let back: AppState = serde_json::from_str(&text).expect("what was written");
+        assert_eq!(back.look, state.look);
+    }
+}

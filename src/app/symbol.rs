@@ -1,0 +1,73 @@
+//! The symbols of the equation: what each means, and which light up together.
+
+/// A symbol of the equation that something in the window controls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Symbol {
+    /// I, the intensity and its way to the display.
+    Intensity,
+    Ka,
+    Od,
+    Ia,
+    /// Σ, the lights.
+    Lights,
+    /// f, attenuation.
+    Attenuation,
+    Ip,
+    Kd,
+    /// N, the normal.
+    Normal,
+    /// L, where a light is.
+    Light,
+    Ks,
+    /// R, or H: the model of reflection.
+    Reflected,
+    /// V, the viewer.
+    Viewer,
+    /// n, the specular exponent.
+    Exponent,
+}
+
+impl Symbol {
+    /// What the symbol stands for, in a phrase.
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Intensity => "I: the intensity of a pixel, red, green and blue; 1 is the display's white",
+            Self::Ka => "Ka: how much of the ambient light the surface returns",
+            Self::Od => "Od: the surface's own colour, which multiplies the ambient and the diffuse light",
+            Self::Ia => "Ia: the ambient light, which comes from everywhere alike",
+            Self::Lights => "Σ: the contributions of all lights are added",
+            Self::Attenuation => "f: how a light weakens with distance",
+            Self::Ip => "Ip: the intensity of a light source, red, green and blue",
+            Self::Kd => "Kd: how much light the surface scatters evenly to all sides (Lambert)",
+            Self::Normal => "N: the unit vector at right angles to the surface",
+            Self::Light => "L: the unit vector from the surface to the light",
+            Self::Ks => "Ks: how much light the surface returns about the mirror direction",
+            Self::Reflected => {
+                "R: L mirrored at N; Blinn's model measures H, half-way between L and V, against N instead"
+            }
+            Self::Viewer => "V: the unit vector from the surface to the viewer",
+            Self::Exponent => "n: the specular exponent; the greater, the smaller and sharper the highlight",
+        }
+    }
+}
+
+/// Which symbol is lit. What the pointer is over this frame is shown the next, so that the order of painting does not
+/// matter.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Lit {
+    /// The symbol lit in this frame.
+    pub now: Option<Symbol>,
+    /// The symbol pointed at so far in this frame.
+    pub next: Option<Symbol>,
+    /// The symbol whose control is to come into view and take the keyboard.
+    pub seek: Option<Symbol>,
+}
+
+impl Lit {
+    /// Ends a frame; true where what is lit has changed and another frame must show it.
+    pub fn turn(&mut self) -> bool {
+        let changed = self.now != self.next;
+        self.now = self.next.take();
+        changed
+    }
+}
