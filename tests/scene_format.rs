@@ -228,6 +228,10 @@ fn no_text_takes_the_reader_down() {
         assert!(message.len() < 400 && !message.contains(['\n', '\u{1b}']), "{message:?}");
     }
     assert_eq!(objections(&" ".repeat(Scene::MAX_TEXT + 1)), "s.toml:1: longer than 4 MiB, expected a scene");
+    let unknown: String = (0..300_000).map(|i| format!("k{i}=1\n")).collect();
+    let message = objections(&unknown);
+    assert_eq!(message.lines().count(), 101);
+    assert_eq!(message.lines().last(), Some("s.toml: 299900 more problems, expected none"));
     let many = format!("light = [{}]", "{},".repeat(Scene::MAX_LIGHTS + 1));
     assert_eq!(objections(&many), "s.toml:1: `light` is a list of 1001, expected at most 1000");
 }

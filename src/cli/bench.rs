@@ -56,7 +56,7 @@ impl Bench {
     }
 }
 
-/// What the next frame differs in from the one before.
+/// The scene's frame of a number, from 1; none where the scene has nothing of the kind to change.
 type Change = fn(&Scene, u32) -> Option<Scene>;
 
 /// Each makes the scene's frame of a number; consecutive numbers up to 8 give different scenes.
@@ -73,7 +73,6 @@ fn move_light(scene: &Scene, step: u32) -> Option<Scene> {
     Some(scene)
 }
 
-#[expect(clippy::unnecessary_wraps, reason = "one signature for all changes")]
 fn turn_n(scene: &Scene, step: u32) -> Option<Scene> {
     let mut scene = scene.clone();
     let n = &mut scene.material.n;
@@ -81,14 +80,12 @@ fn turn_n(scene: &Scene, step: u32) -> Option<Scene> {
     Some(scene)
 }
 
-#[expect(clippy::unnecessary_wraps, reason = "one signature for all changes")]
 fn turn_ka(scene: &Scene, step: u32) -> Option<Scene> {
     let mut scene = scene.clone();
     scene.material.ka = scene.material.ka * 0.9 + Rgb::splat(0.005 * f64::from(step));
     Some(scene)
 }
 
-#[expect(clippy::unnecessary_wraps, reason = "one signature for all changes")]
 fn orbit(scene: &Scene, step: u32) -> Option<Scene> {
     let mut scene = scene.clone();
     let camera = &mut scene.camera;

@@ -30,26 +30,22 @@ impl Scene {
     /// Not TOML, another version, unknown keys or words, values of a wrong type or out of range: each with its line.
     pub fn parse(text: &str, name: &str) -> Result<Self, SceneError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let at = |offset: usize| Place::Line { file: name.to_owned(), line: line_of(text, offset) };
+        let at = |line: usize| Place::Line { file: name.to_owned(), line };
         if text.len() > Self::MAX_TEXT {
-            return Err(Problem { place: at(0), key: String::new(), cause: Cause::TooLong }.into());
+            return Err(Problem { place: at(1), key: String::new(), cause: Cause::TooLong }.into());
         }
         let document = DeTable::parse(text).map_err(|error| {
-            let place = at(error.span().map_or(0, |span| span.start));
+            let place = at(Lines::of(text).line_of(error.span().map_or(0, |span| span.start)));
             Problem { place, key: String::new(), cause: Cause::Syntax(error.message().to_owned()) }
         })?;
-        let place = |Finding { offset, key, cause }: Finding| Problem { place: at(offset), key, cause };
-        let (scene, findings) = read(document.get_ref());
-        let mut problems = findings;
-        if let Some(scene) = &scene {
-            problems.extend(scene.range_problems().into_iter().map(|(key, cause)| Finding {
-                offset: offset_of(document.get_ref(), &key),
-                key,
-                cause,
-            }));
+        let (scene, mut findings) = read(document.get_ref());
+        for (key, cause) in scene.iter().flat_map(Self::range_problems) {
+            findings.push(Finding { offset: offset_of(document.get_ref(), &key), key, cause });
         }
-        problems.sort_by_key(|finding| finding.offset);
-        SceneError::check(problems.into_iter().map(place).collect())?;
+        findings.sort_by_key(|finding| finding.offset);
+        let mut lines = Lines::of(text);
+        let mut placed = |Finding { offset, key, cause }| Problem { place: at(lines.line_of(offset)), key, cause };
+        SceneError::check(findings.into_iter().map(&mut placed).collect())?;
         Ok(scene.unwrap_or_default())
     }
 
@@ -60,10 +56,25 @@ impl Scene {
     }
 }
 
-/// The line of a byte of `text`, counted from 1.
-fn line_of(text: &str, offset: usize) -> usize {
-    let before = text.as_bytes().get(..offset).unwrap_or(text.as_bytes());
-    1 + before.iter().filter(|&&byte| byte == b'\n').count()
+/// Counts lines, going through the text once however many are asked for in their order.
+struct Lines<'a> {
+    text: &'a [u8],
+    offset: usize,
+    line: usize,
+}
+
+impl<'a> Lines<'a> {
+    fn of(text: &'a str) -> Self {
+        Self { text: text.as_bytes(), offset: 0, line: 1 }
+    }
+
+    /// The line of a byte, counted from 1. Offsets must not decrease from call to call.
+    fn line_of(&mut self, offset: usize) -> usize {
+        let passed = self.text.get(self.offset..offset.min(self.text.len())).unwrap_or_default();
+        self.line += passed.iter().filter(|&&byte| byte == b'\n').count();
+        self.offset += passed.len();
+        self.line
+    }
 }
 
 /// Where `key` stands in the document, or the innermost table round it that does.
@@ -94,15 +105,18 @@ mod tests {
     #[test]
     fn lines_are_counted_from_one() {
         let text = "a\nb\n\nc";
-        let lines: Vec<_> = (0..=text.len() + 1).map(|offset| line_of(text, offset)).collect();
+        let mut counted = Lines::of(text);
+        let lines: Vec<_> = (0..=text.len() + 1).map(|offset| counted.line_of(offset)).collect();
         assert_eq!(lines, [1, 1, 2, 2, 3, 4, 4, 4]);
+        let mut counted = Lines::of(text);
+        assert_eq!([0, 5, 5, 9].map(|offset| counted.line_of(offset)), [1, 4, 4, 4]);
     }
 
     #[test]
     fn a_key_is_found_or_the_table_round_it() {
         let text = "[camera]\neye = [1, 2, 3]\n[[light]]\nk = 1\n[[light]]\nc1 = 2\n";
         let document = DeTable::parse(text).expect("sound TOML");
-        let line = |key| line_of(text, offset_of(document.get_ref(), key));
+        let line = |key| Lines::of(text).line_of(offset_of(document.get_ref(), key));
         assert_eq!(line("camera.eye"), 2);
         assert_eq!(line("camera.up"), 1);
         assert_eq!(line("light.1.c1"), 6);

@@ -9,15 +9,21 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneError {
     problems: Vec<Problem>,
+    unlisted: usize,
 }
+
+/// Most problems that are listed; the rest are counted.
+const MOST_LISTED: usize = 100;
 
 impl SceneError {
     /// `Err` with the problems, or `Ok` where there are none.
-    pub(super) fn check(problems: Vec<Problem>) -> Result<(), Self> {
-        if problems.is_empty() { Ok(()) } else { Err(Self { problems }) }
+    pub(super) fn check(mut problems: Vec<Problem>) -> Result<(), Self> {
+        let unlisted = problems.len().saturating_sub(MOST_LISTED);
+        problems.truncate(MOST_LISTED);
+        if problems.is_empty() { Ok(()) } else { Err(Self { problems, unlisted }) }
     }
 
-    /// At least one, in the order of their lines.
+    /// At least one, and the first hundred at most, in the order of their lines.
     pub fn problems(&self) -> &[Problem] {
         &self.problems
     }
@@ -25,7 +31,7 @@ impl SceneError {
 
 impl From<Problem> for SceneError {
     fn from(problem: Problem) -> Self {
-        Self { problems: vec![problem] }
+        Self { problems: vec![problem], unlisted: 0 }
     }
 }
 
@@ -39,7 +45,11 @@ impl fmt::Display for SceneError {
             }
             write!(f, "{problem}")?;
         }
-        Ok(())
+        match (self.unlisted, self.problems.last().map(|problem| &problem.place)) {
+            (0, _) => Ok(()),
+            (more, Some(Place::Line { file, .. })) => write!(f, "\n{file}: {more} more problems, expected none"),
+            (more, _) => write!(f, "\n{more} more problems, expected none"),
+        }
     }
 }
 
