@@ -59,7 +59,7 @@ fn keys_choose_the_shading_mode() {
         (Key::Num6, ShadingMode::Phong, false),
         (Key::Num4, ShadingMode::Phong, true),
     ];
-    let mut harness = window("flat-facets");
+    let mut harness = window("torus");
     let mut seen = vec![picture(&harness)];
     for (key, mode, renormalise) in modes {
         harness.key_press(key);
