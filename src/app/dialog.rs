@@ -7,8 +7,7 @@ use super::state::AppState;
 use crate::scene::Image;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Button, Context, DragValue, Grid, Id, Key, Modal, ProgressBar, Response, RichText, ScrollArea, TextEdit, Ui,
-    WidgetInfo,
+    Button, Context, DragValue, Grid, Id, Key, Modal, ProgressBar, RichText, ScrollArea, TextEdit, Ui, WidgetInfo,
 };
 use std::path::PathBuf;
 
@@ -132,28 +131,29 @@ fn message_ui(ui: &mut Ui, title: &str, text: &str) -> Choice {
 fn path_ui(ui: &mut Ui, title: &str, verb: &str, path: &mut String, hint: &str, pick: Pick) -> Choice {
     ui.heading(title);
     ui.add_space(8.0);
-    let (field, browse) = path_field(ui, path, hint);
+    let (entered, browse) = path_field(ui, path, hint);
     ui.add_space(12.0);
-    buttons(ui, verb, path, &field, browse.then_some(pick))
+    buttons(ui, verb, path, entered, browse.then_some(pick))
 }
 
-fn path_field(ui: &mut Ui, path: &mut String, hint: &str) -> (Response, bool) {
+/// The field; tells whether Enter was pressed in it, and whether the desktop's dialog is asked for.
+fn path_field(ui: &mut Ui, path: &mut String, hint: &str) -> (bool, bool) {
     ui.horizontal(|ui| {
         let field = TextEdit::singleline(path).hint_text(hint).desired_width(ui.available_width() - 92.0);
         let field = ui.add(field);
         let enabled = ui.is_enabled();
         field.widget_info(|| WidgetInfo::labeled(Role::TextInput, enabled, "File"));
-        if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
+        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        if !field.has_focus() && !entered && ui.memory(|memory| memory.focused().is_none()) {
             field.request_focus();
         }
         let browse = ui.button("Browse…").on_hover_text("The desktop's own dialog, where it has one").clicked();
-        (field, browse)
+        (entered, browse)
     })
     .inner
 }
 
-fn buttons(ui: &mut Ui, verb: &str, path: &str, field: &Response, browse: Option<Pick>) -> Choice {
-    let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+fn buttons(ui: &mut Ui, verb: &str, path: &str, entered: bool, browse: Option<Pick>) -> Choice {
     let ready = !path.trim().is_empty();
     let mut choice = browse.map_or(Choice::Stay, Choice::Browse);
     ui.horizontal(|ui| {
@@ -189,9 +189,9 @@ fn export_ui(ui: &mut Ui, form: &mut ExportForm) -> Choice {
         ui.end_row();
     });
     ui.add_space(8.0);
-    let (field, browse) = path_field(ui, &mut form.path, "picture.png");
+    let (entered, browse) = path_field(ui, &mut form.path, "picture.png");
     ui.add_space(12.0);
-    buttons(ui, "Export", &form.path, &field, browse.then_some(Pick::SavePicture))
+    buttons(ui, "Export", &form.path, entered, browse.then_some(Pick::SavePicture))
 }
 
 fn side_ui(ui: &mut Ui, name: &str, side: &mut u32) {

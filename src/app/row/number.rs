@@ -172,7 +172,7 @@ pub fn display(value: f64, decimals: usize) -> String {
         return format!("{value:.2e}");
     }
     let digits = match size {
-        s if s >= 1000.0 => decimals.min(0),
+        s if s >= 1000.0 => 0,
         s if s >= 100.0 => decimals.min(1),
         s if s >= 10.0 => decimals.min(2),
         _ => decimals,
