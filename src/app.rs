@@ -1,7 +1,7 @@
 //! The window: controls in the order of the equation, the picture, and its meaning in numbers.
 //!
 //! [`AppState`] is all that the window remembers; each panel is a function of it. Menus, keys and buttons ask for
-//! [`Action`]s, which are done in one place at the end of the frame. Nothing is drawn again unless something has changed.
+//! actions, which are done in one place at the end of the frame. Nothing is drawn again unless something has changed.
 
 mod action;
 mod controls;

@@ -40,7 +40,7 @@ pub enum SpecularForm {
 
 impl SpecularForm {
     /// From this n on the chord form is used. Where the chord's logarithm ends, at `1 − a·b` = 0.29, the power is then
-    /// below 0.71⁶⁴ = 3·10⁻¹⁰, and below it the cosine form loses less than 64 · 10⁻⁷.
+    /// below 0.71⁶⁴ = 3·10⁻¹⁰ and counts as 0, and below it the cosine form loses less than 64 · 10⁻⁷.
     pub const CHORD_FROM: f64 = 64.0;
 
     /// The form that `scene` needs. Normals that are left short of unit length have no chord.
@@ -134,8 +134,9 @@ fn power_of_cosine<R: Real>(c: R, exponent: &Exponent<R::Scalar>) -> R {
 fn power_of_chord<R: Real>(a: V3<R>, b: V3<R>, exponent: &Exponent<R::Scalar>) -> R {
     let chord = a - b;
     let t = chord.dot(chord) * R::Scalar::from_f64(0.5);
-    let t = t.min(t.constant(R::Scalar::from_f64(0.29)));
-    (R::log2_one_minus(t) * exponent.n).exp2()
+    let limit = t.constant(R::Scalar::from_f64(0.29));
+    let power = (R::log2_one_minus(t.min(limit)) * exponent.n).exp2();
+    R::select(limit.greater_than(t), power, t.constant(R::Scalar::default()))
 }
 
 impl Specular for PhongCosine {
