@@ -156,6 +156,10 @@ impl App {
     }
 
     fn save(&mut self, path: std::path::PathBuf) {
+        if let Err(error) = self.state.document.scene.validate() {
+            self.state.dialog = Some(Dialog::message("This scene could not be opened again", error.to_string()));
+            return;
+        }
         match crate::document::save_scene(&path, &self.state.document.scene) {
             Ok(()) => {
                 self.state.notice = Some(format!("saved {}", path.display()));

@@ -145,3 +145,72 @@ fn a_file_that_cannot_be_opened_says_so_and_changes_nothing() {
     assert!(shown, "the dialog names the file and the line");
     assert!(*scene(&harness) == before, "the scene is left alone");
 }
+
+/// Chooses an entry of a list by the names of both, sees the picture change, and takes it back.
+fn choice_changes_the_picture(scene: &str, prepare: &[Key], list: &str, entry: &str) {
+    let mut harness = window(scene);
+    for key in prepare {
+        harness.key_press(*key);
+        harness.run();
+    }
+    let before = picture(&harness);
+    harness.get_by_role_and_label(Role::ComboBox, list).scroll_to_me();
+    harness.run();
+    harness.get_by_role_and_label(Role::ComboBox, list).click_accesskit();
+    harness.run();
+    harness.get_by_role_and_label(Role::Button, entry).click_accesskit();
+    harness.run();
+    assert!(picture(&harness) != before, "{list}: {entry} changes nothing in {scene}");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+    assert!(picture(&harness) == before, "undo of {list} does not bring the picture back");
+}
+
+#[test]
+fn every_choice_changes_the_picture() {
+    let choices: [(&str, &[Key], &str, &str); 15] = [
+        ("sphere", &[], "Reflection model", "Blinn  (N·H)^n"),
+        ("sphere", &[], "Back-facing policy", "turn N about"),
+        ("sphere", &[], "Light 1 kind", "directional"),
+        ("sphere", &[], "Light 1 attenuation", "1/d²"),
+        ("sphere", &[], "Object kind", "torus"),
+        ("cylinder", &[], "Vertex normals", "each polygon's own"),
+        ("cone", &[], "Vertex normals", "averaged"),
+        ("sphere", &[], "Projection", "orthographic"),
+        ("sphere", &[], "Viewer", "at infinity"),
+        ("sphere", &[], "Overflow", "hatched"),
+        ("sphere", &[], "Overflow", "scale the picture"),
+        ("sphere", &[], "Encoding", "sRGB"),
+        ("attenuation", &[Key::Num1], "Flat at", "at the first corner"),
+        ("highlight", &[Key::Num3], "Interpolation", "affine"),
+        ("torus", &[Key::Num3], "Interpolation", "scan line"),
+    ];
+    for (scene, prepare, list, entry) in choices {
+        println!("{scene}: {list}: {entry}");
+        choice_changes_the_picture(scene, prepare, list, entry);
+    }
+}
+
+#[test]
+fn typed_numbers_change_the_picture() {
+    let fields = [
+        ("Od surface colour red", 0.1),
+        ("Ia ambient light red", 0.0),
+        ("Light 1 position x", -3.0),
+        ("Light 1 Ip green", 0.2),
+        ("Field of view", 70.0),
+        ("Eye x", 3.0),
+        ("Target y", 0.4),
+        ("Background blue", 0.9),
+    ];
+    for (name, value) in fields {
+        let mut harness = window("sphere");
+        let before = picture(&harness);
+        harness.get_by_role_and_label(Role::SpinButton, name).set_value_accesskit(value);
+        harness.run();
+        assert!(picture(&harness) != before, "{name} = {value} changes nothing");
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        harness.run();
+        assert!(picture(&harness) == before, "undo of {name} does not bring the picture back");
+    }
+}

@@ -32,15 +32,15 @@ pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
         ui.spacing_mut().item_spacing = vec2(0.0, 2.0);
         ui.set_max_width(width);
         ui.horizontal_wrapped(|ui| {
-            for group in pieces {
-                group_ui(ui, state, &group);
+            for (number, group) in pieces.iter().enumerate() {
+                group_ui(ui, state, group, number);
             }
         });
     });
 }
 
 /// A run of pieces that stays on one line.
-fn group_ui(ui: &mut Ui, state: &mut AppState, group: &[Piece]) {
+fn group_ui(ui: &mut Ui, state: &mut AppState, group: &[Piece], number: usize) {
     let galleys: Vec<_> = group.iter().map(|piece| ui.painter().layout_job(layout(piece))).collect();
     let width = galleys.iter().map(|galley| galley.size().x).sum();
     let height = SIZE * 1.6;
@@ -51,14 +51,15 @@ fn group_ui(ui: &mut Ui, state: &mut AppState, group: &[Piece]) {
         let place = eframe::egui::Rect::from_min_size(eframe::egui::pos2(x, rect.min.y), size);
         x += size.x;
         if let Some(symbol) = piece.symbol {
-            symbol_ui(ui, state, symbol, place, index);
+            // A symbol may stand more than once.
+            symbol_ui(ui, state, symbol, place, (number, index));
         }
         let top = place.center().y - galley.size().y / 2.0;
         ui.painter().galley(eframe::egui::pos2(place.min.x, top), galley, piece.colour);
     }
 }
 
-fn symbol_ui(ui: &mut Ui, state: &mut AppState, symbol: Symbol, place: eframe::egui::Rect, index: usize) {
+fn symbol_ui(ui: &mut Ui, state: &mut AppState, symbol: Symbol, place: eframe::egui::Rect, index: (usize, usize)) {
     let id = ui.scope_id().with(("symbol", symbol, index));
     let response = ui.interact(place, id, Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{symbol:?} in the equation")));
