@@ -1,6 +1,6 @@
 //! The camera as the kernels need it: lengths in camera distances, positions relative to the eye.
 
-use crate::scene::{Camera, Projection};
+use crate::scene::{Camera, Projection, View};
 use glam::{DVec2, DVec3};
 
 /// What is nearer to the eye than this many camera distances is clipped away.
@@ -26,26 +26,11 @@ pub(super) struct Lens {
 impl Lens {
     /// The lens of `camera` for a picture of `size` pixels whose samples lie `offset` pixels from the centres.
     pub fn new(camera: &Camera, size: [u32; 2], offset: DVec2) -> Self {
-        let [width, height] = size.map(f64::from);
+        let View { eye, right, up, forward, centre, scale, projection } = View::new(camera, size);
         let unit = camera.distance();
-        let forward = ((camera.target - camera.eye) / unit).normalize_or(-DVec3::Z);
-        let right = forward.cross(camera.up.normalize_or(DVec3::Y)).normalize_or(forward.any_orthonormal_vector());
-        let perspective = camera.projection == Projection::Perspective;
-        let focal = if perspective {
-            height / 2.0 / (camera.fov_y.to_radians() / 2.0).tan()
-        } else {
-            height / camera.height * unit
-        };
-        Self {
-            eye: camera.eye,
-            unit,
-            right,
-            up: right.cross(forward),
-            forward,
-            perspective,
-            focal,
-            middle: DVec2::new(width, height) / 2.0 - offset,
-        }
+        let perspective = projection == Projection::Perspective;
+        let focal = if perspective { scale } else { scale * unit };
+        Self { eye, unit, right, up, forward, perspective, focal, middle: centre - offset }
     }
 
     /// Right, up and forward components of a world point, camera distances.
