@@ -202,7 +202,7 @@ fn side_ui(ui: &mut Ui, name: &str, side: &mut u32) {
 fn keys_ui(ui: &mut Ui) -> Choice {
     ui.heading("Keys and gestures");
     ui.add_space(8.0);
-    ScrollArea::vertical().max_height(440.0).show(ui, |ui| {
+    ScrollArea::vertical().max_height(440.0).auto_shrink([false, true]).show(ui, |ui| {
         Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).striped(true).show(ui, |ui| {
             let mut section = "";
             for binding in BINDINGS {

@@ -17,12 +17,15 @@ pub fn stages_ui(ui: &mut Ui, state: &AppState, engine: &Engine) {
         let evaluations: u64 = report.stages.iter().map(|run| run.evaluations).sum();
         let ms = report.nanoseconds as f64 / 1e6;
         ui.label(RichText::new(format!("{ms:.1} ms")).monospace());
-        let words = if evaluations == 1 { "evaluation" } else { "evaluations" };
-        ui.label(format!("{} {words}", grouped(evaluations)));
+        // What a narrow window has no room for is left to the tooltips.
+        if ui.available_width() > 250.0 {
+            let words = if evaluations == 1 { "evaluation" } else { "evaluations" };
+            ui.label(format!("{} {words}", grouped(evaluations)));
+        }
         if ui.available_width() > 420.0 {
             ui.label(RichText::new(format!("{} triangles", grouped(report.triangles))).weak());
         }
-        if report.overflowing > 0 {
+        if report.overflowing > 0 && ui.available_width() > 250.0 {
             ui.label(format!("{} pixels above 1", grouped(report.overflowing)));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
