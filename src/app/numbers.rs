@@ -155,12 +155,12 @@ fn angles_ui(ui: &mut Ui, scene: &Scene, terms: &LightTerms) {
     Grid::new("angles").num_columns(2).spacing([4.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
         let mut line = |name: &str, value: String| {
             cell(ui, RichText::new(name), Align::Min);
-            ui.add(Label::new(RichText::new(value).monospace()).selectable(true));
+            cell(ui, RichText::new(value).monospace(), Align::Max);
             ui.end_row();
         };
-        line("θ, N to L", format!("{:>7.2}°", terms.theta.to_degrees()));
-        line(phi, format!("{:>7.2}°", terms.phi.to_degrees()));
-        line("N·L", format!("{:>7.4}", terms.n_dot_l).replace('-', "−"));
-        line("f", format!("{:>7.4}", terms.attenuation));
+        line("θ, N to L", format!("{:.2}°", terms.theta.to_degrees()));
+        line(phi, format!("{:.2}°", terms.phi.to_degrees()));
+        line("N·L", format!("{:.4} ", terms.n_dot_l).replace('-', "−"));
+        line("f", format!("{:.4} ", terms.attenuation));
     });
 }
