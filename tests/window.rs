@@ -146,7 +146,17 @@ fn a_file_that_cannot_be_opened_says_so_and_changes_nothing() {
     assert!(*scene(&harness) == before, "the scene is left alone");
 }
 
-/// Chooses an entry of a list by the names of both, sees the picture change, and takes it back.
+/// Chooses an entry of a list by the names of both.
+fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
+    harness.get_by_role_and_label(Role::ComboBox, list).scroll_to_me();
+    harness.run();
+    harness.get_by_role_and_label(Role::ComboBox, list).click_accesskit();
+    harness.run();
+    harness.get_by_role_and_label(Role::Button, entry).click_accesskit();
+    harness.run();
+}
+
+/// Makes a choice, sees the picture change, and takes it back.
 fn choice_changes_the_picture(scene: &str, prepare: &[Key], list: &str, entry: &str) {
     let mut harness = window(scene);
     for key in prepare {
@@ -154,16 +164,29 @@ fn choice_changes_the_picture(scene: &str, prepare: &[Key], list: &str, entry: &
         harness.run();
     }
     let before = picture(&harness);
-    harness.get_by_role_and_label(Role::ComboBox, list).scroll_to_me();
-    harness.run();
-    harness.get_by_role_and_label(Role::ComboBox, list).click_accesskit();
-    harness.run();
-    harness.get_by_role_and_label(Role::Button, entry).click_accesskit();
-    harness.run();
+    choose(&mut harness, list, entry);
     assert!(picture(&harness) != before, "{list}: {entry} changes nothing in {scene}");
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     harness.run();
     assert!(picture(&harness) == before, "undo of {list} does not bring the picture back");
+}
+
+#[test]
+fn controls_appear_where_they_have_an_effect() {
+    let mut harness = window("cone");
+    assert!(harness.query_by_role_and_label(Role::ComboBox, "Weighting").is_none(), "exact normals have no weights");
+    choose(&mut harness, "Vertex normals", "averaged");
+    let equal = picture(&harness);
+    choose(&mut harness, "Weighting", "by angle");
+    assert!(picture(&harness) != equal);
+
+    assert!(harness.query_by_role_and_label(Role::SpinButton, "Height").is_none());
+    choose(&mut harness, "Projection", "orthographic");
+    assert!(harness.query_by_role_and_label(Role::SpinButton, "Field of view").is_none());
+    let near = picture(&harness);
+    harness.get_by_role_and_label(Role::SpinButton, "Height").set_value_accesskit(5.0);
+    harness.run();
+    assert!(picture(&harness) != near);
 }
 
 #[test]
