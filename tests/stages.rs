@@ -98,6 +98,26 @@ fn what_is_kept_is_what_would_be_drawn() {
     }
 }
 
+/// Switches that change neither coverage nor the equation's coefficients.
+#[test]
+fn switches_of_the_shading_are_noticed() {
+    let mut renderer = Renderer::default();
+    let mut scene = scene(ShadingMode::Phong);
+    (scene.object.segments, scene.object.rings, scene.material.n) = (6, 4, 20.0);
+    for renormalise in [true, false, true] {
+        scene.shading.renormalise = renormalise;
+        let kept = renderer.render(&scene).clone();
+        assert!(kept.pixels == Renderer::default().render(&scene).pixels, "renormalise = {renormalise}");
+    }
+    let model = std::sync::Arc::new(shading_lab::geometry::tessellate(&scene.object));
+    scene.object.kind = ObjectKind::Obj;
+    renderer.set_model(Some(model));
+    renderer.render(&scene);
+    scene.shading.mode = ShadingMode::Exact;
+    renderer.render(&scene);
+    assert!(ran(&renderer).contains(&Stage::PixelShading), "a model's exact picture is evaluated in double precision");
+}
+
 /// The levels of this machine, best first.
 fn levels() -> Vec<Level> {
     let best = Level::new();

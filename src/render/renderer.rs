@@ -84,6 +84,8 @@ struct CanvasInputs {
     background: [f64; 3],
     display: Display,
     whole_picture: bool,
+    renormalise: bool,
+    double: bool,
 }
 
 impl Default for Renderer {
@@ -358,6 +360,8 @@ impl Renderer {
             background: scene.image.background.to_array(),
             display: scene.display.clone(),
             whole_picture: plan.whole_picture,
+            renormalise: plan.renormalise,
+            double: plan.double,
         };
         let repaint = self.canvas.update(inputs, |_, ()| {});
         let shaded = repaint || stale.any();

@@ -103,7 +103,9 @@ fn divisions_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
 fn normals_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
     let default = Object::default();
     let unused = match (scene.shading.mode, scene.shading.flat_at) {
-        (ShadingMode::Exact, _) => Some("Exact shading takes the true surface's normal at every pixel"),
+        (ShadingMode::Exact, _) if scene.object.kind != ObjectKind::Obj => {
+            Some("Exact shading takes the true surface's normal at every pixel")
+        }
         (ShadingMode::Interpolated, _) | (ShadingMode::Flat, FlatAt::Centre) => {
             Some("This shading takes the polygon's own normal; vertex normals are not used")
         }
