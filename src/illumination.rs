@@ -4,18 +4,29 @@
 //! coefficients of a scene in single or double precision; [`Equation::illuminate`] evaluates it for as many points as the
 //! number type [`Real`] has lanes: one for `f64` (the probe, the reference), sixteen for the widest vectors.
 
+mod area;
 mod equation;
+mod fresnel;
 mod lanes;
+mod matching;
+mod microfacet;
+mod pattern;
 mod real;
+mod snell;
 mod source;
 mod specular;
 mod vector;
 
-pub use equation::{Equation, LightResponse, Site};
+pub use area::{area_samples, rectangle_axes};
+pub use equation::{Equation, LightAt, LightResponse, Reached, Site};
+pub use fresnel::Index;
 pub use lanes::Lanes;
+pub use matching::{blinn_from_phong, half_width, phong_from_blinn, roughness_from_exponent};
+pub use pattern::Fields;
 pub use real::{Real, Scalar};
-pub use source::{Falloff, Source};
+pub use snell::{critical_angle, mirror, refract};
+pub use source::{Falloff, Source, attenuation_at};
 pub use specular::{
-    BlinnChord, BlinnCosine, Exponent, FormTask, NoSpecular, PhongChord, PhongCosine, Specular, SpecularForm,
+    Beckmann, BlinnChord, BlinnCosine, FormTask, Ggx, Lobe, NoSpecular, PhongChord, PhongCosine, Specular, SpecularForm,
 };
 pub use vector::V3;

@@ -14,19 +14,21 @@ mod overrides;
 pub mod presets;
 mod problem;
 mod settings;
+mod surroundings;
 mod validation;
 mod view;
 
 pub use camera::{Camera, Projection, Viewer};
-pub use light::{Ambient, Attenuation, Light, LightKind};
-pub use material::Material;
+pub use light::{Ambient, AmbientSource, AreaShape, Attenuation, Light, LightKind};
+pub use material::{Material, Reflectance};
 pub use nearest::nearest;
 pub use object::{NormalSource, Object, ObjectKind, Weighting};
 pub use problem::{Cause, Place, Problem, SceneError};
 pub use settings::{
-    Backfacing, Display, Encoding, FlatAt, Image, Interpolation, Overflow, Reflection, ReflectionModel, Shading,
-    ShadingMode,
+    Backfacing, Display, Distribution, Encoding, FlatAt, Image, Interpolation, Overflow, Reflection, ReflectionModel,
+    Shading, ShadingMode,
 };
+pub use surroundings::{Backdrop, Ground, Pattern, PatternKind, Through, Transparency};
 pub use validation::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
 pub use view::View;
 
@@ -45,9 +47,13 @@ pub struct Scene {
     pub image: Image,
     pub object: Object,
     pub material: Material,
+    pub pattern: Pattern,
+    pub transparency: Transparency,
     pub reflection: Reflection,
     pub shading: Shading,
     pub display: Display,
+    pub ground: Ground,
+    pub backdrop: Backdrop,
     pub ambient: Ambient,
     /// The lights, whose contributions are summed. A file without any `[[light]]` gets the default one; `light = []`
     /// means darkness.
@@ -63,9 +69,13 @@ impl Default for Scene {
             image: Image::default(),
             object: Object::default(),
             material: Material::default(),
+            pattern: Pattern::default(),
+            transparency: Transparency::default(),
             reflection: Reflection::default(),
             shading: Shading::default(),
             display: Display::default(),
+            ground: Ground::default(),
+            backdrop: Backdrop::default(),
             ambient: Ambient::default(),
             lights: vec![Light::default()],
         }

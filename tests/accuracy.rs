@@ -56,6 +56,7 @@ fn random_light(dice: &mut Dice) -> Light {
         c1: dice.between(0.1, 1.0),
         c2: dice.between(0.0, 0.5),
         c3: dice.between(0.0, 0.5),
+        ..Light::default()
     }
 }
 
@@ -133,7 +134,7 @@ fn textbook(scene: &Scene, p: DVec3) -> DVec3 {
         }
         let cosine = match scene.reflection.model {
             ReflectionModel::Phong => (2.0 * n_dot_l * n - l).dot(v),
-            ReflectionModel::Blinn => n.dot((l + v).normalize()),
+            ReflectionModel::Blinn | ReflectionModel::CookTorrance => n.dot((l + v).normalize()),
         };
         sum += f * light.color * (m.kd * m.color * n_dot_l + m.ks * cosine.max(0.0).powf(m.n));
     }

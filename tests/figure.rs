@@ -26,7 +26,22 @@ fn terms(scene: &Scene, light: &Light, position: DVec3, n: DVec3, v: DVec3) -> L
     let diffuse = light.color * scene.material.kd * scene.material.color * n.dot(l) * lit;
     let specular = light.color * scene.material.ks * phi.cos().max(0.0).powf(scene.material.n) * lit;
     let theta = n.angle_between(l);
-    LightTerms { kind: light.kind, l, r, h, n_dot_l: n.dot(l), theta, phi, attenuation: 1.0, diffuse, specular }
+    LightTerms {
+        kind: light.kind,
+        l,
+        r,
+        h,
+        n_dot_l: n.dot(l),
+        theta,
+        phi,
+        attenuation: 1.0,
+        spot: 1.0,
+        reflectance: Rgb::ONE,
+        incidence: theta,
+        reached: 1.0,
+        diffuse,
+        specular,
+    }
 }
 
 /// The equation at a pixel of the sphere.

@@ -3,9 +3,10 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use shading_lab::scene::{
-    Ambient, Attenuation, Backfacing, Camera, Cause, Display, Encoding, FlatAt, Image, Interpolation, Light, LightKind,
-    Material, NormalSource, Object, ObjectKind, Overflow, Projection, Reflection, ReflectionModel, Rgb, Scene, Shading,
-    ShadingMode, Viewer, Weighting,
+    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Cause, Display, Distribution,
+    Encoding, FlatAt, Ground, Image, Interpolation, Light, LightKind, Material, NormalSource, Object, ObjectKind,
+    Overflow, Pattern, PatternKind, Projection, Reflectance, Reflection, ReflectionModel, Rgb, Scene, Shading,
+    ShadingMode, Through, Transparency, Viewer, Weighting,
 };
 
 /// Everything that reading `text` as the file `s.toml` objects to, a line each.
@@ -340,7 +341,16 @@ fn word<T: Clone + std::fmt::Debug + 'static>(words: &'static [T]) -> impl Strat
 
 prop_compose! {
     fn light()(
-        kind in word(&[LightKind::Point, LightKind::Directional]),
+        name in "\\PC{0,20}",
+        kind in word(&[LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Area]),
+        mute in any::<bool>(),
+        solo in any::<bool>(),
+        shape in word(&[AreaShape::Rectangle, AreaShape::Sphere]),
+        cone in number(0.1, 90.0),
+        exponent in number(0.0, 1e3),
+        softness in number(0.0, 1.0),
+        size in triple(0.0, 1e30),
+        samples in 1..=1024u32,
         attenuation in word(&[
             Attenuation::None, Attenuation::Viewer, Attenuation::Light, Attenuation::InverseSquare,
             Attenuation::Quadratic,
@@ -351,7 +361,12 @@ prop_compose! {
         k in number(0.0, 1e30),
         c in triple(1e-300, 1e30),
     ) -> Light {
-        Light { kind, position, direction, color, attenuation, k, c1: c.x, c2: c.y, c3: c.z }
+        let [c1, c2, c3] = c.to_array();
+        let (extent, radius) = ([size.x, size.y], size.z);
+        Light {
+            name, kind, mute, solo, position, direction, color, cone, exponent, softness, shape, extent, radius, samples,
+            attenuation, k, c1, c2, c3,
+        }
     }
 }
 
@@ -389,7 +404,8 @@ prop_compose! {
 
 prop_compose! {
     fn settings()(
-        model in word(&[ReflectionModel::Phong, ReflectionModel::Blinn]),
+        model in word(&[ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance]),
+        distribution in word(&[Distribution::Beckmann, Distribution::Ggx]),
         backfacing in word(&[Backfacing::Clamp, Backfacing::Flip]),
         mode in word(&[
             ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact,
@@ -397,13 +413,56 @@ prop_compose! {
         flat_at in word(&[FlatAt::Centre, FlatAt::VertexMean, FlatAt::ProvokingVertex]),
         interpolation in word(&[Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline]),
         renormalise in any::<bool>(),
+        shadows in any::<bool>(),
         overflow in word(&[Overflow::Clamp, Overflow::Scale, Overflow::Mark]),
         encoding in word(&[Encoding::Raw, Encoding::Srgb]),
     ) -> (Reflection, Shading, Display) {
         (
-            Reflection { model, backfacing },
-            Shading { mode, flat_at, interpolation, renormalise },
+            Reflection { model, distribution, backfacing },
+            Shading { mode, flat_at, interpolation, renormalise, shadows },
             Display { overflow, encoding },
+        )
+    }
+}
+
+prop_compose! {
+    fn material()(
+        coefficients in [triple(0.0, 1e6), triple(0.0, 1e6), triple(0.0, 1e6), triple(0.0, 1e6)],
+        specular_color in triple(0.0, 1e6),
+        n in prop_oneof![0.0..1e6, Just(f64::INFINITY), Just(f64::MAX)],
+        roughness in number(1e-3, 1.0),
+        reflectance in word(&[
+            Reflectance::Constant, Reflectance::Glass, Reflectance::Silver, Reflectance::Gold, Reflectance::Custom,
+        ]),
+        ior in triple(0.01, 100.0),
+        extinction in triple(0.0, 100.0),
+    ) -> Material {
+        let [ka, kd, ks, color] = coefficients;
+        Material { ka, kd, ks, n, roughness, color, specular_color, reflectance, ior, extinction }
+    }
+}
+
+prop_compose! {
+    fn surroundings()(
+        kinds in [
+            word(&[PatternKind::None, PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings]),
+            word(&[PatternKind::None, PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings]),
+        ],
+        colors in [triple(0.0, 1e6), triple(0.0, 1e6), triple(0.0, 1e6)],
+        scale in number(1e-4, 1e4),
+        kt in number(0.0, 1.0),
+        ior in number(0.1, 10.0),
+        through in word(&[Through::Surface, Through::Solid]),
+        visible in any::<bool>(),
+        height in number(-1e30, 1e30),
+        coefficients in [number(0.0, 1e6), number(0.0, 1e6)],
+    ) -> (Pattern, Transparency, Ground, Backdrop) {
+        let [ka, kd] = coefficients;
+        (
+            Pattern { kind: kinds[0], color: colors[0], scale },
+            Transparency { kt, ior, through },
+            Ground { visible, height, ka, kd, color: colors[1] },
+            Backdrop { pattern: kinds[1], color: colors[2], scale, distance: height },
         )
     }
 }
@@ -416,22 +475,26 @@ prop_compose! {
         width in 1..=16_384u32,
         height in 1..=8192u32,
         background in triple(0.0, 1e30),
-        coefficients in [triple(0.0, 1e6), triple(0.0, 1e6), triple(0.0, 1e6), triple(0.0, 1e6)],
-        n in prop_oneof![0.0..1e6, Just(f64::INFINITY), Just(f64::MAX)],
+        material in material(),
+        (pattern, transparency, ground, backdrop) in surroundings(),
         ambient in triple(0.0, 1e30),
+        source in word(&[AmbientSource::Constant, AmbientSource::Bounce, AmbientSource::Split]),
         lights in proptest::collection::vec(light(), 0..4),
     ) -> Scene {
-        let [ka, kd, ks, color] = coefficients;
         Scene {
             version: 1,
             camera,
             image: Image { size: [width, height], background },
             object,
-            material: Material { ka, kd, ks, n, color },
+            material,
+            pattern,
+            transparency,
             reflection,
             shading,
             display,
-            ambient: Ambient { color: ambient },
+            ground,
+            backdrop,
+            ambient: Ambient { color: ambient, source },
             lights,
         }
     }

@@ -51,13 +51,22 @@ pub struct LightTerms {
     pub n_dot_l: f64,
     /// Angle between N and L, radians.
     pub theta: f64,
-    /// Angle between R and V, radians (between N and H for Blinn's model).
+    /// Angle between R and V, radians (between N and H for the models that measure those).
     pub phi: f64,
-    /// The factor f.
+    /// The factor f; the mean of an area light's samples.
     pub attenuation: f64,
+    /// The part of its intensity that a spot light sends this way; 1 for other lights.
+    pub spot: f64,
+    /// W(θ) per channel; 1 where it is constant.
+    pub reflectance: Rgb,
+    /// The angle of incidence that W depends on, radians: between L and N, or between L and H for the models that mirror
+    /// at H.
+    pub incidence: f64,
+    /// The part of the light that is not in shadow: of an area light's samples, and of the places of evaluation.
+    pub reached: f64,
     /// `f·Ip·kd·color·(N·L)` as it enters the sum.
     pub diffuse: Rgb,
-    /// `f·Ip·ks·S` as it enters the sum.
+    /// `f·Ip·ks·W·S` as it enters the sum.
     pub specular: Rgb,
 }
 
@@ -88,31 +97,34 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
     Probe { pixel: [x, y], hit }
 }
 
-fn light_terms(scene: &Scene, equation: &Equation<f64>, evaluation: &Evaluation, light: usize) -> LightTerms {
-    let (here, [view, r, h]) = equation.respond_world(light, evaluation.position, evaluation.normal);
-    let source = &equation.sources[light];
-    let (mut diffuse, mut specular) = (0.0, 0.0);
-    for &(weight, point, normal) in &evaluation.sites {
-        let (response, _) = equation.respond_world(light, point, normal);
-        diffuse += weight * response.diffuse;
-        specular += weight * response.specular;
+fn light_terms(scene: &Scene, equation: &Equation<f64>, evaluation: &Evaluation<'_>, light: usize) -> LightTerms {
+    let here = equation.respond_world(light, evaluation.position, evaluation.normal, None);
+    let (mut diffuse, mut specular, mut reached) = (Rgb::ZERO, Rgb::ZERO, 0.0);
+    for site in &evaluation.sites {
+        let response = equation.respond_world(light, site.point, site.normal, site.reached);
+        diffuse += site.weight * response.diffuse;
+        specular += site.weight * response.specular;
+        reached += site.weight * response.reached;
     }
-    let l = DVec3::from(here.l);
     let phi = match scene.reflection.model {
-        ReflectionModel::Phong => angle(r, view),
-        ReflectionModel::Blinn => angle(evaluation.normal, h),
+        ReflectionModel::Phong => angle(here.r, here.v),
+        ReflectionModel::Blinn | ReflectionModel::CookTorrance => angle(evaluation.normal, here.h),
     };
     LightTerms {
         kind: scene.lights[light].kind,
-        l,
-        r,
-        h,
-        n_dot_l: evaluation.normal.dot(l),
-        theta: angle(evaluation.normal, l),
+        l: here.l,
+        r: here.r,
+        h: here.h,
+        n_dot_l: evaluation.normal.dot(here.l),
+        theta: angle(evaluation.normal, here.l),
         phi,
         attenuation: here.attenuation,
-        diffuse: Rgb::from_array(source.diffuse) * diffuse,
-        specular: Rgb::from_array(source.specular) * specular,
+        spot: here.spot,
+        reflectance: here.reflectance,
+        incidence: here.incidence,
+        reached,
+        diffuse,
+        specular,
     }
 }
 

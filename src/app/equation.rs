@@ -114,7 +114,7 @@ fn pieces(scene: &Scene, visuals: &Visuals) -> Vec<Vec<Piece>> {
     let attenuated = scene.lights.iter().any(|light| light.attenuation != Attenuation::None);
     let piece = |text, low, symbol, colour| Piece { text, low, high: "", symbol, colour };
     let (first, second, other) = match model {
-        ReflectionModel::Blinn => (Vector::N, Vector::H, Symbol::Reflected),
+        ReflectionModel::Blinn | ReflectionModel::CookTorrance => (Vector::N, Vector::H, Symbol::Reflected),
         ReflectionModel::Phong => (Vector::R, Vector::V, Symbol::Viewer),
     };
     let first_symbol = if model == ReflectionModel::Blinn { Symbol::Normal } else { Symbol::Reflected };

@@ -54,13 +54,13 @@ pub fn place(state: &AppState, view: &View, place: Place) -> Vec<Placed> {
 
 fn place_one(index: usize, light: &Light, view: &View, target: DVec3, place: Place) -> Placed {
     let world = match light.kind {
-        LightKind::Point => light.position,
+        LightKind::Point | LightKind::Spot | LightKind::Area => light.position,
         LightKind::Directional => on_sphere(light, view, target, place.size),
     };
     let inner = place.rect.shrink(MARGIN * 0.5);
     let seen = view.project(world).map(|(pixel, _)| place.point(pixel)).filter(|at| inner.contains(*at));
     let (at, handle) = match (seen, light.kind) {
-        (Some(at), LightKind::Point) => (at, Handle::Point),
+        (Some(at), LightKind::Point | LightKind::Spot | LightKind::Area) => (at, Handle::Point),
         (Some(at), LightKind::Directional) => {
             (at, Handle::Directional { front: (world - target).dot(view.forward) <= 0.0 })
         }
@@ -100,7 +100,7 @@ pub fn drag_to(state: &mut AppState, index: usize, view: &View, pixel: DVec2) {
     let target = state.document.scene.camera.target;
     let Some(light) = state.document.scene.lights.get_mut(index) else { return };
     match light.kind {
-        LightKind::Point => {
+        LightKind::Point | LightKind::Spot | LightKind::Area => {
             let own = (light.position - view.eye).dot(view.forward);
             // A light behind the viewer comes into the picture beside the target.
             let depth = if own > 0.0 { own } else { (target - view.eye).dot(view.forward) };
@@ -141,7 +141,7 @@ fn turn_to(light: &mut Light, view: &View, target: DVec3, pixel: DVec2) {
 pub fn push(state: &mut AppState, index: usize, view: &View, step: f64) {
     let target = state.document.scene.camera.target;
     let Some(light) = state.document.scene.lights.get_mut(index) else { return };
-    if light.kind == LightKind::Point {
+    if light.kind.has_position() {
         let unit = (target - view.eye).length().max(1e-6);
         let moved = light.position - view.forward * (step * unit);
         if moved.is_finite() {

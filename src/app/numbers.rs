@@ -150,7 +150,7 @@ fn vectors_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit, light: usize) {
 fn angles_ui(ui: &mut Ui, scene: &Scene, terms: &LightTerms) {
     let phi = match scene.reflection.model {
         ReflectionModel::Phong => "φ, R to V",
-        ReflectionModel::Blinn => "φ, N to H",
+        ReflectionModel::Blinn | ReflectionModel::CookTorrance => "φ, N to H",
     };
     Grid::new("angles").num_columns(2).spacing([4.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
         let mut line = |name: &str, value: String| {

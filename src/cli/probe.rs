@@ -69,6 +69,13 @@ struct PrintedLight {
     theta: f64,
     phi: f64,
     attenuation: f64,
+    /// The part that a spot light sends this way.
+    spot: f64,
+    /// W per channel, and the angle of incidence it depends on, degrees.
+    w: Rgb,
+    incidence: f64,
+    /// The part of the light that is not in shadow.
+    reached: f64,
     diffuse: Rgb,
     specular: Rgb,
 }
@@ -84,8 +91,10 @@ impl From<Probe> for Printed {
 
 impl From<LightTerms> for PrintedLight {
     fn from(terms: LightTerms) -> Self {
-        let LightTerms { kind, l, r, h, n_dot_l, theta, phi, attenuation, diffuse, specular } = terms;
-        let (theta, phi) = (theta.to_degrees(), phi.to_degrees());
-        Self { kind, l, r, h, n_dot_l, theta, phi, attenuation, diffuse, specular }
+        let LightTerms { kind, l, r, h, n_dot_l, theta, phi, attenuation, spot, reached, diffuse, specular, .. } =
+            terms;
+        let (theta, phi, incidence) = (theta.to_degrees(), phi.to_degrees(), terms.incidence.to_degrees());
+        let w = terms.reflectance;
+        Self { kind, l, r, h, n_dot_l, theta, phi, attenuation, spot, w, incidence, reached, diffuse, specular }
     }
 }

@@ -1,8 +1,11 @@
 //! The equation itself.
 
-use super::{Exponent, FormTask, Real, Scalar, Source, Specular, SpecularForm, V3, specular};
-use crate::scene::{Backfacing, Rgb, Scene, Viewer};
+use super::fresnel::{Fresnel, Index};
+use super::pattern::Fields;
+use super::{FormTask, Lobe, Real, Scalar, Source, Specular, SpecularForm, V3, specular};
+use crate::scene::{Backfacing, ObjectKind, Rgb, Scene, Viewer};
 use glam::DVec3;
+use std::ops::Range;
 
 /// A point where the equation is evaluated. Lengths are camera distances, positions relative to the eye.
 #[derive(Clone, Copy, Debug)]
@@ -21,24 +24,52 @@ pub struct Site<R> {
 pub struct LightResponse<R> {
     /// L, unit.
     pub l: V3<R>,
-    /// f.
+    /// f, the attenuation by distance.
     pub attenuation: R,
+    /// The part of its intensity that a spot light sends this way; 1 for other lights.
+    pub spot: R,
     /// N·L, after the policy for surfaces turned away.
     pub n_dot_l: R,
-    /// f·max(N·L, 0).
+    /// f·max(N·L, 0), with the spot's part; 0 in shadow.
     pub diffuse: R,
-    /// f·S where N·L > 0, otherwise 0.
+    /// f·S where N·L > 0, with the spot's part; otherwise 0.
     pub specular: R,
+    /// The cosine of the angle of incidence that W depends on.
+    pub incidence: R,
+}
+
+/// Which of the sources reach which of the sites, a bit each.
+#[derive(Clone, Copy, Debug)]
+pub struct Reached<'a> {
+    /// One row of bits a source, `stride` words each, and one word more at the end.
+    pub words: &'a [u64],
+    pub stride: usize,
+    /// The bit of the first lane's site.
+    pub first: usize,
+}
+
+impl Reached<'_> {
+    /// The bits of `source`, the lowest that of the first lane's site.
+    #[inline(always)]
+    fn bits(&self, source: usize) -> u64 {
+        let (word, shift) = (source * self.stride + self.first / 64, self.first % 64);
+        // Shifted twice, because a shift by 64 is none.
+        self.words[word] >> shift | self.words[word + 1] << 1 << (63 - shift)
+    }
 }
 
 /// The coefficients of a scene's equation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation<T> {
-    /// `ka·color·Ia` per channel.
+    /// `ka·color·Ia` per channel; `ka·Ia` where a pattern gives the colour.
     pub ambient: [T; 3],
-    /// One per light of the scene, in its order, black ones included.
+    /// One or, of an area light, several per light of the scene, in its order, black ones included.
     pub sources: Vec<Source<T>>,
-    exponent: Exponent<T>,
+    /// Where each light's sources start, and the end.
+    starts: Vec<usize>,
+    lobe: Lobe<T>,
+    fresnel: Option<Fresnel<T>>,
+    pattern: Option<Patterned<T>>,
     backfacing: Backfacing,
     /// V where it is constant.
     infinite_view: Option<[T; 3]>,
@@ -49,22 +80,54 @@ pub struct Equation<T> {
     unit: f64,
 }
 
+/// The surface's colour where a pattern varies it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Patterned<T> {
+    fields: Fields<T>,
+    /// Od between the fields, and on them.
+    colors: [[T; 3]; 2],
+}
+
+impl<T: Scalar> Patterned<T> {
+    #[inline(always)]
+    fn color<R: Real<Scalar = T>>(&self, position: V3<R>) -> [R; 3] {
+        let on = self.fields.lie_on(position);
+        let [between, pattern] = &self.colors;
+        let of = V3::constant(position.x, *pattern);
+        let other = V3::constant(position.x, *between);
+        [R::select(on, of.x, other.x), R::select(on, of.y, other.y), R::select(on, of.z, other.z)]
+    }
+}
+
 impl<T: Scalar> Equation<T> {
     /// Prepares the equation of `scene`.
     pub fn new(scene: &Scene) -> Self {
         let camera = &scene.camera;
         let unit = camera.distance();
         let material = &scene.material;
-        let kd_color = material.kd * material.color;
+        let axis = if scene.object.kind == ObjectKind::Plane { 2 } else { 1 };
+        let pattern = Fields::new(scene.pattern.kind, scene.pattern.scale, axis, camera.eye, unit).map(|fields| {
+            let colors = [material.color, scene.pattern.color].map(|color| color.to_array().map(T::from_f64));
+            Patterned { fields, colors }
+        });
+        // A pattern's colour is a factor of its own, of each point.
+        let color = if pattern.is_some() { Rgb::ONE } else { material.color };
         let backwards = (camera.eye - camera.target).normalize_or_zero();
+        let (soloing, ks) = (scene.soloing(), material.ks * material.specular_color);
+        let mut sources = Vec::with_capacity(scene.lights.len());
+        let mut starts = vec![0];
+        for light in &scene.lights {
+            let on = if light.shines(soloing) { 1.0 } else { 0.0 };
+            sources.extend(Source::all_of(light, camera.eye, unit, material.kd * color * on, ks * on));
+            starts.push(sources.len());
+        }
         Self {
-            ambient: (material.ka * material.color * scene.ambient.color).to_array().map(T::from_f64),
-            sources: scene
-                .lights
-                .iter()
-                .map(|light| Source::new(light, camera.eye, unit, kd_color, material.ks))
-                .collect(),
-            exponent: Exponent::new(material.n),
+            ambient: (material.ka * color * scene.ambient.color).to_array().map(T::from_f64),
+            sources,
+            starts,
+            lobe: Lobe::of(material),
+            fresnel: Index::of(material).map(Fresnel::new),
+            pattern,
             backfacing: scene.reflection.backfacing,
             infinite_view: (camera.viewer == Viewer::Infinite).then(|| backwards.to_array().map(T::from_f64)),
             form: SpecularForm::of(scene),
@@ -78,13 +141,25 @@ impl<T: Scalar> Equation<T> {
         self.form
     }
 
-    /// Leaves out the lights that cannot add anything.
+    /// Leaves out the lights that cannot add anything: they have no sources then.
     pub fn retain_lights(&mut self, keep: impl Fn(usize) -> bool) {
-        let mut index = 0;
-        self.sources.retain(|_| {
-            index += 1;
-            keep(index - 1)
-        });
+        let mut kept = Vec::with_capacity(self.sources.len());
+        let mut starts = vec![0];
+        for light in 0..self.starts.len() - 1 {
+            if keep(light) {
+                kept.extend_from_slice(&self.sources[self.sources_of(light)]);
+            }
+            starts.push(kept.len());
+        }
+        (self.sources, self.starts) = (kept, starts);
+    }
+
+    /// The sources of one light of the scene.
+    ///
+    /// # Panics
+    /// If there is no such light.
+    pub fn sources_of(&self, light: usize) -> Range<usize> {
+        self.starts[light]..self.starts[light + 1]
     }
 
     /// World coordinates to the equation's: relative to the eye, in camera distances.
@@ -107,6 +182,8 @@ impl<T: Scalar> Equation<T> {
     #[inline(always)]
     pub fn respond<R: Real<Scalar = T>, F: Specular>(&self, source: &Source<T>, site: &Site<R>) -> LightResponse<R> {
         let (l, attenuation) = source.reach(site.position, site.inverse_distance);
+        let spot = source.spot(l);
+        let strength = attenuation * spot;
         let zero = l.x.constant(T::default());
         let mut turned = *site;
         let mut n_dot_l = site.normal.dot(l);
@@ -118,31 +195,86 @@ impl<T: Scalar> Equation<T> {
         }
         let lit = n_dot_l.greater_than(zero);
         let specular = if F::PRESENT && R::any(lit) {
-            let factor = F::factor(&turned, l, n_dot_l, &self.exponent);
-            R::select(lit, factor * attenuation, zero)
+            let factor = F::factor(&turned, l, n_dot_l, &self.lobe);
+            R::select(lit, factor * strength, zero)
         } else {
             zero
         };
-        LightResponse { l, attenuation, n_dot_l, diffuse: n_dot_l.max(zero) * attenuation, specular }
+        let diffuse = n_dot_l.max(zero) * strength;
+        LightResponse { l, attenuation, spot, n_dot_l, diffuse, specular, incidence: F::incidence(site, l, n_dot_l) }
     }
 
-    /// I at `site`, per channel.
+    /// I at `site`, per channel. Sources that are not among `reached` are in shadow; none casts a shadow without it.
     #[inline(always)]
-    pub fn illuminate<R: Real<Scalar = T>, F: Specular>(&self, site: &Site<R>) -> [R; 3] {
+    pub fn illuminate<R: Real<Scalar = T>, F: Specular>(&self, site: &Site<R>, reached: Option<Reached<'_>>) -> [R; 3] {
         let like = site.inverse_distance;
+        let zero = like.constant(T::default());
         let [r, g, b] = self.ambient;
         let mut sum = [like.constant(r), like.constant(g), like.constant(b)];
-        for source in &self.sources {
-            let response = self.respond::<R, F>(source, site);
-            for (channel, total) in sum.iter_mut().enumerate() {
-                *total = response.diffuse.mul_add(like.constant(source.diffuse[channel]), *total);
-                if F::PRESENT {
-                    *total = response.specular.mul_add(like.constant(source.specular[channel]), *total);
+        let color = match &self.pattern {
+            Some(pattern) => {
+                let color = pattern.color(site.position);
+                sum = [sum[0] * color[0], sum[1] * color[1], sum[2] * color[2]];
+                Some(color)
+            }
+            None => None,
+        };
+        for (index, source) in self.sources.iter().enumerate() {
+            let mut response = self.respond::<R, F>(source, site);
+            if let Some(reached) = reached {
+                let lit = like.mask_of_bits(reached.bits(index));
+                response.diffuse = R::select(lit, response.diffuse, zero);
+                response.specular = R::select(lit, response.specular, zero);
+            }
+            let mut diffuse = V3::constant(like, source.diffuse);
+            if let Some([r, g, b]) = color {
+                diffuse = V3::new(diffuse.x * r, diffuse.y * g, diffuse.z * b);
+            }
+            sum[0] = response.diffuse.mul_add(diffuse.x, sum[0]);
+            sum[1] = response.diffuse.mul_add(diffuse.y, sum[1]);
+            sum[2] = response.diffuse.mul_add(diffuse.z, sum[2]);
+            if F::PRESENT {
+                let mut specular = V3::constant(like, source.specular);
+                if let Some(fresnel) = &self.fresnel {
+                    let [r, g, b] = fresnel.reflectance(response.incidence);
+                    specular = V3::new(specular.x * r, specular.y * g, specular.z * b);
                 }
+                sum[0] = response.specular.mul_add(specular.x, sum[0]);
+                sum[1] = response.specular.mul_add(specular.y, sum[1]);
+                sum[2] = response.specular.mul_add(specular.z, sum[2]);
             }
         }
         sum
     }
+}
+
+/// What one light does at a point, an area light all its samples together.
+#[derive(Clone, Copy, Debug)]
+pub struct LightAt {
+    /// L, unit; towards the middle of an area light.
+    pub l: DVec3,
+    /// V, R and H there, unit.
+    pub v: DVec3,
+    pub r: DVec3,
+    pub h: DVec3,
+    /// f; the mean of an area light's samples.
+    pub attenuation: f64,
+    /// A spot light's part; 1 for other lights.
+    pub spot: f64,
+    /// W per channel; the mean of an area light's samples.
+    pub reflectance: Rgb,
+    /// The angle of incidence that W depends on, radians; of the middle of an area light.
+    pub incidence: f64,
+    /// The part of the samples that is not in shadow.
+    pub reached: f64,
+    /// f·max(N·L, 0), 0 in shadow; the mean of an area light's samples.
+    pub diffuse_factor: f64,
+    /// f·S likewise.
+    pub specular_factor: f64,
+    /// What the light adds to the diffuse term, per channel.
+    pub diffuse: Rgb,
+    /// What it adds to the specular term.
+    pub specular: Rgb,
 }
 
 impl Equation<f64> {
@@ -151,36 +283,85 @@ impl Equation<f64> {
         self.site(V3::from(self.from_world(point)), V3::from(DVec3::ZERO)).view.into()
     }
 
-    /// I at a point of the world with normal `n`, per channel: the reference.
-    pub fn illuminate_world(&self, point: DVec3, n: DVec3) -> Rgb {
-        let site = self.site(V3::from(self.from_world(point)), V3::from(n));
-        Rgb::from_array(self.form.dispatch(Illuminate { equation: self, site: &site }))
+    /// Od at a point of the world, where a pattern varies it; white where it is part of the coefficients.
+    pub fn pattern_color(&self, point: DVec3) -> Rgb {
+        self.pattern.map_or(Rgb::ONE, |pattern| Rgb::from_array(pattern.color(V3::from(self.from_world(point)))))
     }
 
-    /// What the light of index `light` does at a point of the world with normal `n`, with V, R and H there.
+    /// W per channel at the angle of incidence whose cosine is `cosine`.
+    pub fn reflectance(&self, cosine: f64) -> Rgb {
+        self.fresnel.map_or(Rgb::ONE, |fresnel| Rgb::from_array(fresnel.reflectance(cosine)))
+    }
+
+    /// I at a point of the world with normal `n`, per channel: the reference. The sources that reach it are `reached`'s,
+    /// all of them without.
+    pub fn illuminate_world(&self, point: DVec3, n: DVec3, reached: Option<Reached<'_>>) -> Rgb {
+        let site = self.site(V3::from(self.from_world(point)), V3::from(n));
+        Rgb::from_array(self.form.dispatch(Illuminate { equation: self, site: &site, reached }))
+    }
+
+    /// What the light of index `light` does at a point of the world with normal `n`.
     ///
     /// # Panics
     /// If there is no such light.
-    pub fn respond_world(&self, light: usize, point: DVec3, n: DVec3) -> (LightResponse<f64>, [DVec3; 3]) {
+    pub fn respond_world(&self, light: usize, point: DVec3, n: DVec3, reached: Option<Reached<'_>>) -> LightAt {
         let site = self.site(V3::from(self.from_world(point)), V3::from(n));
-        let source = &self.sources[light];
-        let response = self.form.dispatch(Respond { equation: self, source, site: &site });
-        let r = specular::reflect(site.normal, response.l, site.normal.dot(response.l));
-        let h = specular::halfway(response.l, site.view);
-        (response, [site.view.into(), r.into(), h.into()])
+        let color = self.pattern_color(point);
+        let range = self.sources_of(light);
+        #[expect(clippy::cast_precision_loss, reason = "at most 8192 samples")]
+        let share = 1.0 / range.len().max(1) as f64;
+        let mut sum = LightAt {
+            l: DVec3::ZERO,
+            v: site.view.into(),
+            r: DVec3::ZERO,
+            h: DVec3::ZERO,
+            attenuation: 0.0,
+            spot: 0.0,
+            reflectance: Rgb::ZERO,
+            incidence: 0.0,
+            reached: 0.0,
+            diffuse_factor: 0.0,
+            specular_factor: 0.0,
+            diffuse: Rgb::ZERO,
+            specular: Rgb::ZERO,
+        };
+        for index in range {
+            let source = &self.sources[index];
+            let response = self.form.dispatch(Respond { equation: self, source, site: &site });
+            let lit = if reached.is_none_or(|reached| reached.bits(index) & 1 == 1) { 1.0 } else { 0.0 };
+            let reflectance = self.reflectance(response.incidence);
+            sum.l += DVec3::from(response.l);
+            sum.attenuation += share * response.attenuation;
+            sum.spot += share * response.spot;
+            sum.reflectance += share * reflectance;
+            sum.reached += share * lit;
+            sum.diffuse_factor += share * lit * response.diffuse;
+            sum.specular_factor += share * lit * response.specular;
+            sum.diffuse += Rgb::from_array(source.diffuse) * color * (lit * response.diffuse);
+            sum.specular += Rgb::from_array(source.specular) * reflectance * (lit * response.specular);
+        }
+        sum.l = sum.l.normalize_or(n);
+        let l = V3::from(sum.l);
+        sum.r = specular::reflect(site.normal, l, site.normal.dot(l)).into();
+        sum.h = specular::halfway(l, site.view).into();
+        let n_dot_l = n.dot(sum.l);
+        let cosine = if self.form.at_halfway() { sum.l.dot(sum.h) } else { n_dot_l.abs() };
+        sum.incidence = cosine.clamp(-1.0, 1.0).acos();
+        sum
     }
 }
 
 struct Illuminate<'a> {
     equation: &'a Equation<f64>,
     site: &'a Site<f64>,
+    reached: Option<Reached<'a>>,
 }
 
 impl FormTask for Illuminate<'_> {
     type Output = [f64; 3];
 
     fn run<F: Specular>(self, _: F) -> [f64; 3] {
-        self.equation.illuminate::<f64, F>(self.site)
+        self.equation.illuminate::<f64, F>(self.site, self.reached)
     }
 }
 

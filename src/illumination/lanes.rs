@@ -126,6 +126,11 @@ impl<S: Simd> Real for Lanes<S> {
         Self(self.0.abs())
     }
 
+    #[inline(always)]
+    fn floor(self) -> Self {
+        Self(self.0.floor())
+    }
+
     /// The bits' halved exponent as a first guess, then three Newton steps, each of which squares the relative error
     /// 3.4·10⁻² (times 1.5): 2·10⁻³, 5·10⁻⁶, rounding. No level's own estimate is used, so all give the same digits.
     #[inline(always)]
@@ -190,6 +195,11 @@ impl<S: Simd> Real for Lanes<S> {
     #[inline(always)]
     fn any(mask: Self::Mask) -> bool {
         mask.any_true()
+    }
+
+    #[inline(always)]
+    fn mask_of_bits(self, bits: u64) -> Self::Mask {
+        S::mask32s::from_bitmask(self.0.token(), bits)
     }
 }
 

@@ -50,6 +50,9 @@ pub trait Real:
     fn min(self, other: Self) -> Self;
     #[must_use]
     fn abs(self) -> Self;
+    /// The greatest whole number that is not greater.
+    #[must_use]
+    fn floor(self) -> Self;
     /// `1/√self` for `self` ≥ 0, to 3 units in the last place; finite at 0, so that a zero vector stays zero when
     /// it is multiplied by the inverse of its length.
     #[must_use]
@@ -69,7 +72,28 @@ pub trait Real:
     #[must_use]
     fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
     fn any(mask: Self::Mask) -> bool;
+    /// The truth values of as many lanes as there are, the lowest bit the first lane's.
+    #[must_use]
+    fn mask_of_bits(self, bits: u64) -> Self::Mask;
+
+    /// `√self` for `self` ≥ 0.
+    #[inline(always)]
+    #[must_use]
+    fn sqrt(self) -> Self {
+        self * self.inverse_sqrt()
+    }
+
+    /// `1/self` for `self` ≥ 0, finite at 0.
+    #[inline(always)]
+    #[must_use]
+    fn reciprocal(self) -> Self {
+        let one = self.constant(Self::Scalar::from_f64(1.0));
+        one / self.max(self.constant(Self::Scalar::from_f64(SHORTEST_DIVISOR)))
+    }
 }
+
+/// What is smaller is lifted to this before anything is divided by it.
+const SHORTEST_DIVISOR: f64 = 1e-20;
 
 impl Real for f64 {
     type Scalar = Self;
@@ -93,6 +117,10 @@ impl Real for f64 {
 
     fn abs(self) -> Self {
         Self::abs(self)
+    }
+
+    fn floor(self) -> Self {
+        Self::floor(self)
     }
 
     fn inverse_sqrt(self) -> Self {
@@ -121,5 +149,9 @@ impl Real for f64 {
 
     fn any(mask: bool) -> bool {
         mask
+    }
+
+    fn mask_of_bits(self, bits: u64) -> bool {
+        bits & 1 == 1
     }
 }

@@ -1,5 +1,6 @@
 //! Light sources, prepared: each yields a direction and an attenuation at a point.
 
+use super::area::area_samples;
 use super::{Real, Scalar, V3};
 use crate::scene::{Attenuation, Light, LightKind, Rgb};
 use glam::DVec3;
@@ -11,16 +12,60 @@ const PARALLEL_BEYOND: f64 = 1e9;
 /// Lengths are lifted to this before anything is divided by them, so that a light on the surface stays finite.
 const SHORTEST: f64 = 1e-9;
 
-/// One light in the equation's frame: lengths in camera distances, positions relative to the eye, axes as in the world.
+/// One light, or one sample of an area light, in the equation's frame: lengths in camera distances, positions relative to the eye, axes as in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source<T> {
     place: Place<T>,
     falloff: Falloff<T>,
-    /// `Ip·kd·color` per channel.
+    cone: Option<Cone<T>>,
+    /// `Ip·kd·color` per channel; `Ip·kd` where a pattern gives the colour.
     pub diffuse: [T; 3],
-    /// `Ip·ks` per channel.
+    /// `Ip·ks·Os` per channel.
     pub specular: [T; 3],
 }
+
+/// A spot light's cone (after Warn 1983): `(−L·D)^e` about the axis D inside it, nothing outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Cone<T> {
+    /// D, unit.
+    axis: [T; 3],
+    exponent: T,
+    /// `1 − cos δ` at the edge: half the square of the chord, which keeps its digits for narrow cones.
+    edge: T,
+    /// 1 over the part of the edge's value over which the light fades.
+    inverse_fade: T,
+}
+
+impl<T: Scalar> Cone<T> {
+    fn of(light: &Light) -> Option<Self> {
+        let gap = |degrees: f64| 2.0 * (degrees.to_radians() * 0.5).sin().powi(2);
+        let edge = gap(light.cone);
+        let fade = (edge - gap(light.cone * (1.0 - light.softness))).max(HARD_EDGE * edge);
+        (light.kind == LightKind::Spot).then(|| Self {
+            axis: scalars(direction(light.direction)),
+            exponent: T::from_f64(light.exponent),
+            edge: T::from_f64(edge),
+            inverse_fade: T::from_f64(1.0 / fade),
+        })
+    }
+
+    /// The part of the intensity that is sent in the direction −`l`.
+    #[inline(always)]
+    fn factor<R: Real<Scalar = T>>(&self, l: V3<R>) -> R {
+        let (zero, one) = (l.x.constant(T::default()), l.x.constant(T::from_f64(1.0)));
+        let tiny = l.x.constant(T::from_f64(f64::from(f32::MIN_POSITIVE)));
+        let chord = l + V3::constant(l.x, self.axis);
+        let gap = chord.dot(chord) * T::from_f64(0.5);
+        let power = ((one - gap).max(tiny).log2() * self.exponent).exp2();
+        let inside = ((l.x.constant(self.edge) - gap) * self.inverse_fade).max(zero).min(one);
+        // Hermite's cubic: level at both ends of the edge.
+        let soft = inside * inside * (l.x.constant(T::from_f64(3.0)) - inside - inside);
+        power * soft
+    }
+}
+
+/// A hard edge fades over this part of the cone, far less than a pixel.
+const HARD_EDGE: f64 = 1e-6;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Place<T> {
@@ -46,22 +91,33 @@ pub enum Falloff<T> {
 }
 
 impl<T: Scalar> Source<T> {
-    /// Prepares `light`, seen from `eye`, with lengths measured in `unit`s; `kd_color` and `ks` are the material's.
-    pub fn new(light: &Light, eye: DVec3, unit: f64, kd_color: Rgb, ks: Rgb) -> Self {
-        let offset = (light.position - eye) / unit;
+    /// Prepares `light` as one source, or one a sample, seen from `eye`, with lengths measured in `unit`s; `kd_color` and
+    /// `ks` are the material's.
+    pub fn all_of(light: &Light, eye: DVec3, unit: f64, kd_color: Rgb, ks: Rgb) -> Vec<Self> {
+        if light.kind != LightKind::Area {
+            return vec![Self::at(light, light.position, light.color, eye, unit, [kd_color, ks])];
+        }
+        let share = light.color / f64::from(light.samples.max(1));
+        let sample = |position| Self::at(light, position, share, eye, unit, [kd_color, ks]);
+        area_samples(light).into_iter().map(sample).collect()
+    }
+
+    fn at(light: &Light, position: DVec3, color: Rgb, eye: DVec3, unit: f64, [kd_color, ks]: [Rgb; 2]) -> Self {
+        let offset = (position - eye) / unit;
         let distance = length(offset);
         let parallel = light.kind == LightKind::Directional || distance > PARALLEL_BEYOND;
         let place = match light.kind {
             LightKind::Directional => Place::Towards(scalars(-direction(light.direction))),
-            LightKind::Point if parallel => Place::Towards(scalars(direction(offset))),
-            LightKind::Point => Place::At(scalars(offset)),
+            _ if parallel => Place::Towards(scalars(direction(offset))),
+            _ => Place::At(scalars(offset)),
         };
-        let far = (light.kind == LightKind::Point && parallel).then_some(distance);
+        let far = (light.kind.has_position() && parallel).then_some(distance);
         Self {
             place,
             falloff: Falloff::new(light, unit, far),
-            diffuse: scalars(light.color * kd_color),
-            specular: scalars(light.color * ks),
+            cone: Cone::of(light),
+            diffuse: scalars(color * kd_color),
+            specular: scalars(color * ks),
         }
     }
 
@@ -93,6 +149,15 @@ impl<T: Scalar> Source<T> {
         (l, f)
     }
 
+    /// The part of the light's intensity that a spot light sends in the direction −`l`; 1 for other lights.
+    #[inline(always)]
+    pub fn spot<R: Real<Scalar = T>>(&self, l: V3<R>) -> R {
+        match &self.cone {
+            None => l.x.constant(T::from_f64(1.0)),
+            Some(cone) => cone.factor(l),
+        }
+    }
+
     /// Whether f differs from point to point.
     pub fn attenuates(&self) -> bool {
         !matches!(self.falloff, Falloff::Constant(_))
@@ -109,14 +174,14 @@ impl<T: Scalar> Falloff<T> {
     /// depends on the distance to it leaves it as it is.
     fn new(light: &Light, unit: f64, far: Option<f64>) -> Self {
         let t = T::from_f64;
-        let by_distance = light.kind == LightKind::Point;
+        let by_distance = light.kind.has_position();
         match light.attenuation {
             Attenuation::Viewer => Self::Viewer { scale: t(unit), k: t(light.k) },
             _ if !by_distance => Self::Constant(t(1.0)),
             Attenuation::None => Self::Constant(t(1.0)),
             attenuation => {
                 if let Some(distance) = far {
-                    return Self::Constant(t(at_distance(light, attenuation, distance * unit)));
+                    return Self::Constant(t(attenuation_at(light, attenuation, distance * unit)));
                 }
                 match attenuation {
                     Attenuation::Light => Self::Light { scale: t(unit), k: t(light.k) },
@@ -128,13 +193,14 @@ impl<T: Scalar> Falloff<T> {
     }
 }
 
-/// f at `d` world units from the light.
-fn at_distance(light: &Light, attenuation: Attenuation, d: f64) -> f64 {
+/// f at `d` world units from the light, or from the viewer where `attenuation` counts from there. At no distance it is
+/// as great as the kernels make it, which do not divide by zero.
+pub fn attenuation_at(light: &Light, attenuation: Attenuation, d: f64) -> f64 {
     match attenuation {
-        Attenuation::Light => 1.0 / (d + light.k),
-        Attenuation::InverseSquare => 1.0 / (d * d),
-        Attenuation::Quadratic => (1.0 / (light.c1 + light.c2 * d + light.c3 * d * d)).min(1.0),
-        Attenuation::None | Attenuation::Viewer => 1.0,
+        Attenuation::None => 1.0,
+        Attenuation::Viewer | Attenuation::Light => 1.0 / (d + light.k).max(SHORTEST),
+        Attenuation::InverseSquare => 1.0 / (d * d).max(SHORTEST * SHORTEST),
+        Attenuation::Quadratic => (1.0 / (light.c1 + light.c2 * d + light.c3 * d * d).max(SHORTEST)).min(1.0),
     }
 }
 

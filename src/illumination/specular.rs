@@ -1,29 +1,43 @@
-//! The specular factor S: Phong's `(R·V)^n` and Blinn's `(N·H)^n`, each in two forms.
+//! The specular factor S: Phong's `(R·V)^n` and Blinn's `(N·H)^n`, each in two forms, and Cook and Torrance's microfacets.
 //!
 //! A power of a cosine is stiff: an error δ of the cosine becomes n·δ of the result, and near the lobe's axis the cosine
 //! itself is rounded to a few 10⁻⁸ in single precision. With the chord between the two unit vectors,
 //! `1 − a·b = |a − b|²/2`, the distance from the axis keeps its digits, and `(a·b)^n = exp(n·ln(1 − |a − b|²/2))`. At
 //! small n the plain cosine is the better form, because the lobe is wide and the chord long.
 
+use super::microfacet::{beckmann, geometric_over_view, ggx, smith_over_view};
 use super::{Real, Scalar, Site, V3};
-use crate::scene::{ReflectionModel, Rgb, Scene, ShadingMode};
+use crate::scene::{Distribution, Material, ReflectionModel, Rgb, Scene, ShadingMode};
 
-/// The exponent n, prepared.
+/// What narrows the highlight, prepared: the exponent n, or the microfacets' roughness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Exponent<T> {
+pub struct Lobe<T> {
     /// n, finite: a mirror's is so large that all but the axis itself vanishes.
     n: T,
     /// `0^n`: 1 for n = 0, otherwise 0.
     at_zero: T,
+    /// The square of the roughness.
+    pub(super) roughness_squared: T,
+    /// 1 over the square of the roughness.
+    pub(super) inverse_roughness_squared: T,
 }
 
 /// Stands for n = ∞: any deviation that single precision can tell from 0 vanishes.
 const MIRROR: f64 = 1e30;
 
-impl<T: Scalar> Exponent<T> {
-    /// From n ≥ 0, infinity included.
-    pub fn new(n: f64) -> Self {
-        Self { n: T::from_f64(n.min(MIRROR)), at_zero: T::from_f64(if n == 0.0 { 1.0 } else { 0.0 }) }
+impl<T: Scalar> Lobe<T> {
+    /// The lobe of `material`, whose n may be infinite.
+    pub fn of(material: &Material) -> Self {
+        Self::new(material.n, material.roughness)
+    }
+
+    fn new(n: f64, roughness: f64) -> Self {
+        Self {
+            n: T::from_f64(n.min(MIRROR)),
+            at_zero: T::from_f64(if n == 0.0 { 1.0 } else { 0.0 }),
+            roughness_squared: T::from_f64(roughness * roughness),
+            inverse_roughness_squared: T::from_f64(1.0 / (roughness * roughness)),
+        }
     }
 }
 
@@ -36,6 +50,8 @@ pub enum SpecularForm {
     PhongChord,
     BlinnCosine,
     BlinnChord,
+    Beckmann,
+    Ggx,
 }
 
 impl SpecularForm {
@@ -45,7 +61,8 @@ impl SpecularForm {
 
     /// The form that `scene` needs. Normals that are left short of unit length have no chord.
     pub fn of(scene: &Scene) -> Self {
-        let lit = scene.lights.iter().any(|light| scene.material.ks * light.color != Rgb::ZERO);
+        let (soloing, ks) = (scene.soloing(), scene.material.ks * scene.material.specular_color);
+        let lit = scene.lights.iter().any(|light| light.shines(soloing) && ks * light.color != Rgb::ZERO);
         let shading = &scene.shading;
         let unit_normals = shading.renormalise || shading.mode != ShadingMode::Phong;
         let chord = scene.material.n >= Self::CHORD_FROM && unit_normals;
@@ -55,6 +72,10 @@ impl SpecularForm {
             ReflectionModel::Phong => Self::PhongCosine,
             ReflectionModel::Blinn if chord => Self::BlinnChord,
             ReflectionModel::Blinn => Self::BlinnCosine,
+            ReflectionModel::CookTorrance => match scene.reflection.distribution {
+                Distribution::Beckmann => Self::Beckmann,
+                Distribution::Ggx => Self::Ggx,
+            },
         }
     }
 }
@@ -67,6 +88,11 @@ pub trait FormTask {
 }
 
 impl SpecularForm {
+    /// Whether W depends on the angle between L and H instead of that between L and N.
+    pub fn at_halfway(self) -> bool {
+        matches!(self, Self::BlinnCosine | Self::BlinnChord | Self::Beckmann | Self::Ggx)
+    }
+
     /// Runs `task` with the type that stands for this form.
     pub fn dispatch<T: FormTask>(self, task: T) -> T::Output {
         match self {
@@ -75,6 +101,8 @@ impl SpecularForm {
             Self::PhongChord => task.run(PhongChord),
             Self::BlinnCosine => task.run(BlinnCosine),
             Self::BlinnChord => task.run(BlinnChord),
+            Self::Beckmann => task.run(Beckmann),
+            Self::Ggx => task.run(Ggx),
         }
     }
 }
@@ -83,8 +111,23 @@ impl SpecularForm {
 pub trait Specular: Copy + Send + Sync + 'static {
     const PRESENT: bool = true;
 
+    /// Whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
+    const AT_HALFWAY: bool = false;
+
     /// S at `site` for the unit direction `l` to the light and `n_dot_l` = N·L.
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, exponent: &Exponent<R::Scalar>) -> R;
+    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R;
+
+    /// The cosine of the angle of incidence.
+    #[inline(always)]
+    fn incidence<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R) -> R {
+        if Self::AT_HALFWAY {
+            // |L + V|/2 is the cosine of half the angle between them.
+            let sum = l + site.view;
+            sum.dot(sum).sqrt() * R::Scalar::from_f64(0.5)
+        } else {
+            n_dot_l
+        }
+    }
 }
 
 /// ks = 0.
@@ -98,12 +141,18 @@ pub struct PhongChord;
 pub struct BlinnCosine;
 #[derive(Clone, Copy, Debug)]
 pub struct BlinnChord;
+/// Cook and Torrance's model with Beckmann's distribution.
+#[derive(Clone, Copy, Debug)]
+pub struct Beckmann;
+/// The same with the distribution of Walter et al.
+#[derive(Clone, Copy, Debug)]
+pub struct Ggx;
 
 impl Specular for NoSpecular {
     const PRESENT: bool = false;
 
     #[inline(always)]
-    fn factor<R: Real>(_: &Site<R>, _: V3<R>, n_dot_l: R, _: &Exponent<R::Scalar>) -> R {
+    fn factor<R: Real>(_: &Site<R>, _: V3<R>, n_dot_l: R, _: &Lobe<R::Scalar>) -> R {
         n_dot_l.constant(R::Scalar::default())
     }
 }
@@ -122,50 +171,110 @@ pub(super) fn halfway<R: Real>(l: V3<R>, v: V3<R>) -> V3<R> {
 
 /// `max(c, 0)^n`, from the cosine.
 #[inline(always)]
-fn power_of_cosine<R: Real>(c: R, exponent: &Exponent<R::Scalar>) -> R {
+fn power_of_cosine<R: Real>(c: R, lobe: &Lobe<R::Scalar>) -> R {
     let zero = c.constant(R::Scalar::default());
     let tiny = c.constant(R::Scalar::from_f64(f64::from(f32::MIN_POSITIVE)));
-    let power = (c.max(tiny).log2() * exponent.n).exp2();
-    R::select(c.greater_than(zero), power, c.constant(exponent.at_zero))
+    let power = (c.max(tiny).log2() * lobe.n).exp2();
+    R::select(c.greater_than(zero), power, c.constant(lobe.at_zero))
 }
 
 /// `(a·b)^n` of two unit vectors, from the chord between them.
 #[inline(always)]
-fn power_of_chord<R: Real>(a: V3<R>, b: V3<R>, exponent: &Exponent<R::Scalar>) -> R {
+fn power_of_chord<R: Real>(a: V3<R>, b: V3<R>, lobe: &Lobe<R::Scalar>) -> R {
     let chord = a - b;
     let t = chord.dot(chord) * R::Scalar::from_f64(0.5);
     let limit = t.constant(R::Scalar::from_f64(0.29));
-    let power = (R::log2_one_minus(t.min(limit)) * exponent.n).exp2();
+    let power = (R::log2_one_minus(t.min(limit)) * lobe.n).exp2();
     R::select(limit.greater_than(t), power, t.constant(R::Scalar::default()))
 }
 
 impl Specular for PhongCosine {
     #[inline(always)]
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, exponent: &Exponent<R::Scalar>) -> R {
+    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
         // R·V without R: 2(N·L)(N·V) − L·V.
         let n_dot_v = site.normal.dot(site.view);
-        power_of_cosine((n_dot_l + n_dot_l).mul_add(n_dot_v, -l.dot(site.view)), exponent)
+        power_of_cosine((n_dot_l + n_dot_l).mul_add(n_dot_v, -l.dot(site.view)), lobe)
     }
 }
 
 impl Specular for PhongChord {
     #[inline(always)]
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, exponent: &Exponent<R::Scalar>) -> R {
-        power_of_chord(reflect(site.normal, l, n_dot_l), site.view, exponent)
+    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+        power_of_chord(reflect(site.normal, l, n_dot_l), site.view, lobe)
     }
 }
 
 impl Specular for BlinnCosine {
+    const AT_HALFWAY: bool = true;
+
     #[inline(always)]
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, _: R, exponent: &Exponent<R::Scalar>) -> R {
-        power_of_cosine(site.normal.dot(halfway(l, site.view)), exponent)
+    fn factor<R: Real>(site: &Site<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
+        power_of_cosine(site.normal.dot(halfway(l, site.view)), lobe)
     }
 }
 
 impl Specular for BlinnChord {
+    const AT_HALFWAY: bool = true;
+
     #[inline(always)]
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, _: R, exponent: &Exponent<R::Scalar>) -> R {
-        power_of_chord(site.normal, halfway(l, site.view), exponent)
+    fn factor<R: Real>(site: &Site<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
+        power_of_chord(site.normal, halfway(l, site.view), lobe)
+    }
+}
+
+/// `D·G·π/(4·(N·V))`; F is W(θ), per channel, and multiplied outside.
+///
+/// With a light's intensity so counted that Lambert's term is `kd·(N·L)`, a BRDF f contributes `π·f·(N·L)`, and Cook and
+/// Torrance's is `D·F·G/(4·(N·L)·(N·V))`.
+impl Specular for Beckmann {
+    const AT_HALFWAY: bool = true;
+
+    #[inline(always)]
+    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+        let facet = Facet::new(site, l);
+        let n_dot_v = site.normal.dot(site.view);
+        let spread = beckmann(facet.gap, lobe);
+        let shading = geometric_over_view(facet.n_dot_h, n_dot_l, n_dot_v, facet.v_dot_h);
+        facet.where_it_faces(spread * shading * R::Scalar::from_f64(0.25))
+    }
+}
+
+impl Specular for Ggx {
+    const AT_HALFWAY: bool = true;
+
+    #[inline(always)]
+    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+        let facet = Facet::new(site, l);
+        let n_dot_v = site.normal.dot(site.view);
+        let spread = ggx(facet.gap, lobe);
+        let shading = smith_over_view(n_dot_l, n_dot_v, lobe);
+        facet.where_it_faces(spread * shading * R::Scalar::from_f64(0.25))
+    }
+}
+
+/// The microfacets that mirror the light to the viewer: those whose normal is H.
+struct Facet<R> {
+    n_dot_h: R,
+    v_dot_h: R,
+    /// `1 − N·H`, from the chord.
+    gap: R,
+}
+
+impl<R: Real> Facet<R> {
+    #[inline(always)]
+    fn new(site: &Site<R>, l: V3<R>) -> Self {
+        let h = halfway(l, site.view);
+        let chord = site.normal - h;
+        let one = l.x.constant(R::Scalar::from_f64(1.0));
+        let gap = (chord.dot(chord) * R::Scalar::from_f64(0.5)).min(one);
+        Self { n_dot_h: site.normal.dot(h), v_dot_h: site.view.dot(h), gap }
+    }
+
+    /// No facet faces inwards.
+    #[inline(always)]
+    fn where_it_faces(&self, factor: R) -> R {
+        let zero = factor.constant(R::Scalar::default());
+        R::select(self.n_dot_h.greater_than(zero), factor, zero)
     }
 }
 
@@ -187,8 +296,8 @@ mod tests {
     fn lobe<S: Simd>(simd: S, r: [f32; 3], v: [f32; 3], n: f64) -> (f32, f32) {
         let like = Lanes::splat(simd, 0.0);
         let (r, v) = (V3::constant(like, r), V3::constant(like, v));
-        let exponent = Exponent::new(n);
-        (power_of_chord(r, v, &exponent).0[0], power_of_cosine(r.dot(v), &exponent).0[0])
+        let lobe = Lobe::new(n, 1.0);
+        (power_of_chord(r, v, &lobe).0[0], power_of_cosine(r.dot(v), &lobe).0[0])
     }
 
     /// Greatest absolute errors of the chord and the cosine form over the lobe.
@@ -224,12 +333,12 @@ mod tests {
 
     #[test]
     fn the_ends_of_the_exponent() {
-        let at = |cosine: f64, n: f64| power_of_cosine(cosine, &Exponent::new(n));
+        let at = |cosine: f64, n: f64| power_of_cosine(cosine, &Lobe::new(n, 1.0));
         assert_eq!((at(0.0, 0.0), at(0.5, 0.0), at(-0.5, 0.0)), (1.0, 1.0, 1.0));
         assert_eq!((at(0.0, 2.0), at(-1.0, 0.3)), (0.0, 0.0));
         let axis = V3::new(0.0, 0.0, 1.0);
         let near = V3::new(1e-6, 0.0, 1.0);
-        let mirror = Exponent::new(f64::INFINITY);
+        let mirror = Lobe::new(f64::INFINITY, 1.0);
         assert_eq!(power_of_chord(axis, axis, &mirror), 1.0);
         assert_eq!(power_of_chord(axis, near, &mirror), 0.0);
     }

@@ -4,8 +4,8 @@
 
 use crate::illumination::SpecularForm;
 use crate::scene::{
-    Attenuation, Backfacing, Camera, Encoding, FlatAt, Interpolation, LightKind, NormalSource, ObjectKind, Overflow,
-    Projection, Rgb, Scene, ShadingMode, Viewer,
+    Attenuation, Backfacing, Camera, Encoding, FlatAt, Interpolation, Light, LightKind, NormalSource, ObjectKind,
+    Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode, Viewer,
 };
 use glam::DVec3;
 use serde::Serialize;
@@ -139,8 +139,19 @@ fn normals(scene: &Scene) -> NormalSource {
 /// A light without any intensity, or whose light the material takes no part of, adds nothing.
 fn lights(scene: &Scene) -> Vec<bool> {
     let material = &scene.material;
-    let reflects = material.kd * material.color + material.ks;
-    scene.lights.iter().map(|light| light.color * reflects != Rgb::ZERO).collect()
+    let color = if scene.pattern.kind == PatternKind::None { Rgb::ZERO } else { scene.pattern.color } + material.color;
+    let reflects = material.kd * color + material.ks * material.specular_color;
+    let soloing = scene.soloing();
+    scene.lights.iter().map(|light| light.shines(soloing) && light.color * reflects != Rgb::ZERO).collect()
+}
+
+/// Why a light adds nothing.
+fn silent(light: &Light, soloing: bool) -> &'static str {
+    match light {
+        Light { mute: true, .. } => "it is muted",
+        light if !light.shines(soloing) => "another light is soloed",
+        _ => "it adds nothing: black, or all its light is absorbed",
+    }
 }
 
 fn term(name: impl Into<String>, per: Per, omitted: Option<&str>) -> Term {
@@ -155,6 +166,7 @@ fn terms(scene: &Scene, plan: &Plan) -> Vec<Term> {
     let ambient = (material.ka * material.color * scene.ambient.color == Rgb::ZERO).then_some("Ka·Ia is 0");
     let diffuse = (material.kd * material.color == Rgb::ZERO).then_some("Kd is 0");
     let specular = (plan.form == SpecularForm::None).then_some("Ks is 0");
+    let soloing = scene.soloing();
     let dark = (!shining).then_some("no light shines");
     let mut terms = vec![
         term("ambient", Per::Frame, ambient),
@@ -162,12 +174,12 @@ fn terms(scene: &Scene, plan: &Plan) -> Vec<Term> {
         term("specular", per, dark.or(specular)),
     ];
     for (index, light) in scene.lights.iter().enumerate() {
-        let black = (!plan.lights[index]).then_some("it adds nothing: black, or all its light is absorbed");
+        let black = (!plan.lights[index]).then(|| silent(light, soloing));
         terms.push(term(format!("light {index}"), per, black));
         let direction = if light.kind == LightKind::Directional { Per::Frame } else { per };
         terms.push(term(format!("L of light {index}"), direction, black));
         let attenuates = light.attenuation == Attenuation::Viewer
-            || (light.attenuation != Attenuation::None && light.kind == LightKind::Point);
+            || (light.attenuation != Attenuation::None && light.kind.has_position());
         let unattenuated = (!attenuates).then_some("its f is 1");
         terms.push(term(format!("attenuation of light {index}"), per, black.or(unattenuated)));
     }

@@ -81,7 +81,7 @@ impl Sites<'_> {
         for start in (0..r.len()).step_by(lanes) {
             let position = load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
             let site = self.equation.site(position, load(simd, self.normal, start));
-            let rgb = self.equation.illuminate::<Lanes<S>, F>(&site);
+            let rgb = self.equation.illuminate::<Lanes<S>, F>(&site, None);
             rgb[0].0.store_slice(&mut r[start..start + lanes]);
             rgb[1].0.store_slice(&mut g[start..start + lanes]);
             rgb[2].0.store_slice(&mut b[start..start + lanes]);

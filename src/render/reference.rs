@@ -9,13 +9,13 @@ use super::lens::{Lens, NEAR};
 use super::model::Model;
 use super::plan::Plan;
 use crate::geometry::Surface;
-use crate::illumination::Equation;
+use crate::illumination::{Equation, Reached};
 use crate::scene::{FlatAt, Rgb, Scene, ShadingMode};
 use glam::{DVec2, DVec3};
 
 /// Where the equation is evaluated for a pixel, and with what weight each site enters.
 #[derive(Clone, Debug)]
-pub(crate) struct Evaluation {
+pub(crate) struct Evaluation<'a> {
     /// The point that the pixel sees, world.
     pub position: DVec3,
     /// N at the pixel, as the mode has it.
@@ -23,19 +23,31 @@ pub(crate) struct Evaluation {
     /// Distance along the viewing direction, world units.
     pub depth: f64,
     pub face: Option<u32>,
-    /// Weight, point (world) and normal.
-    pub sites: Vec<(f64, DVec3, DVec3)>,
+    pub sites: Vec<WeightedSite<'a>>,
 }
 
-impl Evaluation {
+/// A place where the equation is evaluated.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WeightedSite<'a> {
+    pub weight: f64,
+    /// World.
+    pub point: DVec3,
+    pub normal: DVec3,
+    /// The lights that reach it; all of them where there are no shadows.
+    pub reached: Option<Reached<'a>>,
+}
+
+impl<'a> Evaluation<'a> {
     fn at_pixel(lens: &Lens, position: DVec3, normal: DVec3, face: Option<u32>) -> Self {
         let depth = (position - lens.eye).dot(lens.forward);
-        Self { position, normal, depth, face, sites: vec![(1.0, position, normal)] }
+        let site = WeightedSite { weight: 1.0, point: position, normal, reached: None };
+        Self { position, normal, depth, face, sites: vec![site] }
     }
 
     /// I at the pixel, before the display.
     pub fn intensity(&self, equation: &Equation<f64>) -> Rgb {
-        self.sites.iter().map(|&(weight, point, normal)| equation.illuminate_world(point, normal) * weight).sum()
+        let at = |site: &WeightedSite<'a>| equation.illuminate_world(site.point, site.normal, site.reached);
+        self.sites.iter().map(|site| at(site) * site.weight).sum()
     }
 }
 
@@ -50,15 +62,15 @@ pub(super) struct Reference<'a> {
     pub surface: Option<&'a Surface>,
 }
 
-impl Reference<'_> {
+impl<'a> Reference<'a> {
     /// The pixel whose sample lies at `place` meets the true surface.
-    pub fn of_surface(&self, place: DVec2) -> Option<Evaluation> {
+    pub fn of_surface(&self, place: DVec2) -> Option<Evaluation<'a>> {
         let (position, hit) = meet(self.lens, self.surface?, place)?;
         Some(Evaluation::at_pixel(self.lens, position, hit.normal, None))
     }
 
     /// The pixel whose sample lies at `place` sees `triangle`, one of the model's or of the clipper's.
-    pub fn of_triangle(&self, triangle: u32, place: DVec2) -> Evaluation {
+    pub fn of_triangle(&self, triangle: u32, place: DVec2) -> Evaluation<'a> {
         let own = self.model.triangles.len();
         let triangle = self.clipped.parents.get((triangle as usize).wrapping_sub(own)).copied().unwrap_or(triangle);
         let vertices = self.model.triangles[triangle as usize];
@@ -68,17 +80,18 @@ impl Reference<'_> {
         let carried = self.weights(face, &in_space, place);
         let normal = self.pixel_normal(face, &carried);
         let depth = (position - self.lens.eye).dot(self.lens.forward);
-        let at_vertex = |v: u32, weight: f64| (weight, self.model.position(v), self.model.normal(v));
+        let site = |weight, point, normal| WeightedSite { weight, point, normal, reached: None };
+        let at_vertex = |v: u32, weight: f64| site(weight, self.model.position(v), self.model.normal(v));
         let corners = self.model.face(face);
         #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
         let share = 1.0 / corners.len().max(1) as f64;
         let sites = match self.scene.shading.mode {
-            ShadingMode::Phong | ShadingMode::Exact => vec![(1.0, position, normal)],
+            ShadingMode::Phong | ShadingMode::Exact => vec![site(1.0, position, normal)],
             ShadingMode::Interpolated | ShadingMode::Gouraud => {
                 carried.iter().map(|&(v, weight)| at_vertex(v, weight)).collect()
             }
             ShadingMode::Flat => match self.scene.shading.flat_at {
-                FlatAt::Centre => vec![(1.0, self.model.face_centre(face), self.model.face_normal(face))],
+                FlatAt::Centre => vec![site(1.0, self.model.face_centre(face), self.model.face_normal(face))],
                 FlatAt::VertexMean => corners.iter().map(|&v| at_vertex(v, share)).collect(),
                 FlatAt::ProvokingVertex => vec![at_vertex(vertices[0], 1.0)],
             },

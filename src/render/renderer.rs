@@ -210,7 +210,7 @@ impl Renderer {
     }
 
     /// Where the equation is evaluated for a pixel of the last picture; nothing where the background is seen.
-    pub(crate) fn evaluation(&self, x: u32, y: u32) -> Option<Evaluation> {
+    pub(crate) fn evaluation(&self, x: u32, y: u32) -> Option<Evaluation<'_>> {
         let drawn = self.drawn.as_ref()?;
         let reference = Reference {
             scene: &drawn.scene,

@@ -2,8 +2,8 @@
 
 use super::Renderer;
 use crate::scene::{
-    Attenuation, Backfacing, FlatAt, Interpolation, Light, LightKind, NormalSource, ObjectKind, Overflow, Projection,
-    ReflectionModel, Scene, ShadingMode, Viewer, Weighting,
+    AreaShape, Attenuation, Backfacing, Distribution, FlatAt, Interpolation, Light, LightKind, NormalSource,
+    ObjectKind, Overflow, PatternKind, Projection, Reflectance, ReflectionModel, Scene, ShadingMode, Viewer, Weighting,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -30,7 +30,10 @@ fn choice<T: Copy + std::fmt::Debug + 'static>(values: &'static [T]) -> impl Str
 }
 
 fn light() -> impl Strategy<Value = Light> {
-    const KINDS: &[LightKind] = &[LightKind::Point, LightKind::Directional];
+    const KINDS: &[LightKind] = &[LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Area];
+    const SHAPES: &[AreaShape] = &[AreaShape::Rectangle, AreaShape::Sphere];
+    const CONES: &[f64] = &[0.1, 1.0, 20.0, 60.0, 90.0];
+    const PARTS: &[f64] = &[0.0, 1e-9, 0.5, 1.0];
     const ATTENUATIONS: &[Attenuation] = &[
         Attenuation::None,
         Attenuation::Viewer,
@@ -38,10 +41,29 @@ fn light() -> impl Strategy<Value = Light> {
         Attenuation::InverseSquare,
         Attenuation::Quadratic,
     ];
-    (choice(KINDS), vector(), vector(), vector(), choice(ATTENUATIONS), number(), vector()).prop_map(
-        |(kind, position, direction, color, attenuation, k, c)| {
-            let [c1, c2, c3] = c.abs().to_array();
-            Light { kind, position, direction, color: color.abs(), attenuation, k: k.abs(), c1, c2, c3 }
+    let area = (choice(SHAPES), vector(), 1..6u32, choice(CONES), choice(PARTS), choice(PARTS));
+    (choice(KINDS), vector(), vector(), vector(), choice(ATTENUATIONS), number(), vector(), area).prop_map(
+        |(kind, position, direction, color, attenuation, k, c, (shape, size, samples, cone, softness, power))| {
+            let ([c1, c2, c3], [width, height, radius]) = (c.abs().to_array(), size.abs().to_array());
+            Light {
+                kind,
+                position,
+                direction,
+                color: color.abs(),
+                cone,
+                exponent: power * 1e3,
+                softness,
+                shape,
+                extent: [width, height],
+                radius,
+                samples,
+                attenuation,
+                k: k.abs(),
+                c1,
+                c2,
+                c3,
+                ..Light::default()
+            }
         },
     )
 }
@@ -61,33 +83,47 @@ fn scene() -> impl Strategy<Value = Scene> {
     const RULES: &[Interpolation] = &[Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline];
     const NORMALS: &[NormalSource] = &[NormalSource::Averaged, NormalSource::Exact, NormalSource::Facet];
     const WEIGHTS: &[Weighting] = &[Weighting::Equal, Weighting::Area, Weighting::Angle];
+    const MODELS: &[ReflectionModel] = &[ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance];
+    const DISTRIBUTIONS: &[Distribution] = &[Distribution::Beckmann, Distribution::Ggx];
+    const LAWS: &[Reflectance] =
+        &[Reflectance::Constant, Reflectance::Glass, Reflectance::Silver, Reflectance::Gold, Reflectance::Custom];
+    const PATTERNS: &[PatternKind] =
+        &[PatternKind::None, PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings];
+    const ROUGHNESSES: &[f64] = &[1e-3, 0.02, 0.3, 1.0];
     let camera = (vector(), vector(), vector(), any::<bool>(), 1.0..170.0f64, number(), any::<bool>());
     let object = (choice(KINDS), 3..9u32, 3..7u32, choice(NORMALS), choice(WEIGHTS));
-    let material = (vector(), vector(), vector(), exponent(), any::<bool>(), any::<bool>());
+    let material = (vector(), vector(), vector(), exponent(), choice(MODELS), any::<bool>());
+    let surface = (choice(DISTRIBUTIONS), choice(LAWS), choice(PATTERNS), choice(ROUGHNESSES), vector(), vector());
     let shading = (choice(MODES), choice(PLACES), choice(RULES), any::<bool>());
     let lights = prop::collection::vec(light(), 0..4);
-    (camera, object, material, shading, lights).prop_map(|(camera, object, material, shading, lights)| {
-        let mut scene = Scene::default();
-        scene.image.size = [16, 16];
-        (scene.camera.eye, scene.camera.target, scene.camera.up) = (camera.0, camera.1, camera.2);
-        scene.camera.projection = if camera.3 { Projection::Perspective } else { Projection::Orthographic };
-        scene.camera.fov_y = camera.4;
-        scene.camera.height = camera.5.abs();
-        scene.camera.viewer = if camera.6 { Viewer::Local } else { Viewer::Infinite };
-        (scene.object.kind, scene.object.segments, scene.object.rings) = (object.0, object.1, object.2);
-        (scene.object.normals, scene.object.weighting) = (object.3, object.4);
-        (scene.material.ka, scene.material.kd, scene.material.ks) =
-            (material.0.abs(), material.1.abs(), material.2.abs());
-        scene.material.n = material.3;
-        scene.reflection.model = if material.4 { ReflectionModel::Phong } else { ReflectionModel::Blinn };
-        scene.reflection.backfacing = if material.5 { Backfacing::Clamp } else { Backfacing::Flip };
-        (scene.shading.mode, scene.shading.flat_at) = (shading.0, shading.1);
-        (scene.shading.interpolation, scene.shading.renormalise) = (shading.2, shading.3);
-        // The policy that keeps the picture as it was before the display.
-        scene.display.overflow = Overflow::Scale;
-        scene.lights = lights;
-        scene
-    })
+    (camera, object, material, surface, shading, lights).prop_map(
+        |(camera, object, material, surface, shading, lights)| {
+            let mut scene = Scene::default();
+            scene.image.size = [16, 16];
+            (scene.camera.eye, scene.camera.target, scene.camera.up) = (camera.0, camera.1, camera.2);
+            scene.camera.projection = if camera.3 { Projection::Perspective } else { Projection::Orthographic };
+            scene.camera.fov_y = camera.4;
+            scene.camera.height = camera.5.abs();
+            scene.camera.viewer = if camera.6 { Viewer::Local } else { Viewer::Infinite };
+            (scene.object.kind, scene.object.segments, scene.object.rings) = (object.0, object.1, object.2);
+            (scene.object.normals, scene.object.weighting) = (object.3, object.4);
+            (scene.material.ka, scene.material.kd, scene.material.ks) =
+                (material.0.abs(), material.1.abs(), material.2.abs());
+            scene.material.n = material.3;
+            scene.reflection.model = material.4;
+            (scene.reflection.distribution, scene.material.reflectance, scene.pattern.kind) =
+                (surface.0, surface.1, surface.2);
+            scene.material.roughness = surface.3;
+            (scene.material.ior, scene.material.extinction) = (surface.4.abs(), surface.5.abs());
+            scene.reflection.backfacing = if material.5 { Backfacing::Clamp } else { Backfacing::Flip };
+            (scene.shading.mode, scene.shading.flat_at) = (shading.0, shading.1);
+            (scene.shading.interpolation, scene.shading.renormalise) = (shading.2, shading.3);
+            // The policy that keeps the picture as it was before the display.
+            scene.display.overflow = Overflow::Scale;
+            scene.lights = lights;
+            scene
+        },
+    )
 }
 
 proptest! {

@@ -116,7 +116,7 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
             normal
         };
         let site = self.equation.site(self.rays.positions(simd, x, key), normal);
-        self.equation.illuminate::<Lanes<S>, F>(&site)
+        self.equation.illuminate::<Lanes<S>, F>(&site, None)
     }
 }
 

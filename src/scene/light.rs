@@ -1,6 +1,6 @@
 //! Light sources and their attenuation.
 
-use super::Rgb;
+use super::{Rgb, Scene};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -9,12 +9,26 @@ use serde::{Deserialize, Serialize};
 pub struct Ambient {
     /// Ia, per channel.
     pub color: Rgb,
+    /// What stands for the light that arrives from all sides.
+    pub source: AmbientSource,
 }
 
 impl Default for Ambient {
     fn default() -> Self {
-        Self { color: Rgb::ONE }
+        Self { color: Rgb::ONE, source: AmbientSource::Constant }
     }
+}
+
+/// What stands for the light that arrives from all sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum AmbientSource {
+    /// The constant Ia.
+    Constant,
+    /// Light that other surfaces of the scene have scattered once.
+    Bounce,
+    /// The constant in the left half of the picture, one bounce in the right half.
+    Split,
 }
 
 /// One light source. Fields that its kind or its attenuation does not read keep their value, so that switching back
@@ -22,13 +36,35 @@ impl Default for Ambient {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Light {
+    /// What its author calls it; may be empty.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub name: String,
     pub kind: LightKind,
-    /// Where a point light stands, world.
+    /// Switched off.
+    pub mute: bool,
+    /// While any light has this, only those that have it shine.
+    pub solo: bool,
+    /// Where the light stands, world: the middle of an area light.
     pub position: DVec3,
-    /// The way a directional light travels; any length but zero.
+    /// The way a directional light travels, the axis of a spot light's cone, the side that a rectangle faces; any length
+    /// but zero.
     pub direction: DVec3,
-    /// Ip, per channel.
+    /// Ip, per channel. An area light's is that of all its samples together.
     pub color: Rgb,
+    /// Angle between a spot light's axis and the edge of its cone, degrees.
+    pub cone: f64,
+    /// A spot light's intensity falls with this power of the cosine of the angle to its axis.
+    pub exponent: f64,
+    /// The outer part of a spot light's cone over which the light fades, 0 (a hard edge) to 1 (from the axis on).
+    pub softness: f64,
+    /// What an area light looks like.
+    pub shape: AreaShape,
+    /// Width and height of a rectangle, world units. Its width runs level.
+    pub extent: [f64; 2],
+    /// Radius of a sphere, world units.
+    pub radius: f64,
+    /// Points that an area light is replaced by.
+    pub samples: u32,
     pub attenuation: Attenuation,
     /// The constant of `1/(r + k)`, world units.
     pub k: f64,
@@ -43,10 +79,20 @@ pub struct Light {
 impl Default for Light {
     fn default() -> Self {
         Self {
+            name: String::new(),
             kind: LightKind::Point,
+            mute: false,
+            solo: false,
             position: DVec3::new(2.0, 2.0, 3.0),
             direction: DVec3::new(-2.0, -2.0, -3.0),
             color: Rgb::ONE,
+            cone: 20.0,
+            exponent: 4.0,
+            softness: 0.0,
+            shape: AreaShape::Rectangle,
+            extent: [1.0, 1.0],
+            radius: 0.5,
+            samples: 16,
             attenuation: Attenuation::None,
             k: 1.0,
             c1: 0.25,
@@ -61,6 +107,57 @@ impl Default for Light {
 pub enum LightKind {
     Point,
     Directional,
+    /// A point that shines into a cone.
+    Spot,
+    /// A surface, replaced by points spread evenly over it.
+    Area,
+}
+
+impl LightKind {
+    /// Whether the light stands somewhere.
+    pub fn has_position(self) -> bool {
+        self != Self::Directional
+    }
+}
+
+impl Light {
+    /// Most points that one area light is replaced by.
+    pub const MAX_SAMPLES: u32 = 1024;
+
+    /// Whether `direction` is read.
+    pub fn has_direction(&self) -> bool {
+        match self.kind {
+            LightKind::Point => false,
+            LightKind::Directional | LightKind::Spot => true,
+            LightKind::Area => self.shape == AreaShape::Rectangle,
+        }
+    }
+
+    /// Whether the light is on: not muted, and soloed if any light is (`soloing`, see [`Scene::soloing`]).
+    pub fn shines(&self, soloing: bool) -> bool {
+        !self.mute && (self.solo || !soloing)
+    }
+
+    /// Points that the light is replaced by: 1, or an area light's samples.
+    pub fn sample_count(&self) -> u32 {
+        if self.kind == LightKind::Area { self.samples } else { 1 }
+    }
+}
+
+impl Scene {
+    /// Whether any light is soloed, so that the others are silent.
+    pub fn soloing(&self) -> bool {
+        self.lights.iter().any(|light| light.solo)
+    }
+}
+
+/// The shape of an area light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum AreaShape {
+    /// Facing along its direction; its points shine to all sides, as a point light does.
+    Rectangle,
+    Sphere,
 }
 
 /// The factor f of a light's contribution.

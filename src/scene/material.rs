@@ -17,13 +17,50 @@ pub struct Material {
     pub ks: Rgb,
     /// The specular exponent, from 0 to infinity (a mirror).
     pub n: f64,
+    /// The root mean square slope of the microfacets (Beckmann), or their width α (GGX); Cook–Torrance only.
+    pub roughness: f64,
     /// Od, the surface's own colour, which multiplies `ka` and `kd`.
     pub color: Rgb,
+    /// Os, the colour of the highlight, which multiplies `ks`; white leaves it the light's own.
+    pub specular_color: Rgb,
+    /// W(θ), how the specular coefficient depends on the angle of incidence.
+    pub reflectance: Reflectance,
+    /// Index of refraction per channel, `reflectance = "custom"` only.
+    pub ior: Rgb,
+    /// Extinction coefficient, the imaginary part of the index, per channel, `reflectance = "custom"` only.
+    pub extinction: Rgb,
+}
+
+/// W(θ): the part of the light that is reflected at the angle of incidence θ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Reflectance {
+    /// 1, whatever the angle: Phong's own model.
+    Constant,
+    /// Fresnel's formulas for crown glass.
+    Glass,
+    /// For silver.
+    Silver,
+    /// For gold.
+    Gold,
+    /// For a material's own complex index of refraction.
+    Custom,
 }
 
 impl Default for Material {
     fn default() -> Self {
-        Self { ka: Rgb::splat(0.1), kd: Rgb::splat(0.7), ks: Rgb::splat(0.4), n: 32.0, color: Rgb::new(0.9, 0.3, 0.2) }
+        Self {
+            ka: Rgb::splat(0.1),
+            kd: Rgb::splat(0.7),
+            ks: Rgb::splat(0.4),
+            n: 32.0,
+            roughness: 0.25,
+            color: Rgb::new(0.9, 0.3, 0.2),
+            specular_color: Rgb::ONE,
+            reflectance: Reflectance::Constant,
+            ior: Rgb::splat(1.5),
+            extinction: Rgb::ZERO,
+        }
     }
 }
 

@@ -157,7 +157,7 @@ fn rays(direction: [f64; 3], color: Rgb) -> Light {
 
 fn surface(color: [f64; 3], kd: f64, ks: f64, n: f64) -> Material {
     let grey = Rgb::splat;
-    Material { ka: grey(0.12), kd: grey(kd), ks: grey(ks), n, color: Rgb::from_array(color) }
+    Material { ka: grey(0.12), kd: grey(kd), ks: grey(ks), n, color: Rgb::from_array(color), ..Material::default() }
 }
 
 fn sphere() -> Scene {
@@ -260,7 +260,7 @@ fn three_lights() -> Scene {
 fn colored_lights() -> Scene {
     Scene {
         material: surface([0.95, 0.95, 0.95], 0.75, 0.35, 40.0),
-        ambient: Ambient { color: Rgb::splat(0.5) },
+        ambient: Ambient { color: Rgb::splat(0.5), ..Ambient::default() },
         lights: vec![
             lamp([0.0, 3.4, 2.6], Rgb::new(1.0, 0.12, 0.10)),
             lamp([-3.0, -1.4, 2.8], Rgb::new(0.10, 0.95, 0.20)),

@@ -27,12 +27,14 @@ impl Default for Image {
 #[serde(deny_unknown_fields, default)]
 pub struct Reflection {
     pub model: ReflectionModel,
+    /// How the microfacets' slopes are spread, Cook–Torrance only.
+    pub distribution: Distribution,
     pub backfacing: Backfacing,
 }
 
 impl Default for Reflection {
     fn default() -> Self {
-        Self { model: ReflectionModel::Phong, backfacing: Backfacing::Clamp }
+        Self { model: ReflectionModel::Phong, distribution: Distribution::Beckmann, backfacing: Backfacing::Clamp }
     }
 }
 
@@ -44,6 +46,18 @@ pub enum ReflectionModel {
     Phong,
     /// `(N·H)^n` (Blinn 1977).
     Blinn,
+    /// `π·D·G/(4·(N·V))` of microfacets (Cook and Torrance 1982).
+    CookTorrance,
+}
+
+/// How the slopes of microfacets are spread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Distribution {
+    /// Normally distributed slopes (Beckmann and Spizzichino 1963), with the V-cavities of Torrance and Sparrow 1967.
+    Beckmann,
+    /// The longer tail of Walter et al. 2007, with their shadowing.
+    Ggx,
 }
 
 /// What happens where N·L < 0.
@@ -64,6 +78,8 @@ pub struct Shading {
     pub interpolation: Interpolation,
     /// Whether interpolated normals are made unit vectors again, Phong shading only.
     pub renormalise: bool,
+    /// Whether what stands between a point and a light keeps the light away.
+    pub shadows: bool,
 }
 
 impl Default for Shading {
@@ -73,6 +89,7 @@ impl Default for Shading {
             flat_at: FlatAt::Centre,
             interpolation: Interpolation::Perspective,
             renormalise: true,
+            shadows: false,
         }
     }
 }

@@ -1,7 +1,10 @@
 //! What a sound scene is: every number in its range, and no two that contradict each other.
 
 use super::problem::{Cause, Place, Problem, SceneError};
-use super::{Ambient, Attenuation, Camera, Image, Light, LightKind, Material, Object, ObjectKind, Rgb, Scene};
+use super::{
+    Ambient, Attenuation, Backdrop, Camera, Ground, Image, Light, Material, Object, ObjectKind, Pattern, Rgb, Scene,
+    Transparency,
+};
 use glam::DVec3;
 use std::ops::RangeInclusive;
 
@@ -25,6 +28,9 @@ const LEAST_TILT: f64 = 1e-6;
 impl Scene {
     /// Most lights in a scene. Each adds a term to every pixel.
     pub const MAX_LIGHTS: usize = 1000;
+
+    /// Most points that all lights together are replaced by.
+    pub const MAX_LIGHT_SAMPLES: u64 = 8192;
 
     /// Checks every number and what they are together.
     ///
@@ -50,13 +56,22 @@ impl Scene {
         self.image.check(&mut checks);
         self.object.check(&mut checks);
         self.material.check(&mut checks);
-        let Ambient { color } = self.ambient;
+        self.pattern.check(&mut checks);
+        self.transparency.check(&mut checks);
+        self.ground.check(&mut checks);
+        self.backdrop.check(&mut checks);
+        let Ambient { color, source: _ } = self.ambient;
         checks.colour("ambient.color", color, GREATEST_INTENSITY);
         if self.lights.len() > Self::MAX_LIGHTS {
             checks.value("light", format!("a list of {}", self.lights.len()), format!("at most {}", Self::MAX_LIGHTS));
         }
         for (i, light) in self.lights.iter().take(Self::MAX_LIGHTS).enumerate() {
             light.check(&mut checks, &format!("light.{i}"));
+        }
+        let samples: u64 = self.lights.iter().map(|light| u64::from(light.sample_count())).sum();
+        if samples > Self::MAX_LIGHT_SAMPLES {
+            let expected = format!("at most {}", Self::MAX_LIGHT_SAMPLES);
+            checks.value("light", format!("{samples} samples in all"), expected);
         }
         checks.problems
     }
@@ -145,11 +160,29 @@ impl Material {
     /// shows what overflows; the bound keeps every product far from the end of single precision.
     pub const MAX_COEFFICIENT: f64 = 1e6;
 
+    /// Below, the highlight is narrower than single precision tells directions apart; above, slopes pass 45° mostly.
+    pub const ROUGHNESS: RangeInclusive<f64> = 1e-3..=1.0;
+
+    /// Indices of refraction: no material known lies outside.
+    pub const IOR: RangeInclusive<f64> = 0.01..=100.0;
+
     fn check(&self, checks: &mut Checks) {
-        let &Self { ka, kd, ks, n, color } = self;
-        for (key, value) in [("material.ka", ka), ("material.kd", kd), ("material.ks", ks), ("material.color", color)] {
+        let &Self { ka, kd, ks, n, roughness, color, specular_color, reflectance: _, ior, extinction } = self;
+        for (key, value) in [
+            ("material.ka", ka),
+            ("material.kd", kd),
+            ("material.ks", ks),
+            ("material.color", color),
+            ("material.specular_color", specular_color),
+        ] {
             checks.colour(key, value, Self::MAX_COEFFICIENT);
         }
+        checks.number("material.roughness", roughness, Self::ROUGHNESS, "");
+        if !ior.to_array().iter().all(|channel| Self::IOR.contains(channel)) {
+            let (least, greatest) = (number(*Self::IOR.start()), number(*Self::IOR.end()));
+            checks.value("material.ior", triple(ior), format!("{least} to {greatest} in each channel"));
+        }
+        checks.colour("material.extinction", extinction, *Self::IOR.end());
         if n.is_nan() || n < 0.0 {
             checks.value("material.n", number(n), "0 or more (inf: a mirror)");
         }
@@ -157,11 +190,33 @@ impl Material {
 }
 
 impl Light {
+    /// Degrees from a spot light's axis to the edge of its cone.
+    pub const CONE: RangeInclusive<f64> = 0.1..=90.0;
+
+    /// Greatest exponent of a spot light: its beam is then 4° wide.
+    pub const MAX_EXPONENT: f64 = 1e3;
+
+    /// Most characters of a light's name.
+    pub const MAX_NAME: usize = 64;
+
     fn check(&self, checks: &mut Checks, key: &str) {
-        let &Self { kind, position, direction, color, attenuation, k, c1, c2, c3 } = self;
+        let &Self { position, direction, color, attenuation, k, c1, c2, c3, .. } = self;
         let inside = |name: &str| format!("{key}.{name}");
         checks.point(&inside("position"), position);
-        if kind == LightKind::Directional {
+        if self.name.chars().count() > Self::MAX_NAME || self.name.chars().any(char::is_control) {
+            let expected = format!("at most {} characters in one line", Self::MAX_NAME);
+            checks.value(&inside("name"), format!("{:?}", self.name.chars().take(20).collect::<String>()), expected);
+        }
+        checks.number(&inside("cone"), self.cone, Self::CONE, " degrees");
+        checks.number(&inside("exponent"), self.exponent, 0.0..=Self::MAX_EXPONENT, "");
+        checks.number(&inside("softness"), self.softness, 0.0..=1.0, "");
+        let [width, height] = self.extent;
+        for side in [width, height] {
+            checks.number(&inside("extent"), side, 0.0..=GREATEST_LENGTH, "");
+        }
+        checks.number(&inside("radius"), self.radius, 0.0..=GREATEST_LENGTH, "");
+        checks.count(&inside("samples"), self.samples, 1..=Self::MAX_SAMPLES);
+        if self.has_direction() {
             checks.direction(&inside("direction"), direction);
         } else {
             checks.point(&inside("direction"), direction);
@@ -175,6 +230,47 @@ impl Light {
             let expected = "one of c1, c2, c3 above 0";
             checks.found(&inside("c1"), Cause::Conflict { is: "is 0 like `c2` and `c3`", expected });
         }
+    }
+}
+
+impl Pattern {
+    fn check(&self, checks: &mut Checks) {
+        let &Self { kind: _, color, scale } = self;
+        checks.colour("pattern.color", color, Material::MAX_COEFFICIENT);
+        checks.number("pattern.scale", scale, Self::SCALE, "");
+    }
+
+    /// World units. Fields narrower than the least are not told apart in single precision.
+    pub const SCALE: RangeInclusive<f64> = 1e-4..=1e4;
+}
+
+impl Transparency {
+    /// Indices of refraction, either way through the surface.
+    pub const IOR: RangeInclusive<f64> = 0.1..=10.0;
+
+    fn check(&self, checks: &mut Checks) {
+        let &Self { kt, ior, through: _ } = self;
+        checks.number("transparency.kt", kt, 0.0..=1.0, "");
+        checks.number("transparency.ior", ior, Self::IOR, "");
+    }
+}
+
+impl Ground {
+    fn check(&self, checks: &mut Checks) {
+        let &Self { visible: _, height, ka, kd, color } = self;
+        checks.number("ground.height", height, -GREATEST_LENGTH..=GREATEST_LENGTH, "");
+        checks.number("ground.ka", ka, 0.0..=Material::MAX_COEFFICIENT, "");
+        checks.number("ground.kd", kd, 0.0..=Material::MAX_COEFFICIENT, "");
+        checks.colour("ground.color", color, Material::MAX_COEFFICIENT);
+    }
+}
+
+impl Backdrop {
+    fn check(&self, checks: &mut Checks) {
+        let &Self { pattern: _, color, scale, distance } = self;
+        checks.colour("backdrop.color", color, GREATEST_INTENSITY);
+        checks.number("backdrop.scale", scale, Pattern::SCALE, "");
+        checks.number("backdrop.distance", distance, -GREATEST_LENGTH..=GREATEST_LENGTH, "");
     }
 }
 

@@ -91,7 +91,7 @@ fn light_ui(ui: &mut Ui, lit: &mut Lit, index: usize, light: &mut Light, viewer_
     choice(ui, lit, &about, default.kind, &kinds, &mut light.kind);
     let (letter, symbol) = ("L", Some(Symbol::Light));
     match light.kind {
-        LightKind::Point => {
+        LightKind::Point | LightKind::Spot | LightKind::Area => {
             let tip = "Where the light stands: x to the right, y up, z towards the first viewer; world units. Its handle in the picture can be dragged.";
             let name = format!("{name} position");
             let about = About { letter, tint: orange, label: "position", name: &name, tip, symbol, idle: None };

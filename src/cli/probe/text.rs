@@ -57,6 +57,8 @@ fn describe_light(text: &mut String, scene: &Scene, index: usize, light: &LightT
     let kind = match light.kind {
         LightKind::Point => "point",
         LightKind::Directional => "directional",
+        LightKind::Spot => "spot",
+        LightKind::Area => "area",
     };
     let f = match source.attenuation {
         Attenuation::None => "1",

@@ -1,12 +1,13 @@
 //! From a [`Scene`] to the text of a scene file.
 
-use super::super::{Attenuation, Light, LightKind, Rgb, Scene};
+use super::super::{AreaShape, Attenuation, Light, LightKind, Rgb, Scene};
 use glam::DVec3;
 use serde::Serialize;
 use std::path::PathBuf;
 
 pub fn write(scene: &Scene) -> String {
-    let Scene { version, camera, image, object, material, reflection, shading, display, ambient, lights } = scene;
+    let Scene { version, camera, image, object, material, pattern, transparency, .. } = scene;
+    let Scene { reflection, shading, display, ground, backdrop, ambient, lights, .. } = scene;
     let mut object = object.clone();
     object.path = object.path.map(|path| PathBuf::from(path.to_string_lossy().into_owned()));
     let mut text = format!("# A scene of shading-lab\nversion = {version}\n");
@@ -17,14 +18,25 @@ pub fn write(scene: &Scene) -> String {
     section(&mut text, "[image]", image);
     section(&mut text, "[object]", &object);
     section(&mut text, "[material]", material);
+    unless_default(&mut text, "[pattern]", pattern);
+    unless_default(&mut text, "[transparency]", transparency);
     section(&mut text, "[reflection]", reflection);
     section(&mut text, "[shading]", shading);
     section(&mut text, "[display]", display);
+    unless_default(&mut text, "[ground]", ground);
+    unless_default(&mut text, "[backdrop]", backdrop);
     section(&mut text, "[ambient]", ambient);
     for light in lights {
         section(&mut text, "[[light]]", &WrittenLight::from(light));
     }
     text
+}
+
+/// A section that is left out where all of it has its default.
+fn unless_default<T: Serialize + Default + PartialEq>(text: &mut String, head: &str, keys: &T) {
+    if *keys != T::default() {
+        section(text, head, keys);
+    }
 }
 
 fn section(text: &mut String, head: &str, keys: &impl Serialize) {
@@ -34,13 +46,33 @@ fn section(text: &mut String, head: &str, keys: &impl Serialize) {
 
 /// A light's keys as they are written: those that it reads, and those that differ from their default.
 #[derive(Serialize)]
-struct WrittenLight {
+struct WrittenLight<'a> {
+    #[serde(skip_serializing_if = "str::is_empty")]
+    name: &'a str,
     kind: LightKind,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mute: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    solo: Option<bool>,
     #[serde(skip_serializing_if = "Option::is_none")]
     position: Option<DVec3>,
     #[serde(skip_serializing_if = "Option::is_none")]
     direction: Option<DVec3>,
     color: Rgb,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cone: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exponent: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    softness: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shape: Option<AreaShape>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    extent: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radius: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    samples: Option<u32>,
     attenuation: Attenuation,
     #[serde(skip_serializing_if = "Option::is_none")]
     k: Option<f64>,
@@ -52,22 +84,34 @@ struct WrittenLight {
     c3: Option<f64>,
 }
 
-impl From<&Light> for WrittenLight {
-    fn from(light: &Light) -> Self {
-        let &Light { kind, position, direction, color, attenuation, k, c1, c2, c3 } = light;
+impl<'a> From<&'a Light> for WrittenLight<'a> {
+    fn from(light: &'a Light) -> Self {
         let default = Light::default();
-        let reads_k = matches!(attenuation, Attenuation::Viewer | Attenuation::Light);
-        let quadratic = attenuation == Attenuation::Quadratic;
+        let kind = light.kind;
+        let (spot, area) = (kind == LightKind::Spot, kind == LightKind::Area);
+        let rectangle = area && light.shape == AreaShape::Rectangle;
+        let reads_k = matches!(light.attenuation, Attenuation::Viewer | Attenuation::Light);
+        let quadratic = light.attenuation == Attenuation::Quadratic;
         Self {
+            name: &light.name,
             kind,
-            position: keep(position, default.position, kind == LightKind::Point),
-            direction: keep(direction, default.direction, kind == LightKind::Directional),
-            color,
-            attenuation,
-            k: keep(k, default.k, reads_k),
-            c1: keep(c1, default.c1, quadratic),
-            c2: keep(c2, default.c2, quadratic),
-            c3: keep(c3, default.c3, quadratic),
+            mute: keep(light.mute, default.mute, false),
+            solo: keep(light.solo, default.solo, false),
+            position: keep(light.position, default.position, kind.has_position()),
+            direction: keep(light.direction, default.direction, light.has_direction()),
+            color: light.color,
+            cone: keep(light.cone, default.cone, spot),
+            exponent: keep(light.exponent, default.exponent, spot),
+            softness: keep(light.softness, default.softness, spot),
+            shape: keep(light.shape, default.shape, area),
+            extent: keep(light.extent, default.extent, rectangle),
+            radius: keep(light.radius, default.radius, area && !rectangle),
+            samples: keep(light.samples, default.samples, area),
+            attenuation: light.attenuation,
+            k: keep(light.k, default.k, reads_k),
+            c1: keep(light.c1, default.c1, quadratic),
+            c2: keep(light.c2, default.c2, quadratic),
+            c3: keep(light.c3, default.c3, quadratic),
         }
     }
 }

@@ -1,0 +1,85 @@
+//! Two colours laid out over space: which of them a point has.
+
+use super::{Real, Scalar, V3};
+use crate::scene::PatternKind;
+use glam::DVec3;
+
+/// A pattern in a frame of its own: coordinates are `scale · position + offset`, fields are 1 wide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fields<T> {
+    layout: Layout,
+    scale: T,
+    offset: [T; 3],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Layout {
+    Checker,
+    Stripes,
+    /// About the axis of this index.
+    Rings(usize),
+}
+
+impl<T: Scalar> Fields<T> {
+    /// The fields of `kind`, `width` world units wide, rings about axis `axis` (0 to 2), for positions that are `unit`
+    /// world units long and start from `origin`. None where there is no pattern.
+    pub fn new(kind: PatternKind, width: f64, axis: usize, origin: DVec3, unit: f64) -> Option<Self> {
+        let layout = match kind {
+            PatternKind::None => return None,
+            PatternKind::Checker => Layout::Checker,
+            PatternKind::Stripes => Layout::Stripes,
+            PatternKind::Rings => Layout::Rings(axis),
+        };
+        let offset = (origin / width).to_array().map(T::from_f64);
+        Some(Self { layout, scale: T::from_f64(unit / width), offset })
+    }
+
+    /// Whether the pattern lies on a point: its own colour is seen there.
+    #[inline(always)]
+    pub fn lie_on<R: Real<Scalar = T>>(&self, position: V3<R>) -> R::Mask {
+        let like = position.x;
+        let half = like.constant(T::from_f64(0.5));
+        let p = position.scale_add(like.constant(self.scale), V3::constant(like, self.offset));
+        let count = match self.layout {
+            Layout::Checker => (p.x + half).floor() + (p.y + half).floor() + (p.z + half).floor(),
+            Layout::Stripes => (p.y + half).floor(),
+            Layout::Rings(axis) => {
+                let [a, b] = match axis {
+                    0 => [p.y, p.z],
+                    1 => [p.x, p.z],
+                    _ => [p.x, p.y],
+                };
+                (a.mul_add(a, b * b).sqrt() + half).floor()
+            }
+        };
+        // Odd fields: count − 2⌊count/2⌋ is 1.
+        let pairs = (count * T::from_f64(0.5)).floor();
+        (count - pairs - pairs).greater_than(half)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn on(kind: PatternKind, point: [f64; 3]) -> bool {
+        let fields = Fields::<f64>::new(kind, 0.5, 1, DVec3::ZERO, 1.0).expect("a pattern");
+        fields.lie_on(V3::from(DVec3::from_array(point)))
+    }
+
+    #[test]
+    fn fields_are_centred_at_the_origin_and_alternate() {
+        for kind in [PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings] {
+            assert!(!on(kind, [0.2, 0.2, 0.1]), "{kind:?}");
+        }
+        assert!(on(PatternKind::Checker, [0.3, 0.0, 0.0]) && on(PatternKind::Checker, [0.0, -0.3, 0.0]));
+        assert!(!on(PatternKind::Checker, [0.3, -0.3, 0.0]));
+        assert!(on(PatternKind::Stripes, [9.0, 0.3, 9.0]) && !on(PatternKind::Stripes, [0.0, 0.8, 0.0]));
+        assert!(on(PatternKind::Rings, [0.3, 5.0, 0.0]) && !on(PatternKind::Rings, [0.8, 0.0, 0.0]));
+    }
+
+    #[test]
+    fn no_pattern_has_no_fields() {
+        assert_eq!(Fields::<f64>::new(PatternKind::None, 1.0, 1, DVec3::ZERO, 1.0), None);
+    }
+}

@@ -1,0 +1,101 @@
+//! What is not the object: the pattern on it, its transparency, the ground under it and the wall behind it.
+
+use super::Rgb;
+use serde::{Deserialize, Serialize};
+
+/// A second colour of the surface, laid out by object coordinates, so that no picture file is needed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Pattern {
+    pub kind: PatternKind,
+    /// Od where the pattern lies; the material's colour is seen between.
+    pub color: Rgb,
+    /// Width of one field, world units.
+    pub scale: f64,
+}
+
+impl Default for Pattern {
+    fn default() -> Self {
+        Self { kind: PatternKind::None, color: Rgb::new(0.95, 0.92, 0.85), scale: 0.25 }
+    }
+}
+
+/// The patterns. Fields are counted from the origin, the first of them centred there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PatternKind {
+    None,
+    /// Cubes, every other one coloured.
+    Checker,
+    /// Layers across the y axis.
+    Stripes,
+    /// Shells about the y axis; about the z axis on a plane.
+    Rings,
+}
+
+/// Light that passes through the surface: `I = (1 − kt)·Irefl + kt·Itrans`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Transparency {
+    /// Kt, the part of the transmitted light, 0 (opaque) to 1.
+    pub kt: f64,
+    /// η, the index of refraction inside relative to that outside.
+    pub ior: f64,
+    pub through: Through,
+}
+
+impl Default for Transparency {
+    fn default() -> Self {
+        Self { kt: 0.0, ior: 1.5, through: Through::Solid }
+    }
+}
+
+/// How far a transmitted ray is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Through {
+    /// Refracted once, at the surface seen: what lies behind is inside the material as well.
+    Surface,
+    /// Refracted on its way in and on its way out, reflected inside where it cannot leave.
+    Solid,
+}
+
+/// A level floor that receives light and shadows and hides nothing: it is seen from above, and behind the object.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Ground {
+    pub visible: bool,
+    /// Its y coordinate, world.
+    pub height: f64,
+    /// Ambient coefficient.
+    pub ka: f64,
+    /// Diffuse coefficient.
+    pub kd: f64,
+    /// Od of the floor.
+    pub color: Rgb,
+}
+
+impl Default for Ground {
+    fn default() -> Self {
+        Self { visible: false, height: -1.0, ka: 0.1, kd: 0.7, color: Rgb::new(0.8, 0.8, 0.8) }
+    }
+}
+
+/// A patterned wall behind the object, upright to the viewing direction. Between the pattern the background is seen.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Backdrop {
+    /// None: there is no wall.
+    pub pattern: PatternKind,
+    pub color: Rgb,
+    /// Width of one field, world units.
+    pub scale: f64,
+    /// How far it stands behind the camera's target, world units.
+    pub distance: f64,
+}
+
+impl Default for Backdrop {
+    fn default() -> Self {
+        Self { pattern: PatternKind::None, color: Rgb::new(0.85, 0.83, 0.78), scale: 0.4, distance: 2.0 }
+    }
+}
