@@ -1,6 +1,9 @@
 //! The rasterizer: plan → transform → clip → cover → shade → display.
 
+mod beyond;
 mod bins;
+mod bounce;
+mod bvh;
 mod clip;
 mod cover;
 mod display;
@@ -12,16 +15,23 @@ mod model;
 mod painting;
 mod plan;
 mod points;
+mod rays;
 mod reference;
 mod renderer;
 #[cfg(test)]
 mod robustness;
 mod shade;
+mod shadow;
+mod sites;
+mod solid;
 mod span;
 mod stage;
+mod surroundings;
 mod transform;
+mod transmission;
 
 pub use frame::{Frame, Report, Stage, StageRun};
 pub use plan::{Facts, Per, Plan, Term};
 pub(crate) use reference::Evaluation;
 pub use renderer::Renderer;
+pub use transmission::Transmission;

@@ -70,6 +70,7 @@ fn words(stage: Stage) -> (&'static str, &'static str) {
         Stage::Geometry => ("geometry", "Tessellation and vertex normals"),
         Stage::Transform => ("transform", "Vertices to the picture; clipping; back faces"),
         Stage::Coverage => ("coverage", "Which polygon each pixel sees"),
+        Stage::Rays => ("rays", "Shadows, what is seen through the object, light from other surfaces"),
         Stage::VertexShading => ("vertices", "The equation at vertices or faces"),
         Stage::Interpolation => ("interpolation", "Normals or intensities to the pixels"),
         Stage::PixelShading => ("pixels", "The equation at pixels"),

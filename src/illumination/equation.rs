@@ -278,9 +278,24 @@ pub struct LightAt {
 }
 
 impl Equation<f64> {
+    /// The direction from a point of the world to the source of index `source`, world units, and how many times its length
+    /// the source is away; without an end for parallel rays.
+    ///
+    /// # Panics
+    /// If there is no such source.
+    pub fn way_to(&self, source: usize, point: DVec3) -> (DVec3, f64) {
+        let (way, times) = self.sources[source].way(V3::from(self.from_world(point)));
+        (DVec3::from(way) * self.unit, times)
+    }
+
     /// V at a point of the world.
     pub fn view_at(&self, point: DVec3) -> DVec3 {
         self.site(V3::from(self.from_world(point)), V3::from(DVec3::ZERO)).view.into()
+    }
+
+    /// Whether a pattern varies Od.
+    pub fn has_pattern(&self) -> bool {
+        self.pattern.is_some()
     }
 
     /// Od at a point of the world, where a pattern varies it; white where it is part of the coefficients.

@@ -158,6 +158,17 @@ impl<T: Scalar> Source<T> {
         }
     }
 
+    /// The direction to the source from `position`, and how many times its length the source is away.
+    pub(super) fn way(&self, position: V3<T>) -> (V3<T>, T)
+    where
+        T: Real<Scalar = T>,
+    {
+        match self.place {
+            Place::Towards(l) => (V3::constant(position.x, l), T::from_f64(f64::MAX)),
+            Place::At(place) => (V3::constant(position.x, place) - position, T::from_f64(1.0)),
+        }
+    }
+
     /// Whether f differs from point to point.
     pub fn attenuates(&self) -> bool {
         !matches!(self.falloff, Falloff::Constant(_))

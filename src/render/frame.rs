@@ -28,6 +28,9 @@ pub enum Stage {
     Transform,
     /// Which polygon each pixel sees.
     Coverage,
+    /// Rays: which light reaches what is evaluated, what is seen through the object and past it, and what other surfaces
+    /// scatter.
+    Rays,
     /// The equation at vertices or faces.
     VertexShading,
     /// Normals or intensities carried to the pixels.
@@ -61,4 +64,6 @@ pub struct Report {
     pub covered: u64,
     /// Pixels with a channel above 1 before the display.
     pub overflowing: u64,
+    /// The Ia that stands for one bounce of light between surfaces best, where that is gathered.
+    pub ambient_fit: Option<[f64; 3]>,
 }

@@ -69,6 +69,11 @@ impl Model {
         &self.indices[range(face as usize)]
     }
 
+    /// A vertex relative to `origin`.
+    pub fn place(&self, vertex: u32) -> Vec3 {
+        at(&self.position, vertex)
+    }
+
     pub fn position(&self, vertex: u32) -> DVec3 {
         self.origin + at(&self.position, vertex).as_dvec3()
     }

@@ -10,6 +10,7 @@ use super::plan::{Per, Plan};
 use super::points::Planes;
 use super::reference::Reference;
 use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
+use super::shadow::Reach;
 use crate::geometry::Surface;
 use crate::illumination::{Equation, FormTask, Specular};
 use crate::scene::{FlatAt, Rgb, Scene};
@@ -63,12 +64,36 @@ pub(super) struct Stale {
 }
 
 impl Stale {
+    pub const NOTHING: Self = Self { coverage: false, interpolation: false };
+
     pub fn any(self) -> bool {
         self.coverage || self.interpolation
     }
 }
 
 impl Bands {
+    /// Rows of a band.
+    pub const ROWS: usize = BAND as usize;
+
+    /// The bands of a picture of `size` pixels with their fragments, from the top.
+    pub fn parts(
+        &self,
+        [width, height]: [u32; 2],
+    ) -> impl IndexedParallelIterator<Item = (BandPlace, &Band, &[Fragment])> {
+        let share = (BAND * width) as usize;
+        self.bands.par_iter().enumerate().map(move |(index, band)| {
+            let first_row = index as u32 * BAND;
+            let fragments = &self.fragments[(index * share).min(self.fragments.len())..];
+            let place = BandPlace { first_row, rows: BAND.min(height.saturating_sub(first_row)), width };
+            (place, band, &fragments[..share.min(fragments.len())])
+        })
+    }
+
+    /// The fragment of a pixel, where the bands keep any.
+    pub fn fragment_at(&self, x: u32, y: u32) -> Option<Fragment> {
+        self.fragments.get(y as usize * self.width as usize + x as usize).copied()
+    }
+
     /// Compares the inputs with the last ones and takes them over.
     pub fn stale(&mut self, coverage: CoverageInputs, interpolation: InterpolationInputs) -> Stale {
         let covers = self.coverage.as_ref() != Some(&coverage);
@@ -117,6 +142,16 @@ pub(super) struct Painted {
     pub nanoseconds: [u64; 3],
 }
 
+impl Painted {
+    /// The figures of covering and of colouring, done one after the other.
+    pub fn and(self, coloured: Self) -> Self {
+        let [covering, interpolating, first] = self.nanoseconds;
+        let [cover, interpolate, shading] = coloured.nanoseconds;
+        let nanoseconds = [covering + cover, interpolating + interpolate, first + shading];
+        Self { covered: coloured.covered, overflowing: coloured.overflowing, nanoseconds }
+    }
+}
+
 /// What painting reads.
 #[derive(Clone, Copy)]
 pub(super) struct Painting<'a> {
@@ -130,6 +165,10 @@ pub(super) struct Painting<'a> {
     pub sources: Sources<'a>,
     pub bins: &'a Bins,
     pub intensity: &'a Planes,
+    /// Which sources reach which pixels, where there are shadows.
+    pub reach: Option<&'a Reach>,
+    /// Whether the bands are coloured, or covered and interpolated only.
+    pub colours: bool,
 }
 
 /// One band's share of the buffers.
@@ -195,7 +234,7 @@ impl Painting<'_> {
             dispatch!(self.level, simd => interpolate(simd, *place, band, self.sources, scanline, fragments));
             lap(1);
         }
-        let over = self.colour(&mut job);
+        let over = if self.colours { self.colour(&mut job) } else { 0 };
         lap(2);
         counters.covered.fetch_add(job.band.covered, Ordering::Relaxed);
         counters.overflowing.fetch_add(over, Ordering::Relaxed);
@@ -292,7 +331,7 @@ impl Painting<'_> {
         equation.retain_lights(|light| self.plan.lights[light]);
         let Self { scene, plan, lens, .. } = *self;
         let Sources { model, clipped, .. } = self.sources;
-        let reference = Reference { scene, plan, lens, model, clipped, surface: None };
+        let reference = Reference { scene, plan, lens, model, clipped, surface: None, reach: self.reach };
         let width = place.width as usize;
         target.clear(0..place.rows as usize * width);
         let mut over = 0;
@@ -322,9 +361,9 @@ impl<T: Target> FormTask for ShadePixels<'_, T> {
     type Output = u64;
 
     fn run<F: Specular>(mut self, form: F) -> u64 {
-        let Painting { plan, lens, equation, level, .. } = *self.painting;
+        let Painting { plan, lens, equation, level, reach, .. } = *self.painting;
         let by_key = plan.perspective && !plan.true_surface;
-        let colour = Evaluated::new(form, equation, lens, by_key, plan.renormalise);
+        let colour = Evaluated::new(form, equation, lens, by_key, plan.renormalise, reach);
         let extents = &self.band.extents;
         dispatch!(level, simd => shade(simd, self.place, extents, self.fragments, colour, &mut self.target))
     }

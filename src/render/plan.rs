@@ -2,10 +2,11 @@
 //!
 //! Leaving out never changes a stored pixel. The renderer executes the plan, and the same plan is what is shown to the reader.
 
+use super::surroundings::Surroundings;
 use crate::illumination::SpecularForm;
 use crate::scene::{
-    Attenuation, Backfacing, Camera, Encoding, FlatAt, Interpolation, Light, LightKind, NormalSource, ObjectKind,
-    Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode, Viewer,
+    AmbientSource, Attenuation, Backfacing, Camera, Encoding, FlatAt, Interpolation, Light, LightKind, NormalSource,
+    ObjectKind, Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode, Viewer,
 };
 use glam::DVec3;
 use serde::Serialize;
@@ -66,6 +67,11 @@ pub struct Plan {
     pub form: SpecularForm,
     /// For each light of the scene whether it can add anything.
     pub lights: Vec<bool>,
+    /// Rays find out which lights reach what is evaluated.
+    pub shadows: bool,
+    /// Something besides the equation makes up the picture: a floor, a wall, what is seen through the object, light from
+    /// other surfaces.
+    pub composes: bool,
     /// The display needs to see the whole picture before it can store a pixel.
     pub whole_picture: bool,
     /// Everything above, for the reader.
@@ -86,6 +92,8 @@ impl Plan {
         let outside = !sees_inside(&scene.camera, facts);
         let interpolation =
             if mode == ShadingMode::Exact { Interpolation::Perspective } else { scene.shading.interpolation };
+        let composes =
+            Surroundings::any(scene) || scene.transparency.kt > 0.0 || scene.ambient.source != AmbientSource::Constant;
         let mut plan = Self {
             per: if mode == ShadingMode::Flat && scene.shading.flat_at != FlatAt::Centre { Per::Vertex } else { per },
             carries: mode != ShadingMode::Flat,
@@ -100,10 +108,13 @@ impl Plan {
             renormalise: scene.shading.renormalise || mode != ShadingMode::Phong,
             form: SpecularForm::of(scene),
             lights: lights(scene),
-            whole_picture: scene.display.overflow != Overflow::Clamp,
+            shadows: false,
+            composes,
+            whole_picture: scene.display.overflow != Overflow::Clamp || composes,
             terms: Vec::new(),
         };
-        plan.terms = terms(scene, &plan);
+        plan.shadows = casts_shadows(scene, facts, &plan.lights).is_none();
+        plan.terms = terms(scene, facts, &plan);
         plan
     }
 
@@ -145,6 +156,18 @@ fn lights(scene: &Scene) -> Vec<bool> {
     scene.lights.iter().map(|light| light.shines(soloing) && light.color * reflects != Rgb::ZERO).collect()
 }
 
+/// Why nothing lies in the shadow of the object.
+fn casts_shadows(scene: &Scene, facts: &Facts, lights: &[bool]) -> Option<&'static str> {
+    if !scene.shading.shadows {
+        return Some("switched off");
+    }
+    if !lights.contains(&true) {
+        return Some("no light shines");
+    }
+    let alone = facts.convex && facts.closed && !scene.ground.visible;
+    alone.then_some("a convex solid casts no shadow on itself")
+}
+
 /// Why a light adds nothing.
 fn silent(light: &Light, soloing: bool) -> &'static str {
     match light {
@@ -159,7 +182,7 @@ fn term(name: impl Into<String>, per: Per, omitted: Option<&str>) -> Term {
     Term { name: name.into(), per, omitted: omitted.map(str::to_owned) }
 }
 
-fn terms(scene: &Scene, plan: &Plan) -> Vec<Term> {
+fn terms(scene: &Scene, facts: &Facts, plan: &Plan) -> Vec<Term> {
     let material = &scene.material;
     let per = plan.per;
     let shining = plan.lights.iter().any(|&kept| kept);
@@ -183,6 +206,13 @@ fn terms(scene: &Scene, plan: &Plan) -> Vec<Term> {
         let unattenuated = (!attenuates).then_some("its f is 1");
         terms.push(term(format!("attenuation of light {index}"), per, black.or(unattenuated)));
     }
+    terms.push(term("shadows", per, casts_shadows(scene, facts, &plan.lights)));
+    let opaque = (scene.transparency.kt == 0.0).then_some("Kt is 0");
+    terms.push(term("transmission", Per::Pixel, opaque));
+    let nothing = (!Surroundings::any(scene)).then_some("the background is plain");
+    terms.push(term("surroundings", Per::Pixel, nothing));
+    let constant = (scene.ambient.source == AmbientSource::Constant).then_some("Ia is constant");
+    terms.push(term("one bounce", Per::Pixel, constant));
     let unused_view = dark.or(specular);
     let view = if scene.camera.viewer == Viewer::Infinite { Per::Frame } else { per };
     terms.push(term("V", view, unused_view));

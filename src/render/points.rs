@@ -1,7 +1,8 @@
 //! The equation at vertices or at faces: points with a normal in, intensities out.
 
 use super::model::{Model, PADDING};
-use crate::illumination::{Equation, FormTask, Lanes, Specular, V3};
+use super::shadow::Reach;
+use crate::illumination::{Equation, FormTask, Lanes, Reached, Specular, V3};
 use fearless_simd::{Level, dispatch, prelude::*};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -10,7 +11,7 @@ use rayon::prelude::*;
 pub(super) type Planes = [Vec<f32>; 3];
 
 /// Points that one task shades.
-const CHUNK: usize = 4096;
+pub(super) const CHUNK: usize = 4096;
 
 /// The middle of each face, relative to the model's origin, and its own normal; padded as the vertices are.
 pub(super) fn face_points(model: &Model) -> (Planes, Planes) {
@@ -41,6 +42,8 @@ pub(super) struct PointShading<'a> {
     pub position: &'a Planes,
     pub normal: &'a Planes,
     pub intensity: &'a mut Planes,
+    /// Which sources reach which points, where there are shadows; [`CHUNK`] points a block.
+    pub reach: Option<&'a Reach>,
 }
 
 impl FormTask for PointShading<'_> {
@@ -58,7 +61,8 @@ impl FormTask for PointShading<'_> {
             let range = chunk * CHUNK..chunk * CHUNK + r.len();
             let position = self.position.each_ref().map(|plane| &plane[range.clone()]);
             let normal = self.normal.each_ref().map(|plane| &plane[range.clone()]);
-            let site = Sites { equation: self.equation, scale, offset, position, normal };
+            let reached = self.reach.and_then(|reach| reach.at(chunk, 0));
+            let site = Sites { equation: self.equation, scale, offset, position, normal, reached };
             dispatch!(self.level, simd => site.shade::<_, F>(simd, [r, g, b]));
         });
     }
@@ -70,6 +74,7 @@ struct Sites<'a> {
     offset: [f32; 3],
     position: [&'a [f32]; 3],
     normal: [&'a [f32]; 3],
+    reached: Option<Reached<'a>>,
 }
 
 impl Sites<'_> {
@@ -81,7 +86,11 @@ impl Sites<'_> {
         for start in (0..r.len()).step_by(lanes) {
             let position = load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
             let site = self.equation.site(position, load(simd, self.normal, start));
-            let rgb = self.equation.illuminate::<Lanes<S>, F>(&site, None);
+            let reached = match self.reached {
+                Some(reached) => Some(Reached { first: start, ..reached }),
+                None => None,
+            };
+            let rgb = self.equation.illuminate::<Lanes<S>, F>(&site, reached);
             rgb[0].0.store_slice(&mut r[start..start + lanes]);
             rgb[1].0.store_slice(&mut g[start..start + lanes]);
             rgb[2].0.store_slice(&mut b[start..start + lanes]);

@@ -7,7 +7,9 @@ use super::clip::Clipped;
 use super::exact::meet;
 use super::lens::{Lens, NEAR};
 use super::model::Model;
-use super::plan::Plan;
+use super::plan::{Per, Plan};
+use super::points::CHUNK;
+use super::shadow::Reach;
 use crate::geometry::Surface;
 use crate::illumination::{Equation, Reached};
 use crate::scene::{FlatAt, Rgb, Scene, ShadingMode};
@@ -38,12 +40,6 @@ pub(crate) struct WeightedSite<'a> {
 }
 
 impl<'a> Evaluation<'a> {
-    fn at_pixel(lens: &Lens, position: DVec3, normal: DVec3, face: Option<u32>) -> Self {
-        let depth = (position - lens.eye).dot(lens.forward);
-        let site = WeightedSite { weight: 1.0, point: position, normal, reached: None };
-        Self { position, normal, depth, face, sites: vec![site] }
-    }
-
     /// I at the pixel, before the display.
     pub fn intensity(&self, equation: &Equation<f64>) -> Rgb {
         let at = |site: &WeightedSite<'a>| equation.illuminate_world(site.point, site.normal, site.reached);
@@ -60,13 +56,17 @@ pub(super) struct Reference<'a> {
     pub model: &'a Model,
     pub clipped: &'a Clipped,
     pub surface: Option<&'a Surface>,
+    /// Which sources reach which sites, where there are shadows: pixels, faces or vertices, as the plan has it.
+    pub reach: Option<&'a Reach>,
 }
 
 impl<'a> Reference<'a> {
     /// The pixel whose sample lies at `place` meets the true surface.
     pub fn of_surface(&self, place: DVec2) -> Option<Evaluation<'a>> {
         let (position, hit) = meet(self.lens, self.surface?, place)?;
-        Some(Evaluation::at_pixel(self.lens, position, hit.normal, None))
+        let depth = (position - self.lens.eye).dot(self.lens.forward);
+        let site = WeightedSite { weight: 1.0, point: position, normal: hit.normal, reached: self.at_pixel(place) };
+        Some(Evaluation { position, normal: hit.normal, depth, face: None, sites: vec![site] })
     }
 
     /// The pixel whose sample lies at `place` sees `triangle`, one of the model's or of the clipper's.
@@ -80,23 +80,38 @@ impl<'a> Reference<'a> {
         let carried = self.weights(face, &in_space, place);
         let normal = self.pixel_normal(face, &carried);
         let depth = (position - self.lens.eye).dot(self.lens.forward);
-        let site = |weight, point, normal| WeightedSite { weight, point, normal, reached: None };
-        let at_vertex = |v: u32, weight: f64| site(weight, self.model.position(v), self.model.normal(v));
+        let site = |weight, point, normal, reached| WeightedSite { weight, point, normal, reached };
+        let at_vertex =
+            |v: u32, weight: f64| site(weight, self.model.position(v), self.model.normal(v), self.at_point(v));
         let corners = self.model.face(face);
         #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
         let share = 1.0 / corners.len().max(1) as f64;
         let sites = match self.scene.shading.mode {
-            ShadingMode::Phong | ShadingMode::Exact => vec![site(1.0, position, normal)],
+            ShadingMode::Phong | ShadingMode::Exact => vec![site(1.0, position, normal, self.at_pixel(place))],
             ShadingMode::Interpolated | ShadingMode::Gouraud => {
                 carried.iter().map(|&(v, weight)| at_vertex(v, weight)).collect()
             }
             ShadingMode::Flat => match self.scene.shading.flat_at {
-                FlatAt::Centre => vec![site(1.0, self.model.face_centre(face), self.model.face_normal(face))],
+                FlatAt::Centre => {
+                    vec![site(1.0, self.model.face_centre(face), self.model.face_normal(face), self.at_point(face))]
+                }
                 FlatAt::VertexMean => corners.iter().map(|&v| at_vertex(v, share)).collect(),
                 FlatAt::ProvokingVertex => vec![at_vertex(vertices[0], 1.0)],
             },
         };
         Evaluation { position, normal, depth, face: Some(face), sites }
+    }
+
+    /// The sources that reach a pixel.
+    fn at_pixel(&self, place: DVec2) -> Option<Reached<'a>> {
+        let reach = self.reach.filter(|_| self.plan.per == Per::Pixel)?;
+        reach.at(place.y as usize, place.x as usize)
+    }
+
+    /// The sources that reach a vertex, or a face where the equation is evaluated at faces.
+    fn at_point(&self, index: u32) -> Option<Reached<'a>> {
+        let reach = self.reach.filter(|_| self.plan.per != Per::Pixel)?;
+        reach.at(index as usize / CHUNK, index as usize % CHUNK)
     }
 
     fn pixel_normal(&self, face: u32, carried: &[(u32, f64)]) -> DVec3 {
@@ -126,14 +141,7 @@ impl<'a> Reference<'a> {
 
     /// Barycentric weights of the point of the triangle's plane that the pixel sees.
     fn weights_in_space(&self, vertices: [u32; 3], place: DVec2) -> Vec<(u32, f64)> {
-        let (point, direction) = self.lens.ray(place);
-        let [a, b, c] = vertices.map(|v| (self.model.position(v) - self.lens.eye) / self.lens.unit);
-        let (e1, e2, from) = (b - a, c - a, point - a);
-        let (p, q) = (direction.cross(e2), from.cross(e1));
-        let determinant = e1.dot(p);
-        let (w1, w2) = (from.dot(p) / determinant, direction.dot(q) / determinant);
-        // Seen exactly edge-on the plane has no single point at the pixel; the middle stands for it.
-        let (w1, w2) = if w1.is_finite() && w2.is_finite() { (w1, w2) } else { (1.0 / 3.0, 1.0 / 3.0) };
+        let [w1, w2] = self.lens.weights_in_space(vertices.map(|v| self.model.position(v)), place);
         vec![(vertices[0], 1.0 - w1 - w2), (vertices[1], w1), (vertices[2], w2)]
     }
 }

@@ -1,21 +1,23 @@
 //! The renderer: runs the plan's stages, each only when what it reads has changed.
 
+use super::beyond::compose;
 use super::bins::Bins;
 use super::clip::Clipped;
 use super::display::{Linear, display};
 use super::interpolate::Sources;
 use super::lens::Lens;
 use super::model::Model;
-use super::painting::{Bands, Canvas, CoverageInputs, InterpolationInputs, Painted, Painting};
+use super::painting::{Bands, Canvas, CoverageInputs, InterpolationInputs, Painted, Painting, Stale};
 use super::plan::{Facts, Per, Plan};
 use super::points::{Planes, PointShading, face_points};
+use super::rays::{RayInputs, RayStages};
 use super::reference::{Evaluation, Reference};
 use super::stage::Kept;
 use super::transform::Placed;
 use super::{Frame, Report, Stage, StageRun};
 use crate::geometry::{Mesh, Surface, tessellate};
 use crate::illumination::Equation;
-use crate::scene::{Display, NormalSource, Object, ObjectKind, Overflow, Scene, Weighting};
+use crate::scene::{AmbientSource, Display, NormalSource, Object, ObjectKind, Overflow, Scene, Weighting};
 use fearless_simd::Level;
 use glam::DVec2;
 use std::sync::Arc;
@@ -33,6 +35,9 @@ pub struct Renderer {
     placed: Kept<PlacedInputs, (Placed, Clipped, Bins)>,
     intensity: Kept<IntensityInputs, Planes>,
     bands: Bands,
+    rays: RayStages,
+    /// Whether rays to vertices or faces were followed for this frame, and for how long.
+    traced: (bool, u64),
     canvas: Kept<CanvasInputs, ()>,
     drawn: Option<Drawn>,
     linear: Vec<Linear>,
@@ -75,6 +80,8 @@ struct IntensityInputs {
     model: u64,
     equation: Equation<f32>,
     per: Per,
+    /// The run of the bits, where there are shadows.
+    reach: Option<u64>,
 }
 
 #[derive(PartialEq)]
@@ -86,6 +93,10 @@ struct CanvasInputs {
     whole_picture: bool,
     renormalise: bool,
     double: bool,
+    /// The runs of the bits, of what is seen beyond and of what other surfaces scatter.
+    rays: Option<[u64; 3]>,
+    /// How what is seen beyond is mixed in.
+    composition: Option<(f64, AmbientSource)>,
 }
 
 impl Default for Renderer {
@@ -109,6 +120,8 @@ impl Renderer {
             placed: Kept::default(),
             intensity: Kept::default(),
             bands: Bands::default(),
+            rays: RayStages::default(),
+            traced: (false, 0),
             canvas: Kept::default(),
             drawn: None,
             linear: Vec::new(),
@@ -151,6 +164,7 @@ impl Renderer {
         self.placed.forget();
         self.intensity.forget();
         self.bands.forget();
+        self.rays.forget();
         self.canvas.forget();
     }
 
@@ -219,6 +233,7 @@ impl Renderer {
             model: &self.model.output,
             clipped: &self.placed.output.1,
             surface: self.surface.output.as_ref(),
+            reach: self.rays.reach(&drawn.plan),
         };
         let place = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
         if drawn.plan.true_surface {
@@ -276,7 +291,7 @@ impl Renderer {
         let mut equation = Equation::<f32>::new(scene);
         equation.retain_lights(|light| plan.lights[light]);
         self.place(&plan, &lens, size);
-        self.shade_points(&plan, &lens, &equation);
+        self.shade_points(scene, &plan, &lens, &equation);
         self.paint(scene, &plan, &lens, equation);
         self.drawn = Some(Drawn { scene: scene.clone(), plan, lens });
     }
@@ -296,7 +311,32 @@ impl Renderer {
         self.note(Stage::Transform, ran, began, 0);
     }
 
-    fn shade_points(&mut self, plan: &Plan, lens: &Lens, equation: &Equation<f32>) {
+    /// Which sources reach the points where the equation is evaluated; the run, where there are shadows.
+    fn reach_points(&mut self, scene: &Scene, plan: &Plan, lens: &Lens) -> Option<u64> {
+        let began = (self.clock)();
+        let model = &self.model.output;
+        let (placed, clipped, _) = &self.placed.output;
+        let sources = Sources { model, clipped, placed, carried: &[] };
+        let inputs = RayInputs { scene, plan, lens, sources, surface: None, object: self.model.stamp() };
+        let at_faces = plan.per == Per::Face;
+        let count = if at_faces { model.face_count() } else { model.vertex_count };
+        #[expect(clippy::cast_possible_truncation, reason = "vertices and faces are counted in 32 bits")]
+        let point = |index: usize| {
+            let index = index as u32;
+            if at_faces {
+                (model.face_centre(index), model.face_normal(index))
+            } else {
+                (model.position(index), model.normal(index))
+            }
+        };
+        let ran = self.rays.reach_points(&inputs, count, point);
+        self.traced = (ran, if ran { (self.clock)().saturating_sub(began) } else { 0 });
+        plan.shadows.then(|| self.rays.stamps()[0])
+    }
+
+    fn shade_points(&mut self, scene: &Scene, plan: &Plan, lens: &Lens, equation: &Equation<f32>) {
+        self.traced = (false, 0);
+        let reach = if plan.shadows && plan.per != Per::Pixel { self.reach_points(scene, plan, lens) } else { None };
         let began = (self.clock)();
         let (mut ran, mut evaluations) = (false, 0);
         if plan.per != Per::Pixel {
@@ -305,9 +345,11 @@ impl Renderer {
             if at_faces {
                 self.faces.update(self.model.stamp(), |_, faces| *faces = face_points(model));
             }
+            let bits = self.rays.reach(plan);
             let faces = &self.faces.output;
             let (position, normal) = if at_faces { (&faces.0, &faces.1) } else { (&model.position, &model.normal) };
-            let inputs = IntensityInputs { model: self.model.stamp(), equation: equation.clone(), per: plan.per };
+            let inputs =
+                IntensityInputs { model: self.model.stamp(), equation: equation.clone(), per: plan.per, reach };
             let level = self.level;
             ran = self.intensity.update(inputs, |inputs, intensity| {
                 inputs.equation.form().dispatch(PointShading {
@@ -319,6 +361,7 @@ impl Renderer {
                     position,
                     normal,
                     intensity,
+                    reach: bits,
                 });
             });
             evaluations = if at_faces { model.face_count() as u64 } else { model.vertex_count as u64 };
@@ -354,6 +397,39 @@ impl Renderer {
             flat_at: (!plan.carries).then_some(scene.shading.flat_at),
         };
         let stale = self.bands.stale(coverage, interpolation);
+        let shadowed = plan.shadows && plan.per == Per::Pixel;
+        let object = if plan.true_surface { self.surface.stamp() } else { self.model.stamp() };
+        let sources = Sources { model, clipped, placed, carried: &[] };
+        let mut painting = Painting {
+            level: self.level,
+            clock: self.clock,
+            scene,
+            plan,
+            lens,
+            equation: &equation,
+            surface: self.surface.output.as_ref(),
+            sources,
+            bins: &self.placed.output.2,
+            intensity: &self.intensity.output,
+            reach: None,
+            colours: true,
+        };
+        let mut painted = Painted::default();
+        let (mut still_stale, mut traced, mut tracing) = (stale, false, 0);
+        if shadowed || plan.composes {
+            // Rays start from what the pixels see, so that is found first.
+            if stale.any() {
+                self.linear.resize(if plan.whole_picture { pixels } else { 0 }, [0.0; 4]);
+                let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
+                painted = Painting { colours: false, ..painting }.run(&mut self.bands, stale, canvas);
+                still_stale = Stale::NOTHING;
+            }
+            let began = (self.clock)();
+            let inputs = RayInputs { scene, plan, lens, sources, surface: painting.surface, object };
+            traced = self.rays.follow(&inputs, &self.bands);
+            tracing = if traced { (self.clock)().saturating_sub(began) } else { 0 };
+            painting.reach = if shadowed { self.rays.reach(plan) } else { None };
+        }
         let inputs = CanvasInputs {
             bands: self.bands.stamp(),
             equation: (plan.per == Per::Pixel).then_some(equation.clone()),
@@ -362,30 +438,29 @@ impl Renderer {
             whole_picture: plan.whole_picture,
             renormalise: plan.renormalise,
             double: plan.double,
+            rays: (shadowed || plan.composes).then(|| self.rays.stamps()),
+            composition: plan.composes.then_some((scene.transparency.kt, scene.ambient.source)),
         };
         let repaint = self.canvas.update(inputs, |_, ()| {});
         let shaded = repaint || stale.any();
-        let mut painted = Painted::default();
         if shaded {
             self.linear.resize(if plan.whole_picture { pixels } else { 0 }, [0.0; 4]);
-            let painting = Painting {
-                level: self.level,
-                clock: self.clock,
-                scene,
-                plan,
-                lens,
-                equation: &equation,
-                surface: self.surface.output.as_ref(),
-                sources: Sources { model, clipped, placed, carried: &[] },
-                bins: &self.placed.output.2,
-                intensity: &self.intensity.output,
-            };
             let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
-            painted = painting.run(&mut self.bands, stale, canvas);
+            let coloured = painting.run(&mut self.bands, still_stale, canvas);
+            painted = painted.and(coloured);
             self.report.covered = painted.covered;
             self.report.overflowing = painted.overflowing;
         }
         let began = (self.clock)();
+        if plan.composes && shaded {
+            let [seen, bounced] = self.rays.layers(scene);
+            self.report.overflowing = compose(scene, seen, bounced, &mut self.linear);
+        }
+        self.report.ambient_fit = if scene.ambient.source == AmbientSource::Constant {
+            None
+        } else {
+            self.rays.fit().map(|fit| fit.to_array())
+        };
         if plan.whole_picture && shaded {
             let Display { overflow, encoding } = scene.display;
             display(&self.linear, width as usize, overflow, encoding, &mut self.frame.pixels);
@@ -395,6 +470,10 @@ impl Renderer {
         let [covering, interpolating, shading] = painted.nanoseconds;
         let (shading, displaying) = if at_pixels { (shading, 0) } else { (0, shading) };
         let evaluations = if at_pixels { painted.covered } else { 0 };
+        if plan.shadows || plan.composes {
+            let (before, earlier) = self.traced;
+            self.push(Stage::Rays, before || traced, earlier + tracing, 0);
+        }
         self.push(Stage::Coverage, stale.coverage, covering, 0);
         self.push(Stage::Interpolation, stale.interpolation && plan.interpolates(), interpolating, 0);
         self.push(Stage::PixelShading, shaded && at_pixels, shading, evaluations);

@@ -4,7 +4,8 @@ use super::cover::BandPlace;
 use super::display::{Linear, pack, stored};
 use super::interpolate::Fragment;
 use super::lens::Lens;
-use crate::illumination::{Equation, Lanes, Real, Specular, V3};
+use super::shadow::Reach;
+use crate::illumination::{Equation, Lanes, Reached, Real, Specular, V3};
 use crate::scene::Encoding;
 use fearless_simd::{f32x4, prelude::*};
 use glam::DVec2;
@@ -22,8 +23,8 @@ pub(super) trait Colour: Copy + Sync {
     #[inline(always)]
     fn row(&mut self, _y: u32) {}
 
-    /// Red, green, blue at pixels whose columns are `x`, given the three carried numbers and the depth key.
-    fn at<S: Simd>(&self, simd: S, x: Lanes<S>, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3];
+    /// Red, green, blue at the pixels from `column` on, given the three carried numbers and the depth key.
+    fn at<S: Simd>(&self, simd: S, column: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3];
 }
 
 /// The carried numbers are intensities.
@@ -35,7 +36,7 @@ pub(super) struct Carried {
 
 impl Colour for Carried {
     #[inline(always)]
-    fn at<S: Simd>(&self, simd: S, _: Lanes<S>, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
+    fn at<S: Simd>(&self, simd: S, _: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
         let factor = if self.by_key { Lanes::splat(simd, 1.0) / key } else { Lanes::splat(simd, 1.0) };
         let [r, g, b] = carried;
         [r * factor, g * factor, b * factor]
@@ -50,11 +51,21 @@ pub(super) struct Evaluated<'a, F> {
     by_key: bool,
     renormalise: bool,
     form: F,
+    reach: Option<&'a Reach>,
+    /// The bits of the present row.
+    reached: Option<Reached<'a>>,
 }
 
 impl<'a, F: Specular> Evaluated<'a, F> {
-    pub fn new(form: F, equation: &'a Equation<f32>, lens: &Lens, by_key: bool, renormalise: bool) -> Self {
-        Self { equation, rays: Rays::new(lens), by_key, renormalise, form }
+    pub fn new(
+        form: F,
+        equation: &'a Equation<f32>,
+        lens: &Lens,
+        by_key: bool,
+        renormalise: bool,
+        reach: Option<&'a Reach>,
+    ) -> Self {
+        Self { equation, rays: Rays::new(lens), by_key, renormalise, form, reach, reached: None }
     }
 }
 
@@ -101,11 +112,16 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
     #[inline(always)]
     fn row(&mut self, y: u32) {
         self.rays.row(y);
+        self.reached = match self.reach {
+            Some(reach) => reach.at(y as usize, 0),
+            None => None,
+        };
     }
 
     #[inline(always)]
-    fn at<S: Simd>(&self, simd: S, x: Lanes<S>, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
+    fn at<S: Simd>(&self, simd: S, column: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
         let _ = self.form;
+        let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
         let [nx, ny, nz] = carried;
         let normal = V3::new(nx, ny, nz);
         let normal = if self.renormalise {
@@ -116,7 +132,11 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
             normal
         };
         let site = self.equation.site(self.rays.positions(simd, x, key), normal);
-        self.equation.illuminate::<Lanes<S>, F>(&site, None)
+        let reached = match self.reached {
+            Some(reached) => Some(Reached { first: column, ..reached }),
+            None => None,
+        };
+        self.equation.illuminate::<Lanes<S>, F>(&site, reached)
     }
 }
 
@@ -262,8 +282,7 @@ fn shade_block<S: Simd>(
         let carried =
             [Lanes::<S>::load(simd, &a[start..]), Lanes::load(simd, &b[start..]), Lanes::load(simd, &c[start..])];
         let key = Lanes::load(simd, &key[start..]);
-        let columns = Lanes::count_up(simd) + Lanes::splat(simd, (x + start) as f32);
-        let rgb = colour.at(simd, columns, carried, key);
+        let rgb = colour.at(simd, x + start, carried, key);
         let count = lanes.min(length - start);
         over += u64::from(target.put(simd, line + x + start, count, rgb, key.greater_than(limit)));
         start += lanes;

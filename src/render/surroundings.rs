@@ -1,0 +1,148 @@
+//! What is seen past the object: the floor, the wall behind, or the plain background.
+
+use super::lens::Lens;
+use super::shadow::Shadows;
+use crate::illumination::{Equation, Fields, Reached, V3};
+use crate::scene::{Ground, Light, Material, Pattern, PatternKind, Reflectance, Rgb, Scene, Transparency};
+use glam::DVec3;
+
+/// The scene's floor as a surface of its own: it reflects diffusely and lies under the same lights.
+///
+/// Its equation takes the object's place in everything but the material. Sources that cannot light the object are kept.
+pub(super) fn ground_equation(scene: &Scene) -> Equation<f64> {
+    let Ground { ka, kd, color, .. } = scene.ground;
+    Equation::new(&diffuse_scene(scene, Rgb::splat(ka), Rgb::splat(kd), color))
+}
+
+/// The scene with a plain diffuse material.
+pub(super) fn diffuse_scene(scene: &Scene, ka: Rgb, kd: Rgb, color: Rgb) -> Scene {
+    let material =
+        Material { ka, kd, ks: Rgb::ZERO, color, reflectance: Reflectance::Constant, ..scene.material.clone() };
+    Scene { material, pattern: Pattern::default(), transparency: Transparency::default(), ..scene.clone() }
+}
+
+/// What lies beyond the object.
+pub(super) struct Surroundings<'a> {
+    background: Rgb,
+    ground: Option<Floor<'a>>,
+    wall: Option<Wall>,
+}
+
+struct Floor<'a> {
+    height: f64,
+    equation: &'a Equation<f64>,
+    shadows: Option<Shadows<'a>>,
+}
+
+/// A plane upright to the viewing direction.
+struct Wall {
+    centre: DVec3,
+    right: DVec3,
+    up: DVec3,
+    forward: DVec3,
+    fields: Fields<f64>,
+    color: Rgb,
+}
+
+/// What a ray meets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Beyond {
+    /// A point of the floor, world.
+    Floor(DVec3),
+    /// The wall, or nothing at all, with its colour.
+    Elsewhere(Rgb),
+}
+
+impl<'a> Surroundings<'a> {
+    /// The surroundings of `scene`; `equation` is the floor's, and `shadows`, if there are any, come from the object.
+    pub fn new(scene: &Scene, lens: &Lens, equation: &'a Equation<f64>, shadows: Option<Shadows<'a>>) -> Self {
+        let backdrop = &scene.backdrop;
+        let fields = Fields::new(backdrop.pattern, backdrop.scale, 2, DVec3::ZERO, 1.0);
+        Self {
+            background: scene.image.background,
+            ground: scene.ground.visible.then(|| Floor { height: scene.ground.height, equation, shadows }),
+            wall: fields.map(|fields| Wall {
+                centre: scene.camera.target + lens.forward * backdrop.distance,
+                right: lens.right,
+                up: lens.up,
+                forward: lens.forward,
+                fields,
+                color: backdrop.color,
+            }),
+        }
+    }
+
+    /// Whether anything but the plain background is there.
+    pub fn any(scene: &Scene) -> bool {
+        scene.ground.visible || scene.backdrop.pattern != PatternKind::None
+    }
+
+    /// What the ray meets.
+    pub fn meet(&self, origin: DVec3, direction: DVec3) -> Beyond {
+        if let Some(floor) = &self.ground
+            && direction.y < 0.0
+            && origin.y > floor.height
+        {
+            let point = origin + direction * ((floor.height - origin.y) / direction.y);
+            if point.is_finite() {
+                return Beyond::Floor(DVec3 { y: floor.height, ..point });
+            }
+        }
+        Beyond::Elsewhere(self.wall.as_ref().and_then(|wall| wall.met(origin, direction)).unwrap_or(self.background))
+    }
+
+    /// The intensity that arrives along the ray; `scratch` is room for a bit a source.
+    pub fn along(&self, origin: DVec3, direction: DVec3, scratch: &mut Vec<u64>) -> Rgb {
+        match self.meet(origin, direction) {
+            Beyond::Elsewhere(color) => color,
+            Beyond::Floor(point) => self.ground.as_ref().map_or(Rgb::ZERO, |floor| floor.intensity(point, scratch)),
+        }
+    }
+}
+
+impl Floor<'_> {
+    /// I at a point of the floor.
+    fn intensity(&self, point: DVec3, scratch: &mut Vec<u64>) -> Rgb {
+        lit(self.equation, self.shadows.as_ref(), point, DVec3::Y, scratch)
+    }
+}
+
+/// I of a diffuse surface at a point with normal `n`, in the shadow of `shadows`.
+pub(super) fn lit(
+    equation: &Equation<f64>,
+    shadows: Option<&Shadows<'_>>,
+    point: DVec3,
+    n: DVec3,
+    scratch: &mut Vec<u64>,
+) -> Rgb {
+    let reached = shadows.map(|shadows| {
+        scratch.clear();
+        scratch.extend((0..equation.sources.len()).map(|source| {
+            // Shadows know the object's sources; these are this surface's own.
+            let (direction, t_max) = equation.way_to(source, point);
+            let start = point + n * shadows.solid.clearance();
+            u64::from(n.dot(direction) <= 0.0 || shadows.is_open(start, direction, t_max))
+        }));
+        scratch.push(0);
+        Reached { words: scratch, stride: 1, first: 0 }
+    });
+    equation.illuminate_world(point, n, reached)
+}
+
+impl Wall {
+    fn met(&self, origin: DVec3, direction: DVec3) -> Option<Rgb> {
+        let t = (self.centre - origin).dot(self.forward) / direction.dot(self.forward);
+        let place = origin + direction * t - self.centre;
+        if !(t > 0.0 && place.is_finite()) {
+            return None;
+        }
+        let flat = V3::new(place.dot(self.right), place.dot(self.up), 0.0);
+        self.fields.lie_on(flat).then_some(self.color)
+    }
+}
+
+/// Whether any light is on.
+pub(super) fn any_light(scene: &Scene) -> bool {
+    let soloing = scene.soloing();
+    scene.lights.iter().any(|light: &Light| light.shines(soloing) && light.color != Rgb::ZERO)
+}
