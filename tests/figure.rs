@@ -57,7 +57,21 @@ fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
         let sum = lights.iter().fold(ambient, |sum, light| sum + light.diffuse + light.specular);
         let depth = (position - view.eye).dot(view.forward);
         let stored = sum.to_array().map(|channel| (channel.clamp(0.0, 1.0) * 255.0).round() as u8);
-        ProbeHit { position, normal: position, view: v, depth, face: None, ambient, lights, sum, stored }
+        let (reflected, transmission) = (sum, None);
+        ProbeHit {
+            position,
+            normal: position,
+            view: v,
+            depth,
+            face: None,
+            ambient,
+            bounced: false,
+            lights,
+            reflected,
+            transmission,
+            sum,
+            stored,
+        }
     });
     Probe { pixel, hit }
 }

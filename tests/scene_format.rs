@@ -265,7 +265,10 @@ fn an_override_at_fault_is_named() {
         (&["material.n=-1"], "--set material.n=-1: `material.n` is -1, expected 0 or more (inf: a mirror)"),
         (&["material.n"], "--set material.n: no `=` after a key, expected KEY=VALUE, for example material.n=50"),
         (&["=3"], "--set =3: no `=` after a key, expected KEY=VALUE, for example material.n=50"),
-        (&["material.m=3"], "--set material.m=3: unknown key `material.m`, expected one of ka, kd, ks, n, color"),
+        (
+            &["material.m=3"],
+            "--set material.m=3: unknown key `material.m`, expected one of ka, kd, ks, n, roughness, color, specular_color, reflectance, ior, extinction",
+        ),
         (
             &["shading.mode=gouraux"],
             "--set shading.mode=gouraux: `shading.mode` is \"gouraux\", expected one of flat, interpolated, gouraud, \

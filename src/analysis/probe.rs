@@ -1,7 +1,7 @@
 //! The pixel probe: the equation at one pixel, in double precision.
 
 use crate::illumination::Equation;
-use crate::render::{Evaluation, Renderer};
+use crate::render::{Evaluation, Renderer, Transmission};
 use crate::scene::{LightKind, ReflectionModel, Rgb, Scene};
 use glam::DVec3;
 
@@ -28,11 +28,17 @@ pub struct ProbeHit {
     pub depth: f64,
     /// Index of the face in the mesh; none where the true surface was met without one.
     pub face: Option<u32>,
-    /// `ka·color·Ia`.
+    /// `ka·color·Ia`, or what one bounce of light from other surfaces puts in its place.
     pub ambient: Rgb,
+    /// Whether `ambient` is light from other surfaces.
+    pub bounced: bool,
     /// One per light of the scene, in its order.
     pub lights: Vec<LightTerms>,
-    /// The sum, before the display.
+    /// Irefl: what the terms add up to.
+    pub reflected: Rgb,
+    /// What passes through the surface, where any light does.
+    pub transmission: Option<Transmission>,
+    /// The intensity before the display: Irefl, or `(1 − kt)·Irefl + kt·Itrans`.
     pub sum: Rgb,
     /// The stored value of the pixel.
     pub stored: [u8; 3],
@@ -81,27 +87,54 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
     let stored = frame.pixel(x, y);
     let hit = stored.zip(renderer.evaluation(x, y)).map(|(stored, evaluation)| {
         let equation = Equation::<f64>::new(scene);
-        let lights = (0..scene.lights.len()).map(|light| light_terms(scene, &equation, &evaluation, light)).collect();
+        let mut shining = equation.clone();
+        if let Some(plan) = renderer.plan() {
+            shining.retain_lights(|light| plan.lights[light]);
+        }
+        let equations = [&equation, &shining];
+        let lights = (0..scene.lights.len()).map(|light| light_terms(scene, equations, &evaluation, light)).collect();
+        let mixture = renderer.mixture(x, y);
+        let bounced = mixture.and_then(|mixture| mixture.bounced);
+        let constant = ambient(&equation, &evaluation);
+        let difference = bounced.unwrap_or(Rgb::ZERO);
+        let reflected = (evaluation.intensity(&shining) + difference).max(Rgb::ZERO);
+        let transmission = mixture.and_then(|mixture| mixture.transmission);
+        let kt = scene.transparency.kt;
         ProbeHit {
             position: evaluation.position,
             normal: evaluation.normal,
             view: equation.view_at(evaluation.position),
             depth: evaluation.depth,
             face: evaluation.face,
-            ambient: Rgb::from_array(equation.ambient),
+            ambient: constant + difference,
+            bounced: bounced.is_some(),
             lights,
-            sum: evaluation.intensity(&equation),
+            reflected,
+            transmission,
+            sum: transmission.map_or(reflected, |through| reflected * (1.0 - kt) + through.seen * kt),
             stored,
         }
     });
     Probe { pixel: [x, y], hit }
 }
 
-fn light_terms(scene: &Scene, equation: &Equation<f64>, evaluation: &Evaluation<'_>, light: usize) -> LightTerms {
+/// The constant ambient term where the equation is evaluated.
+fn ambient(equation: &Equation<f64>, evaluation: &Evaluation<'_>) -> Rgb {
+    let color: Rgb = evaluation.sites.iter().map(|site| equation.pattern_color(site.point) * site.weight).sum();
+    Rgb::from_array(equation.ambient) * color
+}
+
+/// One light's part; the second equation has only the sources that the picture is shaded with.
+fn light_terms(
+    scene: &Scene,
+    [equation, shining]: [&Equation<f64>; 2],
+    evaluation: &Evaluation<'_>,
+    light: usize,
+) -> LightTerms {
     let here = equation.respond_world(light, evaluation.position, evaluation.normal, None);
     let (mut diffuse, mut specular, mut reached) = (Rgb::ZERO, Rgb::ZERO, 0.0);
     for site in &evaluation.sites {
-        let response = equation.respond_world(light, site.point, site.normal, site.reached);
+        let response = shining.respond_world(light, site.point, site.normal, site.reached);
         diffuse += site.weight * response.diffuse;
         specular += site.weight * response.specular;
         reached += site.weight * response.reached;

@@ -9,7 +9,7 @@ use clap::Args;
 use glam::DVec3;
 use serde::Serialize;
 use shading_lab::analysis::{LightTerms, Probe, ProbeHit, probe};
-use shading_lab::render::Renderer;
+use shading_lab::render::{Renderer, Transmission};
 use shading_lab::scene::{LightKind, Rgb};
 
 #[derive(Args)]
@@ -52,10 +52,30 @@ enum Printed {
         depth: f64,
         face: Option<u32>,
         ambient: Rgb,
+        /// Whether `ambient` is light from other surfaces.
+        bounced: bool,
         lights: Vec<PrintedLight>,
+        reflected: Rgb,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        transmission: Option<PrintedTransmission>,
         sum: Rgb,
         stored: [u8; 3],
     },
+}
+
+#[derive(Serialize)]
+struct PrintedTransmission {
+    /// Nothing where all light is reflected.
+    t: Option<DVec3>,
+    refractions: u32,
+    total_reflections: u32,
+    seen: Rgb,
+}
+
+impl From<Transmission> for PrintedTransmission {
+    fn from(Transmission { t, refractions, total_reflections, seen }: Transmission) -> Self {
+        Self { t, refractions, total_reflections, seen }
+    }
 }
 
 #[derive(Serialize)]
@@ -83,9 +103,25 @@ struct PrintedLight {
 impl From<Probe> for Printed {
     fn from(Probe { pixel, hit }: Probe) -> Self {
         let Some(hit) = hit else { return Self::Background { pixel, hit: false } };
-        let ProbeHit { position, normal, view, depth, face, ambient, lights, sum, stored } = hit;
+        let ProbeHit { position, normal, view, depth, face, ambient, bounced, lights, reflected, sum, stored, .. } =
+            hit;
+        let transmission = hit.transmission.map(PrintedTransmission::from);
         let lights = lights.into_iter().map(PrintedLight::from).collect();
-        Self::Surface { pixel, position, normal, view, depth, face, ambient, lights, sum, stored }
+        Self::Surface {
+            pixel,
+            position,
+            normal,
+            view,
+            depth,
+            face,
+            ambient,
+            bounced,
+            lights,
+            reflected,
+            transmission,
+            sum,
+            stored,
+        }
     }
 }
 

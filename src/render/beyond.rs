@@ -8,7 +8,7 @@ use super::painting::Bands;
 use super::shadow::{Reach, Shadows};
 use super::sites::{Sight, Sights};
 use super::surroundings::{Beyond, Surroundings};
-use super::transmission::{Glass, Transmission};
+use super::transmission::Glass;
 use crate::illumination::Equation;
 use crate::scene::{AmbientSource, Rgb, Scene};
 use glam::{DVec2, DVec3, Vec3};
@@ -86,12 +86,6 @@ pub(super) fn seen_beyond(
             *pixel = surroundings.along(origin, direction, scratch).as_vec3();
         }
     });
-}
-
-/// What one pixel's transmitted ray does.
-pub(super) fn transmission_at(sights: &Sights<'_>, glass: &Glass<'_>, sight: Sight, x: u32, y: u32) -> Transmission {
-    let (_, incident) = eye_ray(sights.lens, x as usize, y as usize);
-    glass.transmit(sight.point, sight.normal, incident, &mut Vec::new())
 }
 
 /// Light that arrives at the pixels from other surfaces, and the constant that stands for it best.

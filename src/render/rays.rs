@@ -1,10 +1,10 @@
 //! The stages that follow rays, each run only when what it reads has changed: the hierarchy of boxes, which light reaches
 //! what, what is seen beyond, and light from other surfaces.
 
-use super::beyond::{Bounced, bounce, reach_pixels, reach_points, seen_beyond};
+use super::beyond::{Bounced, bounce, bounces_at, eye_ray, reach_pixels, reach_points, seen_beyond};
 use super::bounce::Gathering;
 use super::bvh::Bvh;
-use super::interpolate::Sources;
+use super::interpolate::{Fragment, Sources};
 use super::lens::Lens;
 use super::painting::Bands;
 use super::plan::{Per, Plan};
@@ -14,13 +14,13 @@ use super::sites::Sights;
 use super::solid::Solid;
 use super::stage::Kept;
 use super::surroundings::{Surroundings, any_light, diffuse_scene, ground_equation};
-use super::transmission::Glass;
+use super::transmission::{Glass, Transmission};
 use crate::geometry::Surface;
 use crate::illumination::Equation;
 use crate::scene::{
     Ambient, AmbientSource, Backdrop, Ground, Light, Material, Pattern, Rgb, Scene, ShadingMode, Transparency,
 };
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 
 /// The outputs that are kept.
 #[derive(Default)]
@@ -283,10 +283,35 @@ impl RayStages {
         [self.reach.stamp(), self.seen.stamp(), self.bounced.stamp()]
     }
 
-    /// The hierarchy that the last picture's rays were traced in.
-    pub fn bvh(&self) -> &Bvh {
-        &self.bvh.output
+    /// What the transmitted ray of a pixel does that sees `triangle`, or the true surface in `fragment`.
+    pub fn transmission_at(&self, inputs: &RayInputs<'_>, [x, y]: [u32; 2], seen: SeenAt) -> Transmission {
+        let scenery = Scenery::new(inputs, &self.bvh.output);
+        let surroundings = scenery.surroundings(inputs.scene.shading.shadows);
+        let glass = scenery.glass(&inputs.scene.transparency, &surroundings);
+        let place = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let sight = match seen {
+            SeenAt::Triangle(triangle) => scenery.sights.of_triangle(triangle, place),
+            SeenAt::Surface(fragment) => scenery.sights.of_fragment(place, fragment),
+        };
+        let (_, incident) = eye_ray(inputs.lens, x as usize, y as usize);
+        glass.transmit(sight.point, sight.normal, incident, &mut Vec::new())
     }
+
+    /// What one bounce puts in the place of the constant ambient term at a pixel, as the difference between the two.
+    pub fn bounced_at(&self, scene: &Scene, x: u32, y: u32) -> Option<Rgb> {
+        let width = scene.image.size[0] as usize;
+        let index = y as usize * width + x as usize;
+        let [_, difference] = self.layers(scene);
+        let here = bounces_at(scene.ambient.source, x as usize, width);
+        difference.get(index).filter(|_| here).map(|difference| difference.as_dvec3())
+    }
+}
+
+/// What a pixel sees of the object.
+pub(super) enum SeenAt {
+    /// One of the model's triangles, or of the clipper's.
+    Triangle(u32),
+    Surface(Fragment),
 }
 
 /// What rays are followed through.

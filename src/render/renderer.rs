@@ -10,14 +10,15 @@ use super::model::Model;
 use super::painting::{Bands, Canvas, CoverageInputs, InterpolationInputs, Painted, Painting, Stale};
 use super::plan::{Facts, Per, Plan};
 use super::points::{Planes, PointShading, face_points};
-use super::rays::{RayInputs, RayStages};
+use super::rays::{RayInputs, RayStages, SeenAt};
 use super::reference::{Evaluation, Reference};
 use super::stage::Kept;
 use super::transform::Placed;
+use super::transmission::Transmission;
 use super::{Frame, Report, Stage, StageRun};
 use crate::geometry::{Mesh, Surface, tessellate};
 use crate::illumination::Equation;
-use crate::scene::{AmbientSource, Display, NormalSource, Object, ObjectKind, Overflow, Scene, Weighting};
+use crate::scene::{AmbientSource, Display, NormalSource, Object, ObjectKind, Overflow, Rgb, Scene, Weighting};
 use fearless_simd::Level;
 use glam::DVec2;
 use std::sync::Arc;
@@ -43,6 +44,15 @@ pub struct Renderer {
     linear: Vec<Linear>,
     frame: Frame,
     report: Report,
+}
+
+/// What is mixed into the equation's value at a pixel.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mixture {
+    /// Where light passes through the surface.
+    pub transmission: Option<Transmission>,
+    /// What light from other surfaces has in excess of the constant ambient term that it takes the place of.
+    pub bounced: Option<Rgb>,
 }
 
 /// What the last picture was drawn from.
@@ -241,6 +251,25 @@ impl Renderer {
         } else {
             Some(reference.of_triangle(self.bands.triangle_at(x, y)?, place))
         }
+    }
+
+    /// What is mixed into the equation's value at a pixel of the last picture that shows the object.
+    pub(crate) fn mixture(&self, x: u32, y: u32) -> Option<Mixture> {
+        let Drawn { scene, plan, lens } = self.drawn.as_ref()?;
+        if !plan.composes {
+            return None;
+        }
+        let (placed, clipped, _) = &self.placed.output;
+        let sources = Sources { model: &self.model.output, clipped, placed, carried: &[] };
+        let surface = self.surface.output.as_ref();
+        let inputs = RayInputs { scene, plan, lens, sources, surface, object: 0 };
+        let seen = if plan.true_surface {
+            SeenAt::Surface(self.bands.fragment_at(x, y)?)
+        } else {
+            SeenAt::Triangle(self.bands.triangle_at(x, y)?)
+        };
+        let transmission = (scene.transparency.kt > 0.0).then(|| self.rays.transmission_at(&inputs, [x, y], seen));
+        Some(Mixture { transmission, bounced: self.rays.bounced_at(scene, x, y) })
     }
 
     /// The last picture before the display, where the display's policy needed all of it.

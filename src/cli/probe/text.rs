@@ -3,7 +3,8 @@
 use glam::DVec3;
 use shading_lab::analysis::{LightTerms, Probe, ProbeHit};
 use shading_lab::scene::{
-    Attenuation, Backfacing, Encoding, LightKind, Overflow, ReflectionModel, Rgb, Scene, ShadingMode,
+    Attenuation, Backfacing, Encoding, Light, LightKind, Overflow, PatternKind, Reflectance, ReflectionModel, Rgb,
+    Scene, ShadingMode,
 };
 use std::fmt::Write;
 
@@ -17,29 +18,55 @@ pub fn describe(probe: &Probe, scene: &Scene) -> String {
     let face = hit.face.map(|face| format!(", face {face}")).unwrap_or_default();
     let mut text = format!("pixel ({x}, {y}){face}, depth {}\n\n", number(hit.depth).trim_start());
     vectors(&mut text, &[("P  position", hit.position), ("N  normal", hit.normal), ("V  to the viewer", hit.view)]);
-    let lobe = if scene.reflection.model == ReflectionModel::Blinn { "(N·H)^n" } else { "(R·V)^n" };
-    let _ = writeln!(text, "\nI = ka·Od·Ia + Σ f·Ip·(kd·Od·(N·L) + ks·S), S = {lobe}");
+    formula(&mut text, scene);
     text += evaluated_where(scene.shading.mode);
     text += "\n";
-    let m = &scene.material;
-    let ia = scene.ambient.color;
-    text += "ambient          ka ·        Od ·        Ia\n";
-    for (c, name) in CHANNELS.iter().enumerate() {
-        row(
-            &mut text,
-            name,
-            &format!("{} · {} · {}", number(m.ka[c]), number(m.color[c]), number(ia[c])),
-            hit.ambient[c],
-        );
-    }
+    ambient(&mut text, scene, hit);
     for (i, light) in hit.lights.iter().enumerate() {
         describe_light(&mut text, scene, i, light);
     }
+    transmission(&mut text, scene, hit);
     sum(&mut text, scene, hit);
     text
 }
 
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+
+/// The equation in letters, with the factors that this scene has.
+fn formula(text: &mut String, scene: &Scene) {
+    let lobe = match scene.reflection.model {
+        ReflectionModel::Phong => "(R·V)^n",
+        ReflectionModel::Blinn => "(N·H)^n",
+        ReflectionModel::CookTorrance => "π·D·G/(4·(N·V))",
+    };
+    let w = if scene.material.reflectance == Reflectance::Constant { "" } else { "W·" };
+    let _ = writeln!(text, "\nI = ka·Od·Ia + Σ f·Ip·(kd·Od·(N·L) + ks·Os·{w}S), S = {lobe}");
+    if scene.transparency.kt > 0.0 {
+        text.push_str("I = (1 − kt)·Irefl + kt·Itrans, Irefl as above\n");
+    }
+}
+
+fn ambient(text: &mut String, scene: &Scene, hit: &ProbeHit) {
+    if hit.bounced {
+        text.push_str("ambient, from other surfaces, scattered once\n");
+        for (c, name) in CHANNELS.iter().enumerate() {
+            row(text, name, &" ".repeat(3 * WIDTH + 6), hit.ambient[c]);
+        }
+        return;
+    }
+    let (m, ia) = (&scene.material, scene.ambient.color);
+    text.push_str("ambient          ka ·        Od ·        Ia\n");
+    for (c, name) in CHANNELS.iter().enumerate() {
+        let color = surface_color(scene, c, hit.ambient[c], m.ka[c] * ia[c]);
+        row(text, name, &format!("{} · {} · {}", number(m.ka[c]), number(color), number(ia[c])), hit.ambient[c]);
+    }
+}
+
+/// Od in a channel: the material's, or where a pattern varies it what `product` has besides the other factors.
+fn surface_color(scene: &Scene, channel: usize, product: f64, others: f64) -> f64 {
+    let plain = scene.pattern.kind == PatternKind::None || others == 0.0;
+    if plain { scene.material.color[channel] } else { product / others }
+}
 
 fn evaluated_where(mode: ShadingMode) -> &'static str {
     match mode {
@@ -53,7 +80,6 @@ fn evaluated_where(mode: ShadingMode) -> &'static str {
 
 fn describe_light(text: &mut String, scene: &Scene, index: usize, light: &LightTerms) {
     let Some(source) = scene.lights.get(index) else { return };
-    let blinn = scene.reflection.model == ReflectionModel::Blinn;
     let kind = match light.kind {
         LightKind::Point => "point",
         LightKind::Directional => "directional",
@@ -67,39 +93,74 @@ fn describe_light(text: &mut String, scene: &Scene, index: usize, light: &LightT
         Attenuation::InverseSquare => "1/d²",
         Attenuation::Quadratic => "min(1, 1/(c1 + c2·d + c3·d²))",
     };
-    let _ = writeln!(text, "\nlight {index}, {kind}, f = {f}");
+    let name = if source.name.is_empty() { String::new() } else { format!(" “{}”", source.name) };
+    let _ = writeln!(text, "\nlight {index}{name}, {kind}, f = {f}");
+    if !source.shines(scene.soloing()) {
+        let why = if source.mute { "muted" } else { "another light is soloed" };
+        let _ = writeln!(text, "  {why}: it adds nothing");
+        return;
+    }
     vectors(text, &[("L  to the light", light.l), ("R  L mirrored", light.r), ("H  half-way", light.h)]);
+    angles(text, scene, light);
+    // The sum over an area light's samples is no product of mean factors.
+    let at_pixel = matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact);
+    if at_pixel && source.kind != LightKind::Area {
+        products(text, scene, source, light);
+        return;
+    }
+    if source.kind == LightKind::Area {
+        let _ = writeln!(text, "  summed over {} samples", source.samples);
+    }
+    text.push_str("                diffuse     specular\n");
+    for (c, name) in CHANNELS.iter().enumerate() {
+        let terms = format!("{} + {}", number(light.diffuse[c]), number(light.specular[c]));
+        row(text, name, &terms, light.diffuse[c] + light.specular[c]);
+    }
+}
+
+fn angles(text: &mut String, scene: &Scene, light: &LightTerms) {
+    let model = scene.reflection.model;
     let (theta, phi) = (light.theta.to_degrees(), light.phi.to_degrees());
-    let between = if blinn { "N and H" } else { "R and V" };
+    let between = if model == ReflectionModel::Phong { "R and V" } else { "N and H" };
+    let sharpness = match model {
+        ReflectionModel::CookTorrance => format!("m   = {}", number(scene.material.roughness).trim_start()),
+        _ => format!("n   = {}", number(scene.material.n).trim_start()),
+    };
     let _ = writeln!(text, "  θ, N and L      {theta:WIDTH$.2}°   N·L = {}", number(light.n_dot_l).trim_start());
-    let _ = writeln!(text, "  φ, {between}      {phi:WIDTH$.2}°   n   = {}", number(scene.material.n).trim_start());
-    if matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact) {
-        products(text, scene, source.color, light);
-    } else {
-        text.push_str("                diffuse     specular\n");
-        for (c, name) in CHANNELS.iter().enumerate() {
-            let terms = format!("{} + {}", number(light.diffuse[c]), number(light.specular[c]));
-            row(text, name, &terms, light.diffuse[c] + light.specular[c]);
-        }
+    let _ = writeln!(text, "  φ, {between}      {phi:WIDTH$.2}°   {sharpness}");
+    if scene.material.reflectance != Reflectance::Constant {
+        let angle = light.incidence.to_degrees();
+        let [r, g, b] = light.reflectance.to_array().map(number);
+        let _ = writeln!(text, "  angle of W      {angle:WIDTH$.2}°   W = {r} {g} {b}");
+    }
+    if light.kind == LightKind::Spot {
+        let _ = writeln!(text, "  the spot's part {}", number(light.spot));
+    }
+    if light.reached < 1.0 {
+        let _ = writeln!(text, "  not in shadow   {}", number(light.reached));
     }
 }
 
 /// The factors of both terms where they are evaluated at the pixel itself.
-fn products(text: &mut String, scene: &Scene, color: Rgb, light: &LightTerms) {
-    let m = &scene.material;
+fn products(text: &mut String, scene: &Scene, source: &Light, light: &LightTerms) {
+    let (m, color) = (&scene.material, source.color);
     let facing = match scene.reflection.backfacing {
         Backfacing::Clamp => light.n_dot_l.max(0.0),
         Backfacing::Flip => light.n_dot_l.abs(),
     };
-    let power = ratio(light.specular, color * m.ks * light.attenuation);
+    let f = light.attenuation * light.spot * light.reached;
+    let reflected = color * m.ks * m.specular_color * light.reflectance;
+    let power = ratio(light.specular, reflected * f);
     text.push_str("diffuse           f ·         Ip ·         kd ·         Od ·        N·L\n");
     for (c, name) in CHANNELS.iter().enumerate() {
-        let factors = [light.attenuation, color[c], m.kd[c], m.color[c], facing].map(number).join(" · ");
+        let od = surface_color(scene, c, light.diffuse[c], f * color[c] * m.kd[c] * facing);
+        let factors = [f, color[c], m.kd[c], od, facing].map(number).join(" · ");
         row(text, name, &factors, light.diffuse[c]);
     }
-    text.push_str("specular          f ·         Ip ·         ks ·          S\n");
+    text.push_str("specular          f ·         Ip ·      ks·Os ·          W ·          S\n");
     for (c, name) in CHANNELS.iter().enumerate() {
-        let factors = [light.attenuation, color[c], m.ks[c], power].map(number).join(" · ");
+        let ks = m.ks[c] * m.specular_color[c];
+        let factors = [f, color[c], ks, light.reflectance[c], power].map(number).join(" · ");
         row(text, name, &factors, light.specular[c]);
     }
 }
@@ -107,6 +168,25 @@ fn products(text: &mut String, scene: &Scene, color: Rgb, light: &LightTerms) {
 /// What all channels of `product` have besides `factors`; 0 where no channel tells.
 fn ratio(product: Rgb, factors: Rgb) -> f64 {
     (0..3).find(|&c| factors[c] > 0.0).map_or(0.0, |c| product[c] / factors[c])
+}
+
+fn transmission(text: &mut String, scene: &Scene, hit: &ProbeHit) {
+    let Some(through) = &hit.transmission else { return };
+    let _ = writeln!(text, "\ntransmission, η = {}", number(scene.transparency.ior).trim_start());
+    match through.t {
+        Some(t) => vectors(text, &[("T  transmitted", t)]),
+        None => text.push_str("  totally reflected: there is no T\n"),
+    }
+    let counted = |count: u32, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+    let refracted = counted(through.refractions, "refraction");
+    let _ = writeln!(text, "  {refracted}, {}", counted(through.total_reflections, "total reflection"));
+    text.push_str("          (1 − kt) ·      Irefl +         kt ·     Itrans\n");
+    let kt = scene.transparency.kt;
+    for (c, name) in CHANNELS.iter().enumerate() {
+        let [clear, kt] = [1.0 - kt, kt].map(number);
+        let factors = format!("{clear} · {} + {kt} · {}", number(hit.reflected[c]), number(through.seen[c]));
+        row(text, name, &factors, hit.sum[c]);
+    }
 }
 
 fn sum(text: &mut String, scene: &Scene, hit: &ProbeHit) {

@@ -101,6 +101,9 @@ impl<'a> Equation<'a> {
             }
         }
         list.push(given(Vector::V, None, self.hit.view, true));
+        if let Some(t) = self.hit.transmission.and_then(|through| through.t) {
+            list.push(given(Vector::T, None, t, true));
+        }
         if every_light {
             let looked_at = self.focus.as_ref().map(|focus| focus.index);
             let others = self.hit.lights.iter().enumerate().filter(|(index, _)| Some(*index) != looked_at);
