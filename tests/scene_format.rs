@@ -60,16 +60,16 @@ fn unknown_keys_are_all_named_with_their_choices() {
         &[
             "s.toml:2: unknown key `camera.fov`, expected one of eye, target, up, projection, fov_y, height, viewer \
              (did you mean fov_y?)",
-            "s.toml:4: unknown key `shadow`, expected one of version, camera, image, object, material, reflection, \
-             shading, display, ambient, light",
-            "s.toml:8: unknown key `light.1.positoin`, expected one of kind, position, direction, color, attenuation, \
-             k, c1, c2, c3 (did you mean position?)",
+            "s.toml:4: unknown key `shadow`, expected one of version, camera, image, object, material, pattern, \
+             transparency, reflection, shading, display, ground, backdrop, ambient, light",
+            "s.toml:8: unknown key `light.1.positoin`, expected one of name, kind, mute, solo, position, direction, \
+             color, cone, exponent, softness, shape, extent, radius, samples, attenuation, k, c1, c2, c3 (did you mean position?)",
         ],
     );
     assert_objections(
         "lights = []\n",
-        &["s.toml:1: unknown key `lights`, expected one of version, camera, image, object, material, reflection, \
-           shading, display, ambient, light (did you mean light?)"],
+        &["s.toml:1: unknown key `lights`, expected one of version, camera, image, object, material, pattern, \
+           transparency, reflection, shading, display, ground, backdrop, ambient, light (did you mean light?)"],
     );
 }
 

@@ -1,0 +1,25 @@
+//! Scenes about where the equation is evaluated.
+
+use super::studio::{WARM, lamp, seen_from, studio, surface};
+use crate::scene::{FlatAt, NormalSource, Object, ObjectKind, Scene, Shading, ShadingMode};
+use glam::DVec3;
+
+pub(super) fn highlight() -> Scene {
+    Scene {
+        camera: seen_from(DVec3::new(0.0, 0.35, 3.9)),
+        material: surface([0.80, 0.42, 0.30], 0.55, 0.70, 40.0),
+        shading: Shading { mode: ShadingMode::Gouraud, ..Shading::default() },
+        lights: vec![lamp([0.0, 0.1, 1.3], WARM)],
+        ..studio(ObjectKind::Plane, 1, 1)
+    }
+}
+
+pub(super) fn flat_facets() -> Scene {
+    let studio = studio(ObjectKind::Sphere, 24, 12);
+    Scene {
+        object: Object { normals: NormalSource::Averaged, ..studio.object },
+        material: surface([0.85, 0.83, 0.80], 0.85, 0.0, 20.0),
+        shading: Shading { mode: ShadingMode::Flat, flat_at: FlatAt::Centre, ..Shading::default() },
+        ..studio
+    }
+}
