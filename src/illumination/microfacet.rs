@@ -49,6 +49,14 @@ pub(super) fn geometric_over_view<R: Real>(n_dot_h: R, n_dot_l: R, n_dot_v: R, v
     inverse_view.min(cavity).min(cavity * n_dot_l * inverse_view)
 }
 
+/// 1 where the surface faces the viewer. At the outline of a coarse mesh the interpolated normal turns away from the viewer
+/// by some degrees; there the limit at N·V = 0 is kept and fades, until it is gone at N·V = −¼.
+#[inline(always)]
+pub(super) fn seen<R: Real>(n_dot_v: R) -> R {
+    let (zero, one) = (n_dot_v.constant(R::Scalar::default()), n_dot_v.constant(R::Scalar::from_f64(1.0)));
+    (n_dot_v * R::Scalar::from_f64(4.0) + one).max(zero).min(one)
+}
+
 /// `G/(N·V)` by Smith's method for the distribution of Walter et al.: G = G₁(N·L)·G₁(N·V) with
 /// G₁(x) = 2x/(x + √(α² + (1 − α²)x²)).
 #[inline(always)]

@@ -5,7 +5,7 @@
 //! `1 − a·b = |a − b|²/2`, the distance from the axis keeps its digits, and `(a·b)^n = exp(n·ln(1 − |a − b|²/2))`. At
 //! small n the plain cosine is the better form, because the lobe is wide and the chord long.
 
-use super::microfacet::{beckmann, geometric_over_view, ggx, smith_over_view};
+use super::microfacet::{beckmann, geometric_over_view, ggx, seen, smith_over_view};
 use super::{Real, Scalar, Site, V3};
 use crate::scene::{Distribution, Material, ReflectionModel, Rgb, Scene, ShadingMode};
 
@@ -233,7 +233,7 @@ impl Specular for Beckmann {
     fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
         let facet = Facet::new(site, l);
         let n_dot_v = site.normal.dot(site.view);
-        let spread = beckmann(facet.gap, lobe);
+        let spread = beckmann(facet.gap, lobe) * seen(n_dot_v);
         let shading = geometric_over_view(facet.n_dot_h, n_dot_l, n_dot_v, facet.v_dot_h);
         facet.where_it_faces(spread * shading * R::Scalar::from_f64(0.25))
     }
@@ -246,7 +246,7 @@ impl Specular for Ggx {
     fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
         let facet = Facet::new(site, l);
         let n_dot_v = site.normal.dot(site.view);
-        let spread = ggx(facet.gap, lobe);
+        let spread = ggx(facet.gap, lobe) * seen(n_dot_v);
         let shading = smith_over_view(n_dot_l, n_dot_v, lobe);
         facet.where_it_faces(spread * shading * R::Scalar::from_f64(0.25))
     }

@@ -31,6 +31,8 @@ pub(super) struct Bands {
     coverage: Option<CoverageInputs>,
     interpolation: Option<InterpolationInputs>,
     stamp: u64,
+    /// Counts the runs of the coverage alone.
+    covered: u64,
     width: u32,
 }
 
@@ -102,12 +104,18 @@ impl Bands {
         self.coverage = Some(coverage);
         self.interpolation = Some(interpolation);
         self.stamp += u64::from(interpolates);
+        self.covered += u64::from(covers);
         Stale { coverage: covers, interpolation: interpolates }
     }
 
     /// Counts the runs.
     pub fn stamp(&self) -> u64 {
         self.stamp
+    }
+
+    /// Counts the runs of the coverage alone.
+    pub fn coverage_stamp(&self) -> u64 {
+        self.covered
     }
 
     /// The next picture is covered anew.

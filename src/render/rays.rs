@@ -188,7 +188,7 @@ impl RayStages {
         }
         if at_pixels {
             let Self { bvh, reach, .. } = self;
-            ran |= reach.update(Self::reach_inputs(inputs, bands.stamp()), |_, reach| {
+            ran |= reach.update(Self::reach_inputs(inputs, bands.coverage_stamp()), |_, reach| {
                 let equation = inputs.equation();
                 let sights = inputs.sights(&bvh.output);
                 let shadows = Shadows::new(scene, sights.solid, &equation);
@@ -210,7 +210,7 @@ impl RayStages {
         let glass = (scene.transparency.kt > 0.0).then(|| Transparency { kt: 1.0, ..scene.transparency.clone() });
         let keys = SeenInputs {
             object: (casts || glass.is_some()).then_some(inputs.object),
-            bands: bands.stamp(),
+            bands: bands.coverage_stamp(),
             smooth: inputs.smooth(),
             lens: *inputs.lens,
             background: scene.image.background,
@@ -233,7 +233,7 @@ impl RayStages {
         let scene = inputs.scene;
         let keys = BouncedInputs {
             object: inputs.object,
-            bands: bands.stamp(),
+            bands: bands.coverage_stamp(),
             smooth: inputs.smooth(),
             lens: *inputs.lens,
             ground: scene.ground.clone(),

@@ -1,0 +1,320 @@
+//! Shadows, transparency, the floor and one bounce of light: pictures against rays worked out apart.
+
+use glam::{DVec2, DVec3};
+use shading_lab::analysis::probe;
+use shading_lab::render::{Renderer, Stage};
+use shading_lab::scene::{
+    AmbientSource, AreaShape, Ground, Light, LightKind, NormalSource, ObjectKind, PatternKind, Rgb, Scene, ShadingMode,
+    Through, presets,
+};
+
+const SIDE: u32 = 160;
+
+/// A sphere over a floor, seen from above.
+fn over_floor() -> Scene {
+    let mut scene = Scene::default();
+    scene.image.size = [SIDE, SIDE];
+    scene.camera.eye = DVec3::new(0.5, 3.0, 4.0);
+    scene.camera.target = DVec3::new(0.0, -0.4, 0.0);
+    scene.object.normals = NormalSource::Exact;
+    (scene.object.segments, scene.object.rings) = (128, 64);
+    scene.material.ka = Rgb::ZERO;
+    scene.ground = Ground { visible: true, height: -1.2, ka: 0.0, kd: 1.0, color: Rgb::ONE };
+    scene.shading.shadows = true;
+    scene
+}
+
+/// The ray through the middle of a pixel.
+fn eye_ray(scene: &Scene, x: u32, y: u32) -> (DVec3, DVec3) {
+    let camera = &scene.camera;
+    let forward = (camera.target - camera.eye).normalize();
+    let right = forward.cross(camera.up).normalize();
+    let up = right.cross(forward);
+    let [width, height] = scene.image.size.map(f64::from);
+    let focal = 0.5 * height / (0.5 * camera.fov_y.to_radians()).tan();
+    let place = DVec2::new(f64::from(x) + 0.5 - 0.5 * width, 0.5 * height - f64::from(y) - 0.5) / focal;
+    (camera.eye, (forward + right * place.x + up * place.y).normalize())
+}
+
+/// How near a ray comes to the unit sphere about the origin, and whether ahead.
+fn nearest_approach(origin: DVec3, direction: DVec3) -> Option<f64> {
+    let direction = direction.normalize();
+    let t = -origin.dot(direction);
+    (t > 0.0).then(|| (origin + direction * t).length())
+}
+
+#[test]
+fn a_spheres_shadow_on_the_floor_is_where_rays_to_the_light_meet_it() {
+    let lamp = Light { position: DVec3::new(2.0, 3.0, 1.0), ..Light::default() };
+    let sun = Light { kind: LightKind::Directional, direction: DVec3::new(-1.0, -1.3, 0.4), ..Light::default() };
+    let mut renderer = Renderer::default();
+    for (light, mode) in [(&lamp, ShadingMode::Phong), (&sun, ShadingMode::Phong), (&lamp, ShadingMode::Exact)] {
+        let mut scene = over_floor();
+        scene.lights = vec![light.clone()];
+        scene.shading.mode = mode;
+        let frame = renderer.render(&scene).clone();
+        let (mut dark, mut lit) = (0, 0);
+        for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
+            let (origin, direction) = eye_ray(&scene, x, y);
+            if direction.y >= 0.0 || nearest_approach(origin, direction).is_some_and(|r| r < 1.03) {
+                continue;
+            }
+            let p = origin + direction * ((scene.ground.height - origin.y) / direction.y);
+            let l = if light.kind == LightKind::Directional { -light.direction } else { light.position - p };
+            let approach = nearest_approach(p, l).unwrap_or(9.0);
+            if (approach - 1.0).abs() < 5e-3 {
+                continue;
+            }
+            let red = frame.pixel(x, y).expect("inside")[0];
+            let expected = if approach < 1.0 { 0.0 } else { l.normalize().y * 255.0 };
+            assert!((f64::from(red) - expected).abs() <= 1.0, "{mode:?} {x},{y}: {red}, expected {expected}");
+            if approach < 1.0 { dark += 1 } else { lit += 1 }
+        }
+        assert!(dark > 300 && lit > 3000, "{dark} {lit}");
+    }
+}
+
+/// Facets that only stand for a smooth surface cast no shadow on each other, however grazing the light.
+#[test]
+fn a_convex_solid_is_free_of_its_own_shadow_in_every_mode() {
+    let mut renderer = Renderer::default();
+    let modes =
+        [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+    for kind in [ObjectKind::Sphere, ObjectKind::Cylinder, ObjectKind::Cone, ObjectKind::Cube] {
+        for mode in modes {
+            let mut scene = over_floor();
+            scene.object.kind = kind;
+            (scene.object.segments, scene.object.rings) = (24, 12);
+            // A cube's averaged normals stand for no solid.
+            let averaged = kind != ObjectKind::Cube;
+            scene.object.normals = if averaged { NormalSource::Averaged } else { NormalSource::Exact };
+            scene.shading.mode = mode;
+            scene.ground.height = -3.0;
+            scene.lights = vec![Light { position: DVec3::new(3.0, 1.0, -1.0), ..Light::default() }];
+            let shadowed = renderer.render(&scene).clone();
+            scene.shading.shadows = false;
+            let plain = renderer.render(&scene).clone();
+            let mut differing = 0;
+            for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
+                let on_object = probe(&mut renderer, &scene, x, y).hit.is_some();
+                differing += u32::from(on_object && shadowed.pixel(x, y) != plain.pixel(x, y));
+            }
+            assert!(differing <= 12, "{kind:?} {mode:?}: {differing} pixels");
+        }
+    }
+}
+
+#[test]
+fn polygons_cast_the_shadow_of_the_surface_they_stand_for() {
+    let mut renderer = Renderer::default();
+    let mut scene = over_floor();
+    scene.object.kind = ObjectKind::Torus;
+    (scene.object.segments, scene.object.rings) = (192, 96);
+    scene.lights = vec![Light { position: DVec3::new(2.0, 1.2, 0.5), ..Light::default() }];
+    let polygons = renderer.render(&scene).clone();
+    scene.shading.mode = ShadingMode::Exact;
+    let exact = renderer.render(&scene).clone();
+    let far =
+        polygons.pixels.iter().zip(&exact.pixels).filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 6)).count();
+    assert!(far < 120, "{far} pixels differ");
+    scene.shading.shadows = false;
+    let none = renderer.render(&scene).clone();
+    let shaded = exact.pixels.iter().zip(&none.pixels).filter(|(a, b)| a != b).count();
+    assert!(shaded > 2000, "{shaded} pixels are in shadow");
+}
+
+#[test]
+fn an_area_light_has_a_penumbra_as_deep_as_the_part_that_is_hidden() {
+    let mut scene = over_floor();
+    scene.lights = vec![Light {
+        kind: LightKind::Area,
+        shape: AreaShape::Sphere,
+        radius: 0.4,
+        samples: 256,
+        position: DVec3::new(0.0, 4.0, 0.0),
+        ..Light::default()
+    }];
+    let mut renderer = Renderer::default();
+    let frame = renderer.render(&scene).clone();
+    let mut levels = std::collections::BTreeSet::new();
+    for x in 0..SIDE {
+        levels.insert(frame.pixel(x, SIDE - 12).expect("inside")[0]);
+    }
+    assert!(levels.len() > 12, "shades between light and dark: {levels:?}");
+}
+
+#[test]
+fn shadows_are_kept_while_the_material_changes_and_traced_again_when_a_light_moves() {
+    let mut renderer = Renderer::default();
+    let mut scene = over_floor();
+    for mode in [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong] {
+        scene.shading.mode = mode;
+        renderer.render(&scene);
+        let ran = |renderer: &Renderer| renderer.report().stages.iter().any(|run| run.stage == Stage::Rays && run.ran);
+        assert!(ran(&renderer), "{mode:?}");
+        scene.material.n += 1.0;
+        scene.material.ks *= 0.9;
+        renderer.render(&scene);
+        assert!(!ran(&renderer), "{mode:?}");
+        scene.lights[0].position.x += 0.1;
+        renderer.render(&scene);
+        assert!(ran(&renderer), "{mode:?}");
+    }
+}
+
+fn before_wall(eta: f64, through: Through) -> Scene {
+    let mut scene = Scene::default();
+    scene.image.size = [SIDE, SIDE];
+    scene.image.background = Rgb::new(0.2, 0.3, 0.4);
+    scene.backdrop.pattern = PatternKind::Checker;
+    scene.backdrop.color = Rgb::new(0.9, 0.8, 0.7);
+    scene.backdrop.scale = 0.3;
+    scene.backdrop.distance = 2.0;
+    scene.transparency.kt = 1.0;
+    scene.transparency.ior = eta;
+    scene.transparency.through = through;
+    scene.object.normals = NormalSource::Exact;
+    (scene.object.segments, scene.object.rings) = (256, 128);
+    scene.shading.mode = ShadingMode::Exact;
+    scene
+}
+
+/// The colour of the wall where a ray meets it.
+fn wall(scene: &Scene, origin: DVec3, direction: DVec3) -> Option<Rgb> {
+    let p = origin + direction * ((-scene.backdrop.distance - origin.z) / direction.z);
+    let cell = |x: f64| (x / scene.backdrop.scale).round() as i64;
+    let near_edge = |x: f64| ((x / scene.backdrop.scale - 0.5).rem_euclid(1.0) - 0.5).abs() > 0.47;
+    if direction.z >= 0.0 {
+        return Some(scene.image.background);
+    }
+    let odd = (cell(p.x) + cell(p.y)).rem_euclid(2) == 1;
+    (!near_edge(p.x) && !near_edge(p.y)).then_some(if odd { scene.backdrop.color } else { scene.image.background })
+}
+
+fn refract(d: DVec3, n: DVec3, eta: f64) -> Option<DVec3> {
+    // By angles: the tangential part shrinks by η.
+    let across = (d - n * d.dot(n)) / eta;
+    let rest = 1.0 - across.length_squared();
+    (rest >= 0.0).then(|| across - n * rest.sqrt())
+}
+
+#[test]
+fn a_glass_ball_shows_what_two_refractions_lead_to() {
+    let mut renderer = Renderer::default();
+    for (eta, through) in [
+        (1.0, Through::Solid),
+        (1.5, Through::Solid),
+        (1.33, Through::Solid),
+        (1.5, Through::Surface),
+        (0.8, Through::Surface),
+    ] {
+        let scene = before_wall(eta, through);
+        let frame = renderer.render(&scene).clone();
+        let (mut compared, mut wrong) = (0, 0);
+        for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
+            let (origin, direction) = eye_ray(&scene, x, y);
+            let b = origin.dot(direction);
+            let discriminant = b * b - (origin.length_squared() - 1.0);
+            if discriminant < 0.02 {
+                continue;
+            }
+            let p = origin + direction * (-b - discriminant.sqrt());
+            let Some(inside) = refract(direction, p, eta) else { continue };
+            let seen = if through == Through::Surface {
+                wall(&scene, p, inside)
+            } else {
+                // The chord ends at q; there the normal points with the ray.
+                let q = p - inside * 2.0 * p.dot(inside);
+                refract(inside, -q, 1.0 / eta).and_then(|out| wall(&scene, q, out))
+            };
+            let Some(seen) = seen else { continue };
+            let stored = frame.pixel(x, y).expect("inside");
+            compared += 1;
+            wrong += u32::from((0..3).any(|c| (seen[c] * 255.0 - f64::from(stored[c])).abs() > 1.0));
+        }
+        assert!(compared > 1500 && wrong == 0, "η {eta} {through:?}: {wrong} of {compared}");
+    }
+}
+
+#[test]
+fn beyond_the_critical_angle_nothing_passes() {
+    let mut scene = (presets::find("under-water").expect("a scene").build)();
+    scene.image.size = [SIDE, SIDE];
+    let mut renderer = Renderer::default();
+    let critical = (1.0_f64 / 1.33).asin();
+    let (mut through, mut back) = (0, 0);
+    for (x, y) in (0..SIDE).step_by(7).flat_map(|y| (0..SIDE).step_by(7).map(move |x| (x, y))) {
+        let Some(hit) = probe(&mut renderer, &scene, x, y).hit else { continue };
+        let angle = hit.view.dot(hit.normal).acos();
+        let transmission = hit.transmission.expect("transparent");
+        assert_eq!(transmission.t.is_some(), angle < critical, "{x},{y} at {}°", angle.to_degrees());
+        match transmission.t {
+            Some(t) => {
+                let sine = t.cross(hit.normal).length();
+                assert!((sine / angle.sin() - 1.33).abs() < 1e-9, "sin θ₂ = sin θ₁·1.33");
+                through += 1;
+            }
+            None => back += 1,
+        }
+    }
+    assert!(through > 100 && back > 100, "{through} {back}");
+}
+
+#[test]
+fn what_passes_and_what_is_reflected_are_mixed_by_kt() {
+    let mut renderer = Renderer::default();
+    for kt in [0.0, 0.3, 1.0] {
+        let mut scene = before_wall(1.5, Through::Solid);
+        scene.transparency.kt = kt;
+        let hit = probe(&mut renderer, &scene, 80, 80).hit.expect("the ball");
+        let seen = hit.transmission.map_or(Rgb::ZERO, |through| through.seen);
+        assert!((hit.sum - (hit.reflected * (1.0 - kt) + seen * kt)).abs().max_element() < 1e-12);
+        for c in 0..3 {
+            assert!((hit.sum[c].min(1.0) * 255.0 - f64::from(hit.stored[c])).abs() <= 1.0, "kt {kt}");
+        }
+    }
+}
+
+/// Far above an evenly lit floor, a surface whose normal is tilted by β from straight down sees the floor in the share
+/// (1 + cos β)/2 of what arrives (the view factor of an infinite plane).
+#[test]
+fn the_bounce_off_an_infinite_floor_is_its_view_factor() {
+    let mut scene = Scene::default();
+    scene.image.size = [97, 97];
+    scene.camera.eye = DVec3::new(0.0, 0.0, 4.0);
+    scene.material.ka = Rgb::ONE;
+    scene.material.kd = Rgb::splat(0.8);
+    scene.material.ks = Rgb::ZERO;
+    scene.material.color = Rgb::ONE;
+    scene.object.normals = NormalSource::Exact;
+    scene.ground = Ground { visible: true, height: -60.0, ka: 0.0, kd: 0.5, color: Rgb::ONE };
+    scene.ambient.source = AmbientSource::Bounce;
+    scene.lights = vec![Light { kind: LightKind::Directional, direction: DVec3::NEG_Y, ..Light::default() }];
+    let mut renderer = Renderer::default();
+    let mut most: f64 = 0.0;
+    for y in 20..90 {
+        let Some(hit) = probe(&mut renderer, &scene, 48, y).hit else { continue };
+        let expected = 0.8 * 0.5 * 0.5 * (1.0 - hit.normal.y);
+        most = most.max((hit.ambient.x - expected).abs());
+    }
+    assert!(most < 0.012, "the greatest error is {most}");
+}
+
+#[test]
+fn the_best_ambient_is_that_whose_picture_is_as_bright() {
+    let mut scene = (presets::find("one-bounce").expect("a scene").build)();
+    scene.image.size = [120, 120];
+    scene.ambient.source = AmbientSource::Bounce;
+    let mut renderer = Renderer::default();
+    let bounced = renderer.render(&scene).clone();
+    let fit = renderer.report().ambient_fit.expect("gathered");
+    scene.ambient.source = AmbientSource::Constant;
+    let mut squared = |factor: f64| -> f64 {
+        scene.ambient.color = Rgb::from_array(fit) * factor;
+        let constant = renderer.render(&scene);
+        let pairs = constant.pixels.iter().zip(&bounced.pixels);
+        pairs.map(|(a, b)| (0..3).map(|c| f64::from(a[c].abs_diff(b[c])).powi(2)).sum::<f64>()).sum()
+    };
+    let [less, best, more] = [0.8, 1.0, 1.25].map(&mut squared);
+    assert!(best < less && best < more, "{less} {best} {more}");
+}
