@@ -143,7 +143,7 @@ fn what_fits_is_no_limit() {
 
 #[test]
 fn more_than_eight_lights_are_too_many() {
-    let list = format!("light=[{}]", vec!["{kind=\"point\"}"; 10].join(","));
+    let list = format!("light=[{}]", ["{kind=\"point\"}"; 10].join(","));
     let export = program(&scene("sphere", &[&list]));
     assert_eq!(count(&export, "beyond the eighth"), 1);
     assert!(export.parts[0].text.contains("GL_LIGHT7") && !export.parts[0].text.contains("GL_LIGHT8"));
@@ -162,6 +162,7 @@ fn shaders_name_what_they_cannot_say() {
         ("transparency.kt=0.5", "Transparency"),
         ("ground.visible=true", "ground"),
         ("display.overflow=scale", "greatest intensity"),
+        ("camera.eye=[0,0,1e12]", "Lengths of this size"),
     ] {
         assert_eq!(count(&glsl_330(&scene("sphere", &[set])), words), 1, "{set}");
     }
@@ -391,6 +392,7 @@ fn the_shaders_draw_the_same_picture() {
         ("stiff", "mirror-like", &[]),
         ("blinn-spot", "sphere", &["reflection.model=blinn", spot]),
         ("gold", "torus", &[&gold[..], &["material.kd=0", "material.ks=1"]].concat()),
+        ("grazing", "sphere", &[&gold[..], &["material.roughness=0.6", "light.0.position=[3,2,-2]"]].concat()),
         ("ggx", "sphere", &[&gold[..], &["reflection.distribution=ggx", "material.roughness=0.4"]].concat()),
         ("glass-phong", "sphere", &["material.reflectance=glass", "material.ks=5", "material.n=8"]),
         ("area", "cube", &[area]),

@@ -14,8 +14,13 @@ use crate::scene::{
 pub(super) const VERTEX_CLAMP: &str = "Intensities above 1 at vertices: OpenGL clamps them before interpolating, unless \
     the program calls glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE) (OpenGL 3.0, compatibility profile).";
 
-/// What neither the calls nor the shaders do: it needs more than one surface at a time.
+/// Between this and its inverse squares of lengths and products of a few of them are numbers in single precision.
+const GREATEST_LENGTH: f64 = 1e9;
+
+/// What neither the calls nor the shaders do: mostly what needs more than one surface at a time.
 fn surroundings(scene: &Scene) -> Vec<String> {
+    let unit = scene.camera.distance();
+    let measured = (1.0 / GREATEST_LENGTH..GREATEST_LENGTH).contains(&unit);
     let shining = scene.lights.iter().any(|light| light.shines(scene.soloing()));
     let cases = [
         (scene.shading.shadows && shining, "Shadows: every light reaches every point."),
@@ -26,6 +31,7 @@ fn surroundings(scene: &Scene) -> Vec<String> {
             "The backdrop: only the background's colour is behind the object.",
         ),
         (scene.ambient.source != AmbientSource::Constant, "Light that other surfaces have scattered: Ia is constant."),
+        (!measured, "Lengths of this size: OpenGL squares them in single precision. Scale the scene."),
     ];
     cases.into_iter().filter(|&(holds, _)| holds).map(|(_, text)| text.to_owned()).collect()
 }
@@ -94,30 +100,7 @@ fn interpolation(scene: &Scene, affine: bool) -> Option<String> {
 }
 
 fn fixed_reflection(scene: &Scene) -> Vec<String> {
-    let mut limits = Vec::new();
-    let specular = SpecularForm::of(scene) != SpecularForm::None;
-    let n = exponent(scene);
-    match scene.reflection.model {
-        _ if !specular => {}
-        ReflectionModel::Blinn => {}
-        ReflectionModel::Phong => limits.push(format!(
-            "Phong's (R.V)^n: fixed-function lighting has Blinn's (N.H)^n (reflection.model = \"blinn\"); n = {} gives a \
-             highlight as wide as n = {} does for Phong.",
-            said(n),
-            said(scene.material.n)
-        )),
-        ReflectionModel::CookTorrance => limits.push(format!(
-            "Cook and Torrance's microfacets: Blinn's (N.H)^n stands for them, its n = {} from the roughness.",
-            said(n)
-        )),
-    }
-    if specular && n > GREATEST_EXPONENT {
-        limits.push(format!("n = {}: GL_SHININESS goes up to 128.", said(n)));
-    }
-    if specular && Index::of(&scene.material).is_some() {
-        limits
-            .push("W(theta), the reflectance by angle of incidence: its value at 0 degrees multiplies Ks.".to_owned());
-    }
+    let mut limits = if SpecularForm::of(scene) == SpecularForm::None { Vec::new() } else { fixed_specular(scene) };
     if scene.pattern.kind != PatternKind::None {
         limits.push("The pattern on the surface: Od is the material's colour everywhere.".to_owned());
     }
@@ -127,6 +110,32 @@ fn fixed_reflection(scene: &Scene) -> Vec<String> {
              polygons seen from behind, whatever the light. They agree where light and eye are on the same side."
                 .to_owned(),
         );
+    }
+    limits
+}
+
+fn fixed_specular(scene: &Scene) -> Vec<String> {
+    let n = exponent(scene);
+    let model = match scene.reflection.model {
+        ReflectionModel::Blinn => None,
+        ReflectionModel::Phong => Some(format!(
+            "Phong's (R.V)^n: fixed-function lighting has Blinn's (N.H)^n (reflection.model = \"blinn\"); n = {} gives a \
+             highlight as wide as n = {} does for Phong.",
+            said(n),
+            said(scene.material.n)
+        )),
+        ReflectionModel::CookTorrance => Some(format!(
+            "Cook and Torrance's microfacets: Blinn's (N.H)^n stands for them, its n = {} from the roughness.",
+            said(n)
+        )),
+    };
+    let mut limits: Vec<String> = model.into_iter().collect();
+    if n > GREATEST_EXPONENT {
+        limits.push(format!("n = {}: GL_SHININESS goes up to 128.", said(n)));
+    }
+    if Index::of(&scene.material).is_some() {
+        limits
+            .push("W(theta), the reflectance by angle of incidence: its value at 0 degrees multiplies Ks.".to_owned());
     }
     limits
 }
@@ -156,20 +165,19 @@ fn fixed_light(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<Str
     if light.kind == LightKind::Spot && light.exponent > 128.0 {
         limits.push(at(&format!("its exponent {}; GL_SPOT_EXPONENT goes up to 128.", said(light.exponent))));
     }
-    match (light.attenuation, emitter.constant, &emitter.place) {
-        (Attenuation::Viewer, ..) => {
-            limits.push(at("attenuation by the distance to the viewer; that of the camera's target stands for all."));
-        }
+    if light.attenuation == Attenuation::Viewer {
+        limits.push(at("attenuation by the distance to the viewer; that of the camera's target stands for all."));
+    }
+    let unclamped = match (light.attenuation, emitter.constant, &emitter.place) {
         (Attenuation::Quadratic, None, Place::At(place)) => {
             let sides = reaches(light, *place, mesh);
-            if sides.inside && sides.outside {
-                limits.push(at("f = min(1, ...) of its attenuation; OpenGL's f exceeds 1 near the light."));
-            }
+            sides.inside && sides.outside
         }
-        (Attenuation::Quadratic, None, Place::Among(_)) if light.c1 < 1.0 => {
-            limits.push(at("f = min(1, ...) of its attenuation; OpenGL's f exceeds 1 near the light."));
-        }
-        _ => {}
+        (Attenuation::Quadratic, None, Place::Among(_)) => light.c1 < 1.0,
+        _ => false,
+    };
+    if unclamped {
+        limits.push(at("f = min(1, ...) of its attenuation; OpenGL's f exceeds 1 near the light."));
     }
     limits
 }

@@ -25,7 +25,7 @@ pub(super) fn text(scene: &Scene, mesh: &VertexMesh) -> String {
         text,
         "/* The eye at ({eye}) looks at ({target}). Matrices are stored by columns. */
 void set_up_camera(int width, int height) {{
-    const double z_near = {near}, z_far = {far}; /* what is drawn, by its distance along the view */
+    const double z_near = {near}, z_far = {far}; /* depths that are drawn */
     const double scale = {scale}; /* {scale_means} */
     const double projection[16] = {{
 {projection}

@@ -44,9 +44,9 @@ fn model(scene: &Scene) -> String {
 fn block(index: usize, lamp: &Lamp) -> String {
     let light = format!("GL_LIGHT{index}");
     let (w, l) = if lamp.parallel {
-        ("0.0f", "w = 0: L is this direction everywhere")
+        ("0.0f", "w = 0: L, the same everywhere")
     } else {
-        ("1.0f", "w = 1: L = (this - P)/d from each point P, d = |this - P|")
+        ("1.0f", "w = 1: L = (place - P)/d, d = |place - P|")
     };
     let [x, y, z] = lamp.place.to_array().map(c_float);
     let calls = format!("{}{}", falloff(&light, lamp), spot(&light, lamp));

@@ -3,6 +3,7 @@
 use super::super::emitter::{Emitter, Place, emitters};
 use super::super::number::{float, said, vec3};
 use crate::scene::{Attenuation, Light, LightKind, PatternKind, Scene, Viewer};
+use glam::DVec3;
 use std::fmt::Write;
 
 /// The lights of `scene` and the equation itself.
@@ -30,39 +31,37 @@ vec3 illuminate(vec3 P, vec3 N) {{
 }
 
 fn light(emitter: &Emitter<'_>) -> String {
-    let index = emitter.index;
-    let title = emitter.title();
-    let heading =
-        |what: &str| format!("// {title}: {what}\nvec3 light_{index}(vec3 P, vec3 N, vec3 V, vec3 color) {{\n");
-    let intensity = format!("    const vec3 Ip = {};\n", vec3(emitter.light.color));
-    let shine = |verb| shine(emitter, verb);
-    match &emitter.place {
-        Place::Towards(l) => {
-            let what = heading("L is the same everywhere.");
-            format!("{what}{intensity}    const vec3 L = {};\n{}}}\n\n", vec3(*l), shine("return"))
-        }
+    let intensity = vec3(emitter.light.color);
+    let (what, direction) = match &emitter.place {
+        Place::Among(points) => return area(emitter, points),
+        Place::Towards(l) => ("L is the same everywhere", format!("    const vec3 L = {};\n", vec3(*l))),
         Place::At(place) => {
-            let what = heading("L points to its place from each point.");
-            format!(
-                "\n{what}{intensity}    vec3 to_light = {} - P;\n{DIRECTION}{}}}\n\n",
-                vec3(*place),
-                shine("return")
-            )
+            let to_light = format!("    vec3 to_light = {} - P;\n{DIRECTION}", vec3(*place));
+            ("L points to its place from each point", to_light)
         }
-        Place::Among(points) => {
-            let count = points.len();
-            let list: Vec<_> = points.iter().map(|&point| format!("    {}", vec3(point))).collect();
-            let what = heading("each point of it has an equal share of its intensity.");
-            let body: String = format!("    vec3 to_light = points_{index}[i] - P;\n{DIRECTION}{}", shine("sum +="))
-                .lines()
-                .map(|line| format!("    {line}\n"))
-                .collect();
-            format!(
-                "const vec3 points_{index}[{count}] = vec3[{count}](
+    };
+    let (head, shine) = (heading(emitter, what), shine(emitter, "return"));
+    format!("{head}    const vec3 Ip = {intensity};\n{direction}{shine}}}\n\n")
+}
+
+/// The comment and the first line of a light's function.
+fn heading(emitter: &Emitter<'_>, what: &str) -> String {
+    let (title, index) = (emitter.title(), emitter.index);
+    format!("// {title}: {what}.\nvec3 light_{index}(vec3 P, vec3 N, vec3 V, vec3 color) {{\n")
+}
+
+/// An area light: the points that stand for it, and a loop over them.
+fn area(emitter: &Emitter<'_>, points: &[DVec3]) -> String {
+    let (index, count) = (emitter.index, points.len());
+    let list: Vec<_> = points.iter().map(|&point| format!("    {}", vec3(point))).collect();
+    let body = format!("    vec3 to_light = points_{index}[i] - P;\n{DIRECTION}{}", shine(emitter, "sum +="));
+    let body: String = body.lines().map(|line| format!("    {line}\n")).collect();
+    format!(
+        "const vec3 points_{index}[{count}] = vec3[{count}](
 {}
 );
 
-{what}    const vec3 Ip = {} / {};
+{}    const vec3 Ip = {} / {count}.0;
     vec3 sum = vec3(0.0);
     for (int i = 0; i < {count}; i++) {{
 {body}    }}
@@ -70,12 +69,10 @@ fn light(emitter: &Emitter<'_>) -> String {
 }}
 
 ",
-                list.join(",\n"),
-                vec3(emitter.light.color),
-                float(count as f64)
-            )
-        }
-    }
+        list.join(",\n"),
+        heading(emitter, "each point of it has an equal share of its intensity"),
+        vec3(emitter.light.color)
+    )
 }
 
 /// Lengths are lifted a little before anything is divided by them.
@@ -122,10 +119,11 @@ fn cone(emitter: &Emitter<'_>) -> String {
         "    const vec3 D = {}; // along the cone
     vec3 chord = L + D;
     float gap = 0.5 * dot(chord, chord); // 1 - cos of the angle to D
-    float spot = pow(max(1.0 - gap, 1e-37), {}) * {soft}; // (-L.D)^e up to {} degrees from D
+    // (-L.D)^e up to {} degrees from D.
+    float spot = pow(max(1.0 - gap, 1e-37), {}) * {soft};
 ",
         vec3(emitter.axis()),
-        float(light.exponent),
-        said(light.cone)
+        said(light.cone),
+        float(light.exponent)
     )
 }
