@@ -5,6 +5,7 @@
 
 mod bench;
 mod check;
+mod code;
 mod failure;
 mod input;
 mod output;
@@ -38,6 +39,8 @@ enum Command {
     Render(render::Render),
     /// Fill in the equation at one pixel.
     Probe(probe::ProbeCommand),
+    /// Write a scene as OpenGL calls or as GLSL shaders, to copy; what they cannot express is told on stderr.
+    Code(code::Code),
     /// List the built-in scenes.
     Scenes(scenes::Scenes),
     /// Read a scene, a model or a picture, and say what is wrong with it.
@@ -67,6 +70,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         }
         Some(Command::Render(render)) => render.run(&scene.set),
         Some(Command::Probe(probe)) => probe.run(&scene.set),
+        Some(Command::Code(code)) => code.run(&scene.set),
         Some(Command::Check(check)) => check.run(&scene.set),
         Some(Command::Bench(bench)) => bench.run(&scene.set),
         Some(Command::Scenes(scenes)) if scene.set.is_empty() => scenes.run(),

@@ -27,6 +27,7 @@ pub mod analysis;
 #[cfg(feature = "app")]
 pub mod app;
 pub mod document;
+pub mod export;
 pub mod figure;
 pub mod geometry;
 pub mod illumination;

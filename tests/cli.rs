@@ -430,6 +430,31 @@ fn a_probe_in_words_has_the_numbers_of_the_probe_in_json() {
 }
 
 #[test]
+fn a_scene_is_written_as_code() {
+    let folder = Folder::new("code");
+    let shaders = folder.prints(&["code", "sphere", "--language", "glsl"]);
+    assert_eq!(shaders.matches("#version 330 core").count(), 2);
+    folder.prints(&["code", "sphere", "--language", "glsl", "-o", "s.glsl"]);
+    let parts = ["s.vert", "s.frag"].map(|name| fs::read_to_string(folder.0.join(name)).expect("a shader"));
+    assert!(parts.iter().all(|part| part.starts_with("#version 330 core\n") && shaders.contains(part)));
+    // What cannot be said is no error, and does not get into the text's way.
+    let set = ["--set", "shading.mode=gouraud", "--set", "reflection.model=blinn", "--set", "material.n=200"];
+    let output = folder.run(&[&["code", "cube", "--language", "c", "-o", "cube.c"][..], &set].concat());
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "note: n = 200: GL_SHININESS goes up to 128.\n");
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(0), 0));
+    let program = fs::read_to_string(folder.0.join("cube.c")).expect("a program");
+    assert!(program.contains("n = 200: GL_SHININESS goes up to 128.") && program.contains("int main("));
+    let snippet = folder.run(&[&["code", "cube"][..], &set].concat()).stdout;
+    assert!(String::from_utf8_lossy(&snippet).contains("glMaterialf(") && snippet.len() < 8000);
+    assert_eq!(folder.names(), ["cube.c", "s.frag", "s.vert"]);
+    let large = ["--set", "object.segments=1024", "--set", "object.rings=1024"];
+    let text = "error: sphere: 2095104 triangles to write out, expected at most 1000000: a coarser mesh, or c-snippet";
+    folder.fails(&[&["code", "sphere", "--language", "c"][..], &large].concat(), 2, &[text]);
+    let no_folder = "error: no/s.vert: its folder does not exist, expected a file in an existing folder";
+    folder.fails(&["code", "sphere", "--language", "glsl", "-o", "no/s"], 1, &[no_folder]);
+}
+
+#[test]
 fn a_benchmark_names_every_figure() {
     let folder = Folder::new("bench");
     let bench = folder.json(&["bench", "sphere", "--frames", "3", "--threads", "2", "--size", "64x48", "--json"]);

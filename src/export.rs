@@ -1,0 +1,99 @@
+//! A scene in other programs' words: as calls of fixed-function OpenGL, and as a pair of GLSL shaders.
+//!
+//! In: a [`Scene`] and, for the calls, its polygons. Out: an [`Export`], the text to copy and a list of what the target
+//! cannot say, which also heads the text. The same scene always gives the same text, in plain ASCII.
+
+mod emitter;
+mod fixed;
+mod glsl;
+mod limits;
+mod number;
+
+pub use fixed::{MAX_PROGRAM_TRIANGLES, opengl_c, opengl_c_snippet};
+pub use glsl::glsl_330;
+
+use crate::geometry::{Mesh, VertexMesh};
+use crate::scene::{NormalSource, Scene, ShadingMode};
+
+/// A scene as text in another language.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Export {
+    /// One or more files' worth of text, each complete.
+    pub parts: Vec<Part>,
+    /// What of the scene the text does not express, a sentence each; empty where it expresses everything.
+    pub limits: Vec<String>,
+}
+
+/// One file of an [`Export`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// What it is, in a word or two.
+    pub title: &'static str,
+    /// The usual ending of such a file's name, without the dot.
+    pub ending: &'static str,
+    pub text: String,
+}
+
+/// Why a scene has no text in the language asked for.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ExportError {
+    #[error(
+        "{triangles} triangles to write out, expected at most {MAX_PROGRAM_TRIANGLES}: a coarser mesh, or c-snippet"
+    )]
+    MeshTooLarge { triangles: usize },
+}
+
+/// The mesh with the vertex normals that the scene's shading mode evaluates the equation with.
+pub fn export_mesh(scene: &Scene, mesh: &Mesh) -> VertexMesh {
+    let source = match scene.shading.mode {
+        ShadingMode::Interpolated => NormalSource::Facet,
+        _ => scene.object.normals,
+    };
+    mesh.with_vertex_normals(source, scene.object.weighting)
+}
+
+/// The triangles of a mesh, counter-clockwise from outside: each polygon a fan from its first vertex.
+fn fan(mesh: &VertexMesh) -> impl Iterator<Item = [u32; 3]> + '_ {
+    (0..mesh.face_count()).flat_map(|f| {
+        let vertices = mesh.face(f);
+        vertices.windows(2).skip(1).map(|pair| [vertices[0], pair[0], pair[1]])
+    })
+}
+
+/// A comment of whole lines, each set off by `prefix`.
+fn comment(lines: &[String], prefix: &str) -> String {
+    let whole = |line: String| format!("{}\n", format!("{prefix}{line}").trim_end());
+    lines.iter().flat_map(|line| wrap(line, 100)).map(whole).collect()
+}
+
+/// `text` in lines of at most `width` characters, the second and later ones indented; code, which is indented, as it is.
+fn wrap(text: &str, width: usize) -> Vec<String> {
+    if text.starts_with(' ') {
+        return vec![text.to_owned()];
+    }
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.is_empty() => line.push_str(word),
+            Some(line) if line.len() + 1 + word.len() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(format!("  {word}")),
+        }
+    }
+    lines
+}
+
+/// The head of every text: what it is, and what it does not say.
+fn head(what: &[&str], limits: &[String]) -> Vec<String> {
+    let mut lines: Vec<String> = what.iter().map(|&line| line.to_owned()).collect();
+    lines.push(String::new());
+    if limits.is_empty() {
+        lines.push("It expresses the scene completely.".to_owned());
+    } else {
+        lines.push("What it does not express:".to_owned());
+        lines.extend(limits.iter().map(|limit| format!("- {limit}")));
+    }
+    lines
+}

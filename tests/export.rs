@@ -1,0 +1,424 @@
+//! Scenes in OpenGL's words: what the texts say, and that Mesa draws the same pictures by them.
+//!
+//! The pictures need a C compiler, EGL and OpenGL (Debian: gcc libegl-dev libgl-dev libgl1-mesa-dri); without them those
+//! tests say so and are skipped.
+
+use glam::DVec3;
+use shading_lab::export::{Export, ExportError, export_mesh, glsl_330, opengl_c, opengl_c_snippet};
+use shading_lab::geometry::{VertexMesh, tessellate};
+use shading_lab::render::{Frame, Renderer};
+use shading_lab::scene::{Encoding, Scene, presets};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+/// The built-in scene `name` with overrides.
+fn scene(name: &str, overrides: &[&str]) -> Scene {
+    let preset = presets::find(name).expect("a built-in scene");
+    (preset.build)().with_overrides(overrides).expect("sound overrides")
+}
+
+fn program(scene: &Scene) -> Export {
+    opengl_c(scene, &tessellate(&scene.object)).expect("a mesh of moderate size")
+}
+
+fn snippet(scene: &Scene) -> Export {
+    opengl_c_snippet(scene, &tessellate(&scene.object))
+}
+
+// ---- what the texts say ----
+
+#[test]
+fn every_built_in_scene_is_exported_alike_each_time() {
+    for preset in presets::ALL {
+        let scene = (preset.build)();
+        for export in [snippet(&scene), program(&scene), glsl_330(&scene)] {
+            for part in &export.parts {
+                assert!(part.text.is_ascii() && part.text.ends_with("}\n"), "{} {}", preset.name, part.title);
+                assert!(part.text.lines().all(|line| line == line.trim_end()), "{} {}", preset.name, part.title);
+            }
+        }
+        assert_eq!(snippet(&scene), snippet(&scene));
+        assert_eq!(program(&scene), program(&scene));
+        assert_eq!(glsl_330(&scene), glsl_330(&scene));
+    }
+}
+
+#[test]
+fn the_calls_carry_the_numbers_of_the_scene() {
+    let set = ["material.n=17", "reflection.model=blinn", "material.ka=0.5", "material.color=[0.5, 0.25, 1]"];
+    let text = &snippet(&scene("sphere", &set)).parts[0].text;
+    for line in [
+        "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 17.0f); /* n of (N.H)^n */",
+        "const GLfloat ambient[] = {0.25f, 0.125f, 0.5f, 1.0f}; /* Ka*Od */",
+        "const GLfloat place[] = {2.4f, 3.0f, 3.2f, 1.0f};",
+        "glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE);",
+    ] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+    assert!(!text.contains("GL_LIGHT1"));
+}
+
+#[test]
+fn silent_lights_are_left_out() {
+    let mute = scene("three-lights", &["light.1.mute=true"]);
+    let text = &snippet(&mute).parts[0].text;
+    assert!(
+        text.contains("Light 0")
+            && !text.contains("Light 1,")
+            && text.contains("Light 2")
+            && !text.contains("GL_LIGHT2")
+    );
+    let shaders = glsl_330(&mute);
+    assert!(shaders.parts[1].text.contains("light_2(") && !shaders.parts[1].text.contains("light_1("));
+    let dark = scene("sphere", &["light=[]"]);
+    assert!(!snippet(&dark).parts[0].text.contains("glLightf"));
+}
+
+/// The limits of `export` that contain `words`.
+fn count(export: &Export, words: &str) -> usize {
+    export.limits.iter().filter(|limit| limit.contains(words)).count()
+}
+
+#[test]
+fn fixed_function_names_what_it_cannot_say() {
+    let plain = ["shading.mode=gouraud", "reflection.model=blinn", "material.n=100"];
+    assert_eq!(program(&scene("sphere", &plain)).limits, [] as [&str; 0]);
+    for (set, words) in [
+        ("shading.mode=phong", "Phong shading"),
+        ("shading.mode=exact", "Exact shading"),
+        ("shading.mode=flat", "polygon's centre"),
+        ("shading={mode=\"flat\", flat_at=\"vertex-mean\"}", "mean of the vertices"),
+        ("shading.interpolation=affine", "Affine"),
+        ("shading.interpolation=scanline", "scan lines"),
+        ("reflection.model=phong", "Phong's (R.V)^n"),
+        ("reflection.model=cook-torrance", "microfacets"),
+        ("material.n=129", "GL_SHININESS goes up to 128"),
+        ("material.reflectance=gold", "W(theta)"),
+        ("reflection.backfacing=flip", "GL_LIGHT_MODEL_TWO_SIDE"),
+        ("pattern.kind=checker", "pattern"),
+        ("light.0.attenuation=viewer", "Light 0: attenuation by the distance to the viewer"),
+        ("light.0={kind=\"spot\", softness=0.5}", "soft edge"),
+        ("light.0={kind=\"spot\", exponent=200}", "GL_SPOT_EXPONENT"),
+        ("light.0={kind=\"area\", samples=9}", "area of 9 points"),
+        ("shading.shadows=true", "Shadows"),
+        ("transparency.kt=0.5", "Transparency"),
+        ("ground.visible=true", "ground"),
+        ("backdrop.pattern=checker", "backdrop"),
+        ("ambient.source=bounce", "scattered"),
+        ("display.overflow=scale", "greatest intensity"),
+        ("display.overflow=mark", "hatching"),
+        ("display.encoding=srgb", "sRGB"),
+    ] {
+        let export = program(&scene("sphere", &[&plain[..], &[set]].concat()));
+        assert_eq!(count(&export, words), 1, "{set}: {:?}", export.limits);
+        // Comments are broken into lines.
+        let comment = export.parts[0].text.replace("\n *  ", "").replace("\n * ", " ");
+        assert!(comment.contains(words), "{set}");
+    }
+}
+
+#[test]
+fn what_fits_is_no_limit() {
+    let plain = ["shading.mode=gouraud", "reflection.model=blinn", "material.n=100"];
+    for set in [
+        "light.0={kind=\"area\", samples=8}",
+        "light.0={kind=\"spot\"}",
+        "light.0.attenuation=light",
+        "light.0.attenuation=inverse-square",
+        "shading.mode=interpolated",
+        "shading={mode=\"flat\", flat_at=\"provoking-vertex\"}",
+        // Only the distance from the light to the nearest vertex decides whether min(1, …) is at work.
+        "light.0={attenuation=\"quadratic\", position=[0,0,3], c1=0, c2=0.51, c3=0}",
+        "light.0={attenuation=\"quadratic\", position=[0,0,3], c1=0, c2=0.1, c3=0}",
+    ] {
+        assert_eq!(program(&scene("sphere", &[&plain[..], &[set]].concat())).limits, [] as [&str; 0], "{set}");
+    }
+    let near = "light.0={attenuation=\"quadratic\", position=[0,0,3], c1=0, c2=0.4, c3=0}";
+    assert_eq!(count(&program(&scene("sphere", &[&plain[..], &[near]].concat())), "min(1"), 1);
+    // The program makes OpenGL keep intensities above 1; who copies the calls has to be told.
+    assert_eq!(count(&snippet(&scene("sphere", &plain)), "glClampColor"), 1);
+}
+
+#[test]
+fn more_than_eight_lights_are_too_many() {
+    let list = format!("light=[{}]", ["{kind=\"point\"}"; 10].join(","));
+    let export = program(&scene("sphere", &[&list]));
+    assert_eq!(count(&export, "beyond the eighth"), 1);
+    assert!(export.parts[0].text.contains("GL_LIGHT7") && !export.parts[0].text.contains("GL_LIGHT8"));
+}
+
+#[test]
+fn shaders_name_what_they_cannot_say() {
+    for name in ["sphere", "teapot", "blinn", "attenuation", "infinite", "highlight"] {
+        assert_eq!(glsl_330(&scene(name, &[])).limits, [] as [&str; 0], "{name}");
+    }
+    for (set, words) in [
+        ("shading.mode=exact", "Exact shading"),
+        ("shading.mode=flat", "polygon's centre"),
+        ("shading.interpolation=scanline", "scan lines"),
+        ("shading.shadows=true", "Shadows"),
+        ("transparency.kt=0.5", "Transparency"),
+        ("ground.visible=true", "ground"),
+        ("display.overflow=scale", "greatest intensity"),
+        ("camera.eye=[0,0,1e12]", "Lengths of this size"),
+    ] {
+        assert_eq!(count(&glsl_330(&scene("sphere", &[set])), words), 1, "{set}");
+    }
+}
+
+#[test]
+fn a_name_cannot_end_a_comment() {
+    let mut hostile = scene("sphere", &[]);
+    for name in ["*/ int x; /*", "line\nbreak", "a\\", "??/", "Schlüssel"] {
+        hostile.lights[0].name = name.to_owned();
+        for export in [snippet(&hostile), glsl_330(&hostile)] {
+            assert!(export.parts.iter().all(|part| !part.text.contains(name)), "{name}");
+        }
+    }
+    hostile.lights[0].name = "key light".to_owned();
+    assert!(snippet(&hostile).parts[0].text.contains("Light 0 \"key light\", a point light"));
+}
+
+#[test]
+fn a_mesh_beyond_measure_is_refused() {
+    let large = scene("sphere", &["object.segments=1024", "object.rings=1024"]);
+    let error = opengl_c(&large, &tessellate(&large.object));
+    assert_eq!(error, Err(ExportError::MeshTooLarge { triangles: 2 * 1024 * 1023 }));
+    assert!(!snippet(&large).parts.is_empty());
+}
+
+// ---- what Mesa draws by them ----
+
+/// Where the pictures' programs are built.
+fn folder() -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("export");
+    fs::create_dir_all(&path).expect("a folder");
+    path
+}
+
+/// Compiles `source`, a file of `folder()` or of the tests, with all warnings.
+fn compile(source: &Path, program: &Path) -> std::io::Result<Output> {
+    let warnings = ["-std=c99", "-O1", "-Wall", "-Wextra", "-Werror"];
+    Command::new("cc").args(warnings).arg(source).arg("-o").arg(program).args(["-lEGL", "-lGL"]).output()
+}
+
+fn run(program: &Path) -> Command {
+    let mut command = Command::new(program);
+    command.env("LIBGL_ALWAYS_SOFTWARE", "1");
+    command
+}
+
+/// Whether pictures can be drawn here at all; says so where they cannot.
+fn mesa() -> bool {
+    static FOUND: OnceLock<bool> = OnceLock::new();
+    let found = *FOUND.get_or_init(|| {
+        let (source, program) = (Path::new("tests/export/probe.c"), folder().join("probe"));
+        compile(source, &program).is_ok_and(|output| output.status.success())
+            && run(&program).status().is_ok_and(|status| status.success())
+    });
+    if !found {
+        eprintln!("skipped: needs cc and Mesa (Debian: gcc libegl-dev libgl-dev libgl1-mesa-dri)");
+    }
+    found
+}
+
+#[track_caller]
+fn succeeded(output: std::io::Result<Output>, what: &str) {
+    let output = output.expect("a program that was found before");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && said.is_empty(), "{what}: {said}");
+}
+
+/// The pixels of a binary PPM picture of `frame`'s size.
+fn read_ppm(path: &Path, frame: &Frame) -> Vec<[u8; 3]> {
+    let bytes = fs::read(path).expect("a picture");
+    let head = format!("P6\n{} {}\n255\n", frame.width, frame.height);
+    let pixels = bytes.strip_prefix(head.as_bytes()).expect("a picture of the size asked for");
+    pixels.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect()
+}
+
+/// Seldom a colour of the object.
+const BACKGROUND: [u8; 3] = [32, 40, 48];
+
+/// A scene for a small picture on that background.
+fn small(name: &str, overrides: &[&str]) -> Scene {
+    let mut scene = scene(name, overrides);
+    scene.image.size = [144, 128];
+    // What the display makes these code values of.
+    let linear = |v: f64| match scene.display.encoding {
+        Encoding::Raw => v,
+        Encoding::Srgb => ((v + 0.055) / 1.055).powf(2.4),
+    };
+    scene.image.background = DVec3::from_array(BACKGROUND.map(|code| linear(f64::from(code) / 255.0)));
+    scene
+}
+
+/// At least 99 % of the pixels that either covers agree within 2 of 255, and there are enough of them to tell.
+#[track_caller]
+fn agree(name: &str, scene: &Scene, theirs: &Path) {
+    let mut renderer = Renderer::default();
+    let frame = renderer.render(scene);
+    let theirs = read_ppm(theirs, frame);
+    let (mut covered, mut near, mut greatest) = (0, 0, 0);
+    for (ours, theirs) in frame.pixels.iter().zip(&theirs) {
+        let ours = [ours[0], ours[1], ours[2]];
+        if ours == BACKGROUND && *theirs == BACKGROUND {
+            continue;
+        }
+        let off = ours.iter().zip(theirs).map(|(&a, &b)| a.abs_diff(b)).max().unwrap_or(0);
+        covered += 1;
+        near += usize::from(off <= 2);
+        greatest = greatest.max(off);
+    }
+    eprintln!("{name}: {near} of {covered} pixels within 2, greatest difference {greatest}");
+    assert!(covered > 2000, "{name}: {covered} pixels covered");
+    assert!(near * 100 >= covered * 99, "{name}: {near} of {covered}, greatest difference {greatest}");
+}
+
+/// Builds and runs the exported program of `scene` and compares its picture with ours.
+#[track_caller]
+fn compare_c(name: &str, scene: &Scene) {
+    let path = |ending: &str| folder().join(format!("c-{name}{ending}"));
+    let (source, program_path, picture) = (path(".c"), path(""), path(".ppm"));
+    fs::write(&source, &program(scene).parts[0].text).expect("a file");
+    succeeded(compile(&source, &program_path), name);
+    succeeded(run(&program_path).arg(&picture).output(), name);
+    agree(name, scene, &picture);
+}
+
+/// What fixed-function OpenGL can say.
+const FIXED: [&str; 5] =
+    ["shading.mode=gouraud", "reflection.model=blinn", "material.n=40", "object.segments=48", "object.rings=24"];
+
+#[test]
+fn the_program_in_c_draws_the_same_picture() {
+    if !mesa() {
+        return;
+    }
+    let spot = "light=[{kind=\"spot\", position=[1,2,3], direction=[-1,-2,-3], cone=12, exponent=30}]";
+    let rays = "light=[{kind=\"directional\", direction=[-2,-1,-2], color=[1,0.8,0.6]}, {kind=\"directional\", \
+                direction=[3,1,-1], color=[0.1,0.2,0.5]}]";
+    let quadratic = "light=[{attenuation=\"quadratic\", position=[1,1,2], c1=0.3, c2=0.2, c3=0.2, color=[2,2,2]}]";
+    let area = "light=[{kind=\"area\", samples=6, shape=\"sphere\", radius=0.7, attenuation=\"light\", k=0.5}]";
+    for (name, preset, set) in [
+        ("spot", "sphere", &[spot, "object.segments=96", "object.rings=48"][..]),
+        ("directional", "torus", &[rays, "camera.viewer=infinite"]),
+        ("quadratic", "sphere", &[quadratic]),
+        // The back of a plane, lit from the eye's side.
+        (
+            "two-sided",
+            "plane",
+            &["camera.eye=[0.6,0.9,-3.8]", "light.0.position=[0.4,0.7,-0.9]", "reflection.backfacing=flip"],
+        ),
+        ("one-sided", "plane", &["camera.eye=[0.6,0.9,-3.8]", "light.0.position=[0.4,0.7,-0.9]"]),
+        ("local-viewer", "torus", &["camera.viewer=local", "camera.fov_y=60", "camera.eye=[0,1,2]"]),
+        ("orthographic", "cylinder", &["camera.projection=orthographic"]),
+        ("interpolated", "torus", &["shading.mode=interpolated"]),
+        ("flat", "torus", &["shading={mode=\"flat\", flat_at=\"provoking-vertex\"}"]),
+        ("overflow", "sphere", &["light.0.color=[4,4,4]"]),
+        ("area", "cube", &[area]),
+    ] {
+        let scene = small(preset, &[&FIXED[..], set].concat());
+        let export = program(&scene);
+        let stated = export.limits.iter().all(|limit| name == "two-sided" && limit.contains("TWO_SIDE"));
+        assert!(stated, "{name}: {:?}", export.limits);
+        compare_c(name, &scene);
+    }
+}
+
+#[test]
+fn the_calls_alone_compile() {
+    if !mesa() {
+        return;
+    }
+    let main = "int main(void) { set_up_camera(8, 8); set_up_lights(); set_up_material(); return 0; }\n";
+    for name in ["teapot", "highlight", "infinite"] {
+        let source = folder().join(format!("snippet-{name}.c"));
+        fs::write(&source, snippet(&scene(name, &[])).parts[0].text.clone() + main).expect("a file");
+        succeeded(compile(&source, &folder().join(format!("snippet-{name}"))), name);
+    }
+}
+
+/// A mesh as the host program reads it.
+fn bytes(mesh: &VertexMesh) -> Vec<u8> {
+    let triangles: Vec<[u32; 3]> = (0..mesh.face_count())
+        .flat_map(|f| mesh.face(f).windows(2).skip(1).map(move |pair| [mesh.face(f)[0], pair[0], pair[1]]))
+        .collect();
+    let mut bytes = Vec::new();
+    for count in [mesh.positions.len(), triangles.len()] {
+        bytes.extend(u32::try_from(count).expect("a small mesh").to_ne_bytes());
+    }
+    for (position, normal) in mesh.positions.iter().zip(&mesh.normals) {
+        bytes.extend(position.to_array().iter().chain(&normal.to_array()).flat_map(|x| x.to_ne_bytes()));
+    }
+    bytes.extend(triangles.iter().flatten().flat_map(|index| index.to_ne_bytes()));
+    bytes
+}
+
+/// Draws `scene` by its shaders and compares the picture with ours.
+#[track_caller]
+fn compare_glsl(host: &Path, name: &str, scene: &Scene) {
+    let path = |ending: &str| folder().join(format!("glsl-{name}.{ending}"));
+    let mesh = export_mesh(scene, &tessellate(&scene.object));
+    fs::write(path("mesh"), bytes(&mesh)).expect("a file");
+    let export = glsl_330(scene);
+    for part in &export.parts {
+        fs::write(path(part.ending), &part.text).expect("a file");
+    }
+    let mut command = run(host);
+    command.args([path("vert"), path("frag"), path("mesh")]);
+    command.args(scene.image.size.map(|side| side.to_string()));
+    command.args(BACKGROUND.map(|code| (f64::from(code) / 255.0).to_string()));
+    succeeded(command.arg(path("ppm")).output(), name);
+    agree(name, scene, &path("ppm"));
+}
+
+#[test]
+fn the_shaders_draw_the_same_picture() {
+    if !mesa() {
+        return;
+    }
+    let host = folder().join("host");
+    succeeded(compile(Path::new("tests/export/host.c"), &host), "host");
+    let spot = "light=[{kind=\"spot\", position=[1,2,3], direction=[-1,-2,-3], cone=14, exponent=8, softness=0.4}]";
+    let area = "light=[{kind=\"area\", samples=25, attenuation=\"inverse-square\", color=[9,9,9]}]";
+    let viewer =
+        "light=[{attenuation=\"viewer\", k=-0.0, color=[3,3,3]}, {attenuation=\"light\", k=0.5, position=[-2,1,1]}]";
+    let gold = ["reflection.model=cook-torrance", "material.reflectance=gold"];
+    for (name, preset, set) in [
+        ("phong-two-lights", "teapot", &["material.n=30"][..]),
+        ("stiff", "mirror-like", &[]),
+        ("blinn-spot", "sphere", &["reflection.model=blinn", spot]),
+        ("gold", "torus", &[&gold[..], &["material.kd=0", "material.ks=1"]].concat()),
+        ("grazing", "sphere", &[&gold[..], &["material.roughness=0.6", "light.0.position=[3,2,-2]"]].concat()),
+        ("ggx", "sphere", &[&gold[..], &["reflection.distribution=ggx", "material.roughness=0.4"]].concat()),
+        ("glass-phong", "sphere", &["material.reflectance=glass", "material.ks=5", "material.n=8"]),
+        ("area", "cube", &[area]),
+        ("falloff", "sphere", &[viewer]),
+        ("quadratic", "plane", &["light.0={attenuation=\"quadratic\", c1=0.1, c2=0.1, c3=0.9}"]),
+        ("flip", "plane", &["reflection.backfacing=flip", "light.0.position=[0.4,0.7,-0.9]"]),
+        ("infinite", "infinite", &["material.n=0.5"]),
+        ("srgb", "colored-lights", &["display.encoding=srgb"]),
+        ("hatching", "sphere", &["display.overflow=mark", "light.0.color=[2,2,2]"]),
+        ("forgetful", "sphere", &["shading.renormalise=false", "object.segments=8", "object.rings=6"]),
+        (
+            "affine",
+            "plane",
+            &["shading.interpolation=affine", "shading.mode=gouraud", "object.segments=2", "object.rings=2"],
+        ),
+        ("gouraud", "torus", &["shading.mode=gouraud", "object.segments=24", "object.rings=12"]),
+        (
+            "flat",
+            "torus",
+            &["shading={mode=\"flat\", flat_at=\"provoking-vertex\"}", "object.segments=24", "object.rings=12"],
+        ),
+        ("rings", "sphere", &["pattern={kind=\"rings\", scale=0.4}"]),
+        ("orthographic", "cone", &["camera.projection=orthographic"]),
+    ] {
+        let scene = small(preset, set);
+        assert_eq!(glsl_330(&scene).limits, [] as [&str; 0], "{name}");
+        compare_glsl(&host, name, &scene);
+    }
+}
