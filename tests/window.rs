@@ -1,7 +1,7 @@
 //! The window without a screen: controls are found by role and name, change the picture, and undo takes that back.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers};
+use eframe::egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::App;
@@ -445,4 +445,33 @@ fn the_pixels_above_one_are_counted() {
     assert!(harness.query_by_label("No pixel is above 1").is_some());
     enter(&mut harness, "Light 1 Ip red", 3.0);
     assert!(harness.query_by_label_contains("pixels are above 1").is_some());
+}
+
+#[test]
+fn a_spot_lights_arrow_is_dragged() {
+    let mut harness = window("sphere");
+    choose(&mut harness, "Light 1 kind", "spot");
+    let before = scene(&harness).clone();
+    // The light has been aimed at the camera's target, so that its arrow ends in the picture's middle.
+    let middle = harness.get_by_role_and_label(Role::Image, "Picture, phong shading").rect().center();
+    let drag = |harness: &mut Harness<'_, App>, from: Pos2, to: Pos2| {
+        for step in
+            [&(|h: &Harness<'_, App>| h.drag_at(from)) as &dyn Fn(&Harness<'_, App>), &|h| h.hover_at(to), &|h| {
+                h.drop_at(to);
+            }]
+        {
+            step(harness);
+            harness.run();
+        }
+    };
+    drag(&mut harness, middle, middle + vec2(60.0, 20.0));
+    let turned = scene(&harness).clone();
+    assert!(turned.lights[0].direction.angle_between(before.lights[0].direction) > 0.02, "the arrow was turned");
+    assert_eq!((turned.camera, turned.lights[0].position), (before.camera.clone(), before.lights[0].position));
+    undo(&mut harness);
+    assert_eq!(*scene(&harness), before, "a drag is one step");
+    // Beside the handles the camera turns.
+    drag(&mut harness, middle - vec2(0.0, 150.0), middle - vec2(50.0, 150.0));
+    assert_eq!(scene(&harness).lights, before.lights);
+    assert!(scene(&harness).camera != before.camera);
 }

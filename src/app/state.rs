@@ -174,6 +174,17 @@ pub enum Drag {
     LightDepth {
         index: usize,
     },
+    /// The head of a light's axis, on the viewer's side of the light or beyond; `grab` as before.
+    Aim {
+        index: usize,
+        grab: DVec2,
+        front: bool,
+    },
+    /// The edge of a spot light's cone.
+    Rim {
+        index: usize,
+        grab: DVec2,
+    },
 }
 
 #[cfg(test)]
