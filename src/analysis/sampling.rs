@@ -4,7 +4,6 @@ use crate::illumination::Equation;
 use crate::render::Renderer;
 use crate::scene::{Light, LightKind, Rgb, Scene};
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// Points of the light that the difference is measured against.
 pub const REFERENCE_SAMPLES: u32 = 4096;
@@ -50,10 +49,13 @@ pub fn sampling_error_with(renderer: &mut Renderer, scene: &Scene, light: usize)
         Equation::<f64>::new(&alone)
     };
     let (coarse, fine) = (of(chosen.samples), of(REFERENCE_SAMPLES));
-    let differences = pixels.par_iter().map(|sites| difference(sites, &coarse, &fine));
-    let (sum, greatest) = differences
-        .map(|each| (each.length_squared(), each.abs().max_element()))
-        .reduce(|| (0.0, 0.0), |a, b| (a.0 + b.0, f64::max(a.1, b.1)));
+    // On this thread alone: the others are left to whoever draws meanwhile.
+    let (mut sum, mut greatest) = (0.0, 0.0f64);
+    for sites in &pixels {
+        let each = difference(sites, &coarse, &fine);
+        sum += each.length_squared();
+        greatest = greatest.max(each.abs().max_element());
+    }
     #[expect(clippy::cast_precision_loss, reason = "at most 4096 pixels")]
     let channels = 3.0 * pixels.len() as f64;
     Some(SamplingError { rms: (sum / channels).sqrt(), greatest })

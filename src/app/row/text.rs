@@ -30,7 +30,8 @@ pub fn flags(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, values: &mut [(&str,
     let changed = values.iter().any(|(_, value)| **value);
     let reset = row(ui, lit, about, changed, |ui| {
         for (label, value) in &mut *values {
-            let response = ui.add(Button::selectable(**value, *label).min_size([58.0, 0.0].into()));
+            let response =
+                ui.add(Button::selectable(**value, *label).frame_when_inactive(true).min_size([58.0, 0.0].into()));
             let name = format!("{} {label}", about.name());
             let (enabled, selected) = (ui.is_enabled(), **value);
             response.widget_info(|| WidgetInfo::selected(Role::Button, enabled, selected, &name));
