@@ -10,6 +10,7 @@ mod document;
 mod engine;
 mod equation;
 mod files;
+mod gallery;
 mod handles;
 mod history;
 mod keys;
@@ -19,6 +20,7 @@ mod orbit;
 mod palette;
 mod picture;
 mod row;
+mod sampling;
 mod stages;
 mod start;
 mod state;
@@ -82,7 +84,7 @@ impl App {
             }
             if state.look.controls {
                 let panel = Panel::left("controls").resizable(true).default_size(344.0).min_size(300.0);
-                panel.show(ui, |ui| controls::controls_ui(ui, state));
+                panel.show(ui, |ui| controls::controls_ui(ui, state, engine));
             }
             if state.look.numbers {
                 let panel = Panel::right("numbers").resizable(true).default_size(322.0).min_size(280.0);

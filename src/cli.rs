@@ -8,6 +8,7 @@ mod check;
 mod code;
 mod failure;
 mod input;
+mod materials;
 mod output;
 mod overlay;
 mod probe;
@@ -43,6 +44,8 @@ enum Command {
     Code(code::Code),
     /// List the built-in scenes.
     Scenes(scenes::Scenes),
+    /// List the named materials of the OpenGL tradition, for --material.
+    Materials(materials::Materials),
     /// Read a scene, a model or a picture, and say what is wrong with it.
     Check(check::Check),
     /// Measure the time of a frame, of its stages, and of a frame in which one thing changed.
@@ -63,18 +66,25 @@ pub fn run() -> ExitCode {
 
 fn perform(arguments: Arguments) -> Result<(), Failure> {
     let Arguments { scene, command } = arguments;
+    let earlier = scene.overrides();
     match command {
         None => window::open(&scene),
         Some(_) if scene.source.is_some() => {
             Err(Failure::input("a scene before the command, expected it after: shading-lab COMMAND SCENE"))
         }
-        Some(Command::Render(render)) => render.run(&scene.set),
-        Some(Command::Probe(probe)) => probe.run(&scene.set),
-        Some(Command::Code(code)) => code.run(&scene.set),
-        Some(Command::Check(check)) => check.run(&scene.set),
-        Some(Command::Bench(bench)) => bench.run(&scene.set),
-        Some(Command::Scenes(scenes)) if scene.set.is_empty() => scenes.run(),
-        Some(Command::Scenes(_)) => Err(Failure::input("--set without a scene, expected `scenes` alone")),
+        Some(Command::Render(render)) => render.run(&earlier),
+        Some(Command::Probe(probe)) => probe.run(&earlier),
+        Some(Command::Code(code)) => code.run(&earlier),
+        Some(Command::Check(check)) => check.run(&earlier),
+        Some(Command::Bench(bench)) => bench.run(&earlier),
+        Some(Command::Scenes(_)) if !earlier.is_empty() => {
+            Err(Failure::input("--set without a scene, expected `scenes` alone"))
+        }
+        Some(Command::Materials(_)) if !earlier.is_empty() => {
+            Err(Failure::input("--set without a scene, expected `materials` alone"))
+        }
+        Some(Command::Scenes(scenes)) => scenes.run(),
+        Some(Command::Materials(materials)) => materials.run(),
     }
 }
 

@@ -8,6 +8,7 @@ mod camera;
 mod format;
 mod light;
 mod material;
+pub mod materials;
 mod nearest;
 mod object;
 mod overrides;

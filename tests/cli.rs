@@ -114,6 +114,30 @@ fn every_built_in_scene_is_listed_and_drawn() {
 }
 
 #[test]
+fn named_materials_are_listed_and_applied() {
+    let folder = Folder::new("materials");
+    let listed = folder.prints(&["materials"]);
+    let json = folder.json(&["materials", "--json"]);
+    assert_eq!(listed.lines().count(), 24);
+    assert!(listed.contains("ka [0.24725, 0.1995, 0.0745]") && listed.contains("n 51.2"), "{listed}");
+    assert_eq!(json["materials"][10]["name"], "gold");
+    assert_eq!(json["materials"][10]["kd"][1], 0.60648);
+    // A key beside it goes over it, on either side of the command.
+    for arguments in [
+        &["render", "sphere", "-o", "a.png", "--material", "gold", "--set", "material.n=7"] as &[&str],
+        &["--material", "gold", "render", "sphere", "-o", "a.png", "--set", "material.n=7"],
+    ] {
+        assert_eq!(folder.prints(arguments), "");
+        let scene = shading_lab::document::load(&folder.0.join("a.png")).expect("an exported picture").scene;
+        let gold = shading_lab::scene::materials::find("gold").expect("a named material").material();
+        assert_eq!(scene.material, shading_lab::scene::Material { n: 7.0, ..gold });
+    }
+    let output = folder.run(&["render", "sphere", "-o", "a.png", "--material", "golld"]);
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.code() == Some(2) && text.contains("did you mean gold?"), "{text}");
+}
+
+#[test]
 fn a_picture_restores_its_scene() {
     let folder = Folder::new("restore");
     folder.prints(&["render", "torus", "-o", "a.png", "--set", "material.n=7.25", "--size", "60x40"]);

@@ -142,12 +142,12 @@ fn the_window_draws_takes_a_drag_exports_and_rests() {
     desktop.settle();
     let first = desktop.screen();
 
-    // The slider of Kd, below Ka in the panel at the left.
+    // The slider of Kd, below the material and Ka in the panel at the left.
     let hand: [&[&str]; 5] = [
-        &["mousemove", "198", "168"],
+        &["mousemove", "198", "197"],
         &["mousedown", "1"],
-        &["mousemove", "175", "168"],
-        &["mousemove", "140", "168"],
+        &["mousemove", "175", "197"],
+        &["mousemove", "140", "197"],
         &["mouseup", "1"],
     ];
     for motion in hand {

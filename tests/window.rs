@@ -1,17 +1,18 @@
 //! The window without a screen: controls are found by role and name, change the picture, and undo takes that back.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers};
+use eframe::egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::App;
 use shading_lab::document::load;
-use shading_lab::scene::{Scene, ShadingMode};
+use shading_lab::scene::{Distribution, LightKind, PatternKind, ReflectionModel, Rgb, Scene, ShadingMode};
 use std::path::Path;
 
 fn window(scene: &str) -> Harness<'static, App> {
     let loaded = load(Path::new(scene)).expect("a built-in scene");
-    let mut harness = Harness::builder().with_size([1280.0, 800.0]).build_eframe(|cc| App::new(cc, loaded));
+    let mut harness =
+        Harness::builder().with_size([1280.0, 800.0]).with_max_steps(40).build_eframe(|cc| App::new(cc, loaded));
     harness.run();
     harness
 }
@@ -236,4 +237,241 @@ fn typed_numbers_change_the_picture() {
         harness.run();
         assert!(picture(&harness) == before, "undo of {name} does not bring the picture back");
     }
+}
+
+/// Clicks a button by its name.
+fn press(harness: &mut Harness<'_, App>, name: &str) {
+    harness.get_by_role_and_label(Role::Button, name).click_accesskit();
+    harness.run();
+}
+
+/// Opens a section of the panel.
+fn unfold(harness: &mut Harness<'_, App>, title: &str) {
+    harness.get_by_role_and_label(Role::DisclosureTriangle, title).click_accesskit();
+    harness.run();
+}
+
+/// Types a number into a field by its name.
+fn enter(harness: &mut Harness<'_, App>, name: &str, value: f64) {
+    harness.get_by_role_and_label(Role::SpinButton, name).set_value_accesskit(value);
+    harness.run();
+}
+
+fn undo(harness: &mut Harness<'_, App>) {
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+}
+
+/// Looks at the window until `condition` holds.
+fn wait(harness: &mut Harness<'_, App>, condition: impl Fn(&Harness<'_, App>) -> bool) -> bool {
+    for _ in 0..500 {
+        harness.run_ok();
+        if condition(harness) {
+            return true;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    false
+}
+
+#[test]
+fn a_spot_lights_cone_is_typed() {
+    let mut harness = window("sphere");
+    assert!(harness.query_by_role_and_label(Role::SpinButton, "Light 1 cone").is_none(), "a point has no cone");
+    choose(&mut harness, "Light 1 kind", "spot");
+    for (name, value) in
+        [("Light 1 cone", 6.0), ("Light 1 softness", 0.8), ("Light 1 exponent", 90.0), ("Light 1 direction x", -2.0)]
+    {
+        let before = picture(&harness);
+        enter(&mut harness, name, value);
+        assert!(picture(&harness) != before, "{name} = {value} changes nothing");
+    }
+    assert_eq!((scene(&harness).lights[0].kind, scene(&harness).lights[0].cone), (LightKind::Spot, 6.0));
+    enter(&mut harness, "Light 1 cone", 500.0);
+    assert_eq!(scene(&harness).lights[0].cone, 90.0, "a cone is at most a half-space");
+}
+
+#[test]
+fn lights_are_muted_and_soloed() {
+    let mut harness = window("three-lights");
+    let all = picture(&harness);
+    press(&mut harness, "Light 1 mute");
+    let muted = picture(&harness);
+    assert!(scene(&harness).lights[0].mute && muted != all);
+    assert!(harness.query_by_role_and_label(Role::ComboBox, "Light 1 kind").is_some(), "its controls stay");
+    press(&mut harness, "Reset Light 1");
+    assert!(picture(&harness) == all);
+    press(&mut harness, "Light 2");
+    press(&mut harness, "Light 2 solo");
+    assert!(scene(&harness).lights[1].solo);
+    assert!(picture(&harness) != all && picture(&harness) != muted);
+    undo(&mut harness);
+    assert!(picture(&harness) == all);
+}
+
+#[test]
+fn a_light_is_named() {
+    let mut harness = window("sphere");
+    let before = picture(&harness);
+    harness.get_by_role_and_label(Role::TextInput, "Light 1 name").focus();
+    harness.run();
+    harness.get_by_role_and_label(Role::TextInput, "Light 1 name").type_text("Key\u{7} lamp");
+    harness.run();
+    assert_eq!(scene(&harness).lights[0].name, "Key lamp");
+    assert!(harness.query_by_role_and_label(Role::Button, "Light 1, Key lamp").is_some(), "its chip says so");
+    harness.get_by_role_and_label(Role::TextInput, "Light 1 name").type_text(&"x".repeat(100));
+    harness.run();
+    assert_eq!(scene(&harness).lights[0].name.chars().count(), 64);
+    assert_eq!(scene(&harness).validate(), Ok(()));
+    assert!(picture(&harness) == before, "a name is not seen");
+}
+
+#[test]
+fn an_area_lights_points_and_their_error_are_shown() {
+    let mut harness = window("sphere");
+    choose(&mut harness, "Light 1 kind", "area");
+    let shown = |text: &'static str| move |harness: &Harness<'_, App>| harness.query_by_label_contains(text).is_some();
+    assert!(wait(&mut harness, shown("N = 16: error ")), "the error of the default");
+    let before = picture(&harness);
+    enter(&mut harness, "Light 1 samples", 1.0);
+    assert!(picture(&harness) != before);
+    assert!(wait(&mut harness, shown("N = 1: error ")), "the error of one point");
+    choose(&mut harness, "Light 1 shape", "sphere");
+    assert!(harness.query_by_role_and_label(Role::SpinButton, "Light 1 width").is_none(), "a sphere has no width");
+    enter(&mut harness, "Light 1 radius", 1.5);
+    assert_eq!(scene(&harness).lights[0].radius, 1.5);
+    press(&mut harness, "Light 1 mute");
+    assert!(wait(&mut harness, shown("does not reach the picture")), "a muted light has no error");
+}
+
+#[test]
+fn microfacets_have_a_roughness_instead_of_n() {
+    let mut harness = window("sphere");
+    let is_there = |harness: &Harness<'_, App>, name| harness.query_by_role_and_label(Role::Slider, name).is_some();
+    assert!(is_there(&harness, "n") && !is_there(&harness, "m roughness"));
+    choose(&mut harness, "Reflection model", "Cook–Torrance  D·G");
+    assert!(!is_there(&harness, "n") && is_there(&harness, "m roughness"));
+    let before = picture(&harness);
+    enter(&mut harness, "m roughness", 0.5);
+    let rough = picture(&harness);
+    assert!(rough != before);
+    choose(&mut harness, "Microfacet distribution", "GGX");
+    assert_eq!(scene(&harness).reflection.distribution, Distribution::Ggx);
+    assert!(picture(&harness) != rough);
+}
+
+#[test]
+fn another_model_with_an_equally_wide_highlight_is_one_step() {
+    let mut harness = window("sphere");
+    let before = scene(&harness).clone();
+    press(&mut harness, "Match with Blinn's n");
+    assert_eq!(scene(&harness).reflection.model, ReflectionModel::Blinn);
+    assert!((scene(&harness).material.n / before.material.n - 4.0).abs() < 0.1, "n = {}", scene(&harness).material.n);
+    undo(&mut harness);
+    assert_eq!(*scene(&harness), before);
+    press(&mut harness, "Match with a roughness");
+    assert_eq!(scene(&harness).reflection.model, ReflectionModel::CookTorrance);
+}
+
+#[test]
+fn the_reflectance_of_a_metal_changes_the_picture() {
+    for entry in ["glass", "silver", "gold"] {
+        choice_changes_the_picture("sphere", &[], "W(θ) reflectance", entry);
+    }
+    let mut harness = window("sphere");
+    assert!(harness.query_by_role_and_label(Role::SpinButton, "k extinction red").is_none());
+    choose(&mut harness, "W(θ) reflectance", "of η and k");
+    let before = picture(&harness);
+    enter(&mut harness, "k extinction red", 4.0);
+    assert!(picture(&harness) != before);
+}
+
+#[test]
+fn a_pattern_and_a_highlight_colour_change_the_picture() {
+    let mut harness = window("sphere");
+    let plain = picture(&harness);
+    enter(&mut harness, "Os highlight colour green", 0.0);
+    assert!(picture(&harness) != plain);
+    undo(&mut harness);
+    choose(&mut harness, "Pattern", "checker");
+    assert_eq!(scene(&harness).pattern.kind, PatternKind::Checker);
+    let coarse = picture(&harness);
+    assert!(coarse != plain);
+    enter(&mut harness, "Pattern scale", 0.1);
+    assert!(picture(&harness) != coarse);
+}
+
+#[test]
+fn transparency_and_surroundings_unfold() {
+    let mut harness = window("sphere");
+    assert!(harness.query_by_role_and_label(Role::SpinButton, "Kt").is_none(), "the section is folded at first");
+    unfold(&mut harness, "Transparency");
+    let index = harness.get_by_role_and_label(Role::SpinButton, "η relative index");
+    assert!(index.accesskit_node().is_disabled(), "nothing is transmitted");
+    enter(&mut harness, "Kt", 0.5);
+    enter(&mut harness, "η relative index", 1.33);
+    assert_eq!((scene(&harness).transparency.kt, scene(&harness).transparency.ior), (0.5, 1.33));
+    assert!(harness.query_by_role_and_label(Role::Button, "Transmitted in the equation").is_some());
+    unfold(&mut harness, "Surroundings");
+    press(&mut harness, "Shadows on");
+    press(&mut harness, "Ground on");
+    enter(&mut harness, "Ground height", -0.5);
+    choose(&mut harness, "Backdrop", "stripes");
+    enter(&mut harness, "Backdrop distance", 3.0);
+    choose(&mut harness, "Ambient source", "one bounce");
+    let scene = scene(&harness);
+    assert!(scene.shading.shadows && scene.ground.visible);
+    assert_eq!((scene.ground.height, scene.backdrop.distance), (-0.5, 3.0));
+    assert_eq!(scene.backdrop.pattern, PatternKind::Stripes);
+    assert_eq!(scene.validate(), Ok(()));
+}
+
+#[test]
+fn a_named_material_is_one_step() {
+    let mut harness = window("sphere");
+    let before = scene(&harness).clone();
+    press(&mut harness, "Materials");
+    press(&mut harness, "Gold");
+    assert_eq!(scene(&harness).material.ka, Rgb::new(0.24725, 0.1995, 0.0745));
+    assert_eq!(scene(&harness).material.n, 51.2);
+    undo(&mut harness);
+    assert_eq!(*scene(&harness), before);
+}
+
+#[test]
+fn the_pixels_above_one_are_counted() {
+    let mut harness = window("flat-facets");
+    enter(&mut harness, "Light 1 Ip red", 0.5);
+    assert!(harness.query_by_label("No pixel is above 1").is_some());
+    enter(&mut harness, "Light 1 Ip red", 3.0);
+    assert!(harness.query_by_label_contains("pixels are above 1").is_some());
+}
+
+#[test]
+fn a_spot_lights_arrow_is_dragged() {
+    let mut harness = window("sphere");
+    choose(&mut harness, "Light 1 kind", "spot");
+    let before = scene(&harness).clone();
+    // The light has been aimed at the camera's target, so that its arrow ends in the picture's middle.
+    let middle = harness.get_by_role_and_label(Role::Image, "Picture, phong shading").rect().center();
+    let drag = |harness: &mut Harness<'_, App>, from: Pos2, to: Pos2| {
+        for step in
+            [&(|h: &Harness<'_, App>| h.drag_at(from)) as &dyn Fn(&Harness<'_, App>), &|h| h.hover_at(to), &|h| {
+                h.drop_at(to);
+            }]
+        {
+            step(harness);
+            harness.run();
+        }
+    };
+    drag(&mut harness, middle, middle + vec2(60.0, 20.0));
+    let turned = scene(&harness).clone();
+    assert!(turned.lights[0].direction.angle_between(before.lights[0].direction) > 0.02, "the arrow was turned");
+    assert_eq!((turned.camera, turned.lights[0].position), (before.camera.clone(), before.lights[0].position));
+    undo(&mut harness);
+    assert_eq!(*scene(&harness), before, "a drag is one step");
+    // Beside the handles the camera turns.
+    drag(&mut harness, middle - vec2(0.0, 150.0), middle - vec2(50.0, 150.0));
+    assert_eq!(scene(&harness).lights, before.lights);
+    assert!(scene(&harness).camera != before.camera);
 }

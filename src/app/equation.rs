@@ -5,7 +5,7 @@ use super::palette::{Term, term_text, vector_text};
 use super::state::AppState;
 use super::symbol::Symbol;
 use crate::figure::palette::Vector;
-use crate::scene::{Attenuation, ReflectionModel, Rgb, Scene};
+use crate::scene::{Attenuation, Reflectance, ReflectionModel, Rgb, Scene};
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{Align, Color32, CursorIcon, FontFamily, FontId, Sense, Ui, Visuals, WidgetInfo, vec2};
@@ -98,60 +98,136 @@ fn layout(piece: &Piece) -> LayoutJob {
     job
 }
 
+/// What a scene's equation looks like: the colours of its terms, and what it has.
+struct Ink<'a> {
+    scene: &'a Scene,
+    visuals: &'a Visuals,
+    plain: Color32,
+    pale: Color32,
+}
+
+const fn piece(text: &'static str, low: &'static str, symbol: Option<Symbol>, colour: Color32) -> Piece {
+    Piece { text, low, high: "", symbol, colour }
+}
+
 fn pieces(scene: &Scene, visuals: &Visuals) -> Vec<Vec<Piece>> {
-    let model = scene.reflection.model;
-    let material = &scene.material;
-    let plain = visuals.text_color();
-    let pale = visuals.weak_text_color().gamma_multiply(0.55);
-    let unless = |absent: bool, colour: Color32| if absent { pale } else { colour };
-    let dark = scene.lights.is_empty();
-    let ambient = unless(material.ka == Rgb::ZERO || scene.ambient.color == Rgb::ZERO, plain);
-    let no_diffuse = dark || material.kd == Rgb::ZERO;
-    let no_specular = dark || material.ks == Rgb::ZERO;
-    let diffuse = unless(no_diffuse, term_text(visuals, Term::Diffuse, model));
-    let specular = unless(no_specular, term_text(visuals, Term::Specular, model));
-    let letter = |vector: Vector, absent: bool| unless(absent, vector_text(visuals, vector));
-    let attenuated = scene.lights.iter().any(|light| light.attenuation != Attenuation::None);
-    let piece = |text, low, symbol, colour| Piece { text, low, high: "", symbol, colour };
-    let (first, second, other) = match model {
-        ReflectionModel::Blinn | ReflectionModel::CookTorrance => (Vector::N, Vector::H, Symbol::Reflected),
-        ReflectionModel::Phong => (Vector::R, Vector::V, Symbol::Viewer),
-    };
-    let first_symbol = if model == ReflectionModel::Blinn { Symbol::Normal } else { Symbol::Reflected };
-    vec![
+    let (plain, pale) = (visuals.text_color(), visuals.weak_text_color().gamma_multiply(0.55));
+    let ink = Ink { scene, visuals, plain, pale };
+    let transparent = scene.transparency.kt > 0.0;
+    let mut groups = vec![ink.ambient(transparent), ink.sum(), ink.diffuse()];
+    groups.extend(ink.specular());
+    if transparent {
+        groups.push(ink.transmitted());
+    }
+    groups
+}
+
+impl Ink<'_> {
+    fn unless(&self, absent: bool, colour: Color32) -> Color32 {
+        if absent { self.pale } else { colour }
+    }
+
+    fn plain(&self, text: &'static str) -> Piece {
+        piece(text, "", None, self.plain)
+    }
+
+    fn letter(&self, vector: Vector, symbol: Symbol, absent: bool) -> Piece {
+        piece(vector.letter(), "", Some(symbol), self.unless(absent, vector_text(self.visuals, vector)))
+    }
+
+    fn dark(&self) -> bool {
+        self.scene.lights.is_empty()
+    }
+
+    /// I and the ambient term; behind 1 − Kt where the surface is transparent.
+    fn ambient(&self, transparent: bool) -> Vec<Piece> {
+        let absent = self.scene.material.ka == Rgb::ZERO || self.scene.ambient.color == Rgb::ZERO;
+        let colour = self.unless(absent, self.plain);
+        let mut group =
+            vec![piece("I", "", Some(Symbol::Intensity), self.visuals.strong_text_color()), self.plain(" = ")];
+        if transparent {
+            let sky = vector_text(self.visuals, Vector::T);
+            group.extend([self.plain("(1 − "), piece("K", "t", Some(Symbol::Kt), sky), self.plain(") ( ")]);
+        }
+        group.extend([
+            piece("K", "a", Some(Symbol::Ka), colour),
+            piece("O", "d", Some(Symbol::Od), colour),
+            piece("I", "a", Some(Symbol::Ia), colour),
+        ]);
+        group
+    }
+
+    fn sum(&self) -> Vec<Piece> {
+        let attenuated = self.scene.lights.iter().any(|light| light.attenuation != Attenuation::None);
+        let colour = self.unless(self.dark(), self.plain);
         vec![
-            piece("I", "", Some(Symbol::Intensity), visuals.strong_text_color()),
-            piece(" = ", "", None, plain),
-            piece("K", "a", Some(Symbol::Ka), ambient),
-            piece("O", "d", Some(Symbol::Od), ambient),
-            piece("I", "a", Some(Symbol::Ia), ambient),
-        ],
+            self.plain(" + "),
+            piece("Σ ", "", Some(Symbol::Lights), colour),
+            piece("f ", "", Some(Symbol::Attenuation), self.unless(!attenuated, self.plain)),
+            piece("I", "p", Some(Symbol::Ip), colour),
+            self.plain(" ["),
+        ]
+    }
+
+    fn diffuse(&self) -> Vec<Piece> {
+        let absent = self.dark() || self.scene.material.kd == Rgb::ZERO;
+        let colour = self.unless(absent, term_text(self.visuals, Term::Diffuse, self.scene.reflection.model));
         vec![
-            piece(" + ", "", None, plain),
-            piece("Σ ", "", Some(Symbol::Lights), unless(dark, plain)),
-            piece("f ", "", Some(Symbol::Attenuation), unless(!attenuated, plain)),
-            piece("I", "p", Some(Symbol::Ip), unless(dark, plain)),
-            piece(" [", "", None, plain),
-        ],
+            piece("K", "d", Some(Symbol::Kd), colour),
+            piece("O", "d", Some(Symbol::Od), colour),
+            self.plain("("),
+            self.letter(Vector::N, Symbol::Normal, absent),
+            self.plain("·"),
+            self.letter(Vector::L, Symbol::Light, absent),
+            self.plain(")"),
+        ]
+    }
+
+    fn specular(&self) -> Vec<Vec<Piece>> {
+        let (material, model) = (&self.scene.material, self.scene.reflection.model);
+        let absent = self.dark() || material.ks == Rgb::ZERO;
+        let colour = self.unless(absent, term_text(self.visuals, Term::Specular, model));
+        let mut group = vec![self.plain(" + "), piece("K", "s", Some(Symbol::Ks), colour)];
+        if material.specular_color != Rgb::ONE {
+            group.push(piece("O", "s", Some(Symbol::Os), colour));
+        }
+        if material.reflectance != Reflectance::Constant {
+            group.extend([piece(" W", "", Some(Symbol::Reflectance), colour), self.plain("(θ) ")]);
+        }
+        if model == ReflectionModel::CookTorrance {
+            group.extend([piece(" π", "", None, colour), piece(" D", "", Some(Symbol::Facets), colour)]);
+            group.push(piece(" G", "", Some(Symbol::Masking), colour));
+            return vec![group, self.over_view(absent)];
+        }
+        let blinn = model == ReflectionModel::Blinn;
+        let (first, second) = if blinn {
+            (self.letter(Vector::N, Symbol::Normal, absent), self.letter(Vector::H, Symbol::Reflected, absent))
+        } else {
+            (self.letter(Vector::R, Symbol::Reflected, absent), self.letter(Vector::V, Symbol::Viewer, absent))
+        };
+        group.extend([self.plain("("), first, self.plain("·"), second, self.plain(")")]);
+        group.push(Piece { text: "", low: "", high: "n", symbol: Some(Symbol::Exponent), colour });
+        group.push(self.plain("]"));
+        vec![group]
+    }
+
+    /// What the microfacets' term is divided by.
+    fn over_view(&self, absent: bool) -> Vec<Piece> {
         vec![
-            piece("K", "d", Some(Symbol::Kd), diffuse),
-            piece("O", "d", Some(Symbol::Od), diffuse),
-            piece("(", "", None, plain),
-            piece("N", "", Some(Symbol::Normal), letter(Vector::N, no_diffuse)),
-            piece("·", "", None, plain),
-            piece("L", "", Some(Symbol::Light), letter(Vector::L, no_diffuse)),
-            piece(")", "", None, plain),
-        ],
+            self.plain(" / (4 "),
+            self.letter(Vector::N, Symbol::Normal, absent),
+            self.plain("·"),
+            self.letter(Vector::V, Symbol::Viewer, absent),
+            self.plain(")]"),
+        ]
+    }
+
+    fn transmitted(&self) -> Vec<Piece> {
+        let sky = vector_text(self.visuals, Vector::T);
         vec![
-            piece(" + ", "", None, plain),
-            piece("K", "s", Some(Symbol::Ks), specular),
-            piece("(", "", None, plain),
-            piece(first.letter(), "", Some(first_symbol), letter(first, no_specular)),
-            piece("·", "", None, plain),
-            piece(second.letter(), "", Some(other), letter(second, no_specular)),
-            piece(")", "", None, plain),
-            Piece { text: "", low: "", high: "n", symbol: Some(Symbol::Exponent), colour: specular },
-            piece("]", "", None, plain),
-        ],
-    ]
+            self.plain(" ) + "),
+            piece("K", "t", Some(Symbol::Kt), sky),
+            piece("I", "t", Some(Symbol::Transmitted), sky),
+        ]
+    }
 }

@@ -4,6 +4,12 @@
 //! the picture. A directional light is nowhere, so its handle slides on a sphere about the camera's target: on the side
 //! that faces the viewer it is filled, beyond it hollow, and pulled past the rim it goes round to the other side. A light
 //! behind the viewer or outside the picture has a marker at the edge that points to it.
+//!
+//! The chosen light shows where it shines as well (see [`beam`]).
+
+mod beam;
+
+pub use beam::{aim_at, cursor, open_to, paint};
 
 use super::palette;
 use super::picture::Place;
@@ -11,6 +17,7 @@ use super::row::swatch;
 use super::state::AppState;
 use crate::figure::palette::Vector;
 use crate::scene::{Light, LightKind, Rgb, View};
+use beam::Beam;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Vec2, vec2};
 use glam::{DVec2, DVec3};
 
@@ -20,6 +27,8 @@ const SPHERE: f64 = 0.42;
 const MARGIN: f32 = 22.0;
 /// Radius of a handle, points.
 const RADIUS: f32 = 8.0;
+/// Radius of the handles of a light's axis and edge, points.
+const SMALL: f32 = 5.0;
 
 /// How a light shows in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +39,10 @@ pub enum Handle {
     Directional { front: bool },
     /// A light that is not in the picture; the unit vector points to where it is.
     Edge(Vec2),
+    /// Where the chosen light's axis goes; `front` where that is nearer to the viewer than the light.
+    Aim { front: bool },
+    /// The edge of the chosen spot light's cone; the unit vector points away from its axis.
+    Rim(Vec2),
 }
 
 /// A handle in its place on the screen.
@@ -49,7 +62,12 @@ pub fn place(state: &AppState, view: &View, place: Place) -> Vec<Placed> {
     }
     let target = state.document.scene.camera.target;
     let lights = state.document.scene.lights.iter().enumerate();
-    lights.map(|(index, light)| place_one(index, light, view, target, place)).collect()
+    let mut placed: Vec<_> = lights.map(|(index, light)| place_one(index, light, view, target, place)).collect();
+    if let Some(light) = state.document.scene.lights.get(state.light) {
+        let parts = Beam::of(light, view, target).into_iter().flat_map(|beam| beam.handles(view, place));
+        placed.extend(parts.map(|(at, handle)| Placed { index: state.light, at, handle, colour: light.color }));
+    }
+    placed
 }
 
 fn place_one(index: usize, light: &Light, view: &View, target: DVec3, place: Place) -> Placed {
@@ -176,6 +194,11 @@ impl Handle {
                 painter.circle(placed.at, RADIUS - 1.5, fill, ring);
             }
             Self::Edge(way) => arrow(painter, placed.at, way, swatch(placed.colour), halo, ring),
+            Self::Aim { .. } | Self::Rim(_) => {
+                painter.circle_stroke(placed.at, SMALL, halo);
+                painter.circle(placed.at, SMALL, orange, Stroke::new(1.0, Color32::BLACK));
+                return;
+            }
         }
         letter(painter, placed, chosen);
     }
@@ -205,6 +228,7 @@ fn letter(painter: &Painter, placed: &Placed, chosen: bool) {
         Handle::Edge(way) => -way * 24.0,
         Handle::Point => vec2(0.0, RADIUS + 11.0),
         Handle::Directional { .. } => vec2(0.0, RADIUS + 15.0),
+        Handle::Aim { .. } | Handle::Rim(_) => return,
     };
     let at = placed.at + offset;
     for shift in [vec2(-1.0, 0.0), vec2(1.0, 0.0), vec2(0.0, -1.0), vec2(0.0, 1.0), vec2(1.0, 1.0), vec2(-1.0, -1.0)] {

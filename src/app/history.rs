@@ -94,25 +94,41 @@ fn change(before: &Document, after: &Document) -> &'static str {
         return "opening";
     }
     let (a, b): (&Scene, &Scene) = (&before.scene, &after.scene);
-    let parts = [
-        (a.camera != b.camera, "camera"),
-        (a.object != b.object, "object"),
+    let material = [
         (a.material.ka != b.material.ka, "Ka"),
         (a.material.kd != b.material.kd, "Kd"),
         (a.material.ks != b.material.ks, "Ks"),
         (a.material.n.to_bits() != b.material.n.to_bits(), "n"),
+        (a.material.roughness != b.material.roughness, "m"),
         (a.material.color != b.material.color, "Od"),
+        (a.material.specular_color != b.material.specular_color, "Os"),
+        (a.material.reflectance != b.material.reflectance, "W"),
+        (a.material.ior != b.material.ior, "η"),
+        (a.material.extinction != b.material.extinction, "k"),
+    ];
+    let rest = [
+        (a.camera != b.camera, "camera"),
+        (a.object != b.object, "object"),
+        (a.pattern != b.pattern, "pattern"),
+        (a.transparency != b.transparency, "transparency"),
         (a.reflection != b.reflection, "reflection"),
         (a.shading != b.shading, "shading"),
         (a.display != b.display || a.image != b.image, "display"),
+        (a.ground != b.ground, "ground"),
+        (a.backdrop != b.backdrop, "backdrop"),
         (a.ambient != b.ambient, "Ia"),
         (a.lights != b.lights, "lights"),
     ];
-    let mut changed = parts.iter().filter(|(differs, _)| *differs).map(|(_, name)| *name);
-    match (changed.next(), changed.next()) {
-        (Some(name), None) => name,
-        _ => "change",
+    let changed = |parts: &[(bool, &'static str)]| -> Vec<&'static str> {
+        parts.iter().filter(|(differs, _)| *differs).map(|(_, name)| *name).collect()
+    };
+    let mut names = changed(&material);
+    if names.len() > 1 {
+        // Several of its numbers at once are another material.
+        names = vec!["material"];
     }
+    names.extend(changed(&rest));
+    if let [name] = names[..] { name } else { "change" }
 }
 
 #[cfg(test)]

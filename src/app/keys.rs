@@ -117,7 +117,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding {
         section: "Camera",
         keys: "Drag",
-        does: "turns the camera; a light or the probe follows the pointer",
+        does: "turns the camera; a light, its arrow, its cone or the probe follows the pointer",
         on: &[],
     },
     Binding {

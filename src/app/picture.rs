@@ -93,7 +93,12 @@ fn keep_arrows(ui: &Ui, response: &Response) {
 /// What a drag that begins at `at` would move.
 fn under(state: &AppState, place: Place, handles: &[Placed], at: eframe::egui::Pos2) -> Drag {
     if let Some(placed) = handles::nearest(handles, at, REACH) {
-        return Drag::Light { index: placed.index, grab: place.pixel(placed.at) - place.pixel(at) };
+        let (index, grab) = (placed.index, place.pixel(placed.at) - place.pixel(at));
+        return match placed.handle {
+            Handle::Aim { front } => Drag::Aim { index, grab, front },
+            Handle::Rim(_) => Drag::Rim { index, grab },
+            _ => Drag::Light { index, grab },
+        };
     }
     let probe = place.point(probe_centre(state, place));
     if probe.distance(at) <= REACH { Drag::Probe } else { Drag::Orbit }
@@ -152,6 +157,8 @@ fn drag(ui: &Ui, state: &mut AppState, response: &Response, place: Place, view: 
         Drag::Probe => put_probe(state, place, at),
         Drag::Light { index, grab } => handles::drag_to(state, index, view, place.pixel(at) + grab),
         Drag::LightDepth { index } => handles::push(state, index, view, -dy * 2.0),
+        Drag::Aim { index, grab, front } => handles::aim_at(state, index, view, place.pixel(at) + grab, front),
+        Drag::Rim { index, grab } => handles::open_to(state, index, view, place.pixel(at) + grab),
     }
     ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
 }
@@ -161,12 +168,21 @@ fn cursor(ui: &Ui, state: &AppState, response: &Response, place: Place, handles:
     let Some(at) = hover else { return };
     let icon = match under(state, place, handles, at) {
         Drag::Light { .. } if shift => CursorIcon::ResizeVertical,
-        Drag::Light { .. } => CursorIcon::Grab,
+        Drag::Light { .. } | Drag::Aim { .. } => CursorIcon::Grab,
+        Drag::Rim { .. } => rim_cursor(handles),
         Drag::Probe => CursorIcon::Crosshair,
         _ if shift => CursorIcon::Move,
         _ => CursorIcon::AllScroll,
     };
     ui.ctx().set_cursor_icon(icon);
+}
+
+fn rim_cursor(handles: &[Placed]) -> CursorIcon {
+    let way = handles.iter().find_map(|placed| match placed.handle {
+        Handle::Rim(way) => Some(way),
+        _ => None,
+    });
+    way.map_or(CursorIcon::Grab, handles::cursor)
 }
 
 fn wheel(ui: &Ui, state: &mut AppState, response: &Response, place: Place, view: &View, handles: &[Placed]) {
@@ -192,6 +208,7 @@ fn paint(ui: &Ui, state: &AppState, engine: &Engine, place: Place) {
     if state.look.overlay.vectors {
         probe_ui(&painter, place.point(probe_centre(state, place)), state.drag == Drag::Probe);
     }
+    handles::paint(&painter, state, &view, place);
     for placed in handles::place(state, &view, place) {
         Handle::paint(&painter, &placed, state.light == placed.index);
     }

@@ -6,10 +6,12 @@
 mod choice;
 mod colour;
 mod number;
+mod text;
 
-pub use choice::{choice, toggle};
+pub use choice::{Choice, choice, toggle};
 pub use colour::{colour, swatch, vector};
-pub use number::{NumberRow, Rail, coefficient, number, whole};
+pub use number::{NumberRow, Rail, coefficient, display, number, triple, whole};
+pub use text::{flags, text};
 
 use super::symbol::{Lit, Symbol};
 use eframe::egui::{Align, Color32, Layout, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2};

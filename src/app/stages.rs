@@ -79,7 +79,7 @@ fn words(stage: Stage) -> (&'static str, &'static str) {
 }
 
 /// Digits in groups of three.
-fn grouped(value: u64) -> String {
+pub fn grouped(value: u64) -> String {
     let digits = value.to_string();
     let mut text = String::new();
     for (index, digit) in digits.chars().enumerate() {

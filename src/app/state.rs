@@ -3,7 +3,9 @@
 use super::action::Action;
 use super::dialog::Dialog;
 use super::document::Document;
+use super::gallery::Gallery;
 use super::history::History;
+use super::sampling::Sampling;
 use super::symbol::Lit;
 use super::theme::ThemeChoice;
 use glam::DVec2;
@@ -26,6 +28,12 @@ pub struct AppState {
     /// Index of the light whose controls are shown.
     #[serde(skip)]
     pub light: usize,
+    /// The error of the chosen area light.
+    #[serde(skip)]
+    pub sampling: Sampling,
+    /// Pictures of the named materials.
+    #[serde(skip)]
+    pub gallery: Gallery,
     #[serde(skip)]
     pub drag: Drag,
     #[serde(skip)]
@@ -165,6 +173,17 @@ pub enum Drag {
     /// A light towards the viewer and away.
     LightDepth {
         index: usize,
+    },
+    /// The head of a light's axis, on the viewer's side of the light or beyond; `grab` as before.
+    Aim {
+        index: usize,
+        grab: DVec2,
+        front: bool,
+    },
+    /// The edge of a spot light's cone.
+    Rim {
+        index: usize,
+        grab: DVec2,
     },
 }
 

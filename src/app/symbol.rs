@@ -25,6 +25,21 @@ pub enum Symbol {
     Viewer,
     /// n, the specular exponent.
     Exponent,
+    /// Os, the colour of the highlight.
+    Os,
+    /// W(θ), by the angle of incidence.
+    Reflectance,
+    /// D, the microfacets that mirror the light.
+    Facets,
+    /// G, those of them that are lit and seen.
+    Masking,
+    Kt,
+    /// It, the transmitted light.
+    Transmitted,
+    /// Whether a light reaches the point.
+    Shadows,
+    /// What Ia stands for.
+    Bounce,
 }
 
 impl Symbol {
@@ -47,6 +62,14 @@ impl Symbol {
             }
             Self::Viewer => "V: the unit vector from the surface to the viewer",
             Self::Exponent => "n: the specular exponent; the greater, the smaller and sharper the highlight",
+            Self::Os => "Os: the colour of the highlight, which multiplies Ks",
+            Self::Reflectance => "W(θ): the part of the light that is reflected at the angle of incidence θ (Fresnel)",
+            Self::Facets => "D: how many microfacets mirror the light to the viewer; m is their roughness",
+            Self::Masking => "G: how many of these microfacets are lit and seen, and not hidden by others",
+            Self::Kt => "Kt: the part of the light that comes through the surface",
+            Self::Transmitted => "It: the light from behind, bent by Snell's law",
+            Self::Shadows => "Whether what stands between keeps a light away",
+            Self::Bounce => "What the ambient light stands for",
         }
     }
 }

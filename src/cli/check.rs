@@ -18,7 +18,7 @@ pub struct Check {
 
 impl Check {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
-        let arguments = SceneArguments { source: Some(self.file), set: self.set };
+        let arguments = SceneArguments { source: Some(self.file), set: self.set, material: None };
         let loaded = arguments.load(earlier)?;
         let scene = &loaded.scene;
         let [width, height] = scene.image.size;

@@ -4,7 +4,8 @@ use super::failure::Failure;
 use super::output::progress_bar;
 use clap::Args;
 use shading_lab::document::{Loaded, load_with};
-use shading_lab::scene::{Image, presets};
+use shading_lab::scene::materials::{self, NamedMaterial};
+use shading_lab::scene::{Image, nearest, presets};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Instant;
@@ -21,12 +22,22 @@ pub struct SceneArguments {
     /// Override one key of the scene, as in material.n=1005 or light.0.position=[2,2,3]
     #[arg(long, value_name = "KEY=VALUE", allow_hyphen_values = true)]
     pub set: Vec<String>,
+    /// Take a named material (see `materials`); --set can then change it further
+    #[arg(long, value_name = "NAME", value_parser = parse_material)]
+    pub material: Option<&'static NamedMaterial>,
 }
 
 impl SceneArguments {
+    /// What is different in the scene: first its material, then single keys.
+    pub fn overrides(&self) -> Vec<String> {
+        let material = self.material.map(assignments).unwrap_or_default();
+        material.into_iter().chain(self.set.iter().cloned()).collect()
+    }
+
     /// Opens the scene, or the default one, with the overrides of both sides of the command's name.
     pub fn load(&self, earlier: &[String]) -> Result<Loaded, Failure> {
-        let overrides: Vec<&String> = earlier.iter().chain(&self.set).collect();
+        let own = self.overrides();
+        let overrides: Vec<&String> = earlier.iter().chain(&own).collect();
         let mut bar = None;
         let mut progress = |read: u64, total: u64| {
             if total >= LARGE_FILE {
@@ -40,6 +51,33 @@ impl SceneArguments {
         }
         Ok(loaded?)
     }
+}
+
+/// A named material as keys of a scene.
+fn assignments(named: &NamedMaterial) -> Vec<String> {
+    let material = named.material();
+    let triple = |value: shading_lab::scene::Rgb| format!("{:?}", value.to_array());
+    vec![
+        format!("material.ka={}", triple(material.ka)),
+        format!("material.kd={}", triple(material.kd)),
+        format!("material.ks={}", triple(material.ks)),
+        format!("material.n={:?}", material.n),
+        format!("material.roughness={:?}", material.roughness),
+        format!("material.color={}", triple(material.color)),
+        format!("material.specular_color={}", triple(material.specular_color)),
+        "material.reflectance=constant".to_owned(),
+        format!("material.ior={}", triple(material.ior)),
+        format!("material.extinction={}", triple(material.extinction)),
+    ]
+}
+
+/// The name of a material.
+pub fn parse_material(text: &str) -> Result<&'static NamedMaterial, String> {
+    materials::find(text).ok_or_else(|| {
+        let meant = nearest(text, materials::NAMED.iter().map(|named| named.name));
+        let meant = meant.map(|meant| format!(" (did you mean {meant}?)")).unwrap_or_default();
+        format!("no such material, expected a name{meant}; see `shading-lab materials`")
+    })
 }
 
 /// `WxH`, in the bounds of a picture.
@@ -80,6 +118,7 @@ pub fn nanoseconds() -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shading_lab::scene::Scene;
 
     #[test]
     fn sizes_are_read_within_their_bounds() {
@@ -88,6 +127,15 @@ mod tests {
         for text in ["", "x", "768", "0x5", "5x0", "16385x1", "-1x5", "5x5x5", "16384x8193", "99999999999x1"] {
             assert!(parse_size(text).is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn a_material_by_its_name_is_that_material() {
+        for named in materials::NAMED {
+            let scene = Scene::default().with_overrides(&assignments(named)).expect("sound keys");
+            assert_eq!(scene.material, named.material(), "{}", named.name);
+        }
+        assert!(parse_material("golld").is_err_and(|message| message.contains("did you mean gold?")));
     }
 
     #[test]

@@ -1,37 +1,68 @@
-//! Ka, Kd, Ks, n and Od, and the model of reflection.
+//! Ka, Kd, Ks, Od, Os and the pattern, and the model of reflection.
+
+mod gallery;
+mod highlight;
+mod matching;
+mod pattern;
 
 use crate::app::palette::{Term, term_text};
-use crate::app::row::{About, NumberRow, Rail, choice, coefficient, colour, number};
+use crate::app::row::{About, NumberRow, Rail, choice, coefficient, colour};
 use crate::app::state::AppState;
 use crate::app::symbol::Symbol;
-use crate::scene::{Backfacing, Material, ReflectionModel, Rgb, Scene};
+use crate::scene::{Backfacing, Material, Rgb, Scene};
 use eframe::egui::Ui;
 
-/// What the slider of n spans.
-const EXPONENTS: std::ops::RangeInclusive<f64> = 0.1..=1e6;
+pub use pattern::PATTERNS;
 
 pub fn material_ui(ui: &mut Ui, state: &mut AppState) {
+    gallery::gallery_ui(ui, state);
     coefficients_ui(ui, state);
-    exponent_ui(ui, state);
-    let (default, lit) = (Material::default(), &mut state.lit);
-    let scene = &mut state.document.scene;
+    highlight::width_ui(ui, state);
+    colours_ui(ui, state);
+    pattern::pattern_ui(ui, state);
+    highlight::model_ui(ui, state);
+    backfacing_ui(ui, state);
+}
+
+/// Why nothing that a light does can be seen.
+fn dark(scene: &Scene) -> Option<&'static str> {
+    (scene.lights.is_empty()).then_some("There is no light")
+}
+
+/// Why the specular term is not seen.
+fn no_highlight(scene: &Scene) -> Option<&'static str> {
+    dark(scene).or((scene.material.ks == Rgb::ZERO).then_some("Ks is 0: there is no highlight"))
+}
+
+/// Why the surface's own colour is not seen.
+fn colourless(scene: &Scene) -> Option<&'static str> {
+    (scene.material.ka == Rgb::ZERO && scene.material.kd == Rgb::ZERO)
+        .then_some("Ka and Kd are 0, so the surface's own colour is not seen")
+}
+
+fn colours_ui(ui: &mut Ui, state: &mut AppState) {
+    let (default, AppState { document, lit, .. }) = (Material::default(), state);
+    let scene = &mut document.scene;
     let about = About {
         letter: "Od",
         label: "colour",
         name: "Od surface colour",
         tip: "Od, the surface's own colour: red, green and blue, linear. It multiplies Ka and Kd.",
         symbol: Some(Symbol::Od),
-        idle: (scene.material.ka == Rgb::ZERO && scene.material.kd == Rgb::ZERO)
-            .then_some("Ka and Kd are 0, so the surface's own colour is not seen"),
+        idle: colourless(scene),
         ..About::default()
     };
     colour(ui, lit, &about, default.color, &mut scene.material.color);
-    reflection_ui(ui, state);
-}
-
-/// Why nothing that a light does can be seen.
-fn dark(scene: &Scene) -> Option<&'static str> {
-    (scene.lights.is_empty()).then_some("There is no light")
+    let about = About {
+        letter: "Os",
+        label: "highlight",
+        name: "Os highlight colour",
+        tip: "Os, the colour of the highlight: red, green and blue, linear. It multiplies Ks; white leaves the light its own colour, as on plastics.",
+        symbol: Some(Symbol::Os),
+        idle: no_highlight(scene),
+        ..About::default()
+    };
+    colour(ui, lit, &about, default.specular_color, &mut scene.material.specular_color);
 }
 
 fn coefficients_ui(ui: &mut Ui, state: &mut AppState) {
@@ -88,44 +119,9 @@ fn coefficients_ui(ui: &mut Ui, state: &mut AppState) {
     }
 }
 
-fn exponent_ui(ui: &mut Ui, state: &mut AppState) {
+fn backfacing_ui(ui: &mut Ui, state: &mut AppState) {
     let AppState { document, lit, .. } = state;
     let scene = &mut document.scene;
-    let idle = dark(scene).or((scene.material.ks == Rgb::ZERO).then_some("Ks is 0, so n changes nothing"));
-    let row = NumberRow {
-        about: About {
-            letter: "n",
-            tint: Some(term_text(ui.visuals(), Term::Specular, scene.reflection.model)),
-            label: "exponent",
-            name: "n",
-            tip: "n, the specular exponent: the greater, the smaller and sharper the highlight. No unit, any number from 0; ∞ is a mirror.",
-            symbol: Some(Symbol::Exponent),
-            idle,
-        },
-        rail: Rail { limits: 0.0..=f64::INFINITY, decimals: 2, ..Rail::logarithmic(EXPONENTS) },
-        default: Material::default().n,
-    };
-    number(ui, lit, &row, &mut scene.material.n);
-}
-
-fn reflection_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { document, lit, .. } = state;
-    let scene = &mut document.scene;
-    let no_specular =
-        (scene.material.ks == Rgb::ZERO).then_some("Ks is 0, so the model of the highlight changes nothing");
-    let about = About {
-        label: "Highlight",
-        name: "Reflection model",
-        tip: "What the specular term measures: R against V (Phong 1975), or N against H (Blinn 1977).",
-        symbol: Some(Symbol::Reflected),
-        idle: dark(scene).or(no_specular),
-        ..About::default()
-    };
-    let choices = [
-        (ReflectionModel::Phong, "Phong  (R·V)^n", "R is L mirrored at N"),
-        (ReflectionModel::Blinn, "Blinn  (N·H)^n", "H is half-way between L and V"),
-    ];
-    choice(ui, lit, &about, ReflectionModel::Phong, &choices, &mut scene.reflection.model);
     let about = About {
         label: "If N·L < 0",
         name: "Back-facing policy",

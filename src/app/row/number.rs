@@ -87,10 +87,20 @@ pub fn coefficient(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, channels: b
 
 /// Red, green and blue as three fields.
 pub fn three_fields(ui: &mut Ui, name: &str, value: &mut Rgb) {
+    fields(ui, name, &Rail { decimals: 2, ..Rail::linear(0.0..=1.0) }, value);
+}
+
+/// A number for each channel, in the limits of `rail`.
+pub fn triple(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, rail: &Rail, default: Rgb, value: &mut Rgb) {
+    if row(ui, lit, about, *value != default, |ui| fields(ui, about.name(), rail, value)) {
+        *value = default;
+    }
+}
+
+fn fields(ui: &mut Ui, name: &str, rail: &Rail, value: &mut Rgb) {
     let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0;
     for (channel, part) in ["red", "green", "blue"].into_iter().zip(value.as_mut()) {
-        let rail = Rail { decimals: 2, ..Rail::linear(0.0..=1.0) };
-        field(ui, &format!("{name} {channel}"), part, &rail, width);
+        field(ui, &format!("{name} {channel}"), part, rail, width);
     }
 }
 
@@ -157,6 +167,10 @@ pub fn field(ui: &mut Ui, name: &str, value: &mut f64, rail: &Rail, width: f32) 
         .custom_formatter(move |value, _| display(value, decimals))
         .custom_parser(parse);
     let response = ui.add_sized(size, widget);
+    if response.changed() {
+        // A screen reader's number comes past the widget's own range.
+        *value = value.clamp(*rail.limits.start(), *rail.limits.end());
+    }
     let (enabled, shown) = (ui.is_enabled(), *value);
     response.widget_info(|| WidgetInfo { label: Some(name.to_owned()), ..WidgetInfo::drag_value(enabled, shown) });
     response
