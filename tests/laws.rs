@@ -161,7 +161,7 @@ fn a_spot_shines_along_its_axis_and_not_beyond_its_cone() {
             let at = equation.respond_world(0, light.position + ray * 0.7, DVec3::Z, None);
             let expected = spot_part(&light, ray);
             // A hard edge falls within a millionth of the cone.
-            let at_edge = (step - 100).abs() <= 1 && softness == 0.0;
+            let at_edge = (99..=101).contains(&step) && softness == 0.0;
             assert!(at_edge || (at.spot - expected).abs() < 1e-6, "cone {cone}, step {step}: {} {expected}", at.spot);
         }
         let on_axis = equation.respond_world(0, DVec3::ZERO, DVec3::Z, None).spot;

@@ -244,7 +244,8 @@ mod tests {
         far.lights[0].position = glam::DVec3::splat(1e20);
         let mut mirror = Scene::default();
         mirror.material.n = f64::INFINITY;
-        for scene in presets::ALL.iter().map(|preset| (preset.build)()).chain([far, mirror]) {
+        let lit = presets::ALL.iter().map(|preset| (preset.build)()).filter(|scene| !scene.lights.is_empty());
+        for scene in lit.chain([far, mirror]) {
             for (name, change) in CHANGES {
                 for step in 1..8 {
                     let (a, b) = (change(&scene, step).expect("a light"), change(&scene, step + 1).expect("a light"));

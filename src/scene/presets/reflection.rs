@@ -1,6 +1,7 @@
 //! Scenes about the material.
 
 use super::studio::{COOL, WARM, floor, lamp, seen_from, studio, surface};
+use crate::scene::materials::{self, NamedMaterial};
 use crate::scene::{
     Backfacing, Camera, Display, Distribution, Image, Light, Material, ObjectKind, Overflow, Pattern, PatternKind,
     Reflectance, Reflection, ReflectionModel, Rgb, Scene, Shading, ShadingMode,
@@ -128,17 +129,9 @@ pub(super) fn overflow() -> Scene {
 }
 
 pub(super) fn brass() -> Scene {
-    let material = Material {
-        ka: Rgb::new(0.329_412, 0.223_529, 0.027_451),
-        kd: Rgb::new(0.780_392, 0.568_627, 0.113_725),
-        ks: Rgb::new(0.992_157, 0.941_176, 0.807_843),
-        n: 27.897_44,
-        color: Rgb::ONE,
-        ..Material::default()
-    };
     Scene {
         camera: Camera { fov_y: 30.0, target: DVec3::new(0.0, -0.05, 0.0), ..seen_from(DVec3::new(0.8, 1.5, 3.6)) },
-        material,
+        material: materials::find("brass").map(NamedMaterial::material).unwrap_or_default(),
         reflection: Reflection { model: ReflectionModel::Blinn, ..Reflection::default() },
         ..studio(ObjectKind::Teapot, 64, 64)
     }
