@@ -48,11 +48,15 @@ fn check(ui: &mut Ui, state: &mut AppState, text: &str, shown: Shown) {
 fn file_ui(ui: &mut Ui, state: &mut AppState) {
     ui.set_min_width(260.0);
     ui.menu_button("Built-in scenes", |ui| {
-        for preset in presets::ALL {
-            if ui.button(preset.title).on_hover_text(preset.description).clicked() {
-                state.ask(Action::OpenBuiltIn(preset.name.to_owned()));
-                ui.close();
-            }
+        for topic in presets::topics() {
+            ui.menu_button(topic, |ui| {
+                for preset in presets::ALL.iter().filter(|preset| preset.topic == topic) {
+                    if ui.button(preset.title).on_hover_text(preset.description).clicked() {
+                        state.ask(Action::OpenBuiltIn(preset.name.to_owned()));
+                        ui.close();
+                    }
+                }
+            });
         }
     });
     item(ui, state, "Open…", Action::Open);

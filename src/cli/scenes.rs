@@ -16,7 +16,7 @@ pub struct Scenes {
 impl Scenes {
     pub fn run(self) -> Result<(), Failure> {
         if self.json {
-            let scene = |preset: &presets::Preset| json!({"name": preset.name, "title": preset.title, "description": preset.description});
+            let scene = |preset: &presets::Preset| json!({"name": preset.name, "title": preset.title, "topic": preset.topic, "description": preset.description});
             return print_json(&json!({"scenes": presets::ALL.iter().map(scene).collect::<Vec<_>>()}));
         }
         let width = presets::ALL.iter().map(|preset| preset.name.len()).max().unwrap_or(0);

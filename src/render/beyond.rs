@@ -57,6 +57,12 @@ pub(super) fn eye_ray(lens: &Lens, x: usize, y: usize) -> (DVec3, DVec3) {
     (lens.world(point), direction.normalize())
 }
 
+/// An intensity in single precision, at most its greatest number.
+fn in_range(intensity: Rgb) -> Vec3 {
+    let greatest = f64::from(f32::MAX);
+    intensity.clamp(Rgb::splat(-greatest), Rgb::splat(greatest)).as_vec3()
+}
+
 /// What each pixel sees past the object, and behind its surface if that is `glass`.
 pub(super) fn seen_beyond(
     bands: &Bands,
@@ -76,14 +82,14 @@ pub(super) fn seen_beyond(
             part[row * width + x] = match glass {
                 Some(glass) => {
                     let (_, incident) = eye_ray(sights.lens, x, first_row + row);
-                    glass.transmit(sight.point, sight.normal, incident, scratch).seen.as_vec3()
+                    in_range(glass.transmit(sight.point, sight.normal, incident, scratch).seen)
                 }
                 None => Vec3::ZERO,
             };
         });
         for (index, pixel) in part.iter_mut().enumerate().filter(|(_, pixel)| pixel.is_nan()) {
             let (origin, direction) = eye_ray(sights.lens, index % width, first_row + index / width);
-            *pixel = surroundings.along(origin, direction, scratch).as_vec3();
+            *pixel = in_range(surroundings.along(origin, direction, scratch));
         }
     });
 }
@@ -148,7 +154,7 @@ pub(super) fn bounce(
         let arrived = light.as_dvec3() * scattered;
         products += constant * arrived;
         squares += constant * constant;
-        *light = (arrived - constant * scene.ambient.color).as_vec3();
+        *light = in_range(arrived - constant * scene.ambient.color);
     }
     bounced.fit = (squares.min_element() > 0.0).then(|| products / squares);
 }
@@ -183,6 +189,7 @@ pub(super) fn compose(scene: &Scene, seen: &[Vec3], bounced: &[Vec3], linear: &m
             if covered && kt > 0.0 {
                 color = color * (1.0 - kt) + beyond * kt;
             }
+            color = color.min(Vec3::MAX);
             over += u64::from(color.max_element() > 1.0);
             pixel[..3].copy_from_slice(&color.to_array());
         }

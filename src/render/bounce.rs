@@ -55,7 +55,7 @@ impl Gathering<'_> {
         let height = receivers.len() / width;
         let columns = width.div_ceil(STEP);
         let at = |receiver: &Receiver, salt: usize, scratch: &mut Vec<u64>| {
-            self.at(world(receiver.place), receiver.normal.as_dvec3(), salt, scratch).as_vec3()
+            self.at(world(receiver.place), receiver.normal.as_dvec3(), salt, scratch).min(Rgb::splat(1e36)).as_vec3()
         };
         let pick = |column: usize, row: usize| {
             let (x, y) = ((column * STEP + STEP / 2).min(width - 1), (row * STEP + STEP / 2).min(height - 1));

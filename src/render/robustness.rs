@@ -2,8 +2,9 @@
 
 use super::Renderer;
 use crate::scene::{
-    AreaShape, Attenuation, Backfacing, Distribution, FlatAt, Interpolation, Light, LightKind, NormalSource,
-    ObjectKind, Overflow, PatternKind, Projection, Reflectance, ReflectionModel, Scene, ShadingMode, Viewer, Weighting,
+    AmbientSource, AreaShape, Attenuation, Backfacing, Distribution, FlatAt, Interpolation, Light, LightKind,
+    NormalSource, ObjectKind, Overflow, PatternKind, Projection, Reflectance, ReflectionModel, Scene, ShadingMode,
+    Through, Viewer, Weighting,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -29,11 +30,13 @@ fn choice<T: Copy + std::fmt::Debug + 'static>(values: &'static [T]) -> impl Str
     (0..values.len()).prop_map(move |i| values[i])
 }
 
+/// Parts of a whole.
+const PARTS: &[f64] = &[0.0, 1e-9, 0.5, 1.0];
+
 fn light() -> impl Strategy<Value = Light> {
     const KINDS: &[LightKind] = &[LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Area];
     const SHAPES: &[AreaShape] = &[AreaShape::Rectangle, AreaShape::Sphere];
     const CONES: &[f64] = &[0.1, 1.0, 20.0, 60.0, 90.0];
-    const PARTS: &[f64] = &[0.0, 1e-9, 0.5, 1.0];
     const ATTENUATIONS: &[Attenuation] = &[
         Attenuation::None,
         Attenuation::Viewer,
@@ -89,15 +92,19 @@ fn scene() -> impl Strategy<Value = Scene> {
         &[Reflectance::Constant, Reflectance::Glass, Reflectance::Silver, Reflectance::Gold, Reflectance::Custom];
     const PATTERNS: &[PatternKind] =
         &[PatternKind::None, PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings];
+    const SOURCES: &[AmbientSource] =
+        &[AmbientSource::Constant, AmbientSource::Constant, AmbientSource::Bounce, AmbientSource::Split];
+    const INDICES: &[f64] = &[0.1, 0.7, 1.0, 1.5, 10.0];
     const ROUGHNESSES: &[f64] = &[1e-3, 0.02, 0.3, 1.0];
     let camera = (vector(), vector(), vector(), any::<bool>(), 1.0..170.0f64, number(), any::<bool>());
     let object = (choice(KINDS), 3..9u32, 3..7u32, choice(NORMALS), choice(WEIGHTS));
     let material = (vector(), vector(), vector(), exponent(), choice(MODELS), any::<bool>());
+    let around = (any::<[bool; 4]>(), choice(SOURCES), choice(PATTERNS), choice(INDICES), number(), choice(PARTS));
     let surface = (choice(DISTRIBUTIONS), choice(LAWS), choice(PATTERNS), choice(ROUGHNESSES), vector(), vector());
     let shading = (choice(MODES), choice(PLACES), choice(RULES), any::<bool>());
     let lights = prop::collection::vec(light(), 0..4);
-    (camera, object, material, surface, shading, lights).prop_map(
-        |(camera, object, material, surface, shading, lights)| {
+    (camera, object, material, surface, shading, lights, around).prop_map(
+        |(camera, object, material, surface, shading, lights, around)| {
             let mut scene = Scene::default();
             scene.image.size = [16, 16];
             (scene.camera.eye, scene.camera.target, scene.camera.up) = (camera.0, camera.1, camera.2);
@@ -121,6 +128,13 @@ fn scene() -> impl Strategy<Value = Scene> {
             // The policy that keeps the picture as it was before the display.
             scene.display.overflow = Overflow::Scale;
             scene.lights = lights;
+            let ([shadows, visible, solid, _], source, pattern, ior, height, kt) = around;
+            scene.shading.shadows = shadows;
+            (scene.ground.visible, scene.ground.height) = (visible, height);
+            scene.transparency.through = if solid { Through::Solid } else { Through::Surface };
+            (scene.transparency.ior, scene.transparency.kt) = (ior, kt);
+            (scene.backdrop.pattern, scene.backdrop.distance) = (pattern, height);
+            scene.ambient.source = source;
             scene
         },
     )

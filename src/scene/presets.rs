@@ -295,6 +295,13 @@ pub fn find(name: &str) -> Option<&'static Preset> {
     ALL.iter().find(|preset| preset.name == name)
 }
 
+/// What the built-in scenes are about, each once, in their order.
+pub fn topics() -> Vec<&'static str> {
+    let mut topics: Vec<_> = ALL.iter().map(|preset| preset.topic).collect();
+    topics.dedup();
+    topics
+}
+
 /// The scene shown when none is named.
 pub fn default_scene() -> Scene {
     shapes::teapot()
@@ -321,6 +328,10 @@ mod tests {
             assert_eq!(find(preset.name).map(|found| found.title), Some(preset.title));
             assert!(!preset.title.is_empty() && preset.description.ends_with('.'), "{}", preset.name);
         }
+        let mut sorted = topics();
+        sorted.sort_unstable();
+        sorted.dedup();
+        assert_eq!(sorted.len(), topics().len(), "scenes of a topic stand together");
     }
 
     #[test]
