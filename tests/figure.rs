@@ -73,7 +73,7 @@ fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
             stored,
         }
     });
-    Probe { pixel, hit }
+    Probe { pixel, hit, ambient_fit: None }
 }
 
 /// The sphere as it would be stored.
@@ -233,7 +233,7 @@ fn lights_stand_where_they_appear_or_at_the_edge_towards_them() {
     let mut scene = Scene { lights: three_lights(), ..Scene::default() };
     scene.lights[1].position = DVec3::new(-0.9, 0.8, 0.5);
     scene.lights.push(Light { position: DVec3::new(3.0, 0.0, 9.0), ..Light::default() });
-    let nothing = Probe { pixel: [0, 0], hit: None };
+    let nothing = Probe { pixel: [0, 0], hit: None, ambient_fit: None };
     let overlay = Overlay::new([500, 400], &scene, &nothing, &everything());
     let view = View::new(&scene.camera, [500, 400]);
     assert_eq!(overlay.lights.len(), 4);
@@ -257,7 +257,7 @@ fn lights_stand_where_they_appear_or_at_the_edge_towards_them() {
 fn nothing_is_drawn_where_the_probe_met_nothing() {
     let scene = Scene::default();
     let mut pixmap = Pixmap::new(64, 64).expect("not empty");
-    let nothing = Probe { pixel: [0, 0], hit: None };
+    let nothing = Probe { pixel: [0, 0], hit: None, ambient_fit: None };
     draw_overlay(&mut pixmap.as_mut(), &scene, &nothing, &OverlayOptions::default());
     assert!(pixmap.data().iter().all(|byte| *byte == 0));
 }

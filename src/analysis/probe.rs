@@ -12,6 +12,8 @@ pub struct Probe {
     pub pixel: [u32; 2],
     /// Nothing where the background is seen.
     pub hit: Option<ProbeHit>,
+    /// The Ia whose constant term stands best for the bounce of light in the whole picture, where that is gathered.
+    pub ambient_fit: Option<Rgb>,
 }
 
 /// What the pixel shows of the object.
@@ -115,7 +117,8 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
             stored,
         }
     });
-    Probe { pixel: [x, y], hit }
+    let ambient_fit = renderer.report().ambient_fit.map(Rgb::from_array);
+    Probe { pixel: [x, y], hit, ambient_fit }
 }
 
 /// The constant ambient term where the equation is evaluated.

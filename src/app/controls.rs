@@ -27,7 +27,9 @@ pub fn controls_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         section(ui, state, "Material", &[], material::material_ui);
         section(ui, state, "Transparency", &[Symbol::Kt, Symbol::Transmitted], transparency::transparency_ui);
         section(ui, state, "Lights", &[], lights::lights_ui);
-        section(ui, state, "Surroundings", &[Symbol::Shadows, Symbol::Bounce], surroundings::surroundings_ui);
+        section(ui, state, "Surroundings", &[Symbol::Shadows, Symbol::Bounce], |ui, state| {
+            surroundings::surroundings_ui(ui, state, engine);
+        });
         section(ui, state, "Shading", &[], shading::shading_ui);
         section(ui, state, "Object", &[], object::object_ui);
         section(ui, state, "Camera", &[], camera::camera_ui);

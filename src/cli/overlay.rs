@@ -104,7 +104,7 @@ fn telling_pixel(renderer: &mut Renderer, scene: &Scene) -> Probe {
         dx * dx + dy * dy
     };
     grid.sort_by_key(distance);
-    let mut best = (Telling::Nothing, Probe { pixel: middle, hit: None });
+    let mut best = (Telling::Nothing, Probe { pixel: middle, hit: None, ambient_fit: None });
     for [x, y] in grid {
         let probed = probe(renderer, scene, x, y);
         let telling = Telling::of(&probed);

@@ -54,6 +54,8 @@ enum Printed {
         ambient: Rgb,
         /// Whether `ambient` is light from other surfaces.
         bounced: bool,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        ambient_fit: Option<Rgb>,
         lights: Vec<PrintedLight>,
         reflected: Rgb,
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -101,7 +103,7 @@ struct PrintedLight {
 }
 
 impl From<Probe> for Printed {
-    fn from(Probe { pixel, hit }: Probe) -> Self {
+    fn from(Probe { pixel, hit, ambient_fit }: Probe) -> Self {
         let Some(hit) = hit else { return Self::Background { pixel, hit: false } };
         let ProbeHit { position, normal, view, depth, face, ambient, bounced, lights, reflected, sum, stored, .. } =
             hit;
@@ -116,6 +118,7 @@ impl From<Probe> for Printed {
             face,
             ambient,
             bounced,
+            ambient_fit,
             lights,
             reflected,
             transmission,

@@ -14,9 +14,9 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Directions from a point: rows times columns.
-const DIRECTIONS: [u32; 2] = [12, 12];
+const DIRECTIONS: [u32; 2] = [8, 8];
 /// Pixels between two points of the grid.
-const STEP: usize = 6;
+const STEP: usize = 10;
 /// Weights below this tell nothing; the pixel gathers for itself.
 const LEAST_WEIGHT: f32 = 0.02;
 

@@ -1,14 +1,16 @@
 //! What is about the object: shadows, the ground, the wall behind, and what the ambient light stands for.
 
 use super::material::PATTERNS;
-use crate::app::row::{About, NumberRow, Rail, choice, colour, number, toggle};
+use crate::app::engine::Engine;
+use crate::app::row::{About, NumberRow, Rail, choice, colour, number, row, toggle};
 use crate::app::state::AppState;
 use crate::app::symbol::{Lit, Symbol};
 use crate::scene::{Ambient, AmbientSource, Backdrop, GREATEST_LENGTH, Ground, Material, Pattern, PatternKind};
 use crate::scene::{Rgb, Scene, Shading};
-use eframe::egui::Ui;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Button, RichText, Ui, WidgetInfo};
 
-pub fn surroundings_ui(ui: &mut Ui, state: &mut AppState) {
+pub fn surroundings_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     let AppState { document, lit, .. } = state;
     let scene = &mut document.scene;
     let tip = "Whether what stands between a point and a light keeps the light away; the equation itself knows nothing of it.";
@@ -16,19 +18,23 @@ pub fn surroundings_ui(ui: &mut Ui, state: &mut AppState) {
     let about = About { label: "Shadows", tip, symbol: Some(Symbol::Shadows), idle, ..About::default() };
     toggle(ui, lit, &about, Shading::default().shadows, &mut scene.shading.shadows);
     ambient_ui(ui, lit, scene);
+    if scene.ambient.source != AmbientSource::Constant {
+        fit_ui(ui, lit, &mut scene.ambient.color, engine.report().ambient_fit);
+    }
     ground_ui(ui, lit, scene);
     backdrop_ui(ui, lit, &mut scene.backdrop);
 }
 
 fn ambient_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
-    let dark = (scene.material.ka == Rgb::ZERO).then_some("Ka is 0: the surface returns no ambient light");
+    let constant = scene.ambient.source == AmbientSource::Constant;
+    let dark = (scene.lights.is_empty()).then_some("There is no light that could be scattered");
     let about = About {
         letter: "Ia",
         label: "stands for",
         name: "Ambient source",
         tip: "What the light that comes from all sides is: the same everywhere, or what other surfaces have scattered once.",
         symbol: Some(Symbol::Bounce),
-        idle: dark.or((scene.ambient.color == Rgb::ZERO).then_some("Ia is black: there is no ambient light")),
+        idle: dark.filter(|_| constant),
         ..About::default()
     };
     let choices = [
@@ -37,6 +43,30 @@ fn ambient_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
         (AmbientSource::Split, "both, halved", "The constant in the left half of the picture, one bounce in the right"),
     ];
     choice(ui, lit, &about, Ambient::default().source, &choices, &mut scene.ambient.source);
+}
+
+/// The constant that stands best for the bounce that is drawn, and a way to take it.
+fn fit_ui(ui: &mut Ui, lit: &mut Lit, color: &mut Rgb, fit: Option<[f64; 3]>) {
+    let about = About {
+        letter: "Ia",
+        label: "fits best",
+        name: "Best ambient light",
+        tip: "The constant Ia whose ambient term differs least from the light that other surfaces really throw here: least squares over the picture. Red, green, blue.",
+        symbol: Some(Symbol::Ia),
+        idle: fit.is_none().then_some("Ka is 0 where light is scattered: no constant makes a difference"),
+        ..About::default()
+    };
+    row(ui, lit, &about, false, |ui| {
+        let Some(fit) = fit.map(Rgb::from_array) else { return };
+        let [r, g, b] = fit.to_array().map(|channel| format!("{channel:.3}"));
+        let taken = (*color - fit).abs().max_element() < 5e-4;
+        let button = ui.add_enabled(!taken, Button::new("take"));
+        button.widget_info(|| WidgetInfo::labeled(Role::Button, !taken, "Take the best ambient light"));
+        if button.on_hover_text("Makes it the constant Ia").clicked() {
+            *color = (fit * 1e3).round() / 1e3;
+        }
+        ui.label(RichText::new(format!("{r} {g} {b}")).monospace());
+    });
 }
 
 fn ground_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {

@@ -27,6 +27,10 @@ pub fn describe(probe: &Probe, scene: &Scene) -> String {
     }
     transmission(&mut text, scene, hit);
     sum(&mut text, scene, hit);
+    if let Some(fit) = probe.ambient_fit {
+        let [r, g, b] = fit.to_array().map(number);
+        let _ = writeln!(text, "\nthe constant Ia that stands best for the bounce in this picture: {r} {g} {b}");
+    }
     text
 }
 
