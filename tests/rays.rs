@@ -291,13 +291,17 @@ fn the_bounce_off_an_infinite_floor_is_its_view_factor() {
     scene.ambient.source = AmbientSource::Bounce;
     scene.lights = vec![Light { kind: LightKind::Directional, direction: DVec3::NEG_Y, ..Light::default() }];
     let mut renderer = Renderer::default();
-    let mut most: f64 = 0.0;
+    let (mut most, mut sum, mut count): (f64, f64, f64) = (0.0, 0.0, 0.0);
     for y in 20..90 {
         let Some(hit) = probe(&mut renderer, &scene, 48, y).hit else { continue };
         let expected = 0.8 * 0.5 * 0.5 * (1.0 - hit.normal.y);
-        most = most.max((hit.ambient.x - expected).abs());
+        let error = hit.ambient.x - expected;
+        most = most.max(error.abs());
+        sum += error;
+        count += 1.0;
     }
-    assert!(most < 0.012, "the greatest error is {most}");
+    // 64 directions a point and a few points a pixel: a hundredth of the share, and nothing on the whole.
+    assert!(most < 0.025 && (sum / count).abs() < 0.004, "the greatest error is {most}, the mean {}", sum / count);
 }
 
 #[test]
