@@ -15,8 +15,8 @@ use std::f64::consts::TAU;
 
 /// Directions from a point: rows times columns.
 const DIRECTIONS: [u32; 2] = [8, 8];
-/// Pixels between two points of the grid.
-const STEP: usize = 10;
+/// Points of the grid along the picture's longer side: light from other surfaces changes over the object, not over pixels.
+const POINTS: usize = 72;
 /// Weights below this tell nothing; the pixel gathers for itself.
 const LEAST_WEIGHT: f32 = 0.02;
 
@@ -53,15 +53,16 @@ impl Gathering<'_> {
             return Vec::new();
         }
         let height = receivers.len() / width;
-        let columns = width.div_ceil(STEP);
+        let step = (width.max(height) / POINTS).max(1);
+        let columns = width.div_ceil(step);
         let at = |receiver: &Receiver, salt: usize, scratch: &mut Vec<u64>| {
             self.at(world(receiver.place), receiver.normal.as_dvec3(), salt, scratch).min(Rgb::splat(1e36)).as_vec3()
         };
         let pick = |column: usize, row: usize| {
-            let (x, y) = ((column * STEP + STEP / 2).min(width - 1), (row * STEP + STEP / 2).min(height - 1));
+            let (x, y) = ((column * step + step / 2).min(width - 1), (row * step + step / 2).min(height - 1));
             receivers[y * width + x]
         };
-        let grid: Vec<(Receiver, Vec3)> = (0..height.div_ceil(STEP) * columns)
+        let grid: Vec<(Receiver, Vec3)> = (0..height.div_ceil(step) * columns)
             .into_par_iter()
             .map_init(Vec::new, |scratch, cell| {
                 let receiver = pick(cell % columns, cell / columns);
@@ -74,7 +75,7 @@ impl Gathering<'_> {
             for (x, light) in line.iter_mut().enumerate() {
                 let receiver = receivers[y * width + x];
                 if receiver.is_there() {
-                    let near = carried(&grid, columns, x, y, &receiver);
+                    let near = carried(&grid, [columns, step], [x, y], &receiver);
                     *light = near.unwrap_or_else(|| at(&receiver, y * width + x, scratch));
                 }
             }
@@ -116,14 +117,19 @@ impl Gathering<'_> {
 }
 
 /// The weighted mean of the grid's points about a pixel, if any of them lies on the same surface.
-fn carried(grid: &[(Receiver, Vec3)], columns: usize, x: usize, y: usize, receiver: &Receiver) -> Option<Vec3> {
+fn carried(
+    grid: &[(Receiver, Vec3)],
+    [columns, step]: [usize; 2],
+    [x, y]: [usize; 2],
+    receiver: &Receiver,
+) -> Option<Vec3> {
     let rows = grid.len() / columns;
-    let (column, row) = (x / STEP, y / STEP);
+    let (column, row) = (x / step, y / step);
     let (mut sum, mut weights) = (Vec3::ZERO, 0.0);
     for r in row.saturating_sub(2)..(row + 3).min(rows) {
         for c in column.saturating_sub(2)..(column + 3).min(columns) {
             let (other, light) = &grid[r * columns + c];
-            let weight = tent(c, x) * tent(r, y) * likeness(receiver, other);
+            let weight = tent(c, x, step) * tent(r, y, step) * likeness(receiver, other);
             sum += *light * weight;
             weights += weight;
         }
@@ -132,9 +138,9 @@ fn carried(grid: &[(Receiver, Vec3)], columns: usize, x: usize, y: usize, receiv
 }
 
 /// Falls from 1 at the cell's middle to 0 two and a half cells away.
-fn tent(cell: usize, pixel: usize) -> f32 {
-    let distance = (cell * STEP + STEP / 2) as f32 - pixel as f32;
-    (1.0 - distance.abs() / (2.5 * STEP as f32)).max(0.0)
+fn tent(cell: usize, pixel: usize, step: usize) -> f32 {
+    let distance = (cell * step + step / 2) as f32 - pixel as f32;
+    (1.0 - distance.abs() / (2.5 * step as f32)).max(0.0)
 }
 
 /// 1 for points in one plane, towards 0 where the normals or the planes part.
