@@ -1,7 +1,7 @@
 //! The true surfaces behind the polygons, met by rays in double precision.
 //!
 //! In: a ray. Out: the nearest point where it meets the surface itself, outline included, with the true normal. Every
-//! surface lies within [`BOUND`] of the world's origin, so a ray is first brought to unit direction and to its point
+//! surface lies within [`Surface::BOUND`] of the world's origin, so a ray is first brought to unit direction and to its point
 //! nearest the origin: the equations then see numbers about 1 however far away the eye is.
 
 mod patch_ray;
@@ -50,11 +50,11 @@ struct Meeting {
     normal: DVec3,
 }
 
-/// Radius of a sphere about the origin that holds every surface: √2 for the corners of the plane, a little more for
-/// rounding.
-const BOUND: f64 = 1.415;
-
 impl Surface {
+    /// Radius of a sphere about the origin that holds every surface: √2 for the corners of the plane, a little more for
+    /// rounding.
+    pub const BOUND: f64 = 1.415;
+
     /// The surface of `object`; none for a model from a file, which has no surface beyond its polygons.
     pub fn of(object: &Object) -> Option<Self> {
         (object.kind != ObjectKind::Obj).then_some(Self(object.kind))
@@ -70,7 +70,7 @@ impl Surface {
         let shift = -ray.origin.dot(direction);
         let origin = ray.origin + shift * direction;
         // Also false, and rightly, where any of it is not a number.
-        let comes_near = origin.length_squared() <= BOUND * BOUND;
+        let comes_near = origin.length_squared() <= Self::BOUND * Self::BOUND;
         if !comes_near {
             return None;
         }

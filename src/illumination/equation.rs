@@ -154,6 +154,11 @@ impl<T: Scalar> Equation<T> {
         (self.sources, self.starts) = (kept, starts);
     }
 
+    /// Lights of the scene, those without sources included.
+    pub fn light_count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
     /// The sources of one light of the scene.
     ///
     /// # Panics

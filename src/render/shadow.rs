@@ -2,7 +2,7 @@
 
 use super::solid::Solid;
 use crate::illumination::{Equation, Reached};
-use crate::scene::{Backfacing, Scene};
+use crate::scene::{Backfacing, Light, Scene};
 use glam::DVec3;
 
 /// What casts shadows, and for which sources.
@@ -14,12 +14,14 @@ pub(super) struct Shadows<'a> {
     /// The height of the floor, if it is there.
     pub ground: Option<f64>,
     pub flip: bool,
+    lights: &'a [Light],
 }
 
 impl<'a> Shadows<'a> {
-    pub fn new(scene: &Scene, solid: Solid<'a>, equation: &'a Equation<f64>) -> Self {
+    pub fn new(scene: &'a Scene, solid: Solid<'a>, equation: &'a Equation<f64>) -> Self {
         let ground = scene.ground.visible.then_some(scene.ground.height);
-        Self { solid, equation, ground, flip: scene.reflection.backfacing == Backfacing::Flip }
+        let flip = scene.reflection.backfacing == Backfacing::Flip;
+        Self { solid, equation, ground, flip, lights: &scene.lights }
     }
 
     /// Whether `source` reaches a site at `start`, world, with normal `n`. A source behind the surface reaches it as far as
@@ -31,16 +33,33 @@ impl<'a> Shadows<'a> {
             return true;
         }
         let start = start + n * self.solid.clearance().copysign(facing);
-        self.is_open(start, direction, t_max)
+        // A convex solid lies behind the tangent plane of each of its points.
+        let alone = self.solid.is_convex() && facing > 0.0;
+        !self.is_underground(start, direction, t_max) && (alone || !self.solid.blocks(start, direction, t_max))
+    }
+
+    fn is_underground(&self, start: DVec3, direction: DVec3, t_max: f64) -> bool {
+        self.ground.is_some_and(|height| {
+            let t = (height - start.y) / direction.y;
+            t > 0.0 && t < t_max
+        })
+    }
+
+    /// Whether nothing can stand between a point and a light of the scene: the object's ball does not come as near to the
+    /// way between them as the light's ball is wide.
+    pub fn is_clear_of(&self, light: usize, point: DVec3) -> bool {
+        let Some(light) = self.lights.get(light).filter(|light| light.kind.has_position()) else { return false };
+        let (centre, radius) = self.solid.ball();
+        let way = light.position - point;
+        let t = ((centre - point).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+        // False where any of it is not a number.
+        self.ground.is_none_or(|height| light.position.y - light.reach() > height)
+            && (point + way * t - centre).length() > (radius + light.reach()) * (1.0 + 1e-9)
     }
 
     /// Whether nothing stands between `start` and `start + t_max·direction`.
     pub fn is_open(&self, start: DVec3, direction: DVec3, t_max: f64) -> bool {
-        let under = self.ground.is_some_and(|height| {
-            let t = (height - start.y) / direction.y;
-            t > 0.0 && t < t_max
-        });
-        !under && !self.solid.blocks(start, direction, t_max)
+        !self.is_underground(start, direction, t_max) && !self.solid.blocks(start, direction, t_max)
     }
 
     /// Sets the bits of the sources that reach a site; `words` has one row of `stride` words a source.

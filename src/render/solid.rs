@@ -38,6 +38,19 @@ impl Solid<'_> {
         part * self.model.radius
     }
 
+    /// Whether no line leaves the object and enters it again.
+    pub fn is_convex(&self) -> bool {
+        self.model.closed && self.model.convex
+    }
+
+    /// A ball that holds the object: centre and radius, world.
+    pub fn ball(&self) -> (DVec3, f64) {
+        match self.surface {
+            Some(_) => (DVec3::ZERO, Surface::BOUND),
+            None => (self.model.origin, self.model.radius),
+        }
+    }
+
     /// Whether the object lies on the ray `origin + t·direction`, world, for 0 < t < `t_max`.
     pub fn blocks(&self, origin: DVec3, direction: DVec3, t_max: f64) -> bool {
         match self.surface {

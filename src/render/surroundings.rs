@@ -117,12 +117,15 @@ pub(super) fn lit(
 ) -> Rgb {
     let reached = shadows.map(|shadows| {
         scratch.clear();
-        scratch.extend((0..equation.sources.len()).map(|source| {
-            // Shadows know the object's sources; these are this surface's own.
-            let (direction, t_max) = equation.way_to(source, point);
-            let start = point + n * shadows.solid.clearance();
-            u64::from(n.dot(direction) <= 0.0 || shadows.is_open(start, direction, t_max))
-        }));
+        let start = point + n * shadows.solid.clearance();
+        for light in 0..equation.light_count() {
+            let clear = shadows.is_clear_of(light, point);
+            scratch.extend(equation.sources_of(light).map(|source| {
+                // Shadows know the object's sources; these are this surface's own.
+                let (direction, t_max) = equation.way_to(source, point);
+                u64::from(clear || n.dot(direction) <= 0.0 || shadows.is_open(start, direction, t_max))
+            }));
+        }
         scratch.push(0);
         Reached { words: scratch, stride: 1, first: 0 }
     });

@@ -138,6 +138,15 @@ impl Light {
         !self.mute && (self.solo || !soloing)
     }
 
+    /// Radius of a ball about its position that holds an area light, world units; 0 for other lights.
+    pub fn reach(&self) -> f64 {
+        match (self.kind, self.shape) {
+            (LightKind::Area, AreaShape::Rectangle) => 0.5 * self.extent[0].hypot(self.extent[1]),
+            (LightKind::Area, AreaShape::Sphere) => self.radius,
+            _ => 0.0,
+        }
+    }
+
     /// Points that the light is replaced by: 1, or an area light's samples.
     pub fn sample_count(&self) -> u32 {
         if self.kind == LightKind::Area { self.samples } else { 1 }
