@@ -1,5 +1,10 @@
 //! What a picture means in numbers.
 
+pub mod curves;
+mod lobe;
+mod plot;
 mod probe;
 
+pub use lobe::{ReflectionLobe, Response};
+pub use plot::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Tag};
 pub use probe::{LightTerms, Probe, ProbeHit, probe};

@@ -5,6 +5,7 @@
 
 mod bench;
 mod check;
+mod curves;
 mod failure;
 mod input;
 mod output;
@@ -12,6 +13,7 @@ mod overlay;
 mod probe;
 mod render;
 mod scenes;
+mod telling;
 mod window;
 
 use clap::{Parser, Subcommand};
@@ -38,6 +40,10 @@ enum Command {
     Render(render::Render),
     /// Fill in the equation at one pixel.
     Probe(probe::ProbeCommand),
+    /// Plot the curves of local illumination: f(d), the family of powers of a cosine, W(θ), and the lobe at one pixel.
+    ///
+    /// Without a file it prints what the plots say in words and numbers.
+    Curves(curves::Curves),
     /// List the built-in scenes.
     Scenes(scenes::Scenes),
     /// Read a scene, a model or a picture, and say what is wrong with it.
@@ -67,6 +73,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         }
         Some(Command::Render(render)) => render.run(&scene.set),
         Some(Command::Probe(probe)) => probe.run(&scene.set),
+        Some(Command::Curves(curves)) => curves.run(&scene.set),
         Some(Command::Check(check)) => check.run(&scene.set),
         Some(Command::Bench(bench)) => bench.run(&scene.set),
         Some(Command::Scenes(scenes)) if scene.set.is_empty() => scenes.run(),
