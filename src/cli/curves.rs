@@ -16,8 +16,8 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tiny_skia::Pixmap;
 
-/// Pixels of a figure of one plot and of several, unless another size is asked for.
-const SIZES: [[u32; 2]; 2] = [[1280, 800], [1920, 1280]];
+/// Pixels of a figure of one plot, of two and of more, unless another size is asked for.
+const SIZES: [[u32; 2]; 3] = [[1280, 800], [1920, 760], [1920, 1280]];
 
 #[derive(Args)]
 pub struct Curves {
@@ -143,7 +143,7 @@ impl Curves {
         if ending(path) == "csv" {
             return write_text(path, &rows(plots));
         }
-        let [width, height] = self.size.unwrap_or(SIZES[usize::from(plots.len() > 1)]);
+        let [width, height] = self.size.unwrap_or(SIZES[plots.len().clamp(1, 3) - 1]);
         let paper = if self.dark { Paper::DARK } else { Paper::LIGHT };
         let style = PlotStyle::of([width, height], plots.len(), paper);
         let drawing = lay_out_sheet(plots, DVec2::new(width.into(), height.into()), &style);

@@ -21,9 +21,6 @@ use glam::DVec2;
 use legend::Legend;
 use paper::dashes;
 
-/// Plots side by side wrap into two columns from this many on, or where the room is wide enough for them.
-const GRID_FROM: usize = 3;
-
 /// Lays `plot` out in a room of `size` (width, height).
 pub fn lay_out(plot: &Plot, size: DVec2, style: &PlotStyle) -> Drawing {
     let mut drawing = Drawing::new(size, &style.paper);
@@ -34,16 +31,25 @@ pub fn lay_out(plot: &Plot, size: DVec2, style: &PlotStyle) -> Drawing {
 /// Lays several plots out on one sheet of `size`, in their order.
 pub fn lay_out_sheet(plots: &[Plot], size: DVec2, style: &PlotStyle) -> Drawing {
     let mut drawing = Drawing::new(size, &style.paper);
-    let columns = if plots.len() >= GRID_FROM || (plots.len() > 1 && size.x > size.y) { 2 } else { 1 };
-    let rows = plots.len().div_ceil(columns).max(1);
-    #[expect(clippy::cast_precision_loss, reason = "a sheet has few plots")]
-    let cell = size / DVec2::new(columns as f64, rows as f64);
-    for (index, plot) in plots.iter().enumerate() {
-        #[expect(clippy::cast_precision_loss, reason = "a sheet has few plots")]
-        let min = cell * DVec2::new((index % columns) as f64, (index / columns) as f64);
+    let grid = grid(plots.len(), size.x > size.y);
+    let cell = size / grid;
+    for (index, plot) in (0u32..).zip(plots) {
+        let index = f64::from(index);
+        let min = cell * DVec2::new(index % grid.x, (index / grid.x).floor());
         fill(&mut drawing, plot, Area { min, max: min + cell }, style);
     }
     drawing
+}
+
+/// Columns and rows of a sheet of so many plots: two side by side where it is wide, and in any case from three on.
+fn grid(plots: usize, wide: bool) -> DVec2 {
+    match plots {
+        0 | 1 => DVec2::ONE,
+        2 if wide => DVec2::new(2.0, 1.0),
+        2 => DVec2::new(1.0, 2.0),
+        #[expect(clippy::cast_precision_loss, reason = "a sheet has few plots")]
+        _ => DVec2::new(2.0, plots.div_ceil(2) as f64),
+    }
 }
 
 fn fill(drawing: &mut Drawing, plot: &Plot, room: Area, style: &PlotStyle) {

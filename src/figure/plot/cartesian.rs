@@ -12,6 +12,8 @@ const HEADROOM: f64 = 1.05;
 const ROW: f64 = 1.35;
 /// Least room for the curves, in ems.
 const LEAST: f64 = 3.0;
+/// Least width of a plot whose curves carry names, in ems.
+const TAGGED: f64 = 18.0;
 /// Samples nearer to the last one drawn than this are left out.
 const THINNER: f64 = 0.4;
 /// Of the lines that mark values of x, in widths.
@@ -114,7 +116,8 @@ fn draw_curve(drawing: &mut Drawing, curve: &Curve, frame: &Frame, area: &Area, 
         let line = Shape::line(thinned(&run), style.curve(curve.emphasised), colour);
         drawing.shapes.push(line.dashed(dashes(curve.dash)));
     }
-    if let Some(tag) = &curve.tag {
+    let roomy = area.max.x - area.min.x >= TAGGED * style.text;
+    if let Some(tag) = curve.tag.as_ref().filter(|_| roomy) {
         let at = frame.place(tag.at) + DVec2::new(-0.3, 0.3) * style.text;
         drawing.texts.push(Text::new(&tag.text, at, 0.92 * style.text, style.paper.letters(curve.ink)).aligned(1.0));
     }

@@ -1,7 +1,9 @@
 //! The paper a plot is drawn on: its greys, the colours of curves on it, and their dashes.
 
+use super::grid;
 use crate::analysis::{Dash, Ink};
 use crate::figure::palette::{Rgb8, Vector, readable};
+use glam::DVec2;
 
 /// Contrast that WCAG 2.2 asks of lines (1.4.11) and of text (1.4.3).
 const CONTRAST: [f64; 2] = [3.0, 4.5];
@@ -60,11 +62,10 @@ pub struct PlotStyle {
 }
 
 impl PlotStyle {
-    /// The style of a figure of `size`, for one that fills a screen or a page.
+    /// The style of a sheet of `size` that holds so many plots, for one that fills a screen or a page.
     pub fn of(size: [u32; 2], plots: usize, paper: Paper) -> Self {
-        let [width, height] = size.map(f64::from);
-        let parts = if plots > 1 { 2.0 } else { 1.0 };
-        let text = (width / (38.0 * parts)).min(height / (27.0 * parts)).max(7.0);
+        let room = DVec2::from_array(size.map(f64::from)) / grid(plots, size[0] > size[1]);
+        let text = (room.x / 38.0).min(room.y / 27.0).max(7.0);
         Self { paper, text, titled: true }
     }
 
