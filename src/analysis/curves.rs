@@ -52,7 +52,7 @@ fn effective(light: &Light) -> Attenuation {
 }
 
 /// A number with three significant digits, a true minus sign, and no more zeros than it needs.
-fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     let size = value.abs();
     let text = if value == 0.0 {
         "0".to_owned()

@@ -1,12 +1,15 @@
 //! The lobe of reflection: what a point sends to every side from one light.
 
 use super::ProbeHit;
-use crate::illumination::{Equation, FormTask, Site, Source, Specular, V3};
+use crate::illumination::{Equation, FormTask, LightResponse, Site, Source, Specular, V3};
 use crate::scene::{Backfacing, Light, LightKind, Rgb, Scene};
 use glam::DVec3;
 
 /// Rec. 709 luminance of linear red, green and blue.
 const LUMINANCE: Rgb = Rgb::new(0.2126, 0.7152, 0.0722);
+
+/// Below this sine an angle's plane is lost to rounding, and a length that differs less from 1 is 1.
+const UPRIGHT: f64 = 1e-9;
 
 /// What a viewer in one direction sees of a light's reflection, as luminance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,11 +71,13 @@ impl ReflectionLobe {
             lobe.n = -lobe.n;
         }
         let cosine = lobe.n.dot(lobe.l);
-        lobe.r = (2.0 * cosine * lobe.n - lobe.l).try_normalize()?;
-        let aside = |vector: DVec3| (vector - lobe.n * vector.dot(lobe.n)).try_normalize();
+        lobe.r = mirrored(hit.normal, lobe.l)?;
         // A light straight above has every plane for its plane of incidence; the viewer's is as good as any.
-        let level = (1.0 - cosine) < 1e-12;
-        let away = if level { aside(lobe.v) } else { aside(-lobe.l) };
+        let aside = |vector: DVec3| {
+            let level = vector - lobe.n * vector.dot(lobe.n);
+            (level.length() > UPRIGHT).then(|| level.normalize())
+        };
+        let away = aside(-lobe.l).or_else(|| aside(lobe.v));
         lobe.across = away.unwrap_or_else(|| lobe.n.any_orthonormal_vector());
         (cosine > 0.0 && lobe.l.is_finite()).then_some(lobe)
     }
@@ -105,9 +110,17 @@ impl ReflectionLobe {
         response
     }
 
-    fn respond(&self, source: &Source<f64>) -> crate::illumination::LightResponse<f64> {
+    fn respond(&self, source: &Source<f64>) -> LightResponse<f64> {
         self.equation.form().dispatch(Respond { equation: &self.equation, source, site: &self.site })
     }
+}
+
+/// R by the equation's own operations, so that a mirror, which sends light nowhere else, is met to the last digit.
+fn mirrored(n: DVec3, l: DVec3) -> Option<DVec3> {
+    let (n, l) = (V3::from(n), V3::from(l));
+    let r = DVec3::from(n.scale_add(2.0 * n.dot(l), -l));
+    // A normal that is not of unit length does not mirror.
+    if (r.length() - 1.0).abs() < UPRIGHT { Some(r) } else { r.try_normalize() }
 }
 
 struct Respond<'a> {
@@ -117,7 +130,7 @@ struct Respond<'a> {
 }
 
 impl FormTask for Respond<'_> {
-    type Output = crate::illumination::LightResponse<f64>;
+    type Output = LightResponse<f64>;
 
     fn run<F: Specular>(self, _: F) -> Self::Output {
         self.equation.respond::<f64, F>(self.source, self.site)

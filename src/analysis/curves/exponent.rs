@@ -154,5 +154,5 @@ fn grid(exponents: &[f64]) -> Vec<f64> {
     }
     half.sort_by(f64::total_cmp);
     half.dedup();
-    half.iter().rev().map(|phi| -phi).chain(half.iter().copied().filter(|phi| *phi > 0.0)).collect()
+    half.iter().rev().filter(|phi| **phi > 0.0).map(|phi| -phi).chain(half.iter().copied()).collect()
 }

@@ -13,7 +13,7 @@ const ROW: f64 = 1.35;
 /// Least room for the curves, in ems.
 const LEAST: f64 = 3.0;
 /// Least width of a plot whose curves carry names, in ems.
-const TAGGED: f64 = 18.0;
+const TAGGED: f64 = 20.0;
 /// Samples nearer to the last one drawn than this are left out.
 const THINNER: f64 = 0.4;
 /// Of the lines that mark values of x, in widths.

@@ -14,7 +14,7 @@ const HALO: f64 = 0.14;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     pub points: Vec<DVec2>,
-    /// Whether the area within is filled; its edge is then not drawn.
+    /// Whether the area within is filled; its edge is then not drawn. Every point of an area is seen from its first one.
     pub fill: bool,
     /// Width of the line.
     pub width: f64,
@@ -63,8 +63,13 @@ pub struct Text {
 
 impl Text {
     /// Text that begins at `at`.
-    pub(super) fn new(text: impl Into<String>, at: DVec2, size: f64, colour: Rgb8) -> Self {
+    pub fn new(text: impl Into<String>, at: DVec2, size: f64, colour: Rgb8) -> Self {
         Self { text: text.into(), at, align: 0.0, size, colour, strong: false }
+    }
+
+    /// Its width.
+    pub fn width(&self) -> f64 {
+        width_of(&self.text, self.size)
     }
 
     /// The same with its middle (0.5) or its end (1) there.

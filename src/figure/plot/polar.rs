@@ -83,8 +83,8 @@ fn lobe(drawing: &mut Drawing, plot: &Plot, frame: &Frame, style: &PlotStyle) {
         let colour = style.paper.line(curve.ink);
         let line = Shape::line(places.clone(), style.curve(curve.emphasised), colour).dashed(dashes(curve.dash));
         if curve.emphasised {
-            let opacity = OPAQUE[0];
-            drawing.shapes.push(Shape { opacity, ..Shape::area(places, colour) });
+            let area = std::iter::once(frame.place([0.0, 0.0])).chain(places).collect();
+            drawing.shapes.push(Shape { opacity: OPAQUE[0], ..Shape::area(area, colour) });
         }
         drawing.shapes.push(line);
     }
