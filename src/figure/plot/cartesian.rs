@@ -107,7 +107,7 @@ fn mark_line(drawing: &mut Drawing, mark: &Mark, label: DVec2, foot: DVec2, styl
     let ends = vec![foot, DVec2::new(foot.x, label.y + 0.25 * style.text)];
     drawing.shapes.push(Shape::line(ends, style.axis(), colour).dashed(MARK_DASHES));
     let text = Text::new(&mark.label, label, style.text, colour);
-    drawing.texts.push(Text { strong: mark.probe, ..text });
+    drawing.texts.push(Text { strong: mark.probe, halo: true, ..text });
 }
 
 fn draw_curve(drawing: &mut Drawing, curve: &Curve, frame: &Frame, area: &Area, style: &PlotStyle) {
@@ -119,7 +119,8 @@ fn draw_curve(drawing: &mut Drawing, curve: &Curve, frame: &Frame, area: &Area, 
     let roomy = area.max.x - area.min.x >= TAGGED * style.text;
     if let Some(tag) = curve.tag.as_ref().filter(|_| roomy) {
         let at = frame.place(tag.at) + DVec2::new(-0.3, 0.3) * style.text;
-        drawing.texts.push(Text::new(&tag.text, at, 0.92 * style.text, style.paper.letters(curve.ink)).aligned(1.0));
+        let text = Text::new(&tag.text, at, 0.92 * style.text, style.paper.letters(curve.ink));
+        drawing.texts.push(Text { halo: true, ..text }.aligned(1.0));
     }
 }
 

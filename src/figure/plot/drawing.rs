@@ -8,7 +8,7 @@ use glam::DVec2;
 use tiny_skia::{Color, PixmapMut};
 
 /// Letters are set off from what they cross by so much, in their size.
-const HALO: f64 = 0.14;
+pub(super) const HALO: f64 = 0.14;
 
 /// A line or an area.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,12 +59,14 @@ pub struct Text {
     pub size: f64,
     pub colour: Rgb8,
     pub strong: bool,
+    /// Whether it may stand on lines and is to be set off from them.
+    pub halo: bool,
 }
 
 impl Text {
     /// Text that begins at `at`.
     pub fn new(text: impl Into<String>, at: DVec2, size: f64, colour: Rgb8) -> Self {
-        Self { text: text.into(), at, align: 0.0, size, colour, strong: false }
+        Self { text: text.into(), at, align: 0.0, size, colour, strong: false, halo: false }
     }
 
     /// Its width.
@@ -172,7 +174,7 @@ impl Drawing {
         for text in &self.texts {
             let lettering = Lettering::new(&text.text, text.size);
             let origin = text.at - DVec2::new(text.align * lettering.width, 0.0);
-            ink.breadth = HALO * text.size;
+            ink.breadth = if text.halo { HALO * text.size } else { 0.0 };
             ink.line_of_text(&lettering, text.size, origin, text.colour);
         }
     }

@@ -118,5 +118,5 @@ fn arrow(
     let middle = tip - along * 0.5 * em + aside * 0.85 * em;
     let letter =
         Text::new(direction.letter, middle + DVec2::new(0.0, 0.36 * em), 1.1 * em, style.paper.letters(direction.ink));
-    drawing.texts.push(Text { strong: true, ..letter }.aligned(0.5));
+    drawing.texts.push(Text { strong: true, halo: true, ..letter }.aligned(0.5));
 }

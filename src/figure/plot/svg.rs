@@ -1,6 +1,6 @@
 //! A drawing as SVG: lines stay lines and text stays text, so that both can be edited and searched.
 
-use super::drawing::{Drawing, Shape, Text};
+use super::drawing::{Drawing, HALO, Shape, Text};
 use crate::figure::palette::Rgb8;
 use crate::figure::text::Set;
 use std::fmt::Write;
@@ -16,17 +16,19 @@ impl Drawing {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" role=\"img\">\n<title>{}</title>\n\
              <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n\
-             <g stroke-linejoin=\"round\">\n",
+             <g stroke-linejoin=\"round\" stroke=\"none\">\n",
             escaped(title),
             hex(self.ground)
         );
         for shape in &self.shapes {
             write_shape(&mut svg, shape);
         }
-        let halo = hex(self.ground);
-        let _ = writeln!(svg, "</g>\n<g font-family=\"{FONTS}\" paint-order=\"stroke\" stroke=\"{halo}\">");
+        let _ = writeln!(svg, "</g>\n<g font-family=\"{FONTS}\" stroke=\"none\">");
         for text in &self.texts {
-            write_text(&mut svg, text);
+            if text.halo {
+                write_text(&mut svg, text, Some(self.ground));
+            }
+            write_text(&mut svg, text, None);
         }
         svg.push_str("</g>\n</svg>\n");
         svg
@@ -39,10 +41,9 @@ fn write_shape(svg: &mut String, shape: &Shape) {
         let _ = write!(points, "{}{},{}", if points.is_empty() { "" } else { " " }, brief(point.x), brief(point.y));
     }
     let colour = hex(shape.colour);
-    let opacity =
-        |name: &str| if shape.opacity < 1.0 { format!(" {name}=\"{}\"", shape.opacity) } else { String::new() };
+    let opacity = if shape.opacity < 1.0 { format!(" opacity=\"{}\"", shape.opacity) } else { String::new() };
     let _ = if shape.fill {
-        writeln!(svg, "<polygon points=\"{points}\" fill=\"{colour}\"{}/>", opacity("fill-opacity"))
+        writeln!(svg, "<polygon points=\"{points}\" fill=\"{colour}\"{}/>", opacity)
     } else {
         let lengths: Vec<String> = shape.dashes.iter().map(|dash| brief(f64::from(*dash) * shape.width)).collect();
         let dashes = match lengths.as_slice() {
@@ -53,12 +54,14 @@ fn write_shape(svg: &mut String, shape: &Shape) {
         writeln!(
             svg,
             "<polyline points=\"{points}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"{dashes}{}/>",
-            opacity("stroke-opacity")
+            opacity
         )
     };
 }
 
-fn write_text(svg: &mut String, text: &Text) {
+/// Writes a line of text, or its halo of a colour: a text of its own below it, since not every program paints the stroke
+/// of a text before its filling.
+fn write_text(svg: &mut String, text: &Text, halo: Option<Rgb8>) {
     let anchor = if text.align > 0.75 {
         " text-anchor=\"end\""
     } else if text.align > 0.25 {
@@ -67,13 +70,18 @@ fn write_text(svg: &mut String, text: &Text) {
         ""
     };
     let weight = if text.strong { " font-weight=\"500\"" } else { "" };
-    let (x, y, size, colour) = (brief(text.at.x), brief(text.at.y), brief(text.size), hex(text.colour));
-    let halo = brief(0.2 * text.size);
+    let (x, y, size) = (brief(text.at.x), brief(text.at.y), brief(text.size));
+    let paint = match halo.map(hex) {
+        None => format!("fill=\"{}\"", hex(text.colour)),
+        Some(colour) => {
+            let width = brief(2.0 * HALO * text.size);
+            format!("aria-hidden=\"true\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"{width}\"")
+        }
+    };
+    let words = lettered(&text.text, text.size);
     let _ = writeln!(
         svg,
-        "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{colour}\" stroke-width=\"{halo}\"{anchor}{weight} \
-         xml:space=\"preserve\">{}</text>",
-        lettered(&text.text, text.size)
+        "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" {paint}{anchor}{weight} xml:space=\"preserve\">{words}</text>"
     );
 }
 
