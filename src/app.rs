@@ -5,6 +5,7 @@
 
 mod action;
 mod controls;
+mod curves;
 mod dialog;
 mod document;
 mod engine;
@@ -29,13 +30,14 @@ mod theme;
 
 pub use document::{Document, Origin};
 pub use start::{AppError, run};
-pub use state::{AppState, Look, OverlayLook, ProbePoint};
+pub use state::{AppState, Look, NumbersTab, OverlayLook, ProbePoint};
 
 use crate::document::Loaded;
 use crate::figure::draw_overlay;
 use crate::render::Frame;
 use crate::scene::presets;
 use action::{Action, Shown};
+use curves::Curves;
 use dialog::{Dialog, ExportForm};
 use eframe::egui::{CentralPanel, ColorImage, Context, Frame as Margins, Panel, Ui, ViewportCommand};
 use engine::Engine;
@@ -49,6 +51,7 @@ const STORAGE_KEY: &str = "look";
 pub struct App {
     state: AppState,
     engine: Engine,
+    curves: Curves,
     files: Files,
     size: [u32; 2],
     title: String,
@@ -62,7 +65,14 @@ impl App {
             cc.storage.and_then(|storage| eframe::get_value(storage, STORAGE_KEY)).unwrap_or_default();
         state.open(Document::from(loaded));
         state.history = History::new(state.document.clone());
-        Self { state, engine: Engine::default(), files: Files::default(), size: [1, 1], title: String::new() }
+        Self {
+            state,
+            engine: Engine::default(),
+            curves: Curves::default(),
+            files: Files::default(),
+            size: [1, 1],
+            title: String::new(),
+        }
     }
 
     /// The picture as last drawn.
@@ -76,7 +86,7 @@ impl App {
     }
 
     fn panels(&mut self, ui: &mut Ui) {
-        let Self { state, engine, .. } = self;
+        let Self { state, engine, curves, .. } = self;
         if !state.picture_alone {
             Panel::top("menus").show(ui, |ui| menus::menus_ui(ui, state));
             if state.look.stages {
@@ -88,7 +98,7 @@ impl App {
             }
             if state.look.numbers {
                 let panel = Panel::right("numbers").resizable(true).default_size(322.0).min_size(280.0);
-                panel.show(ui, |ui| numbers::numbers_ui(ui, state, engine));
+                panel.show(ui, |ui| numbers::numbers_ui(ui, state, engine, curves));
             }
         }
         let shown = CentralPanel::default().frame(Margins::NONE).show(ui, |ui| picture::picture_ui(ui, state, engine));

@@ -6,6 +6,7 @@
 mod bench;
 mod check;
 mod code;
+mod curves;
 mod failure;
 mod input;
 mod materials;
@@ -14,6 +15,7 @@ mod overlay;
 mod probe;
 mod render;
 mod scenes;
+mod telling;
 mod window;
 
 use clap::{Parser, Subcommand};
@@ -42,6 +44,10 @@ enum Command {
     Probe(probe::ProbeCommand),
     /// Write a scene as OpenGL calls or as GLSL shaders, to copy; what they cannot express is told on stderr.
     Code(code::Code),
+    /// Plot the curves of local illumination: f(d), the family of powers of a cosine, W(θ), and the lobe at one pixel.
+    ///
+    /// Without a file it prints what the plots say in words and numbers.
+    Curves(curves::Curves),
     /// List the built-in scenes.
     Scenes(scenes::Scenes),
     /// List the named materials of the OpenGL tradition, for --material.
@@ -75,6 +81,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Render(render)) => render.run(&earlier),
         Some(Command::Probe(probe)) => probe.run(&earlier),
         Some(Command::Code(code)) => code.run(&earlier),
+        Some(Command::Curves(curves)) => curves.run(&earlier),
         Some(Command::Check(check)) => check.run(&earlier),
         Some(Command::Bench(bench)) => bench.run(&earlier),
         Some(Command::Scenes(_)) if !earlier.is_empty() => {

@@ -513,3 +513,73 @@ fn an_output_that_nobody_reads_is_no_failure() {
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
     assert_eq!(output.status.code(), Some(0));
 }
+
+#[test]
+fn curves_are_drawn_written_and_told() {
+    let folder = Folder::new("curves");
+    let attenuated = ["attenuation", "--set", "image.size=[120,120]", "--set", "material.reflectance=glass"];
+    let with = |more: &[&'static str]| [&["curves"], &attenuated[..], more].concat();
+    folder.prints(&with(&["-o", "all.png", "--size", "640x400", "--dark"]));
+    assert_eq!(size_of(&folder.0.join("all.png")), (640, 400));
+    assert!(pixels_of(&folder.0.join("all.png")).iter().any(|code| *code > 200), "light lines on a dark ground");
+    folder.prints(&with(&["--kind", "lobe", "-o", "lobe.svg", "--csv", "lobe.csv"]));
+    let svg = fs::read_to_string(folder.0.join("lobe.svg")).expect("a figure");
+    assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>") && svg.contains("diffuse + specular"));
+    let csv = fs::read_to_string(folder.0.join("lobe.csv")).expect("a table");
+    assert!(csv.starts_with("plot,curve,x,y\nlobe,diffuse + specular,-90,") && csv.lines().count() > 500);
+    assert!(csv.lines().all(|line| line.split(',').count() == 4));
+    folder.prints(&with(&["--kind", "exponent", "-o", "family.csv"]));
+    let csv = fs::read_to_string(folder.0.join("family.csv")).expect("a table");
+    assert!(csv.contains("exponent,n = 1005,0,1\n") && csv.contains("exponent,n = 20,0,1\n"));
+    let told = folder.prints(&with(&[]));
+    assert!(told.contains("half-width") && told.contains("farthest: f(") && told.contains("W(80°)"), "{told}");
+    assert_eq!(folder.names(), ["all.png", "family.csv", "lobe.csv", "lobe.svg"]);
+}
+
+#[test]
+fn curves_are_the_probes_own() {
+    let folder = Folder::new("curves-json");
+    let at = ["attenuation", "--set", "image.size=[120,120]", "--pixel", "70,50", "--json"];
+    let curves = folder.json(&[&["curves"], &at[..]].concat());
+    let probe = folder.json(&[&["probe"], &at[..]].concat());
+    assert_eq!(curves["pixel"], probe["pixel"]);
+    let kinds: Vec<_> = curves["plots"].as_array().expect("plots").iter().map(|plot| plot["kind"].clone()).collect();
+    assert_eq!(kinds, ["attenuation", "exponent", "lobe"]);
+    let marks = curves["plots"][0]["marks"].as_array().expect("marks");
+    let mark = marks.iter().find(|mark| mark["probe"] == true).expect("the probe's");
+    let (f, expected) = (mark["values"][0][1].as_f64(), probe["lights"][0]["attenuation"].as_f64());
+    assert!((f.expect("f") - expected.expect("f")).abs() < 1e-9, "{f:?} {expected:?}");
+}
+
+#[test]
+fn curves_that_cannot_be_are_refused() {
+    let folder = Folder::new("curves-refused");
+    folder.refuses(&["curves", "sphere", "-o", "curves.gif"], ".png, .svg or .csv");
+    folder.refuses(&["curves", "sphere", "--kind", "shadow"], "possible values");
+    folder.fails(
+        &["curves", "sphere", "--light", "1"],
+        2,
+        &["error: --light 1: no such light in the scene, which has 0 to 0"],
+    );
+    folder.fails(
+        &["curves", "sphere", "--pixel", "768,0"],
+        2,
+        &["error: --pixel 768,0: outside the picture, expected 0,0 to 767,767"],
+    );
+    folder.fails(
+        &["curves", "sphere", "--kind", "lobe", "--pixel", "0,0", "-o", "lobe.png"],
+        2,
+        &["error: pixel 0,0 shows the background, expected one that shows the object"],
+    );
+    folder.fails(
+        &["curves", "sphere", "--kind", "attenuation", "--set", "light=[]"],
+        2,
+        &["error: the scene has no light, expected one"],
+    );
+    folder.fails(
+        &["curves", "sphere", "--kind", "lobe", "--set", "light.0.position=[0,0,-5]", "--pixel", "380,380"],
+        2,
+        &["error: light 0 does not reach pixel 380,380 from the front, expected one that does"],
+    );
+    assert!(folder.names().is_empty());
+}

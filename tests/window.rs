@@ -4,9 +4,11 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use shading_lab::app::App;
+use shading_lab::app::{App, NumbersTab};
 use shading_lab::document::load;
-use shading_lab::scene::{Distribution, LightKind, PatternKind, ReflectionModel, Rgb, Scene, ShadingMode};
+use shading_lab::scene::{
+    Distribution, LightKind, PatternKind, Reflectance, ReflectionModel, Rgb, Scene, ShadingMode, presets,
+};
 use std::path::Path;
 
 fn window(scene: &str) -> Harness<'static, App> {
@@ -474,4 +476,61 @@ fn a_spot_lights_arrow_is_dragged() {
     drag(&mut harness, middle - vec2(0.0, 150.0), middle - vec2(50.0, 150.0));
     assert_eq!(scene(&harness).lights, before.lights);
     assert!(scene(&harness).camera != before.camera);
+}
+
+#[test]
+fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
+    let mut harness = window("attenuation");
+    let titles =
+        ["A light weakens with distance", "The highlight falls with φ", "What the point reflects to every side"];
+    assert!(harness.query_by_role_and_label(Role::Tab, "Equation").is_some());
+    assert!(harness.query_by_label(titles[1]).is_none(), "the equation is shown first");
+    harness.get_by_role_and_label(Role::Tab, "Curves").click_accesskit();
+    harness.run();
+    assert_eq!(harness.state().state().look.tab, NumbersTab::Curves);
+    for title in titles {
+        assert!(harness.query_by_label(title).is_some(), "{title}");
+    }
+    assert!(harness.query_by_label("What gold reflects by angle").is_none(), "W is constant");
+    let described = |harness: &Harness<'_, App>| {
+        let plot = harness
+            .get_by(|node| node.role() == Role::Image && node.label().is_some_and(|label| label.contains("(R·V)ⁿ")));
+        plot.accesskit_node().label().unwrap_or_default()
+    };
+    let before = described(&harness);
+    assert!(before.contains("probe: φ ="), "{before}");
+    harness.get_by_role_and_label(Role::Slider, "n").set_value_accesskit(3.0);
+    harness.run();
+    assert!(described(&harness) != before, "the probe's value follows n");
+    harness.key_press(Key::C);
+    harness.run();
+    assert!(harness.query_by_label(titles[1]).is_none());
+}
+
+#[test]
+fn a_curve_is_read_under_the_pointer_without_a_missing_letter() {
+    let folder = std::env::temp_dir().join(format!("shading-lab-curves-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder for the test");
+    let path = folder.join("gold.toml");
+    let mut gold = (presets::find("attenuation").expect("a built-in scene").build)();
+    gold.material.reflectance = Reflectance::Gold;
+    std::fs::write(&path, gold.to_toml()).expect("a file for the test");
+    let mut harness = window(&path.display().to_string());
+    std::fs::remove_dir_all(&folder).expect("the test's own folder");
+    for key in [Key::C, Key::B] {
+        harness.key_press(key);
+        harness.run();
+    }
+    assert!(harness.state().state().look.overlay.lobe);
+    let plots: Vec<_> = harness
+        .query_all_by(|node| node.role() == Role::Image && node.label().is_some_and(|label| label.contains("; ")))
+        .map(|node| node.rect())
+        .collect();
+    assert_eq!(plots.len(), 4, "f, the family, W and the lobe");
+    for rect in plots {
+        for share in [0.3, 0.6] {
+            harness.hover_at(rect.min + rect.size() * share);
+            harness.run();
+        }
+    }
 }

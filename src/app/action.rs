@@ -2,7 +2,7 @@
 
 use super::document::Document;
 use super::orbit;
-use super::state::AppState;
+use super::state::{AppState, NumbersTab};
 use super::theme::{PROJECTOR_TEXT, SCALES, TEXT, ThemeChoice};
 use crate::scene::{Camera, Light, ShadingMode};
 use std::path::PathBuf;
@@ -41,6 +41,8 @@ pub enum Action {
     /// Multiplies the distance from the target.
     Zoom(f64),
     Show(Shown),
+    /// The other tab of the panel of numbers, which opens if it is closed.
+    SwitchTab,
     Theme(ThemeChoice),
     Larger,
     Smaller,
@@ -62,6 +64,7 @@ pub enum Shown {
     Angles,
     Construction,
     SideView,
+    Lobe,
     HalfVector,
     Handles,
 }
@@ -95,6 +98,11 @@ impl AppState {
                 let flag = self.flag(shown);
                 *flag = !*flag;
             }
+            Action::SwitchTab => {
+                let other = if self.look.tab == NumbersTab::Curves { NumbersTab::Equation } else { NumbersTab::Curves };
+                self.look.tab = if self.look.numbers { other } else { NumbersTab::Curves };
+                self.look.numbers = true;
+            }
             Action::Theme(theme) => self.look.theme = theme,
             Action::Larger => self.look.scale = *SCALES.iter().find(|s| **s > self.look.scale + 0.01).unwrap_or(&2.5),
             Action::Smaller => {
@@ -125,6 +133,7 @@ impl AppState {
             Shown::Angles => &mut look.overlay.angles,
             Shown::Construction => &mut look.overlay.construction,
             Shown::SideView => &mut look.overlay.side_view,
+            Shown::Lobe => &mut look.overlay.lobe,
             Shown::HalfVector => &mut look.overlay.half_vector,
             Shown::Handles => &mut look.overlay.handles,
         }

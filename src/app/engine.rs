@@ -1,7 +1,7 @@
 //! The engine behind the window: draws the scene, probes it, and keeps both as textures until something changes.
 
 use super::state::{AppState, OverlayLook};
-use crate::analysis::{Probe, probe};
+use crate::analysis::{Plot, Probe, curves, probe};
 use crate::figure::{Halo, OverlayLayer, OverlayOptions, draw_overlay};
 use crate::geometry::Mesh;
 use crate::render::{Frame, Plan, Renderer, Report};
@@ -19,6 +19,7 @@ pub struct Engine {
     picture: Option<TextureHandle>,
     probed: Option<([u32; 2], Probe)>,
     overlay: Option<Overlay>,
+    revision: u64,
 }
 
 /// The overlay as last drawn, and what for.
@@ -40,6 +41,7 @@ impl Default for Engine {
             picture: None,
             probed: None,
             overlay: None,
+            revision: 0,
         }
     }
 }
@@ -92,6 +94,7 @@ impl Engine {
         if !redrawn && self.probed.as_ref().is_some_and(|(at, _)| *at == pixel) {
             return false;
         }
+        self.revision += 1;
         self.probed = Some((pixel, probe(&mut self.renderer, scene, pixel[0], pixel[1])));
         true
     }
@@ -140,6 +143,18 @@ impl Engine {
         self.renderer.plan()
     }
 
+    /// Grows whenever the picture or the probe has changed.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// The curves at the probe and of the light of index `light`, those that say something.
+    pub fn plots(&self, light: usize) -> Vec<Plot> {
+        let (Some(scene), Some((_, probe))) = (&self.drawn, &self.probed) else { return vec![] };
+        let plot = |kind| curves::plot(kind, &self.renderer, scene, probe, light);
+        curves::telling(scene, light).into_iter().filter_map(plot).collect()
+    }
+
     /// The equation at the probe.
     pub fn probed(&self) -> Option<&Probe> {
         self.probed.as_ref().map(|(_, probe)| probe)
@@ -163,6 +178,7 @@ pub fn overlay_options(look: &OverlayLook, light: usize, scene: &Scene) -> Overl
         (look.vectors, OverlayLayer::Vectors),
         (look.vectors && look.angles, OverlayLayer::Angles),
         (look.vectors && look.construction, OverlayLayer::Construction),
+        (look.vectors && look.lobe, OverlayLayer::Lobe),
         (look.vectors && look.side_view, OverlayLayer::SideView),
     ];
     OverlayOptions {

@@ -141,6 +141,18 @@ pub const BINDINGS: &[Binding] = &[
     },
     Binding {
         section: "Shown",
+        keys: "B",
+        does: "the lobe of reflection at the probe",
+        on: &[(PLAIN, Key::B, Action::Show(Shown::Lobe))],
+    },
+    Binding {
+        section: "Shown",
+        keys: "C",
+        does: "the equation in numbers, or its curves",
+        on: &[(PLAIN, Key::C, Action::SwitchTab)],
+    },
+    Binding {
+        section: "Shown",
         keys: "F4",
         does: "the panel of controls",
         on: &[(PLAIN, Key::F4, Action::Show(Shown::Controls))],

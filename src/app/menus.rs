@@ -89,12 +89,14 @@ fn view_ui(ui: &mut Ui, state: &mut AppState) {
         ("Angles", Shown::Angles),
         ("Construction of R", Shown::Construction),
         ("Side view", Shown::SideView),
+        ("Lobe of reflection", Shown::Lobe),
         ("H always", Shown::HalfVector),
         ("Lights' handles", Shown::Handles),
     ] {
         check(ui, state, text, shown);
     }
     ui.checkbox(&mut state.look.channels, "A number for each channel");
+    item(ui, state, "Equation or curves", Action::SwitchTab);
     ui.separator();
     item(ui, state, "Picture alone", Action::Show(Shown::PictureAlone));
     item(ui, state, "Projector size", Action::Projector);

@@ -1,27 +1,51 @@
 //! The picture's meaning in numbers at the probe: vectors, angles, and the equation filled in.
 
+use super::curves::{Curves, curves_ui};
 use super::engine::Engine;
 use super::palette::{Term, term_text, vector_text};
-use super::state::AppState;
+use super::state::{AppState, NumbersTab};
 use crate::analysis::{LightTerms, Probe, ProbeHit};
 use crate::figure::palette::Vector;
 use crate::scene::{Encoding, ReflectionModel, Scene};
-use eframe::egui::{Align, Color32, CornerRadius, Grid, Label, Layout, RichText, ScrollArea, Sense, Ui, vec2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Button, Color32, CornerRadius, Grid, Label, Layout, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2,
+};
 use glam::DVec3;
 
 /// Height of a table's rows, points.
 const ROW: f32 = 21.0;
 
-/// The panel of numbers.
-pub fn numbers_ui(ui: &mut Ui, state: &AppState, engine: &Engine) {
+/// The panel of numbers: the equation filled in, or its curves.
+pub fn numbers_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, curves: &mut Curves) {
     ui.add_space(6.0);
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+    tabs_ui(ui, &mut state.look.tab);
+    let tab = state.look.tab;
+    ScrollArea::vertical().id_salt(tab == NumbersTab::Curves).auto_shrink(false).show(ui, |ui| {
+        if tab == NumbersTab::Curves {
+            curves_ui(ui, state, engine, curves);
+            return;
+        }
         let Some(probe) = engine.probed() else { return };
         match &probe.hit {
             None => background_ui(ui, probe),
             Some(hit) => hit_ui(ui, state, probe, hit),
         }
     });
+}
+
+fn tabs_ui(ui: &mut Ui, tab: &mut NumbersTab) {
+    ui.horizontal(|ui| {
+        for (choice, name) in [(NumbersTab::Equation, "Equation"), (NumbersTab::Curves, "Curves")] {
+            let response = ui.add(Button::selectable(*tab == choice, name));
+            let (enabled, selected) = (ui.is_enabled(), *tab == choice);
+            response.widget_info(|| WidgetInfo::selected(Role::Tab, enabled, selected, name));
+            if response.clicked() {
+                *tab = choice;
+            }
+        }
+    });
+    ui.add_space(4.0);
 }
 
 fn background_ui(ui: &mut Ui, probe: &Probe) {

@@ -85,6 +85,8 @@ pub struct Look {
     pub stages: bool,
     /// Whether coefficients have a number for each channel.
     pub channels: bool,
+    /// What the panel of numbers shows.
+    pub tab: NumbersTab,
     pub overlay: OverlayLook,
 }
 
@@ -97,9 +99,21 @@ impl Default for Look {
             numbers: true,
             stages: true,
             channels: false,
+            tab: NumbersTab::Equation,
             overlay: OverlayLook::default(),
         }
     }
+}
+
+/// What the panel of numbers shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NumbersTab {
+    /// The equation filled in, the vectors and the angles.
+    #[default]
+    Equation,
+    /// The plots.
+    Curves,
 }
 
 /// What is drawn over the picture.
@@ -110,6 +124,8 @@ pub struct OverlayLook {
     pub angles: bool,
     pub construction: bool,
     pub side_view: bool,
+    /// What the point reflects to every side.
+    pub lobe: bool,
     pub half_vector: bool,
     /// The lights' handles.
     pub handles: bool,
@@ -117,7 +133,15 @@ pub struct OverlayLook {
 
 impl Default for OverlayLook {
     fn default() -> Self {
-        Self { vectors: true, angles: true, construction: false, side_view: false, half_vector: false, handles: true }
+        Self {
+            vectors: true,
+            angles: true,
+            construction: false,
+            side_view: false,
+            lobe: false,
+            half_vector: false,
+            handles: true,
+        }
     }
 }
 

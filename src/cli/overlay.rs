@@ -2,21 +2,15 @@
 
 use super::failure::Failure;
 use super::input::{inside_picture, parse_pixel};
+use super::telling::telling_pixel;
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
-use shading_lab::analysis::{Probe, probe};
+use shading_lab::analysis::probe;
 use shading_lab::figure::{OverlayLayer, OverlayOptions, draw_overlay};
 use shading_lab::render::{Frame, Renderer};
 use shading_lab::scene::{Scene, nearest};
-use std::ops::RangeInclusive;
 use tiny_skia::PixmapMut;
-
-/// Without a given pixel, the one probed is sought on a grid of this many columns and rows.
-const SEARCH_GRID: u32 = 64;
-
-/// Degrees between the vectors of a drawing whose letters do not crowd.
-const APART: RangeInclusive<f64> = 15.0..=65.0;
 
 /// The layers of `--overlay vectors,angles,probe=X,Y` and the pixel that they explain.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,53 +86,6 @@ fn word_of(layer: &OverlayLayer) -> Option<String> {
     serde_json::to_value(layer).ok()?.as_str().map(str::to_owned)
 }
 
-/// The pixel nearest to the picture's middle, of those of a coarse grid that explain most.
-fn telling_pixel(renderer: &mut Renderer, scene: &Scene) -> Probe {
-    let [width, height] = scene.image.size;
-    let middle = [width / 2, height / 2];
-    let middles = |side: u32| (0..SEARCH_GRID).map(move |i| (2 * i + 1) * side / (2 * SEARCH_GRID));
-    let mut grid: Vec<[u32; 2]> = middles(height).flat_map(|y| middles(width).map(move |x| [x, y])).collect();
-    grid.dedup();
-    let distance = |[x, y]: &[u32; 2]| {
-        let (dx, dy) = (u64::from(x.abs_diff(middle[0])), u64::from(y.abs_diff(middle[1])));
-        dx * dx + dy * dy
-    };
-    grid.sort_by_key(distance);
-    let mut best = (Telling::Nothing, Probe { pixel: middle, hit: None, ambient_fit: None });
-    for [x, y] in grid {
-        let probed = probe(renderer, scene, x, y);
-        let telling = Telling::of(&probed);
-        if telling > best.0 {
-            best = (telling, probed);
-        }
-        if best.0 == Telling::Apart {
-            break;
-        }
-    }
-    best.1
-}
-
-/// How much a drawing at a pixel explains.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Telling {
-    /// The background.
-    Nothing,
-    /// No light reaches the point.
-    Dark,
-    Lit,
-    /// Lit, near the highlight but not in it: N, L, R and V point in directions of their own.
-    Apart,
-}
-
-impl Telling {
-    fn of(probed: &Probe) -> Self {
-        let Some(hit) = &probed.hit else { return Self::Nothing };
-        let Some(light) = hit.lights.iter().find(|light| light.n_dot_l > 0.0) else { return Self::Dark };
-        let angles = [light.theta, light.phi, hit.normal.angle_between(hit.view)];
-        if angles.iter().all(|angle| APART.contains(&angle.to_degrees())) { Self::Apart } else { Self::Lit }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -167,20 +114,5 @@ mod tests {
         for one in OverlayLayer::ALL {
             assert_eq!(layer(&word_of(&one).expect("a word")), Ok(one));
         }
-    }
-
-    #[test]
-    fn without_a_pixel_one_is_found_whose_vectors_are_apart() {
-        for name in ["sphere", "teapot", "torus", "three-lights"] {
-            let scene = (shading_lab::scene::presets::find(name).expect("a scene").build)();
-            let probed = telling_pixel(&mut Renderer::default(), &scene);
-            assert_eq!(Telling::of(&probed), Telling::Apart, "{name}");
-        }
-        let mut dark = Scene { lights: vec![], ..Scene::default() };
-        dark.image.size = [3, 2];
-        assert_eq!(Telling::of(&telling_pixel(&mut Renderer::default(), &dark)), Telling::Dark);
-        dark.camera.target = dark.camera.eye * 2.0;
-        let missed = telling_pixel(&mut Renderer::default(), &dark);
-        assert_eq!((missed.pixel, missed.hit.is_none()), ([1, 1], true));
     }
 }

@@ -25,7 +25,7 @@ pub struct Render {
     /// Samples per pixel
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
     samples: u32,
-    /// Drawings over the picture: vectors, angles, construction, lights, side-view; with probe=X,Y the pixel that they
+    /// Drawings over the picture: vectors, angles, construction, lights, lobe, side-view; with probe=X,Y the pixel that they
     /// explain, otherwise a lit one near the middle whose vectors are well apart
     #[arg(long, value_name = "LIST", value_parser = OverlayList::parse, allow_hyphen_values = true)]
     overlay: Option<OverlayList>,

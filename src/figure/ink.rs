@@ -88,7 +88,16 @@ impl Ink<'_, '_> {
 
     /// Draws text of `size` pixels an em in the middle of `centre`.
     pub fn text(&mut self, lettering: &Lettering, size: f64, centre: DVec2, colour: Rgb8) {
-        let Some(path) = lettering.centred(centre) else { return };
+        self.letters(lettering.centred(centre), size, colour);
+    }
+
+    /// Draws text of `size` pixels an em whose baseline begins at `origin`.
+    pub fn line_of_text(&mut self, lettering: &Lettering, size: f64, origin: DVec2, colour: Rgb8) {
+        self.letters(lettering.placed(origin), size, colour);
+    }
+
+    fn letters(&mut self, outline: Option<Path>, size: f64, colour: Rgb8) {
+        let Some(path) = outline else { return };
         let bold = EMBOLDEN * size;
         for (colour, width) in [(self.halo, bold + 2.0 * self.breadth), (colour, bold)] {
             let paint = paint(colour, 1.0);

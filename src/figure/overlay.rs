@@ -8,6 +8,7 @@ mod construction;
 mod equation;
 mod labels;
 mod lights;
+mod lobe;
 mod options;
 mod side;
 mod sketch;
@@ -144,6 +145,8 @@ impl Overlay {
         let equation = hit.map(|hit| Equation::at(hit, scene, options));
         let mut corner = equation.as_ref().and_then(|equation| equation.side_view(picture, &sketch, options));
         if let Some(equation) = equation {
+            // Below everything else, and no obstacle to letters: the lobe fills the middle of the drawing.
+            overlay.groups.push(equation.lobe(&sketch, scene, &options.layers));
             (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, &options.layers);
         }
         let taken: Vec<Area> = corner.iter().map(|corner| corner.pane).collect();

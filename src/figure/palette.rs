@@ -76,3 +76,41 @@ impl Vector {
         }
     }
 }
+
+/// `colour`, moved towards black or white no further than it takes to stand out from `background` by the contrast `ratio`.
+pub fn readable(colour: Rgb8, background: Rgb8, ratio: f64) -> Rgb8 {
+    const STEPS: u32 = 20;
+    // The grey from which black and white are equally far.
+    let away = if luminance(background) > 0.18 { [0; 3] } else { [255; 3] };
+    let towards = |step: u32| {
+        let share = f64::from(step) / f64::from(STEPS);
+        let mixed = |from: u8, to: u8| (f64::from(from) + (f64::from(to) - f64::from(from)) * share).round() as u8;
+        std::array::from_fn(|channel| mixed(colour[channel], away[channel]))
+    };
+    (0..=STEPS).map(towards).find(|candidate| contrast(*candidate, background) >= ratio).unwrap_or(away)
+}
+
+/// Contrast ratio as WCAG 2.2 defines it, from 1 to 21.
+pub fn contrast(a: Rgb8, b: Rgb8) -> f64 {
+    let (a, b) = (luminance(a), luminance(b));
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
+/// Relative luminance as WCAG 2.2 defines it.
+fn luminance(colour: Rgb8) -> f64 {
+    let [r, g, b] = colour.map(|code| {
+        let value = f64::from(code) / 255.0;
+        if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+    });
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn contrast_of_black_on_white_is_21() {
+        assert!((contrast([0; 3], [255; 3]) - 21.0).abs() < 1e-9);
+    }
+}

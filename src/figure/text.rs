@@ -7,10 +7,10 @@ use skrifa::{FontRef, MetadataProvider};
 use std::sync::OnceLock;
 use tiny_skia::{Path, PathBuilder, Transform};
 
-/// Size of a subscript digit, in the size of the text.
+/// Size of a subscript or a superscript, in the size of the text.
 const SUBSCRIPT_SIZE: f32 = 0.68;
-/// How far a subscript's baseline lies below the text's, in the size of the text.
-const SUBSCRIPT_DROP: f32 = 0.16;
+/// How far the baselines of subscripts and of superscripts lie above the text's, in the size of the text.
+const RISES: [f32; 2] = [-0.16, 0.36];
 
 /// A line of text as an outline, its origin at the left end of the baseline, y downwards.
 #[derive(Clone, Debug)]
@@ -20,16 +20,19 @@ pub(super) struct Lettering {
     pub min: DVec2,
     /// Bottom right corner of what is inked.
     pub max: DVec2,
+    /// Where the next letter would stand.
+    pub width: f64,
 }
 
 impl Lettering {
-    /// Sets `text` at `size` pixels an em. A subscript digit is the ordinary one, smaller and lower, so that all fonts
-    /// have it; a character in none of the fonts leaves a gap.
+    /// Sets `text` at `size` pixels an em. Small digits are set as [`Set`] says; a character in none of the fonts
+    /// leaves a gap.
     pub fn new(text: &str, size: f64) -> Self {
         let mut pen = Pen { builder: PathBuilder::new(), x: 0.0, y: 0.0 };
         for character in text.chars() {
             pen.set(character, size as f32);
         }
+        let width = f64::from(pen.x);
         let path = pen.builder.finish();
         let bounds = path.as_ref().map(Path::bounds);
         let corner = |x: f32, y: f32| DVec2::new(f64::from(x), f64::from(y));
@@ -37,7 +40,13 @@ impl Lettering {
             min: bounds.map_or(DVec2::ZERO, |b| corner(b.left(), b.top())),
             max: bounds.map_or(DVec2::ZERO, |b| corner(b.right(), b.bottom())),
             path,
+            width,
         }
+    }
+
+    /// The outline with its origin, the left end of its baseline, at `origin`; nothing for a text without ink.
+    pub fn placed(&self, origin: DVec2) -> Option<Path> {
+        self.path.clone()?.transform(Transform::from_translate(origin.x as f32, origin.y as f32))
     }
 
     /// The outline with the middle of its inked extent at `centre`; nothing for a text without ink.
@@ -56,13 +65,8 @@ struct Pen {
 
 impl Pen {
     fn set(&mut self, character: char, size: f32) {
-        let (character, size, drop) = match character {
-            '₀'..='₉' => {
-                let digit = char::from_u32(u32::from(character) - u32::from('₀') + u32::from('0'));
-                (digit.unwrap_or(character), size * SUBSCRIPT_SIZE, size * SUBSCRIPT_DROP)
-            }
-            _ => (character, size, 0.0),
-        };
+        let Set { letter: character, size: share, rise } = Set::of(character);
+        let (size, drop) = (size * share, -size * rise);
         self.y = drop;
         let Some((font, glyph)) = fonts().iter().find_map(|font| Some((font, font.charmap().map(character)?))) else {
             self.x += 0.5 * size;
@@ -74,6 +78,39 @@ impl Pen {
             let _ = outline.draw(DrawSettings::unhinted(size, LocationRef::default()), self);
         }
         self.x += font.glyph_metrics(size, LocationRef::default()).advance_width(glyph).unwrap_or(0.0);
+    }
+}
+
+/// How a character is set: a small one below or above the line is the ordinary one made smaller and moved, since fonts
+/// may lack it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Set {
+    /// The ordinary character.
+    pub letter: char,
+    /// Its size, in the size of the text.
+    pub size: f32,
+    /// How far above the line it stands, in the size of the text.
+    pub rise: f32,
+}
+
+impl Set {
+    /// How `character` is set.
+    pub fn of(character: char) -> Self {
+        let digit = |zero: char| char::from_u32(u32::from(character) - u32::from(zero) + u32::from('0'));
+        let small = |letter: Option<char>, rise| {
+            let letter = letter.unwrap_or(character);
+            Self { letter, size: SUBSCRIPT_SIZE, rise }
+        };
+        match character {
+            '₀'..='₉' => small(digit('₀'), RISES[0]),
+            'ⁿ' => small(Some('n'), RISES[1]),
+            '⁻' => small(Some('−'), RISES[1]),
+            '¹' => small(Some('1'), RISES[1]),
+            '²' => small(Some('2'), RISES[1]),
+            '³' => small(Some('3'), RISES[1]),
+            '⁰' | '⁴'..='⁹' => small(digit('⁰'), RISES[1]),
+            _ => Self { letter: character, size: 1.0, rise: 0.0 },
+        }
     }
 }
 
@@ -117,7 +154,7 @@ mod tests {
     #[test]
     fn every_character_of_the_overlays_has_a_glyph() {
         assert_eq!(fonts().len(), 2);
-        for character in "NLRVHT0123456789θφ·°()−.".chars() {
+        for character in "NLRVHT0123456789θφ·°()−.ⁿ∞²⁻⁰⁷αηπ=’".chars() {
             let lettering = Lettering::new(&character.to_string(), 20.0);
             assert!(lettering.path.is_some(), "{character} has no outline");
         }

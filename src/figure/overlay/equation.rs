@@ -1,8 +1,9 @@
 //! Which vectors and angles the equation has at a point: those of all lights, and of the one that is looked at in full.
 
 use super::sketch::Sketch;
-use super::{Arc, Area, Arrow, LETTERED, OverlayLayer, OverlayOptions, angles, construction, side, vectors};
-use crate::analysis::{LightTerms, ProbeHit};
+use super::{Arc, Area, Arrow, LETTERED, OverlayLayer, OverlayOptions, angles, construction, lobe, side, vectors};
+use crate::analysis::{LightTerms, ProbeHit, ReflectionLobe};
+use crate::figure::ink::Mark;
 use crate::figure::palette::Vector;
 use crate::scene::{Backfacing, ReflectionModel, Scene};
 use glam::DVec3;
@@ -40,6 +41,13 @@ impl<'a> Equation<'a> {
             Focus { index, terms, n, lit: lit(terms) }
         });
         Self { hit, model, half_vector, focus }
+    }
+
+    /// The lobe of the light that is looked at, if it is asked for.
+    pub fn lobe(&self, sketch: &Sketch, scene: &Scene, layers: &[OverlayLayer]) -> Vec<Mark> {
+        let focus = self.focus.as_ref().filter(|_| layers.contains(&OverlayLayer::Lobe));
+        let lobe = focus.and_then(|focus| ReflectionLobe::at(scene, self.hit, focus.index));
+        lobe.map_or_else(Vec::new, |lobe| lobe::draw(sketch, &lobe, scene))
     }
 
     /// Draws the layers asked for at the point in the picture.

@@ -14,13 +14,16 @@ pub enum OverlayLayer {
     Construction,
     /// A sun for each light, parallel rays for each directional one.
     Lights,
+    /// What the point reflects of the light to every side, as a surface about it.
+    Lobe,
     /// The vectors once more in a corner, seen from the side: V points at the eye, so in the picture itself it is a point.
     SideView,
 }
 
 impl OverlayLayer {
     /// Every layer.
-    pub const ALL: [Self; 5] = [Self::Vectors, Self::Angles, Self::Construction, Self::Lights, Self::SideView];
+    pub const ALL: [Self; 6] =
+        [Self::Vectors, Self::Angles, Self::Construction, Self::Lights, Self::Lobe, Self::SideView];
 }
 
 /// What surrounds strokes and letters to set them off from the picture.

@@ -1,0 +1,96 @@
+//! The curves of local illumination, sampled in double precision: the family cosⁿ φ, the attenuation f(d), the reflectance
+//! W(θ) and the polar lobe.
+//!
+//! A scene and what was probed in it come in; out go [`Plot`]s, plain data with the scene's own values marked.
+
+mod attenuation;
+mod exponent;
+mod polar;
+mod reflectance;
+
+pub use attenuation::{Distances, attenuation_plot};
+pub use exponent::{COURSE, exponent_plot, highlight_half_width};
+pub use polar::lobe_plot;
+pub use reflectance::{READ_AT, reflectance_plot};
+
+use super::{Plot, PlotKind, Probe};
+use crate::render::Renderer;
+use crate::scene::{Attenuation, Light, Reflectance, Scene};
+
+/// The plot of that kind for `probe`, of a picture of `scene` that `renderer` has drawn, and the light of index `light`.
+/// Nothing where there is nothing to plot: no such light, or for the lobe a light that does not reach the point.
+pub fn plot(kind: PlotKind, renderer: &Renderer, scene: &Scene, probe: &Probe, light: usize) -> Option<Plot> {
+    let hit = probe.hit.as_ref();
+    let terms = hit.and_then(|hit| hit.lights.get(light));
+    match kind {
+        PlotKind::Exponent => Some(exponent_plot(scene, terms.map(|terms| terms.phi))),
+        PlotKind::Reflectance => Some(reflectance_plot(scene, terms.map(|terms| terms.incidence))),
+        PlotKind::Attenuation => {
+            let light = scene.lights.get(light)?;
+            let distances = Distances::seen(renderer, scene, light, hit.map(|hit| hit.position));
+            Some(attenuation_plot(light, &distances))
+        }
+        PlotKind::Lobe => lobe_plot(scene, hit?, light),
+    }
+}
+
+/// The kinds of plot that have more to say than that nothing varies: W and f only where they do.
+pub fn telling(scene: &Scene, light: usize) -> Vec<PlotKind> {
+    let varies = |kind: &PlotKind| match kind {
+        PlotKind::Attenuation => scene.lights.get(light).is_some_and(|light| effective(light) != Attenuation::None),
+        PlotKind::Reflectance => scene.material.reflectance != Reflectance::Constant,
+        PlotKind::Exponent | PlotKind::Lobe => true,
+    };
+    PlotKind::ALL.into_iter().filter(varies).collect()
+}
+
+/// The law by which a light weakens: a directional one is equally far from everything, so that only the distance to the
+/// viewer counts.
+fn effective(light: &Light) -> Attenuation {
+    let counts = light.kind.has_position() || light.attenuation == Attenuation::Viewer;
+    if counts { light.attenuation } else { Attenuation::None }
+}
+
+/// A number with three significant digits, a true minus sign, and no more zeros than it needs.
+pub fn short(value: f64) -> String {
+    let size = value.abs();
+    let text = if value == 0.0 {
+        "0".to_owned()
+    } else if !(1e-3..1e5).contains(&size) {
+        scientific(value)
+    } else {
+        let decimals = (2 - size.log10().floor() as i32).clamp(0, 5) as usize;
+        format!("{value:.decimals$}")
+    };
+    text.replace('-', "−")
+}
+
+/// A number as the textbooks write very small and very large ones: 1.2·10⁻⁷.
+pub(crate) fn scientific(value: f64) -> String {
+    let text = format!("{value:.1e}");
+    let Some((mantissa, exponent)) = text.split_once('e') else { return text };
+    let raised = exponent.chars().map(|digit| match digit {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => digit.to_digit(10).and_then(|value| char::from_u32(u32::from('⁰') + value)).unwrap_or(digit),
+    });
+    format!("{}·10{}", mantissa.replace('-', "−"), raised.collect::<String>())
+}
+
+/// An angle in degrees with one decimal.
+fn degrees(radians: f64) -> String {
+    format!("{:.1}°", radians.to_degrees()).replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn numbers_keep_three_digits() {
+        let texts = [0.0, 1.0, -0.123_46, 12.345, 1005.0, 0.001_234, 1e-7, 4e18].map(short);
+        assert_eq!(texts, ["0", "1.00", "−0.123", "12.3", "1005", "0.00123", "1.0·10⁻⁷", "4.0·10¹⁸"]);
+    }
+}

@@ -1,0 +1,138 @@
+//! The lobe of reflection: what a point sends to every side from one light.
+
+use super::ProbeHit;
+use crate::illumination::{Equation, FormTask, LightResponse, Site, Source, Specular, V3};
+use crate::scene::{Backfacing, Light, LightKind, Rgb, Scene};
+use glam::DVec3;
+
+/// Rec. 709 luminance of linear red, green and blue.
+const LUMINANCE: Rgb = Rgb::new(0.2126, 0.7152, 0.0722);
+
+/// Below this sine an angle's plane is lost to rounding, and a length that differs less from 1 is 1.
+const UPRIGHT: f64 = 1e-9;
+
+/// What a viewer in one direction sees of a light's reflection, as luminance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Response {
+    pub diffuse: f64,
+    pub specular: f64,
+}
+
+impl Response {
+    /// Both terms.
+    pub fn total(self) -> f64 {
+        self.diffuse + self.specular
+    }
+}
+
+/// The reflection of one light at one point as a function of the viewer's direction:
+/// `I(V) = f·Ip·(kd·Od·(N·L) + ks·W·S(V))`, luminance by Rec. 709.
+///
+/// The light's own switches are left aside, and so are shadows: the lobe shows what the surface would do. An area light is
+/// taken as a point in its middle, and f where it counts the distance to the viewer keeps the picture's.
+#[derive(Clone, Debug)]
+pub struct ReflectionLobe {
+    equation: Equation<f64>,
+    site: Site<f64>,
+    od: Rgb,
+    /// N, unit, on the side of the light.
+    pub n: DVec3,
+    /// L, unit.
+    pub l: DVec3,
+    /// L mirrored at N, unit.
+    pub r: DVec3,
+    /// The picture's V.
+    pub v: DVec3,
+    /// The direction at right angles to N away from L, unit: with N it spans the plane of incidence.
+    pub across: DVec3,
+}
+
+impl ReflectionLobe {
+    /// The lobe of the light of index `light` at `hit`; nothing where there is no such light or no normal, or where the
+    /// light stands behind the surface.
+    pub fn at(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Self> {
+        let kind = |kind| if kind == LightKind::Area { LightKind::Point } else { kind };
+        let light = scene.lights.get(light)?;
+        let alone = Light { kind: kind(light.kind), mute: false, solo: false, ..light.clone() };
+        let equation = Equation::<f64>::new(&Scene { lights: vec![alone], ..scene.clone() });
+        let site = equation.site(V3::from(equation.from_world(hit.position)), V3::from(hit.normal));
+        let mut lobe = Self {
+            od: equation.pattern_color(hit.position),
+            equation,
+            site,
+            n: hit.normal.try_normalize()?,
+            l: DVec3::ZERO,
+            r: DVec3::ZERO,
+            v: hit.view,
+            across: DVec3::ZERO,
+        };
+        lobe.l = lobe.equation.sources.first().map(|source| lobe.respond(source).l.into())?;
+        if scene.reflection.backfacing == Backfacing::Flip && lobe.n.dot(lobe.l) < 0.0 {
+            lobe.n = -lobe.n;
+        }
+        let cosine = lobe.n.dot(lobe.l);
+        lobe.r = mirrored(hit.normal, lobe.l)?;
+        // A light straight above has every plane for its plane of incidence; the viewer's is as good as any.
+        let aside = |vector: DVec3| {
+            let level = vector - lobe.n * vector.dot(lobe.n);
+            (level.length() > UPRIGHT).then(|| level.normalize())
+        };
+        let away = aside(-lobe.l).or_else(|| aside(lobe.v));
+        lobe.across = away.unwrap_or_else(|| lobe.n.any_orthonormal_vector());
+        (cosine > 0.0 && lobe.l.is_finite()).then_some(lobe)
+    }
+
+    /// The direction in the plane of incidence `angle` radians from N, positive on the side of R.
+    pub fn in_plane(&self, angle: f64) -> DVec3 {
+        let (sine, cosine) = angle.sin_cos();
+        self.n * cosine + self.across * sine
+    }
+
+    /// The angle from N to R, radians.
+    pub fn mirror_angle(&self) -> f64 {
+        self.r.dot(self.across).atan2(self.r.dot(self.n))
+    }
+
+    /// What a viewer in the unit direction `v` sees; nothing from below the surface.
+    pub fn towards(&self, v: DVec3) -> Response {
+        let mut response = Response { diffuse: 0.0, specular: 0.0 };
+        // A viewer in the surface itself still sees it, whatever the last digit says.
+        if v.dot(self.n) < -1e-12 {
+            return response;
+        }
+        let site = Site { view: V3::from(v), ..self.site };
+        for source in &self.equation.sources {
+            let terms = self.equation.form().dispatch(Respond { equation: &self.equation, source, site: &site });
+            let w = self.equation.reflectance(terms.incidence);
+            response.diffuse += terms.diffuse * (Rgb::from_array(source.diffuse) * self.od).dot(LUMINANCE);
+            response.specular += terms.specular * (Rgb::from_array(source.specular) * w).dot(LUMINANCE);
+        }
+        response
+    }
+
+    fn respond(&self, source: &Source<f64>) -> LightResponse<f64> {
+        self.equation.form().dispatch(Respond { equation: &self.equation, source, site: &self.site })
+    }
+}
+
+/// R by the equation's own operations, so that a mirror, which sends light nowhere else, is met to the last digit.
+fn mirrored(n: DVec3, l: DVec3) -> Option<DVec3> {
+    let (n, l) = (V3::from(n), V3::from(l));
+    let r = DVec3::from(n.scale_add(2.0 * n.dot(l), -l));
+    // A normal that is not of unit length does not mirror.
+    if (r.length() - 1.0).abs() < UPRIGHT { Some(r) } else { r.try_normalize() }
+}
+
+struct Respond<'a> {
+    equation: &'a Equation<f64>,
+    source: &'a Source<f64>,
+    site: &'a Site<f64>,
+}
+
+impl FormTask for Respond<'_> {
+    type Output = LightResponse<f64>;
+
+    fn run<F: Specular>(self, _: F) -> Self::Output {
+        self.equation.respond::<f64, F>(self.source, self.site)
+    }
+}

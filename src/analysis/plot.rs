@@ -1,0 +1,179 @@
+//! A plot as plain data: sampled curves, what they are called, and where the scene itself stands on them.
+
+use serde::{Deserialize, Serialize};
+
+/// The curves of local illumination.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PlotKind {
+    /// The family cosⁿ φ.
+    Exponent,
+    /// f(d), the attenuation of a light by distance.
+    Attenuation,
+    /// W(θ), what a surface reflects by angle of incidence.
+    Reflectance,
+    /// What one point reflects to every side, as a polar plot.
+    Lobe,
+}
+
+impl PlotKind {
+    /// Every kind, in the order of the equation: the lobe last, because it is all of them together.
+    pub const ALL: [Self; 4] = [Self::Attenuation, Self::Exponent, Self::Reflectance, Self::Lobe];
+
+    /// Whether x is an angle from the vertical, in degrees clockwise, and y the distance from the middle.
+    pub fn is_polar(self) -> bool {
+        self == Self::Lobe
+    }
+}
+
+/// Curves over one pair of axes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Plot {
+    pub kind: PlotKind,
+    /// What is plotted, in a few words.
+    pub title: String,
+    /// The formula, and what else the reader must know.
+    pub note: String,
+    pub x: Axis,
+    pub y: Axis,
+    pub curves: Vec<Curve>,
+    /// What each of the curves' notes says.
+    pub legend: Vec<String>,
+    /// Where the scene itself stands.
+    pub marks: Vec<Mark>,
+    /// The arrows of a polar plot; others have none.
+    pub directions: Vec<Direction>,
+}
+
+impl Plot {
+    /// The curve of that name.
+    pub fn curve(&self, name: &str) -> Option<&Curve> {
+        self.curves.iter().find(|curve| curve.name == name)
+    }
+}
+
+/// One axis: what it measures, and the part of it that is worth showing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Axis {
+    pub name: String,
+    pub low: f64,
+    pub high: f64,
+    /// Whether it measures degrees, whose round numbers are multiples of 15.
+    pub degrees: bool,
+}
+
+impl Axis {
+    /// An axis of an angle.
+    pub fn degrees(name: impl Into<String>, low: f64, high: f64) -> Self {
+        Self { name: name.into(), low, high, degrees: true }
+    }
+
+    /// An axis of any other quantity.
+    pub fn new(name: impl Into<String>, low: f64, high: f64) -> Self {
+        Self { name: name.into(), low, high, degrees: false }
+    }
+}
+
+/// A sampled curve.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Curve {
+    pub name: String,
+    /// What the legend says besides the name, in columns.
+    pub notes: Vec<String>,
+    /// x and y; x never decreases.
+    pub points: Vec<[f64; 2]>,
+    pub ink: Ink,
+    pub dash: Dash,
+    /// The curve that the scene itself has, against which the others are measured.
+    pub emphasised: bool,
+    /// A name on the curve itself.
+    pub tag: Option<Tag>,
+}
+
+impl Curve {
+    /// A curve of the scene's own.
+    pub fn new(name: impl Into<String>, points: Vec<[f64; 2]>, ink: Ink) -> Self {
+        let (notes, dash) = (Vec::new(), Dash::Solid);
+        Self { name: name.into(), notes, points, ink, dash, emphasised: true, tag: None }
+    }
+
+    /// y at `x`, linear between the samples; nothing outside them.
+    pub fn at(&self, x: f64) -> Option<f64> {
+        let after = self.points.partition_point(|[at, _]| *at < x);
+        let [x1, y1] = *self.points.get(after)?;
+        if x1 == x {
+            return Some(y1);
+        }
+        let [x0, y0] = *self.points.get(after.checked_sub(1)?)?;
+        Some(y0 + (y1 - y0) * (x - x0) / (x1 - x0))
+    }
+}
+
+/// A name beside a curve, its right edge at `at`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Tag {
+    pub text: String,
+    pub at: [f64; 2],
+}
+
+/// A value of x, a line across the plot.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Mark {
+    pub x: f64,
+    pub label: String,
+    /// The values there: a curve's index and y.
+    pub values: Vec<(usize, f64)>,
+    /// Whether it is the probe's.
+    pub probe: bool,
+}
+
+/// An arrow from the middle of a polar plot.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Direction {
+    pub letter: &'static str,
+    /// Degrees clockwise from the vertical.
+    pub angle: f64,
+    /// 1 in the plot's plane, less where the vector leaves it.
+    pub length: f64,
+    pub ink: Ink,
+}
+
+/// What a curve's colour means; which colour that is depends on the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ink {
+    /// The colours of the vectors, and of the terms that they make.
+    N,
+    L,
+    R,
+    V,
+    H,
+    /// Red, green or blue.
+    Channel(u8),
+    /// Of no meaning in the scene.
+    Reference,
+}
+
+/// How a line is broken, so that curves are told apart without colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Dash {
+    Solid,
+    Long,
+    Dashed,
+    DashDot,
+    Dotted,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_curve_is_read_between_its_samples_and_not_beyond() {
+        let curve = Curve::new("", vec![[0.0, 1.0], [2.0, 3.0], [2.0, 5.0], [4.0, 5.0]], Ink::N);
+        let read = [-0.1, 0.0, 1.0, 2.0, 3.0, 4.0, 4.1].map(|x| curve.at(x));
+        assert_eq!(read, [None, Some(1.0), Some(2.0), Some(3.0), Some(5.0), Some(5.0), None]);
+        assert_eq!(Curve::new("", vec![], Ink::N).at(0.0), None);
+    }
+}

@@ -1,0 +1,179 @@
+//! The lobe of reflection about the probed point: a surface whose distance in each direction is what a viewer there sees.
+//!
+//! Its net has R for its pole, where the highlight is: meridians run from R to the horizon, parallels about R become the
+//! horizon. The greatest reflection is a little longer than a unit vector, so that R does not cover it.
+
+use super::sketch::Sketch;
+use crate::analysis::{ReflectionLobe, curves::highlight_half_width};
+use crate::figure::ink::Mark;
+use crate::figure::palette::{self, Rgb8};
+use crate::scene::{ReflectionModel, Scene};
+use glam::{DVec2, DVec3};
+
+/// Length of the greatest reflection, in unit vectors.
+const LENGTH: f64 = 1.3;
+/// Meridians and parallels.
+const NET: [u32; 2] = [24, 12];
+/// Chords between neighbouring lines of the net: so finely the lines are drawn.
+const CHORDS: u32 = 4;
+/// Of the parallels, so many lie within `SKIRT` half-widths of R; the others are even from there to the horizon.
+const NEAR: u32 = 7;
+const SKIRT: f64 = 2.4;
+/// The part of the way to the horizon that the highlight may take.
+const MOST: f64 = 0.6;
+/// Steps of the way from a point of the surface to the eye on which something may hide it.
+const MARCH: u32 = 40;
+/// How far a point is lifted off the surface before that way begins, in unit vectors.
+const LIFT: f64 = 0.02;
+/// Width of the lines, in the width of an arrow.
+const WIDTH: f64 = 0.32;
+/// Opacity of a line that the lobe itself hides, and of the surface.
+const FAINT: [f64; 2] = [0.22, 0.1];
+
+/// The lobe in the sketch's view.
+pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec<Mark> {
+    let greatest = greatest(lobe, scene);
+    if greatest.is_nan() || greatest <= 0.0 || !greatest.is_finite() {
+        return vec![];
+    }
+    let surface = Surface { sketch, lobe, unit: greatest / LENGTH, skirt: SKIRT * highlight_half_width(scene) };
+    let specular = if scene.reflection.model == ReflectionModel::Phong { palette::R } else { palette::H };
+    let (mut hidden, mut shown) = (Vec::new(), Vec::new());
+    let mut line = |points: Vec<Knot>| {
+        for (knots, seen) in runs(&points, |knot| knot.seen) {
+            let into = if seen { &mut shown } else { &mut hidden };
+            for (knots, bright) in runs(knots, |knot| knot.bright) {
+                let colour = if bright { specular } else { palette::L };
+                let line = stroke(knots, WIDTH * sketch.style.line, colour);
+                into.push(if seen { line } else { Mark { halo: false, ..line.faded(FAINT[0]) } });
+            }
+        }
+    };
+    let [meridians, parallels] = NET;
+    for i in 0..meridians {
+        let knots = (0..=parallels * CHORDS).map(|j| surface.knot(i * CHORDS, j));
+        line(knots.collect());
+    }
+    for j in 1..=parallels {
+        let knots = (0..=meridians * CHORDS).map(|i| surface.knot(i, j * CHORDS));
+        line(knots.collect());
+    }
+    let mut marks = surface.skin(specular);
+    marks.extend(hidden);
+    marks.extend(shown);
+    marks
+}
+
+/// The greatest reflection, sought in the plane of incidence, where it is.
+fn greatest(lobe: &ReflectionLobe, scene: &Scene) -> f64 {
+    let fine = highlight_half_width(scene) / 8.0;
+    let even = (-90..=90).map(|i| f64::from(i).to_radians());
+    let near = (-16..=16).map(|i| lobe.mirror_angle() + fine * f64::from(i));
+    let directions = even.chain(near).map(|angle| lobe.in_plane(angle)).chain([lobe.r]);
+    directions.map(|v| lobe.towards(v).total()).fold(0.0, f64::max)
+}
+
+/// A point of the net.
+#[derive(Clone, Copy)]
+struct Knot {
+    place: Option<DVec2>,
+    /// Whether nothing of the lobe is before it.
+    seen: bool,
+    /// Whether the highlight outshines the diffuse light there.
+    bright: bool,
+}
+
+struct Surface<'a> {
+    sketch: &'a Sketch,
+    lobe: &'a ReflectionLobe,
+    /// What is as long as a unit vector.
+    unit: f64,
+    /// Angle from R within which the net is finer, radians.
+    skirt: f64,
+}
+
+impl Surface<'_> {
+    /// The direction of a place of the net: `i` chords round R and `j` chords from it.
+    fn direction(&self, i: u32, j: u32) -> DVec3 {
+        let [meridians, parallels] = NET;
+        let turn = std::f64::consts::TAU * f64::from(i) / f64::from(meridians * CHORDS);
+        let (n, r) = (self.lobe.n, self.lobe.r);
+        // Square to R: one in the plane of incidence, one in the surface.
+        let level = n.cross(self.lobe.across);
+        let rise = level.cross(r);
+        let (sine, cosine) = turn.sin_cos();
+        let aside = rise * cosine + level * sine;
+        // The horizon is where N·(R cos α + aside sin α) = 0.
+        let horizon = n.dot(r).atan2(-n.dot(aside));
+        let skirt = self.skirt.min(MOST * horizon);
+        let step = f64::from(j) / f64::from(CHORDS);
+        let (near, all) = (f64::from(NEAR), f64::from(parallels));
+        let angle =
+            if step <= near { skirt * step / near } else { skirt + (horizon - skirt) * (step - near) / (all - near) };
+        let (sine, cosine) = angle.sin_cos();
+        let direction = r * cosine + aside * sine;
+        // On the horizon itself rounding must not let the direction dip below.
+        (direction - n * n.dot(direction).min(0.0)).normalize_or(r)
+    }
+
+    /// The distance of the surface in a direction, in unit vectors.
+    fn reach(&self, direction: DVec3) -> f64 {
+        self.lobe.towards(direction).total() / self.unit
+    }
+
+    fn knot(&self, i: u32, j: u32) -> Knot {
+        let direction = self.direction(i, j);
+        let response = self.lobe.towards(direction);
+        let point = direction * (response.total() / self.unit);
+        let bright = response.specular > response.diffuse;
+        Knot { place: self.sketch.end(point), seen: self.is_seen(point), bright }
+    }
+
+    /// Whether the way from `point` to the eye keeps outside the lobe: it is star-shaped, so that a place is inside when
+    /// it is nearer than the surface in its direction.
+    fn is_seen(&self, point: DVec3) -> bool {
+        let world = self.sketch.position + point * self.sketch.length;
+        let towards = self.sketch.view.towards_eye(world);
+        (0..MARCH).all(|step| {
+            let way = LIFT + 2.0 * LENGTH * f64::from(step) / f64::from(MARCH);
+            let place = point + towards * way;
+            let far = place.length();
+            far >= LENGTH || far >= self.reach(place / far.max(f64::MIN_POSITIVE))
+        })
+    }
+
+    /// The silhouette's inside, faintly.
+    fn skin(&self, colour: Rgb8) -> Vec<Mark> {
+        let [meridians, parallels] = NET;
+        let mut marks = Vec::new();
+        for i in 0..meridians {
+            for j in 0..parallels {
+                let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+                let place = |(i, j): (u32, u32)| {
+                    let direction = self.direction(i * CHORDS, j * CHORDS);
+                    self.sketch.end(direction * self.reach(direction))
+                };
+                let Some(corners) = corners.into_iter().map(place).collect::<Option<Vec<_>>>() else { continue };
+                marks.push(Mark { halo: false, ..Mark::area(corners, 0.0, colour).faded(FAINT[1]) });
+            }
+        }
+        marks
+    }
+}
+
+/// Consecutive knots that agree, each run with the next one's first so that lines stay connected.
+fn runs(knots: &[Knot], of: impl Fn(&Knot) -> bool) -> Vec<(&[Knot], bool)> {
+    let mut runs = Vec::new();
+    let mut start = 0;
+    for end in 1..=knots.len() {
+        if end == knots.len() || of(&knots[end]) != of(&knots[start]) {
+            runs.push((&knots[start..knots.len().min(end + 1)], of(&knots[start])));
+            start = end;
+        }
+    }
+    runs
+}
+
+fn stroke(knots: &[Knot], width: f64, colour: Rgb8) -> Mark {
+    Mark::line(knots.iter().filter_map(|knot| knot.place).collect(), width, colour)
+}

@@ -1,0 +1,79 @@
+//! Round numbers for an axis.
+
+use crate::analysis::Axis;
+use crate::analysis::curves::scientific;
+
+/// Steps of degrees that divide a right angle.
+const DEGREES: [f64; 6] = [5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
+
+/// About as many round numbers on `axis` as there is room for, and how they are written.
+pub fn ticks(axis: &Axis, room: f64) -> Vec<(f64, String)> {
+    let span = axis.high - axis.low;
+    if span.is_nan() || span <= 0.0 || !span.is_finite() {
+        return vec![];
+    }
+    let least = span / room.clamp(1.0, 40.0);
+    let step =
+        if axis.degrees { DEGREES.into_iter().find(|step| *step >= least).unwrap_or(90.0) } else { round_up(least) };
+    let (first, last) = ((axis.low / step - 1e-9).ceil() as i64, (axis.high / step + 1e-9).floor() as i64);
+    (first..=last)
+        .map(|i| {
+            #[expect(clippy::cast_precision_loss, reason = "an axis has few ticks")]
+            let value = i as f64 * step;
+            (value, written(value, step, axis.degrees))
+        })
+        .collect()
+}
+
+/// The least of 1, 2, 5, 10, 20 … that is not less than `value`, which is positive.
+pub fn round_up(value: f64) -> f64 {
+    let magnitude = 10f64.powf(value.log10().floor());
+    let times = [1.0, 2.0, 5.0, 10.0].into_iter().find(|times| times * magnitude >= value * (1.0 - 1e-9));
+    times.unwrap_or(10.0) * magnitude
+}
+
+fn written(value: f64, step: f64, degrees: bool) -> String {
+    let decimals = (-(step * (1.0 + 1e-9)).log10().floor()).clamp(0.0, 12.0) as usize;
+    let text = if value == 0.0 {
+        "0".to_owned()
+    } else if !(1e-4..1e6).contains(&step) {
+        scientific(value)
+    } else {
+        format!("{value:.decimals$}")
+    };
+    let unit = if degrees { "°" } else { "" };
+    text.replace('-', "−") + unit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(axis: &Axis, room: f64) -> Vec<String> {
+        ticks(axis, room).into_iter().map(|(_, text)| text).collect()
+    }
+
+    #[test]
+    fn ticks_are_round_numbers_within_the_axis() {
+        assert_eq!(texts(&Axis::new("", 0.0, 1.0), 6.0), ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        assert_eq!(texts(&Axis::new("", 0.0, 3.7), 5.0), ["0", "1", "2", "3"]);
+        assert_eq!(texts(&Axis::new("", 0.0, 0.031), 4.0), ["0", "0.01", "0.02", "0.03"]);
+        assert_eq!(texts(&Axis::new("", 0.0, 2e7), 3.0), ["0", "1.0·10⁷", "2.0·10⁷"]);
+        assert_eq!(texts(&Axis::degrees("", -90.0, 90.0), 8.0), ["−90°", "−60°", "−30°", "0°", "30°", "60°", "90°"]);
+    }
+
+    #[test]
+    fn an_axis_without_extent_has_no_ticks() {
+        for (low, high) in [(1.0, 1.0), (0.0, f64::INFINITY), (0.0, f64::NAN), (2.0, 1.0)] {
+            assert!(ticks(&Axis::new("", low, high), 5.0).is_empty());
+        }
+    }
+
+    #[test]
+    fn any_number_is_rounded_up_by_less_than_a_factor_of_two_and_a_half() {
+        for value in [1e-9, 0.2, 0.21, 1.0, 3.3, 9.99, 10.0, 1.7e12] {
+            let round = round_up(value);
+            assert!((0.999_999..2.51).contains(&(round / value)), "{value}: {round}");
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! The paper a plot is drawn on: its greys, the colours of curves on it, and their dashes.
+
+use super::grid;
+use crate::analysis::{Dash, Ink};
+use crate::figure::palette::{Rgb8, Vector, readable};
+use glam::DVec2;
+
+/// Contrast that WCAG 2.2 asks of lines (1.4.11) and of text (1.4.3).
+const CONTRAST: [f64; 2] = [3.0, 4.5];
+
+/// Red, green and blue, apart in lightness as well, before they are fitted to the paper.
+const CHANNELS: [Rgb8; 3] = [[0xD4, 0x2A, 0x2A], [0x12, 0x8A, 0x3E], [0x3A, 0x5F, 0xE0]];
+
+/// The greys of a plot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Paper {
+    pub ground: Rgb8,
+    pub text: Rgb8,
+    /// Of what explains: axes, notes, marks.
+    pub weak: Rgb8,
+    pub grid: Rgb8,
+}
+
+impl Paper {
+    /// Dark on white, for paper and bright rooms.
+    pub const LIGHT: Self = Self { ground: [255; 3], text: [24, 26, 30], weak: [92, 98, 108], grid: [224, 227, 232] };
+    /// Light on nearly black, for dark rooms.
+    pub const DARK: Self =
+        Self { ground: [20, 22, 26], text: [240, 242, 246], weak: [160, 167, 178], grid: [50, 54, 62] };
+
+    /// The colour of a line.
+    pub fn line(&self, ink: Ink) -> Rgb8 {
+        readable(self.colour(ink), self.ground, CONTRAST[0])
+    }
+
+    /// The colour of letters.
+    pub fn letters(&self, ink: Ink) -> Rgb8 {
+        readable(self.colour(ink), self.ground, CONTRAST[1])
+    }
+
+    fn colour(&self, ink: Ink) -> Rgb8 {
+        match ink {
+            Ink::N => Vector::N.colour(),
+            Ink::L => Vector::L.colour(),
+            Ink::R => Vector::R.colour(),
+            Ink::V => Vector::V.colour(),
+            Ink::H => Vector::H.colour(),
+            Ink::Channel(channel) => CHANNELS[usize::from(channel.min(2))],
+            Ink::Reference => self.weak,
+        }
+    }
+}
+
+/// How plots are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlotStyle {
+    pub paper: Paper,
+    /// Size of the letters, in units of the drawing an em. All else goes by it.
+    pub text: f64,
+    /// Whether the plot has its title and a margin; one under a heading of its own needs neither.
+    pub titled: bool,
+}
+
+impl PlotStyle {
+    /// The style of a sheet of `size` that holds so many plots, for one that fills a screen or a page.
+    pub fn of(size: [u32; 2], plots: usize, paper: Paper) -> Self {
+        let room = DVec2::from_array(size.map(f64::from)) / grid(plots, size[0] > size[1]);
+        let text = (room.x / 38.0).min(room.y / 27.0).max(7.0);
+        Self { paper, text, titled: true }
+    }
+
+    /// The width of a curve.
+    pub(super) fn curve(&self, emphasised: bool) -> f64 {
+        if emphasised { 0.19 * self.text } else { 0.125 * self.text }
+    }
+
+    /// The width of an axis.
+    pub(super) fn axis(&self) -> f64 {
+        0.08 * self.text
+    }
+}
+
+/// Lengths of dashes and gaps in turn, in widths of the line.
+pub(super) fn dashes(dash: Dash) -> &'static [f32] {
+    match dash {
+        Dash::Solid => &[],
+        Dash::Long => &[9.0, 3.0],
+        Dash::Dashed => &[4.5, 2.5],
+        Dash::DashDot => &[5.5, 2.0, 1.3, 2.0],
+        Dash::Dotted => &[1.3, 1.7],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::palette::contrast;
+
+    #[test]
+    fn every_colour_stands_out_from_its_paper() {
+        let channels = (0..3).map(Ink::Channel);
+        for ink in [Ink::N, Ink::L, Ink::R, Ink::V, Ink::H, Ink::Reference].into_iter().chain(channels) {
+            for paper in [Paper::LIGHT, Paper::DARK] {
+                assert!(contrast(paper.line(ink), paper.ground) >= CONTRAST[0], "{ink:?}");
+                assert!(contrast(paper.letters(ink), paper.ground) >= CONTRAST[1], "{ink:?}");
+                assert!(contrast(paper.weak, paper.ground) >= CONTRAST[1] && contrast(paper.text, paper.ground) > 10.0);
+            }
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! A drawing as SVG: lines stay lines and text stays text, so that both can be edited and searched.
+
+use super::drawing::{Drawing, HALO, Shape, Text};
+use crate::figure::palette::Rgb8;
+use crate::figure::text::Set;
+use std::fmt::Write;
+
+/// The program's own font first, then what most machines have.
+const FONTS: &str = "Ubuntu, 'Helvetica Neue', Helvetica, Arial, 'Noto Sans', sans-serif";
+
+impl Drawing {
+    /// The text of an SVG file, a unit a pixel. `title` says what it shows, for those who do not see it.
+    pub fn to_svg(&self, title: &str) -> String {
+        let (width, height) = (self.size.x, self.size.y);
+        let mut svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\" role=\"img\">\n<title>{}</title>\n\
+             <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n\
+             <g stroke-linejoin=\"round\" stroke=\"none\">\n",
+            escaped(title),
+            hex(self.ground)
+        );
+        for shape in &self.shapes {
+            write_shape(&mut svg, shape);
+        }
+        let _ = writeln!(svg, "</g>\n<g font-family=\"{FONTS}\" stroke=\"none\">");
+        for text in &self.texts {
+            if text.halo {
+                write_text(&mut svg, text, Some(self.ground));
+            }
+            write_text(&mut svg, text, None);
+        }
+        svg.push_str("</g>\n</svg>\n");
+        svg
+    }
+}
+
+fn write_shape(svg: &mut String, shape: &Shape) {
+    let mut points = String::new();
+    for point in &shape.points {
+        let _ = write!(points, "{}{},{}", if points.is_empty() { "" } else { " " }, brief(point.x), brief(point.y));
+    }
+    let colour = hex(shape.colour);
+    let opacity = if shape.opacity < 1.0 { format!(" opacity=\"{}\"", shape.opacity) } else { String::new() };
+    let _ = if shape.fill {
+        writeln!(svg, "<polygon points=\"{points}\" fill=\"{colour}\"{}/>", opacity)
+    } else {
+        let lengths: Vec<String> = shape.dashes.iter().map(|dash| brief(f64::from(*dash) * shape.width)).collect();
+        let dashes = match lengths.as_slice() {
+            [] => " stroke-linecap=\"round\"".to_owned(),
+            _ => format!(" stroke-dasharray=\"{}\"", lengths.join(" ")),
+        };
+        let width = brief(shape.width);
+        writeln!(
+            svg,
+            "<polyline points=\"{points}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"{dashes}{}/>",
+            opacity
+        )
+    };
+}
+
+/// Writes a line of text, or its halo of a colour: a text of its own below it, since not every program paints the stroke
+/// of a text before its filling.
+fn write_text(svg: &mut String, text: &Text, halo: Option<Rgb8>) {
+    let anchor = if text.align > 0.75 {
+        " text-anchor=\"end\""
+    } else if text.align > 0.25 {
+        " text-anchor=\"middle\""
+    } else {
+        ""
+    };
+    let weight = if text.strong { " font-weight=\"500\"" } else { "" };
+    let (x, y, size) = (brief(text.at.x), brief(text.at.y), brief(text.size));
+    let paint = match halo.map(hex) {
+        None => format!("fill=\"{}\"", hex(text.colour)),
+        Some(colour) => {
+            let width = brief(2.0 * HALO * text.size);
+            format!("aria-hidden=\"true\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"{width}\"")
+        }
+    };
+    let words = lettered(&text.text, text.size);
+    let _ = writeln!(
+        svg,
+        "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" {paint}{anchor}{weight} xml:space=\"preserve\">{words}</text>"
+    );
+}
+
+/// Small letters above and below the line as ordinary ones, moved: fonts may lack them.
+fn lettered(text: &str, size: f64) -> String {
+    let mut out = String::new();
+    let mut shifted = 0.0;
+    for set in text.chars().map(Set::of) {
+        let shift = -f64::from(set.rise) * size;
+        let letter = escaped(&set.letter.to_string());
+        if shift == shifted && shift == 0.0 {
+            out.push_str(&letter);
+            continue;
+        }
+        let (moved, small) = (brief(shift - shifted), brief(f64::from(set.size) * size));
+        let _ = write!(out, "<tspan dy=\"{moved}\" font-size=\"{small}\">{letter}</tspan>");
+        shifted = shift;
+    }
+    out
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// At most two decimals.
+fn brief(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+fn hex([r, g, b]: Rgb8) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_brief_and_text_is_escaped() {
+        assert_eq!([1.0, 0.126, -0.001, 100.0, 2.5].map(brief), ["1", "0.13", "0", "100", "2.5"]);
+        assert_eq!(escaped("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
+    }
+
+    #[test]
+    fn a_raised_letter_comes_back_to_the_line() {
+        let text = lettered("cosⁿ φ", 10.0);
+        assert_eq!(
+            text,
+            "cos<tspan dy=\"-3.6\" font-size=\"6.8\">n</tspan><tspan dy=\"3.6\" font-size=\"10\"> </tspan>φ"
+        );
+    }
+}
