@@ -40,6 +40,20 @@ pub fn rectangle_axes(light: &Light) -> [DVec3; 2] {
     [level * light.extent[0], up * light.extent[1]]
 }
 
+/// Corners of a polyhedron that holds an area light: a rectangle's own, in their order; those of the cube about a sphere.
+pub fn area_hull(light: &Light) -> Vec<DVec3> {
+    match light.shape {
+        AreaShape::Rectangle => {
+            let [across, up] = rectangle_axes(light).map(|side| side * 0.5);
+            [across + up, across - up, -across - up, up - across].map(|corner| light.position + corner).to_vec()
+        }
+        AreaShape::Sphere => {
+            let sign = |bit: u32, k: u32| if k >> bit & 1 == 0 { -light.radius } else { light.radius };
+            (0..8).map(|k| light.position + DVec3::new(sign(0, k), sign(1, k), sign(2, k))).collect()
+        }
+    }
+}
+
 /// The middles of `count` cells of equal area in the unit square, and the row that each stands in.
 fn strata(count: u32) -> Vec<([f64; 2], usize)> {
     let rows = (f64::from(count).sqrt().round() as u32).clamp(1, count.max(1));

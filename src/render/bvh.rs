@@ -5,7 +5,7 @@
 //! double precision against the same single-precision corners that are drawn.
 
 use super::model::Model;
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec3, Vec3A};
 use rayon::join;
 
 /// Triangles in a leaf at most.
@@ -121,13 +121,13 @@ impl Bvh {
         enough: impl Fn(&Meeting) -> bool,
     ) -> Option<Meeting> {
         let root = self.nodes.first()?;
-        let inverse = direction.recip();
+        let slabs = Slabs::new(origin, direction);
         let mut found: Option<Meeting> = None;
         let mut limit = t_max;
         let mut stack = [0_u32; STACK];
         let mut waiting = 0;
         let mut here = 0_u32;
-        entry(root, origin, inverse, limit)?;
+        slabs.enter(root, limit)?;
         loop {
             let node = &self.nodes[here as usize];
             if node.count > 0 {
@@ -143,7 +143,7 @@ impl Bvh {
                 }
             } else {
                 let (left, right) = (here + 1, node.start);
-                let enter = |child: u32| entry(&self.nodes[child as usize], origin, inverse, limit);
+                let enter = |child: u32| slabs.enter(&self.nodes[child as usize], limit);
                 match (enter(left), enter(right)) {
                     (Some(a), Some(b)) => {
                         let (near, far) = if a <= b { (left, right) } else { (right, left) };
@@ -172,14 +172,41 @@ impl Bvh {
     }
 }
 
-/// Where a ray enters a box, if it does so before `limit`. A comparison with what is not a number counts as inside.
-fn entry(node: &Node, origin: DVec3, inverse: DVec3, limit: f64) -> Option<f64> {
-    let low = (Vec3::from_array(node.low).as_dvec3() - origin) * inverse;
-    let high = (Vec3::from_array(node.high).as_dvec3() - origin) * inverse;
-    let near = low.x.min(high.x).max(low.y.min(high.y)).max(low.z.min(high.z)).max(0.0);
-    let far = low.x.max(high.x).min(low.y.max(high.y)).min(low.z.max(high.z)).min(limit);
-    // The far side is moved out by a rounding error, so that rays in the plane of a side are not lost.
-    (near <= far * (1.0 + 1e-12)).then_some(near)
+/// A ray as boxes see it, in single precision: the boxes are widened by more than the rounding, so that none that is met
+/// is missed.
+#[derive(Clone, Copy)]
+struct Slabs {
+    /// The origin moved by the widening, for the low sides and for the high ones.
+    from_low: Vec3A,
+    from_high: Vec3A,
+    inverse: Vec3A,
+}
+
+impl Slabs {
+    /// What the boxes are widened by, as a part of the greatest coordinate: four roundings.
+    const WIDENING: f64 = 4.0 * f32::EPSILON as f64;
+    /// Stands for a component of the direction that is 0.
+    const LEVEL: f64 = 1e-30;
+
+    fn new(origin: DVec3, direction: DVec3) -> Self {
+        let slope = |x: f64| if x.abs() < Self::LEVEL { Self::LEVEL.copysign(x) } else { x };
+        let direction = DVec3::new(slope(direction.x), slope(direction.y), slope(direction.z));
+        let widening = DVec3::splat(Self::WIDENING * origin.abs().max_element());
+        let near = |v: DVec3| v.as_vec3().into();
+        Self { from_low: near(origin + widening), from_high: near(origin - widening), inverse: near(direction.recip()) }
+    }
+
+    /// Where the ray enters a box, if it does so before `limit`.
+    #[inline(always)]
+    fn enter(&self, node: &Node, limit: f64) -> Option<f32> {
+        let low = (Vec3A::from_array(node.low) - self.from_low) * self.inverse;
+        let high = (Vec3A::from_array(node.high) - self.from_high) * self.inverse;
+        let near = low.min(high).max_element().max(0.0);
+        let far = low.max(high).min_element();
+        // A part in 10⁶ for the rounding of the products.
+        let met = near <= far * (1.0 + 1e-6) && f64::from(near) <= limit * (1.0 + 1e-6);
+        met.then_some(near)
+    }
 }
 
 /// Where a ray meets a triangle with 0 < t < `limit`, and the weights of the second and third corner (T. Möller and

@@ -1,8 +1,8 @@
 //! Which light reaches which site: rays from the sites to the sources, a bit each.
 
 use super::solid::Solid;
-use crate::illumination::{Equation, Reached};
-use crate::scene::{Backfacing, Light, Scene};
+use crate::illumination::{Equation, Reached, area_hull};
+use crate::scene::{AreaShape, Backfacing, Light, LightKind, Scene};
 use glam::DVec3;
 
 /// What casts shadows, and for which sources.
@@ -45,16 +45,31 @@ impl<'a> Shadows<'a> {
         })
     }
 
-    /// Whether nothing can stand between a point and a light of the scene: the object's ball does not come as near to the
-    /// way between them as the light's ball is wide.
-    pub fn is_clear_of(&self, light: usize, point: DVec3) -> bool {
-        let Some(light) = self.lights.get(light).filter(|light| light.kind.has_position()) else { return false };
+    /// What is known of the samples of a light, by its index in the scene, without following a ray to each.
+    pub fn all_of(&self, light: usize, start: DVec3) -> Extent {
+        let Some(light) = self.lights.get(light).filter(|light| light.kind.has_position()) else {
+            return Extent::Unknown;
+        };
+        if self.ground.is_some_and(|height| light.position.y - light.reach() <= height) {
+            return Extent::Unknown;
+        }
         let (centre, radius) = self.solid.ball();
-        let way = light.position - point;
-        let t = ((centre - point).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-        // False where any of it is not a number.
-        self.ground.is_none_or(|height| light.position.y - light.reach() > height)
-            && (point + way * t - centre).length() > (radius + light.reach()) * (1.0 + 1e-9)
+        let way = light.position - start;
+        let t = ((centre - start).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+        let distance = (start + way * t - centre).length();
+        if distance > (radius + light.reach()) * (1.0 + ROUNDING) {
+            return Extent::Clear;
+        }
+        if light.kind != LightKind::Area {
+            return Extent::Unknown;
+        }
+        let corners = area_hull(light);
+        if light.shape == AreaShape::Rectangle && is_beside(start, &corners, centre - start, radius) {
+            return Extent::Clear;
+        }
+        // What a convex solid hides of a convex light is convex: with all its corners hidden nothing is seen.
+        let hidden = |corner: &DVec3| self.solid.blocks(start, *corner - start, 1.0);
+        if self.solid.is_convex() && corners.iter().all(hidden) { Extent::Hidden } else { Extent::Unknown }
     }
 
     /// Whether nothing stands between `start` and `start + t_max·direction`.
@@ -70,6 +85,33 @@ impl<'a> Shadows<'a> {
             }
         }
     }
+}
+
+/// How much of a light is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Extent {
+    /// All of it.
+    Clear,
+    /// Nothing.
+    Hidden,
+    /// Rays have to find out.
+    Unknown,
+}
+
+/// Rounding errors that a proof leaves room for.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether a ball, from `start` at `towards`, lies beside the pyramid whose apex is `start` and whose base has these
+/// corners: beyond one of the planes through the apex and an edge.
+fn is_beside(start: DVec3, corners: &[DVec3], towards: DVec3, radius: f64) -> bool {
+    let base = corners.iter().sum::<DVec3>() / corners.len() as f64 - start;
+    (0..corners.len()).any(|k| {
+        let (a, b) = (corners[k] - start, corners[(k + 1) % corners.len()] - start);
+        let across = a.cross(b);
+        // Outwards: away from the base's middle.
+        let outwards = if across.dot(base) > 0.0 { -across } else { across };
+        outwards.dot(towards) > radius * outwards.length() * (1.0 + ROUNDING) && outwards.length_squared() > 0.0
+    })
 }
 
 /// The bits of a whole picture or of all points: blocks of sites, each with a row of bits a source.

@@ -1,7 +1,7 @@
 //! What is seen past the object: the floor, the wall behind, or the plain background.
 
 use super::lens::Lens;
-use super::shadow::Shadows;
+use super::shadow::{Extent, Shadows};
 use crate::illumination::{Equation, Fields, Reached, V3};
 use crate::scene::{Ground, Light, Material, Pattern, PatternKind, Reflectance, Rgb, Scene, Transparency};
 use glam::DVec3;
@@ -119,11 +119,16 @@ pub(super) fn lit(
         scratch.clear();
         let start = point + n * shadows.solid.clearance();
         for light in 0..equation.light_count() {
-            let clear = shadows.is_clear_of(light, point);
+            let known = shadows.all_of(light, start);
             scratch.extend(equation.sources_of(light).map(|source| {
                 // Shadows know the object's sources; these are this surface's own.
                 let (direction, t_max) = equation.way_to(source, point);
-                u64::from(clear || n.dot(direction) <= 0.0 || shadows.is_open(start, direction, t_max))
+                let open = match known {
+                    Extent::Clear => true,
+                    Extent::Hidden => false,
+                    Extent::Unknown => n.dot(direction) <= 0.0 || shadows.is_open(start, direction, t_max),
+                };
+                u64::from(open)
             }));
         }
         scratch.push(0);
