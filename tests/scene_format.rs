@@ -595,3 +595,13 @@ fn every_key_is_documented() {
         assert!(documented.iter().any(|(name, _)| *name == key), "{key} is not documented");
     }
 }
+
+#[test]
+fn the_readme_names_every_built_in_scene_under_its_topic() {
+    let readme = include_str!("../README.md");
+    for preset in shading_lab::scene::presets::ALL {
+        let row = readme.lines().find(|line| line.starts_with(&format!("| {} |", preset.topic)));
+        let named = row.is_some_and(|row| quoted(row).contains(&preset.name));
+        assert!(named, "{} is not named under {}", preset.name, preset.topic);
+    }
+}
