@@ -186,6 +186,28 @@ mod tests {
     }
 
     #[test]
+    fn a_text_is_kept_until_the_scene_or_the_language_is_another() {
+        let (ctx, mut writer, mut document) = (Context::default(), Writer::default(), Document::default());
+        let mut text = |document: &Document, language| {
+            let place = |written: Result<&Written, &str>| written.expect("a text").export.parts[0].text.clone();
+            let kept = writer.ask(&ctx, document, language).is_some();
+            let written = std::iter::repeat_with(|| {
+                thread::sleep(std::time::Duration::from_millis(1));
+                writer.ask(&ctx, document, language).map(place)
+            });
+            (kept, written.take(20_000).flatten().next().expect("within seconds"))
+        };
+        let (kept, first) = text(&document, Language::Calls);
+        assert!(!kept);
+        assert_eq!(text(&document, Language::Calls), (true, first.clone()));
+        document.scene.material.n = 17.0;
+        let (kept, second) = text(&document, Language::Calls);
+        assert!(!kept && second != first);
+        let (kept, shaders) = text(&document, Language::Shaders);
+        assert!(!kept && shaders.starts_with("#version 330"));
+    }
+
+    #[test]
     fn a_mesh_too_large_to_write_out_is_named() {
         let mut document = Document::default();
         (document.scene.object.segments, document.scene.object.rings) = (1024, 1024);
