@@ -4,6 +4,7 @@
 //! actions, which are done in one place at the end of the frame. Nothing is drawn again unless something has changed.
 
 mod action;
+mod code;
 mod controls;
 mod curves;
 mod dialog;
@@ -152,6 +153,7 @@ impl App {
             Action::SaveTo(path) => self.save(path),
             Action::Export => self.state.dialog = Some(Dialog::Export(self.export_form())),
             Action::CopyPicture => self.copy_picture(ctx),
+            Action::Code => self.state.dialog = Some(Dialog::Code(code::CodeForm::default())),
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),
             Action::Quit => ctx.send_viewport_cmd(ViewportCommand::Close),

@@ -14,6 +14,7 @@ pub use glsl::glsl_330;
 
 use crate::geometry::{Mesh, VertexMesh};
 use crate::scene::{NormalSource, Scene, ShadingMode};
+use std::path::{Path, PathBuf};
 
 /// A scene as text in another language.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,6 +23,17 @@ pub struct Export {
     pub parts: Vec<Part>,
     /// What of the scene the text does not express, a sentence each; empty where it expresses everything.
     pub limits: Vec<String>,
+}
+
+impl Export {
+    /// Where `part` is written when the whole is written to `target`: there, or beside it with the part's own ending where
+    /// there are several.
+    pub fn path_of(&self, part: &Part, target: &Path) -> PathBuf {
+        match self.parts.len() {
+            1 => target.to_owned(),
+            _ => target.with_extension(part.ending),
+        }
+    }
 }
 
 /// One file of an [`Export`].

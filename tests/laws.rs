@@ -154,7 +154,7 @@ fn a_spot_shines_along_its_axis_and_not_beyond_its_cone() {
         let mut scene = bench(ReflectionModel::Phong, 10.0);
         scene.lights = vec![light.clone()];
         let equation = Equation::<f64>::new(&scene);
-        for step in 0..=200 {
+        for step in 0..=200_i32 {
             let angle = (f64::from(step) * 0.01 * cone).to_radians();
             // A point in that direction from the light.
             let ray = DVec3::new(angle.sin(), 0.0, -angle.cos());

@@ -528,3 +528,80 @@ proptest! {
         }
     }
 }
+
+const DOCUMENTATION: &str = include_str!("../docs/scene-file.md");
+
+#[test]
+fn the_documented_scenes_are_sound() {
+    let blocks: Vec<_> = DOCUMENTATION.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert!(!blocks.is_empty());
+    for block in blocks {
+        let scene = Scene::parse(block, "scene-file.md").unwrap_or_else(|error| panic!("{error}\n{block}"));
+        assert_ne!(scene, Scene::default());
+    }
+}
+
+/// The words between backquotes.
+fn quoted(cell: &str) -> Vec<&str> {
+    cell.split('`').skip(1).step_by(2).collect()
+}
+
+/// The keys of the documentation's tables with their defaults, a light's as those of the first.
+fn documented() -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    for row in DOCUMENTATION.lines().filter(|line| line.starts_with("| `")) {
+        let cells: Vec<&str> = row.trim_matches('|').split('|').collect();
+        let [keys, defaults, _, _] = cells[..] else { continue };
+        let (keys, defaults) = (quoted(keys), quoted(defaults));
+        let table = keys[0].split_once('.').map(|(table, _)| table);
+        assert!(defaults.len() == keys.len() || keys == ["object.path"], "{row}");
+        for (key, default) in keys.iter().zip(defaults.iter().chain(["\"\""].iter())) {
+            let key = match table {
+                Some(table) if key.starts_with('.') => format!("{table}{key}"),
+                None if *key != "version" => format!("light.0.{key}"),
+                _ => (*key).to_owned(),
+            };
+            found.push((key, (*default).to_owned()));
+        }
+    }
+    found
+}
+
+#[test]
+fn the_documented_defaults_are_the_defaults() {
+    for (key, default) in documented().iter().filter(|(key, _)| key != "object.path") {
+        let scene = Scene::default().with_overrides(&[format!("{key}={default}")]);
+        assert_eq!(scene, Ok(Scene::default()), "{key} = {default}");
+    }
+}
+
+#[test]
+fn every_key_is_documented() {
+    let mut scene = Scene::default();
+    scene.object.path = Some("model.obj".into());
+    scene.lights[0].name = "lamp".to_owned();
+    let documented = documented();
+    let mut keys = Vec::new();
+    let value = serde_json::to_value(&scene).expect("plain data");
+    for (table, inner) in value.as_object().expect("tables") {
+        let (prefix, inner) = inner.get(0).map_or((table.clone(), inner), |first| (format!("{table}.0"), first));
+        match inner.as_object() {
+            Some(inner) => keys.extend(inner.keys().map(|key| format!("{prefix}.{key}"))),
+            None => keys.push(prefix),
+        }
+    }
+    assert!(keys.len() > 60, "{keys:?}");
+    for key in keys {
+        assert!(documented.iter().any(|(name, _)| *name == key), "{key} is not documented");
+    }
+}
+
+#[test]
+fn the_readme_names_every_built_in_scene_under_its_topic() {
+    let readme = include_str!("../README.md");
+    for preset in shading_lab::scene::presets::ALL {
+        let row = readme.lines().find(|line| line.starts_with(&format!("| {} |", preset.topic)));
+        let named = row.is_some_and(|row| quoted(row).contains(&preset.name));
+        assert!(named, "{} is not named under {}", preset.name, preset.topic);
+    }
+}

@@ -1,11 +1,13 @@
 //! The window without a screen: controls are found by role and name, change the picture, and undo takes that back.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Pos2, vec2};
+use eframe::egui::{Key, Modifiers, OutputCommand, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::{App, NumbersTab};
 use shading_lab::document::load;
+use shading_lab::export::{glsl_330, opengl_c, opengl_c_snippet};
+use shading_lab::geometry::tessellate;
 use shading_lab::scene::{
     Distribution, LightKind, PatternKind, Reflectance, ReflectionModel, Rgb, Scene, ShadingMode, presets,
 };
@@ -533,4 +535,92 @@ fn a_curve_is_read_under_the_pointer_without_a_missing_letter() {
             harness.run();
         }
     }
+}
+
+/// The text in the dialog.
+fn code(harness: &Harness<'_, App>) -> String {
+    let view = harness.query_by_role_and_label(Role::MultilineTextInput, "Code");
+    view.and_then(|view| view.accesskit_node().value()).unwrap_or_default()
+}
+
+fn tab(harness: &mut Harness<'_, App>, name: &str) {
+    harness.get_by_role_and_label(Role::Tab, name).click_accesskit();
+    harness.run();
+}
+
+/// What was put on the clipboard since the window was last run.
+fn copied(harness: &Harness<'_, App>) -> Option<String> {
+    let text = |command: &OutputCommand| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    };
+    harness.output().platform_output.commands.iter().find_map(text)
+}
+
+#[test]
+fn the_scene_is_shown_as_code_in_three_ways() {
+    let mut harness = window("three-lights");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::U);
+    harness.run();
+    assert!(wait(&mut harness, |harness| code(harness).contains("void set_up_lights(void)")), "{}", code(&harness));
+    assert!(harness.query_by_label_contains("Phong's (R.V)^n").is_some(), "what the calls do not say");
+    let scene = scene(&harness).clone();
+    let expected = opengl_c_snippet(&scene, &tessellate(&scene.object));
+    assert_eq!(code(&harness), expected.parts[0].text);
+
+    tab(&mut harness, "GLSL 330");
+    assert!(wait(&mut harness, |harness| code(harness).contains("gl_Position")));
+    assert_eq!(code(&harness), glsl_330(&scene).parts[0].text);
+    press(&mut harness, "fragment shader");
+    assert_eq!(code(&harness), glsl_330(&scene).parts[1].text);
+    assert!(harness.query_by_label("It expresses the scene completely.").is_some());
+
+    tab(&mut harness, "Whole program in C");
+    assert!(
+        wait(&mut harness, |harness| code(harness).contains("eglInitialize") || code(harness).lines().count() == 200)
+    );
+    let program = opengl_c(&scene, &tessellate(&scene.object)).expect("a mesh of moderate size").parts[0].text.clone();
+    assert_eq!(code(&harness).lines().count(), 200);
+    assert!(program.starts_with(&code(&harness)));
+    let many = format!("of {} lines", program.lines().count());
+    assert!(harness.query_by_label_contains(&many).is_some(), "{many}");
+    harness.get_by_role_and_label(Role::Button, "Copy").click_accesskit();
+    harness.step();
+    assert_eq!(copied(&harness), Some(program), "copying takes all of it");
+    harness.run();
+    harness.key_press(Key::Escape);
+    harness.run();
+    assert!(harness.query_by_role(Role::Tab).is_none(), "the dialog has gone");
+}
+
+#[test]
+fn code_is_saved_and_a_path_that_cannot_be_written_is_named() {
+    let folder = std::env::temp_dir().join(format!("shading-lab-code-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder for the test");
+    let mut harness = window("sphere");
+    press(&mut harness, "Edit");
+    press(&mut harness, "Code… Ctrl + U");
+    tab(&mut harness, "GLSL 330");
+    assert!(wait(&mut harness, |harness| !code(harness).is_empty()));
+    let save_to = |harness: &mut Harness<'_, App>, path: &Path| {
+        press(harness, "Save…");
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.run();
+        harness.get_by_role_and_label(Role::TextInput, "File").type_text(&path.display().to_string());
+        harness.run();
+        press(harness, "Save");
+    };
+    save_to(&mut harness, &folder.join("no/such/ball.vert"));
+    assert!(harness.query_by_label_contains("its folder does not exist").is_some());
+    harness.key_press(Key::Escape);
+    harness.run();
+    assert!(harness.query_by_role_and_label(Role::TextInput, "File").is_none(), "one step back");
+    save_to(&mut harness, &folder.join("ball.vert"));
+    let said = harness.query_by_label_contains("saved ").is_some();
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap_or_default();
+    let saved = [read("ball.vert"), read("ball.frag")];
+    std::fs::remove_dir_all(&folder).expect("the test's own folder");
+    assert!(said);
+    assert_eq!(saved.to_vec(), glsl_330(scene(&harness)).parts.iter().map(|p| p.text.clone()).collect::<Vec<_>>());
+    assert!(!code(&harness).is_empty(), "the dialog stays");
 }

@@ -22,6 +22,8 @@ pub enum Action {
     /// Asks how to export the picture.
     Export,
     CopyPicture,
+    /// Shows the scene as code.
+    Code,
     Undo,
     Redo,
     ResetCamera,

@@ -1,6 +1,7 @@
 //! What is asked or told in front of everything else.
 
 use super::action::Action;
+use super::code::{self, CodeForm, code_ui};
 use super::files::{Files, Pick};
 use super::keys::BINDINGS;
 use super::state::AppState;
@@ -18,6 +19,7 @@ pub enum Dialog {
     Open { path: String },
     Save { path: String },
     Export(ExportForm),
+    Code(CodeForm),
     Keys,
     About,
 }
@@ -33,7 +35,7 @@ pub struct ExportForm {
 }
 
 /// What the user has decided.
-enum Choice {
+pub enum Choice {
     Stay,
     Leave,
     Accept,
@@ -50,7 +52,14 @@ impl Dialog {
     pub fn take_path(&mut self, picked: String) {
         if let Self::Open { path } | Self::Save { path } | Self::Export(ExportForm { path, .. }) = self {
             *path = picked;
+        } else if let Self::Code(CodeForm { path: Some(path), .. }) = self {
+            *path = picked;
         }
+    }
+
+    /// Leaves a question within the dialog; tells whether there was one.
+    fn step_back(&mut self) -> bool {
+        if let Self::Code(form) = self { form.step_back() } else { false }
     }
 }
 
@@ -74,8 +83,12 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
     }
     let Some(mut dialog) = state.dialog.take() else { return };
     let shown = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
-        ui.set_width(if dialog == Dialog::Keys { 620.0 } else { 480.0 });
-        contents_ui(ui, &mut dialog)
+        ui.set_width(match dialog {
+            Dialog::Keys => 620.0,
+            Dialog::Code(_) => code::width(ui),
+            _ => 480.0,
+        });
+        contents_ui(ui, &mut dialog, state)
     });
     let leave = shown.should_close();
     match shown.inner {
@@ -84,8 +97,11 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
             state.dialog = Some(dialog);
         }
         Choice::Accept => accept(ctx, state, files, dialog),
-        Choice::Stay if !leave => state.dialog = Some(dialog),
-        Choice::Stay | Choice::Leave => ctx.request_repaint(),
+        Choice::Stay if !leave || dialog.step_back() => state.dialog = Some(dialog),
+        Choice::Stay | Choice::Leave => {
+            state.code.forget();
+            ctx.request_repaint();
+        }
     }
 }
 
@@ -94,12 +110,13 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog
         Dialog::Open { path } => state.ask(Action::OpenFile(PathBuf::from(path.trim()))),
         Dialog::Save { path } => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
         Dialog::Export(form) => files.export(ctx, state, &form),
+        Dialog::Code(form) => code::save(state, form),
         Dialog::Message { .. } | Dialog::Keys | Dialog::About => {}
     }
     ctx.request_repaint();
 }
 
-fn contents_ui(ui: &mut Ui, dialog: &mut Dialog) -> Choice {
+fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice {
     match dialog {
         Dialog::Message { title, text } => message_ui(ui, title, text),
         Dialog::Open { path } => {
@@ -108,6 +125,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog) -> Choice {
         }
         Dialog::Save { path } => path_ui(ui, "Save the scene", "Save", path, "scene.toml", Pick::SaveScene),
         Dialog::Export(form) => export_ui(ui, form),
+        Dialog::Code(form) => code_ui(ui, form, &mut state.code, &state.document),
         Dialog::Keys => keys_ui(ui),
         Dialog::About => message_ui(
             ui,
@@ -137,7 +155,7 @@ fn path_ui(ui: &mut Ui, title: &str, verb: &str, path: &mut String, hint: &str, 
 }
 
 /// The field; tells whether Enter was pressed in it, and whether the desktop's dialog is asked for.
-fn path_field(ui: &mut Ui, path: &mut String, hint: &str) -> (bool, bool) {
+pub fn path_field(ui: &mut Ui, path: &mut String, hint: &str) -> (bool, bool) {
     ui.horizontal(|ui| {
         let field = TextEdit::singleline(path).hint_text(hint).desired_width(ui.available_width() - 92.0);
         let field = ui.add(field);

@@ -1,5 +1,6 @@
 //! Files, on threads of their own: the window stays alive while a model is read or a picture is drawn.
 
+use super::code::Language;
 use super::dialog::{Dialog, ExportForm};
 use super::document::Document;
 use super::engine::overlay_options;
@@ -43,6 +44,7 @@ pub enum Pick {
     Open,
     SaveScene,
     SavePicture,
+    SaveCode(Language),
 }
 
 impl Files {
@@ -120,6 +122,7 @@ impl Files {
                 Pick::Open => dialog.add_filter("Scenes, models, pictures", &["toml", "obj", "png"]).pick_file(),
                 Pick::SaveScene => dialog.add_filter("Scene", &["toml"]).set_file_name("scene.toml").save_file(),
                 Pick::SavePicture => dialog.add_filter("Picture", &["png"]).set_file_name("picture.png").save_file(),
+                Pick::SaveCode(language) => dialog.set_file_name(language.suggestion()).save_file(),
             })
         });
     }

@@ -220,6 +220,12 @@ pub const BINDINGS: &[Binding] = &[
         does: "copies the picture",
         on: &[(CTRL, Key::C, Action::CopyPicture)],
     },
+    Binding {
+        section: "Edit",
+        keys: "Ctrl + U",
+        does: "shows the scene as OpenGL calls and shaders",
+        on: &[(CTRL, Key::U, Action::Code)],
+    },
     Binding { section: "Help", keys: "F1", does: "this table", on: &[(PLAIN, Key::F1, Action::Keys)] },
     Binding { section: "Help", keys: "Esc", does: "leaves a dialog, a field or the picture alone", on: &[] },
 ];
@@ -276,7 +282,7 @@ fn find(key: Key, modifiers: Modifiers) -> Option<Action> {
 
 fn allowed(key: Key, modifiers: Modifiers, free: bool, editing: bool) -> bool {
     let function = matches!(key, Key::F1 | Key::F4 | Key::F5 | Key::F6 | Key::F9 | Key::F11);
-    let field_wants = editing && matches!(key, Key::Z | Key::Y | Key::C);
+    let field_wants = editing && matches!(key, Key::Z | Key::Y | Key::C | Key::U);
     function || (modifiers.command && !field_wants) || (free && !editing) || (!editing && is_digit(key))
 }
 

@@ -76,6 +76,7 @@ fn edit_ui(ui: &mut Ui, state: &mut AppState) {
     ui.add_enabled_ui(redo.is_some(), |ui| item(ui, state, &step("Redo", redo), Action::Redo));
     ui.separator();
     item(ui, state, "Copy picture", Action::CopyPicture);
+    item(ui, state, "Code…", Action::Code);
     item(ui, state, "Put the camera back", Action::ResetCamera);
 }
 

@@ -1,6 +1,7 @@
 //! Everything that the window remembers: what is open, what is shown of it, and what was asked for.
 
 use super::action::Action;
+use super::code;
 use super::dialog::Dialog;
 use super::document::Document;
 use super::gallery::Gallery;
@@ -43,6 +44,9 @@ pub struct AppState {
     pub picture_alone: bool,
     #[serde(skip)]
     pub dialog: Option<Dialog>,
+    /// The scene as code, while its dialog is open.
+    #[serde(skip)]
+    pub code: code::Writer,
     /// A line in the bottom bar about what was last done.
     #[serde(skip)]
     pub notice: Option<String>,

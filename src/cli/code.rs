@@ -4,11 +4,11 @@ use super::failure::Failure;
 use super::input::SceneArguments;
 use super::output::print;
 use clap::{Args, ValueEnum};
-use shading_lab::document::{Loaded, WriteError, check_target, write_whole};
+use shading_lab::document::{Loaded, save_code};
 use shading_lab::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 #[derive(Args)]
@@ -39,7 +39,7 @@ impl Code {
         let export = export(&loaded, self.language)?;
         match &self.output {
             None => print(&joined(&export))?,
-            Some(target) => save(target, &export)?,
+            Some(target) => save_code(target, &export)?,
         }
         for limit in &export.limits {
             // Without stderr there is nowhere to say so.
@@ -66,20 +66,4 @@ fn joined(export: &Export) -> String {
         return export.parts.iter().map(titled).collect();
     };
     part.text.clone()
-}
-
-/// Writes one part to `target`, several to its name with their own endings.
-fn save(target: &Path, export: &Export) -> Result<(), Failure> {
-    let path = |part: &Part| match export.parts.len() {
-        1 => target.to_owned(),
-        _ => target.with_extension(part.ending),
-    };
-    // Both or none, as far as can be told before.
-    for part in &export.parts {
-        check_target(&path(part))?;
-    }
-    for part in &export.parts {
-        write_whole(&path(part), |out| out.write_all(part.text.as_bytes()).map_err(WriteError::Io))?;
-    }
-    Ok(())
 }

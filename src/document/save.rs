@@ -1,5 +1,6 @@
 //! Files written whole: beside their target first, then renamed to it.
 
+use crate::export::Export;
 use crate::picture::{PictureError, write_png};
 use crate::render::Frame;
 use crate::scene::Scene;
@@ -42,6 +43,21 @@ pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), SaveError> {
 /// See [`SaveError`].
 pub fn save_picture(path: &Path, frame: &Frame, scene: &Scene) -> Result<(), SaveError> {
     write_whole(path, |out| write_png(out, frame, scene).map_err(WriteError::Picture))
+}
+
+/// Writes the parts of a scene's code, each to its [path](Export::path_of).
+///
+/// # Errors
+/// See [`SaveError`]. That a path cannot be written is found before anything is.
+pub fn save_code(target: &Path, export: &Export) -> Result<(), SaveError> {
+    for part in &export.parts {
+        check_target(&export.path_of(part, target))?;
+    }
+    for part in &export.parts {
+        let text = part.text.as_bytes();
+        write_whole(&export.path_of(part, target), |out| out.write_all(text).map_err(WriteError::Io))?;
+    }
+    Ok(())
 }
 
 /// What stopped a file's content.
