@@ -109,7 +109,8 @@ fn blinns_lobe_is_the_power_of_the_cosine_to_the_half_vector() {
 #[test]
 fn attenuation_has_its_forms_and_nothing_divides_by_zero() {
     let light = Light { k: 0.5, c1: 0.3, c2: 0.2, c3: 0.1, ..Light::default() };
-    let forms: [(Attenuation, fn(f64) -> f64); 5] = [
+    type Form = (Attenuation, fn(f64) -> f64);
+    let forms: [Form; 5] = [
         (Attenuation::None, |_| 1.0),
         (Attenuation::Light, |d| 1.0 / (d + 0.5)),
         (Attenuation::Viewer, |d| 1.0 / (d + 0.5)),

@@ -32,37 +32,44 @@ impl ProbeCommand {
         let mut renderer = Renderer::default();
         renderer.set_model(loaded.model);
         let probe = probe(&mut renderer, &loaded.scene, x, y);
-        if self.json { print_json(&Printed::from(probe)) } else { print(&text::describe(&probe, &loaded.scene)) }
+        if !self.json {
+            return print(&text::describe(&probe, &loaded.scene));
+        }
+        let Probe { pixel, hit, ambient_fit } = probe;
+        match hit {
+            Some(hit) => print_json(&PrintedHit::new(pixel, hit, ambient_fit)),
+            None => print_json(&PrintedBackground { pixel, hit: false }),
+        }
     }
 }
 
-/// A pixel as printed, its keys in the order of the equation.
+/// A pixel that shows the background, as printed.
 #[derive(Serialize)]
-#[serde(untagged)]
-enum Printed {
-    Background {
-        pixel: [u32; 2],
-        hit: bool,
-    },
-    Surface {
-        pixel: [u32; 2],
-        position: DVec3,
-        normal: DVec3,
-        view: DVec3,
-        depth: f64,
-        face: Option<u32>,
-        ambient: Rgb,
-        /// Whether `ambient` is light from other surfaces.
-        bounced: bool,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        ambient_fit: Option<Rgb>,
-        lights: Vec<PrintedLight>,
-        reflected: Rgb,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        transmission: Option<PrintedTransmission>,
-        sum: Rgb,
-        stored: [u8; 3],
-    },
+struct PrintedBackground {
+    pixel: [u32; 2],
+    hit: bool,
+}
+
+/// A pixel that shows the object, as printed, its keys in the order of the equation.
+#[derive(Serialize)]
+struct PrintedHit {
+    pixel: [u32; 2],
+    position: DVec3,
+    normal: DVec3,
+    view: DVec3,
+    depth: f64,
+    face: Option<u32>,
+    ambient: Rgb,
+    /// Whether `ambient` is light from other surfaces.
+    bounced: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ambient_fit: Option<Rgb>,
+    lights: Vec<PrintedLight>,
+    reflected: Rgb,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    transmission: Option<PrintedTransmission>,
+    sum: Rgb,
+    stored: [u8; 3],
 }
 
 #[derive(Serialize)]
@@ -102,14 +109,13 @@ struct PrintedLight {
     specular: Rgb,
 }
 
-impl From<Probe> for Printed {
-    fn from(Probe { pixel, hit, ambient_fit }: Probe) -> Self {
-        let Some(hit) = hit else { return Self::Background { pixel, hit: false } };
+impl PrintedHit {
+    fn new(pixel: [u32; 2], hit: ProbeHit, ambient_fit: Option<Rgb>) -> Self {
         let ProbeHit { position, normal, view, depth, face, ambient, bounced, lights, reflected, sum, stored, .. } =
             hit;
         let transmission = hit.transmission.map(PrintedTransmission::from);
         let lights = lights.into_iter().map(PrintedLight::from).collect();
-        Self::Surface {
+        Self {
             pixel,
             position,
             normal,

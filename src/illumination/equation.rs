@@ -49,6 +49,13 @@ pub struct Reached<'a> {
 }
 
 impl Reached<'_> {
+    /// The same bits for lanes that start at site `first`.
+    #[inline(always)]
+    #[must_use]
+    pub fn starting_at(self, first: usize) -> Self {
+        Self { first, ..self }
+    }
+
     /// The bits of `source`, the lowest that of the first lane's site.
     #[inline(always)]
     fn bits(&self, source: usize) -> u64 {

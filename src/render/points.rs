@@ -86,10 +86,10 @@ impl Sites<'_> {
         for start in (0..r.len()).step_by(lanes) {
             let position = load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
             let site = self.equation.site(position, load(simd, self.normal, start));
-            let reached = match self.reached {
-                Some(reached) => Some(Reached { first: start, ..reached }),
-                None => None,
-            };
+            let reached = self.reached.map(
+                #[inline(always)]
+                |reached| reached.starting_at(start),
+            );
             let rgb = self.equation.illuminate::<Lanes<S>, F>(&site, reached);
             rgb[0].0.store_slice(&mut r[start..start + lanes]);
             rgb[1].0.store_slice(&mut g[start..start + lanes]);

@@ -112,10 +112,7 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
     #[inline(always)]
     fn row(&mut self, y: u32) {
         self.rays.row(y);
-        self.reached = match self.reach {
-            Some(reach) => reach.at(y as usize, 0),
-            None => None,
-        };
+        self.reached = self.reach.and_then(|reach| reach.at(y as usize, 0));
     }
 
     #[inline(always)]
@@ -132,10 +129,10 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
             normal
         };
         let site = self.equation.site(self.rays.positions(simd, x, key), normal);
-        let reached = match self.reached {
-            Some(reached) => Some(Reached { first: column, ..reached }),
-            None => None,
-        };
+        let reached = self.reached.map(
+            #[inline(always)]
+            |reached| reached.starting_at(column),
+        );
         self.equation.illuminate::<Lanes<S>, F>(&site, reached)
     }
 }

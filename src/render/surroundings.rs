@@ -60,7 +60,7 @@ impl<'a> Surroundings<'a> {
         let fields = Fields::new(backdrop.pattern, backdrop.scale, 2, DVec3::ZERO, 1.0);
         Self {
             background: scene.image.background,
-            ground: scene.ground.visible.then(|| Floor { height: scene.ground.height, equation, shadows }),
+            ground: scene.ground.visible.then_some(Floor { height: scene.ground.height, equation, shadows }),
             wall: fields.map(|fields| Wall {
                 centre: scene.camera.target + lens.forward * backdrop.distance,
                 right: lens.right,
