@@ -10,6 +10,7 @@ mod document;
 mod engine;
 mod equation;
 mod files;
+mod filled;
 mod gallery;
 mod handles;
 mod history;
@@ -26,6 +27,7 @@ mod start;
 mod state;
 mod symbol;
 mod theme;
+mod typeset;
 
 pub use document::{Document, Origin};
 pub use start::{AppError, run};
