@@ -11,18 +11,19 @@ mod terms;
 mod through;
 mod working;
 
-pub use through::transmitted_angle;
+pub use through::to_line;
 
 use super::palette::Term;
 use super::state::AppState;
-use super::typeset::Place;
+use super::symbol::Symbol;
+use super::typeset::{Piece, Place};
 use crate::analysis::ProbeHit;
 use crate::scene::Scene;
 use eframe::egui::{RichText, Ui, vec2};
 use glam::DVec3;
-use light::{AT_PROBE, Part};
+use light::Part;
 use notation::{Notation, Vectors};
-use outline::{Line, Opening, Says, channels_ui, fold_ui, line_ui, rule_ui};
+use outline::{AT_PROBE, Line, Opening, Says, channels_ui, fold_ui, letters_ui, rule_ui};
 use share::{bar_ui, shares};
 use table::Table;
 use terms::Here;
@@ -38,7 +39,7 @@ pub fn filled_ui(ui: &mut Ui, state: &mut AppState, hit: &ProbeHit) {
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing = vec2(8.0, 2.0);
         bar_ui(ui, &shares);
-        channels_ui(ui, "I =");
+        channels_ui(ui);
         ambient_ui(ui, state, here, &notation);
         for (index, light) in here.lights().enumerate() {
             let open = index == state.light;
@@ -64,7 +65,7 @@ fn newly_chosen(ui: &Ui, light: usize) -> bool {
 fn ambient_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Notation) {
     let name = if here.hit.bounced { "one bounce" } else { "ambient" };
     let colour = notation.strong();
-    let line = Line { sign: "", name, says: Says::sum(here.hit.ambient), colour, flat: false };
+    let line = Line { sign: "", name, says: Says::sum(here.hit.ambient), colour, flat: false, lettered: false };
     fold_ui(ui, "ambient", &line, Opening { at_first: true, now: None }, |ui| {
         if here.hit.bounced {
             let text = "Light that other surfaces scatter once stands in place of the constant, which would be:";
@@ -87,12 +88,14 @@ fn no_vectors() -> Vectors {
 
 fn sum_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Notation) {
     let colour = notation.strong();
-    let line = |name, value| Line { sign: "=", name, says: Says::sum(value), colour, flat: true };
+    let line = |name, value| Line { sign: "=", name, says: Says::sum(value), colour, flat: true, lettered: true };
+    let letter = Piece::symbol("I", "", Symbol::Intensity, colour);
     if here.hit.transmission.is_some() {
-        line_ui(ui, &line("I reflected", here.hit.reflected));
+        let reflected = Piece { low: "refl", ..letter.clone() };
+        letters_ui(ui, state, &line("I reflected", here.hit.reflected), &[reflected]);
         through::through_ui(ui, state, here, notation);
     }
-    line_ui(ui, &line("I", here.hit.sum));
+    letters_ui(ui, state, &line("I", here.hit.sum), &[letter]);
 }
 
 /// How much of a light reaches the point, in words; nothing where no shadows are drawn.

@@ -1,7 +1,7 @@
 //! The picture's meaning in numbers at the probe: vectors, angles, and the equation filled in.
 
 use super::engine::Engine;
-use super::filled::{filled_ui, shadow_words, transmitted_angle};
+use super::filled::{filled_ui, shadow_words, to_line};
 use super::palette::vector_text;
 use super::state::AppState;
 use crate::analysis::{LightTerms, Probe, ProbeHit};
@@ -145,7 +145,7 @@ fn angles_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit, terms: &LightTerms) {
             line(of, format!("{:.2}°", terms.incidence.to_degrees()));
         }
         if let Some(t) = transmitted(hit) {
-            line("θt, T to −N", format!("{:.2}°", transmitted_angle(hit.normal, t).to_degrees()));
+            line("θt, T to −N", format!("{:.2}°", to_line(hit.normal, t).to_degrees()));
         }
         if let Some(words) = shadow_words(scene, terms.reached) {
             line("light", words);

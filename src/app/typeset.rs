@@ -10,6 +10,9 @@ use eframe::egui::{
 use std::borrow::Cow;
 use std::sync::Arc;
 
+/// How far above the middle of a run the top of raised letters lies, in heights of the run.
+const RAISED: f32 = 0.42;
+
 /// A letter, a sign or a number of a formula.
 #[derive(Clone, Debug)]
 pub struct Piece {
@@ -118,7 +121,12 @@ impl<'a> Run<'a> {
                 // A symbol may stand more than once.
                 symbol_ui(ui, state, piece, symbol, rect, Place { id: place.id.with((symbol, index)), ..place });
             }
-            let top = rect.center().y - galley.size().y / 2.0;
+            let top = if piece.text.is_empty() {
+                // Alone in its row it has nothing to be raised above.
+                rect.center().y - self.height * RAISED
+            } else {
+                rect.center().y - galley.size().y / 2.0
+            };
             ui.painter().galley(pos2(rect.min.x, top), Arc::clone(galley), piece.colour);
         }
     }

@@ -2,22 +2,20 @@
 
 use super::figure::Figure;
 use super::notation::{Notation, Vectors};
-use super::outline::{Line, Opening, Says, fold_ui};
+use super::outline::{AT_PROBE, Line, Opening, Says, fold_ui};
 use super::share::{Share, percent};
-use super::table::Table;
+use super::table::{LEAST_SCALE, Table};
 use super::terms::{LightHere, Product};
 use super::working::working;
 use crate::app::palette::Term;
 use crate::app::state::AppState;
-use crate::app::typeset::{Piece, Place, run_ui, spoken};
+use crate::app::typeset::{Piece, Place, Run, run_ui, spoken};
 use crate::scene::{LightKind, Rgb};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Layout, RichText, Ui, WidgetInfo};
 
 /// Size of the working's letters, points.
 const WORKING: f32 = 15.0;
-/// What symbols are called behind their names.
-pub const AT_PROBE: &str = "at the probe";
 
 /// A light's part of the equation.
 pub struct Part<'a> {
@@ -35,7 +33,7 @@ impl Part<'_> {
         let says = silent.map_or_else(|| Says::sum(terms.diffuse + terms.specular), |why| Says::Words(why.to_owned()));
         let colour = if silent.is_some() { self.notation.weak() } else { self.notation.strong() };
         let name = self.name();
-        let line = Line { sign: "+", name: &name, says, colour, flat: false };
+        let line = Line { sign: "+", name: &name, says, colour, flat: false, lettered: false };
         let sought = state.lit.seek;
         fold_ui(ui, &format!("light {}", self.index), &line, opening, |ui| match silent {
             Some(_) => {
@@ -50,9 +48,8 @@ impl Part<'_> {
     }
 
     fn name(&self) -> String {
-        let number = format!("light {}", self.index + 1);
-        let name = self.light.source.name.trim();
-        if name.is_empty() { number } else { format!("{number}, {name}") }
+        let (number, name) = (self.index + 1, self.light.source.name.trim());
+        if name.is_empty() { format!("light {number}") } else { format!("{number} {name}") }
     }
 
     /// Why the light adds nothing, in a sentence.
@@ -96,6 +93,9 @@ impl Part<'_> {
                 _ => (&lines.diffuse, self.light.diffuse()),
             };
             working_ui(ui, state, lines, Place { id: place.id.with("working"), ..place });
+            if term == Term::Specular && self.light.misses_the_viewer() {
+                continue;
+            }
             self.table_ui(ui, state, term, &product, &vectors, place);
         }
     }
@@ -166,7 +166,9 @@ fn working_ui(ui: &mut Ui, state: &mut AppState, lines: &[Vec<Piece>], place: Pl
     for (index, line) in lines.iter().enumerate() {
         ui.scope(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let run = run_ui(ui, state, line, WORKING, Place { id: place.id.with(index), ..place });
+            let width = Run::new(ui, line, WORKING).width();
+            let size = WORKING * (ui.available_width() / width).clamp(LEAST_SCALE, 1.0);
+            let run = run_ui(ui, state, line, size, Place { id: place.id.with(index), ..place });
             run.widget_info(|| WidgetInfo::labeled(Role::Label, true, spoken(line)));
         });
     }

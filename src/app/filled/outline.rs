@@ -2,10 +2,12 @@
 
 use super::figure::Figure;
 use super::table::CHANNELS;
+use crate::app::state::AppState;
+use crate::app::typeset::{Piece, Place, Run};
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::{CollapsingState, paint_default_icon};
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
-use eframe::egui::{Color32, FontId, Galley, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Color32, FontId, Galley, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -15,9 +17,15 @@ const LINE: f32 = 24.0;
 const TEXT: f32 = 14.0;
 /// Width of a channel's column, and of the space before it, points.
 const COLUMN: f32 = 51.0;
-const SPACE: f32 = 5.0;
+const SPACE: f32 = 7.0;
 /// Where names begin: behind the sign and the triangle, points.
 const INDENT: f32 = 34.0;
+/// Where they begin behind the sign alone, points.
+const FLAT_INDENT: f32 = 14.0;
+/// Size of letters that stand for a name, points.
+const LETTERS: f32 = 16.0;
+/// What symbols are called behind their names.
+pub const AT_PROBE: &str = "at the probe";
 
 /// What a line says at its right.
 #[derive(Clone, Debug)]
@@ -50,13 +58,14 @@ pub struct Line<'a> {
     pub colour: Color32,
     /// Whether nothing unfolds, so that the name needs no room for a triangle.
     pub flat: bool,
+    /// Whether letters stand in place of the name, which is spoken only.
+    pub lettered: bool,
 }
 
 /// The names of the channels over their columns.
-pub fn channels_ui(ui: &mut Ui, name: &str) {
+pub fn channels_ui(ui: &mut Ui) {
     let weak = ui.visuals().weak_text_color();
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), LINE - 4.0), Sense::hover());
-    text(ui, name, rect.min.x, rect, weak, rect.width());
     for (index, channel) in CHANNELS.iter().enumerate() {
         let galley = ui.painter().layout_no_wrap((*channel).to_owned(), FontId::proportional(TEXT), weak);
         right(ui, galley, column(rect, index), rect, weak);
@@ -64,11 +73,19 @@ pub fn channels_ui(ui: &mut Ui, name: &str) {
 }
 
 /// A line that does not unfold.
-pub fn line_ui(ui: &mut Ui, line: &Line<'_>) -> Response {
+pub fn line_ui(ui: &mut Ui, line: &Line<'_>) -> Rect {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{} {}", line.name, line.says.spoken())));
     paint(ui, line, rect);
-    response
+    rect
+}
+
+/// A line that is called by `letters`, which light up their control.
+pub fn letters_ui(ui: &mut Ui, state: &mut AppState, line: &Line<'_>, letters: &[Piece]) {
+    let rect = line_ui(ui, line);
+    let place = Place { id: ui.scope_id().with(("line", line.name)), name: AT_PROBE };
+    let left = pos2(rect.min.x + FLAT_INDENT, rect.center().y);
+    Run::new(ui, letters, LETTERS).paint(ui, state, left, place);
 }
 
 /// A line across, as under a written sum.
@@ -116,7 +133,7 @@ pub fn fold_ui(ui: &mut Ui, salt: &str, line: &Line<'_>, opening: Opening, body:
 
 fn paint(ui: &Ui, line: &Line<'_>, rect: Rect) {
     text(ui, line.sign, rect.min.x, rect, ui.visuals().weak_text_color(), INDENT);
-    let left = rect.min.x + if line.flat { 13.0 } else { INDENT };
+    let left = rect.min.x + if line.flat { FLAT_INDENT } else { INDENT };
     match &line.says {
         Says::Channels(values) => {
             let galleys: Vec<_> = values
@@ -129,7 +146,9 @@ fn paint(ui: &Ui, line: &Line<'_>, rect: Rect) {
                 free = free.min(edge - galley.size().x.max(COLUMN));
                 right(ui, galley, edge, rect, line.colour);
             }
-            text(ui, line.name, left, rect, line.colour, free - SPACE - left);
+            if !line.lettered {
+                text(ui, line.name, left, rect, line.colour, free - SPACE - left);
+            }
         }
         Says::Words(words) => {
             let weak = ui.visuals().weak_text_color();

@@ -12,7 +12,7 @@ use glam::DVec3;
 pub fn stored_ui(ui: &mut Ui, display: &Display, hit: &ProbeHit, notation: &Notation) {
     let over = hit.sum.max_element() > 1.0;
     let line = |ui: &mut Ui, sign, name: &str, says, colour| {
-        line_ui(ui, &Line { sign, name, says, colour, flat: true });
+        line_ui(ui, &Line { sign, name, says, colour, flat: true, lettered: false });
     };
     let mut shown = Some(hit.sum.max(DVec3::ZERO));
     match display.overflow {

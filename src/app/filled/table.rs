@@ -20,8 +20,8 @@ const LINE: f32 = 20.0;
 const MARK: f32 = 16.0;
 /// Space between two columns for the sign there, points: as much as there is, between these.
 const GAPS: [f32; 2] = [9.0, 16.0];
-/// Numbers shrink no further than this to fit a narrow panel.
-const LEAST_SCALE: f32 = 0.7;
+/// Formulas shrink no further than this to fit a narrow panel.
+pub const LEAST_SCALE: f32 = 0.7;
 
 pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
@@ -91,6 +91,10 @@ impl Table<'_> {
         }
         let mut x = rect.min.x + MARK;
         for (index, column) in laid.iter().enumerate() {
+            if index + 1 == laid.len() {
+                // Values stand below each other, whatever number of factors they have.
+                x = x.max(rect.max.x - column.width - gap);
+            }
             if index > 0 {
                 for channel in 0..3 {
                     let sign = ui.painter().layout_no_wrap(column.sign.to_owned(), FontId::monospace(DIGITS), weak);

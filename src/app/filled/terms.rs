@@ -233,6 +233,13 @@ impl LightHere<'_> {
         }
     }
 
+    /// Whether the highlight points away from the viewer, so that the line about its cosine says all.
+    pub fn misses_the_viewer(self) -> bool {
+        let turned_away =
+            self.here.scene.reflection.model != ReflectionModel::CookTorrance && self.lobe_cosine() <= 0.0;
+        self.is_one_product() && turned_away && self.terms.specular == Rgb::ZERO
+    }
+
     /// Whether N has been turned about towards the light.
     pub fn turned(self) -> bool {
         self.terms.n_dot_l < 0.0 && self.here.scene.reflection.backfacing == Backfacing::Flip

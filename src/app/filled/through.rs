@@ -1,13 +1,13 @@
 //! What comes through the surface, mixed with what it reflects.
 
-use super::light::AT_PROBE;
 use super::notation::{Notation, Vectors};
-use super::outline::{Line, Opening, Says, fold_ui};
+use super::outline::{AT_PROBE, Line, Opening, Says, fold_ui};
 use super::table::Table;
 use super::terms::Here;
 use crate::app::state::AppState;
 use crate::app::typeset::Place;
 use crate::render::Transmission;
+use crate::scene::Through;
 use eframe::egui::{RichText, Ui};
 use glam::DVec3;
 
@@ -16,7 +16,8 @@ pub fn through_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &
     let (Some(product), Some(through)) = (here.mixture(), here.hit.transmission) else { return };
     let colour = notation.through();
     let counted = counts(&through);
-    let line = Line { sign: "", name: "transparency", says: Says::Words(counted), colour, flat: false };
+    let line =
+        Line { sign: "", name: "transparency", says: Says::Words(counted), colour, flat: false, lettered: false };
     fold_ui(ui, "transparency", &line, Opening { at_first: true, now: None }, |ui| {
         ui.label(RichText::new(directions(here, &through)).weak());
         // No vector stands in these letters.
@@ -38,23 +39,21 @@ fn counts(through: &Transmission) -> String {
     }
 }
 
-/// Snell's law with this pixel's angles.
+/// Snell's law with this pixel's angles: that of V to N and that of T to −N.
 fn directions(here: Here<'_>, through: &Transmission) -> String {
-    let eta = here.scene.transparency.ior;
-    let (normal, view) = (here.hit.normal, here.hit.view);
-    let seen = view.angle_between(normal).to_degrees();
-    let seen = seen.min(180.0 - seen);
-    match through.t {
-        Some(t) => {
-            let bent = transmitted_angle(normal, t).to_degrees();
-            format!("V at {seen:.2}° to N, T at {bent:.2}°: η = {eta:.3}")
-        }
-        None => format!("V at {seen:.2}° to N, totally reflected: η = {eta:.3}"),
+    let transparency = &here.scene.transparency;
+    let (normal, view, eta) = (here.hit.normal, here.hit.view, transparency.ior);
+    let angle = to_line(normal, view).to_degrees();
+    let leaves = view.dot(normal) < 0.0 && transparency.through == Through::Solid;
+    match through.t.map(|t| to_line(normal, t).to_degrees()) {
+        Some(bent) if leaves => format!("Snell: {eta:.3} · sin {angle:.2}° = sin {bent:.2}°, of T"),
+        Some(bent) => format!("Snell: sin {angle:.2}° = {eta:.3} · sin {bent:.2}°, of T"),
+        None => format!("V at {angle:.2}° to N, η = {eta:.3}: total reflection, no T"),
     }
 }
 
-/// The angle between T and the normal's line, radians.
-pub fn transmitted_angle(normal: DVec3, t: DVec3) -> f64 {
-    let angle = t.angle_between(normal);
+/// The angle between a vector and the normal's line, radians: 0 to a right angle.
+pub fn to_line(normal: DVec3, vector: DVec3) -> f64 {
+    let angle = vector.angle_between(normal);
     angle.min(std::f64::consts::PI - angle)
 }

@@ -3,9 +3,11 @@
 use super::notation::{Notation, Vectors};
 use super::terms::LightHere;
 use crate::app::palette::Term;
+use crate::app::row::display;
 use crate::app::symbol::Symbol;
 use crate::app::typeset::Piece;
-use crate::scene::{Attenuation, LightKind, ReflectionModel};
+use crate::illumination::attenuation_at;
+use crate::scene::{Attenuation, Light, LightKind, ReflectionModel};
 
 /// Lines of formulas.
 #[derive(Clone, Debug, Default)]
@@ -52,7 +54,7 @@ fn attenuation(light: LightHere<'_>, notation: &Notation) -> Vec<Piece> {
         Attenuation::Light => (rational(to_light), ("r to the light", to_light)),
         Attenuation::InverseSquare => (format!(" = 1/d² = 1/{to_light:.2}²"), ("d to the light", to_light)),
         Attenuation::Quadratic | Attenuation::None => {
-            (format!(" of d = {to_light:.2}"), ("min(1, 1/(c1 + c2·d + c3·d²)), d to the light", to_light))
+            (quadratic(source, to_light), ("min(1, 1/(c1 + c2·d + c3·d²)), d to the light", to_light))
         }
     };
     let (what, r) = distance;
@@ -61,6 +63,15 @@ fn attenuation(light: LightHere<'_>, notation: &Notation) -> Vec<Piece> {
         vec![Piece::symbol("f", "", Symbol::Attenuation, notation.plain()).explained(tip), notation.sign(formula)];
     line.extend(notation.result(light.terms.attenuation));
     line
+}
+
+fn quadratic(source: &Light, d: f64) -> String {
+    let [c1, c2, c3] = [source.c1, source.c2, source.c3].map(|c| display(c, 3));
+    if attenuation_at(source, Attenuation::Quadratic, d) < 1.0 {
+        format!(" = 1/({c1} + {c2}·{d:.2} + {c3}·{d:.2}²)")
+    } else {
+        format!(", at most 1 (d = {d:.2})")
+    }
 }
 
 /// N·L as the cosine of θ.
