@@ -76,7 +76,8 @@ fn ambient_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Nota
         let colour = notation.term(Term::Ambient);
         let columns = product.columns.iter().map(|column| (notation.head(column, colour, &vectors), column)).collect();
         let place = Place { id: ui.scope_id().with("ambient at the probe"), name: AT_PROBE };
-        Table { name, columns, value: product.value, colour: notation.strong() }.ui(ui, state, place);
+        let colour = if here.hit.bounced { notation.weak() } else { notation.strong() };
+        Table { name, columns, value: product.value, colour }.ui(ui, state, place);
     });
 }
 

@@ -88,8 +88,8 @@ fn decimals_for(value: f64) -> usize {
         size if size >= 1000.0 => 0,
         size if size >= 100.0 => 1,
         size if size >= 10.0 => 2,
-        size if size >= 0.1 || size < SMALL => 3,
-        _ => 4,
+        size if (SMALL..0.1).contains(&size) => 4,
+        _ => 3,
     }
 }
 

@@ -49,7 +49,7 @@ impl Notation {
     /// A vector's letter, with its coordinates at the pixel.
     pub fn vector(&self, vector: Vector, symbol: Symbol, here: glam::DVec3) -> Piece {
         let [x, y, z] = here.to_array().map(|part| format!("{part:.3}").replace('-', "−"));
-        let tip = format!("{}.\nHere ({x}, {y}, {z}), world.", symbol.meaning());
+        let tip = format!("{}; {}.\nHere ({x}, {y}, {z}).", symbol.meaning(), symbol.unit());
         Piece::symbol(vector.letter(), "", symbol, vector_text(&self.visuals, vector)).explained(tip)
     }
 
@@ -61,11 +61,11 @@ impl Notation {
 
     fn factor(&self, factor: Factor, colour: Color32, vectors: &Vectors, here: &str) -> Vec<Piece> {
         let letter = |text, low, symbol: Symbol| {
-            let tip = format!("{}.\nUnit: {}.\n{here}", symbol.meaning(), symbol.unit());
+            let tip = format!("{}; {}.\n{here}", symbol.meaning(), symbol.unit());
             vec![Piece::symbol(text, low, symbol, colour).explained(tip)]
         };
         let called = |text, symbol: Symbol, meaning: &str| {
-            vec![Piece::symbol(text, "", symbol, colour).explained(format!("{meaning}.\nUnit: none.\n{here}"))]
+            vec![Piece::symbol(text, "", symbol, colour).explained(format!("{meaning}.\n{here}"))]
         };
         match factor {
             Factor::Ka => letter("K", "a", Symbol::Ka),
@@ -77,8 +77,12 @@ impl Notation {
             Factor::Os => letter("O", "s", Symbol::Os),
             Factor::Reflectance => letter("W", "", Symbol::Reflectance),
             Factor::Attenuation => letter("f ", "", Symbol::Attenuation),
-            Factor::Spot => called("s ", Symbol::Light, "s: the part of its light that the spot sends this way"),
-            Factor::Lit => called("lit ", Symbol::Shadows, "lit: the part of the light that nothing keeps away"),
+            Factor::Spot => {
+                called("s ", Symbol::Light, "s: the part of its light that the spot sends this way, 0 to 1")
+            }
+            Factor::Lit => {
+                called("lit ", Symbol::Shadows, "lit: the part of the light that nothing keeps away, 0 to 1")
+            }
             Factor::Kt => letter("K", "t", Symbol::Kt),
             Factor::Itrans => letter("I", "trans", Symbol::Transmitted),
             Factor::Irefl => called("I", Symbol::Intensity, "Irefl: the reflected light, what the terms add up to")
@@ -117,7 +121,7 @@ impl Notation {
                 self.vector(Vector::H, Symbol::Reflected, vectors.h),
             ),
         };
-        let tip = format!("{}.\nUnit: none.\nHere {}.", Symbol::Exponent.meaning(), vectors.exponent);
+        let tip = format!("{}; no unit.\nHere {}.", Symbol::Exponent.meaning(), vectors.exponent);
         let exponent = Piece::symbol("", "", Symbol::Exponent, colour).raised(n).explained(tip);
         vec![self.sign("("), first, self.sign("·"), second, self.sign(")"), exponent]
     }
