@@ -12,6 +12,7 @@ mod document;
 mod engine;
 mod equation;
 mod files;
+mod filled;
 mod gallery;
 mod handles;
 mod history;
@@ -28,6 +29,7 @@ mod start;
 mod state;
 mod symbol;
 mod theme;
+mod typeset;
 
 pub use document::{Document, Origin};
 pub use start::{AppError, run};

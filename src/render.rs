@@ -30,6 +30,7 @@ mod surroundings;
 mod transform;
 mod transmission;
 
+pub use display::srgb;
 pub use frame::{Frame, Report, Stage, StageRun};
 pub use plan::{Facts, Per, Plan, Term};
 pub(crate) use reference::Evaluation;

@@ -3,11 +3,13 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, OutputCommand, Pos2, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
+use shading_lab::analysis::{ProbeHit, probe};
 use shading_lab::app::{App, NumbersTab};
 use shading_lab::document::load;
 use shading_lab::export::{glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
+use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Distribution, LightKind, PatternKind, Reflectance, ReflectionModel, Rgb, Scene, ShadingMode, presets,
 };
@@ -623,4 +625,111 @@ fn code_is_saved_and_a_path_that_cannot_be_written_is_named() {
     assert!(said);
     assert_eq!(saved.to_vec(), glsl_330(scene(&harness)).parts.iter().map(|p| p.text.clone()).collect::<Vec<_>>());
     assert!(!code(&harness).is_empty(), "the dialog stays");
+}
+
+/// The probe of the window, worked out apart from it.
+fn probed(harness: &Harness<'_, App>) -> ProbeHit {
+    let frame = harness.state().frame();
+    let mut scene = scene(harness).clone();
+    scene.image.size = [frame.width, frame.height];
+    let [x, y] = harness.state().state().probe.pixel(scene.image.size);
+    probe(&mut Renderer::default(), &scene, x, y).hit.expect("the probe stands on the object")
+}
+
+/// A line of the filled-in equation that begins with `name`, without it.
+fn line_of(harness: &Harness<'_, App>, name: &str) -> String {
+    // A screen reader has the words of a label as its value.
+    let text = |node: &AccessKitNode<'_>| node.label().or_else(|| node.value()).unwrap_or_default();
+    let node = harness.get_by(|node| text(node).starts_with(name));
+    text(&node.accesskit_node())[name.len()..].to_owned()
+}
+
+fn parsed(text: &str) -> f64 {
+    text.trim().replace('−', "-").replace("·10^", "e").parse().expect("a number")
+}
+
+#[test]
+fn the_equation_is_filled_in_with_the_numbers_of_the_probe() {
+    let harness = window("teapot");
+    let (hit, material) = (probed(&harness), &scene(&harness).material);
+    let terms = [("ambient", hit.ambient), ("diffuse 1", hit.lights[0].diffuse)];
+    for (channel, name) in ["red", "green", "blue"].into_iter().enumerate() {
+        for (term, value) in terms {
+            let line = line_of(&harness, &format!("{term} {name}: "));
+            let (product, shown) = line.split_once(" = ").expect("a product");
+            assert!((parsed(shown) - value[channel]).abs() < 6e-5, "{term} {name}: {line}");
+            let multiplied: f64 = product.split(" · ").map(parsed).product();
+            assert!((multiplied / value[channel] - 1.0).abs() < 2e-3, "{term} {name}: {line}");
+            assert!(product.contains(&format!("{:.2}", material.color[channel])), "Od stands in {line}");
+        }
+    }
+    let [r, g, b] = hit.sum.to_array();
+    assert_eq!(line_of(&harness, "I 0."), format!("{r:.4} red, {g:.4} green, {b:.4} blue")[2..]);
+    let [r, g, b] = hit.stored;
+    assert_eq!(line_of(&harness, "stored "), format!("{r} red, {g} green, {b} blue"));
+    assert!(harness.query_by_label_contains("transparency red").is_none(), "the teapot is opaque");
+}
+
+#[test]
+fn a_silent_light_is_named_with_the_reason() {
+    let mut harness = window("three-lights");
+    let says = |harness: &Harness<'_, App>, light: &str| line_of(harness, &format!("light {light} at the probe: "));
+    assert!(says(&harness, "1").ends_with("blue"));
+    press(&mut harness, "Light 1 mute");
+    assert_eq!(says(&harness, "1"), "muted");
+    assert!(harness.query_by_label_contains("It is muted: it adds nothing").is_some(), "the chosen light is unfolded");
+    press(&mut harness, "Light 2");
+    press(&mut harness, "Light 2 solo");
+    assert_eq!((says(&harness, "1"), says(&harness, "3")), ("muted".into(), "another is soloed".into()));
+    let [r, g, b] = (probed(&harness).lights[1].diffuse + probed(&harness).lights[1].specular).to_array();
+    assert_eq!(says(&harness, "2"), format!("{r:.4} red, {g:.4} green, {b:.4} blue"));
+}
+
+#[test]
+fn the_mixture_with_transmitted_light_is_filled_in_where_there_is_any() {
+    let harness = window("glass-ball");
+    let hit = probed(&harness);
+    let through = hit.transmission.expect("glass");
+    let line = line_of(&harness, "transparency green: ");
+    assert!(line.starts_with(&format!("0.15 · {:.3} + 0.85 · ", hit.reflected.y)), "{line}");
+    assert!(line.ends_with(&format!(" = {:.4}", hit.sum.y)), "{line}");
+    assert!(line_of(&harness, "transparency at the probe: ").starts_with(&through.refractions.to_string()));
+    for opaque in ["sphere", "gold"] {
+        assert!(window(opaque).query_by_label_contains("transparency").is_none(), "{opaque}");
+    }
+}
+
+#[test]
+fn lights_unfold_by_keyboard_and_their_symbols_lead_to_their_controls() {
+    let mut harness = window("three-lights");
+    let rows = |harness: &Harness<'_, App>, light: u32| {
+        harness.query_by_label_contains(&format!("diffuse {light} red: ")).is_some()
+    };
+    assert!(rows(&harness, 1) && !rows(&harness, 2), "the chosen light is unfolded, the others are not");
+    harness.get_by(|node| node.label().is_some_and(|label| label.starts_with("light 2 at the"))).focus();
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+    assert!(rows(&harness, 1) && rows(&harness, 2));
+    let count = harness.query_all_by_role_and_label(Role::Button, "Kd at the probe").count();
+    assert_eq!(count, 2, "a symbol stands in each light's terms");
+    let second = harness.query_all_by_role_and_label(Role::Button, "Ip at the probe").nth(2).expect("light 2");
+    second.click_accesskit();
+    harness.run();
+    assert_eq!(harness.state().state().light, 1, "Ip of light 2 leads to the controls of light 2");
+    assert!(harness.query_by_role_and_label(Role::ComboBox, "Light 2 kind").is_some());
+    assert!(rows(&harness, 2) && !rows(&harness, 1), "another light has been chosen");
+}
+
+#[test]
+fn every_way_of_evaluating_fills_the_equation_in() {
+    let mut harness = window("soft-shadow");
+    assert!(harness.query_by_label_contains("A sum over 64 points of the light").is_some());
+    for key in [Key::Num1, Key::Num2, Key::Num3] {
+        harness.key_press(key);
+        harness.run();
+        let (line, value) = (line_of(&harness, "diffuse 1 red: "), probed(&harness).lights[0].diffuse.x);
+        let (_, shown) = line.split_once(" = ").expect("a product");
+        assert!((parsed(shown) - value).abs() < 6e-5, "{line}, {value}");
+    }
 }

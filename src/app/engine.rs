@@ -59,6 +59,10 @@ impl Engine {
         let scene = &state.document.scene;
         let redrawn = self.draw(ctx, scene, state.document.model.as_ref(), size);
         let reprobed = self.probe(state, size, redrawn);
+        if reprobed {
+            // The panels beside the picture were laid out before it was drawn.
+            ctx.request_repaint();
+        }
         self.draw_overlay(ctx, state, reprobed);
     }
 
@@ -77,12 +81,7 @@ impl Engine {
         let mut sized = scene.clone();
         sized.image.size = size;
         let image = image_of(self.renderer.render(&sized));
-        let overflowing = self.report.overflowing;
         self.report = self.renderer.report().clone();
-        if self.report.overflowing != overflowing {
-            // The panels beside the picture were laid out before it was drawn.
-            ctx.request_repaint();
-        }
         upload(ctx, &mut self.picture, "picture", image);
         self.drawn = Some(sized);
         true

@@ -4,25 +4,13 @@
 use super::palette::{Term, term_text, vector_text};
 use super::state::AppState;
 use super::symbol::Symbol;
+use super::typeset::{Piece, Place, run_ui};
 use crate::figure::palette::Vector;
 use crate::scene::{Attenuation, Reflectance, ReflectionModel, Rgb, Scene};
-use eframe::egui::accesskit::Role;
-use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{Align, Color32, CursorIcon, FontFamily, FontId, Sense, Ui, Visuals, WidgetInfo, vec2};
+use eframe::egui::{Color32, Ui, Visuals, vec2};
 
 /// Size of the equation's letters, points.
 const SIZE: f32 = 18.0;
-
-/// A piece of the equation.
-struct Piece {
-    text: &'static str,
-    /// Lowered letters behind the text.
-    low: &'static str,
-    /// Raised letters behind the text.
-    high: &'static str,
-    symbol: Option<Symbol>,
-    colour: Color32,
-}
 
 /// The equation as `state`'s scene has it; what it leaves out is pale.
 pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
@@ -33,69 +21,11 @@ pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
         ui.set_max_width(width);
         ui.horizontal_wrapped(|ui| {
             for (number, group) in pieces.iter().enumerate() {
-                group_ui(ui, state, group, number);
+                let id = ui.scope_id().with(("symbol", number));
+                run_ui(ui, state, group, SIZE, Place { id, name: "in the equation" });
             }
         });
     });
-}
-
-/// A run of pieces that stays on one line.
-fn group_ui(ui: &mut Ui, state: &mut AppState, group: &[Piece], number: usize) {
-    let galleys: Vec<_> = group.iter().map(|piece| ui.painter().layout_job(layout(piece))).collect();
-    let width = galleys.iter().map(|galley| galley.size().x).sum();
-    let height = SIZE * 1.6;
-    let (rect, _) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
-    let mut x = rect.min.x;
-    for (index, (piece, galley)) in group.iter().zip(galleys).enumerate() {
-        let size = vec2(galley.size().x, height);
-        let place = eframe::egui::Rect::from_min_size(eframe::egui::pos2(x, rect.min.y), size);
-        x += size.x;
-        if let Some(symbol) = piece.symbol {
-            // A symbol may stand more than once.
-            symbol_ui(ui, state, symbol, place, (number, index));
-        }
-        let top = place.center().y - galley.size().y / 2.0;
-        ui.painter().galley(eframe::egui::pos2(place.min.x, top), galley, piece.colour);
-    }
-}
-
-fn symbol_ui(ui: &mut Ui, state: &mut AppState, symbol: Symbol, place: eframe::egui::Rect, index: (usize, usize)) {
-    let id = ui.scope_id().with(("symbol", symbol, index));
-    let response = ui.interact(place, id, Sense::click());
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{symbol:?} in the equation")));
-    if response.hovered() || response.has_focus() {
-        state.lit.next = Some(symbol);
-        ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
-    }
-    if response.clicked() {
-        state.look.controls = true;
-        state.lit.seek = Some(symbol);
-    }
-    if state.lit.now == Some(symbol) {
-        let fill = ui.visuals().widgets.hovered.bg_fill;
-        ui.painter().rect_filled(place.shrink2(vec2(0.0, 2.0)).expand2(vec2(1.0, 0.0)), 4.0, fill);
-    }
-    response.on_hover_text(symbol.meaning());
-}
-
-fn layout(piece: &Piece) -> LayoutJob {
-    let mut job = LayoutJob::default();
-    let format = |size: f32, valign: Align, italics: bool| TextFormat {
-        font_id: FontId::new(size, FontFamily::Proportional),
-        color: piece.colour,
-        italics,
-        valign,
-        ..TextFormat::default()
-    };
-    let italics = piece.symbol.is_some() && piece.text != "Σ";
-    job.append(piece.text, 0.0, format(SIZE, Align::Center, italics));
-    if !piece.low.is_empty() {
-        job.append(piece.low, 0.0, format(SIZE * 0.68, Align::BOTTOM, false));
-    }
-    if !piece.high.is_empty() {
-        job.append(piece.high, 0.0, format(SIZE * 0.75, Align::TOP, true));
-    }
-    job
 }
 
 /// What a scene's equation looks like: the colours of its terms, and what it has.
@@ -106,8 +36,8 @@ struct Ink<'a> {
     pale: Color32,
 }
 
-const fn piece(text: &'static str, low: &'static str, symbol: Option<Symbol>, colour: Color32) -> Piece {
-    Piece { text, low, high: "", symbol, colour }
+fn piece(text: &'static str, low: &'static str, symbol: Option<Symbol>, colour: Color32) -> Piece {
+    Piece { low, symbol, ..Piece::plain(text, colour) }
 }
 
 fn pieces(scene: &Scene, visuals: &Visuals) -> Vec<Vec<Piece>> {
@@ -206,7 +136,7 @@ impl Ink<'_> {
             (self.letter(Vector::R, Symbol::Reflected, absent), self.letter(Vector::V, Symbol::Viewer, absent))
         };
         group.extend([self.plain("("), first, self.plain("·"), second, self.plain(")")]);
-        group.push(Piece { text: "", low: "", high: "n", symbol: Some(Symbol::Exponent), colour });
+        group.push(piece("", "", Some(Symbol::Exponent), colour).raised("n"));
         group.push(self.plain("]"));
         vec![group]
     }

@@ -2,11 +2,12 @@
 
 use super::curves::{Curves, curves_ui};
 use super::engine::Engine;
-use super::palette::{Term, term_text, vector_text};
+use super::filled::{filled_ui, shadow_words, to_line};
+use super::palette::vector_text;
 use super::state::{AppState, NumbersTab};
 use crate::analysis::{LightTerms, Probe, ProbeHit};
 use crate::figure::palette::Vector;
-use crate::scene::{Encoding, ReflectionModel, Scene};
+use crate::scene::{Reflectance, ReflectionModel, Scene};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Button, Color32, CornerRadius, Grid, Label, Layout, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2,
@@ -55,13 +56,13 @@ fn background_ui(ui: &mut Ui, probe: &Probe) {
     ui.label("The probe sees the background. Double-click the object, or drag the ring onto it.");
 }
 
-fn hit_ui(ui: &mut Ui, state: &AppState, probe: &Probe, hit: &ProbeHit) {
-    let scene = &state.document.scene;
+fn hit_ui(ui: &mut Ui, state: &mut AppState, probe: &Probe, hit: &ProbeHit) {
     pixel_ui(ui, probe, hit);
     ui.add_space(8.0);
-    equation_ui(ui, scene, hit);
+    filled_ui(ui, state, hit);
     ui.add_space(8.0);
     ui.separator();
+    let scene = &state.document.scene;
     vectors_ui(ui, scene, hit, state.light.min(hit.lights.len().saturating_sub(1)));
 }
 
@@ -78,36 +79,6 @@ fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
             let face = hit.face.map_or_else(|| "true surface".to_owned(), |face| format!("face {face}"));
             ui.label(RichText::new(format!("{face}, depth {:.3}", hit.depth)).weak());
         });
-    });
-}
-
-/// The equation, a line a term, adding up to the stored pixel.
-fn equation_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit) {
-    ui.label(RichText::new("The equation here").strong());
-    let model = scene.reflection.model;
-    let visuals = ui.visuals().clone();
-    let tint = |term| term_text(&visuals, term, model);
-    Grid::new("terms").num_columns(4).spacing([4.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
-        header(ui, ["I =", "red", "green", "blue"]);
-        channels(ui, "Ka·Od·Ia", tint(Term::Ambient), hit.ambient);
-        let several = hit.lights.len() > 1;
-        for (index, light) in hit.lights.iter().enumerate() {
-            let number = if several { format!(" {}", index + 1) } else { String::new() };
-            let faint = light.diffuse == DVec3::ZERO && light.specular == DVec3::ZERO;
-            let pick = |term| if faint { visuals.weak_text_color() } else { tint(term) };
-            channels(ui, &format!("+ diffuse{number}"), pick(Term::Diffuse), light.diffuse);
-            channels(ui, &format!("+ specular{number}"), pick(Term::Specular), light.specular);
-        }
-        channels(ui, "= sum", visuals.strong_text_color(), hit.sum);
-        if hit.sum.max_element() > 1.0 {
-            channels(ui, "clamped", visuals.text_color(), hit.sum.min(DVec3::ONE));
-        }
-        let way = if scene.display.encoding == Encoding::Raw { "× 255" } else { "sRGB × 255" };
-        cell(ui, RichText::new(way).color(visuals.strong_text_color()), Align::Min);
-        for code in hit.stored {
-            cell(ui, RichText::new(code.to_string()).monospace().strong(), Align::Max);
-        }
-        ui.end_row();
     });
 }
 
@@ -164,14 +135,21 @@ fn vectors_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit, light: usize) {
             channels(ui, "R", tint(Vector::R), terms.r);
             channels(ui, "H", tint(Vector::H), terms.h);
         }
+        if let Some(t) = transmitted(hit) {
+            channels(ui, "T", tint(Vector::T), t);
+        }
     });
     if let Some(terms) = hit.lights.get(light) {
         ui.add_space(6.0);
-        angles_ui(ui, scene, terms);
+        angles_ui(ui, scene, hit, terms);
     }
 }
 
-fn angles_ui(ui: &mut Ui, scene: &Scene, terms: &LightTerms) {
+fn transmitted(hit: &ProbeHit) -> Option<DVec3> {
+    hit.transmission.and_then(|through| through.t)
+}
+
+fn angles_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit, terms: &LightTerms) {
     let phi = match scene.reflection.model {
         ReflectionModel::Phong => "φ, R to V",
         ReflectionModel::Blinn | ReflectionModel::CookTorrance => "φ, N to H",
@@ -186,5 +164,15 @@ fn angles_ui(ui: &mut Ui, scene: &Scene, terms: &LightTerms) {
         line(phi, format!("{:.2}°", terms.phi.to_degrees()));
         line("N·L", format!("{:.4} ", terms.n_dot_l).replace('-', "−"));
         line("f", format!("{:.4} ", terms.attenuation));
+        if scene.material.reflectance != Reflectance::Constant {
+            let of = if scene.reflection.model == ReflectionModel::Phong { "W, L to N" } else { "W, L to H" };
+            line(of, format!("{:.2}°", terms.incidence.to_degrees()));
+        }
+        if let Some(t) = transmitted(hit) {
+            line("θt, T to −N", format!("{:.2}°", to_line(hit.normal, t).to_degrees()));
+        }
+        if let Some(words) = shadow_words(scene, terms.reached) {
+            line("light", words);
+        }
     });
 }

@@ -72,6 +72,18 @@ impl Symbol {
             Self::Bounce => "What the ambient light stands for",
         }
     }
+
+    /// What its numbers are measured in.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Intensity | Self::Ia | Self::Ip | Self::Transmitted | Self::Bounce | Self::Lights => {
+                "linear intensity, 1 is white"
+            }
+            Self::Normal | Self::Light | Self::Reflected | Self::Viewer => "a unit vector, world",
+            Self::Attenuation => "no unit; distances are world units",
+            _ => "no unit",
+        }
+    }
 }
 
 /// Which symbol is lit. What the pointer is over this frame is shown the next, so that the order of painting does not

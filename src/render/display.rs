@@ -8,7 +8,7 @@ use fearless_simd::prelude::*;
 pub(super) type Linear = [f32; 4];
 
 /// The transfer function of IEC 61966-2-1 for 0 ≤ v ≤ 1.
-pub(super) fn srgb(v: f64) -> f64 {
+pub fn srgb(v: f64) -> f64 {
     if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 }
 }
 

@@ -1,0 +1,109 @@
+//! The equation, filled in: every term with this pixel's numbers, adding up to the stored pixel.
+
+mod figure;
+mod light;
+mod notation;
+mod outline;
+mod share;
+mod stored;
+mod table;
+mod terms;
+mod through;
+mod working;
+
+pub use through::to_line;
+
+use super::palette::Term;
+use super::state::AppState;
+use super::symbol::Symbol;
+use super::typeset::{Piece, Place};
+use crate::analysis::ProbeHit;
+use crate::scene::Scene;
+use eframe::egui::{RichText, Ui, vec2};
+use glam::DVec3;
+use light::Part;
+use notation::{Notation, Vectors};
+use outline::{AT_PROBE, Line, Opening, Says, channels_ui, fold_ui, letters_ui, rule_ui};
+use share::{bar_ui, shares};
+use table::Table;
+use terms::Here;
+
+/// The whole formula at the probe.
+pub fn filled_ui(ui: &mut Ui, state: &mut AppState, hit: &ProbeHit) {
+    // What is pointed at is written to the state, while this is read.
+    let scene = state.document.scene.clone();
+    let here = Here { scene: &scene, hit };
+    let notation = Notation::new(ui.visuals(), scene.reflection.model);
+    let shares = shares(here, &notation);
+    let chosen = newly_chosen(ui, state.light);
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing = vec2(8.0, 2.0);
+        bar_ui(ui, &shares);
+        channels_ui(ui);
+        ambient_ui(ui, state, here, &notation);
+        for (index, light) in here.lights().enumerate() {
+            let open = index == state.light;
+            let opening = Opening { at_first: open, now: chosen.then_some(open) };
+            Part { light, index, notation: &notation, shares: &shares }.ui(ui, state, opening);
+        }
+        rule_ui(ui);
+        sum_ui(ui, state, here, &notation);
+        stored::stored_ui(ui, &scene.display, hit, &notation);
+    });
+}
+
+/// Whether another light is chosen than in the frame before. Its terms unfold then, and the others fold.
+fn newly_chosen(ui: &Ui, light: usize) -> bool {
+    let id = ui.scope_id().with("chosen light");
+    ui.data_mut(|data| {
+        let before = data.get_temp::<usize>(id);
+        data.insert_temp(id, light);
+        before != Some(light)
+    })
+}
+
+fn ambient_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Notation) {
+    let name = if here.hit.bounced { "one bounce" } else { "ambient" };
+    let colour = notation.strong();
+    let line = Line { sign: "", name, says: Says::sum(here.hit.ambient), colour, flat: false, lettered: false };
+    fold_ui(ui, "ambient", &line, Opening { at_first: true, now: None }, |ui| {
+        if here.hit.bounced {
+            let text = "Light that other surfaces scatter once stands in place of the constant, which would be:";
+            ui.label(RichText::new(text).weak());
+        }
+        let product = here.ambient();
+        let vectors = no_vectors();
+        let colour = notation.term(Term::Ambient);
+        let columns = product.columns.iter().map(|column| (notation.head(column, colour, &vectors), column)).collect();
+        let place = Place { id: ui.scope_id().with("ambient at the probe"), name: AT_PROBE };
+        let colour = if here.hit.bounced { notation.weak() } else { notation.strong() };
+        Table { name, columns, value: product.value, colour }.ui(ui, state, place);
+    });
+}
+
+/// No vector stands in the ambient term.
+fn no_vectors() -> Vectors {
+    let none = DVec3::ZERO;
+    Vectors { n: none, l: none, r: none, v: none, h: none, exponent: String::new() }
+}
+
+fn sum_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Notation) {
+    let colour = notation.strong();
+    let line = |name, value| Line { sign: "=", name, says: Says::sum(value), colour, flat: true, lettered: true };
+    let letter = Piece::symbol("I", "", Symbol::Intensity, colour);
+    if here.hit.transmission.is_some() {
+        let reflected = Piece { low: "refl", ..letter.clone() };
+        letters_ui(ui, state, &line("I reflected", here.hit.reflected), &[reflected]);
+        through::through_ui(ui, state, here, notation);
+    }
+    letters_ui(ui, state, &line("I", here.hit.sum), &[letter]);
+}
+
+/// How much of a light reaches the point, in words; nothing where no shadows are drawn.
+pub fn shadow_words(scene: &Scene, reached: f64) -> Option<String> {
+    scene.shading.shadows.then(|| match reached {
+        0.0 => "in shadow".to_owned(),
+        part if part < 1.0 => format!("{:.1} % in light", 100.0 * part),
+        _ => "in light".to_owned(),
+    })
+}

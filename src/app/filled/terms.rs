@@ -1,0 +1,366 @@
+//! The terms of the equation as products of numbers: which factors stand in each, and what they are at this pixel.
+//!
+//! Where the equation is evaluated at the pixel, every factor is known. Where a term is a sum, over the vertices of a
+//! polygon or over the points of an area light, the factors that differ from one summand to the next are taken together:
+//! what is shown for them is their mean, by which the product is exact again.
+
+use crate::analysis::{LightTerms, ProbeHit};
+use crate::illumination::Equation;
+use crate::scene::{
+    Attenuation, Backfacing, Light, LightKind, PatternKind, Reflectance, ReflectionModel, Rgb, Scene, ShadingMode,
+};
+
+/// A factor of a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Factor {
+    Ka,
+    Od,
+    Ia,
+    Ip,
+    Kd,
+    Ks,
+    Os,
+    /// W(θ).
+    Reflectance,
+    /// f.
+    Attenuation,
+    /// What a spot light sends this way.
+    Spot,
+    /// What is not in shadow.
+    Lit,
+    /// N·L.
+    Facing,
+    /// `(R·V)^n`, `(N·H)^n`, or the microfacets' part.
+    Lobe,
+    /// 1 − Kt.
+    Opaque,
+    Irefl,
+    Kt,
+    Itrans,
+}
+
+/// Some factors with their product, per channel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    pub factors: Vec<Factor>,
+    pub values: Rgb,
+    /// Whether it is a mean over several evaluations.
+    pub mean: bool,
+    /// Whether it is added to what stands before, not multiplied.
+    pub added: bool,
+}
+
+impl Column {
+    fn of(factor: Factor, values: Rgb) -> Self {
+        Self { factors: vec![factor], values, mean: false, added: false }
+    }
+}
+
+/// A term: columns that make its value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Product {
+    pub columns: Vec<Column>,
+    pub value: Rgb,
+}
+
+/// The scene and what its probe has hit.
+#[derive(Clone, Copy)]
+pub struct Here<'a> {
+    pub scene: &'a Scene,
+    pub hit: &'a ProbeHit,
+}
+
+/// One light of [`Here`].
+#[derive(Clone, Copy)]
+pub struct LightHere<'a> {
+    pub here: Here<'a>,
+    pub source: &'a Light,
+    pub terms: &'a LightTerms,
+}
+
+impl<'a> Here<'a> {
+    /// Whether the equation is evaluated at the pixel itself.
+    pub fn at_pixel(self) -> bool {
+        matches!(self.scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact)
+    }
+
+    /// The lights in their order.
+    pub fn lights(self) -> impl Iterator<Item = LightHere<'a>> {
+        let pairs = self.scene.lights.iter().zip(&self.hit.lights);
+        pairs.map(move |(source, terms)| LightHere { here: self, source, terms })
+    }
+
+    /// Od, where it is one colour for all evaluations.
+    fn od(self) -> Option<Rgb> {
+        if self.scene.pattern.kind == PatternKind::None {
+            Some(self.scene.material.color)
+        } else {
+            self.at_pixel().then(|| Equation::<f64>::new(self.scene).pattern_color(self.hit.position))
+        }
+    }
+
+    /// `Ka·Od·Ia`.
+    pub fn ambient(self) -> Product {
+        let (ka, ia) = (self.scene.material.ka, self.scene.ambient.color);
+        let od = match self.od() {
+            Some(od) => Column::of(Factor::Od, od),
+            None => Column { mean: true, ..Column::of(Factor::Od, quotient(self.hit.ambient, ka * ia)) },
+        };
+        let value = if self.hit.bounced { ka * od.values * ia } else { self.hit.ambient };
+        Product { columns: vec![Column::of(Factor::Ka, ka), od, Column::of(Factor::Ia, ia)], value }
+    }
+
+    /// `(1 − Kt)·Irefl + Kt·Itrans`, where light comes through the surface.
+    pub fn mixture(self) -> Option<Product> {
+        let through = self.hit.transmission?;
+        let kt = self.scene.transparency.kt;
+        let columns = vec![
+            Column::of(Factor::Opaque, Rgb::splat(1.0 - kt)),
+            Column::of(Factor::Irefl, self.hit.reflected),
+            Column { added: true, ..Column::of(Factor::Kt, Rgb::splat(kt)) },
+            Column::of(Factor::Itrans, through.seen),
+        ];
+        Some(Product { columns, value: self.hit.sum })
+    }
+}
+
+impl LightHere<'_> {
+    /// Whether the light's terms are products at the pixel, and no sums.
+    pub fn is_one_product(self) -> bool {
+        self.here.at_pixel() && self.source.kind != LightKind::Area
+    }
+
+    /// Whether f can differ from 1.
+    pub fn attenuates(self) -> bool {
+        match self.source.attenuation {
+            Attenuation::None => false,
+            Attenuation::Viewer => true,
+            Attenuation::Light | Attenuation::InverseSquare | Attenuation::Quadratic => self.source.kind.has_position(),
+        }
+    }
+
+    /// N·L after the policy for surfaces turned away.
+    pub fn facing(self) -> f64 {
+        match self.here.scene.reflection.backfacing {
+            Backfacing::Clamp => self.terms.n_dot_l.max(0.0),
+            Backfacing::Flip => self.terms.n_dot_l.abs(),
+        }
+    }
+
+    /// The factors besides the coefficients, which no channel has for itself, and their product.
+    fn strength(self) -> (Vec<Factor>, f64) {
+        let (mut factors, mut product) = (Vec::new(), 1.0);
+        let mut take = |present: bool, factor: Factor, value: f64| {
+            if present {
+                factors.push(factor);
+                product *= value;
+            }
+        };
+        take(self.attenuates(), Factor::Attenuation, self.terms.attenuation);
+        take(self.source.kind == LightKind::Spot, Factor::Spot, self.terms.spot);
+        take(self.terms.reached < 1.0, Factor::Lit, self.terms.reached);
+        (factors, product)
+    }
+
+    /// `f·Ip·Kd·Od·(N·L)`.
+    pub fn diffuse(self) -> Product {
+        let (ip, kd, value) = (self.source.color, self.here.scene.material.kd, self.terms.diffuse);
+        let (mut factors, strength) = self.strength();
+        factors.push(Factor::Facing);
+        let mut columns = vec![Column::of(Factor::Ip, ip), Column::of(Factor::Kd, kd)];
+        let mut known = ip * kd;
+        if let Some(od) = self.here.od() {
+            columns.push(Column::of(Factor::Od, od));
+            known *= od;
+        } else {
+            factors.insert(0, Factor::Od);
+        }
+        let separate = !factors.contains(&Factor::Od);
+        let values = match (self.is_one_product(), separate) {
+            (true, _) => Rgb::splat(strength * self.facing()),
+            (false, true) => Rgb::splat(common(value, known)),
+            (false, false) => quotient(value, known),
+        };
+        columns.push(Column { factors, values, mean: !self.is_one_product(), added: false });
+        Product { columns, value }
+    }
+
+    /// `f·Ip·Ks·Os·W·S`.
+    pub fn specular(self) -> Product {
+        let (material, value) = (&self.here.scene.material, self.terms.specular);
+        let (mut factors, strength) = self.strength();
+        factors.push(Factor::Lobe);
+        let coefficient = material.ks * material.specular_color;
+        let mut ks = Column::of(Factor::Ks, coefficient);
+        if material.specular_color != Rgb::ONE {
+            ks.factors.push(Factor::Os);
+        }
+        let mut columns = vec![Column::of(Factor::Ip, self.source.color), ks];
+        let mut known = self.source.color * coefficient;
+        let by_angle = material.reflectance != Reflectance::Constant;
+        let values = if self.is_one_product() {
+            if by_angle {
+                columns.push(Column::of(Factor::Reflectance, self.terms.reflectance));
+                known *= self.terms.reflectance;
+            }
+            // Not the product with f: at no light at all that tells nothing.
+            Rgb::splat(common(value, known * strength) * strength)
+        } else if by_angle {
+            factors.insert(0, Factor::Reflectance);
+            quotient(value, known)
+        } else {
+            Rgb::splat(common(value, known))
+        };
+        columns.push(Column { factors, values, mean: !self.is_one_product(), added: false });
+        Product { columns, value }
+    }
+
+    /// S, where the terms are products at the pixel.
+    pub fn lobe(self) -> f64 {
+        let material = &self.here.scene.material;
+        let known = self.source.color * material.ks * material.specular_color * self.terms.reflectance;
+        common(self.terms.specular, known * self.strength().1)
+    }
+
+    /// `R·V` or `N·H`, the cosine in S.
+    pub fn lobe_cosine(self) -> f64 {
+        let hit = self.here.hit;
+        match self.here.scene.reflection.model {
+            ReflectionModel::Phong => self.terms.r.dot(hit.view),
+            ReflectionModel::Blinn | ReflectionModel::CookTorrance => {
+                hit.normal.dot(self.terms.h) * if self.turned() { -1.0 } else { 1.0 }
+            }
+        }
+    }
+
+    /// Whether the highlight points away from the viewer, so that the line about its cosine says all.
+    pub fn misses_the_viewer(self) -> bool {
+        let turned_away =
+            self.here.scene.reflection.model != ReflectionModel::CookTorrance && self.lobe_cosine() <= 0.0;
+        self.is_one_product() && turned_away && self.terms.specular == Rgb::ZERO
+    }
+
+    /// Whether N has been turned about towards the light.
+    pub fn turned(self) -> bool {
+        self.terms.n_dot_l < 0.0 && self.here.scene.reflection.backfacing == Backfacing::Flip
+    }
+
+    /// Why the light adds nothing, in a few words; none where it does add something.
+    pub fn silence(self) -> Option<&'static str> {
+        let scene = self.here.scene;
+        if self.source.mute {
+            Some("muted")
+        } else if !self.source.shines(scene.soloing()) {
+            Some("another is soloed")
+        } else if self.terms.diffuse != Rgb::ZERO || self.terms.specular != Rgb::ZERO {
+            None
+        } else if self.source.color == Rgb::ZERO {
+            Some("black")
+        } else if self.terms.reached == 0.0 {
+            Some("in shadow")
+        } else if self.here.at_pixel() && self.facing() <= 0.0 {
+            Some("behind the surface")
+        } else if self.source.kind == LightKind::Spot && self.terms.spot == 0.0 {
+            Some("outside its cone")
+        } else {
+            Some("adds nothing")
+        }
+    }
+}
+
+/// What each channel of `product` has besides `factors`; 0 where those are 0.
+fn quotient(product: Rgb, factors: Rgb) -> Rgb {
+    Rgb::from_array([0, 1, 2].map(|c| if factors[c] > 0.0 { product[c] / factors[c] } else { 0.0 }))
+}
+
+/// What all channels of `product` have besides `factors`, from the channel that tells it best; 0 where none does.
+fn common(product: Rgb, factors: Rgb) -> f64 {
+    let best = (0..3).max_by(|&a, &b| factors[a].total_cmp(&factors[b])).unwrap_or(0);
+    if factors[best] > 0.0 { product[best] / factors[best] } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::probe;
+    use crate::render::Renderer;
+    use crate::scene::presets;
+
+    const MODES: [ShadingMode; 5] =
+        [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+
+    fn multiplied(product: &Product) -> Rgb {
+        let (mut sum, mut running) = (Rgb::ZERO, Rgb::ONE);
+        for column in &product.columns {
+            if column.added {
+                sum += running;
+                running = Rgb::ONE;
+            }
+            running *= column.values;
+        }
+        sum + running
+    }
+
+    fn assert_makes_its_value(product: &Product, what: &str) {
+        let (made, value) = (multiplied(product), product.value);
+        assert!((made - value).abs().max_element() <= 1e-9 * (1.0 + value.max_element()), "{what}: {made} and {value}");
+    }
+
+    /// The terms of every built-in scene, in every shading mode, at a few pixels.
+    #[test]
+    fn the_columns_multiply_to_the_terms_and_the_terms_add_up_to_the_pixel() {
+        for preset in presets::ALL {
+            let mut scene = (preset.build)();
+            scene.image.size = [32, 32];
+            (scene.object.segments, scene.object.rings) = (12, 6);
+            let mut renderer = Renderer::default();
+            for mode in MODES {
+                scene.shading.mode = mode;
+                for [x, y] in [[16, 16], [19, 13], [12, 18], [16, 24]] {
+                    let Some(hit) = probe(&mut renderer, &scene, x, y).hit else { continue };
+                    check(Here { scene: &scene, hit: &hit }, &format!("{} {mode:?} {x},{y}", preset.name));
+                }
+            }
+        }
+    }
+
+    fn check(here: Here<'_>, what: &str) {
+        assert_makes_its_value(&here.ambient(), &format!("{what} ambient"));
+        let mut sum = here.hit.ambient;
+        for light in here.lights() {
+            if light.silence().is_none() {
+                assert_makes_its_value(&light.diffuse(), &format!("{what} diffuse"));
+                assert_makes_its_value(&light.specular(), &format!("{what} specular"));
+            }
+            sum += light.terms.diffuse + light.terms.specular;
+        }
+        assert!((sum.max(Rgb::ZERO) - here.hit.reflected).abs().max_element() < 1e-9, "{what}: {sum}");
+        if let Some(mixture) = here.mixture() {
+            assert_makes_its_value(&mixture, &format!("{what} mixture"));
+        }
+    }
+
+    #[test]
+    fn a_factor_that_is_one_by_construction_is_left_out() {
+        let mut scene = Scene::default();
+        scene.image.size = [32, 32];
+        let hit = probe(&mut Renderer::default(), &scene, 16, 16).hit.expect("the sphere");
+        let here = Here { scene: &scene, hit: &hit };
+        let light = here.lights().next().expect("a light");
+        let factors = |product: Product| product.columns.into_iter().flat_map(|c| c.factors).collect::<Vec<_>>();
+        assert_eq!(factors(light.diffuse()), [Factor::Ip, Factor::Kd, Factor::Od, Factor::Facing]);
+        assert_eq!(factors(light.specular()), [Factor::Ip, Factor::Ks, Factor::Lobe]);
+    }
+
+    #[test]
+    fn a_silent_light_says_why() {
+        let mut scene = Scene::default();
+        scene.image.size = [32, 32];
+        scene.lights.push(Light { solo: true, ..Light::default() });
+        let hit = probe(&mut Renderer::default(), &scene, 16, 16).hit.expect("the sphere");
+        let says = |scene: &Scene| Here { scene, hit: &hit }.lights().map(LightHere::silence).collect::<Vec<_>>();
+        assert_eq!(says(&scene), [Some("another is soloed"), None]);
+        scene.lights[1].mute = true;
+        assert_eq!(says(&scene)[1], Some("muted"));
+    }
+}
