@@ -318,6 +318,20 @@ fn a_scene_made_in_the_program_is_checked_too() {
 }
 
 #[test]
+fn shadows_of_more_samples_than_memory_holds_are_refused() {
+    let settings = ["light.0.kind=area", "light.0.samples=1024", "image.size=[8192,8192]"];
+    let scene = Scene::default().with_overrides(&settings).expect("without shadows it is only slow");
+    let error = scene.with_override("shading.shadows=true").expect_err("8 GiB of bits").to_string();
+    assert!(error.contains("`image.size` has too many pixels for so many shadows"), "{error}");
+    assert!(scene.with_overrides(&["image.size=[2048,2048]", "shading.shadows=true"]).is_ok());
+    let mut many = Scene::default();
+    let area = Light { kind: LightKind::Area, samples: 1024, ..Light::default() };
+    many.lights = vec![area; 5];
+    let error = many.validate().expect_err("5120 points").to_string();
+    assert!(error.contains("5120 samples in all, expected at most 4096"), "{error}");
+}
+
+#[test]
 fn a_written_light_has_only_the_keys_that_it_reads_or_that_were_set() {
     let text = Scene::default().to_toml();
     let light = text.split("[[light]]\n").nth(1).expect("a light");

@@ -8,7 +8,7 @@ use super::output::{print, print_json};
 use clap::Args;
 use glam::DVec3;
 use serde::Serialize;
-use shading_lab::analysis::{LightTerms, Probe, ProbeHit, probe};
+use shading_lab::analysis::{LightTerms, Probe, ProbeHit, SamplingError, probe, sampling_error_with};
 use shading_lab::render::{Renderer, Transmission};
 use shading_lab::scene::{LightKind, Rgb};
 
@@ -32,12 +32,15 @@ impl ProbeCommand {
         let mut renderer = Renderer::default();
         renderer.set_model(loaded.model);
         let probe = probe(&mut renderer, &loaded.scene, x, y);
+        let lights = if probe.hit.is_some() { loaded.scene.lights.len() } else { 0 };
+        let sampling: Vec<Option<SamplingError>> =
+            (0..lights).map(|light| sampling_error_with(&mut renderer, &loaded.scene, light)).collect();
         if !self.json {
-            return print(&text::describe(&probe, &loaded.scene));
+            return print(&text::describe(&probe, &loaded.scene, &sampling));
         }
         let Probe { pixel, hit, ambient_fit } = probe;
         match hit {
-            Some(hit) => print_json(&PrintedHit::new(pixel, hit, ambient_fit)),
+            Some(hit) => print_json(&PrintedHit::new(pixel, hit, ambient_fit, sampling)),
             None => print_json(&PrintedBackground { pixel, hit: false }),
         }
     }
@@ -107,14 +110,32 @@ struct PrintedLight {
     reached: f64,
     diffuse: Rgb,
     specular: Rgb,
+    /// The error of an area light's samples over the picture.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sampling: Option<PrintedSampling>,
+}
+
+/// The difference to 4096 samples, in linear intensity.
+#[derive(Serialize)]
+struct PrintedSampling {
+    rms: f64,
+    greatest: f64,
+}
+
+impl From<SamplingError> for PrintedSampling {
+    fn from(SamplingError { rms, greatest }: SamplingError) -> Self {
+        Self { rms, greatest }
+    }
 }
 
 impl PrintedHit {
-    fn new(pixel: [u32; 2], hit: ProbeHit, ambient_fit: Option<Rgb>) -> Self {
+    fn new(pixel: [u32; 2], hit: ProbeHit, ambient_fit: Option<Rgb>, sampling: Vec<Option<SamplingError>>) -> Self {
         let ProbeHit { position, normal, view, depth, face, ambient, bounced, lights, reflected, sum, stored, .. } =
             hit;
         let transmission = hit.transmission.map(PrintedTransmission::from);
-        let lights = lights.into_iter().map(PrintedLight::from).collect();
+        let errors = sampling.into_iter().map(|error| error.map(PrintedSampling::from));
+        let lights = lights.into_iter().zip(errors);
+        let lights = lights.map(|(terms, sampling)| PrintedLight { sampling, ..PrintedLight::from(terms) }).collect();
         Self {
             pixel,
             position,
@@ -140,6 +161,22 @@ impl From<LightTerms> for PrintedLight {
             terms;
         let (theta, phi, incidence) = (theta.to_degrees(), phi.to_degrees(), terms.incidence.to_degrees());
         let w = terms.reflectance;
-        Self { kind, l, r, h, n_dot_l, theta, phi, attenuation, spot, w, incidence, reached, diffuse, specular }
+        Self {
+            kind,
+            l,
+            r,
+            h,
+            n_dot_l,
+            theta,
+            phi,
+            attenuation,
+            spot,
+            w,
+            incidence,
+            reached,
+            diffuse,
+            specular,
+            sampling: None,
+        }
     }
 }

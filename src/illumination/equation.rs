@@ -335,7 +335,7 @@ impl Equation<f64> {
         let site = self.site(V3::from(self.from_world(point)), V3::from(n));
         let color = self.pattern_color(point);
         let range = self.sources_of(light);
-        #[expect(clippy::cast_precision_loss, reason = "at most 8192 samples")]
+        #[expect(clippy::cast_precision_loss, reason = "at most 4096 samples")]
         let share = 1.0 / range.len().max(1) as f64;
         let mut sum = LightAt {
             l: DVec3::ZERO,

@@ -30,7 +30,10 @@ impl Scene {
     pub const MAX_LIGHTS: usize = 1000;
 
     /// Most points that all lights together are replaced by.
-    pub const MAX_LIGHT_SAMPLES: u64 = 8192;
+    pub const MAX_LIGHT_SAMPLES: u64 = 4096;
+
+    /// Most pixels times light samples of a picture with shadows: a gigabyte of bits.
+    pub const MAX_SHADOW_BITS: u64 = 1 << 33;
 
     /// Checks every number and what they are together.
     ///
@@ -72,6 +75,11 @@ impl Scene {
         if samples > Self::MAX_LIGHT_SAMPLES {
             let expected = format!("at most {}", Self::MAX_LIGHT_SAMPLES);
             checks.value("light", format!("{samples} samples in all"), expected);
+        }
+        let bits = samples * self.image.size.iter().map(|side| u64::from(*side)).product::<u64>();
+        if self.shading.shadows && bits > Self::MAX_SHADOW_BITS {
+            let expected = "a smaller picture, fewer samples of area lights, or no shadows";
+            checks.found("image.size", Cause::Conflict { is: "has too many pixels for so many shadows", expected });
         }
         checks.problems
     }

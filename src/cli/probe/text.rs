@@ -1,7 +1,7 @@
 //! A probe as text, in columns.
 
 use glam::DVec3;
-use shading_lab::analysis::{LightTerms, Probe, ProbeHit};
+use shading_lab::analysis::{LightTerms, Probe, ProbeHit, REFERENCE_SAMPLES, SamplingError};
 use shading_lab::scene::{
     Attenuation, Backfacing, Encoding, Light, LightKind, Overflow, PatternKind, Reflectance, ReflectionModel, Rgb,
     Scene, ShadingMode,
@@ -12,7 +12,7 @@ use std::fmt::Write;
 const WIDTH: usize = 10;
 
 /// The equation at the pixel, term by term, down to the stored value.
-pub fn describe(probe: &Probe, scene: &Scene) -> String {
+pub fn describe(probe: &Probe, scene: &Scene, sampling: &[Option<SamplingError>]) -> String {
     let [x, y] = probe.pixel;
     let Some(hit) = &probe.hit else { return format!("pixel ({x}, {y}) shows the background\n") };
     let face = hit.face.map(|face| format!(", face {face}")).unwrap_or_default();
@@ -24,6 +24,13 @@ pub fn describe(probe: &Probe, scene: &Scene) -> String {
     ambient(&mut text, scene, hit);
     for (i, light) in hit.lights.iter().enumerate() {
         describe_light(&mut text, scene, i, light);
+        if let Some(SamplingError { rms, greatest }) = sampling.get(i).copied().flatten() {
+            let [rms, greatest] = [rms, greatest].map(|error| number(error).trim_start().to_owned());
+            let _ = writeln!(
+                text,
+                "  over the picture {rms} (rms), {greatest} (greatest) from {REFERENCE_SAMPLES} samples"
+            );
+        }
     }
     transmission(&mut text, scene, hit);
     sum(&mut text, scene, hit);

@@ -74,7 +74,7 @@ pub(super) fn gold() -> Scene {
             distribution: Distribution::Ggx,
             ..Reflection::default()
         },
-        lights: ring_of_lamps(0.8),
+        lights: ring_of_lamps(0.5),
         ..studio(ObjectKind::Teapot, 64, 64)
     }
 }
