@@ -498,6 +498,9 @@ prop_compose! {
         source in word(&[AmbientSource::Constant, AmbientSource::Bounce, AmbientSource::Split]),
         lights in proptest::collection::vec(light(), 0..4),
     ) -> Scene {
+        let samples: u64 = lights.iter().map(|light| u64::from(light.sample_count())).sum();
+        let fits = u64::from(width) * u64::from(height) * samples <= Scene::MAX_SHADOW_BITS;
+        let shading = Shading { shadows: shading.shadows && fits, ..shading };
         Scene {
             version: 1,
             camera,
