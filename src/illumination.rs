@@ -17,7 +17,7 @@ mod source;
 mod specular;
 mod vector;
 
-pub use area::{area_hull, area_samples, rectangle_axes};
+pub use area::{area_hull, area_rows, area_samples, rectangle_axes};
 pub use equation::{Equation, LightAt, LightResponse, Reached, Site};
 pub use fresnel::Index;
 pub use lanes::Lanes;

@@ -3,6 +3,7 @@
 use crate::scene::{AreaShape, Light};
 use glam::DVec3;
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// The golden section turns each row of a sphere's samples against the last.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -40,6 +41,17 @@ pub fn rectangle_axes(light: &Light) -> [DVec3; 2] {
     [level * light.extent[0], up * light.extent[1]]
 }
 
+/// The samples of each row of a rectangular light of `count` samples: those of a row lie on a line.
+pub fn area_rows(count: u32) -> impl Iterator<Item = Range<u32>> {
+    let rows = row_count(count);
+    let end = move |row: u32| (u64::from(count) * u64::from(row) / u64::from(rows)) as u32;
+    (0..rows).map(move |row| end(row)..end(row + 1))
+}
+
+fn row_count(count: u32) -> u32 {
+    (f64::from(count).sqrt().round() as u32).clamp(1, count.max(1))
+}
+
 /// Corners of a polyhedron that holds an area light: a rectangle's own, in their order; those of the cube about a sphere.
 pub fn area_hull(light: &Light) -> Vec<DVec3> {
     match light.shape {
@@ -56,15 +68,11 @@ pub fn area_hull(light: &Light) -> Vec<DVec3> {
 
 /// The middles of `count` cells of equal area in the unit square, and the row that each stands in.
 fn strata(count: u32) -> Vec<([f64; 2], usize)> {
-    let rows = (f64::from(count).sqrt().round() as u32).clamp(1, count.max(1));
     let mut middles = Vec::with_capacity(count as usize);
-    let mut done = 0;
-    for row in 0..rows {
-        let end = (u64::from(count) * u64::from(row + 1) / u64::from(rows)) as u32;
-        let cells = end - done;
-        let v = (f64::from(done) + 0.5 * f64::from(cells)) / f64::from(count);
-        middles.extend((0..cells).map(|cell| ([(f64::from(cell) + 0.5) / f64::from(cells), v], row as usize)));
-        done = end;
+    for (row, range) in area_rows(count).enumerate() {
+        let cells = range.len();
+        let v = (f64::from(range.start) + 0.5 * cells as f64) / f64::from(count);
+        middles.extend((0..cells).map(|cell| ([(cell as f64 + 0.5) / cells as f64, v], row)));
     }
     middles
 }

@@ -3,6 +3,7 @@
 use crate::illumination::{Lanes, Real};
 use crate::scene::{Encoding, Overflow, Rgb};
 use fearless_simd::prelude::*;
+use rayon::prelude::*;
 
 /// A picture before the display: linear red, green, blue, and 1 where the object is seen.
 pub(super) type Linear = [f32; 4];
@@ -70,9 +71,10 @@ pub(super) fn pack<S: Simd>(
 
 /// Turns a linear picture of `width` columns into stored pixels by the policies that need to see all of it.
 pub(super) fn display(linear: &[Linear], width: usize, overflow: Overflow, encoding: Encoding, out: &mut [[u8; 4]]) {
-    let peak = linear.iter().flat_map(|p| &p[..3]).fold(1.0_f32, |a, &b| a.max(b));
-    let factor = if overflow == Overflow::Scale { 1.0 / f64::from(peak) } else { 1.0 };
-    for (row, (line, pixels)) in linear.chunks_exact(width).zip(out.chunks_exact_mut(width)).enumerate() {
+    let peak = || linear.par_iter().flat_map_iter(|p| &p[..3]).copied().reduce(|| 1.0_f32, f32::max);
+    let factor = if overflow == Overflow::Scale { 1.0 / f64::from(peak()) } else { 1.0 };
+    let lines = linear.par_chunks_exact(width).zip(out.par_chunks_exact_mut(width));
+    lines.enumerate().for_each(|(row, (line, pixels))| {
         for (column, (color, pixel)) in line.iter().zip(pixels).enumerate() {
             let over = color[..3].iter().any(|&v| v > 1.0);
             *pixel = if overflow == Overflow::Mark && over {
@@ -82,7 +84,7 @@ pub(super) fn display(linear: &[Linear], width: usize, overflow: Overflow, encod
                 [r, g, b, 255]
             };
         }
-    }
+    });
 }
 
 /// Black and white diagonal stripes, three pixels wide, which no shading looks like.

@@ -67,9 +67,15 @@ impl<'a> Shadows<'a> {
         if light.shape == AreaShape::Rectangle && is_beside(start, &corners, centre - start, radius) {
             return Extent::Clear;
         }
-        // What a convex solid hides of a convex light is convex: with all its corners hidden nothing is seen.
-        let hidden = |corner: &DVec3| self.solid.blocks(start, *corner - start, 1.0);
-        if self.solid.is_convex() && corners.iter().all(hidden) { Extent::Hidden } else { Extent::Unknown }
+        if !self.solid.is_convex() {
+            return Extent::Unknown;
+        }
+        // What a convex solid hides of a convex light is convex: with all its corners hidden nothing is seen, and on a line
+        // the hidden points lie side by side.
+        if corners.iter().all(|corner| self.solid.blocks(start, *corner - start, 1.0)) {
+            return Extent::Hidden;
+        }
+        if light.shape == AreaShape::Rectangle { Extent::Rows(light.samples) } else { Extent::Unknown }
     }
 
     /// Whether nothing stands between `start` and `start + t_max·direction`.
@@ -94,6 +100,8 @@ pub(super) enum Extent {
     Clear,
     /// Nothing.
     Hidden,
+    /// Rays have to find out; those of a row of so many samples that are hidden follow each other.
+    Rows(u32),
     /// Rays have to find out.
     Unknown,
 }

@@ -11,6 +11,9 @@ const CLEAR_OF_POLYGONS: f64 = 1e-6;
 /// The teapot's patches are iterated to about 10⁻⁹.
 const CLEAR_OF_SURFACE: f64 = 1e-5;
 
+/// Room for the rounding of a squared distance.
+const ROUNDING: f64 = 1e-9;
+
 /// The object as rays see it.
 #[derive(Clone, Copy)]
 pub(super) struct Solid<'a> {
@@ -53,6 +56,13 @@ impl Solid<'_> {
 
     /// Whether the object lies on the ray `origin + t·direction`, world, for 0 < t < `t_max`.
     pub fn blocks(&self, origin: DVec3, direction: DVec3, t_max: f64) -> bool {
+        // Most rays pass the object at a distance.
+        let (centre, radius) = self.ball();
+        let towards = centre - origin;
+        let t = (towards.dot(direction) / direction.length_squared()).clamp(0.0, t_max);
+        if (towards - direction * t).length_squared() > radius * radius * (1.0 + ROUNDING) {
+            return false;
+        }
         match self.surface {
             Some(surface) => surface.intersect(&Ray { origin, direction }, 0.0).is_some_and(|hit| hit.t < t_max),
             None => self.bvh.blocks(origin - self.model.origin, direction, t_max),

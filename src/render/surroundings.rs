@@ -2,9 +2,10 @@
 
 use super::lens::Lens;
 use super::shadow::{Extent, Shadows};
-use crate::illumination::{Equation, Fields, Reached, V3};
+use crate::illumination::{Equation, Fields, Reached, V3, area_rows};
 use crate::scene::{Ground, Light, Material, Pattern, PatternKind, Reflectance, Rgb, Scene, Transparency};
 use glam::DVec3;
+use std::ops::Range;
 
 /// The scene's floor as a surface of its own: it reflects diffusely and lies under the same lights.
 ///
@@ -119,22 +120,36 @@ pub(super) fn lit(
         scratch.clear();
         let start = point + n * shadows.solid.clearance();
         for light in 0..equation.light_count() {
-            let known = shadows.all_of(light, start);
-            scratch.extend(equation.sources_of(light).map(|source| {
-                // Shadows know the object's sources; these are this surface's own.
+            // Shadows know the object's sources; these are this surface's own.
+            let sources = equation.sources_of(light);
+            let open = |source: usize| {
                 let (direction, t_max) = equation.way_to(source, point);
-                let open = match known {
-                    Extent::Clear => true,
-                    Extent::Hidden => false,
-                    Extent::Unknown => n.dot(direction) <= 0.0 || shadows.is_open(start, direction, t_max),
-                };
-                u64::from(open)
-            }));
+                shadows.is_open(start, direction, t_max)
+            };
+            match shadows.all_of(light, start) {
+                Extent::Clear => scratch.extend(sources.map(|_| 1)),
+                Extent::Hidden => scratch.extend(sources.map(|_| 0)),
+                Extent::Unknown => scratch.extend(sources.map(|source| u64::from(open(source)))),
+                Extent::Rows(samples) => {
+                    for row in area_rows(samples) {
+                        let row = sources.start + row.start as usize..sources.start + row.end as usize;
+                        let hidden = hidden_in_row(row.clone(), &open);
+                        scratch.extend(row.map(|source| u64::from(!hidden.contains(&source))));
+                    }
+                }
+            }
         }
         scratch.push(0);
         Reached { words: scratch, stride: 1, first: 0 }
     });
     equation.illuminate_world(point, n, reached)
+}
+
+/// The sources of a row that are hidden, where those follow each other: found from both ends.
+fn hidden_in_row(row: Range<usize>, open: impl Fn(usize) -> bool) -> Range<usize> {
+    let Some(first) = row.clone().find(|&source| !open(source)) else { return 0..0 };
+    let last = (first + 1..row.end).rev().find(|&source| !open(source)).unwrap_or(first);
+    first..last + 1
 }
 
 impl Wall {
