@@ -133,7 +133,7 @@ pub(super) fn lit(
                 Extent::Rows(samples) => {
                     for row in area_rows(samples) {
                         let row = sources.start + row.start as usize..sources.start + row.end as usize;
-                        let hidden = hidden_in_row(row.clone(), &open);
+                        let hidden = hidden_in_row(row.clone(), open);
                         scratch.extend(row.map(|source| u64::from(!hidden.contains(&source))));
                     }
                 }
