@@ -17,9 +17,7 @@ use super::surroundings::{Surroundings, any_light, diffuse_scene, ground_equatio
 use super::transmission::{Glass, Transmission};
 use crate::geometry::Surface;
 use crate::illumination::Equation;
-use crate::scene::{
-    Ambient, AmbientSource, Backdrop, Ground, Light, Material, Pattern, Rgb, Scene, ShadingMode, Transparency,
-};
+use crate::scene::{Ambient, AmbientSource, Backdrop, Ground, Light, Pattern, Rgb, Scene, ShadingMode, Transparency};
 use glam::{DVec2, DVec3, Vec3};
 
 /// The outputs that are kept.
@@ -81,7 +79,8 @@ struct BouncedInputs {
     ground: Ground,
     ambient: Rgb,
     lights: Vec<Light>,
-    material: Material,
+    /// ka, kd and Od of the object: highlights are not scattered on.
+    surface: [Rgb; 3],
     pattern: Pattern,
 }
 
@@ -239,7 +238,7 @@ impl RayStages {
             ground: scene.ground.clone(),
             ambient: scene.ambient.color,
             lights: scene.lights.clone(),
-            material: scene.material.clone(),
+            surface: [scene.material.ka, scene.material.kd, scene.material.color],
             pattern: scene.pattern.clone(),
         };
         let Self { bvh, bounced, .. } = self;

@@ -47,7 +47,7 @@ pub(super) fn glass_ball() -> Scene {
         material: glass(),
         transparency: clear(0.85, 1.5, Through::Solid),
         backdrop: wall(9.0, 1.1),
-        ..studio(ObjectKind::Sphere, 256, 128)
+        ..studio(ObjectKind::Sphere, 128, 64)
     }
 }
 
