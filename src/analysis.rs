@@ -14,5 +14,6 @@ pub use plot::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Tag};
 pub use probe::{LightTerms, Probe, ProbeHit, probe};
 pub use profile::{
     Border, Corner, Profile, ProfileError, ProfileRequest, Sample, Trace, luminance, perceived_picture, profile,
+    profile_plots,
 };
 pub use sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error, sampling_error_with};

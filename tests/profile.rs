@@ -84,7 +84,8 @@ fn cylinder(segments: u32) -> Scene {
     scene.camera.projection = Projection::Orthographic;
     scene.camera.viewer = Viewer::Infinite;
     scene.camera.eye = DVec3::new(0.0, 0.0, 5.0);
-    scene.camera.height = 101.0 / RADIUS;
+    // The cylinder has radius 0.6.
+    scene.camera.height = 0.6 * 101.0 / RADIUS;
     scene.ambient.color = Rgb::ZERO;
     scene.material.kd = Rgb::ONE;
     scene.material.ks = Rgb::ZERO;
@@ -129,14 +130,117 @@ fn the_slope_jumps_at_the_edges_of_a_cylinder_by_the_theory() {
                 let corner = trace(&profile, mode).corners[index].expect("a polygon on either side");
                 let ratio = corner.jump / expected;
                 assert!((ratio - 1.0).abs() < 0.1, "{mode:?}, {segments} facets, φ = {phi:.2}: {ratio}");
-                assert!(corner.step.abs() < 1e-9, "{mode:?} is continuous: {}", corner.step);
-                // The same jump is in the profile itself, on both sides of the edge.
+                assert!(corner.step.abs() < 1e-4, "{mode:?} is continuous: {}", corner.step);
+                if mode == ShadingMode::Phong {
+                    // Its slope changes within the facets as well.
+                    continue;
+                }
+                // The same jump is in the profile itself, between the samples beside the edge.
                 let slopes = &trace(&profile, mode).slope;
                 let after = profile.samples.partition_point(|sample| sample.x <= border.x + 1e-6);
                 let before = profile.samples.partition_point(|sample| sample.x < border.x - 1e-6) - 1;
-                assert!(((slopes[after] - slopes[before]) / expected - 1.0).abs() < 0.2, "{mode:?}, {segments}");
+                assert!(((slopes[after] - slopes[before]) / expected - 1.0).abs() < 0.1, "{mode:?}, {segments}");
             }
         }
         assert!(edges >= segments as usize / 12, "{edges} edges of {segments} facets");
     }
+}
+
+#[test]
+fn the_profile_passes_through_the_pixels_of_the_picture() {
+    for (name, to) in
+        [("sphere", [96.0, 40.5]), ("torus", [96.0, 40.5]), ("shadows", [96.0, 40.5]), ("glass-ball", [96.0, 40.5])]
+    {
+        let mut scene = (presets::find(name).expect("a built-in scene").build)();
+        scene.image.size = [96, 96];
+        for interpolation in [Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline] {
+            scene.shading.interpolation = interpolation;
+            let profile = taken(&scene, [0.0, 40.5], to);
+            for trace in &profile.traces {
+                scene.shading.mode = trace.mode;
+                let mut renderer = Renderer::default();
+                for (sample, value) in profile.samples.iter().zip(&trace.intensity) {
+                    if (sample.x.fract() - 0.5).abs() > 1e-9 {
+                        continue;
+                    }
+                    let seen = probe(&mut renderer, &scene, sample.x as u32, 40);
+                    let Some(hit) = seen.hit else { continue };
+                    let expected = luminance(hit.sum);
+                    assert!(
+                        (value - expected).abs() < 2e-4,
+                        "{name} {:?} at {}: {value}, {expected}",
+                        trace.mode,
+                        sample.x
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_flat_picture_is_constant_from_border_to_border() {
+    let profile = taken(&cylinder(24), [50.0, 50.5], [950.0, 50.5]);
+    let flat = trace(&profile, ShadingMode::Flat);
+    assert!(flat.slope.iter().all(|slope| *slope == 0.0));
+    let border = |from: f64, to: f64| profile.borders.iter().any(|border| (from..=to).contains(&border.x));
+    for (places, values) in profile.samples.windows(2).zip(flat.intensity.windows(2)) {
+        let crossed = border(places[0].x - 1e-9, places[1].x + 1e-9);
+        assert!(crossed || values[0] == values[1], "{places:?}");
+    }
+    let steps = flat.corners.iter().flatten().filter(|corner| corner.step.abs() > 1e-3).count();
+    assert!(steps >= 10, "{steps} steps");
+    assert!(trace(&profile, ShadingMode::Exact).corners.iter().all(Option::is_none));
+}
+
+#[test]
+fn phong_shading_weakens_mach_bands_and_does_not_abolish_them() {
+    let scene = cylinder(24);
+    let profile = taken(&scene, [560.0, 50.5], [800.0, 50.5]);
+    // What the eye adds at the borders, by which bands are seen.
+    let band = |mode| {
+        let trace = trace(&profile, mode);
+        let added = |x: f64| {
+            let at = profile.samples.partition_point(|sample| sample.x < x);
+            (trace.perceived[at] - trace.intensity[at]).abs()
+        };
+        let borders: Vec<f64> =
+            profile.borders.iter().filter(|border| border.faces[0] != border.faces[1]).map(|b| added(b.x)).collect();
+        borders.iter().sum::<f64>() / borders.len() as f64
+    };
+    let [gouraud, phong, exact] = [ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact].map(band);
+    assert!(gouraud > 1.2 * phong && phong > 1.2 * exact, "{gouraud}, {phong}, {exact}");
+}
+
+#[test]
+fn any_line_in_any_scene_gives_numbers() {
+    for preset in presets::ALL {
+        let mut scene = (preset.build)();
+        scene.image.size = [40, 30];
+        for (from, to) in [([0.0, 0.0], [40.0, 30.0]), ([20.0, 15.0], [20.0, 30.0]), ([39.2, 3.3], [0.1, 29.9])] {
+            let profile = taken(&scene, from, to);
+            for trace in &profile.traces {
+                let values = trace.intensity.iter().chain(&trace.slope).chain(&trace.perceived);
+                assert!(values.clone().all(|value| value.is_finite()), "{} {:?}", preset.name, trace.mode);
+                assert_eq!(trace.perceived.len(), profile.samples.len());
+                assert_eq!((trace.slope.len(), trace.corners.len()), (profile.samples.len(), profile.borders.len()));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_line_that_is_none_is_refused() {
+    let scene = cylinder(8);
+    let asked = |from, to, modes: &[ShadingMode]| {
+        let request = ProfileRequest { modes: modes.to_vec(), ..ProfileRequest::new(from, to) };
+        profile(&mut Renderer::default(), &scene, &request).map(|_| ())
+    };
+    let (a, b) = (DVec2::new(1.0, 1.0), DVec2::new(9.0, 9.0));
+    assert_eq!(asked(a, a, &ALL), Err(ProfileError::NoLength));
+    assert_eq!(asked(a, b, &[]), Err(ProfileError::NoMode));
+    for outside in [DVec2::new(-0.1, 3.0), DVec2::new(1000.1, 3.0), DVec2::new(f64::NAN, 3.0)] {
+        assert_eq!(asked(a, outside, &ALL), Err(ProfileError::Outside { size: [1000, 101] }));
+    }
+    assert_eq!(asked(DVec2::ZERO, DVec2::new(1000.0, 101.0), &ALL), Ok(()));
 }

@@ -10,9 +10,11 @@
 
 mod line;
 mod picture;
+mod plots;
 mod source;
 
 pub use picture::perceived_picture;
+pub use plots::profile_plots;
 
 use super::perception::{Perception, Viewing, blur_line};
 use crate::render::{Piece, Renderer};
