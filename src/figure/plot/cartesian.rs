@@ -17,7 +17,11 @@ const TAGGED: f64 = 20.0;
 /// Samples nearer to the last one drawn than this are left out.
 const THINNER: f64 = 0.4;
 /// Least distance between borders that are drawn, in ems.
-const BORDER_GAP: f64 = 0.15;
+const BORDER_GAP: f64 = 0.2;
+/// Least mean distance between borders that have lines of their own.
+const LINE_GAP: f64 = 0.8;
+/// Of those lines, in widths.
+const BORDER_DASHES: &[f32] = &[1.0, 5.0];
 /// Of the lines that mark values of x, in widths.
 const MARK_DASHES: &[f32] = &[3.0, 3.0];
 
@@ -107,6 +111,8 @@ fn axes(drawing: &mut Drawing, plot: &Plot, frame: &Frame, area: &Area, y_ticks:
 /// Where polygons meet: a faint line through the plot and a tick on the axis, unless they are too close to be told apart.
 fn borders(drawing: &mut Drawing, plot: &Plot, frame: &Frame, area: &Area, style: &PlotStyle) {
     let places = plot.borders.iter().map(|x| frame.place([*x, plot.y.low]).x);
+    #[expect(clippy::cast_precision_loss, reason = "far fewer borders than 2⁵³")]
+    let roomy = area.max.x - area.min.x >= LINE_GAP * style.text * plot.borders.len() as f64;
     let mut last = f64::NEG_INFINITY;
     for x in places.filter(|x| (area.min.x..=area.max.x).contains(x)) {
         if x - last < BORDER_GAP * style.text {
@@ -115,8 +121,10 @@ fn borders(drawing: &mut Drawing, plot: &Plot, frame: &Frame, area: &Area, style
         last = x;
         let line =
             |top: f64, colour| Shape::line(vec![DVec2::new(x, area.max.y), DVec2::new(x, top)], style.axis(), colour);
-        drawing.shapes.push(line(area.min.y, style.paper.grid).dashed(MARK_DASHES));
-        drawing.shapes.push(line(area.max.y - 0.5 * style.text, style.paper.text));
+        if roomy {
+            drawing.shapes.push(line(area.min.y, style.paper.weak).dashed(BORDER_DASHES));
+        }
+        drawing.shapes.push(line(area.max.y - 0.5 * style.text, style.paper.weak));
     }
 }
 
