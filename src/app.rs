@@ -21,6 +21,7 @@ mod numbers;
 mod orbit;
 mod palette;
 mod picture;
+mod profile;
 mod row;
 mod sampling;
 mod stages;
@@ -30,6 +31,8 @@ mod symbol;
 mod theme;
 
 pub use document::{Document, Origin};
+pub use handles::line::ProfileLine;
+pub use profile::ProfileLook;
 pub use start::{AppError, run};
 pub use state::{AppState, Look, NumbersTab, OverlayLook, ProbePoint};
 
@@ -153,6 +156,7 @@ impl App {
             Action::SaveTo(path) => self.save(path),
             Action::Export => self.state.dialog = Some(Dialog::Export(self.export_form())),
             Action::CopyPicture => self.copy_picture(ctx),
+            Action::SaveProfile(ending) => self.state.dialog = Some(profile::save_dialog(ending)),
             Action::Code => self.state.dialog = Some(Dialog::Code(code::CodeForm::default())),
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),

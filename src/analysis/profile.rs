@@ -23,6 +23,7 @@ use glam::DVec2;
 use line::Line;
 use serde::Serialize;
 use source::Source;
+use std::fmt::Write;
 use thiserror::Error;
 
 /// What the profile is taken of.
@@ -114,6 +115,37 @@ pub struct Corner {
     pub slopes: [f64; 2],
     /// Their difference.
     pub jump: f64,
+}
+
+impl Trace {
+    /// The mode's name, as in a scene file.
+    pub fn word(&self) -> &'static str {
+        match self.mode {
+            ShadingMode::Flat => "flat",
+            ShadingMode::Interpolated => "interpolated",
+            ShadingMode::Gouraud => "gouraud",
+            ShadingMode::Phong => "phong",
+            ShadingMode::Exact => "exact",
+        }
+    }
+}
+
+impl Profile {
+    /// The samples as text: a row each under a row of names, values separated by commas.
+    pub fn to_csv(&self) -> String {
+        let mut text = "x,y,t".to_owned();
+        for trace in &self.traces {
+            let mode = trace.word();
+            let _ = write!(text, ",{mode},{mode}_slope,{mode}_perceived");
+        }
+        for (i, sample) in self.samples.iter().enumerate() {
+            let _ = write!(text, "\n{},{},{}", sample.x, sample.y, sample.t);
+            for trace in &self.traces {
+                let _ = write!(text, ",{},{},{}", trace.intensity[i], trace.slope[i], trace.perceived[i]);
+            }
+        }
+        text + "\n"
+    }
 }
 
 /// Rec. 709 luminance of a linear colour.

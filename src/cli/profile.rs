@@ -17,7 +17,6 @@ use shading_lab::analysis::{
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Scene, ShadingMode};
-use std::fmt::Write;
 use std::path::PathBuf;
 
 #[derive(Args)]
@@ -142,7 +141,7 @@ impl ProfileCommand {
             return print_json(&object(&taken, &request));
         }
         let silent = self.output.is_some() || self.csv.is_some() || self.picture.is_some();
-        if silent { Ok(()) } else { print(&rows(&taken)) }
+        if silent { Ok(()) } else { print(&taken.to_csv()) }
     }
 
     fn refused(&self, error: ProfileError) -> Failure {
@@ -152,35 +151,14 @@ impl ProfileCommand {
 
     fn write(&self, taken: &Profile, request: &ProfileRequest, scene: &Scene) -> Result<(), Failure> {
         if let Some(csv) = &self.csv {
-            write_text(csv, &rows(taken))?;
+            write_text(csv, &taken.to_csv())?;
         }
         match &self.output {
             None => Ok(()),
-            Some(path) if ending(path) == "csv" => write_text(path, &rows(taken)),
+            Some(path) if ending(path) == "csv" => write_text(path, &taken.to_csv()),
             Some(path) => write_plots(path, &profile_plots(taken, request), self.size, self.dark, scene),
         }
     }
-}
-
-/// The name of a mode, as in a scene file.
-fn word(mode: ShadingMode) -> String {
-    serde_json::to_value(mode).ok().and_then(|word| word.as_str().map(str::to_owned)).unwrap_or_default()
-}
-
-/// The samples as text: a row each, values separated by commas.
-fn rows(taken: &Profile) -> String {
-    let mut text = "x,y,t".to_owned();
-    for trace in &taken.traces {
-        let mode = word(trace.mode);
-        let _ = write!(text, ",{mode},{mode}_slope,{mode}_perceived");
-    }
-    for (i, sample) in taken.samples.iter().enumerate() {
-        let _ = write!(text, "\n{},{},{}", sample.x, sample.y, sample.t);
-        for trace in &taken.traces {
-            let _ = write!(text, ",{},{},{}", trace.intensity[i], trace.slope[i], trace.perceived[i]);
-        }
-    }
-    text + "\n"
 }
 
 /// What `--json` prints.
@@ -192,17 +170,17 @@ fn object(taken: &Profile, request: &ProfileRequest) -> Value {
             ("t".to_owned(), json!(sample.t)),
         ]);
         for trace in &taken.traces {
-            let mode = word(trace.mode);
+            let mode = trace.word();
             row.insert(format!("{mode}_slope"), json!(trace.slope[i]));
             row.insert(format!("{mode}_perceived"), json!(trace.perceived[i]));
-            row.insert(mode, json!(trace.intensity[i]));
+            row.insert(mode.to_owned(), json!(trace.intensity[i]));
         }
         Value::Object(row)
     });
     let borders = taken.borders.iter().enumerate().map(|(i, border)| {
         let mut row = json!(border);
         for trace in &taken.traces {
-            row[word(trace.mode)] = json!(trace.corners[i]);
+            row[trace.word()] = json!(trace.corners[i]);
         }
         row
     });

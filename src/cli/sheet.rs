@@ -4,11 +4,9 @@ use super::failure::Failure;
 use glam::DVec2;
 use shading_lab::analysis::Plot;
 use shading_lab::document::{SaveError, WriteError, save_picture, write_whole};
-use shading_lab::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
-use shading_lab::render::Frame;
+use shading_lab::figure::{Paper, PlotStyle, lay_out_sheet};
 use shading_lab::scene::Scene;
 use std::path::{Path, PathBuf};
-use tiny_skia::Pixmap;
 
 /// Writes plots on one sheet of `size`, as SVG where the name says so, otherwise as PNG with the scene inside.
 pub fn write_plots(path: &Path, plots: &[Plot], size: [u32; 2], dark: bool, scene: &Scene) -> Result<(), Failure> {
@@ -20,15 +18,8 @@ pub fn write_plots(path: &Path, plots: &[Plot], size: [u32; 2], dark: bool, scen
         let titles: Vec<&str> = plots.iter().map(|plot| plot.title.as_str()).collect();
         return write_text(path, &drawing.to_svg(&titles.join("; ")));
     }
-    Ok(save_picture(path, &drawn(&drawing, size)?, scene)?)
-}
-
-fn drawn(drawing: &Drawing, [width, height]: [u32; 2]) -> Result<Frame, Failure> {
-    let mut pixmap = Pixmap::new(width, height).ok_or_else(|| Failure::work("the figure is too large"))?;
-    drawing.draw(&mut pixmap.as_mut());
-    // The ground is opaque, so that nothing is premultiplied.
-    let pixels = pixmap.data().as_chunks::<4>().0.to_vec();
-    Ok(Frame { width, height, pixels })
+    let frame = drawing.to_frame().ok_or_else(|| Failure::work("the figure is too large"))?;
+    Ok(save_picture(path, &frame, scene)?)
 }
 
 /// Writes a text whole or not at all.

@@ -7,6 +7,8 @@ use crate::scene::ShadingMode;
 
 /// Of the values of a curve this share may lie off its plot: at an outline slopes grow beyond all bounds.
 const OFF: f64 = 0.02;
+/// The same for what the eye adds, which is greatest at the outline.
+const OFF_ADDED: f64 = 0.08;
 /// Room below and above the curves, in their height.
 const PADDING: f64 = 0.06;
 
@@ -57,7 +59,7 @@ fn added(profile: &Profile, request: &ProfileRequest) -> Plot {
         curves.iter().collect()
     };
     let values = scale.iter().flat_map(|curve| curve.points.iter().map(|[_, y]| *y));
-    let [low, high] = bounds(values, OFF);
+    let [low, high] = bounds(values, OFF_ADDED);
     let y = axis("R − I", [low.min(0.0), high.max(0.0)]);
     let [centre, surround] = profile.widths;
     let model = match request.perception.model {
@@ -70,6 +72,8 @@ fn added(profile: &Profile, request: &ProfileRequest) -> Plot {
 }
 
 fn plot(profile: &Profile, kind: PlotKind, title: String, y: Axis, curves: Vec<Curve>) -> Plot {
+    // Not the diagonals within polygons.
+    let edges = profile.borders.iter().filter(|border| border.faces[0] != border.faces[1]);
     Plot {
         kind,
         title,
@@ -80,7 +84,7 @@ fn plot(profile: &Profile, kind: PlotKind, title: String, y: Axis, curves: Vec<C
         legend: Vec::new(),
         marks: Vec::new(),
         directions: Vec::new(),
-        borders: profile.borders.iter().map(|border| border.t * profile.length).collect(),
+        borders: edges.map(|border| border.t * profile.length).collect(),
     }
 }
 

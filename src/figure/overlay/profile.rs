@@ -1,6 +1,6 @@
 //! A profile over its own picture: the line, ticks where polygons meet, and the intensity as a curve above the line.
 
-use super::{Halo, OverlayOptions, Style};
+use super::{OverlayOptions, Style};
 use crate::analysis::{Profile, Trace};
 use crate::figure::ink::{Ink, Mark};
 use crate::figure::palette::{Rgb8, readable};
@@ -36,7 +36,7 @@ pub fn draw_profile(pixmap: &mut PixmapMut<'_>, profile: &Profile, trace: &Trace
     let colour = readable(CURVE, style.halo_colour, 3.0);
     let mut marks = vec![Mark::line(ends.to_vec(), 0.7 * style.line, style.neutral)];
     let mut latest = f64::NEG_INFINITY;
-    for border in &profile.borders {
+    for border in profile.borders.iter().filter(|border| border.faces[0] != border.faces[1]) {
         let s = border.t * profile.length;
         if s - latest >= GAP * style.text {
             latest = s;
@@ -49,6 +49,7 @@ pub fn draw_profile(pixmap: &mut PixmapMut<'_>, profile: &Profile, trace: &Trace
     marks.push(Mark::line(curve(&trace.intensity), style.line, colour));
     let seen = Mark::line(curve(&trace.perceived), 0.7 * style.line, style.neutral).dashed(DASHES);
     let mut ink = Ink { pixmap, halo: style.halo_colour, breadth: style.halo };
+    // Below, so that it shows where it departs.
+    ink.marks(&[seen]);
     ink.marks(&marks);
-    ink.marks(&[Mark { halo: options.halo == Halo::Light, ..seen }]);
 }
