@@ -2,8 +2,8 @@
 
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::{
-    Perception, Profile, ProfileError, ProfileRequest, ResponseModel, Trace, Viewing, blur_line, luminance, probe,
-    profile,
+    Perception, Profile, ProfileError, ProfileRequest, ResponseModel, Trace, Viewing, blur_line, luminance,
+    perceived_picture, probe, profile,
 };
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
@@ -66,7 +66,7 @@ fn normalisation_leaves_corners_and_weakens_steps() {
 fn a_degree_is_as_many_pixels_as_the_screen_has_in_it() {
     let viewing = Viewing { distance: 1000.0, density: 2.0 };
     assert!((viewing.pixels_per_degree() - 2000.0 * (PI / 180.0).tan()).abs() < 1e-9);
-    assert!((Viewing::default().pixels_per_degree() - 39.58).abs() < 0.01);
+    assert!((Viewing::default().pixels_per_degree() - 39.59).abs() < 0.01);
 }
 
 /// Pixels of the unit circle's radius in the picture of [`cylinder`].
@@ -243,4 +243,37 @@ fn a_line_that_is_none_is_refused() {
         assert_eq!(asked(a, outside, &ALL), Err(ProfileError::Outside { size: [1000, 101] }));
     }
     assert_eq!(asked(DVec2::ZERO, DVec2::new(1000.0, 101.0), &ALL), Ok(()));
+}
+
+#[test]
+fn what_is_perceived_of_an_even_picture_is_the_picture() {
+    let mut scene = cylinder(8);
+    scene.image.size = [40, 30];
+    scene.image.background = Rgb::splat(0.4);
+    scene.camera.target = DVec3::new(90.0, 0.0, 0.0);
+    scene.camera.eye = DVec3::new(90.0, 0.0, 5.0);
+    let (viewing, perception) = (Viewing::default(), Perception::default());
+    let mut renderer = Renderer::default();
+    let seen = perceived_picture(&mut renderer, &scene, &viewing, &perception);
+    assert_eq!(seen.pixels, renderer.render(&scene).pixels);
+}
+
+#[test]
+fn the_perceived_picture_agrees_with_the_profile_where_it_varies_one_way() {
+    let mut scene = cylinder(24);
+    scene.image.size = [400, 81];
+    scene.camera.height = 0.6 * 81.0 / 160.0;
+    scene.shading.mode = ShadingMode::Gouraud;
+    let profile = taken(&scene, [0.0, 40.5], [400.0, 40.5]);
+    let (viewing, perception) = (Viewing::default(), Perception::default());
+    let seen = perceived_picture(&mut Renderer::default(), &scene, &viewing, &perception);
+    let trace = trace(&profile, ShadingMode::Gouraud);
+    for (sample, value) in profile.samples.iter().zip(&trace.perceived) {
+        let outline = (sample.x - 200.0).abs() > 130.0;
+        if outline || (sample.x.fract() - 0.5).abs() > 1e-9 {
+            continue;
+        }
+        let [red, _, _] = seen.pixel(sample.x as u32, 40).expect("a pixel of the picture");
+        assert!((f64::from(red) - 255.0 * value.min(1.0)).abs() < 1.5, "at {}: {red} and {value}", sample.x);
+    }
 }

@@ -35,9 +35,9 @@ impl Viewing {
 }
 
 impl Default for Viewing {
-    /// A screen of 96 pixels an inch at 60 cm, about 40 pixels a degree.
+    /// A screen of 96 pixels to an inch at 60 cm, about 40 pixels a degree.
     fn default() -> Self {
-        Self { distance: 600.0, density: 96.0 / 25.4 }
+        Self { distance: 600.0, density: 3.78 }
     }
 }
 
