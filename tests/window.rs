@@ -590,7 +590,7 @@ fn the_scene_is_shown_as_code_in_three_ways() {
     harness.run();
     harness.key_press(Key::Escape);
     harness.run();
-    assert!(harness.query_by_role(Role::Tab).is_none(), "the dialog has gone");
+    assert!(harness.query_by_role_and_label(Role::Tab, "GLSL 330").is_none(), "the dialog has gone");
 }
 
 #[test]

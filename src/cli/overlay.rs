@@ -61,11 +61,10 @@ impl OverlayList {
     pub fn check(&self, scene: &Scene) -> Result<(), Failure> {
         if let Some((from, to)) = self.line {
             let size = DVec2::from_array(scene.image.size.map(f64::from));
-            for DVec2 { x, y } in [from, to].into_iter().filter(|p| p.min_element() < 0.0 || p.cmpgt(size).any()) {
-                return Err(Failure::input(format!(
-                    "{x},{y}: outside the picture, expected 0,0 to {},{}",
-                    size.x, size.y
-                )));
+            let outside = |p: &DVec2| p.min_element() < 0.0 || p.cmpgt(size).any();
+            if let Some(DVec2 { x, y }) = [from, to].into_iter().find(outside) {
+                let DVec2 { x: right, y: bottom } = size;
+                return Err(Failure::input(format!("{x},{y}: outside the picture, expected 0,0 to {right},{bottom}")));
             }
         }
         let Some([x, y]) = self.pixel else { return Ok(()) };
@@ -93,7 +92,9 @@ impl OverlayList {
         if let Some(taken) = &taken {
             taken.traces.iter().for_each(|trace| draw_profile(&mut pixmap, taken, trace, &options));
         }
-        draw_overlay(&mut pixmap, scene, &probed, &options);
+        if options.layers != [OverlayLayer::Profile] {
+            draw_overlay(&mut pixmap, scene, &probed, &options);
+        }
         Ok(())
     }
 

@@ -124,11 +124,11 @@ impl ProfileCommand {
         }
         let (viewing, perception) = self.eye.checked()?;
         let mut modes: Vec<ShadingMode> = Vec::new();
-        self.modes.iter().for_each(|mode| {
+        for mode in &self.modes {
             if !modes.contains(mode) {
-                modes.push(*mode)
+                modes.push(*mode);
             }
-        });
+        }
         let request = ProfileRequest { from: self.from, to: self.to, modes, viewing, perception };
         let mut renderer = Renderer::default();
         renderer.set_model(loaded.model);
