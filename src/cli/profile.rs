@@ -19,6 +19,9 @@ use shading_lab::render::Renderer;
 use shading_lab::scene::{Scene, ShadingMode};
 use std::path::PathBuf;
 
+/// Greatest width of the surround in pixels for a whole picture: beyond, its time would grow without bound.
+const WIDEST: f64 = 256.0;
+
 #[derive(Args)]
 pub struct ProfileCommand {
     #[command(flatten)]
@@ -123,6 +126,11 @@ impl ProfileCommand {
             check_target(target)?;
         }
         let (viewing, perception) = self.eye.checked()?;
+        let [_, surround] = perception.widths(viewing.pixels_per_degree());
+        if self.picture.is_some() && surround > WIDEST {
+            let expected = format!("expected at most {WIDEST} for --picture");
+            return Err(Failure::input(format!("--surround {}: {surround:.0} pixels, {expected}", self.eye.surround)));
+        }
         let mut modes: Vec<ShadingMode> = Vec::new();
         for mode in &self.modes {
             if !modes.contains(mode) {

@@ -21,7 +21,7 @@ const BORDER_GAP: f64 = 0.2;
 /// Least mean distance between borders that have lines of their own.
 const LINE_GAP: f64 = 0.8;
 /// Of those lines, in widths.
-const BORDER_DASHES: &[f32] = &[1.0, 5.0];
+const BORDER_DASHES: &[f32] = &[2.0, 4.0];
 /// Of the lines that mark values of x, in widths.
 const MARK_DASHES: &[f32] = &[3.0, 3.0];
 
