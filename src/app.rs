@@ -22,6 +22,7 @@ mod numbers;
 mod orbit;
 mod palette;
 mod picture;
+mod profile;
 mod row;
 mod sampling;
 mod stages;
@@ -32,6 +33,8 @@ mod theme;
 mod typeset;
 
 pub use document::{Document, Origin};
+pub use handles::line::ProfileLine;
+pub use profile::ProfileLook;
 pub use start::{AppError, run};
 pub use state::{AppState, Look, NumbersTab, OverlayLook, ProbePoint};
 
@@ -155,6 +158,7 @@ impl App {
             Action::SaveTo(path) => self.save(path),
             Action::Export => self.state.dialog = Some(Dialog::Export(self.export_form())),
             Action::CopyPicture => self.copy_picture(ctx),
+            Action::SaveProfile(ending) => self.state.dialog = Some(profile::save_dialog(ending)),
             Action::Code => self.state.dialog = Some(Dialog::Code(code::CodeForm::default())),
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),

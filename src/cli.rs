@@ -13,8 +13,10 @@ mod materials;
 mod output;
 mod overlay;
 mod probe;
+mod profile;
 mod render;
 mod scenes;
+mod sheet;
 mod telling;
 mod window;
 
@@ -42,6 +44,11 @@ enum Command {
     Render(render::Render),
     /// Fill in the equation at one pixel.
     Probe(probe::ProbeCommand),
+    /// Take the intensity along a line for several ways of shading, with its slope and what is perceived: Mach bands.
+    ///
+    /// Without a file it prints a row for each sample, values separated by commas. Slopes are per pixel; all values are linear
+    /// and before rounding.
+    Profile(profile::ProfileCommand),
     /// Write a scene as OpenGL calls or as GLSL shaders, to copy; what they cannot express is told on stderr.
     Code(code::Code),
     /// Plot the curves of local illumination: f(d), the family of powers of a cosine, W(θ), and the lobe at one pixel.
@@ -80,6 +87,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         }
         Some(Command::Render(render)) => render.run(&earlier),
         Some(Command::Probe(probe)) => probe.run(&earlier),
+        Some(Command::Profile(profile)) => profile.run(&earlier),
         Some(Command::Code(code)) => code.run(&earlier),
         Some(Command::Curves(curves)) => curves.run(&earlier),
         Some(Command::Check(check)) => check.run(&earlier),

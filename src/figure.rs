@@ -13,6 +13,7 @@ mod text;
 
 pub use overlay::{
     Angle, Arc, Area, Arrow, ArrowHead, Halo, Label, LightHandle, Overlay, OverlayLayer, OverlayOptions, draw_overlay,
+    draw_profile,
 };
 pub use plot::{Drawing, Paper, PlotStyle, Shape, Text, lay_out, lay_out_sheet};
 pub use text::Set;

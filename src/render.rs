@@ -20,6 +20,7 @@ mod reference;
 mod renderer;
 #[cfg(test)]
 mod robustness;
+mod section;
 mod shade;
 mod shadow;
 mod sites;
@@ -35,4 +36,5 @@ pub use frame::{Frame, Report, Stage, StageRun};
 pub use plan::{Facts, Per, Plan, Term};
 pub(crate) use reference::Evaluation;
 pub use renderer::Renderer;
+pub(crate) use section::{Piece, displayed};
 pub use transmission::Transmission;

@@ -583,3 +583,94 @@ fn curves_that_cannot_be_are_refused() {
     );
     assert!(folder.names().is_empty());
 }
+
+#[test]
+fn a_profile_has_every_mode_at_every_pixel_centre() {
+    let folder = Folder::new("profile");
+    let line = ["profile", "sphere", "--from", "100.5,300.5", "--to", "140.5,300.5", "--json"];
+    let object = folder.json(&line);
+    let samples = object["samples"].as_array().expect("a list");
+    for x in 100..=140 {
+        let centre = f64::from(x) + 0.5;
+        let sample = samples.iter().find(|sample| sample["x"].as_f64().is_some_and(|at| (at - centre).abs() < 1e-9));
+        let sample = sample.unwrap_or_else(|| panic!("{centre}"));
+        assert_eq!(sample["y"], 300.5);
+        for mode in ["flat", "gouraud", "phong", "exact"] {
+            for key in ["", "_slope", "_perceived"] {
+                assert!(sample[format!("{mode}{key}")].is_f64(), "{mode}{key}: {sample}");
+            }
+        }
+    }
+    assert_eq!((samples[0]["t"].as_f64(), samples[samples.len() - 1]["t"].as_f64()), (Some(0.0), Some(1.0)));
+    let phong = folder.json(&[&line[..], &["--modes", "phong"]].concat());
+    assert!(phong["samples"][0].get("gouraud").is_none() && phong["samples"][0]["phong"].is_f64());
+    let probed = folder.json(&["probe", "sphere", "--pixel", "300,300", "--json"]);
+    let there = folder.json(&[
+        "profile",
+        "sphere",
+        "--from",
+        "300.5,300.5",
+        "--to",
+        "301.5,300.5",
+        "--modes",
+        "phong",
+        "--json",
+    ]);
+    let sum: Vec<f64> = probed["sum"].as_array().expect("three").iter().filter_map(Value::as_f64).collect();
+    let expected = 0.2126 * sum[0] + 0.7152 * sum[1] + 0.0722 * sum[2];
+    assert!((there["samples"][0]["phong"].as_f64().expect("a number") - expected).abs() < 1e-9);
+}
+
+#[test]
+fn a_profile_is_written_as_table_plot_and_picture() {
+    let folder = Folder::new("profile-files");
+    let line = ["profile", "flat-facets", "--from", "100,300", "--to", "600,310.5"];
+    let text = folder.prints(&line);
+    assert!(text.starts_with("x,y,t,flat,flat_slope,flat_perceived,gouraud,"), "{}", &text[..80]);
+    folder.prints(
+        &[&line[..], &["-o", "plot.png", "--csv", "rows.csv", "--picture", "seen.png", "--size", "640x480"]].concat(),
+    );
+    folder.prints(&[&line[..], &["-o", "plot.svg", "--dark", "--response", "response-normalisation"]].concat());
+    assert_eq!(folder.names(), ["plot.png", "plot.svg", "rows.csv", "seen.png"]);
+    folder.prints(&[
+        "render",
+        "flat-facets",
+        "--overlay",
+        "profile",
+        "--from",
+        "9,9",
+        "--to",
+        "400,300",
+        "-o",
+        "over.png",
+    ]);
+    folder.prints(&["render", "flat-facets", "--overlay", "vectors,profile", "-o", "over.png"]);
+}
+
+#[test]
+fn a_profile_along_no_line_is_refused() {
+    let folder = Folder::new("profile-refused");
+    let with = |from, to, more: &[&'static str]| [&["profile", "sphere", "--from", from, "--to", to], more].concat();
+    let outside = "error: --from 0,0 --to 769,3: outside the picture, expected 0,0 to 768,768";
+    folder.fails(&with("0,0", "769,3", &[]), 2, &[outside]);
+    let nowhere = "error: --from 5,5 --to 5,5: both ends of the line are at one place, expected two";
+    folder.fails(&with("5,5", "5,5", &[]), 2, &[nowhere]);
+    let narrow = "error: --surround 0.01: expected more than the centre's 0.04";
+    folder.fails(&with("0,0", "5,5", &["--surround", "0.01"]), 2, &[narrow]);
+    folder.fails(
+        &with("0,0", "5,5", &["--viewing-distance", "NaN"]),
+        2,
+        &["error: --viewing-distance NaN: expected 100 to 5000"],
+    );
+    let wide = ["--picture", "a.png", "--surround", "2", "--viewing-distance", "5000"];
+    let error = "error: --surround 2: 660 pixels, expected at most 256 for --picture";
+    folder.fails(&with("0,0", "5,5", &wide), 2, &[error]);
+    folder.refuses(&with("0,0", "x,5", &[]), "expected X,Y in pixels");
+    folder.refuses(&with("0,0", "inf,5", &[]), "expected X,Y in pixels");
+    folder.refuses(
+        &with("0,0", "5,5", &["--modes", "flat,fong"]),
+        "expected flat, interpolated, gouraud, phong or exact",
+    );
+    folder.refuses(&["render", "sphere", "-o", "a.png", "--from", "1,1"], "--to");
+    assert!(folder.names().is_empty());
+}

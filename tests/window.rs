@@ -453,6 +453,16 @@ fn the_pixels_above_one_are_counted() {
     assert!(harness.query_by_label_contains("pixels are above 1").is_some());
 }
 
+/// Drags from one place of the window to another.
+fn drag(harness: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
+    harness.drag_at(from);
+    harness.run();
+    harness.hover_at(to);
+    harness.run();
+    harness.drop_at(to);
+    harness.run();
+}
+
 #[test]
 fn a_spot_lights_arrow_is_dragged() {
     let mut harness = window("sphere");
@@ -460,16 +470,6 @@ fn a_spot_lights_arrow_is_dragged() {
     let before = scene(&harness).clone();
     // The light has been aimed at the camera's target, so that its arrow ends in the picture's middle.
     let middle = harness.get_by_role_and_label(Role::Image, "Picture, phong shading").rect().center();
-    let drag = |harness: &mut Harness<'_, App>, from: Pos2, to: Pos2| {
-        for step in
-            [&(|h: &Harness<'_, App>| h.drag_at(from)) as &dyn Fn(&Harness<'_, App>), &|h| h.hover_at(to), &|h| {
-                h.drop_at(to);
-            }]
-        {
-            step(harness);
-            harness.run();
-        }
-    };
     drag(&mut harness, middle, middle + vec2(60.0, 20.0));
     let turned = scene(&harness).clone();
     assert!(turned.lights[0].direction.angle_between(before.lights[0].direction) > 0.02, "the arrow was turned");
@@ -731,5 +731,54 @@ fn every_way_of_evaluating_fills_the_equation_in() {
         let (line, value) = (line_of(&harness, "diffuse 1 red: "), probed(&harness).lights[0].diffuse.x);
         let (_, shown) = line.split_once(" = ").expect("a product");
         assert!((parsed(shown) - value).abs() < 6e-5, "{line}, {value}");
+    }
+}
+
+/// Runs the window until the profile has been taken on its thread.
+fn until_taken(harness: &mut Harness<'_, App>) {
+    for _ in 0..400 {
+        harness.run_ok();
+        if harness.query_by_label("The bands: what the eye adds").is_some() {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    panic!("no profile has come");
+}
+
+#[test]
+fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
+    let mut harness = window("flat-facets");
+    harness.get_by_role_and_label(Role::Tab, "Profile").click_accesskit();
+    until_taken(&mut harness);
+    assert_eq!(harness.state().state().look.tab, NumbersTab::Profile);
+    for title in ["Gouraud: what is there and what is seen", "The slope, which jumps where bands are seen"] {
+        assert!(harness.query_by_label(title).is_some(), "{title}");
+    }
+    assert!(harness.query_by_label("Flat: what is there and what is seen").is_none());
+    harness.get_by_label("Flat").click_accesskit();
+    harness.run_ok();
+    for _ in 0..400 {
+        if harness.query_by_label("Flat: what is there and what is seen").is_some() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+        harness.run_ok();
+    }
+    assert!(harness.query_by_label("Flat: what is there and what is seen").is_some());
+    // The end of the line, where the picture and the state have it.
+    let before = harness.state().state().line;
+    let scene_before = scene(&harness).clone();
+    let (width, height) = (harness.state().frame().width, harness.state().frame().height);
+    let rect = harness.get_by(|node| node.label().is_some_and(|label| label.starts_with("Picture,"))).rect();
+    let scale = rect.height() / height as f32;
+    let [_, end] = before.pixels([width, height]);
+    let at = rect.min + vec2(end.x as f32, end.y as f32) * scale;
+    drag(&mut harness, at, at + vec2(-40.0, 30.0));
+    let after = harness.state().state().line.pixels([width, height]);
+    assert!((after[1] - end - glam::DVec2::new(-40.0, 30.0) / f64::from(scale)).length() < 3.0, "{after:?} from {end}");
+    assert_eq!(*scene(&harness), scene_before, "the camera stays");
+    for ending in ["CSV…", "PNG…", "SVG…"] {
+        assert!(harness.query_by_label(ending).is_some(), "{ending}");
     }
 }

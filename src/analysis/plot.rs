@@ -1,5 +1,6 @@
 //! A plot as plain data: sampled curves, what they are called, and where the scene itself stands on them.
 
+use crate::scene::ShadingMode;
 use serde::{Deserialize, Serialize};
 
 /// The curves of local illumination.
@@ -14,10 +15,16 @@ pub enum PlotKind {
     Reflectance,
     /// What one point reflects to every side, as a polar plot.
     Lobe,
+    /// The intensity along a line through the picture.
+    Profile,
+    /// Its slope.
+    ProfileSlope,
+    /// What the eye adds to it.
+    ProfileAdded,
 }
 
 impl PlotKind {
-    /// Every kind, in the order of the equation: the lobe last, because it is all of them together.
+    /// Every kind that belongs to a point, in the order of the equation: the lobe last, because it is all of them together.
     pub const ALL: [Self; 4] = [Self::Attenuation, Self::Exponent, Self::Reflectance, Self::Lobe];
 
     /// Whether x is an angle from the vertical, in degrees clockwise, and y the distance from the middle.
@@ -43,6 +50,8 @@ pub struct Plot {
     pub marks: Vec<Mark>,
     /// The arrows of a polar plot; others have none.
     pub directions: Vec<Direction>,
+    /// Values of x where polygons meet, ticked without a name.
+    pub borders: Vec<f64>,
 }
 
 impl Plot {
@@ -150,6 +159,10 @@ pub enum Ink {
     H,
     /// Red, green or blue.
     Channel(u8),
+    /// A way of shading.
+    Shading(ShadingMode),
+    /// What is seen and not there.
+    Perceived,
     /// Of no meaning in the scene.
     Reference,
 }

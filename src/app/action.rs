@@ -24,6 +24,8 @@ pub enum Action {
     CopyPicture,
     /// Shows the scene as code.
     Code,
+    /// Asks where to save the profile, in the format of this ending.
+    SaveProfile(&'static str),
     Undo,
     Redo,
     ResetCamera,
@@ -101,8 +103,12 @@ impl AppState {
                 *flag = !*flag;
             }
             Action::SwitchTab => {
-                let other = if self.look.tab == NumbersTab::Curves { NumbersTab::Equation } else { NumbersTab::Curves };
-                self.look.tab = if self.look.numbers { other } else { NumbersTab::Curves };
+                let next = match self.look.tab {
+                    NumbersTab::Equation => NumbersTab::Curves,
+                    NumbersTab::Curves => NumbersTab::Profile,
+                    NumbersTab::Profile => NumbersTab::Equation,
+                };
+                self.look.tab = if self.look.numbers { next } else { NumbersTab::Curves };
                 self.look.numbers = true;
             }
             Action::Theme(theme) => self.look.theme = theme,

@@ -16,7 +16,7 @@ use eframe::egui::{
 use glam::DVec2;
 
 /// Size of letters in the plots, in that of the window's text.
-const LETTERS: f64 = 0.9;
+pub const LETTERS: f64 = 0.9;
 /// Height of the part of a plot that grows with its width: over straight axes, and of a half disc.
 const ASPECT: [f64; 2] = [0.55, 0.5];
 /// Height of all that does not: of labels about the plot, and of a line of the legend; in letters.
@@ -79,7 +79,7 @@ fn missing_ui(ui: &mut Ui, engine: &Engine, light: usize) {
     ui.label(text);
 }
 
-fn paper(ui: &Ui) -> Paper {
+pub fn paper(ui: &Ui) -> Paper {
     let visuals = ui.visuals();
     let rgb = |colour: Color32| [colour.r(), colour.g(), colour.b()];
     Paper {
@@ -90,13 +90,13 @@ fn paper(ui: &Ui) -> Paper {
     }
 }
 
-fn height(plot: &Plot, width: f64, letters: f64) -> f64 {
+pub fn height(plot: &Plot, width: f64, letters: f64) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a plot has few curves and marks")]
     let lines = (plot.curves.len() + plot.marks.len()) as f64;
     width * ASPECT[usize::from(plot.kind.is_polar())] + letters * (LINES[0] + LINES[1] * lines)
 }
 
-fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) {
+pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) {
     let size = vec2(drawing.size.x as f32, drawing.size.y as f32);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     let enabled = ui.is_enabled();

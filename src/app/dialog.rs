@@ -4,13 +4,14 @@ use super::action::Action;
 use super::code::{self, CodeForm, code_ui};
 use super::files::{Files, Pick};
 use super::keys::BINDINGS;
+use super::profile;
 use super::state::AppState;
 use crate::scene::Image;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Button, Context, DragValue, Grid, Id, Key, Modal, ProgressBar, RichText, ScrollArea, TextEdit, Ui, WidgetInfo,
 };
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A dialog.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,7 @@ pub enum Dialog {
     Save { path: String },
     Export(ExportForm),
     Code(CodeForm),
+    SaveProfile { path: String },
     Keys,
     About,
 }
@@ -50,7 +52,11 @@ impl Dialog {
 
     /// Takes over a path that was picked elsewhere.
     pub fn take_path(&mut self, picked: String) {
-        if let Self::Open { path } | Self::Save { path } | Self::Export(ExportForm { path, .. }) = self {
+        if let Self::Open { path }
+        | Self::Save { path }
+        | Self::SaveProfile { path }
+        | Self::Export(ExportForm { path, .. }) = self
+        {
             *path = picked;
         } else if let Self::Code(CodeForm { path: Some(path), .. }) = self {
             *path = picked;
@@ -111,6 +117,11 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog
         Dialog::Save { path } => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
         Dialog::Export(form) => files.export(ctx, state, &form),
         Dialog::Code(form) => code::save(state, form),
+        Dialog::SaveProfile { path } => {
+            if let Err(text) = profile::save(state, Path::new(path.trim())) {
+                state.dialog = Some(Dialog::message("The profile was not saved", text));
+            }
+        }
         Dialog::Message { .. } | Dialog::Keys | Dialog::About => {}
     }
     ctx.request_repaint();
@@ -124,6 +135,9 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             path_ui(ui, "Open a scene, a model or an exported picture", "Open", path, hint, Pick::Open)
         }
         Dialog::Save { path } => path_ui(ui, "Save the scene", "Save", path, "scene.toml", Pick::SaveScene),
+        Dialog::SaveProfile { path } => {
+            path_ui(ui, "Save the profile", "Save", path, "profile.csv, .png or .svg", Pick::SaveProfile)
+        }
         Dialog::Export(form) => export_ui(ui, form),
         Dialog::Code(form) => code_ui(ui, form, &mut state.code, &state.document),
         Dialog::Keys => keys_ui(ui),

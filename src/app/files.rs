@@ -45,6 +45,7 @@ pub enum Pick {
     SaveScene,
     SavePicture,
     SaveCode(Language),
+    SaveProfile,
 }
 
 impl Files {
@@ -122,6 +123,9 @@ impl Files {
                 Pick::Open => dialog.add_filter("Scenes, models, pictures", &["toml", "obj", "png"]).pick_file(),
                 Pick::SaveScene => dialog.add_filter("Scene", &["toml"]).set_file_name("scene.toml").save_file(),
                 Pick::SavePicture => dialog.add_filter("Picture", &["png"]).set_file_name("picture.png").save_file(),
+                Pick::SaveProfile => {
+                    dialog.add_filter("Profile", &["csv", "png", "svg"]).set_file_name("profile.csv").save_file()
+                }
                 Pick::SaveCode(language) => dialog.set_file_name(language.suggestion()).save_file(),
             })
         });

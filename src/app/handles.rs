@@ -8,6 +8,7 @@
 //! The chosen light shows where it shines as well (see [`beam`]).
 
 mod beam;
+pub mod line;
 
 pub use beam::{aim_at, cursor, open_to, paint};
 

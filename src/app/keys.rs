@@ -148,7 +148,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding {
         section: "Shown",
         keys: "C",
-        does: "the equation in numbers, or its curves",
+        does: "the equation in numbers, its curves, or a profile",
         on: &[(PLAIN, Key::C, Action::SwitchTab)],
     },
     Binding {

@@ -4,6 +4,7 @@ use super::curves::{Curves, curves_ui};
 use super::engine::Engine;
 use super::filled::{filled_ui, shadow_words, to_line};
 use super::palette::vector_text;
+use super::profile::profile_ui;
 use super::state::{AppState, NumbersTab};
 use crate::analysis::{LightTerms, Probe, ProbeHit};
 use crate::figure::palette::Vector;
@@ -17,14 +18,18 @@ use glam::DVec3;
 /// Height of a table's rows, points.
 const ROW: f32 = 21.0;
 
-/// The panel of numbers: the equation filled in, or its curves.
+/// The panel of numbers: the equation filled in, its curves, or a profile.
 pub fn numbers_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, curves: &mut Curves) {
     ui.add_space(6.0);
     tabs_ui(ui, &mut state.look.tab);
     let tab = state.look.tab;
-    ScrollArea::vertical().id_salt(tab == NumbersTab::Curves).auto_shrink(false).show(ui, |ui| {
+    ScrollArea::vertical().id_salt(tab as u8).auto_shrink(false).show(ui, |ui| {
         if tab == NumbersTab::Curves {
             curves_ui(ui, state, engine, curves);
+            return;
+        }
+        if tab == NumbersTab::Profile {
+            profile_ui(ui, state, engine);
             return;
         }
         let Some(probe) = engine.probed() else { return };
@@ -37,7 +42,9 @@ pub fn numbers_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, curves: &m
 
 fn tabs_ui(ui: &mut Ui, tab: &mut NumbersTab) {
     ui.horizontal(|ui| {
-        for (choice, name) in [(NumbersTab::Equation, "Equation"), (NumbersTab::Curves, "Curves")] {
+        for (choice, name) in
+            [(NumbersTab::Equation, "Equation"), (NumbersTab::Curves, "Curves"), (NumbersTab::Profile, "Profile")]
+        {
             let response = ui.add(Button::selectable(*tab == choice, name));
             let (enabled, selected) = (ui.is_enabled(), *tab == choice);
             response.widget_info(|| WidgetInfo::selected(Role::Tab, enabled, selected, name));

@@ -92,6 +92,9 @@ fn keep_arrows(ui: &Ui, response: &Response) {
 
 /// What a drag that begins at `at` would move.
 fn under(state: &AppState, place: Place, handles: &[Placed], at: eframe::egui::Pos2) -> Drag {
+    if let Some((end, there)) = handles::line::end_at(state, place, at, REACH) {
+        return Drag::LineEnd { end, grab: place.pixel(there) - place.pixel(at) };
+    }
     if let Some(placed) = handles::nearest(handles, at, REACH) {
         let (index, grab) = (placed.index, place.pixel(placed.at) - place.pixel(at));
         return match placed.handle {
@@ -155,6 +158,7 @@ fn drag(ui: &Ui, state: &mut AppState, response: &Response, place: Place, view: 
         Drag::Orbit => orbit::orbit(camera, -dx * DEGREES_PER_HEIGHT, dy * DEGREES_PER_HEIGHT),
         Drag::Pan => orbit::pan(camera, -dx, dy),
         Drag::Probe => put_probe(state, place, at),
+        Drag::LineEnd { end, grab } => state.line.put(end, place.pixel(at) + grab, place.size),
         Drag::Light { index, grab } => handles::drag_to(state, index, view, place.pixel(at) + grab),
         Drag::LightDepth { index } => handles::push(state, index, view, -dy * 2.0),
         Drag::Aim { index, grab, front } => handles::aim_at(state, index, view, place.pixel(at) + grab, front),
@@ -168,7 +172,7 @@ fn cursor(ui: &Ui, state: &AppState, response: &Response, place: Place, handles:
     let Some(at) = hover else { return };
     let icon = match under(state, place, handles, at) {
         Drag::Light { .. } if shift => CursorIcon::ResizeVertical,
-        Drag::Light { .. } | Drag::Aim { .. } => CursorIcon::Grab,
+        Drag::Light { .. } | Drag::Aim { .. } | Drag::LineEnd { .. } => CursorIcon::Grab,
         Drag::Rim { .. } => rim_cursor(handles),
         Drag::Probe => CursorIcon::Crosshair,
         _ if shift => CursorIcon::Move,
@@ -209,6 +213,7 @@ fn paint(ui: &Ui, state: &AppState, engine: &Engine, place: Place) {
         probe_ui(&painter, place.point(probe_centre(state, place)), state.drag == Drag::Probe);
     }
     handles::paint(&painter, state, &view, place);
+    handles::line::paint(&painter, state, place);
     for placed in handles::place(state, &view, place) {
         Handle::paint(&painter, &placed, state.light == placed.index);
     }

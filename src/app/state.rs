@@ -5,7 +5,9 @@ use super::code;
 use super::dialog::Dialog;
 use super::document::Document;
 use super::gallery::Gallery;
+use super::handles::line::ProfileLine;
 use super::history::History;
+use super::profile::{ProfileLook, Profiles};
 use super::sampling::Sampling;
 use super::symbol::Lit;
 use super::theme::ThemeChoice;
@@ -26,6 +28,11 @@ pub struct AppState {
     pub saved: Document,
     #[serde(skip)]
     pub probe: ProbePoint,
+    /// Where the profile is taken.
+    #[serde(skip)]
+    pub line: ProfileLine,
+    #[serde(skip)]
+    pub profiles: Profiles,
     /// Index of the light whose controls are shown.
     #[serde(skip)]
     pub light: usize,
@@ -92,6 +99,7 @@ pub struct Look {
     /// What the panel of numbers shows.
     pub tab: NumbersTab,
     pub overlay: OverlayLook,
+    pub profile: ProfileLook,
 }
 
 impl Default for Look {
@@ -105,6 +113,7 @@ impl Default for Look {
             channels: false,
             tab: NumbersTab::Equation,
             overlay: OverlayLook::default(),
+            profile: ProfileLook::default(),
         }
     }
 }
@@ -118,6 +127,8 @@ pub enum NumbersTab {
     Equation,
     /// The plots.
     Curves,
+    /// The intensity along a line.
+    Profile,
 }
 
 /// What is drawn over the picture.
@@ -193,6 +204,11 @@ pub enum Drag {
     /// The camera along the picture's plane.
     Pan,
     Probe,
+    /// An end of the profile's line; `grab` leads from the pointer to it in pixels.
+    LineEnd {
+        end: usize,
+        grab: DVec2,
+    },
     /// A light, by its index; `grab` leads from the pointer to the light in pixels.
     Light {
         index: usize,

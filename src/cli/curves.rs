@@ -3,18 +3,16 @@
 use super::failure::Failure;
 use super::input::{SceneArguments, inside_picture, parse_pixel, parse_size};
 use super::output::{print, print_json};
+use super::sheet::{ending, parse_target, write_plots, write_text};
 use super::telling::telling_pixel;
 use clap::{Args, ValueEnum};
-use glam::DVec2;
 use serde::Serialize;
 use shading_lab::analysis::{Plot, PlotKind, Probe, curves, probe};
-use shading_lab::document::{SaveError, WriteError, check_target, save_picture, write_whole};
-use shading_lab::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
-use shading_lab::render::{Frame, Renderer};
+use shading_lab::document::check_target;
+use shading_lab::render::Renderer;
 use shading_lab::scene::Scene;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use tiny_skia::Pixmap;
 
 /// Pixels of a figure of one plot, of two and of more, unless another size is asked for.
 const SIZES: [[u32; 2]; 3] = [[1280, 800], [1920, 760], [1920, 1280]];
@@ -143,30 +141,9 @@ impl Curves {
         if ending(path) == "csv" {
             return write_text(path, &rows(plots));
         }
-        let [width, height] = self.size.unwrap_or(SIZES[plots.len().clamp(1, 3) - 1]);
-        let paper = if self.dark { Paper::DARK } else { Paper::LIGHT };
-        let style = PlotStyle::of([width, height], plots.len(), paper);
-        let drawing = lay_out_sheet(plots, DVec2::new(width.into(), height.into()), &style);
-        if ending(path) == "svg" {
-            let titles: Vec<&str> = plots.iter().map(|plot| plot.title.as_str()).collect();
-            return write_text(path, &drawing.to_svg(&titles.join("; ")));
-        }
-        Ok(save_picture(path, &drawn(&drawing, [width, height])?, scene)?)
+        let size = self.size.unwrap_or(SIZES[plots.len().clamp(1, 3) - 1]);
+        write_plots(path, plots, size, self.dark, scene)
     }
-}
-
-fn drawn(drawing: &Drawing, [width, height]: [u32; 2]) -> Result<Frame, Failure> {
-    let mut pixmap = Pixmap::new(width, height).ok_or_else(|| Failure::work("the figure is too large"))?;
-    drawing.draw(&mut pixmap.as_mut());
-    // The ground is opaque, so that nothing is premultiplied.
-    let pixels = pixmap.data().as_chunks::<4>().0.to_vec();
-    Ok(Frame { width, height, pixels })
-}
-
-fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
-    let written: Result<(), SaveError> =
-        write_whole(path, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io));
-    Ok(written?)
 }
 
 /// A row for each sample of each curve.
@@ -210,16 +187,4 @@ fn described(plots: &[Plot], probed: &Probe) -> String {
         }
     }
     text
-}
-
-fn ending(path: &Path) -> String {
-    path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default()
-}
-
-fn parse_target(text: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(text);
-    match ending(&path).as_str() {
-        "png" | "svg" | "csv" => Ok(path),
-        _ => Err("expected a name that ends in .png, .svg or .csv".to_owned()),
-    }
 }

@@ -3,11 +3,12 @@
 use super::failure::Failure;
 use super::input::{inside_picture, parse_pixel};
 use super::telling::telling_pixel;
+use glam::DVec2;
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
-use shading_lab::analysis::probe;
-use shading_lab::figure::{OverlayLayer, OverlayOptions, draw_overlay};
+use shading_lab::analysis::{Profile, ProfileRequest, probe, profile};
+use shading_lab::figure::{OverlayLayer, OverlayOptions, draw_overlay, draw_profile};
 use shading_lab::render::{Frame, Renderer};
 use shading_lab::scene::{Scene, nearest};
 use tiny_skia::PixmapMut;
@@ -17,12 +18,14 @@ use tiny_skia::PixmapMut;
 pub struct OverlayList {
     layers: Vec<OverlayLayer>,
     pixel: Option<[u32; 2]>,
+    /// The ends of the profile's line.
+    line: Option<(DVec2, DVec2)>,
 }
 
 impl OverlayList {
     /// Names between commas; `probe=X,Y` or any of the names followed by `=X,Y` gives the pixel.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let mut list = Self { layers: Vec::new(), pixel: None };
+        let mut list = Self { layers: Vec::new(), pixel: None, line: None };
         let mut pieces = text.split(',');
         while let Some(piece) = pieces.next() {
             let (name, x) = piece.split_once('=').map_or((piece, None), |(name, x)| (name, Some(x)));
@@ -45,15 +48,33 @@ impl OverlayList {
         Ok(list)
     }
 
-    /// Refuses a pixel outside the picture.
+    /// Takes the ends of the profile's line; without them it is level, through the pixel or the middle.
+    pub fn set_line(&mut self, from: Option<DVec2>, to: Option<DVec2>) -> Result<(), Failure> {
+        self.line = from.zip(to);
+        if self.line.is_some() && !self.layers.contains(&OverlayLayer::Profile) {
+            return Err(Failure::input("--from and --to without a profile, expected --overlay profile"));
+        }
+        Ok(())
+    }
+
+    /// Refuses a pixel or a line outside the picture.
     pub fn check(&self, scene: &Scene) -> Result<(), Failure> {
+        if let Some((from, to)) = self.line {
+            let size = DVec2::from_array(scene.image.size.map(f64::from));
+            let outside = |p: &DVec2| p.min_element() < 0.0 || p.cmpgt(size).any();
+            if let Some(DVec2 { x, y }) = [from, to].into_iter().find(outside) {
+                let DVec2 { x: right, y: bottom } = size;
+                return Err(Failure::input(format!("{x},{y}: outside the picture, expected 0,0 to {right},{bottom}")));
+            }
+        }
         let Some([x, y]) = self.pixel else { return Ok(()) };
         inside_picture(&format!("--overlay {x},{y}"), [x, y], scene.image.size)
     }
 
     /// Draws the overlays on `frame`, which is a picture of `scene`.
     pub fn draw(&self, frame: &mut Frame, renderer: &mut Renderer, scene: &Scene) -> Result<(), Failure> {
-        let about_pixel = self.layers.iter().any(|layer| *layer != OverlayLayer::Lights);
+        let of_pixel = |layer: &OverlayLayer| !matches!(layer, OverlayLayer::Lights | OverlayLayer::Profile);
+        let about_pixel = self.layers.iter().any(of_pixel);
         let probed = match self.pixel {
             Some([x, y]) => probe(renderer, scene, x, y),
             None => telling_pixel(renderer, scene),
@@ -64,11 +85,31 @@ impl OverlayList {
             return Err(Failure::input(format!("--overlay {x},{y}: the background, {expected}")));
         }
         let options = OverlayOptions { layers: self.layers.clone(), ..OverlayOptions::default() };
+        let taken = self.profile(renderer, scene)?;
         let (width, height) = (frame.width, frame.height);
         let mut pixmap = PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height)
             .ok_or_else(|| Failure::work("the picture is too large for overlays"))?;
-        draw_overlay(&mut pixmap, scene, &probed, &options);
+        if let Some(taken) = &taken {
+            taken.traces.iter().for_each(|trace| draw_profile(&mut pixmap, taken, trace, &options));
+        }
+        if options.layers != [OverlayLayer::Profile] {
+            draw_overlay(&mut pixmap, scene, &probed, &options);
+        }
         Ok(())
+    }
+
+    /// The profile in the scene's own shading, where it is asked for.
+    fn profile(&self, renderer: &mut Renderer, scene: &Scene) -> Result<Option<Profile>, Failure> {
+        if !self.layers.contains(&OverlayLayer::Profile) {
+            return Ok(None);
+        }
+        let [width, height] = scene.image.size;
+        let y = self.pixel.map_or(0.5 * f64::from(height), |[_, y]| f64::from(y) + 0.5);
+        let (from, to) = self.line.unwrap_or((DVec2::new(0.0, y), DVec2::new(width.into(), y)));
+        let request = ProfileRequest { modes: vec![scene.shading.mode], ..ProfileRequest::new(from, to) };
+        profile(renderer, scene, &request)
+            .map(Some)
+            .map_err(|error| Failure::input(format!("--overlay profile: {error}")))
     }
 }
 

@@ -4,7 +4,9 @@ use super::failure::Failure;
 use super::input::{SceneArguments, parse_size};
 use super::output::progress_bar;
 use super::overlay::OverlayList;
+use super::profile::parse_place;
 use clap::Args;
+use glam::DVec2;
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::render::Renderer;
 use std::path::{Path, PathBuf};
@@ -25,19 +27,26 @@ pub struct Render {
     /// Samples per pixel
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
     samples: u32,
-    /// Drawings over the picture: vectors, angles, construction, lights, lobe, side-view; with probe=X,Y the pixel that they
+    /// Drawings over the picture: vectors, angles, construction, lights, lobe, side-view, profile; with probe=X,Y the pixel that they
     /// explain, otherwise a lit one near the middle whose vectors are well apart
     #[arg(long, value_name = "LIST", value_parser = OverlayList::parse, allow_hyphen_values = true)]
     overlay: Option<OverlayList>,
+    /// Where the line of --overlay profile begins, in pixels; without a line it is level, through the probe or the middle
+    #[arg(long, value_name = "X,Y", value_parser = parse_place, requires_all = ["to", "overlay"], allow_hyphen_values = true)]
+    from: Option<DVec2>,
+    /// Where it ends
+    #[arg(long, value_name = "X,Y", value_parser = parse_place, requires = "from", allow_hyphen_values = true)]
+    to: Option<DVec2>,
 }
 
 impl Render {
-    pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
+    pub fn run(mut self, earlier: &[String]) -> Result<(), Failure> {
         let mut loaded = self.scene.load(earlier)?;
         check_target(&self.output)?;
         let scene = &mut loaded.scene;
         scene.image.size = self.size.unwrap_or(scene.image.size);
-        if let Some(overlay) = &self.overlay {
+        if let Some(overlay) = &mut self.overlay {
+            overlay.set_line(self.from, self.to)?;
             overlay.check(scene)?;
         }
         let mut renderer = Renderer::default();

@@ -10,12 +10,14 @@ mod labels;
 mod lights;
 mod lobe;
 mod options;
+mod profile;
 mod side;
 mod sketch;
 mod vectors;
 
 pub use labels::Area;
 pub use options::{Halo, OverlayLayer, OverlayOptions};
+pub use profile::draw_profile;
 
 use super::ink::{Ink, Mark};
 use super::palette::{Rgb8, Vector};

@@ -235,8 +235,19 @@ impl Renderer {
 
     /// Where the equation is evaluated for a pixel of the last picture; nothing where the background is seen.
     pub(crate) fn evaluation(&self, x: u32, y: u32) -> Option<Evaluation<'_>> {
+        let reference = self.reference()?;
+        let place = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        if reference.plan.true_surface {
+            reference.of_surface(place)
+        } else {
+            Some(reference.of_triangle(self.bands.triangle_at(x, y)?, place))
+        }
+    }
+
+    /// What evaluations of the last picture read.
+    pub(super) fn reference(&self) -> Option<Reference<'_>> {
         let drawn = self.drawn.as_ref()?;
-        let reference = Reference {
+        Some(Reference {
             scene: &drawn.scene,
             plan: &drawn.plan,
             lens: &drawn.lens,
@@ -244,13 +255,23 @@ impl Renderer {
             clipped: &self.placed.output.1,
             surface: self.surface.output.as_ref(),
             reach: self.rays.reach(&drawn.plan),
-        };
-        let place = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        if drawn.plan.true_surface {
-            reference.of_surface(place)
-        } else {
-            Some(reference.of_triangle(self.bands.triangle_at(x, y)?, place))
-        }
+        })
+    }
+
+    /// The triangles of the last picture where they lie in it.
+    pub(super) fn placed_triangles(&self) -> Option<(Sources<'_>, &Plan)> {
+        let (placed, clipped, _) = &self.placed.output;
+        let plan = &self.drawn.as_ref()?.plan;
+        Some((Sources { model: &self.model.output, clipped, placed, carried: &[] }, plan))
+    }
+
+    /// Draws a scene as far as the display, which is given the whole picture.
+    pub(super) fn draw_linear(&mut self, scene: &Scene) -> Vec<Linear> {
+        let mut plan = self.plan_of(scene);
+        plan.whole_picture = true;
+        self.report.stages.clear();
+        self.draw(scene, plan, DVec2::ZERO);
+        self.linear.clone()
     }
 
     /// What is mixed into the equation's value at a pixel of the last picture that shows the object.

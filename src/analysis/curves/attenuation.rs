@@ -84,6 +84,7 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
         legend: vec![],
         marks,
         directions: vec![],
+        borders: Vec::new(),
     }
 }
 

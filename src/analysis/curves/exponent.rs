@@ -52,6 +52,7 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
         legend: vec!["half-width".into()],
         marks: marks.into_iter().collect(),
         directions: vec![],
+        borders: Vec::new(),
     }
 }
 

@@ -52,6 +52,7 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
         legend: vec!["greatest I".into()],
         marks: vec![],
         directions: directions(&lobe),
+        borders: Vec::new(),
     })
 }
 

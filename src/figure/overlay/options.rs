@@ -18,12 +18,14 @@ pub enum OverlayLayer {
     Lobe,
     /// The vectors once more in a corner, seen from the side: V points at the eye, so in the picture itself it is a point.
     SideView,
+    /// The intensity along a line. It belongs to no point and is drawn by [`draw_profile`](super::draw_profile).
+    Profile,
 }
 
 impl OverlayLayer {
     /// Every layer.
-    pub const ALL: [Self; 6] =
-        [Self::Vectors, Self::Angles, Self::Construction, Self::Lights, Self::Lobe, Self::SideView];
+    pub const ALL: [Self; 7] =
+        [Self::Vectors, Self::Angles, Self::Construction, Self::Lights, Self::Lobe, Self::SideView, Self::Profile];
 }
 
 /// What surrounds strokes and letters to set them off from the picture.

@@ -16,6 +16,12 @@ const LEAST: f64 = 3.0;
 const TAGGED: f64 = 20.0;
 /// Samples nearer to the last one drawn than this are left out.
 const THINNER: f64 = 0.4;
+/// Least distance between borders that are drawn, in ems.
+const BORDER_GAP: f64 = 0.2;
+/// Least mean distance between borders that have lines of their own.
+const LINE_GAP: f64 = 0.8;
+/// Of those lines, in widths.
+const BORDER_DASHES: &[f32] = &[2.0, 4.0];
 /// Of the lines that mark values of x, in widths.
 const MARK_DASHES: &[f32] = &[3.0, 3.0];
 
@@ -44,6 +50,7 @@ pub fn draw(drawing: &mut Drawing, plot: &Plot, room: Area, style: &PlotStyle) {
         let at = DVec2::new(from, area.min.y - (0.45 + ROW * *row as f64) * em);
         mark_line(drawing, mark, at, frame.place([mark.x, y.low]), style);
     }
+    borders(drawing, plot, &frame, &area, style);
     // The scene's own curve over the others.
     for emphasised in [false, true] {
         for curve in plot.curves.iter().filter(|curve| curve.emphasised == emphasised) {
@@ -99,6 +106,26 @@ fn axes(drawing: &mut Drawing, plot: &Plot, frame: &Frame, area: &Area, y_ticks:
     drawing.shapes.push(line(corner, area.min, paper.weak));
     let middle = DVec2::new(0.5 * (area.min.x + area.max.x), area.max.y + 2.65 * em);
     drawing.texts.push(Text::new(&plot.x.name, middle, em, paper.text).aligned(0.5));
+}
+
+/// Where polygons meet: a faint line through the plot and a tick on the axis, unless they are too close to be told apart.
+fn borders(drawing: &mut Drawing, plot: &Plot, frame: &Frame, area: &Area, style: &PlotStyle) {
+    let places = plot.borders.iter().map(|x| frame.place([*x, plot.y.low]).x);
+    #[expect(clippy::cast_precision_loss, reason = "far fewer borders than 2⁵³")]
+    let roomy = area.max.x - area.min.x >= LINE_GAP * style.text * plot.borders.len() as f64;
+    let mut last = f64::NEG_INFINITY;
+    for x in places.filter(|x| (area.min.x..=area.max.x).contains(x)) {
+        if x - last < BORDER_GAP * style.text {
+            continue;
+        }
+        last = x;
+        let line =
+            |top: f64, colour| Shape::line(vec![DVec2::new(x, area.max.y), DVec2::new(x, top)], style.axis(), colour);
+        if roomy {
+            drawing.shapes.push(line(area.min.y, style.paper.weak).dashed(BORDER_DASHES));
+        }
+        drawing.shapes.push(line(area.max.y - 0.5 * style.text, style.paper.weak));
+    }
 }
 
 /// The line of a mark from the axis up to its label at `label`.

@@ -4,8 +4,9 @@ use super::Paper;
 use crate::figure::ink::{Ink, Mark};
 use crate::figure::palette::Rgb8;
 use crate::figure::text::Lettering;
+use crate::render::Frame as Picture;
 use glam::DVec2;
-use tiny_skia::{Color, PixmapMut};
+use tiny_skia::{Color, Pixmap, PixmapMut};
 
 /// Letters are set off from what they cross by so much, in their size.
 pub(super) const HALO: f64 = 0.14;
@@ -162,6 +163,15 @@ impl Drawing {
             Frame::Polar { radius, scale, .. } => [0.0, radius / scale],
         };
         Some((frame.place(value), line.map(|y| frame.place([value[0], y]))))
+    }
+
+    /// The drawing as a picture, a unit a pixel; nothing where it has no pixel or too many.
+    pub fn to_frame(&self) -> Option<Picture> {
+        let (width, height) = (self.size.x as u32, self.size.y as u32);
+        let mut pixmap = Pixmap::new(width, height)?;
+        self.draw(&mut pixmap.as_mut());
+        // The ground is opaque, so that nothing is premultiplied.
+        Some(Picture { width, height, pixels: pixmap.data().as_chunks::<4>().0.to_vec() })
     }
 
     /// Draws on a pixmap, a unit a pixel.

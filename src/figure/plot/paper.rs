@@ -11,6 +11,10 @@ const CONTRAST: [f64; 2] = [3.0, 4.5];
 /// Red, green and blue, apart in lightness as well, before they are fitted to the paper.
 const CHANNELS: [Rgb8; 3] = [[0xD4, 0x2A, 0x2A], [0x12, 0x8A, 0x3E], [0x3A, 0x5F, 0xE0]];
 
+/// Flat, interpolated, Gouraud, Phong and exact shading: of Okabe and Ito's colours, which colour-blind readers tell apart.
+const MODES: [Rgb8; 5] =
+    [[0xD5, 0x5E, 0x00], [0xCC, 0x79, 0xA7], [0x00, 0x72, 0xB2], [0x00, 0x9E, 0x73], [0x8A, 0x6D, 0x00]];
+
 /// The greys of a plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Paper {
@@ -46,6 +50,8 @@ impl Paper {
             Ink::V => Vector::V.colour(),
             Ink::H => Vector::H.colour(),
             Ink::Channel(channel) => CHANNELS[usize::from(channel.min(2))],
+            Ink::Shading(mode) => MODES[mode as usize],
+            Ink::Perceived => self.text,
             Ink::Reference => self.weak,
         }
     }
@@ -95,11 +101,15 @@ pub(super) fn dashes(dash: Dash) -> &'static [f32] {
 mod tests {
     use super::*;
     use crate::figure::palette::contrast;
+    use crate::scene::ShadingMode;
 
     #[test]
     fn every_colour_stands_out_from_its_paper() {
         let channels = (0..3).map(Ink::Channel);
-        for ink in [Ink::N, Ink::L, Ink::R, Ink::V, Ink::H, Ink::Reference].into_iter().chain(channels) {
+        use ShadingMode::{Exact, Flat, Gouraud, Interpolated, Phong};
+        let modes = [Flat, Interpolated, Gouraud, Phong, Exact].map(Ink::Shading);
+        let others = [Ink::N, Ink::L, Ink::R, Ink::V, Ink::H, Ink::Perceived, Ink::Reference];
+        for ink in others.into_iter().chain(channels).chain(modes) {
             for paper in [Paper::LIGHT, Paper::DARK] {
                 assert!(contrast(paper.line(ink), paper.ground) >= CONTRAST[0], "{ink:?}");
                 assert!(contrast(paper.letters(ink), paper.ground) >= CONTRAST[1], "{ink:?}");

@@ -1,0 +1,144 @@
+//! What an eye makes of intensities: the response that shows Mach bands.
+//!
+//! Where the slope of the intensity changes, a bright or a dark line is seen that is not there (Mach 1865). Two models say by
+//! how much; both leave a straight ramp as it is, however steep, and see only what departs from one.
+//!
+//! Intensities come in and go out linear, 1 the display's white; widths are angles at the eye, which a [`Viewing`] turns into
+//! pixels. Beyond the ends of what is given its last value goes on.
+
+mod blur;
+mod error_function;
+
+pub use blur::{blur_line, blur_picture};
+
+use serde::{Deserialize, Serialize};
+
+/// How the picture is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Viewing {
+    /// From the eye to the screen, millimetres.
+    pub distance: f64,
+    /// Pixels of the screen to a millimetre.
+    pub density: f64,
+}
+
+impl Viewing {
+    /// Least and greatest distance and density that are accepted.
+    pub const DISTANCE: [f64; 2] = [100.0, 5000.0];
+    pub const DENSITY: [f64; 2] = [0.5, 40.0];
+
+    /// Pixels to a degree of visual angle, about the point that is looked at: `d·tan 1°·density`.
+    pub fn pixels_per_degree(&self) -> f64 {
+        self.distance * 1f64.to_radians().tan() * self.density
+    }
+}
+
+impl Default for Viewing {
+    /// A screen of 96 pixels to an inch at 60 cm, about 40 pixels a degree.
+    fn default() -> Self {
+        Self { distance: 600.0, density: 3.78 }
+    }
+}
+
+/// A model of the response.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ResponseModel {
+    /// Lateral inhibition as a difference of two Gaussians (Ratliff 1965; Rodieck 1965; Enroth-Cugell and Robson 1966):
+    ///
+    /// `R = I + w·(G(σc)∗I − G(σs)∗I)`.
+    ///
+    /// A corner where the slope changes by Δs departs from its intensity by `w·Δs·(σc − σs)/√(2π)`: a bright line where the
+    /// slope falls, a dark one where it rises. It also predicts bands at a plain step, where hardly anybody sees any.
+    #[default]
+    LateralInhibition,
+    /// Response normalisation, after Kingdom (2014): channels an octave apart, the gain of each lowered where it responds
+    /// strongly nearby, so that their responses become more equal.
+    ///
+    /// `R = I + w·Σ ρ·Eₖ/(ρ + √(G(2σₖ)∗Eₖ²))` with `Eₖ = G(σₖ)∗I − G(2σₖ)∗I` and `σₖ = 2ᵏ·σc` as far as σs.
+    ///
+    /// A simple form of that idea, not the published model with its fitted constants. Weak responses are those of lateral
+    /// inhibition; a step saturates its channels and gains less than a corner.
+    ResponseNormalisation,
+}
+
+impl ResponseModel {
+    /// Every model.
+    pub const ALL: [Self; 2] = [Self::LateralInhibition, Self::ResponseNormalisation];
+}
+
+/// A model with its numbers. They differ between observers and with the place in the visual field; the defaults are of the
+/// size found for the fovea's surround, and are there to be changed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Perception {
+    pub model: ResponseModel,
+    /// σc, the width of the centre, degrees of visual angle.
+    pub centre: f64,
+    /// σs, that of the surround.
+    pub surround: f64,
+    /// w, the strength of the inhibition.
+    pub weight: f64,
+    /// ρ, the response at which normalisation halves a channel's gain.
+    pub saturation: f64,
+}
+
+impl Default for Perception {
+    fn default() -> Self {
+        Self { model: ResponseModel::default(), centre: 0.04, surround: 0.2, weight: 1.0, saturation: 0.02 }
+    }
+}
+
+impl Perception {
+    /// Bounds of σc and σs, of w and of ρ.
+    pub const WIDTH: [f64; 2] = [0.001, 2.0];
+    pub const WEIGHT: [f64; 2] = [0.0, 10.0];
+    pub const SATURATION: [f64; 2] = [1e-4, 10.0];
+
+    /// σc and σs in units of which there are `per_degree` in a degree.
+    pub fn widths(&self, per_degree: f64) -> [f64; 2] {
+        [self.centre * per_degree, self.surround * per_degree]
+    }
+
+    /// The response to `intensity`, where `blur(values, σ)` is a Gaussian's mean of `values` and a degree has `per_degree` of
+    /// the units in which it takes σ.
+    pub fn respond(&self, intensity: &[f64], per_degree: f64, blur: &dyn Fn(&[f64], f64) -> Vec<f64>) -> Vec<f64> {
+        let [centre, surround] = self.widths(per_degree);
+        match self.model {
+            ResponseModel::LateralInhibition => {
+                let (near, wide) = (blur(intensity, centre), blur(intensity, surround));
+                let means = near.iter().zip(&wide);
+                intensity.iter().zip(means).map(|(i, (near, wide))| i + self.weight * (near - wide)).collect()
+            }
+            ResponseModel::ResponseNormalisation => self.normalised(intensity, centre, surround, blur),
+        }
+    }
+
+    fn normalised(
+        &self,
+        intensity: &[f64],
+        centre: f64,
+        surround: f64,
+        blur: &dyn Fn(&[f64], f64) -> Vec<f64>,
+    ) -> Vec<f64> {
+        let mut response = intensity.to_vec();
+        let mut width = centre;
+        let mut near = blur(intensity, width);
+        loop {
+            let wide = blur(intensity, 2.0 * width);
+            let channel: Vec<f64> = near.iter().zip(&wide).map(|(near, wide)| near - wide).collect();
+            let squares: Vec<f64> = channel.iter().map(|e| e * e).collect();
+            let energy = blur(&squares, 2.0 * width);
+            for ((response, e), energy) in response.iter_mut().zip(&channel).zip(&energy) {
+                *response += self.weight * self.saturation * e / (self.saturation + energy.max(0.0).sqrt());
+            }
+            width *= 2.0;
+            // The last channel is the one whose wider Gaussian is nearest to σs.
+            if width * std::f64::consts::SQRT_2 >= surround {
+                return response;
+            }
+            near = wide;
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! A profile as plots: a panel a mode, then the slopes and what the eye adds, all modes together.
+
+use super::{Profile, ProfileRequest, Trace};
+use crate::analysis::perception::ResponseModel;
+use crate::analysis::plot::{Axis, Curve, Dash, Ink, Plot, PlotKind};
+use crate::scene::ShadingMode;
+
+/// Of the values of a curve this share may lie off its plot: at an outline slopes grow beyond all bounds.
+const OFF: f64 = 0.02;
+/// The same for what the eye adds, which is greatest at the outline.
+const OFF_ADDED: f64 = 0.08;
+/// Room below and above the curves, in their height.
+const PADDING: f64 = 0.06;
+
+/// The plots of a profile: for each mode its intensity beside what is perceived, on the same scale for all; then the slopes,
+/// and the difference between perceived and real intensity.
+pub fn profile_plots(profile: &Profile, request: &ProfileRequest) -> Vec<Plot> {
+    let panels = profile.traces.iter().map(|trace| panel(profile, trace));
+    panels.chain([slopes(profile), added(profile, request)]).collect()
+}
+
+fn panel(profile: &Profile, trace: &Trace) -> Plot {
+    let all = profile.traces.iter().flat_map(|trace| trace.intensity.iter().chain(&trace.perceived));
+    let mut seen = curve(profile, trace, &trace.intensity);
+    "intensity".clone_into(&mut seen.name);
+    seen.dash = Dash::Solid;
+    let perceived = Curve {
+        dash: Dash::Dashed,
+        emphasised: false,
+        ..Curve::new("perceived", points(profile, &trace.perceived), Ink::Perceived)
+    };
+    let y = axis("I", bounds(all.copied(), 0.0));
+    plot(
+        profile,
+        PlotKind::Profile,
+        format!("{}: what is there and what is seen", name(trace.mode)),
+        y,
+        vec![seen, perceived],
+    )
+}
+
+fn slopes(profile: &Profile) -> Plot {
+    let curves = profile.traces.iter().map(|trace| curve(profile, trace, &trace.slope)).collect();
+    let all = profile.traces.iter().flat_map(|trace| trace.slope.iter().copied());
+    let y = axis("dI/ds, per pixel", bounds(all, OFF));
+    plot(profile, PlotKind::ProfileSlope, "The slope, which jumps where bands are seen".to_owned(), y, curves)
+}
+
+fn added(profile: &Profile, request: &ProfileRequest) -> Plot {
+    let difference = |trace: &Trace| -> Vec<f64> {
+        trace.perceived.iter().zip(&trace.intensity).map(|(seen, there)| seen - there).collect()
+    };
+    let curves: Vec<Curve> = profile.traces.iter().map(|trace| curve(profile, trace, &difference(trace))).collect();
+    // Steps would hide the rest: where there is anything else, that sets the scale.
+    let smooth = |curve: &&Curve| !matches!(curve.ink, Ink::Shading(ShadingMode::Flat | ShadingMode::Interpolated));
+    let scale: Vec<&Curve> = if curves.iter().any(|curve| smooth(&curve)) {
+        curves.iter().filter(smooth).collect()
+    } else {
+        curves.iter().collect()
+    };
+    let values = scale.iter().flat_map(|curve| curve.points.iter().map(|[_, y]| *y));
+    let [low, high] = bounds(values, OFF_ADDED);
+    let y = axis("R − I", [low.min(0.0), high.max(0.0)]);
+    let [centre, surround] = profile.widths;
+    let model = match request.perception.model {
+        ResponseModel::LateralInhibition => "lateral inhibition",
+        ResponseModel::ResponseNormalisation => "response normalisation",
+    };
+    let mut plot = plot(profile, PlotKind::ProfileAdded, "The bands: what the eye adds".to_owned(), y, curves);
+    plot.note = format!("{model}, σc = {centre:.1} and σs = {surround:.1} pixels, w = {}", request.perception.weight);
+    plot
+}
+
+fn plot(profile: &Profile, kind: PlotKind, title: String, y: Axis, curves: Vec<Curve>) -> Plot {
+    // Not the diagonals within polygons.
+    let edges = profile.borders.iter().filter(|border| border.faces[0] != border.faces[1]);
+    Plot {
+        kind,
+        title,
+        note: String::new(),
+        x: Axis::new("s, pixels along the line", 0.0, profile.length),
+        y,
+        curves,
+        legend: Vec::new(),
+        marks: Vec::new(),
+        directions: Vec::new(),
+        borders: edges.map(|border| border.t * profile.length).collect(),
+    }
+}
+
+fn curve(profile: &Profile, trace: &Trace, values: &[f64]) -> Curve {
+    let dash = match trace.mode {
+        ShadingMode::Flat => Dash::Dotted,
+        ShadingMode::Interpolated => Dash::DashDot,
+        ShadingMode::Gouraud => Dash::Solid,
+        ShadingMode::Phong => Dash::Long,
+        ShadingMode::Exact => Dash::Dashed,
+    };
+    Curve { dash, ..Curve::new(name(trace.mode), points(profile, values), Ink::Shading(trace.mode)) }
+}
+
+fn points(profile: &Profile, values: &[f64]) -> Vec<[f64; 2]> {
+    profile.samples.iter().zip(values).map(|(sample, value)| [sample.t * profile.length, *value]).collect()
+}
+
+fn name(mode: ShadingMode) -> &'static str {
+    match mode {
+        ShadingMode::Flat => "Flat",
+        ShadingMode::Interpolated => "Interpolated",
+        ShadingMode::Gouraud => "Gouraud",
+        ShadingMode::Phong => "Phong",
+        ShadingMode::Exact => "Exact",
+    }
+}
+
+fn axis(name: &str, [low, high]: [f64; 2]) -> Axis {
+    let padding = PADDING * (high - low);
+    Axis::new(name, low - padding, high)
+}
+
+/// Least and greatest value but for the share `off` at either end; apart from each other in any case.
+fn bounds(values: impl Iterator<Item = f64>, off: f64) -> [f64; 2] {
+    let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
+    values.sort_by(f64::total_cmp);
+    let Some(last) = values.len().checked_sub(1) else { return [0.0, 1.0] };
+    #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2⁵³")]
+    let skip = (last as f64 * off) as usize;
+    let [low, high] = [values[skip], values[last - skip]];
+    let least = (1e-9f64).max(1e-6 * high.abs());
+    if high - low > least { [low, high] } else { [low - least, high + least] }
+}

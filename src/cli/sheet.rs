@@ -1,0 +1,44 @@
+//! Plots and tables as files.
+
+use super::failure::Failure;
+use glam::DVec2;
+use shading_lab::analysis::Plot;
+use shading_lab::document::{SaveError, WriteError, save_picture, write_whole};
+use shading_lab::figure::{Paper, PlotStyle, lay_out_sheet};
+use shading_lab::scene::Scene;
+use std::path::{Path, PathBuf};
+
+/// Writes plots on one sheet of `size`, as SVG where the name says so, otherwise as PNG with the scene inside.
+pub fn write_plots(path: &Path, plots: &[Plot], size: [u32; 2], dark: bool, scene: &Scene) -> Result<(), Failure> {
+    let [width, height] = size;
+    let paper = if dark { Paper::DARK } else { Paper::LIGHT };
+    let style = PlotStyle::of(size, plots.len(), paper);
+    let drawing = lay_out_sheet(plots, DVec2::new(width.into(), height.into()), &style);
+    if ending(path) == "svg" {
+        let titles: Vec<&str> = plots.iter().map(|plot| plot.title.as_str()).collect();
+        return write_text(path, &drawing.to_svg(&titles.join("; ")));
+    }
+    let frame = drawing.to_frame().ok_or_else(|| Failure::work("the figure is too large"))?;
+    Ok(save_picture(path, &frame, scene)?)
+}
+
+/// Writes a text whole or not at all.
+pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+    let written: Result<(), SaveError> =
+        write_whole(path, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io));
+    Ok(written?)
+}
+
+/// What a name ends in, without its dot.
+pub fn ending(path: &Path) -> String {
+    path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default()
+}
+
+/// A figure's or a table's name.
+pub fn parse_target(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    match ending(&path).as_str() {
+        "png" | "svg" | "csv" => Ok(path),
+        _ => Err("expected a name that ends in .png, .svg or .csv".to_owned()),
+    }
+}

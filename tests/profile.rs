@@ -1,0 +1,279 @@
+//! Profiles of pictures, what is perceived of them, and the theory of both.
+
+use glam::{DVec2, DVec3};
+use shading_lab::analysis::{
+    Perception, Profile, ProfileError, ProfileRequest, ResponseModel, Trace, Viewing, blur_line, luminance,
+    perceived_picture, probe, profile,
+};
+use shading_lab::render::Renderer;
+use shading_lab::scene::{
+    Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, Rgb, Scene, ShadingMode, Viewer, presets,
+};
+use std::f64::consts::{PI, TAU};
+
+/// A line of samples, `h` pixels apart, of a function.
+fn line(h: f64, count: usize, of: impl Fn(f64) -> f64) -> Vec<f64> {
+    (0..count).map(|k| of((k as f64 - (count / 2) as f64) * h)).collect()
+}
+
+fn respond(perception: &Perception, values: &[f64], h: f64, per_degree: f64) -> Vec<f64> {
+    perception.respond(values, per_degree, &|values, sigma| blur_line(values, sigma / h))
+}
+
+#[test]
+fn a_corner_departs_by_the_product_of_its_slope_and_the_widths() {
+    for h in [0.25, 1.0] {
+        for (before, after) in [(0.0, 0.01), (0.02, -0.005), (-0.01, -0.011)] {
+            for (centre, surround, weight) in [(0.04, 0.2, 1.0), (0.1, 0.3, 0.5), (0.05, 0.08, 2.0)] {
+                let perception = Perception { centre, surround, weight, ..Perception::default() };
+                let per_degree = 40.0;
+                let corner = line(h, 1601, |x| 0.5 + x * if x < 0.0 { before } else { after });
+                let departure = respond(&perception, &corner, h, per_degree)[800] - corner[800];
+                let expected = weight * (after - before) * (centre - surround) * per_degree / TAU.sqrt();
+                assert!((departure / expected - 1.0).abs() < 0.01, "{departure} is not {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_straight_ramp_is_seen_as_it_is() {
+    let ramp = line(0.25, 4001, |x| 0.4 + 0.003 * x);
+    for model in ResponseModel::ALL {
+        let perception = Perception { model, ..Perception::default() };
+        let response = respond(&perception, &ramp, 0.25, 40.0);
+        for (k, (seen, there)) in response.iter().zip(&ramp).enumerate().skip(1000).take(2000) {
+            assert!((seen - there).abs() < 1e-9, "{model:?} at {k}: {seen} is not {there}");
+        }
+    }
+}
+
+#[test]
+fn normalisation_leaves_corners_and_weakens_steps() {
+    let greatest = |model, values: &[f64]| {
+        let perception = Perception { model, ..Perception::default() };
+        let response = respond(&perception, values, 0.25, 40.0);
+        let inner = response.iter().zip(values).skip(500).take(3000);
+        inner.map(|(seen, there)| seen - there).fold(0.0, f64::max)
+    };
+    let step = line(0.25, 4001, |x| if x < 0.0 { 0.2 } else { 0.8 });
+    let knee = line(0.25, 4001, |x| 0.5 + (0.002 * x).clamp(-0.1, 0.1));
+    let [inhibited, normalised] = ResponseModel::ALL.map(|model| greatest(model, &knee) / greatest(model, &step));
+    assert!(normalised > 3.0 * inhibited, "beside a step a corner is seen better: {normalised} and {inhibited}");
+}
+
+#[test]
+fn a_degree_is_as_many_pixels_as_the_screen_has_in_it() {
+    let viewing = Viewing { distance: 1000.0, density: 2.0 };
+    assert!((viewing.pixels_per_degree() - 2000.0 * (PI / 180.0).tan()).abs() < 1e-9);
+    assert!((Viewing::default().pixels_per_degree() - 39.59).abs() < 0.01);
+}
+
+/// Pixels of the unit circle's radius in the picture of [`cylinder`].
+const RADIUS: f64 = 400.0;
+
+/// A cylinder across whose axis one looks from far away, matt, lit from the viewer's direction: the intensity is cos φ at
+/// sin φ from the middle, on the facets' corners.
+fn cylinder(segments: u32) -> Scene {
+    let mut scene = Scene::default();
+    scene.image.size = [1000, 101];
+    scene.object.kind = ObjectKind::Cylinder;
+    scene.object.segments = segments;
+    scene.object.rings = 1;
+    scene.object.normals = NormalSource::Exact;
+    scene.camera.projection = Projection::Orthographic;
+    scene.camera.viewer = Viewer::Infinite;
+    scene.camera.eye = DVec3::new(0.0, 0.0, 5.0);
+    // The cylinder has radius 0.6.
+    scene.camera.height = 0.6 * 101.0 / RADIUS;
+    scene.ambient.color = Rgb::ZERO;
+    scene.material.kd = Rgb::ONE;
+    scene.material.ks = Rgb::ZERO;
+    scene.material.color = Rgb::ONE;
+    scene.lights = vec![Light { kind: LightKind::Directional, direction: DVec3::NEG_Z, ..Light::default() }];
+    scene
+}
+
+fn taken(scene: &Scene, from: [f64; 2], to: [f64; 2]) -> Profile {
+    let request = ProfileRequest { modes: ALL.to_vec(), ..ProfileRequest::new(DVec2::from(from), DVec2::from(to)) };
+    profile(&mut Renderer::default(), scene, &request).expect("a line in the picture")
+}
+
+const ALL: [ShadingMode; 5] =
+    [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+
+fn trace(profile: &Profile, mode: ShadingMode) -> &Trace {
+    profile.traces.iter().find(|trace| trace.mode == mode).expect("the mode was asked for")
+}
+
+#[test]
+fn the_slope_jumps_at_the_edges_of_a_cylinder_by_the_theory() {
+    for segments in [48, 96, 192] {
+        let scene = cylinder(segments);
+        let profile = taken(&scene, [500.0, 50.5], [960.0, 50.5]);
+        let h = RADIUS * TAU / f64::from(segments);
+        let mut edges = 0;
+        for (index, border) in profile.borders.iter().enumerate() {
+            let [Some(before), Some(after)] = border.faces else { continue };
+            let sine = (border.x - 500.0) / RADIUS;
+            if before == after || !(0.25..0.9).contains(&sine) {
+                continue;
+            }
+            edges += 1;
+            let phi = sine.asin();
+            // Per pixel: the intensity falls as x = sin φ grows, and a pixel is 1/RADIUS of it. The spacing on the circle is
+            // h/RADIUS, in the picture cos φ of that.
+            let spacing = h * phi.cos();
+            let gouraud = -spacing / phi.cos().powi(3) / RADIUS.powi(2);
+            let phong = phi.sin().powi(2) * gouraud;
+            for (mode, expected) in [(ShadingMode::Gouraud, gouraud), (ShadingMode::Phong, phong)] {
+                let corner = trace(&profile, mode).corners[index].expect("a polygon on either side");
+                let ratio = corner.jump / expected;
+                assert!((ratio - 1.0).abs() < 0.1, "{mode:?}, {segments} facets, φ = {phi:.2}: {ratio}");
+                assert!(corner.step.abs() < 1e-4, "{mode:?} is continuous: {}", corner.step);
+                if mode == ShadingMode::Phong {
+                    // Its slope changes within the facets as well.
+                    continue;
+                }
+                // The same jump is in the profile itself, between the samples beside the edge.
+                let slopes = &trace(&profile, mode).slope;
+                let after = profile.samples.partition_point(|sample| sample.x <= border.x + 1e-6);
+                let before = profile.samples.partition_point(|sample| sample.x < border.x - 1e-6) - 1;
+                assert!(((slopes[after] - slopes[before]) / expected - 1.0).abs() < 0.1, "{mode:?}, {segments}");
+            }
+        }
+        assert!(edges >= segments as usize / 12, "{edges} edges of {segments} facets");
+    }
+}
+
+#[test]
+fn the_profile_passes_through_the_pixels_of_the_picture() {
+    for (name, to) in
+        [("sphere", [96.0, 40.5]), ("torus", [96.0, 40.5]), ("shadows", [96.0, 40.5]), ("glass-ball", [96.0, 40.5])]
+    {
+        let mut scene = (presets::find(name).expect("a built-in scene").build)();
+        scene.image.size = [96, 96];
+        for interpolation in [Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline] {
+            scene.shading.interpolation = interpolation;
+            let profile = taken(&scene, [0.0, 40.5], to);
+            for trace in &profile.traces {
+                scene.shading.mode = trace.mode;
+                let mut renderer = Renderer::default();
+                for (sample, value) in profile.samples.iter().zip(&trace.intensity) {
+                    if (sample.x.fract() - 0.5).abs() > 1e-9 {
+                        continue;
+                    }
+                    let seen = probe(&mut renderer, &scene, sample.x as u32, 40);
+                    let Some(hit) = seen.hit else { continue };
+                    let expected = luminance(hit.sum);
+                    assert!(
+                        (value - expected).abs() < 2e-4,
+                        "{name} {:?} at {}: {value}, {expected}",
+                        trace.mode,
+                        sample.x
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_flat_picture_is_constant_from_border_to_border() {
+    let profile = taken(&cylinder(24), [50.0, 50.5], [950.0, 50.5]);
+    let flat = trace(&profile, ShadingMode::Flat);
+    assert!(flat.slope.iter().all(|slope| *slope == 0.0));
+    let border = |from: f64, to: f64| profile.borders.iter().any(|border| (from..=to).contains(&border.x));
+    for (places, values) in profile.samples.windows(2).zip(flat.intensity.windows(2)) {
+        let crossed = border(places[0].x - 1e-9, places[1].x + 1e-9);
+        assert!(crossed || values[0] == values[1], "{places:?}");
+    }
+    let steps = flat.corners.iter().flatten().filter(|corner| corner.step.abs() > 1e-3).count();
+    assert!(steps >= 10, "{steps} steps");
+    assert!(trace(&profile, ShadingMode::Exact).corners.iter().all(Option::is_none));
+}
+
+#[test]
+fn phong_shading_weakens_mach_bands_and_does_not_abolish_them() {
+    let scene = cylinder(24);
+    let profile = taken(&scene, [560.0, 50.5], [800.0, 50.5]);
+    // What the eye adds at the borders, by which bands are seen.
+    let band = |mode| {
+        let trace = trace(&profile, mode);
+        let added = |x: f64| {
+            let at = profile.samples.partition_point(|sample| sample.x < x);
+            (trace.perceived[at] - trace.intensity[at]).abs()
+        };
+        let borders: Vec<f64> =
+            profile.borders.iter().filter(|border| border.faces[0] != border.faces[1]).map(|b| added(b.x)).collect();
+        borders.iter().sum::<f64>() / borders.len() as f64
+    };
+    let [gouraud, phong, exact] = [ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact].map(band);
+    assert!(gouraud > 1.2 * phong && phong > 1.2 * exact, "{gouraud}, {phong}, {exact}");
+}
+
+#[test]
+fn any_line_in_any_scene_gives_numbers() {
+    for preset in presets::ALL {
+        let mut scene = (preset.build)();
+        scene.image.size = [40, 30];
+        for (from, to) in [([0.0, 0.0], [40.0, 30.0]), ([20.0, 15.0], [20.0, 30.0]), ([39.2, 3.3], [0.1, 29.9])] {
+            let profile = taken(&scene, from, to);
+            for trace in &profile.traces {
+                let values = trace.intensity.iter().chain(&trace.slope).chain(&trace.perceived);
+                assert!(values.clone().all(|value| value.is_finite()), "{} {:?}", preset.name, trace.mode);
+                assert_eq!(trace.perceived.len(), profile.samples.len());
+                assert_eq!((trace.slope.len(), trace.corners.len()), (profile.samples.len(), profile.borders.len()));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_line_that_is_none_is_refused() {
+    let scene = cylinder(8);
+    let asked = |from, to, modes: &[ShadingMode]| {
+        let request = ProfileRequest { modes: modes.to_vec(), ..ProfileRequest::new(from, to) };
+        profile(&mut Renderer::default(), &scene, &request).map(|_| ())
+    };
+    let (a, b) = (DVec2::new(1.0, 1.0), DVec2::new(9.0, 9.0));
+    assert_eq!(asked(a, a, &ALL), Err(ProfileError::NoLength));
+    assert_eq!(asked(a, b, &[]), Err(ProfileError::NoMode));
+    for outside in [DVec2::new(-0.1, 3.0), DVec2::new(1000.1, 3.0), DVec2::new(f64::NAN, 3.0)] {
+        assert_eq!(asked(a, outside, &ALL), Err(ProfileError::Outside { size: [1000, 101] }));
+    }
+    assert_eq!(asked(DVec2::ZERO, DVec2::new(1000.0, 101.0), &ALL), Ok(()));
+}
+
+#[test]
+fn what_is_perceived_of_an_even_picture_is_the_picture() {
+    let mut scene = cylinder(8);
+    scene.image.size = [40, 30];
+    scene.image.background = Rgb::splat(0.4);
+    scene.camera.target = DVec3::new(90.0, 0.0, 0.0);
+    scene.camera.eye = DVec3::new(90.0, 0.0, 5.0);
+    let (viewing, perception) = (Viewing::default(), Perception::default());
+    let mut renderer = Renderer::default();
+    let seen = perceived_picture(&mut renderer, &scene, &viewing, &perception);
+    assert_eq!(seen.pixels, renderer.render(&scene).pixels);
+}
+
+#[test]
+fn the_perceived_picture_agrees_with_the_profile_where_it_varies_one_way() {
+    let mut scene = cylinder(24);
+    scene.image.size = [400, 81];
+    scene.camera.height = 0.6 * 81.0 / 160.0;
+    scene.shading.mode = ShadingMode::Gouraud;
+    let profile = taken(&scene, [0.0, 40.5], [400.0, 40.5]);
+    let (viewing, perception) = (Viewing::default(), Perception::default());
+    let seen = perceived_picture(&mut Renderer::default(), &scene, &viewing, &perception);
+    let trace = trace(&profile, ShadingMode::Gouraud);
+    for (sample, value) in profile.samples.iter().zip(&trace.perceived) {
+        let outline = (sample.x - 200.0).abs() > 130.0;
+        if outline || (sample.x.fract() - 0.5).abs() > 1e-9 {
+            continue;
+        }
+        let [red, _, _] = seen.pixel(sample.x as u32, 40).expect("a pixel of the picture");
+        assert!((f64::from(red) - 255.0 * value.min(1.0)).abs() < 1.5, "at {}: {red} and {value}", sample.x);
+    }
+}
