@@ -167,9 +167,13 @@ fn the_window_draws_takes_a_drag_exports_and_rests() {
     export_and_compare(&desktop);
 
     desktop.settle();
-    let before = desktop.ticks();
-    sleep(Duration::from_secs(5));
-    assert_eq!(desktop.ticks() - before, 0, "an idle window uses no processor time");
+    // Every half minute the window's look is saved, which may fall into one stretch but not into two.
+    let rests = (0..3).any(|_| {
+        let before = desktop.ticks();
+        sleep(Duration::from_secs(5));
+        desktop.ticks() == before
+    });
+    assert!(rests, "an idle window uses no processor time");
 }
 
 /// Exports by keyboard; what is written opens as the same scene, which draws the same picture.

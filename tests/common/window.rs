@@ -1,0 +1,83 @@
+//! The window without a screen, and hands for it: controls are found by role and name.
+
+#![allow(dead_code, reason = "each test takes what it needs of it")]
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Pos2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use shading_lab::app::App;
+use shading_lab::document::load;
+use shading_lab::scene::Scene;
+use std::path::Path;
+
+pub fn window(scene: &str) -> Harness<'static, App> {
+    let loaded = load(Path::new(scene)).expect("a built-in scene");
+    let mut harness =
+        Harness::builder().with_size([1280.0, 800.0]).with_max_steps(40).build_eframe(|cc| App::new(cc, loaded));
+    harness.run();
+    harness
+}
+
+pub fn picture(harness: &Harness<'_, App>) -> Vec<[u8; 4]> {
+    harness.state().frame().pixels.clone()
+}
+
+pub fn scene<'h>(harness: &'h Harness<'_, App>) -> &'h Scene {
+    &harness.state().state().document.scene
+}
+
+/// Chooses an entry of a list by the names of both.
+pub fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
+    harness.get_by_role_and_label(Role::ComboBox, list).scroll_to_me();
+    harness.run();
+    harness.get_by_role_and_label(Role::ComboBox, list).click_accesskit();
+    harness.run();
+    harness.get_by_role_and_label(Role::Button, entry).click_accesskit();
+    harness.run();
+}
+
+/// Clicks a button by its name.
+pub fn press(harness: &mut Harness<'_, App>, name: &str) {
+    harness.get_by_role_and_label(Role::Button, name).click_accesskit();
+    harness.run();
+}
+
+/// Opens a section of the panel.
+pub fn unfold(harness: &mut Harness<'_, App>, title: &str) {
+    harness.get_by_role_and_label(Role::DisclosureTriangle, title).click_accesskit();
+    harness.run();
+}
+
+/// Types a number into a field by its name.
+pub fn enter(harness: &mut Harness<'_, App>, name: &str, value: f64) {
+    harness.get_by_role_and_label(Role::SpinButton, name).set_value_accesskit(value);
+    harness.run();
+}
+
+pub fn undo(harness: &mut Harness<'_, App>) {
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+}
+
+/// Looks at the window until `condition` holds.
+pub fn wait(harness: &mut Harness<'_, App>, condition: impl Fn(&Harness<'_, App>) -> bool) -> bool {
+    for _ in 0..500 {
+        harness.run_ok();
+        if condition(harness) {
+            return true;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    false
+}
+
+/// Drags from one place of the window to another.
+pub fn drag(harness: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
+    harness.drag_at(from);
+    harness.run();
+    harness.hover_at(to);
+    harness.run();
+    harness.drop_at(to);
+    harness.run();
+}
