@@ -93,6 +93,13 @@ pub const ALL: &[Preset] = &[
         build: shading::flat_facets,
     },
     Preset {
+        name: "mach-bands",
+        title: "Mach bands",
+        topic: "Shading",
+        description: "A column of 16 sides under Gouraud shading: the slope of the light jumps at each edge, and the eye sees bright and dark stripes.",
+        build: shading::mach_bands,
+    },
+    Preset {
         name: "ambient-only",
         title: "Ambient light alone",
         topic: "Light",

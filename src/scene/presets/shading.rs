@@ -1,7 +1,7 @@
 //! Scenes about where the equation is evaluated.
 
-use super::studio::{WARM, lamp, seen_from, studio, surface};
-use crate::scene::{FlatAt, NormalSource, Object, ObjectKind, Scene, Shading, ShadingMode};
+use super::studio::{WARM, lamp, rays, seen_from, studio, surface};
+use crate::scene::{Camera, FlatAt, NormalSource, Object, ObjectKind, Projection, Scene, Shading, ShadingMode, Viewer};
 use glam::DVec3;
 
 pub(super) fn highlight() -> Scene {
@@ -20,6 +20,22 @@ pub(super) fn flat_facets() -> Scene {
         object: Object { normals: NormalSource::Averaged, ..studio.object },
         material: surface([0.85, 0.83, 0.80], 0.85, 0.0, 20.0),
         shading: Shading { mode: ShadingMode::Flat, flat_at: FlatAt::Centre, ..Shading::default() },
+        ..studio
+    }
+}
+
+pub(super) fn mach_bands() -> Scene {
+    let studio = studio(ObjectKind::Cylinder, 16, 1);
+    Scene {
+        camera: Camera {
+            projection: Projection::Orthographic,
+            height: 1.9,
+            viewer: Viewer::Infinite,
+            ..seen_from(DVec3::new(0.0, 0.0, 4.0))
+        },
+        material: surface([0.86, 0.84, 0.80], 0.9, 0.0, 20.0),
+        shading: Shading { mode: ShadingMode::Gouraud, ..Shading::default() },
+        lights: vec![rays([-0.35, -0.2, -1.0], WARM)],
         ..studio
     }
 }
