@@ -123,6 +123,11 @@ impl Plan {
         self.carries && !self.true_surface && !self.double
     }
 
+    /// Whether rays start from what the pixels see.
+    pub(super) fn follows_rays(&self) -> bool {
+        self.composes || (self.shadows && self.per == Per::Pixel)
+    }
+
     /// Whether every pixel is brought a normal or an intensity of its own.
     pub(super) fn keeps_fragments(&self) -> bool {
         self.carries && !self.double

@@ -109,6 +109,22 @@ struct CanvasInputs {
     composition: Option<(f64, AmbientSource)>,
 }
 
+impl CanvasInputs {
+    fn new(scene: &Scene, plan: &Plan, equation: &Equation<f32>, bands: u64, rays: [u64; 3]) -> Self {
+        Self {
+            bands,
+            equation: (plan.per == Per::Pixel).then(|| equation.clone()),
+            background: scene.image.background.to_array(),
+            display: scene.display.clone(),
+            whole_picture: plan.whole_picture,
+            renormalise: plan.renormalise,
+            double: plan.double,
+            rays: plan.follows_rays().then_some(rays),
+            composition: plan.composes.then_some((scene.transparency.kt, scene.ambient.source)),
+        }
+    }
+}
+
 impl Default for Renderer {
     fn default() -> Self {
         Self::with_clock(|| 0)
@@ -421,7 +437,62 @@ impl Renderer {
 
     /// Coverage, interpolation, shading and display, band by band.
     fn paint(&mut self, scene: &Scene, plan: &Plan, lens: &Lens, equation: Equation<f32>) {
-        let [width, height] = scene.image.size;
+        self.fit_frame(scene.image.size);
+        let stale = self.stale(scene, plan, lens);
+        let pixels = self.frame.pixels.len();
+        let linear = if plan.whole_picture { pixels } else { 0 };
+        let (placed, clipped, bins) = &self.placed.output;
+        let sources = Sources { model: &self.model.output, clipped, placed, carried: &[] };
+        let mut painting = Painting {
+            level: self.level,
+            clock: self.clock,
+            scene,
+            plan,
+            lens,
+            equation: &equation,
+            surface: self.surface.output.as_ref(),
+            sources,
+            bins,
+            intensity: &self.intensity.output,
+            reach: None,
+            colours: true,
+        };
+        let mut painted = Painted::default();
+        let mut still_stale = stale;
+        if plan.follows_rays() {
+            // Rays start from what the pixels see, so that is found first.
+            if stale.any() {
+                self.linear.resize(linear, [0.0; 4]);
+                let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
+                painted = Painting { colours: false, ..painting }.run(&mut self.bands, stale, canvas);
+                still_stale = Stale::NOTHING;
+            }
+            let began = (self.clock)();
+            let object = if plan.true_surface { self.surface.stamp() } else { self.model.stamp() };
+            let inputs = RayInputs { scene, plan, lens, sources, surface: painting.surface, object };
+            if self.rays.follow(&inputs, &self.bands) {
+                self.traced = (true, self.traced.1 + (self.clock)().saturating_sub(began));
+            }
+            painting.reach = self.rays.reach(plan).filter(|_| plan.per == Per::Pixel);
+        }
+        let inputs = CanvasInputs::new(scene, plan, &equation, self.bands.stamp(), self.rays.stamps());
+        let repaint = self.canvas.update(inputs, |_, ()| {});
+        let shaded = repaint || stale.any();
+        if shaded {
+            self.linear.resize(linear, [0.0; 4]);
+            let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
+            painted = painted.and(painting.run(&mut self.bands, still_stale, canvas));
+            self.report.covered = painted.covered;
+            self.report.overflowing = painted.overflowing;
+        }
+        let whole = if shaded { self.compose_and_display(scene, plan) } else { 0 };
+        let fit = self.rays.fit().filter(|_| scene.ambient.source != AmbientSource::Constant);
+        self.report.ambient_fit = fit.map(|fit| fit.to_array());
+        self.account(plan, stale, shaded, painted, whole);
+    }
+
+    /// Gives the frame its size; one of another size is drawn anew.
+    fn fit_frame(&mut self, [width, height]: [u32; 2]) {
         let pixels = width as usize * height as usize;
         self.frame.width = width;
         self.frame.height = height;
@@ -430,8 +501,10 @@ impl Renderer {
             self.frame.pixels.resize(pixels, [0; 4]);
             self.canvas.forget();
         }
-        let (placed, clipped, _) = &self.placed.output;
-        let model = &self.model.output;
+    }
+
+    /// Which of the bands' stages have to run again.
+    fn stale(&mut self, scene: &Scene, plan: &Plan, lens: &Lens) -> Stale {
         let coverage = CoverageInputs {
             size: scene.image.size,
             source: if plan.true_surface { self.surface.stamp() } else { self.placed.stamp() },
@@ -446,83 +519,33 @@ impl Renderer {
             scanline: plan.scanline,
             flat_at: (!plan.carries).then_some(scene.shading.flat_at),
         };
-        let stale = self.bands.stale(coverage, interpolation);
-        let shadowed = plan.shadows && plan.per == Per::Pixel;
-        let object = if plan.true_surface { self.surface.stamp() } else { self.model.stamp() };
-        let sources = Sources { model, clipped, placed, carried: &[] };
-        let mut painting = Painting {
-            level: self.level,
-            clock: self.clock,
-            scene,
-            plan,
-            lens,
-            equation: &equation,
-            surface: self.surface.output.as_ref(),
-            sources,
-            bins: &self.placed.output.2,
-            intensity: &self.intensity.output,
-            reach: None,
-            colours: true,
-        };
-        let mut painted = Painted::default();
-        let (mut still_stale, mut traced, mut tracing) = (stale, false, 0);
-        if shadowed || plan.composes {
-            // Rays start from what the pixels see, so that is found first.
-            if stale.any() {
-                self.linear.resize(if plan.whole_picture { pixels } else { 0 }, [0.0; 4]);
-                let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
-                painted = Painting { colours: false, ..painting }.run(&mut self.bands, stale, canvas);
-                still_stale = Stale::NOTHING;
-            }
-            let began = (self.clock)();
-            let inputs = RayInputs { scene, plan, lens, sources, surface: painting.surface, object };
-            traced = self.rays.follow(&inputs, &self.bands);
-            tracing = if traced { (self.clock)().saturating_sub(began) } else { 0 };
-            painting.reach = if shadowed { self.rays.reach(plan) } else { None };
-        }
-        let inputs = CanvasInputs {
-            bands: self.bands.stamp(),
-            equation: (plan.per == Per::Pixel).then_some(equation.clone()),
-            background: scene.image.background.to_array(),
-            display: scene.display.clone(),
-            whole_picture: plan.whole_picture,
-            renormalise: plan.renormalise,
-            double: plan.double,
-            rays: (shadowed || plan.composes).then(|| self.rays.stamps()),
-            composition: plan.composes.then_some((scene.transparency.kt, scene.ambient.source)),
-        };
-        let repaint = self.canvas.update(inputs, |_, ()| {});
-        let shaded = repaint || stale.any();
-        if shaded {
-            self.linear.resize(if plan.whole_picture { pixels } else { 0 }, [0.0; 4]);
-            let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
-            let coloured = painting.run(&mut self.bands, still_stale, canvas);
-            painted = painted.and(coloured);
-            self.report.covered = painted.covered;
-            self.report.overflowing = painted.overflowing;
-        }
+        self.bands.stale(coverage, interpolation)
+    }
+
+    /// What needs to see the whole picture; returns the time it took.
+    fn compose_and_display(&mut self, scene: &Scene, plan: &Plan) -> u64 {
         let began = (self.clock)();
-        if plan.composes && shaded {
+        if plan.composes {
             let [seen, bounced] = self.rays.layers(scene);
             self.report.overflowing = compose(scene, seen, bounced, &mut self.linear);
         }
-        self.report.ambient_fit = if scene.ambient.source == AmbientSource::Constant {
-            None
-        } else {
-            self.rays.fit().map(|fit| fit.to_array())
-        };
-        if plan.whole_picture && shaded {
+        if plan.whole_picture {
             let Display { overflow, encoding } = scene.display;
-            display(&self.linear, width as usize, overflow, encoding, &mut self.frame.pixels);
+            let width = self.frame.width as usize;
+            display(&self.linear, width, overflow, encoding, &mut self.frame.pixels);
         }
-        let whole = (self.clock)().saturating_sub(began);
+        (self.clock)().saturating_sub(began)
+    }
+
+    /// Accounts for the stages from the rays on.
+    fn account(&mut self, plan: &Plan, stale: Stale, shaded: bool, painted: Painted, whole: u64) {
         let at_pixels = plan.per == Per::Pixel;
         let [covering, interpolating, shading] = painted.nanoseconds;
         let (shading, displaying) = if at_pixels { (shading, 0) } else { (0, shading) };
         let evaluations = if at_pixels { painted.covered } else { 0 };
         if plan.shadows || plan.composes {
-            let (before, earlier) = self.traced;
-            self.push(Stage::Rays, before || traced, earlier + tracing, 0);
+            let (traced, tracing) = self.traced;
+            self.push(Stage::Rays, traced, tracing, 0);
         }
         self.push(Stage::Coverage, stale.coverage, covering, 0);
         self.push(Stage::Interpolation, stale.interpolation && plan.interpolates(), interpolating, 0);
