@@ -6,7 +6,7 @@ mod textbook;
 use glam::DVec3;
 use shading_lab::analysis::probe;
 use shading_lab::render::Renderer;
-use shading_lab::scene::{NormalSource, ObjectKind, Scene, ShadingMode};
+use shading_lab::scene::{NormalSource, ObjectKind, Overflow, Scene, ShadingMode, presets};
 use textbook::{Dice, field_edge, meet, random_scene, steps, textbook};
 
 /// The greatest difference in code values over the pixels at least 1.5 pixels inside the outline, but for those that
@@ -92,4 +92,26 @@ fn the_probe_adds_up_to_the_stored_pixel() {
         }
         assert!(seen >= 5, "the object is in the picture");
     }
+}
+
+#[test]
+fn a_picture_that_is_scaled_says_by_how_much() {
+    let mut scene = (presets::find("overflow").expect("a scene").build)();
+    scene.image.size = [120, 120];
+    scene.display.overflow = Overflow::Scale;
+    let mut renderer = Renderer::default();
+    let mut brightest: f64 = 0.0;
+    for (x, y) in (0..120).flat_map(|y| (0..120).map(move |x| (x, y))) {
+        let Some(hit) = probe(&mut renderer, &scene, x, y).hit else { continue };
+        brightest = brightest.max(hit.sum.max_element());
+        for channel in 0..3 {
+            let code = hit.sum[channel] / hit.divisor * 255.0;
+            assert!((code - f64::from(hit.stored[channel])).abs() <= 0.6, "{x},{y}: {code} {:?}", hit.stored);
+        }
+    }
+    let divisor = renderer.report().divisor;
+    assert!(divisor > 1.2 && (divisor / brightest - 1.0).abs() < 1e-5, "{divisor} for {brightest}");
+    scene.display.overflow = Overflow::Clamp;
+    renderer.render(&scene);
+    assert_eq!(renderer.report().divisor, 1.0);
 }

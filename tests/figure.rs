@@ -70,6 +70,7 @@ fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
             reflected,
             transmission,
             sum,
+            divisor: 1.0,
             stored,
         }
     });

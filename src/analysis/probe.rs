@@ -42,6 +42,8 @@ pub struct ProbeHit {
     pub transmission: Option<Transmission>,
     /// The intensity before the display: Irefl, or `(1 − kt)·Irefl + kt·Itrans`.
     pub sum: Rgb,
+    /// What the display divides the intensity by; 1 unless it scales the picture.
+    pub divisor: f64,
     /// The stored value of the pixel.
     pub stored: [u8; 3],
 }
@@ -114,6 +116,7 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
             reflected,
             transmission,
             sum: transmission.map_or(reflected, |through| reflected * (1.0 - kt) + through.seen * kt),
+            divisor: renderer.report().divisor,
             stored,
         }
     });

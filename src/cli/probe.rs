@@ -72,6 +72,8 @@ struct PrintedHit {
     #[serde(skip_serializing_if = "Option::is_none")]
     transmission: Option<PrintedTransmission>,
     sum: Rgb,
+    /// What the display divides the sum by.
+    divisor: f64,
     stored: [u8; 3],
 }
 
@@ -130,8 +132,21 @@ impl From<SamplingError> for PrintedSampling {
 
 impl PrintedHit {
     fn new(pixel: [u32; 2], hit: ProbeHit, ambient_fit: Option<Rgb>, sampling: Vec<Option<SamplingError>>) -> Self {
-        let ProbeHit { position, normal, view, depth, face, ambient, bounced, lights, reflected, sum, stored, .. } =
-            hit;
+        let ProbeHit {
+            position,
+            normal,
+            view,
+            depth,
+            face,
+            ambient,
+            bounced,
+            lights,
+            reflected,
+            sum,
+            divisor,
+            stored,
+            ..
+        } = hit;
         let transmission = hit.transmission.map(PrintedTransmission::from);
         let errors = sampling.into_iter().map(|error| error.map(PrintedSampling::from));
         let lights = lights.into_iter().zip(errors);
@@ -150,6 +165,7 @@ impl PrintedHit {
             reflected,
             transmission,
             sum,
+            divisor,
             stored,
         }
     }

@@ -69,10 +69,18 @@ pub(super) fn pack<S: Simd>(
     (covered.select(pixel, background).bitcast(), over)
 }
 
-/// Turns a linear picture of `width` columns into stored pixels by the policies that need to see all of it.
-pub(super) fn display(linear: &[Linear], width: usize, overflow: Overflow, encoding: Encoding, out: &mut [[u8; 4]]) {
+/// Turns a linear picture of `width` columns into stored pixels by the policies that need to see all of it. Returns what
+/// its intensities were divided by.
+pub(super) fn display(
+    linear: &[Linear],
+    width: usize,
+    overflow: Overflow,
+    encoding: Encoding,
+    out: &mut [[u8; 4]],
+) -> f64 {
     let peak = || linear.par_iter().flat_map_iter(|p| &p[..3]).copied().reduce(|| 1.0_f32, f32::max);
-    let factor = if overflow == Overflow::Scale { 1.0 / f64::from(peak()) } else { 1.0 };
+    let divisor = if overflow == Overflow::Scale { f64::from(peak()) } else { 1.0 };
+    let factor = 1.0 / divisor;
     let lines = linear.par_chunks_exact(width).zip(out.par_chunks_exact_mut(width));
     lines.enumerate().for_each(|(row, (line, pixels))| {
         for (column, (color, pixel)) in line.iter().zip(pixels).enumerate() {
@@ -85,6 +93,7 @@ pub(super) fn display(linear: &[Linear], width: usize, overflow: Overflow, encod
             };
         }
     });
+    divisor
 }
 
 /// Black and white diagonal stripes, three pixels wide, which no shading looks like.

@@ -64,6 +64,8 @@ pub struct Report {
     pub covered: u64,
     /// Pixels with a channel above 1 before the display.
     pub overflowing: u64,
+    /// What the intensities were divided by where the display scales the picture; otherwise 1.
+    pub divisor: f64,
     /// The Ia that stands for one bounce of light between surfaces best, where that is gathered.
     pub ambient_fit: Option<[f64; 3]>,
 }

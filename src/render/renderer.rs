@@ -532,7 +532,9 @@ impl Renderer {
         if plan.whole_picture {
             let Display { overflow, encoding } = scene.display;
             let width = self.frame.width as usize;
-            display(&self.linear, width, overflow, encoding, &mut self.frame.pixels);
+            self.report.divisor = display(&self.linear, width, overflow, encoding, &mut self.frame.pixels);
+        } else {
+            self.report.divisor = 1.0;
         }
         (self.clock)().saturating_sub(began)
     }

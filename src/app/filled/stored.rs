@@ -25,8 +25,12 @@ pub fn stored_ui(ui: &mut Ui, display: &Display, hit: &ProbeHit, notation: &Nota
             ui.label(RichText::new("Above 1: hatched in black and white.").weak());
         }
         Overflow::Scale => {
-            shown = None;
-            ui.label(RichText::new("Divided by the picture's greatest value, where that is above 1.").weak());
+            shown = shown.map(|sum| sum / hit.divisor);
+            if hit.divisor > 1.0 {
+                let greatest = format!("Divided by {:.3}, the picture's greatest value:", hit.divisor);
+                ui.label(RichText::new(greatest).weak());
+                line(ui, "", "scaled", Says::sum(shown.unwrap_or_default()), notation.plain());
+            }
         }
         Overflow::Clamp | Overflow::Mark => {}
     }

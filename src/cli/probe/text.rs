@@ -203,7 +203,7 @@ fn transmission(text: &mut String, scene: &Scene, hit: &ProbeHit) {
 fn sum(text: &mut String, scene: &Scene, hit: &ProbeHit) {
     let overflow = match scene.display.overflow {
         Overflow::Clamp => "clamped to 1",
-        Overflow::Scale => "scaled to the picture's greatest",
+        Overflow::Scale => &format!("divided by the picture's greatest, {}", number(hit.divisor).trim_start()),
         Overflow::Mark => "marked above 1",
     };
     let encoding = match scene.display.encoding {
