@@ -11,6 +11,7 @@ mod dialog;
 mod document;
 mod engine;
 mod equation;
+mod errand;
 mod files;
 mod filled;
 mod gallery;

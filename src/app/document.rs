@@ -53,11 +53,7 @@ impl Document {
 
     /// Whether the two show different models.
     pub fn model_differs(&self, other: &Self) -> bool {
-        match (&self.model, &other.model) {
-            (Some(a), Some(b)) => !Arc::ptr_eq(a, b),
-            (None, None) => false,
-            _ => true,
-        }
+        !same_model(self.model.as_ref(), other.model.as_ref())
     }
 
     /// What the title bar calls it.
@@ -69,6 +65,14 @@ impl Document {
                 path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
             }
         }
+    }
+}
+
+/// Whether both are one model, or none.
+pub fn same_model(a: Option<&Arc<Mesh>>, b: Option<&Arc<Mesh>>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (a, b) => a.is_none() && b.is_none(),
     }
 }
 

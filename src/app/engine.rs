@@ -1,5 +1,6 @@
 //! The engine behind the window: draws the scene, probes it, and keeps both as textures until something changes.
 
+use super::document::same_model;
 use super::state::{AppState, OverlayLook};
 use crate::analysis::{Plot, Probe, curves, probe};
 use crate::figure::{Halo, OverlayLayer, OverlayOptions, draw_overlay};
@@ -67,10 +68,7 @@ impl Engine {
     }
 
     fn draw(&mut self, ctx: &Context, scene: &Scene, model: Option<&Arc<Mesh>>, size: [u32; 2]) -> bool {
-        let same_model = match (&self.model, model) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (a, b) => a.is_none() && b.is_none(),
-        };
+        let same_model = same_model(self.model.as_ref(), model);
         if same_model && self.drawn.as_ref().is_some_and(|drawn| same_picture(drawn, scene, size)) {
             return false;
         }

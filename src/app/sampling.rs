@@ -1,14 +1,13 @@
 //! The error of an area light's points, worked out beside the window: the interface never waits for it.
 
-use super::document::Document;
+use super::document::{Document, same_model};
+use super::errand::Errand;
 use crate::analysis::{SamplingError, sampling_error_with};
 use crate::geometry::Mesh;
 use crate::render::Renderer;
 use crate::scene::{Display, Scene};
 use eframe::egui::Context;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::thread;
 
 /// What is known of an area light's error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +25,7 @@ pub struct Sampling {
     /// What was asked for in the last frame: what rests is the same again.
     last: Option<Question>,
     known: Option<(Question, Option<SamplingError>)>,
-    work: Option<(Question, Receiver<Option<SamplingError>>)>,
+    work: Option<Errand<Question, Option<SamplingError>>>,
 }
 
 #[derive(Clone, Debug)]
@@ -46,11 +45,7 @@ impl Question {
     }
 
     fn same(&self, other: &Self) -> bool {
-        let model = match (&self.model, &other.model) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (a, b) => a.is_none() && b.is_none(),
-        };
-        model && self.light == other.light && self.scene == other.scene
+        same_model(self.model.as_ref(), other.model.as_ref()) && self.light == other.light && self.scene == other.scene
     }
 
     fn answer(&self) -> Option<SamplingError> {
@@ -75,30 +70,15 @@ impl Sampling {
             ctx.request_repaint();
             self.last = Some(question);
         } else if !held && self.work.is_none() {
-            self.start(ctx, question);
+            self.work = Some(Errand::new(ctx, question.clone(), move || question.answer()));
         }
         Finding::Waiting
     }
 
-    fn start(&mut self, ctx: &Context, question: Question) {
-        let (sender, receiver) = channel();
-        self.work = Some((question.clone(), receiver));
-        let ctx = ctx.clone();
-        thread::spawn(move || {
-            // A window that has closed is no error.
-            let _ = sender.send(question.answer());
-            ctx.request_repaint();
-        });
-    }
-
     /// Takes what the thread has brought.
     fn take(&mut self) {
-        let Some((question, receiver)) = self.work.take() else { return };
-        match receiver.try_recv() {
-            Ok(error) => self.known = Some((question, error)),
-            Err(TryRecvError::Empty) => self.work = Some((question, receiver)),
-            // It ended without a result; asking again would end the same.
-            Err(TryRecvError::Disconnected) => self.known = Some((question, None)),
+        if let Some((question, error)) = Errand::take(&mut self.work) {
+            self.known = Some((question, error.flatten()));
         }
     }
 }

@@ -1,13 +1,12 @@
 //! The texts, written beside the window: once for what is asked, and again when the scene has become another.
 
 use super::super::document::Document;
+use super::super::errand::Errand;
 use crate::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
 use crate::geometry::tessellate;
 use eframe::egui::Context;
 use std::fmt;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::thread;
 
 /// Lines that are shown of a program: its polygons, which fill the rest, are not for reading.
 const PROGRAM_LINES: usize = 200;
@@ -99,7 +98,7 @@ type Answer = Result<Written, String>;
 #[derive(Default)]
 pub struct Writer {
     known: Option<(Question, Answer)>,
-    work: Option<(Question, Receiver<Answer>)>,
+    work: Option<Errand<Question, Answer>>,
 }
 
 impl fmt::Debug for Writer {
@@ -128,8 +127,8 @@ impl Writer {
         let asked = |question: &Question| question.is(document, language);
         if !self.known.as_ref().is_some_and(|(known, _)| asked(known)) {
             self.known = None;
-            if !self.work.as_ref().is_some_and(|(work, _)| asked(work)) {
-                self.work = Some(start(ctx, Question { document: document.clone(), language }));
+            if !self.work.as_ref().is_some_and(|work| asked(&work.question)) {
+                self.work = Some(start(ctx, document.clone(), language));
             }
         }
         self.known()
@@ -146,30 +145,21 @@ impl Writer {
     }
 
     fn take(&mut self) {
-        let Some((question, receiver)) = self.work.take() else { return };
-        match receiver.try_recv() {
-            Ok(answer) => self.known = Some((question, answer)),
-            Err(TryRecvError::Empty) => self.work = Some((question, receiver)),
-            Err(TryRecvError::Disconnected) => {
-                self.known = Some((question, Err("Writing it ended without a result.".to_owned())));
-            }
+        if let Some((question, answer)) = Errand::take(&mut self.work) {
+            let answer = answer.unwrap_or_else(|| Err("Writing it ended without a result.".to_owned()));
+            self.known = Some((question, answer));
         }
     }
 }
 
-fn start(ctx: &Context, question: Question) -> (Question, Receiver<Answer>) {
-    let (sender, receiver) = channel();
-    let (ctx, document, language) = (ctx.clone(), question.document.clone(), question.language);
-    thread::spawn(move || {
-        let answer = language.write(&document).map(|export| {
+fn start(ctx: &Context, document: Document, language: Language) -> Errand<Question, Answer> {
+    let question = Question { document: document.clone(), language };
+    Errand::new(ctx, question, move || {
+        language.write(&document).map(|export| {
             let shown = export.parts.iter().map(|part| Shown::of(part, language.shown_lines())).collect();
             Written { export, shown }
-        });
-        // Who has closed the dialog wants no more of it.
-        let _ = sender.send(answer);
-        ctx.request_repaint();
-    });
-    (question, receiver)
+        })
+    })
 }
 
 #[cfg(test)]
@@ -192,7 +182,7 @@ mod tests {
             let place = |written: Result<&Written, &str>| written.expect("a text").export.parts[0].text.clone();
             let kept = writer.ask(&ctx, document, language).is_some();
             let written = std::iter::repeat_with(|| {
-                thread::sleep(std::time::Duration::from_millis(1));
+                std::thread::sleep(std::time::Duration::from_millis(1));
                 writer.ask(&ctx, document, language).map(place)
             });
             (kept, written.take(20_000).flatten().next().expect("within seconds"))

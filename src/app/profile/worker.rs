@@ -1,8 +1,9 @@
 //! Takes profiles beside the window: the interface never waits for one.
 
-use super::super::document::Document;
+use super::super::document::{Document, same_model};
+use super::super::errand::Errand;
 use super::super::state::AppState;
-use crate::analysis::{Plot, Profile, ProfileError, ProfileRequest, profile, profile_plots};
+use crate::analysis::{Plot, Profile, ProfileRequest, profile, profile_plots};
 use crate::document::{WriteError, save_picture, write_whole};
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
 use crate::geometry::Mesh;
@@ -12,8 +13,6 @@ use eframe::egui::Context;
 use glam::DVec2;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::thread;
 
 /// Pixels of an exported sheet of plots.
 const SHEET: [u32; 2] = [1600, 1200];
@@ -22,14 +21,14 @@ const SHEET: [u32; 2] = [1600, 1200];
 #[derive(Debug, Default)]
 pub struct Profiles {
     known: Option<(Question, Answer)>,
-    work: Option<(Question, Receiver<Answer>)>,
+    work: Option<Errand<Question, Answer>>,
     plots: Vec<Plot>,
     drawings: Vec<Drawing>,
     /// The style and the width of what is laid out.
     style: Option<(PlotStyle, f32)>,
 }
 
-type Answer = Result<Profile, ProfileError>;
+type Answer = Result<Profile, String>;
 
 #[derive(Clone, Debug)]
 struct Question {
@@ -41,11 +40,10 @@ struct Question {
 
 impl Question {
     fn is(&self, document: &Document, size: [u32; 2], request: &ProfileRequest) -> bool {
-        let model = match (&self.model, &document.model) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (a, b) => a.is_none() && b.is_none(),
-        };
-        model && self.size == size && self.request == *request && self.scene == document.scene
+        same_model(self.model.as_ref(), document.model.as_ref())
+            && self.size == size
+            && self.request == *request
+            && self.scene == document.scene
     }
 
     fn sized(&self) -> Scene {
@@ -57,7 +55,7 @@ impl Question {
     fn answer(&self) -> Answer {
         let mut renderer = Renderer::default();
         renderer.set_model(self.model.clone());
-        profile(&mut renderer, &self.sized(), &self.request)
+        profile(&mut renderer, &self.sized(), &self.request).map_err(|error| error.to_string())
     }
 }
 
@@ -71,28 +69,13 @@ impl Profiles {
         }
         let (scene, model) = (document.scene.clone(), document.model.clone());
         let question = Question { scene, model, size, request };
-        let (sender, receiver) = channel();
-        self.work = Some((question.clone(), receiver));
-        let ctx = ctx.clone();
-        thread::spawn(move || {
-            // A window that has closed is no error.
-            let _ = sender.send(question.answer());
-            ctx.request_repaint();
-        });
+        self.work = Some(Errand::new(ctx, question.clone(), move || question.answer()));
     }
 
     /// Takes what the thread has brought.
     fn take(&mut self) {
-        let Some((question, receiver)) = self.work.take() else { return };
-        let answer = match receiver.try_recv() {
-            Ok(answer) => answer,
-            Err(TryRecvError::Empty) => {
-                self.work = Some((question, receiver));
-                return;
-            }
-            // It ended without a result; asking again would end the same.
-            Err(TryRecvError::Disconnected) => Err(ProfileError::NoMode),
-        };
+        let Some((question, answer)) = Errand::take(&mut self.work) else { return };
+        let answer = answer.unwrap_or_else(|| Err("taking it ended without a result".to_owned()));
         self.plots = answer.as_ref().map(|taken| profile_plots(taken, &question.request)).unwrap_or_default();
         self.style = None;
         self.known = Some((question, answer));
