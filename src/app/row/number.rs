@@ -182,6 +182,12 @@ pub fn display(value: f64, decimals: usize) -> String {
         return "∞".to_owned();
     }
     let size = value.abs();
+    // Near 0 the narrow fields of colours and vectors have one digit more, and short exponents.
+    let narrow = decimals == 2 && size < 0.1;
+    let decimals = if narrow { 3 } else { decimals };
+    if narrow && size > 0.0 && size < 5e-4 {
+        return format!("{value:.0e}");
+    }
     if size >= 1e7 || (size > 0.0 && size < 0.5 * 10f64.powi(-(decimals.min(9) as i32))) {
         return format!("{value:.2e}");
     }
@@ -220,6 +226,11 @@ mod tests {
             (1e9, 2, "1.00e9"),
             (0.0, 3, "0.00"),
             (1e-7, 3, "1.00e-7"),
+            (0.065, 2, "0.065"),
+            (0.07, 2, "0.07"),
+            (0.002, 2, "0.002"),
+            (0.0, 2, "0.00"),
+            (2e-4, 2, "2e-4"),
         ] {
             assert_eq!(display(value, decimals), text);
         }

@@ -75,7 +75,7 @@ pub(super) fn one_bounce() -> Scene {
         material: Material { ka: Rgb::splat(0.75), ..surface([0.86, 0.20, 0.14], 0.75, 0.0, 20.0) },
         shading: with_shadows(),
         ground: crate::scene::Ground { ka: 0.85, kd: 0.85, color: Rgb::splat(0.9), ..floor(-1.0) },
-        // The constant that fits best.
+        // The constant that fits best in a picture of the usual size.
         ambient: Ambient { color: Rgb::new(0.065, 0.005, 0.002), source: AmbientSource::Split },
         lights: vec![lamp([0.4, 3.2, 2.2], WARM)],
         ..studio(ObjectKind::Sphere, 128, 64)
