@@ -3,12 +3,11 @@
 
 use shading_lab::document::load;
 use shading_lab::render::Renderer;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
-
-const DISPLAY: &str = ":87";
 
 /// A process that ends with the test.
 struct Running(Child);
@@ -24,6 +23,7 @@ impl Drop for Running {
 /// The screen, the program on it, and a folder of its own.
 struct Desktop {
     program: Running,
+    display: String,
     _screen: Running,
     folder: PathBuf,
 }
@@ -39,12 +39,6 @@ fn installed(tool: &str) -> bool {
     std::env::split_paths(&path).any(|folder| folder.join(tool).is_file())
 }
 
-fn run(tool: &str, words: &[&str]) -> String {
-    let output = Command::new(tool).args(words).env("DISPLAY", DISPLAY).output().expect("an installed tool");
-    assert!(output.status.success(), "{tool} {words:?}: {}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8_lossy(&output.stdout).trim().to_owned()
-}
-
 /// Waits until `condition` holds.
 fn wait(what: &str, mut condition: impl FnMut() -> bool) {
     let start = Instant::now();
@@ -54,47 +48,66 @@ fn wait(what: &str, mut condition: impl FnMut() -> bool) {
     }
 }
 
+/// A screen on a display that is free, and the name of that display.
+fn screen() -> (Running, String) {
+    // Without -noreset the server starts anew when its last client leaves, and refuses whoever comes meanwhile.
+    let mut server = Command::new("Xvfb")
+        .args(["-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("Xvfb starts");
+    let output = server.stdout.take().expect("its output is piped");
+    let server = Running(server);
+    // The number comes once the server listens.
+    let mut number = String::new();
+    BufReader::new(output).read_line(&mut number).expect("the number of the display");
+    assert!(!number.trim().is_empty(), "Xvfb found no display");
+    (server, format!(":{}", number.trim()))
+}
+
 impl Desktop {
     fn start(scene: &str) -> Self {
         let folder = std::env::temp_dir().join(format!("shading-lab-desktop-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder for the test");
-        let screen = Command::new("Xvfb")
-            .args([DISPLAY, "-screen", "0", "1280x800x24", "-nolisten", "tcp"])
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("Xvfb starts");
-        let screen = Running(screen);
-        wait("the screen", || {
-            let probe = Command::new("xdotool").arg("getdisplaygeometry").env("DISPLAY", DISPLAY).output();
-            probe.is_ok_and(|output| output.status.success())
-        });
+        let (screen, display) = screen();
         let program = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
             .arg(scene)
             .current_dir(&folder)
-            .env("DISPLAY", DISPLAY)
+            .env("DISPLAY", &display)
             .env_remove("WAYLAND_DISPLAY")
             .env("XDG_DATA_HOME", &folder)
             .env("LIBGL_ALWAYS_SOFTWARE", "1")
             .spawn()
             .expect("the program starts");
-        let desktop = Self { program: Running(program), _screen: screen, folder };
+        let mut desktop = Self { program: Running(program), display, _screen: screen, folder };
         wait("the window", || {
-            let search = Command::new("xdotool")
-                .args(["search", "--onlyvisible", "--name", "shading-lab"])
-                .env("DISPLAY", DISPLAY)
-                .output();
+            let ended = desktop.program.0.try_wait().expect("the program's state");
+            assert!(ended.is_none(), "the program ended before it showed a window: {ended:?}");
+            let search = desktop.command("xdotool", &["search", "--onlyvisible", "--name", "shading-lab"]).output();
             search.is_ok_and(|output| output.status.success())
         });
-        let window = run("xdotool", &["search", "--onlyvisible", "--name", "shading-lab"]);
-        run("xdotool", &["windowfocus", window.lines().next().unwrap_or_default()]);
+        let window = desktop.run("xdotool", &["search", "--onlyvisible", "--name", "shading-lab"]);
+        desktop.run("xdotool", &["windowfocus", window.lines().next().unwrap_or_default()]);
         desktop
+    }
+
+    fn command(&self, tool: &str, words: &[&str]) -> Command {
+        let mut command = Command::new(tool);
+        command.args(words).env("DISPLAY", &self.display);
+        command
+    }
+
+    fn run(&self, tool: &str, words: &[&str]) -> String {
+        let output = self.command(tool, words).output().expect("an installed tool");
+        assert!(output.status.success(), "{tool} {words:?}: {}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8_lossy(&output.stdout).trim().to_owned()
     }
 
     /// The screen's pixels: 1280 × 800, red, green, blue.
     fn screen(&self) -> Vec<[u8; 3]> {
         let file = self.folder.join("screen.rgb");
-        run("import", &["-window", "root", "-depth", "8", &format!("rgb:{}", file.display())]);
+        self.run("import", &["-window", "root", "-depth", "8", &format!("rgb:{}", file.display())]);
         let bytes = std::fs::read(&file).expect("a screenshot");
         assert_eq!(bytes.len(), 1280 * 800 * 3);
         bytes.as_chunks::<3>().0.to_vec()
@@ -151,14 +164,14 @@ fn the_window_draws_takes_a_drag_exports_and_rests() {
         &["mouseup", "1"],
     ];
     for motion in hand {
-        run("xdotool", motion);
+        desktop.run("xdotool", motion);
         sleep(Duration::from_millis(200));
     }
     desktop.settle();
     let darker = desktop.screen();
     assert!(light(&darker) < 0.9 * light(&first), "less Kd, less light: {} and {}", light(&first), light(&darker));
 
-    run("xdotool", &["mousemove", "650", "740", "key", "ctrl+z"]);
+    desktop.run("xdotool", &["mousemove", "650", "740", "key", "ctrl+z"]);
     sleep(Duration::from_millis(300));
     desktop.settle();
     let back = light(&desktop.screen());
@@ -179,11 +192,11 @@ fn the_window_draws_takes_a_drag_exports_and_rests() {
 /// Exports by keyboard; what is written opens as the same scene, which draws the same picture.
 fn export_and_compare(desktop: &Desktop) {
     let target = desktop.folder.join("exported.png");
-    run("xdotool", &["key", "ctrl+e"]);
+    desktop.run("xdotool", &["key", "ctrl+e"]);
     desktop.settle();
-    run("xdotool", &["key", "ctrl+a"]);
-    run("xdotool", &["type", "--delay", "20", &target.display().to_string()]);
-    run("xdotool", &["key", "Return"]);
+    desktop.run("xdotool", &["key", "ctrl+a"]);
+    desktop.run("xdotool", &["type", "--delay", "20", &target.display().to_string()]);
+    desktop.run("xdotool", &["key", "Return"]);
     wait("the exported picture", || target.is_file());
     let opened = load(&target).expect("an exported picture opens");
     let mut expected = load(Path::new("sphere")).expect("a built-in scene").scene;
