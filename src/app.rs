@@ -5,8 +5,10 @@
 
 mod action;
 mod code;
+mod compare;
 mod controls;
 mod curves;
+mod defects;
 mod dialog;
 mod document;
 mod engine;
@@ -18,17 +20,22 @@ mod gallery;
 mod handles;
 mod history;
 mod keys;
+mod letter;
 mod menus;
 mod numbers;
 mod orbit;
 mod palette;
+mod panes;
 mod picture;
+mod plan;
 mod profile;
 mod row;
 mod sampling;
+mod scan;
 mod stages;
 mod start;
 mod state;
+mod study;
 mod symbol;
 mod theme;
 mod typeset;
@@ -40,8 +47,7 @@ pub use start::{AppError, run};
 pub use state::{AppState, Look, NumbersTab, OverlayLook, ProbePoint};
 
 use crate::document::Loaded;
-use crate::figure::draw_overlay;
-use crate::render::Frame;
+use crate::render::{Frame, Renderer};
 use crate::scene::presets;
 use action::{Action, Shown};
 use curves::Curves;
@@ -50,6 +56,7 @@ use eframe::egui::{CentralPanel, ColorImage, Context, Frame as Margins, Panel, U
 use engine::Engine;
 use files::Files;
 use history::History;
+use picture::Room;
 
 /// Where the window's look is kept between two sessions.
 const STORAGE_KEY: &str = "look";
@@ -60,7 +67,7 @@ pub struct App {
     engine: Engine,
     curves: Curves,
     files: Files,
-    size: [u32; 2],
+    room: Room,
     title: String,
 }
 
@@ -77,7 +84,7 @@ impl App {
             engine: Engine::default(),
             curves: Curves::default(),
             files: Files::default(),
-            size: [1, 1],
+            room: Room { whole: [1, 1], pane: [1, 1] },
             title: String::new(),
         }
     }
@@ -93,6 +100,7 @@ impl App {
     }
 
     fn panels(&mut self, ui: &mut Ui) {
+        self.state.enter_pane();
         let Self { state, engine, curves, .. } = self;
         if !state.picture_alone {
             Panel::top("menus").show(ui, |ui| menus::menus_ui(ui, state));
@@ -109,7 +117,8 @@ impl App {
             }
         }
         let shown = CentralPanel::default().frame(Margins::NONE).show(ui, |ui| picture::picture_ui(ui, state, engine));
-        self.size = shown.inner.size;
+        self.room = shown.inner;
+        self.state.leave_pane();
     }
 
     fn settle(&mut self, ctx: &Context) {
@@ -119,7 +128,13 @@ impl App {
         }
         for action in asked {
             let alone = action == Action::Show(Shown::PictureAlone);
-            if let Some(rest) = self.state.perform(action, self.size) {
+            // What edits the scene edits that of the active pane.
+            if !action.concerns_document() {
+                self.state.enter_pane();
+            }
+            let rest = self.state.perform(action, self.room.pane);
+            self.state.leave_pane();
+            if let Some(rest) = rest {
                 self.perform(ctx, rest);
             }
             if alone {
@@ -192,26 +207,20 @@ impl App {
     }
 
     fn export_form(&self) -> ExportForm {
-        ExportForm { size: self.size, samples: 1, overlay: true, path: self.state.document.suggested("png") }
+        ExportForm { size: self.room.whole, samples: 1, overlay: true, path: self.state.document.suggested("png") }
     }
 
     fn copy_picture(&mut self, ctx: &Context) {
-        let mut frame = self.engine.frame().clone();
-        self.draw_overlay_on(&mut frame);
+        let Document { scene, model, .. } = &self.state.document;
+        let mut scene = scene.clone();
+        scene.image.size = self.room.whole;
+        let mut renderer = Renderer::default();
+        renderer.set_model(model.clone());
+        let over = files::Over::of(&self.state);
+        let frame = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| {});
         let size = [frame.width as usize, frame.height as usize];
         ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, frame.pixels.as_flattened()));
         self.state.notice = Some("copied the picture".to_owned());
-    }
-
-    fn draw_overlay_on(&self, frame: &mut Frame) {
-        let Some(probe) = self.engine.probed() else { return };
-        let mut scene = self.state.document.scene.clone();
-        scene.image.size = [frame.width, frame.height];
-        let options = engine::overlay_options(&self.state.look.overlay, self.state.light, &scene);
-        let (width, height) = (frame.width, frame.height);
-        if let Some(mut map) = tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height) {
-            draw_overlay(&mut map, &scene, probe, &options);
-        }
     }
 
     /// Takes what was dropped on the window.

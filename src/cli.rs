@@ -6,17 +6,23 @@
 mod bench;
 mod check;
 mod code;
+mod compare;
 mod curves;
+mod defects;
+mod explain;
 mod failure;
 mod input;
 mod materials;
+mod normals;
 mod output;
 mod overlay;
 mod probe;
 mod profile;
 mod render;
+mod scanline;
 mod scenes;
 mod sheet;
+mod study;
 mod telling;
 mod window;
 
@@ -49,6 +55,25 @@ enum Command {
     /// Without a file it prints a row for each sample, values separated by commas. Slopes are per pixel; all values are linear
     /// and before rounding.
     Profile(profile::ProfileCommand),
+    /// Measure panes of one scene against the last of them: mean, root mean square and greatest difference, and where it is.
+    Compare(compare::CompareCommand),
+    /// Say which faces a vertex normal comes from, and what each of them counts for.
+    Normals(normals::NormalsCommand),
+    /// Measure the five defects of interpolated shading in a scene.
+    Defects(defects::DefectsCommand),
+    /// Tell the plan of a frame: what is evaluated how often, its time, what is left out and why, and the work that saves.
+    ///
+    /// Times are medians of whole frames drawn anew, in turn by the plan and with everything left in that can be; shares are of the
+    /// stages' sum. After the changes that `bench` makes it names the stages that run again.
+    Explain(explain::Explain),
+    /// Convert one polygon to pixels in slow motion: active edges, P and Q with their α, and each pixel's value.
+    ///
+    /// Without a file it prints the scan line of the step with its formulas filled in.
+    Scanline(scanline::Scanline),
+    /// Measure error against run time: every way of shading at several tessellations against the exact picture.
+    ///
+    /// Prints a table with the orders of convergence; with a file only what was asked for is written.
+    Study(study::StudyCommand),
     /// Write a scene as OpenGL calls or as GLSL shaders, to copy; what they cannot express is told on stderr.
     Code(code::Code),
     /// Plot the curves of local illumination: f(d), the family of powers of a cosine, W(θ), and the lobe at one pixel.
@@ -65,7 +90,7 @@ enum Command {
     ///
     /// A frame of `full` is transformed, covered, shaded and displayed anew; the tessellation is kept, as a graphics card
     /// keeps it in its buffers. In a frame of `changes` one thing differs from the frame before: the place of the first
-    /// light, n, ka, or the eye on an orbit.
+    /// light, n, ka, the eye on an orbit, or the number of segments.
     Bench(bench::Bench),
 }
 
@@ -88,10 +113,16 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Render(render)) => render.run(&earlier),
         Some(Command::Probe(probe)) => probe.run(&earlier),
         Some(Command::Profile(profile)) => profile.run(&earlier),
+        Some(Command::Compare(compare)) => compare.run(&earlier),
+        Some(Command::Normals(normals)) => normals.run(&earlier),
+        Some(Command::Defects(defects)) => defects.run(&earlier),
+        Some(Command::Explain(explain)) => explain.run(&earlier),
+        Some(Command::Scanline(scanline)) => scanline.run(&earlier),
         Some(Command::Code(code)) => code.run(&earlier),
         Some(Command::Curves(curves)) => curves.run(&earlier),
         Some(Command::Check(check)) => check.run(&earlier),
         Some(Command::Bench(bench)) => bench.run(&earlier),
+        Some(Command::Study(study)) => study.run(&earlier),
         Some(Command::Scenes(_)) if !earlier.is_empty() => {
             Err(Failure::input("--set without a scene, expected `scenes` alone"))
         }

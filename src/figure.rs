@@ -5,15 +5,24 @@
 //! as pictures, as SVG text and in the window. Everything here is a pure function of its arguments, so the same scene gives the
 //! same pixels everywhere.
 
+mod comparison;
+mod difference;
 mod ink;
 mod overlay;
 pub mod palette;
 mod plot;
+mod scan;
 mod text;
 
+pub use comparison::{
+    DrawnPane, PaneArea, caption, comparison_sheet, draw_panes, pane_areas, pane_figures, panes_on_sheet,
+};
+pub use difference::{difference_picture, draw_difference_scale};
 pub use overlay::{
-    Angle, Arc, Area, Arrow, ArrowHead, Halo, Label, LightHandle, Overlay, OverlayLayer, OverlayOptions, draw_overlay,
-    draw_profile,
+    Angle, Arc, Area, Arrow, ArrowHead, CURVE, DefectMark, Halo, Label, LightHandle, LitVertex, Needle, NeedleKind,
+    Needles, Overlay, OverlayLayer, OverlayOptions, ProfileCurves, defect_marks, draw_defects, draw_normals,
+    draw_overlay, draw_profile, lay_out_profile,
 };
 pub use plot::{Drawing, Paper, PlotStyle, Shape, Text, lay_out, lay_out_sheet};
+pub use scan::{lay_out_scan, scan_room};
 pub use text::Set;

@@ -1,6 +1,7 @@
 //! Shapes: meshes of n-sided polygons, their vertex normals, and the true surfaces that they stand for.
 
 mod bezier;
+mod concave;
 mod mesh;
 mod obj;
 mod primitives;
@@ -8,8 +9,10 @@ mod surface;
 mod teapot;
 mod topology;
 mod vertex_normals;
+mod vertex_shares;
 
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use obj::{ObjError, read_obj};
-pub use primitives::tessellate;
+pub use primitives::{divisions_for, tessellate, triangles};
 pub use surface::{Ray, Surface, SurfaceHit};
+pub use vertex_shares::{FaceShare, NormalOrigin, VertexShares};

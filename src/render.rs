@@ -1,13 +1,18 @@
 //! The rasterizer: plan → transform → clip → cover → shade → display.
 
+mod account;
 mod beyond;
 mod bins;
 mod bounce;
 mod bvh;
 mod clip;
 mod cover;
+mod cue;
 mod display;
+mod draft;
 mod exact;
+mod facet;
+mod floor;
 mod frame;
 mod interpolate;
 mod lens;
@@ -15,6 +20,7 @@ mod model;
 mod painting;
 mod plan;
 mod points;
+mod polygon;
 mod rays;
 mod reference;
 mod renderer;
@@ -31,10 +37,14 @@ mod surroundings;
 mod transform;
 mod transmission;
 
+pub use account::Term;
 pub use display::srgb;
+pub(crate) use display::stored_pixel;
+pub use draft::{coarseness, coarser_size};
 pub use frame::{Frame, Report, Stage, StageRun};
-pub use plan::{Facts, Per, Plan, Term};
-pub(crate) use reference::Evaluation;
+pub use plan::{Cued, Facts, Per, Plan};
+pub(crate) use polygon::Polygon;
+pub(crate) use reference::{Evaluation, WeightedSite};
 pub use renderer::Renderer;
 pub(crate) use section::{Piece, displayed};
 pub use transmission::Transmission;

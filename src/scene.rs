@@ -5,6 +5,8 @@
 //! that came through [`Scene::parse`], [`Scene::with_override`] or [`Scene::validate`] is sound (see there).
 
 mod camera;
+mod compare;
+mod depth_cueing;
 mod format;
 mod light;
 mod material;
@@ -12,23 +14,30 @@ pub mod materials;
 mod nearest;
 mod object;
 mod overrides;
+mod polygons;
 pub mod presets;
 mod problem;
 mod settings;
+mod shared;
 mod surroundings;
 mod validation;
 mod view;
 
 pub use camera::{Camera, Projection, Viewer};
+pub use compare::{Compare, CompareView, DifferenceKind, Pane};
+pub use depth_cueing::{CuedBy, DepthCueing};
 pub use light::{Ambient, AmbientSource, AreaShape, Attenuation, Light, LightKind};
 pub use material::{Material, Reflectance};
 pub use nearest::nearest;
 pub use object::{NormalSource, Object, ObjectKind, Weighting};
+pub use polygons::Polygons;
+pub(crate) use polygons::area_vector;
 pub use problem::{Cause, Place, Problem, SceneError};
 pub use settings::{
     Backfacing, Display, Distribution, Encoding, FlatAt, Image, Interpolation, Overflow, Reflection, ReflectionModel,
     Shading, ShadingMode,
 };
+pub use shared::Shared;
 pub use surroundings::{Backdrop, Ground, Pattern, PatternKind, Through, Transparency};
 pub use validation::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
 pub use view::View;
@@ -55,11 +64,13 @@ pub struct Scene {
     pub display: Display,
     pub ground: Ground,
     pub backdrop: Backdrop,
+    pub depth_cueing: DepthCueing,
     pub ambient: Ambient,
     /// The lights, whose contributions are summed. A file without any `[[light]]` gets the default one; `light = []`
     /// means darkness.
     #[serde(rename = "light")]
     pub lights: Vec<Light>,
+    pub compare: Compare,
 }
 
 impl Default for Scene {
@@ -77,8 +88,10 @@ impl Default for Scene {
             display: Display::default(),
             ground: Ground::default(),
             backdrop: Backdrop::default(),
+            depth_cueing: DepthCueing::default(),
             ambient: Ambient::default(),
             lights: vec![Light::default()],
+            compare: Compare::default(),
         }
     }
 }

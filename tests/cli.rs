@@ -189,7 +189,7 @@ fn what_is_wrong_with_a_file_is_named_with_its_line() {
     fs::create_dir_all(folder.0.join("folder")).expect("a folder");
     let bad: &[&str] = &[
         "error: bad.toml:2: `camera.fov_y` is 400, expected 0.001 to 179 degrees",
-        "error: bad.toml:3: unknown key `camera.lens`, expected one of eye, target, up, projection, fov_y, height, viewer",
+        "error: bad.toml:3: unknown key `camera.lens`, expected one of eye, target, up, roll, projection, fov_y, height, viewer",
         "error: bad.toml:5: `material.n` is -1, expected 0 or more (inf: a mirror)",
     ];
     folder.fails(&["check", "bad.toml"], 2, bad);
@@ -293,6 +293,9 @@ fn arguments_that_make_no_sense_are_refused() {
         (&["render", "sphere", "-o", "a.png", "--samples", "0"], "0 is not in 1..=4096"),
         (&["render", "sphere", "-o", "a.png", "--overlay", "vector"], "did you mean vectors?"),
         (&["render", "sphere", "-o", "a.png", "--overlay", "vectors=1"], "expected X,Y"),
+        (&["render", "sphere", "-o", "a.png", "--vertex", "1"], "--overlay"),
+        (&["normals", "sphere", "--vertex", "-1"], "expected the number of a vertex"),
+        (&["normals", "sphere", "--vertex", "1", "--pixel", "1,2"], "cannot be used with"),
         (&["probe", "sphere"], "--pixel"),
         (&["probe", "sphere", "--pixel", "-1,2"], "expected X,Y"),
         (&["bench", "sphere", "--frames", "0"], "0 is not in 1..=100000"),
@@ -486,7 +489,7 @@ fn a_benchmark_names_every_figure() {
     assert_eq!(bench["size"], serde_json::json!([64, 48]));
     assert_eq!(bench["triangles"], 2 * 192 * 95);
     assert!(bench["full"]["median_ms"].as_f64().expect("a time") > 0.0);
-    for change in ["light", "n", "ka", "camera"] {
+    for change in ["light", "n", "ka", "camera", "tessellation"] {
         assert!(bench["changes"][change]["median_ms"].as_f64().expect("a time") > 0.0, "{change}");
     }
     let stages = bench["stages"].as_object().expect("stages");
@@ -497,6 +500,34 @@ fn a_benchmark_names_every_figure() {
     assert!(dark["changes"]["light"]["median_ms"].is_null());
     let text = folder.prints(&["bench", "cube", "--frames", "1", "--size", "8x8"]);
     assert!(text.contains("everything") && text.contains("camera"), "{text}");
+}
+
+#[test]
+fn the_plan_of_a_frame_is_explained() {
+    let folder = Folder::new("explain");
+    let set = ["--set", "material.ks=0", "--set", "light.0.mute=true", "--size", "64x48", "--frames", "2"];
+    let told = folder.json(&[&["explain", "sphere", "--json"][..], &set].concat());
+    let terms = told["terms"].as_array().expect("terms");
+    for term in terms {
+        let (per, omitted) = (term["per"].as_str().expect("how often"), &term["omitted"]);
+        assert!(["frame", "face", "vertex", "pixel", "none"].contains(&per), "{term}");
+        assert!(term["name"].is_string() && term["evaluations"].is_u64(), "{term}");
+        assert_eq!(omitted.is_string(), per == "none", "{term}");
+    }
+    let muted = terms.iter().find(|term| term["name"] == "light 1: diffuse").expect("the light's term");
+    assert_eq!(muted["omitted"], "it is muted");
+    assert!(told["saved"]["evaluations"]["ratio"].as_f64().expect("a ratio") > 1.0);
+    assert!(told["saved"]["time"]["all_ms"].as_f64().expect("a time") > 0.0);
+    assert!(told["stages"]["coverage"]["share"].as_f64().expect("a share") <= 1.0);
+    assert!(told["changes"]["camera"].as_array().expect("stages").contains(&serde_json::json!("coverage")));
+    assert_eq!(told["changes"]["tessellation"][0], "geometry");
+    let text = folder.prints(&[&["explain", "sphere", "--csv", "plan.csv"][..], &set].concat());
+    assert!(text.is_empty());
+    let rows = fs::read_to_string(folder.0.join("plan.csv")).expect("the rows");
+    assert_eq!(rows.lines().count(), 1 + terms.len());
+    let text = folder.prints(&["explain", "cube", "--frames", "1", "--size", "8x8"]);
+    assert!(text.contains("left out: a closed solid hides them") && text.contains("work saved"), "{text}");
+    folder.refuses(&["explain", "cube", "--frames", "0"], "0 is not in 1..=100000");
 }
 
 #[test]
@@ -673,4 +704,107 @@ fn a_profile_along_no_line_is_refused() {
     );
     folder.refuses(&["render", "sphere", "-o", "a.png", "--from", "1,1"], "--to");
     assert!(folder.names().is_empty());
+}
+
+#[test]
+fn a_polygon_is_scanned_as_text_as_data_and_as_a_figure() {
+    let folder = Folder::new("scanline");
+    let gouraud = ["--set", "shading.mode=gouraud", "--set", "shading.interpolation=affine"];
+    let scanline = |arguments: &[&'static str]| [&["scanline", "flat-facets"], &gouraud[..], arguments].concat();
+    let text = folder.prints(&scanline(&["--line", "7"]));
+    for words in ["I(P) = (1−α)·I(", "I = (1−α)·I(P) + α·I(Q)", "scan line 7, ", "dx/dy", "active"] {
+        assert!(text.contains(words), "{words} in {text}");
+    }
+    let object = folder.json(&scanline(&["--json", "--rows", "24", "--step", "last"]));
+    assert_eq!(object["grid"]["rows"], 24);
+    assert_eq!(object["step"], object["steps"].as_array().map_or(0, Vec::len) - 1);
+    assert_eq!((&object["carried"], &object["compared"]), (&"intensity".into(), &"affine".into()));
+    let pixels: usize = object["lines"].as_array().expect("lines").iter().flat_map(scanned).count();
+    assert_eq!(folder.prints(&scanline(&["--rows", "24", "--csv", "pixels.csv"])), "");
+    let table = fs::read_to_string(folder.0.join("pixels.csv")).expect("the table");
+    assert_eq!(table.lines().count(), pixels + 1);
+    assert!(table.starts_with("y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,barycentric_r,"));
+    folder.prints(&scanline(&["-o", "step.png", "--size", "640x440", "--dark"]));
+    folder.prints(&scanline(&["-o", "step.svg", "--face", "120", "--step", "40"]));
+    let svg = fs::read_to_string(folder.0.join("step.svg")).expect("the figure");
+    assert!(svg.contains("Gouraud shading, face 120") && svg.contains("<polygon"));
+    let png = fs::read(folder.0.join("step.png")).expect("the figure");
+    assert!(png.starts_with(b"\x89PNG"));
+    assert_eq!(folder.names(), ["pixels.csv", "step.png", "step.svg"]);
+    let refuses = |arguments: &[&'static str], error: &str| folder.fails(&scanline(arguments), 2, &[error]);
+    refuses(&["--face", "9999"], "error: no face 9999 in the object, expected 0 to 287");
+    refuses(&["--rows", "5"], "error: 5 rows, expected 8 to 64");
+    refuses(&["--pixel", "0,0"], "error: pixel 0,0 shows the background, expected one that shows the object");
+    refuses(
+        &["--face", "120", "--line", "0"],
+        "error: --line 0: not a scan line of the polygon, expected 1 to 14 or last",
+    );
+    refuses(&["--face", "120", "--step", "9999"], "error: --step 9999: no such step, expected 0 to 230 or last");
+}
+
+fn scanned(line: &Value) -> impl Iterator<Item = &Value> {
+    let spans = line["spans"].as_array().into_iter().flatten();
+    spans.flat_map(|span| span["pixels"].as_array().into_iter().flatten())
+}
+
+#[test]
+fn a_vertex_normal_is_told_with_the_faces_that_it_comes_from() {
+    let folder = Folder::new("normals");
+    let cube = ["cube", "--set", "object={kind=\"cube\",segments=4,rings=1,normals=\"averaged\",weighting=\"angle\"}"];
+    let normals = |more: &[&'static str]| [&["normals"], &cube[..], more].concat();
+    let told = folder.json(&normals(&["--vertex", "0", "--json"]));
+    assert_eq!((&told["vertices"], &told["faces"], &told["weight_unit"]), (&8.into(), &6.into(), &"degrees".into()));
+    let faces = told["vertex"]["faces"].as_array().expect("faces");
+    assert_eq!((faces.len(), told["vertex"]["origin"].as_str()), (3, Some("averaged")));
+    for face in faces {
+        let number = |key: &str| face[key].as_f64().expect("a number");
+        assert!((number("share") - 1.0 / 3.0).abs() < 1e-6 && (number("weight") - 90.0).abs() < 1e-5);
+        assert!((number("angle") - 54.735_61).abs() < 1e-4);
+    }
+    let text = folder.prints(&normals(&["--vertex", "0"]));
+    assert!(text.starts_with("cube: vertex 0 of 8, at ("), "{text}");
+    assert!(text.contains("the mean of 3 faces, weighted by angle") && text.contains("of length 0.5774"), "{text}");
+    // Next to the place where it appears, and in the same words.
+    let nearest = folder.json(&normals(&["--pixel", "400,310", "--json"]));
+    let number = nearest["vertex"]["vertex"].as_u64().expect("a number").to_string();
+    assert_eq!(
+        folder.json(&[&["normals"], &cube[..], &["--vertex", &number, "--json"]].concat())["vertex"],
+        nearest["vertex"]
+    );
+    assert_eq!(folder.prints(&normals(&["--csv", "a.csv"])), "");
+    let table = fs::read_to_string(folder.0.join("a.csv")).expect("a table");
+    assert_eq!((table.lines().count(), table.lines().next()), (4, Some("face,share,weight,angle,nx,ny,nz")));
+    let exact = folder.prints(&["normals", "cube", "--set", "object.normals=exact"]);
+    assert!(exact.contains("the true surface's"), "{exact}");
+    let outside = ["error: --vertex 8: no such vertex, expected 0 to 7"];
+    folder.fails(&normals(&["--vertex", "8"]), 2, &outside);
+    folder.fails(
+        &normals(&["--pixel", "9999,0"]),
+        2,
+        &["error: --pixel: outside the picture, expected 0,0 to 767,767"],
+    );
+    let away = normals(&["--set", "camera.target=[0,0,9]", "--set", "camera.eye=[0,0,4]"]);
+    let unseen = "error: no vertex is seen in the picture, expected --vertex or a camera that sees the object";
+    folder.fails(&away, 2, &[unseen]);
+
+    let render = |name: &str, more: &[&str]| {
+        folder.prints(&[&["render"], &cube[..], &["-o", name, "--size", "160x160"], more].concat());
+        pixels_of(&folder.0.join(name))
+    };
+    let plain = render("plain.png", &[]);
+    let mut drawn = vec![plain];
+    for list in ["face-normals", "vertex-normals", "face-normals,vertex-normals", "vertex-normals,lights"] {
+        drawn.push(render("over.png", &["--overlay", list]));
+    }
+    drawn.push(render("lit.png", &["--overlay", "vertex-normals", "--vertex", &number]));
+    let count = drawn.len();
+    drawn.sort();
+    drawn.dedup();
+    assert_eq!(drawn.len(), count, "each drawing is another");
+    let refused = |more: &[&'static str]| [&["render"], &cube[..], &["-o", "x.png"], more].concat();
+    folder.fails(&refused(&["--overlay", "vertex-normals", "--vertex", "8"]), 2, &outside);
+    let without = ["error: --vertex without normals, expected --overlay vertex-normals"];
+    folder.fails(&refused(&["--overlay", "lights", "--vertex", "1"]), 2, &without);
+    // An object of which nothing is seen has no needles, and that is no error.
+    folder.prints(&refused(&["--overlay", "vertex-normals", "--set", "camera.target=[0,0,9]"]));
 }

@@ -106,6 +106,10 @@ fn fixed_function_names_what_it_cannot_say() {
         ("transparency.kt=0.5", "Transparency"),
         ("ground.visible=true", "ground"),
         ("backdrop.pattern=checker", "backdrop"),
+        ("depth_cueing.by=vertex", "Depth cueing at vertices"),
+        ("depth_cueing={by=\"pixel\", front=3.5, front_scale=0.9}", "Depth cueing: s0 goes on"),
+        ("depth_cueing={by=\"pixel\", front_scale=0.5, back_scale=0.5}", "the same s0 everywhere"),
+        ("depth_cueing={by=\"pixel\", color=[2,0,0]}", "clamps fog's colour"),
         ("ambient.source=bounce", "scattered"),
         ("display.overflow=scale", "greatest intensity"),
         ("display.overflow=mark", "hatching"),
@@ -127,6 +131,9 @@ fn what_fits_is_no_limit() {
         "light.0={kind=\"spot\"}",
         "light.0.attenuation=light",
         "light.0.attenuation=inverse-square",
+        "depth_cueing.by=pixel",
+        "depth_cueing={by=\"pixel\", front=2, back=7, front_scale=0.8, back_scale=0.3}",
+        "depth_cueing={by=\"vertex\", back_scale=1}",
         "shading.mode=interpolated",
         "shading={mode=\"flat\", flat_at=\"provoking-vertex\"}",
         // Only the distance from the light to the nearest vertex decides whether min(1, …) is at work.
@@ -151,7 +158,7 @@ fn more_than_eight_lights_are_too_many() {
 
 #[test]
 fn shaders_name_what_they_cannot_say() {
-    for name in ["sphere", "teapot", "blinn", "attenuation", "infinite", "highlight"] {
+    for name in ["sphere", "teapot", "blinn", "attenuation", "infinite", "tinted-highlight"] {
         assert_eq!(glsl_330(&scene(name, &[])).limits, [] as [&str; 0], "{name}");
     }
     for (set, words) in [
@@ -315,10 +322,21 @@ fn the_program_in_c_draws_the_same_picture() {
         ("one-sided", "plane", &["camera.eye=[0.6,0.9,-3.8]", "light.0.position=[0.4,0.7,-0.9]"]),
         ("local-viewer", "torus", &["camera.viewer=local", "camera.fov_y=60", "camera.eye=[0,1,2]"]),
         ("orthographic", "cylinder", &["camera.projection=orthographic"]),
+        ("rolled", "torus", &["camera.roll=35"]),
+        ("corrugated", "plane", &["object={kind=\"corrugated\", segments=6, rings=2}"]),
         ("interpolated", "torus", &["shading.mode=interpolated"]),
         ("flat", "torus", &["shading={mode=\"flat\", flat_at=\"provoking-vertex\"}"]),
         ("overflow", "sphere", &["light.0.color=[4,4,4]"]),
         ("area", "cube", &[area]),
+        ("fog", "torus", &["depth_cueing={by=\"pixel\", front=3.4, back=4.3, color=[0.5,0.6,0.7]}"]),
+        (
+            "thin-fog",
+            "sphere",
+            &[
+                "depth_cueing={by=\"pixel\", front=2, back=7, front_scale=0.9, back_scale=0.2, color=[0.1,0.2,0.7]}",
+                "camera.projection=orthographic",
+            ],
+        ),
     ] {
         let scene = small(preset, &[&FIXED[..], set].concat());
         let export = program(&scene);
@@ -375,6 +393,10 @@ fn compare_glsl(host: &Path, name: &str, scene: &Scene) {
     agree(name, scene, &path("ppm"));
 }
 
+/// Polygons that reach far out of the unit sphere, towards the eye and away from it.
+const POLYGONS: &str =
+    "object={kind=\"polygons\", vertices=[[-1,-1,2],[1,-1,2],[1,1,-9],[-3,1,-9]], faces=[[0,1,2,3]]}";
+
 #[test]
 fn the_shaders_draw_the_same_picture() {
     if !mesa() {
@@ -401,6 +423,23 @@ fn the_shaders_draw_the_same_picture() {
         ("flip", "plane", &["reflection.backfacing=flip", "light.0.position=[0.4,0.7,-0.9]"]),
         ("infinite", "infinite", &["material.n=0.5"]),
         ("srgb", "colored-lights", &["display.encoding=srgb"]),
+        ("cued-pixels", "torus", &["depth_cueing={by=\"pixel\", front=3.4, back=4.3, back_scale=0.2}"]),
+        ("cued-vertices", "plane", &["depth_cueing={by=\"vertex\", front=3.6, back=4.3}", "object.segments=3"]),
+        (
+            "cued-gouraud",
+            "torus",
+            &["depth_cueing={by=\"vertex\", front=3.4, back=4.3, color=[1,0,0]}", "shading.mode=gouraud"],
+        ),
+        (
+            "cued-affine",
+            "plane",
+            &["depth_cueing.by=vertex", "shading.interpolation=affine", "object.segments=2", "object.rings=2"],
+        ),
+        (
+            "cued-flat",
+            "cone",
+            &["depth_cueing={by=\"pixel\", front=3}", "shading={mode=\"flat\", flat_at=\"provoking-vertex\"}"],
+        ),
         ("hatching", "sphere", &["display.overflow=mark", "light.0.color=[2,2,2]"]),
         ("forgetful", "sphere", &["shading.renormalise=false", "object.segments=8", "object.rings=6"]),
         (
@@ -416,6 +455,8 @@ fn the_shaders_draw_the_same_picture() {
         ),
         ("rings", "sphere", &["pattern={kind=\"rings\", scale=0.4}"]),
         ("orthographic", "cone", &["camera.projection=orthographic"]),
+        ("rolled", "cube", &["camera.roll=-50"]),
+        ("polygons", "plane", &[POLYGONS]),
     ] {
         let scene = small(preset, set);
         assert_eq!(glsl_330(&scene).limits, [] as [&str; 0], "{name}");

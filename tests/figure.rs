@@ -69,6 +69,8 @@ fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
             lights,
             reflected,
             transmission,
+            intensity: sum,
+            cue: None,
             sum,
             divisor: 1.0,
             stored,

@@ -39,7 +39,7 @@ fn implicit(kind: ObjectKind, p: DVec3) -> f64 {
         ObjectKind::Cone => ((2.0 * radial + p.y - 1.0) / 5f64.sqrt()).max(-0.6 - p.y),
         ObjectKind::Cube => p.abs().max_element() - 1.0 / 3f64.sqrt(),
         ObjectKind::Plane => p.z,
-        ObjectKind::Teapot | ObjectKind::Obj => unreachable!(),
+        _ => unreachable!(),
     }
 }
 
@@ -177,6 +177,7 @@ fn counts_follow_segments_and_rings() {
     assert_eq!(mesh(ObjectKind::Cylinder, 6, 1).face_count(), 8);
     assert_eq!(mesh(ObjectKind::Plane, 1, 1).face_count(), 1);
     assert_eq!(mesh(ObjectKind::Plane, 3, 2).face_count(), 6);
+    assert_eq!(mesh(ObjectKind::Corrugated, 6, 3).face_count(), 18);
     assert_eq!(mesh(ObjectKind::Obj, 3, 2).face_count(), 0);
 }
 
@@ -197,8 +198,8 @@ fn a_smooth_shape_has_one_vertex_a_point_and_a_crease_splits_them() {
 
 proptest! {
     #[test]
-    fn any_numbers_of_divisions_work(segments in 0u32..40, rings in 0u32..40, kind in 0usize..6) {
-        let kind = [CLOSED.as_slice(), &[ObjectKind::Plane]].concat()[kind];
+    fn any_numbers_of_divisions_work(segments in 0u32..40, rings in 0u32..40, kind in 0usize..7) {
+        let kind = [CLOSED.as_slice(), &[ObjectKind::Plane, ObjectKind::Corrugated]].concat()[kind];
         let mesh = mesh(kind, segments, rings);
         prop_assert_eq!(mesh.closed, mesh.clone().with_closedness_detected().closed);
         for source in [NormalSource::Averaged, NormalSource::Exact, NormalSource::Facet, NormalSource::File] {

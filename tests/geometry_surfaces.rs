@@ -21,7 +21,7 @@ fn implicit(kind: ObjectKind, p: DVec3) -> f64 {
         ObjectKind::Cylinder => (radial - 0.6).max(p.y.abs() - 0.8),
         ObjectKind::Cone => ((2.0 * radial + p.y - 1.0) / 5f64.sqrt()).max(-0.6 - p.y),
         ObjectKind::Cube => p.abs().max_element() - 1.0 / 3f64.sqrt(),
-        ObjectKind::Plane | ObjectKind::Teapot | ObjectKind::Obj => unreachable!(),
+        _ => unreachable!(),
     }
 }
 
@@ -99,14 +99,14 @@ proptest! {
 
     #[test]
     fn nothing_makes_a_hit_that_is_not_finite(
-        kind in 0usize..6,
+        kind in 0usize..7,
         numbers in proptest::collection::vec(
             prop_oneof![
                 Just(0.0), Just(-0.0), Just(f64::NAN), Just(f64::INFINITY), Just(1e300), Just(1e-300), Just(0.6),
                 Just(-0.8), Just(1.0), -2.0..2.0
             ], 7)
     ) {
-        let kind = [SOLIDS.as_slice(), &[ObjectKind::Plane]].concat()[kind];
+        let kind = [SOLIDS.as_slice(), &[ObjectKind::Plane, ObjectKind::Corrugated]].concat()[kind];
         let ray = Ray {
             origin: DVec3::new(numbers[0], numbers[1], numbers[2]),
             direction: DVec3::new(numbers[3], numbers[4], numbers[5]),
@@ -169,5 +169,7 @@ fn a_far_eye_loses_only_the_digits_of_its_own_distance() {
 
 #[test]
 fn a_model_has_no_surface() {
-    assert!(Surface::of(&Object { kind: ObjectKind::Obj, ..Object::default() }).is_none());
+    for kind in [ObjectKind::Obj, ObjectKind::Polygons] {
+        assert!(Surface::of(&Object { kind, ..Object::default() }).is_none());
+    }
 }

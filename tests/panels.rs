@@ -4,16 +4,17 @@
 mod hands;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, OutputCommand, vec2};
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
-use hands::{drag, press, scene, wait, window};
+use glam::{DVec3, Vec3Swizzles};
+use hands::{choose, drag, enter, press, scene, undo, wait, window};
 use shading_lab::analysis::{ProbeHit, probe};
 use shading_lab::app::{App, NumbersTab};
 use shading_lab::export::{glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
 use shading_lab::render::Renderer;
-use shading_lab::scene::{Reflectance, presets};
+use shading_lab::scene::{ObjectKind, Reflectance, View, presets};
 use std::path::Path;
 
 #[test]
@@ -77,6 +78,22 @@ fn a_curve_is_read_under_the_pointer_without_a_missing_letter() {
 fn code(harness: &Harness<'_, App>) -> String {
     let view = harness.query_by_role_and_label(Role::MultilineTextInput, "Code");
     view.and_then(|view| view.accesskit_node().value()).unwrap_or_default()
+}
+
+#[test]
+fn the_plan_has_a_tab_that_the_bar_opens() {
+    let mut harness = window("sphere");
+    let link = harness.get_by(|node| node.label().is_some_and(|label| label.starts_with("left out: ")));
+    link.click_accesskit();
+    harness.run();
+    assert_eq!(harness.state().state().look.tab, NumbersTab::Plan);
+    let says = |harness: &Harness<'_, App>, text: &str| harness.query_all_by_label_contains(text).next().is_some();
+    assert!(says(&harness, "back faces — a closed solid hides them"));
+    assert!(says(&harness, "side view — off"));
+    assert!(says(&harness, "light 1: specular"));
+    harness.get_by_role_and_label(Role::Slider, "n").set_value_accesskit(3.0);
+    harness.run();
+    assert!(says(&harness, "□ coverage") && says(&harness, "kept") && says(&harness, "■ pixels"));
 }
 
 fn tab(harness: &mut Harness<'_, App>, name: &str) {
@@ -315,4 +332,176 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     for ending in ["CSV…", "PNG…", "SVG…"] {
         assert!(harness.query_by_label(ending).is_some(), "{ending}");
     }
+}
+
+/// Where a point of the scene is on the screen.
+fn on_screen(harness: &Harness<'_, App>, world: DVec3) -> Pos2 {
+    let rect = harness.get_by(|node| node.label().is_some_and(|label| label.starts_with("Picture,"))).rect();
+    let size = [harness.state().frame().width, harness.state().frame().height];
+    let (pixel, _) = View::new(&scene(harness).camera, size).project(world).expect("in sight");
+    // In the first of several panes, which begins where the picture does; a pixel is a point.
+    rect.min + vec2(pixel.x as f32, pixel.y as f32)
+}
+
+#[test]
+fn a_vertex_is_dragged_in_the_picture() {
+    let mut harness = window("orientation");
+    let before = scene(&harness).clone();
+    let corner = before.object.vertices[2];
+    let at = on_screen(&harness, corner);
+    drag(&mut harness, at, at + vec2(-30.0, 25.0));
+    let moved = scene(&harness).clone();
+    let landed = on_screen(&harness, moved.object.vertices[2]);
+    assert!(landed.distance(at + vec2(-30.0, 25.0)) < 3.0, "{landed} from {at}");
+    assert_eq!((&moved.camera, &moved.lights), (&before.camera, &before.lights));
+    assert!((moved.object.vertices[2].z - corner.z).abs() < 1e-9, "parallel to the picture");
+    undo(&mut harness);
+    assert_eq!(*scene(&harness), before, "a drag is one step");
+    // Across the opposite corner the square would cross itself.
+    let opposite = on_screen(&harness, before.object.vertices[0]);
+    drag(&mut harness, at, at + (opposite - at) * 1.05 + vec2(12.0, 0.0));
+    let stopped = scene(&harness);
+    assert_eq!(stopped.validate(), Ok(()));
+    assert!(stopped.object.vertices[2].distance(corner) > 0.5, "{}", stopped.object.vertices[2]);
+    undo(&mut harness);
+    // With Shift it leaves the picture's plane.
+    harness.event(Event::PointerMoved(at));
+    harness.event_modifiers(
+        Event::PointerButton { pos: at, button: PointerButton::Primary, pressed: true, modifiers: Modifiers::SHIFT },
+        Modifiers::SHIFT,
+    );
+    harness.run();
+    harness.event_modifiers(Event::PointerMoved(at + vec2(0.0, -40.0)), Modifiers::SHIFT);
+    harness.run();
+    harness.event_modifiers(
+        Event::PointerButton { pos: at, button: PointerButton::Primary, pressed: false, modifiers: Modifiers::SHIFT },
+        Modifiers::SHIFT,
+    );
+    harness.run();
+    let vertex = scene(&harness).object.vertices[2];
+    assert!(vertex.z > 0.05 && (vertex - corner).truncate().length() < 1e-2, "{vertex}");
+}
+
+#[test]
+fn polygons_are_counted_and_their_vertices_typed() {
+    let mut harness = window("sphere");
+    choose(&mut harness, "Object kind", "polygons");
+    assert_eq!(scene(&harness).object.vertices.len(), 4, "a quadrilateral to begin with");
+    assert_eq!(scene(&harness).validate(), Ok(()));
+    assert!(harness.query_by_label("4 vertices, 1 face").is_some());
+    assert!(harness.query_by_role_and_label(Role::Slider, "Segments").is_none());
+    enter(&mut harness, "Vertex", 2.0);
+    enter(&mut harness, "Vertex place x", 1.25);
+    assert_eq!(scene(&harness).object.vertices[2].x, 1.25);
+    undo(&mut harness);
+    assert_eq!(scene(&harness).object.vertices[2].x, 0.85);
+    let mut harness = window("sphere");
+    choose(&mut harness, "Object kind", "corrugated sheet");
+    assert_eq!(scene(&harness).object.kind, ObjectKind::Corrugated);
+    enter(&mut harness, "Segments", 2.0);
+    assert_eq!((scene(&harness).object.segments, scene(&harness).validate()), (2, Ok(())));
+    // What is too few for a ball becomes enough.
+    let mut harness = window("vertex-normals");
+    enter(&mut harness, "Segments", 2.0);
+    choose(&mut harness, "Object kind", "sphere");
+    assert_eq!((scene(&harness).object.segments, scene(&harness).validate()), (3, Ok(())));
+}
+
+#[test]
+fn the_camera_is_rolled_and_put_back() {
+    let mut harness = window("cube");
+    let before = scene(&harness).clone();
+    harness.get_by_role_and_label(Role::Slider, "Roll").set_value_accesskit(90.0);
+    harness.run();
+    assert_eq!(scene(&harness).camera.roll, 90.0);
+    // What is under the pointer follows it: to the right in the picture is upwards in the world.
+    let middle = harness.get_by(|node| node.label().is_some_and(|label| label.starts_with("Picture,"))).rect().center();
+    drag(&mut harness, middle + vec2(150.0, 150.0), middle + vec2(200.0, 150.0));
+    let turned = &scene(&harness).camera;
+    assert_eq!(turned.roll, 90.0, "turning keeps the roll");
+    assert!(
+        turned.eye.y > before.camera.eye.y + 0.1 && turned.eye.xz().angle_to(before.camera.eye.xz()).abs() < 0.05,
+        "{turned:?}"
+    );
+    press(&mut harness, "Put the camera back");
+    assert_eq!(scene(&harness).camera, before.camera);
+}
+
+#[test]
+fn one_number_cuts_every_shape_into_as_many_triangles() {
+    let mut harness = window("sphere");
+    let drawn = |harness: &Harness<'_, App>| tessellate(&scene(harness).object).triangle_count() as f64;
+    for wanted in [6.0, 100.0, 7000.0, 150_000.0] {
+        enter(&mut harness, "Triangles", wanted);
+        let found = drawn(&harness);
+        assert!((found - wanted).abs() <= 2.0 * wanted.sqrt(), "{found} for {wanted}");
+        let field = harness.get_by_role_and_label(Role::SpinButton, "Triangles");
+        assert_eq!(field.accesskit_node().numeric_value(), Some(found), "the field says what there is");
+    }
+    let object = scene(&harness).object.clone();
+    assert!(object.segments.abs_diff(2 * object.rings) <= 2, "polygons are about square: {object:?}");
+    assert!(harness.query_by_label_contains("polygons, ").is_some_and(|node| {
+        node.accesskit_node().value().or(node.accesskit_node().label()).is_some_and(|text| text.contains("vertices"))
+    }));
+    // A slider's end, and numbers beyond what is typed sensibly.
+    harness.get_by_role_and_label(Role::Slider, "Triangles").set_value_accesskit(12.0);
+    harness.run();
+    assert_eq!(drawn(&harness), 12.0);
+    enter(&mut harness, "Triangles", -5.0);
+    assert_eq!((scene(&harness).object.segments, scene(&harness).object.rings), (3, 2));
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+    assert!(drawn(&harness) > 6.0, "undone");
+}
+
+#[test]
+fn the_teapot_is_cut_by_one_number_too() {
+    let mut harness = window("teapot");
+    for wanted in [128.0, 3000.0, 60_000.0] {
+        enter(&mut harness, "Triangles", wanted);
+        let found = tessellate(&scene(&harness).object).triangle_count() as f64;
+        assert!((found - wanted).abs() <= 16.0 * wanted.sqrt(), "{found} for {wanted}");
+    }
+    press(&mut harness, "Reset Triangles");
+    assert_eq!((scene(&harness).object.segments, scene(&harness).object.rings), (32, 16));
+}
+
+#[test]
+fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
+    let mut harness = window("orientation");
+    harness.get_by_role_and_label(Role::Tab, "Defects").click_accesskit();
+    assert!(wait(&mut harness, |harness| harness.query_by_label("with barycentric weights").is_some()));
+    assert!(harness.query_by_label_contains("Not here: a parallel projection").is_some());
+    let picture = harness.get_by(|node| node.label().is_some_and(|label| label.starts_with("Picture,"))).rect();
+    // The upper of two panes; its knob stands at the scene's 30 degrees.
+    let pane = eframe::egui::Rect::from_min_size(picture.min, vec2(picture.width(), 0.5 * picture.height()));
+    let radius = 0.46 * pane.width().min(pane.height());
+    let at = |degrees: f32| pane.center() + radius * vec2(degrees.to_radians().cos(), -degrees.to_radians().sin());
+    let before = harness.state().state().probe.0;
+    drag(&mut harness, at(30.0), at(120.0));
+    assert_eq!(scene(&harness).camera.roll, 120.0);
+    let after = harness.state().state().probe.0;
+    assert!((after - glam::DVec2::new(before.y, -before.x)).length() < 0.01, "{before} {after}");
+    undo(&mut harness);
+    assert_eq!(scene(&harness).camera.roll, 30.0);
+    press(&mut harness, "Show “Polygonal silhouette”");
+    let shown = |harness: &Harness<'_, App>| harness.query_by_label("pixels from the true outline at most").is_some();
+    assert!(wait(&mut harness, shown));
+}
+
+#[test]
+fn the_picture_is_shown_as_it_is_perceived() {
+    let mut harness = window("mach-bands");
+    harness.get_by_role_and_label(Role::Tab, "Profile").click_accesskit();
+    harness.run();
+    let checkbox = "Show the picture as it is perceived";
+    assert!(harness.state().state().profiles.perceived().is_none());
+    harness.get_by_role_and_label(Role::CheckBox, checkbox).click_accesskit();
+    assert!(wait(&mut harness, |harness| harness.state().state().profiles.perceived().is_some()));
+    // A surround wider than any picture is refused with a reason.
+    harness.get_by_label("The eye and the screen").click_accesskit();
+    harness.run();
+    enter(&mut harness, "density", 40.0);
+    enter(&mut harness, "distance", 5000.0);
+    assert!(wait(&mut harness, |harness| harness.query_by_label_contains("expected at most 256").is_some()));
 }

@@ -1,13 +1,15 @@
 //! The scene file: what reading it says about mistakes, and that nothing is lost on the way through a file.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::scene::{
-    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Cause, Display, Distribution,
-    Encoding, FlatAt, Ground, Image, Interpolation, Light, LightKind, Material, NormalSource, Object, ObjectKind,
-    Overflow, Pattern, PatternKind, Projection, Reflectance, Reflection, ReflectionModel, Rgb, Scene, Shading,
-    ShadingMode, Through, Transparency, Viewer, Weighting,
+    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Cause, Compare, CompareView, CuedBy,
+    DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt, Ground, Image, Interpolation, Light,
+    LightKind, Material, NormalSource, Object, ObjectKind, Overflow, Pane, Pattern, PatternKind, Projection,
+    Reflectance, Reflection, ReflectionModel, Rgb, Scene, Shading, ShadingMode, Shared, Through, Transparency, Viewer,
+    Weighting,
 };
+use std::f64::consts::TAU;
 
 /// Everything that reading `text` as the file `s.toml` objects to, a line each.
 fn objections(text: &str) -> String {
@@ -58,10 +60,10 @@ fn unknown_keys_are_all_named_with_their_choices() {
     assert_objections(
         "[camera]\nfov = 3\n\n[shadow]\non = true\n[[light]]\n[[light]]\npositoin = [0, 0, 0]\n",
         &[
-            "s.toml:2: unknown key `camera.fov`, expected one of eye, target, up, projection, fov_y, height, viewer \
+            "s.toml:2: unknown key `camera.fov`, expected one of eye, target, up, roll, projection, fov_y, height, viewer \
              (did you mean fov_y?)",
             "s.toml:4: unknown key `shadow`, expected one of version, camera, image, object, material, pattern, \
-             transparency, reflection, shading, display, ground, backdrop, ambient, light",
+             transparency, reflection, shading, display, ground, backdrop, depth_cueing, ambient, light, compare",
             "s.toml:8: unknown key `light.1.positoin`, expected one of name, kind, mute, solo, position, direction, \
              color, cone, exponent, softness, shape, extent, radius, samples, attenuation, k, c1, c2, c3 (did you mean position?)",
         ],
@@ -69,7 +71,7 @@ fn unknown_keys_are_all_named_with_their_choices() {
     assert_objections(
         "lights = []\n",
         &["s.toml:1: unknown key `lights`, expected one of version, camera, image, object, material, pattern, \
-           transparency, reflection, shading, display, ground, backdrop, ambient, light (did you mean light?)"],
+           transparency, reflection, shading, display, ground, backdrop, depth_cueing, ambient, light, compare (did you mean light?)"],
     );
 }
 
@@ -87,7 +89,10 @@ fn unknown_words_are_named_with_their_choices() {
     );
     assert_objections(
         "[object]\nkind = 3\n",
-        &["s.toml:2: `object.kind` is 3, expected one of sphere, torus, cylinder, cone, cube, plane, teapot, obj"],
+        &[
+            "s.toml:2: `object.kind` is 3, expected one of sphere, torus, cylinder, cone, cube, plane, teapot, corrugated, \
+           obj, polygons",
+        ],
     );
 }
 
@@ -195,6 +200,10 @@ fn values_that_contradict_each_other_are_named() {
         &["s.toml:2: `camera.up` is [0, 0, 0], expected a direction, of length 1e-30 or more"],
     );
     assert_objections(
+        "[depth_cueing]\nfront = 4\nback = 4\n",
+        &["s.toml:3: `depth_cueing.back` is not beyond `depth_cueing.front`, expected a greater one"],
+    );
+    assert_objections(
         "[object]\nkind = 'obj'\n",
         &["s.toml:1: `object.path` is missing, expected the path of a model since `object.kind` is \"obj\""],
     );
@@ -202,6 +211,34 @@ fn values_that_contradict_each_other_are_named() {
     assert_objections(
         "[image]\nsize = [16384, 16384]\n",
         &["s.toml:2: `image.size` is [16384, 16384], expected at most 134217728 pixels in all"],
+    );
+}
+
+#[test]
+fn a_pane_at_fault_is_named_with_its_setting() {
+    assert_objections(
+        "[[compare.pane]]\nname = 'a'\nset = [\n'shading.mode=exact',\n'material.n=-1',\n]\n",
+        &["s.toml:5: `compare.pane.0.set.1`: `material.n` is -1, expected 0 or more (inf: a mirror)"],
+    );
+    assert_objections(
+        "[compare]\nview = 'wipe'\n",
+        &["s.toml:2: `compare.view` compares with nothing, expected a [[compare.pane]]"],
+    );
+    assert_objections(
+        "[[compare.pane]]\nset = ['camera.fov_y=30']\n",
+        &[
+            "s.toml:2: `compare.pane.0.set.0` is \"camera.fov_y=30\", expected a key that panes may differ in (they share \
+           camera, image and model)",
+        ],
+    );
+    assert_objections(
+        "[[compare.pane]]\nset = 3\n",
+        &["s.toml:2: `compare.pane.0.set` is 3, expected a list of settings in quotation marks, as in \
+           [\"shading.mode=exact\"]"],
+    );
+    assert_objections(
+        "compare.pane = [{}, {}, {}, {}]\n",
+        &["s.toml:1: `compare.pane` is a list of 4, expected at most 3 beside the scene itself"],
     );
 }
 
@@ -391,20 +428,37 @@ prop_compose! {
     fn camera()(
         eye in triple(-1e3, 1e3),
         projection in word(&[Projection::Perspective, Projection::Orthographic]),
+        roll in number(-1e30, 1e30),
         fov_y in number(1e-3, 179.0),
         height in number(1e-30, 1e30),
         viewer in word(&[Viewer::Local, Viewer::Infinite]),
     ) -> Camera {
         let target = eye + DVec3::new(1.0, 0.25, -2.0);
-        Camera { eye, target, up: DVec3::new(0.1, 1.0, 0.0), projection, fov_y, height, viewer }
+        Camera { eye, target, up: DVec3::new(0.1, 1.0, 0.0), roll, projection, fov_y, height, viewer }
     }
+}
+
+/// Fans of convex polygons over the corners of a circle of any place and size, or none.
+fn polygons() -> impl Strategy<Value = (Shared<DVec3>, Shared<Shared<u32>>, Shared<DVec3>)> {
+    let shape = (0usize..6, 3..12u32, triple(-1e3, 1e3), number(1e-6, 1e20), any::<bool>());
+    shape.prop_map(|(count, corners, centre, size, normals)| {
+        if count == 0 {
+            return Default::default();
+        }
+        let on_circle =
+            |k: u32| DVec3::from((DVec2::from_angle(f64::from(k) / f64::from(corners) * TAU), 0.25 * f64::from(k)));
+        let vertices: Shared<DVec3> = (0..corners).map(|k| on_circle(k) * size + centre).collect();
+        let faces = (0..count).map(|k| (0..corners).map(|c| (c + k as u32) % corners).collect()).collect();
+        let count = if normals { corners } else { 0 };
+        (vertices, faces, (0..count).map(|k| on_circle(k) * size).collect())
+    })
 }
 
 prop_compose! {
     fn object()(
         kind in word(&[
             ObjectKind::Sphere, ObjectKind::Torus, ObjectKind::Cylinder, ObjectKind::Cone, ObjectKind::Cube,
-            ObjectKind::Plane, ObjectKind::Teapot, ObjectKind::Obj,
+            ObjectKind::Plane, ObjectKind::Teapot, ObjectKind::Corrugated, ObjectKind::Obj, ObjectKind::Polygons,
         ]),
         segments in 3..=4096u32,
         rings in 3..=4096u32,
@@ -413,9 +467,10 @@ prop_compose! {
         path in "[^\u{0}]{1,20}",
         named in any::<bool>(),
         fit in any::<bool>(),
+        (vertices, faces, vertex_normals) in polygons(),
     ) -> Object {
         let path = (named || kind == ObjectKind::Obj).then(|| path.into());
-        Object { kind, segments, rings, normals, weighting, path, fit }
+        Object { kind, segments, rings, normals, weighting, path, fit, vertices, faces, vertex_normals }
     }
 }
 
@@ -485,6 +540,35 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn compare()(
+        view in word(&[CompareView::Panes, CompareView::Wipe, CompareView::Difference]),
+        difference in word(&[DifferenceKind::Signed, DifferenceKind::Absolute, DifferenceKind::FalseColor]),
+        wipe in 0.0..=1.0f64,
+        gain in 1.0..=Compare::MAX_GAIN,
+        names in proptest::collection::vec("[a-zα-ω ]{0,9}", 0..=Compare::MAX_PANES),
+        setting in word(&["shading.mode=exact", "material.n=inf", "material.kd=[0.1, 0.2, 0.3]", "shading.renormalise=false"]),
+    ) -> Compare {
+        let panes: Vec<Pane> =
+            names.into_iter().map(|name| Pane { name, set: vec![setting.to_owned()] }).collect();
+        let view = if panes.is_empty() { CompareView::Single } else { view };
+        Compare { view, wipe, difference, gain, panes }
+    }
+}
+
+prop_compose! {
+    fn depth_cueing()(
+        by in word(&[CuedBy::Off, CuedBy::Vertex, CuedBy::Pixel]),
+        front in number(0.0, 1e29),
+        beyond in number(0.0, 1e29),
+        scales in [number(0.0, 1.0), number(0.0, 1.0)],
+        color in triple(0.0, 1e30),
+    ) -> DepthCueing {
+        let back = (front + beyond).max(front.next_up());
+        DepthCueing { by, front, back, front_scale: scales[0], back_scale: scales[1], color }
+    }
+}
+
+prop_compose! {
     fn scene()(
         camera in camera(),
         object in object(),
@@ -494,9 +578,11 @@ prop_compose! {
         background in triple(0.0, 1e30),
         material in material(),
         (pattern, transparency, ground, backdrop) in surroundings(),
+        depth_cueing in depth_cueing(),
         ambient in triple(0.0, 1e30),
         source in word(&[AmbientSource::Constant, AmbientSource::Bounce, AmbientSource::Split]),
         lights in proptest::collection::vec(light(), 0..4),
+        compare in compare(),
     ) -> Scene {
         let samples: u64 = lights.iter().map(|light| u64::from(light.sample_count())).sum();
         let fits = u64::from(width) * u64::from(height) * samples <= Scene::MAX_SHADOW_BITS;
@@ -514,8 +600,10 @@ prop_compose! {
             display,
             ground,
             backdrop,
+            depth_cueing,
             ambient: Ambient { color: ambient, source },
             lights,
+            compare,
         }
     }
 }
@@ -547,6 +635,95 @@ proptest! {
 }
 
 const DOCUMENTATION: &str = include_str!("../docs/scene-file.md");
+
+#[test]
+fn polygons_are_refused_with_the_reason() {
+    let of =
+        |vertices: &str, faces: &str| objections(&format!("[object]\nvertices = {vertices}\nfaces = [\n{faces}]\n"));
+    const SQUARE: &str = "[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, 0, 0], [0.5, 1.5, 0], [0, 0, 0]]";
+    for (faces, expected) in [
+        ("[0, 1, 2],\n[0, 1, 9],\n", "s.toml:5: `object.faces.1.2` is 9, expected the number of a vertex, 0 to 6"),
+        ("[0, 1],\n", "s.toml:4: `object.faces.0` is a list of 2, expected 3 to 256 vertices"),
+        (
+            "[0, 1, 2, 1],\n",
+            "s.toml:4: `object.faces.0` is a polygon with the vertex 1 twice, expected each vertex once",
+        ),
+        (
+            "[0, 4, 1],\n",
+            "s.toml:4: `object.faces.0` is a polygon whose edges from vertex 0 to 4 and 1 to 0 meet, \
+          expected one that neither crosses nor touches itself",
+        ),
+        (
+            "[0, 1, 3, 2],\n",
+            "s.toml:4: `object.faces.0` is a polygon whose edges from vertex 1 to 3 and 2 to 0 meet, \
+          expected one that neither crosses nor touches itself",
+        ),
+        (
+            "[0, 1, 2, 4, 3],\n",
+            "s.toml:4: `object.faces.0` is a polygon whose edges from vertex 0 to 1 and 2 to 4 meet, \
+          expected one that neither crosses nor touches itself",
+        ),
+        (
+            "[0, 1, 2, 6],\n",
+            "s.toml:4: `object.faces.0` is a polygon whose edges from vertex 0 to 1 and 2 to 6 meet, \
+          expected one that neither crosses nor touches itself",
+        ),
+        ("", "s.toml:3: `object.faces` is empty, expected at least one polygon since there are `object.vertices`"),
+        ("[-1, 2, 3],\n", "s.toml:4: `object.faces.0.0` is -1, expected a whole number, 0 or more"),
+        ("4,\n", "s.toml:4: `object.faces.0` is 4, expected a list"),
+    ] {
+        assert_eq!(of(SQUARE, faces), expected, "{faces}");
+    }
+    for faces in ["[0, 4, 1, 2, 3],\n", "[0, 1, 2, 5, 3],\n", "[3, 2, 1],\n[4, 1, 2]\n"] {
+        let text = format!("[object]\nvertices = {SQUARE}\nfaces = [\n{faces}]\n");
+        assert!(Scene::parse(&text, "s.toml").is_ok(), "{faces}");
+    }
+    assert_eq!(
+        of("[[0, 0, 0], [1e31, 0, 0], [0, 1, 0]]", "[0, 1, 2]\n"),
+        "s.toml:2: `object.vertices.1` is [1e31, 0, 0], expected coordinates up to 1e30"
+    );
+    assert_eq!(
+        of("[[0, 0, 0], [1, 0], [0, 1, 0]]", "[0, 1, 2]\n"),
+        "s.toml:2: `object.vertices.1` is a list of 2, expected a list of three numbers"
+    );
+    assert_eq!(
+        of("[]", "[0, 1, 2]\n").lines().next(),
+        Some("s.toml:4: `object.faces.0.0` is 0, expected no polygon, since `object.vertices` is empty")
+    );
+    assert_objections(
+        "[object]\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]\nvertex_normals = [[0, 0, 1], [0, 0, 0]]\n",
+        &[
+            "s.toml:4: `object.vertex_normals` is a list of 2, expected 3, one for each vertex, or none",
+            "s.toml:4: `object.vertex_normals.1` is [0, 0, 0], expected a direction, of length 1e-30 or more",
+        ],
+    );
+    let many = format!("[object]\nvertices = [{}]\n", "[0, 0, 0],".repeat(16_385));
+    assert_eq!(objections(&many), "s.toml:2: `object.vertices` is a list of 16385, expected at most 16384");
+}
+
+#[test]
+fn the_longest_polygons_survive_their_file() {
+    let mut scene = Scene::default();
+    let coordinate = |k: u32| -1.234_567_890_123_456_7e-5 * (f64::from(k) + 0.123_456_789_012_345_6);
+    let vertices: Vec<DVec3> =
+        (0..16_384).map(|k| DVec3::new(coordinate(k), coordinate(k) * coordinate(k), -1.0 / 3.0)).collect();
+    scene.object.vertices = vertices.into();
+    scene.object.vertex_normals = scene.object.vertices.clone();
+    scene.object.faces = (0..16_384u32).map(|k| [0, 1, 2, 3].map(|c| (4 * k + c) % 16_381).to_vec().into()).collect();
+    let text = scene.to_toml();
+    assert!(text.len() < Scene::MAX_TEXT * 3 / 4, "{}", text.len());
+}
+
+#[test]
+fn a_single_vertex_can_be_replaced() {
+    let scene = Scene::default().with_overrides(&[
+        "object.kind=polygons",
+        "object.vertices=[[0,0,0],[1,0,0],[0,1,0]]",
+        "object.faces=[[0,1,2]]",
+    ]);
+    let scene = scene.and_then(|scene| scene.with_override("object.vertices.2.1=3.5")).expect("sound");
+    assert_eq!(scene.object.vertices[2], DVec3::new(0.0, 3.5, 0.0));
+}
 
 #[test]
 fn the_documented_scenes_are_sound() {
@@ -596,6 +773,8 @@ fn the_documented_defaults_are_the_defaults() {
 fn every_key_is_documented() {
     let mut scene = Scene::default();
     scene.object.path = Some("model.obj".into());
+    scene.object.own_polygons();
+    scene.object.vertex_normals = scene.object.vertices.clone();
     scene.lights[0].name = "lamp".to_owned();
     let documented = documented();
     let mut keys = Vec::new();

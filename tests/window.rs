@@ -8,8 +8,13 @@ use eframe::egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use hands::{choose, drag, enter, picture, press, scene, undo, unfold, wait, window};
+use shading_lab::analysis::NormalField;
 use shading_lab::app::App;
-use shading_lab::scene::{Distribution, LightKind, PatternKind, ReflectionModel, Rgb, ShadingMode};
+use shading_lab::geometry::tessellate;
+use shading_lab::scene::{
+    CompareView, Distribution, LightKind, Pane, PatternKind, ReflectionModel, Rgb, ShadingMode, View,
+};
+use std::sync::Arc;
 
 /// Sets a slider by its accessible name, sees the picture change, and takes it back.
 fn slider_changes_the_picture(scene: &str, name: &str, value: f64) {
@@ -405,4 +410,164 @@ fn a_spot_lights_arrow_is_dragged() {
     drag(&mut harness, middle - vec2(0.0, 150.0), middle - vec2(50.0, 150.0));
     assert_eq!(scene(&harness).lights, before.lights);
     assert!(scene(&harness).camera != before.camera);
+}
+
+#[test]
+fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_their_own() {
+    let mut harness = window("torus");
+    harness.get_by_role_and_label(Role::Tab, "Compare").click_accesskit();
+    harness.run();
+    harness.key_press(Key::K);
+    harness.run();
+    assert_eq!(scene(&harness).compare.view, CompareView::Panes);
+    assert_eq!(scene(&harness).compare.panes, [Pane::of(&["shading.mode=exact"])]);
+    assert!(harness.query_by_role_and_label(Role::Button, "2 Exact").is_some());
+    let phong = picture(&harness);
+    harness.key_press(Key::N);
+    harness.run();
+    assert_eq!(harness.state().state().panes.active, 1);
+    assert!(picture(&harness) != phong, "the active pane is the exact one");
+    // The mode is this pane's own; Kd is everyone's.
+    harness.key_press(Key::Num3);
+    harness.run();
+    assert_eq!(scene(&harness).compare.panes, [Pane::of(&["shading.mode=gouraud"])]);
+    assert_eq!(scene(&harness).shading.mode, ShadingMode::Phong);
+    harness.get_by_role_and_label(Role::Slider, "Kd").set_value_accesskit(0.25);
+    harness.run();
+    assert_eq!(scene(&harness).material.kd, Rgb::splat(0.25));
+    press(&mut harness, "shading.mode=gouraud  ×");
+    assert_eq!(scene(&harness).compare.panes, [Pane::default()]);
+    press(&mut harness, "Removes pane 2");
+    assert_eq!(scene(&harness).compare.view, CompareView::Single);
+    undo(&mut harness);
+    assert_eq!(scene(&harness).compare.panes, [Pane::default()]);
+}
+
+#[test]
+fn the_line_of_a_wipe_is_dragged_in_one_step() {
+    let mut harness = window("flat-facets");
+    harness.key_press(Key::K);
+    harness.key_press(Key::K);
+    harness.run();
+    assert_eq!(scene(&harness).compare.view, CompareView::Wipe);
+    let picture = harness.get_by_role_and_label(Role::Image, "Picture, flat shading").rect();
+    let from = picture.center_top() + vec2(0.0, 30.0);
+    drag(&mut harness, from, from + vec2(-0.25 * picture.width(), 60.0));
+    let wipe = scene(&harness).compare.wipe;
+    assert!((wipe - 0.25).abs() < 0.01, "{wipe}");
+    undo(&mut harness);
+    assert_eq!(scene(&harness).compare.wipe, 0.5);
+}
+
+#[test]
+fn the_probe_jumps_to_the_greatest_difference() {
+    let mut harness = window("flat-facets");
+    harness.get_by_role_and_label(Role::Tab, "Compare").click_accesskit();
+    for _ in 0..3 {
+        harness.key_press(Key::K);
+        harness.run();
+    }
+    assert_eq!(scene(&harness).compare.view, CompareView::Difference);
+    let before = harness.state().state().probe;
+    harness.get_by(|node| node.label().is_some_and(|label| label.starts_with("pixel "))).click_accesskit();
+    harness.run();
+    assert_ne!(harness.state().state().probe, before);
+}
+
+#[test]
+fn depth_cueing_unfolds_and_keeps_its_depths_in_order() {
+    let mut harness = window("sphere");
+    let plain = picture(&harness);
+    let front =
+        |harness: &Harness<'_, App>| harness.query_by_role_and_label(Role::SpinButton, "Mist begins at").is_some();
+    assert!(!front(&harness), "it is off");
+    choose(&mut harness, "Depth cueing", "at pixels");
+    assert!(front(&harness) && picture(&harness) != plain);
+    assert!(harness.query_all_by_label("Depth in the equation").count() > 0);
+    enter(&mut harness, "Mist begins at", 6.0);
+    let cueing = scene(&harness).depth_cueing;
+    assert!(cueing.front == 6.0 && cueing.back > 6.0, "the back is pushed: {cueing:?}");
+    enter(&mut harness, "Mist complete at", 4.5);
+    let cueing = scene(&harness).depth_cueing;
+    assert!(cueing.back == 4.5 && cueing.front < 4.5, "the front is pushed: {cueing:?}");
+    enter(&mut harness, "s0 at the back", 0.25);
+    enter(&mut harness, "Mist colour blue", 0.5);
+    assert_eq!(scene(&harness).validate(), Ok(()));
+    // The probe says what is left.
+    assert!(harness.query_by_label_contains("depth cueing at the probe").is_some());
+    // A list whose entry was chosen without a pointer stays open.
+    press(&mut harness, "at vertices");
+    press_key_for_every_mode(&mut harness);
+    press(&mut harness, "off");
+    assert!(!front(&harness) && picture(&harness) == plain);
+}
+
+fn press_key_for_every_mode(harness: &mut Harness<'_, App>) {
+    for key in [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5] {
+        harness.key_press(key);
+        harness.run();
+    }
+    harness.key_press(Key::Num4);
+    harness.run();
+}
+
+#[test]
+fn pointing_at_a_vertex_lights_up_its_faces() {
+    let mut harness = window("vertex-normals");
+    // From its panes by way of wipe and difference to one picture.
+    for _ in 0..3 {
+        harness.key_press(Key::K);
+        harness.run();
+    }
+    assert_eq!(scene(&harness).compare.view, CompareView::Single);
+    let lit = |harness: &Harness<'_, App>| harness.state().state().pointed.lit;
+    let centre = harness.get_by_role(Role::Image).rect().center();
+    let (rect, before) = (harness.get_by_role(Role::Image).rect(), picture(&harness));
+    let at = |harness: &Harness<'_, App>, point: glam::DVec3| {
+        let size = [rect.width() as u32, rect.height() as u32];
+        let (pixel, _) = View::new(&scene(harness).camera, size).project(point).expect("before the eye");
+        rect.min + vec2(pixel.x as f32, pixel.y as f32)
+    };
+    // The ridge in the middle of the sheet's upper border.
+    let field = |harness: &Harness<'_, App>| {
+        let object = &scene(harness).object;
+        NormalField::of_mesh(Arc::new(tessellate(object)), object.normals, object.weighting)
+    };
+    let sheet = field(&harness);
+    let upper = (0..sheet.vertex_count() as u32).filter_map(|v| sheet.vertex(v)).filter(|v| v.position.y > 0.6);
+    let middle = upper.min_by(|a, b| a.position.x.abs().total_cmp(&b.position.x.abs())).expect("a vertex");
+    let place = at(&harness, middle.position);
+    harness.hover_at(place);
+    harness.run();
+    assert_eq!(lit(&harness), None, "nothing while normals are hidden");
+    harness.key_press(Key::M);
+    harness.run();
+    let look = &harness.state().state().look.overlay;
+    assert!(look.face_normals && look.vertex_normals);
+    harness.hover_at(place + vec2(5.0, 3.0));
+    harness.run();
+    assert_eq!(lit(&harness), Some(middle.vertex));
+    harness.hover_at(centre + vec2(0.0, 0.12 * rect.height()));
+    harness.run();
+    assert_eq!(lit(&harness), None, "no vertex is near");
+    // A click keeps it, while the weighting is changed and even other vertices are made.
+    harness.hover_at(place);
+    harness.run();
+    harness.drag_at(place);
+    harness.drop_at(place);
+    harness.run();
+    harness.hover_at(centre + vec2(0.0, 0.12 * rect.height()));
+    harness.run();
+    assert_eq!(lit(&harness), Some(middle.vertex), "kept");
+    choose(&mut harness, "Weighting", "by area");
+    assert_eq!(lit(&harness), Some(middle.vertex));
+    choose(&mut harness, "Vertex normals", "true surface's");
+    let other = lit(&harness).and_then(|vertex| field(&harness).vertex(vertex)).expect("still lit");
+    assert_eq!(other.position, middle.position);
+    harness.key_press(Key::M);
+    harness.run();
+    assert_eq!(lit(&harness), None, "hidden with the normals");
+    undo(&mut harness);
+    undo(&mut harness);
+    assert!(picture(&harness) == before, "needles are no part of the picture");
 }

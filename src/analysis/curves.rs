@@ -31,7 +31,7 @@ pub fn plot(kind: PlotKind, renderer: &Renderer, scene: &Scene, probe: &Probe, l
             Some(attenuation_plot(light, &distances))
         }
         PlotKind::Lobe => lobe_plot(scene, hit?, light),
-        PlotKind::Profile | PlotKind::ProfileSlope | PlotKind::ProfileAdded => None,
+        _ => None,
     }
 }
 
@@ -41,7 +41,7 @@ pub fn telling(scene: &Scene, light: usize) -> Vec<PlotKind> {
         PlotKind::Attenuation => scene.lights.get(light).is_some_and(|light| effective(light) != Attenuation::None),
         PlotKind::Reflectance => scene.material.reflectance != Reflectance::Constant,
         PlotKind::Exponent | PlotKind::Lobe => true,
-        PlotKind::Profile | PlotKind::ProfileSlope | PlotKind::ProfileAdded => false,
+        _ => false,
     };
     PlotKind::ALL.into_iter().filter(varies).collect()
 }

@@ -21,6 +21,12 @@ pub enum PlotKind {
     ProfileSlope,
     /// What the eye adds to it.
     ProfileAdded,
+    /// The intensity at a point while the picture turns.
+    Orientation,
+    /// The intensity on both sides of an edge.
+    SharedEdge,
+    /// Error against run time.
+    Study,
 }
 
 impl PlotKind {
@@ -52,6 +58,9 @@ pub struct Plot {
     pub directions: Vec<Direction>,
     /// Values of x where polygons meet, ticked without a name.
     pub borders: Vec<f64>,
+    /// Single points, named where there is room.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub points: Vec<Point>,
 }
 
 impl Plot {
@@ -69,17 +78,30 @@ pub struct Axis {
     pub high: f64,
     /// Whether it measures degrees, whose round numbers are multiples of 15.
     pub degrees: bool,
+    /// Whether values are logarithms to the base 10 of what it measures, which is what its ticks say.
+    #[serde(skip_serializing_if = "is_not")]
+    pub decades: bool,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+fn is_not(value: &bool) -> bool {
+    !value
 }
 
 impl Axis {
     /// An axis of an angle.
     pub fn degrees(name: impl Into<String>, low: f64, high: f64) -> Self {
-        Self { name: name.into(), low, high, degrees: true }
+        Self { name: name.into(), low, high, degrees: true, decades: false }
     }
 
     /// An axis of any other quantity.
     pub fn new(name: impl Into<String>, low: f64, high: f64) -> Self {
-        Self { name: name.into(), low, high, degrees: false }
+        Self { name: name.into(), low, high, degrees: false, decades: false }
+    }
+
+    /// An axis of the logarithms to the base 10 of a quantity.
+    pub fn decades(name: impl Into<String>, low: f64, high: f64) -> Self {
+        Self { decades: true, ..Self::new(name, low, high) }
     }
 }
 
@@ -89,7 +111,7 @@ pub struct Curve {
     pub name: String,
     /// What the legend says besides the name, in columns.
     pub notes: Vec<String>,
-    /// x and y; x never decreases.
+    /// x and y; x never decreases, unless the curve is read nowhere.
     pub points: Vec<[f64; 2]>,
     pub ink: Ink,
     pub dash: Dash,
@@ -123,6 +145,18 @@ impl Curve {
 pub struct Tag {
     pub text: String,
     pub at: [f64; 2],
+}
+
+/// A point with a name.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Point {
+    pub at: [f64; 2],
+    pub name: String,
+    pub ink: Ink,
+    /// A ring and not a disc.
+    pub hollow: bool,
+    /// Named before the others.
+    pub strong: bool,
 }
 
 /// A value of x, a line across the plot.
@@ -165,6 +199,8 @@ pub enum Ink {
     Perceived,
     /// Of no meaning in the scene.
     Reference,
+    /// A historic way of shading, by its number from 0 to 2.
+    Historic(u8),
 }
 
 /// How a line is broken, so that curves are told apart without colour.

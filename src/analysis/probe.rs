@@ -40,12 +40,28 @@ pub struct ProbeHit {
     pub reflected: Rgb,
     /// What passes through the surface, where any light does.
     pub transmission: Option<Transmission>,
-    /// The intensity before the display: Irefl, or `(1 − kt)·Irefl + kt·Itrans`.
+    /// I, what the surface sends out: Irefl, or `(1 − kt)·Irefl + kt·Itrans`.
+    pub intensity: Rgb,
+    /// What depth cueing makes of it, where there is any.
+    pub cue: Option<CueTerms>,
+    /// The intensity before the display: I, or `s0·I + (1 − s0)·Idc`.
     pub sum: Rgb,
     /// What the display divides the intensity by; 1 unless it scales the picture.
     pub divisor: f64,
     /// The stored value of the pixel.
     pub stored: [u8; 3],
+}
+
+/// Depth cueing at a pixel: the intensity is `kept + veil`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CueTerms {
+    /// s0: at the pixel's own depth, or interpolated from the vertices; where intensities fade at vertices, the mean of
+    /// theirs.
+    pub scale: f64,
+    /// `s0·I`; where intensities fade at vertices, the mean of such products.
+    pub kept: Rgb,
+    /// `(1 − s0)·Idc`.
+    pub veil: Rgb,
 }
 
 /// One light's part.
@@ -104,6 +120,15 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
         let reflected = (evaluation.intensity(&shining) + difference).max(Rgb::ZERO);
         let transmission = mixture.and_then(|mixture| mixture.transmission);
         let kt = scene.transparency.kt;
+        let mixed = |reflected: Rgb, s0: f64| {
+            transmission.map_or(reflected, |through| reflected * (1.0 - kt) + through.seen * (s0 * kt))
+        };
+        let intensity = mixed(reflected, 1.0);
+        let cue = evaluation.cue.map(|_| {
+            let scale = evaluation.scale();
+            let reflected = (evaluation.kept(&shining) + scale * difference).max(Rgb::ZERO);
+            CueTerms { scale, kept: mixed(reflected, scale), veil: evaluation.veil() }
+        });
         ProbeHit {
             position: evaluation.position,
             normal: evaluation.normal,
@@ -115,7 +140,9 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
             lights,
             reflected,
             transmission,
-            sum: transmission.map_or(reflected, |through| reflected * (1.0 - kt) + through.seen * kt),
+            intensity,
+            cue,
+            sum: cue.map_or(intensity, |cue| cue.kept + cue.veil),
             divisor: renderer.report().divisor,
             stored,
         }

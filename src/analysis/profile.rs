@@ -13,7 +13,7 @@ mod picture;
 mod plots;
 mod source;
 
-pub use picture::perceived_picture;
+pub use picture::{PERCEIVED_WIDTH, perceived_picture};
 pub use plots::profile_plots;
 
 use super::perception::{Perception, Viewing, blur_line};

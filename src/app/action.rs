@@ -2,9 +2,10 @@
 
 use super::document::Document;
 use super::orbit;
+use super::scan::Walk;
 use super::state::{AppState, NumbersTab};
 use super::theme::{PROJECTOR_TEXT, SCALES, TEXT, ThemeChoice};
-use crate::scene::{Camera, Light, ShadingMode};
+use crate::scene::{Camera, CompareView, Light, ShadingMode};
 use std::path::PathBuf;
 
 /// Something to do.
@@ -45,8 +46,22 @@ pub enum Action {
     /// Multiplies the distance from the target.
     Zoom(f64),
     Show(Shown),
+    /// Shows the normals of polygons and of vertices, or hides both.
+    Normals,
+    /// Shows panes in this way.
+    Compare(CompareView),
+    /// The next way of showing panes.
+    NextView,
+    /// Makes a pane the one that the controls show.
+    Activate(usize),
+    /// The next pane.
+    NextPane,
     /// The other tab of the panel of numbers, which opens if it is closed.
     SwitchTab,
+    /// Steps through the scan of a polygon.
+    Scan(Walk),
+    /// A tab of the panel of numbers, which opens if it is closed.
+    Tab(NumbersTab),
     Theme(ThemeChoice),
     Larger,
     Smaller,
@@ -71,6 +86,15 @@ pub enum Shown {
     Lobe,
     HalfVector,
     Handles,
+    FaceNormals,
+    VertexNormals,
+}
+
+impl Action {
+    /// Whether it replaces the whole document, of whichever pane.
+    pub fn concerns_document(&self) -> bool {
+        matches!(self, Self::New | Self::Undo | Self::Redo)
+    }
 }
 
 impl AppState {
@@ -87,6 +111,14 @@ impl AppState {
                 self.document.scene.shading.mode = mode;
                 self.document.scene.shading.renormalise = renormalise;
             }
+            Action::Compare(view) => self.compare(view),
+            Action::NextView => self.compare(self.next_view()),
+            Action::Activate(pane) => self.activate(pane),
+            Action::NextPane => {
+                let shown = self.shared_scene().shown_panes();
+                let place = shown.iter().position(|pane| *pane == self.panes.active).unwrap_or(0);
+                self.activate(shown[(place + 1) % shown.len()]);
+            }
             Action::AddLight => self.add_light(Light::default()),
             Action::DuplicateLight(index) => {
                 if let Some(light) = self.document.scene.lights.get(index).cloned() {
@@ -102,13 +134,28 @@ impl AppState {
                 let flag = self.flag(shown);
                 *flag = !*flag;
             }
+            Action::Normals => {
+                let overlay = &mut self.look.overlay;
+                let on = !overlay.normals();
+                (overlay.face_normals, overlay.vertex_normals) = (on, on);
+            }
             Action::SwitchTab => {
                 let next = match self.look.tab {
                     NumbersTab::Equation => NumbersTab::Curves,
                     NumbersTab::Curves => NumbersTab::Profile,
-                    NumbersTab::Profile => NumbersTab::Equation,
+                    NumbersTab::Profile => NumbersTab::ScanLine,
+                    NumbersTab::ScanLine => NumbersTab::Compare,
+                    NumbersTab::Compare => NumbersTab::Defects,
+                    NumbersTab::Defects => NumbersTab::Plan,
+                    NumbersTab::Plan => NumbersTab::Study,
+                    NumbersTab::Study => NumbersTab::Equation,
                 };
                 self.look.tab = if self.look.numbers { next } else { NumbersTab::Curves };
+                self.look.numbers = true;
+            }
+            Action::Scan(walk) => self.scan.walk(walk),
+            Action::Tab(tab) => {
+                self.look.tab = tab;
                 self.look.numbers = true;
             }
             Action::Theme(theme) => self.look.theme = theme,
@@ -144,13 +191,16 @@ impl AppState {
             Shown::Lobe => &mut look.overlay.lobe,
             Shown::HalfVector => &mut look.overlay.half_vector,
             Shown::Handles => &mut look.overlay.handles,
+            Shown::FaceNormals => &mut look.overlay.face_normals,
+            Shown::VertexNormals => &mut look.overlay.vertex_normals,
         }
     }
 
     fn reset_camera(&mut self) {
-        let Camera { eye, target, up, fov_y, height, .. } = self.saved.scene.camera.clone();
+        let Camera { eye, target, up, roll, fov_y, height, .. } = self.saved.scene.camera.clone();
         let camera = &mut self.document.scene.camera;
-        (camera.eye, camera.target, camera.up, camera.fov_y, camera.height) = (eye, target, up, fov_y, height);
+        (camera.eye, camera.target, camera.up, camera.roll) = (eye, target, up, roll);
+        (camera.fov_y, camera.height) = (fov_y, height);
     }
 
     fn add_light(&mut self, mut light: Light) {

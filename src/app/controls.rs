@@ -4,10 +4,12 @@ mod camera;
 mod display;
 mod lights;
 mod material;
+mod mist;
 mod object;
 mod shading;
 mod surroundings;
 mod transparency;
+mod triangles;
 
 pub use shading::MODES;
 
@@ -31,9 +33,12 @@ pub fn controls_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             surroundings::surroundings_ui(ui, state, engine);
         });
         section(ui, state, "Shading", &[], shading::shading_ui);
-        section(ui, state, "Object", &[], object::object_ui);
+        section(ui, state, "Object", &[], |ui, state| object::object_ui(ui, state, engine));
         section(ui, state, "Camera", &[], camera::camera_ui);
-        section(ui, state, "Display", &[], |ui, state| display::display_ui(ui, state, engine));
+        section(ui, state, "Display", &[], |ui, state| {
+            display::display_ui(ui, state, engine);
+            mist::mist_ui(ui, state);
+        });
         ui.add_space(12.0);
     });
 }

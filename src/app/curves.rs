@@ -134,7 +134,7 @@ fn colour_of([r, g, b]: [u8; 3], opacity: f64) -> Color32 {
     Color32::from_rgb(r, g, b).gamma_multiply(opacity as f32)
 }
 
-fn paint_shape(painter: &Painter, line: &Line, origin: Pos2) {
+pub fn paint_shape(painter: &Painter, line: &Line, origin: Pos2) {
     let points: Vec<Pos2> = line.points.iter().map(|point| place(*point, origin)).collect();
     let colour = colour_of(line.colour, line.opacity);
     let stroke = Stroke::new(line.width as f32, colour);
@@ -167,7 +167,7 @@ fn fan(points: &[Pos2], colour: Color32) -> Mesh {
 }
 
 /// Paints a line of text, its small letters apart: the fonts have only ordinary ones.
-fn paint_text(painter: &Painter, text: &Text, origin: Pos2) {
+pub fn paint_text(painter: &Painter, text: &Text, origin: Pos2) {
     let mut runs: Vec<(Set, String)> = Vec::new();
     for set in text.text.chars().map(Set::of) {
         match runs.last_mut().filter(|(last, _)| last.rise == set.rise) {
@@ -223,7 +223,7 @@ fn reading(
 }
 
 /// Lines of text in a box beside the pointer, inside `rect`.
-fn boxed(ui: &Ui, painter: &Painter, lines: &[Text], (rect, pointer): (Rect, Pos2)) {
+pub fn boxed(ui: &Ui, painter: &Painter, lines: &[Text], (rect, pointer): (Rect, Pos2)) {
     let row = lines.first().map_or(0.0, |text| 1.4 * text.size as f32);
     let width = lines.iter().map(|text| text.width() as f32).fold(0.0, f32::max);
     let size = vec2(width, row * lines.len() as f32) + Vec2::splat(12.0);

@@ -1,26 +1,43 @@
-//! The engine behind the window: draws the scene, probes it, and keeps both as textures until something changes.
+//! The engine behind the window: draws the panes, probes them, and keeps everything as textures until something changes.
 
-use super::document::same_model;
+mod normals;
+mod pane;
+
 use super::state::{AppState, OverlayLook};
-use crate::analysis::{Plot, Probe, curves, probe};
-use crate::figure::{Halo, OverlayLayer, OverlayOptions, draw_overlay};
-use crate::geometry::Mesh;
-use crate::render::{Frame, Plan, Renderer, Report};
-use crate::scene::{Image, Scene};
+use crate::analysis::{
+    Brightest, ErrorFigures, PaneFigures, Plot, Probe, Scan, ScanError, brightest, curves, error_figures, scan_drawn,
+};
+use crate::figure::{Halo, OverlayLayer, OverlayOptions, difference_picture, draw_difference_scale, draw_overlay};
+use crate::render::{Frame, Report, Term, coarseness};
+use crate::scene::{CompareView, DifferenceKind, Image, Scene};
 use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
-use std::sync::{Arc, OnceLock};
+use glam::DVec2;
+use normals::NormalsDrawing;
+use pane::{PaneEngine, Wanted};
+use std::cell::OnceCell;
+use std::sync::OnceLock;
 use std::time::Instant;
 
 /// Draws for the window.
 pub struct Engine {
-    renderer: Renderer,
-    model: Option<Arc<Mesh>>,
-    drawn: Option<Scene>,
-    report: Report,
-    picture: Option<TextureHandle>,
-    probed: Option<([u32; 2], Probe)>,
+    /// By the panes' numbers; there is always the active one.
+    panes: Vec<PaneEngine>,
+    /// The numbers of the panes that are shown.
+    shown: Vec<usize>,
+    active: usize,
+    size: [u32; 2],
+    figures: Vec<PaneFigures>,
+    difference: Option<Difference>,
     overlay: Option<Overlay>,
+    normals: NormalsDrawing,
+    terms: OnceCell<Vec<Term>>,
     revision: u64,
+}
+
+/// The difference picture as last drawn, and how.
+struct Difference {
+    texture: TextureHandle,
+    look: (DifferenceKind, f64, f32),
 }
 
 /// The overlay as last drawn, and what for.
@@ -32,68 +49,125 @@ struct Overlay {
     scale: f32,
 }
 
+/// Nanoseconds since the first call.
+pub(super) fn clock() -> u64 {
+    static START: OnceLock<Instant> = OnceLock::new();
+    u64::try_from(START.get_or_init(Instant::now).elapsed().as_nanos()).unwrap_or(u64::MAX)
+}
+
 impl Default for Engine {
     fn default() -> Self {
         Self {
-            renderer: Renderer::with_clock(clock),
-            model: None,
-            drawn: None,
-            report: Report::default(),
-            picture: None,
-            probed: None,
+            panes: vec![PaneEngine::default()],
+            shown: vec![],
+            active: 0,
+            size: [0, 0],
+            figures: vec![],
+            difference: None,
             overlay: None,
+            normals: NormalsDrawing::default(),
+            terms: OnceCell::new(),
             revision: 0,
         }
     }
 }
 
-/// Nanoseconds since the first call.
-fn clock() -> u64 {
-    static START: OnceLock<Instant> = OnceLock::new();
-    u64::try_from(START.get_or_init(Instant::now).elapsed().as_nanos()).unwrap_or(u64::MAX)
-}
-
 impl Engine {
-    /// Brings picture, probe and overlay up to date for a picture of `size` pixels; what has not changed is kept.
-    pub fn update(&mut self, ctx: &Context, state: &AppState, size: [u32; 2]) {
+    /// Brings pictures, probes and overlay up to date for panes of `size` pixels each; what has not changed is kept.
+    pub fn update(&mut self, ctx: &Context, state: &mut AppState, size: [u32; 2]) {
         let size = size.map(|side| side.clamp(1, Image::MAX_SIDE));
-        let scene = &state.document.scene;
-        let redrawn = self.draw(ctx, scene, state.document.model.as_ref(), size);
-        let reprobed = self.probe(state, size, redrawn);
-        if reprobed {
+        let scenes = state.shown_scenes();
+        let count = scenes.iter().map(|(pane, _)| pane + 1).max().unwrap_or(1);
+        let before = self.active;
+        self.active = state.panes.active.min(count - 1);
+        self.panes.resize_with(count, PaneEngine::default);
+        let several = scenes.len() > 1;
+        let pixel = state.probe.pixel(size);
+        let model = state.document.model.as_ref();
+        let (mut redrawn, mut reprobed) = (false, false);
+        let wanted: Vec<(usize, Wanted<'_>)> =
+            scenes.iter().map(|(pane, scene)| (*pane, Wanted { scene, model, size, linear: several })).collect();
+        // While something is dragged the pictures keep up with the hand, coarser if they must be.
+        let held = ctx.input(|input| input.pointer.any_down());
+        let expected: u64 = wanted.iter().map(|(pane, wanted)| self.panes[*pane].expected(wanted)).sum();
+        let coarser = if held { coarseness(expected) } else { 1 };
+        self.size = size;
+        for (pane, wanted) in &wanted {
+            let engine = &mut self.panes[*pane];
+            let drawn = engine.draw(ctx, wanted, coarser);
+            reprobed |= engine.probe(pixel, drawn);
+            redrawn |= drawn;
+        }
+        let shown: Vec<usize> = scenes.iter().map(|(pane, _)| *pane).collect();
+        redrawn |= self.shown != shown;
+        self.shown = shown;
+        reprobed |= before != self.active;
+        if redrawn {
+            self.measure(state.shared_scene());
+        }
+        self.draw_difference(ctx, state, redrawn);
+        if reprobed || redrawn {
+            self.revision += 1;
+            self.terms.take();
             // The panels beside the picture were laid out before it was drawn.
             ctx.request_repaint();
         }
         self.draw_overlay(ctx, state, reprobed);
+        self.normals.update(ctx, state, self.active, &self.panes[self.active]);
     }
 
-    fn draw(&mut self, ctx: &Context, scene: &Scene, model: Option<&Arc<Mesh>>, size: [u32; 2]) -> bool {
-        let same_model = same_model(self.model.as_ref(), model);
-        if same_model && self.drawn.as_ref().is_some_and(|drawn| same_picture(drawn, scene, size)) {
-            return false;
-        }
-        if !same_model {
-            self.model = model.cloned();
-            self.renderer.set_model(self.model.clone());
-        }
-        let mut sized = scene.clone();
-        sized.image.size = size;
-        let image = image_of(self.renderer.render(&sized));
-        self.report = self.renderer.report().clone();
-        upload(ctx, &mut self.picture, "picture", image);
-        self.drawn = Some(sized);
-        true
+    /// Lights up the faces of the vertex within `reach` pixels of the pointer, or else of the one that is kept; a click
+    /// keeps what is under it.
+    pub fn point_at(&mut self, ctx: &Context, state: &mut AppState, pointer: Option<DVec2>, reach: f64, clicked: bool) {
+        self.normals.point_at(ctx, state, &self.panes[self.active], pointer, reach, clicked);
     }
 
-    fn probe(&mut self, state: &AppState, size: [u32; 2], redrawn: bool) -> bool {
-        let pixel = state.probe.pixel(size);
-        let Some(scene) = &self.drawn else { return false };
-        if !redrawn && self.probed.as_ref().is_some_and(|(at, _)| *at == pixel) {
-            return false;
+    /// The textures of the needles and of the lit faces, as large as the active pane, where they are shown.
+    pub fn normals(&self) -> [Option<&TextureHandle>; 2] {
+        self.normals.textures()
+    }
+
+    /// The figures of the shown panes, the last of which is the reference.
+    fn measure(&mut self, scene: &Scene) {
+        self.figures.clear();
+        let Some((&last, _)) = self.shown.split_last().filter(|(_, others)| !others.is_empty()) else { return };
+        let Some(reference) = self.panes[last].linear() else { return };
+        for &pane in &self.shown {
+            let Some(picture) = self.panes[pane].linear() else { continue };
+            let coarser = self.panes[pane].coarser();
+            let in_whole = |at: [u32; 2]| at.map(|v| v * coarser + coarser / 2);
+            let error = (pane != last).then(|| error_figures(picture, reference));
+            let error = error.map(|error| ErrorFigures { at: error.at.map(in_whole), ..error });
+            let brightest = brightest(picture).map(|b| Brightest { at: in_whole(b.at), ..b });
+            self.figures.push(PaneFigures { name: scene.pane_name(pane), brightest, error });
         }
-        self.revision += 1;
-        self.probed = Some((pixel, probe(&mut self.renderer, scene, pixel[0], pixel[1])));
-        true
+    }
+
+    fn draw_difference(&mut self, ctx: &Context, state: &AppState, redrawn: bool) {
+        let compare = &state.shared_scene().compare;
+        let &[first, last] = &self.shown[..] else {
+            self.difference = None;
+            return;
+        };
+        if compare.view != CompareView::Difference {
+            self.difference = None;
+            return;
+        }
+        let look = (compare.difference, compare.gain, state.look.scale);
+        if !redrawn && self.difference.as_ref().is_some_and(|difference| difference.look == look) {
+            return;
+        }
+        let (Some(a), Some(b)) = (self.panes[first].linear(), self.panes[last].linear()) else { return };
+        let mut frame = difference_picture(a, b, compare.difference, compare.gain);
+        let (width, height) = (frame.width, frame.height);
+        if let Some(mut map) = tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height) {
+            let em = f64::from(ctx.pixels_per_point()) * f64::from(super::theme::TEXT);
+            let em = em / f64::from(self.panes[first].coarser());
+            draw_difference_scale(&mut map, compare.difference, compare.gain, em);
+        }
+        let mut texture = self.difference.take().map(|difference| difference.texture);
+        upload(ctx, &mut texture, "difference", image_of(&frame), TextureOptions::NEAREST);
+        self.difference = texture.map(|texture| Difference { texture, look });
     }
 
     fn draw_overlay(&mut self, ctx: &Context, state: &AppState, reprobed: bool) {
@@ -108,65 +182,117 @@ impl Engine {
         }
         let mut options = overlay_options(look, state.light, &state.document.scene);
         options.scale = f64::from(scale);
-        let (Some((_, probe)), Some(scene)) = (&self.probed, &self.drawn) else { return };
-        let Some(image) = overlay_image(scene, probe, &options) else { return };
+        let pane = self.active();
+        let (Some((_, probe)), Some(scene)) = (&pane.probed, pane.drawn()) else { return };
+        let mut scene = scene.clone();
+        scene.image.size = self.size;
+        let Some(image) = overlay_image(&scene, probe, &options) else { return };
         let mut texture = self.overlay.take().map(|overlay| overlay.texture);
-        upload(ctx, &mut texture, "overlay", image);
+        upload(ctx, &mut texture, "overlay", image, TextureOptions::NEAREST);
         self.overlay = texture.map(|texture| Overlay { texture, look: look.clone(), light: state.light, dark, scale });
     }
 
-    /// The picture's texture.
-    pub fn picture(&self) -> Option<&TextureHandle> {
-        self.picture.as_ref()
+    fn active(&self) -> &PaneEngine {
+        &self.panes[self.active]
     }
 
-    /// The overlay's texture, as large as the picture; none where nothing is to be drawn.
+    /// The texture of a pane's picture.
+    pub fn picture(&self, pane: usize) -> Option<&TextureHandle> {
+        self.panes.get(pane)?.picture.as_ref()
+    }
+
+    /// The texture of the difference, where that is shown.
+    pub fn difference(&self) -> Option<&TextureHandle> {
+        self.difference.as_ref().map(|difference| &difference.texture)
+    }
+
+    /// The overlay's texture, as large as the active pane; none where nothing is to be drawn.
     pub fn overlay(&self) -> Option<&TextureHandle> {
         self.overlay.as_ref().filter(|overlay| overlay.look.vectors).map(|overlay| &overlay.texture)
     }
 
-    /// The picture as last drawn.
+    /// The active pane's picture as last drawn.
     pub fn frame(&self) -> &Frame {
-        self.renderer.frame()
+        self.active().renderer().frame()
     }
 
-    /// What drawing the picture last did.
+    /// What drawing the active pane last did.
     pub fn report(&self) -> &Report {
-        &self.report
+        self.active().report()
     }
 
-    /// The plan of the picture.
-    pub fn plan(&self) -> Option<&Plan> {
-        self.renderer.plan()
+    /// Nanoseconds that the shown panes last took.
+    pub fn nanoseconds(&self) -> u64 {
+        self.shown.iter().filter_map(|&pane| self.panes.get(pane)).map(|pane| pane.report().nanoseconds).sum()
     }
 
-    /// Grows whenever the picture or the probe has changed.
+    /// The figures of the shown panes, in their order; none where nothing is compared.
+    pub fn figures(&self) -> &[PaneFigures] {
+        &self.figures
+    }
+
+    /// The numbers of the shown panes.
+    pub fn shown(&self) -> &[usize] {
+        &self.shown
+    }
+
+    /// The size of each pane in pixels, when drawn whole.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// By what the sides of the pictures in sight are divided: more than 1 while something is dragged that they would not
+    /// keep up with.
+    pub fn coarser(&self) -> u32 {
+        self.active().coarser()
+    }
+
+    /// The plan of the active pane's picture, term by term; found when it is asked for.
+    pub fn terms(&self) -> &[Term] {
+        self.terms.get_or_init(|| self.active().renderer().terms())
+    }
+
+    /// Grows whenever a picture or the probe has changed.
     pub fn revision(&self) -> u64 {
         self.revision
     }
 
     /// The curves at the probe and of the light of index `light`, those that say something.
     pub fn plots(&self, light: usize) -> Vec<Plot> {
-        let (Some(scene), Some((_, probe))) = (&self.drawn, &self.probed) else { return vec![] };
-        let plot = |kind| curves::plot(kind, &self.renderer, scene, probe, light);
+        let pane = self.active();
+        let (Some((_, probe)), Some(scene), renderer) = (&pane.probed, pane.drawn(), pane.renderer()) else {
+            return vec![];
+        };
+        let plot = |kind| curves::plot(kind, renderer, scene, probe, light);
         curves::telling(scene, light).into_iter().filter_map(plot).collect()
     }
 
-    /// The equation at the probe.
-    pub fn probed(&self) -> Option<&Probe> {
-        self.probed.as_ref().map(|(_, probe)| probe)
+    /// The active pane's scene as last drawn, in the picture's size.
+    pub fn drawn(&self) -> Option<&Scene> {
+        self.active().drawn()
     }
-}
 
-/// Whether `drawn` is a picture of `scene` at `size` pixels.
-fn same_picture(drawn: &Scene, scene: &Scene, size: [u32; 2]) -> bool {
-    if drawn.image.size != size {
-        return false;
+    /// The polygon under the probe.
+    pub fn probed_face(&self) -> Option<u32> {
+        let ([x, y], probe) = self.active().probed.as_ref()?;
+        let coarser = self.coarser();
+        probe.hit.as_ref()?.face.or_else(|| self.active().renderer().polygon_at(x / coarser, y / coarser))
     }
-    // The size in the scene is that of exported pictures.
-    let mut sized = scene.clone();
-    sized.image.size = size;
-    sized == *drawn
+
+    /// A polygon of the picture, scanned in so many rows.
+    pub fn scan(&self, face: u32, rows: u32) -> Option<Result<Scan, ScanError>> {
+        Some(scan_drawn(self.active().renderer(), self.drawn()?, face, rows))
+    }
+
+    /// The equation at the probe in the active pane.
+    pub fn probed(&self) -> Option<&Probe> {
+        self.probed_in(self.active)
+    }
+
+    /// The equation at the probe in a pane.
+    pub fn probed_in(&self, pane: usize) -> Option<&Probe> {
+        self.panes.get(pane)?.probed.as_ref().map(|(_, probe)| probe)
+    }
 }
 
 /// What an overlay shows under `look` for the light of index `light`.
@@ -177,6 +303,8 @@ pub fn overlay_options(look: &OverlayLook, light: usize, scene: &Scene) -> Overl
         (look.vectors && look.construction, OverlayLayer::Construction),
         (look.vectors && look.lobe, OverlayLayer::Lobe),
         (look.vectors && look.side_view, OverlayLayer::SideView),
+        (look.face_normals, OverlayLayer::FaceNormals),
+        (look.vertex_normals, OverlayLayer::VertexNormals),
     ];
     OverlayOptions {
         layers: layers.into_iter().filter(|(shown, _)| *shown).map(|(_, layer)| layer).collect(),
@@ -192,21 +320,26 @@ fn is_dark(scene: &Scene) -> bool {
     scene.image.background.dot(crate::scene::Rgb::new(0.2126, 0.7152, 0.0722)) < 0.4
 }
 
-fn image_of(frame: &Frame) -> ColorImage {
+/// A picture for the window.
+pub fn image_of(frame: &Frame) -> ColorImage {
     let pixels = frame.pixels.iter().map(|[r, g, b, _]| Color32::from_rgb(*r, *g, *b)).collect();
     ColorImage::new([frame.width as usize, frame.height as usize], pixels)
 }
 
 fn overlay_image(scene: &Scene, probe: &Probe, options: &OverlayOptions) -> Option<ColorImage> {
-    let [width, height] = scene.image.size;
+    drawing(scene.image.size, |pixmap| draw_overlay(pixmap, scene, probe, options))
+}
+
+/// A picture of `size` pixels that `draw` puts on nothing.
+fn drawing([width, height]: [u32; 2], draw: impl FnOnce(&mut tiny_skia::PixmapMut<'_>)) -> Option<ColorImage> {
     let mut pixmap = tiny_skia::Pixmap::new(width, height)?;
-    draw_overlay(&mut pixmap.as_mut(), scene, probe, options);
+    draw(&mut pixmap.as_mut());
     Some(ColorImage::from_rgba_premultiplied([width as usize, height as usize], pixmap.data()))
 }
 
-fn upload(ctx: &Context, texture: &mut Option<TextureHandle>, name: &str, image: ColorImage) {
+fn upload(ctx: &Context, texture: &mut Option<TextureHandle>, name: &str, image: ColorImage, options: TextureOptions) {
     match texture {
-        Some(texture) => texture.set(image, TextureOptions::NEAREST),
-        None => *texture = Some(ctx.load_texture(name, image, TextureOptions::NEAREST)),
+        Some(texture) => texture.set(image, options),
+        None => *texture = Some(ctx.load_texture(name, image, options)),
     }
 }

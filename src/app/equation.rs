@@ -6,7 +6,7 @@ use super::state::AppState;
 use super::symbol::Symbol;
 use super::typeset::{Piece, Place, run_ui};
 use crate::figure::palette::Vector;
-use crate::scene::{Attenuation, Reflectance, ReflectionModel, Rgb, Scene};
+use crate::scene::{Attenuation, CuedBy, Reflectance, ReflectionModel, Rgb, Scene};
 use eframe::egui::{Color32, Ui, Visuals, vec2};
 
 /// Size of the equation's letters, points.
@@ -37,7 +37,7 @@ struct Ink<'a> {
 }
 
 fn piece(text: &'static str, low: &'static str, symbol: Option<Symbol>, colour: Color32) -> Piece {
-    Piece { low, symbol, ..Piece::plain(text, colour) }
+    Piece { low: low.into(), symbol, ..Piece::plain(text, colour) }
 }
 
 fn pieces(scene: &Scene, visuals: &Visuals) -> Vec<Vec<Piece>> {
@@ -48,6 +48,9 @@ fn pieces(scene: &Scene, visuals: &Visuals) -> Vec<Vec<Piece>> {
     groups.extend(ink.specular());
     if transparent {
         groups.push(ink.transmitted());
+    }
+    if scene.depth_cueing.by != CuedBy::Off {
+        groups.push(ink.fading());
     }
     groups
 }
@@ -149,6 +152,18 @@ impl Ink<'_> {
             self.plain("·"),
             self.letter(Vector::V, Symbol::Viewer, absent),
             self.plain(")]"),
+        ]
+    }
+
+    fn fading(&self) -> Vec<Piece> {
+        let letter = |text, low| piece(text, low, Some(Symbol::Depth), self.plain);
+        vec![
+            self.plain("   seen: "),
+            letter("s", "0"),
+            self.plain(" I + (1 − "),
+            letter("s", "0"),
+            self.plain(") "),
+            letter("I", "dc"),
         ]
     }
 

@@ -4,12 +4,17 @@ use super::code::Language;
 use super::dialog::{Dialog, ExportForm};
 use super::document::Document;
 use super::engine::overlay_options;
-use super::state::AppState;
-use crate::analysis::probe;
+use super::handles;
+use super::handles::line::ProfileLine;
+use super::profile::ProfileLook;
+use super::state::{AppState, OverlayLook, ProbePoint};
+use crate::analysis::{ProfileRequest, probe, profile};
 use crate::document::{Loaded, load_with, save_picture};
-use crate::figure::draw_overlay;
-use crate::render::Renderer;
+use crate::figure::{comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet};
+use crate::render::{Frame, Renderer};
+use crate::scene::Scene;
 use eframe::egui::Context;
+use std::convert::Infallible;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -46,6 +51,70 @@ pub enum Pick {
     SavePicture,
     SaveCode(Language),
     SaveProfile,
+}
+
+/// What is drawn over a picture.
+pub struct Over {
+    pub look: OverlayLook,
+    pub light: usize,
+    pub place: ProbePoint,
+    /// The profile's line, while its tab is open.
+    pub line: Option<ProfileLine>,
+    pub profile: ProfileLook,
+    /// The point of the mesh whose faces are lit up.
+    pub vertex: Option<u32>,
+}
+
+impl Over {
+    fn draw(&self, frame: &mut Frame, renderer: &mut Renderer, scene: &Scene) {
+        let (width, height) = (frame.width, frame.height);
+        let [x, y] = self.place.pixel([width, height]);
+        let probe = probe(renderer, scene, x, y);
+        let options = overlay_options(&self.look, self.light, scene);
+        let taken = self.line.and_then(|line| {
+            let modes = vec![scene.shading.mode];
+            let request = ProfileRequest { modes, ..self.profile.request(line.pixels([width, height])) };
+            profile(renderer, scene, &request).ok()
+        });
+        if let Some(mut map) = tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height) {
+            draw_normals(&mut map, scene, renderer, &options, self.vertex);
+            if let Some(taken) = &taken {
+                taken.traces.iter().for_each(|trace| draw_profile(&mut map, taken, trace, &options));
+            }
+            draw_overlay(&mut map, scene, &probe, &options);
+        }
+    }
+
+    /// What is drawn over the picture in the window.
+    pub fn of(state: &AppState) -> Self {
+        let AppState { look, light, probe, line, pointed, .. } = state;
+        Self {
+            look: look.overlay.clone(),
+            light: *light,
+            place: *probe,
+            line: handles::line::shown(state).then_some(*line),
+            profile: look.profile.clone(),
+            vertex: pointed.kept,
+        }
+    }
+}
+
+/// The picture of a scene, or the sheet of what it compares.
+pub fn picture(
+    renderer: &mut Renderer,
+    scene: &Scene,
+    samples: u32,
+    over: Option<&Over>,
+    progress: &mut dyn FnMut(u32),
+) -> Frame {
+    let draw_over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| {
+        if let Some(over) = over {
+            over.draw(frame, renderer, scene);
+        }
+        Ok::<(), Infallible>(())
+    };
+    let panes = draw_panes(renderer, scene, &panes_on_sheet(scene), samples, progress, draw_over);
+    panes.map_or_else(|never| match never {}, |panes| comparison_sheet(scene, &panes, true))
 }
 
 impl Files {
@@ -91,24 +160,14 @@ impl Files {
     /// Draws and writes a picture of `document`.
     pub fn export(&mut self, ctx: &Context, state: &AppState, form: &ExportForm) {
         let (document, form) = (state.document.clone(), form.clone());
-        let (look, light, place) = (state.look.overlay.clone(), state.light, state.probe);
+        let over = form.overlay.then(|| Over::of(state));
         self.start(ctx, format!("Drawing {}", form.path), move |tell| {
             let mut scene = document.scene;
             scene.image.size = form.size;
-            let total = u64::from(form.samples);
+            let total = u64::from(form.samples) * scene.shown_panes().len() as u64;
             let mut renderer = Renderer::default();
             renderer.set_model(document.model);
-            let mut frame = renderer.render_supersampled(&scene, form.samples, &mut |n| tell(n.into(), total));
-            if form.overlay {
-                let [x, y] = place.pixel(form.size);
-                let probe = probe(&mut renderer, &scene, x, y);
-                let options = overlay_options(&look, light, &scene);
-                let (width, height) = (frame.width, frame.height);
-                let map = tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height);
-                if let Some(mut map) = map {
-                    draw_overlay(&mut map, &scene, &probe, &options);
-                }
-            }
+            let frame = picture(&mut renderer, &scene, form.samples, over.as_ref(), &mut |n| tell(n.into(), total));
             let path = PathBuf::from(&form.path);
             let saved = save_picture(&path, &frame, &scene);
             Outcome::Exported(saved.map(|()| path).map_err(|error| error.to_string()))

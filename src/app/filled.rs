@@ -1,5 +1,6 @@
 //! The equation, filled in: every term with this pixel's numbers, adding up to the stored pixel.
 
+mod fading;
 mod figure;
 mod light;
 mod notation;
@@ -92,9 +93,15 @@ fn sum_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Notation
     let line = |name, value| Line { sign: "=", name, says: Says::sum(value), colour, flat: true, lettered: true };
     let letter = Piece::symbol("I", "", Symbol::Intensity, colour);
     if here.hit.transmission.is_some() {
-        let reflected = Piece { low: "refl", ..letter.clone() };
+        let reflected = Piece { low: "refl".into(), ..letter.clone() };
         letters_ui(ui, state, &line("I reflected", here.hit.reflected), &[reflected]);
         through::through_ui(ui, state, here, notation);
+    }
+    if here.hit.cue.is_some() {
+        letters_ui(ui, state, &line("I before it fades", here.hit.intensity), std::slice::from_ref(&letter));
+        fading::fading_ui(ui, state, here, notation);
+        letters_ui(ui, state, &line("I with depth cueing", here.hit.sum), &[notation.sign("seen")]);
+        return;
     }
     letters_ui(ui, state, &line("I", here.hit.sum), &[letter]);
 }

@@ -9,9 +9,12 @@
 
 mod beam;
 pub mod line;
+pub mod turn;
+pub mod vertex;
 
 pub use beam::{aim_at, cursor, open_to, paint};
 
+use super::letter::letter;
 use super::palette;
 use super::picture::Place;
 use super::row::swatch;
@@ -201,7 +204,7 @@ impl Handle {
                 return;
             }
         }
-        letter(painter, placed, chosen);
+        number(painter, placed, chosen);
     }
 }
 
@@ -222,7 +225,7 @@ fn arrow(painter: &Painter, at: Pos2, way: Vec2, fill: Color32, halo: Stroke, ri
     painter.add(Shape::convex_polygon(points, fill, ring));
 }
 
-fn letter(painter: &Painter, placed: &Placed, chosen: bool) {
+fn number(painter: &Painter, placed: &Placed, chosen: bool) {
     let text = format!("L{}", placed.index + 1);
     let font = FontId::proportional(if chosen { 15.0 } else { 14.0 });
     let offset = match placed.handle {
@@ -232,8 +235,6 @@ fn letter(painter: &Painter, placed: &Placed, chosen: bool) {
         Handle::Aim { .. } | Handle::Rim(_) => return,
     };
     let at = placed.at + offset;
-    for shift in [vec2(-1.0, 0.0), vec2(1.0, 0.0), vec2(0.0, -1.0), vec2(0.0, 1.0), vec2(1.0, 1.0), vec2(-1.0, -1.0)] {
-        painter.text(at + shift, Align2::CENTER_CENTER, &text, font.clone(), Color32::from_black_alpha(190));
-    }
-    painter.text(at, Align2::CENTER_CENTER, text, font, palette::readable(palette::vector(Vector::L), Color32::BLACK));
+    let colour = palette::readable(palette::vector(Vector::L), Color32::BLACK);
+    letter(painter, at, Align2::CENTER_CENTER, &text, &font, colour);
 }

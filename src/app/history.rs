@@ -116,8 +116,10 @@ fn change(before: &Document, after: &Document) -> &'static str {
         (a.display != b.display || a.image != b.image, "display"),
         (a.ground != b.ground, "ground"),
         (a.backdrop != b.backdrop, "backdrop"),
+        (a.depth_cueing != b.depth_cueing, "depth cueing"),
         (a.ambient != b.ambient, "Ia"),
         (a.lights != b.lights, "lights"),
+        (a.compare != b.compare, "comparison"),
     ];
     let changed = |parts: &[(bool, &'static str)]| -> Vec<&'static str> {
         parts.iter().filter(|(differs, _)| *differs).map(|(_, name)| *name).collect()

@@ -1,7 +1,9 @@
 //! The keys, in one table: what the window does on them is what Help shows.
 
 use super::action::{Action, Shown};
+use super::scan::{self, Walk};
 use super::state::AppState;
+use crate::analysis::ScanLevel;
 use crate::scene::ShadingMode;
 use eframe::egui::{Context, Event, Key, Modifiers};
 
@@ -52,6 +54,18 @@ pub const BINDINGS: &[Binding] = &[
         keys: "6",
         does: "Phong that forgets to make normals unit vectors again",
         on: &[(PLAIN, Key::Num6, shade(ShadingMode::Phong, false))],
+    },
+    Binding {
+        section: "Comparison",
+        keys: "K",
+        does: "one picture, panes, wipe, difference, in turn",
+        on: &[(PLAIN, Key::K, Action::NextView)],
+    },
+    Binding {
+        section: "Comparison",
+        keys: "N",
+        does: "the next pane: its settings are in the controls",
+        on: &[(PLAIN, Key::N, Action::NextPane)],
     },
     Binding {
         section: "Probe",
@@ -117,13 +131,13 @@ pub const BINDINGS: &[Binding] = &[
     Binding {
         section: "Camera",
         keys: "Drag",
-        does: "turns the camera; a light, its arrow, its cone or the probe follows the pointer",
+        does: "turns the camera; a light, its arrow, its cone, a vertex or the probe follows the pointer",
         on: &[],
     },
     Binding {
         section: "Camera",
         keys: "Shift or middle drag",
-        does: "shifts the camera; a light moves in depth",
+        does: "shifts the camera; a light or a vertex moves in depth",
         on: &[],
     },
     Binding { section: "Camera", keys: "Wheel", does: "nearer, farther; over a light, moves it in depth", on: &[] },
@@ -136,7 +150,7 @@ pub const BINDINGS: &[Binding] = &[
     Binding {
         section: "Shown",
         keys: "L",
-        does: "the lights' handles",
+        does: "the handles of lights and vertices",
         on: &[(PLAIN, Key::L, Action::Show(Shown::Handles))],
     },
     Binding {
@@ -147,8 +161,14 @@ pub const BINDINGS: &[Binding] = &[
     },
     Binding {
         section: "Shown",
+        keys: "M",
+        does: "the normals of polygons and vertices; a click keeps a vertex' faces lit",
+        on: &[(PLAIN, Key::M, Action::Normals)],
+    },
+    Binding {
+        section: "Shown",
         keys: "C",
-        does: "the equation in numbers, its curves, or a profile",
+        does: "the equation in numbers, its curves, a profile, or the scan line",
         on: &[(PLAIN, Key::C, Action::SwitchTab)],
     },
     Binding {
@@ -191,6 +211,45 @@ pub const BINDINGS: &[Binding] = &[
             (CTRL, Key::Minus, Action::Smaller),
             (CTRL, Key::Num0, Action::OrdinarySize),
         ],
+    },
+    Binding {
+        section: "Scan line, while its tab is shown",
+        keys: ", .",
+        does: "a pixel back, a pixel forwards",
+        on: &[
+            (PLAIN, Key::Comma, Action::Scan(Walk::Back(ScanLevel::Pixel))),
+            (PLAIN, Key::Period, Action::Scan(Walk::Forward(ScanLevel::Pixel))),
+        ],
+    },
+    Binding {
+        section: "Scan line, while its tab is shown",
+        keys: "[ ]",
+        does: "an edge back, an edge forwards",
+        on: &[
+            (PLAIN, Key::OpenBracket, Action::Scan(Walk::Back(ScanLevel::Edge))),
+            (PLAIN, Key::CloseBracket, Action::Scan(Walk::Forward(ScanLevel::Edge))),
+        ],
+    },
+    Binding {
+        section: "Scan line, while its tab is shown",
+        keys: "Page up, Page down",
+        does: "a line back, a line forwards",
+        on: &[
+            (PLAIN, Key::PageUp, Action::Scan(Walk::Back(ScanLevel::Line))),
+            (PLAIN, Key::PageDown, Action::Scan(Walk::Forward(ScanLevel::Line))),
+        ],
+    },
+    Binding {
+        section: "Scan line, while its tab is shown",
+        keys: "Home, End",
+        does: "the first step, the last",
+        on: &[(PLAIN, Key::Home, Action::Scan(Walk::First)), (PLAIN, Key::End, Action::Scan(Walk::Last))],
+    },
+    Binding {
+        section: "Scan line, while its tab is shown",
+        keys: "Space",
+        does: "plays and pauses",
+        on: &[(PLAIN, Key::Space, Action::Scan(Walk::Play))],
     },
     Binding {
         section: "File",
@@ -245,6 +304,7 @@ pub fn listen(ctx: &Context, state: &mut AppState, picture_has_focus: bool) {
     let focused = ctx.memory(|memory| memory.focused().is_some());
     let editing = ctx.text_edit_focused();
     let free = !focused || picture_has_focus;
+    let scanning = scan::shown(state);
     let mut asked = Vec::new();
     ctx.input_mut(|input| {
         input.events.retain(|event| {
@@ -252,7 +312,8 @@ pub fn listen(ctx: &Context, state: &mut AppState, picture_has_focus: bool) {
                 // The window's back end turns Ctrl + C into this.
                 Event::Copy if !editing => Some(Action::CopyPicture),
                 Event::Key { key, pressed: true, modifiers, .. } => {
-                    find(*key, *modifiers).filter(|_| allowed(*key, *modifiers, free, editing))
+                    let wanted = find(*key, *modifiers).filter(|_| allowed(*key, *modifiers, free, editing));
+                    wanted.filter(|action| scanning || !matches!(action, Action::Scan(_)))
                 }
                 _ => None,
             };

@@ -1,9 +1,10 @@
 //! The bar on top: menus, and the shading modes side by side.
 
 use super::action::{Action, Shown};
+use super::compare::VIEWS;
 use super::controls::MODES;
 use super::keys;
-use super::state::AppState;
+use super::state::{AppState, NumbersTab};
 use super::theme::ThemeChoice;
 use crate::scene::{ShadingMode, presets};
 use eframe::egui::{Align, Button, Layout, MenuBar, RichText, Ui};
@@ -15,6 +16,7 @@ pub fn menus_ui(ui: &mut Ui, state: &mut AppState) {
         ui.menu_button("File", |ui| file_ui(ui, state));
         ui.menu_button("Edit", |ui| edit_ui(ui, state));
         ui.menu_button("View", |ui| view_ui(ui, state));
+        ui.menu_button("Compare", |ui| compare_ui(ui, state));
         ui.menu_button("Help", |ui| {
             item(ui, state, "Keys and gestures", Action::Keys);
             item(ui, state, "About", Action::About);
@@ -93,11 +95,13 @@ fn view_ui(ui: &mut Ui, state: &mut AppState) {
         ("Lobe of reflection", Shown::Lobe),
         ("H always", Shown::HalfVector),
         ("Lights' handles", Shown::Handles),
+        ("Face normals", Shown::FaceNormals),
+        ("Vertex normals", Shown::VertexNormals),
     ] {
         check(ui, state, text, shown);
     }
     ui.checkbox(&mut state.look.channels, "A number for each channel");
-    item(ui, state, "Equation or curves", Action::SwitchTab);
+    item(ui, state, "Next tab of the numbers", Action::SwitchTab);
     ui.separator();
     item(ui, state, "Picture alone", Action::Show(Shown::PictureAlone));
     item(ui, state, "Projector size", Action::Projector);
@@ -111,6 +115,23 @@ fn view_ui(ui: &mut Ui, state: &mut AppState) {
             state.ask(Action::Theme(theme));
         }
     }
+}
+
+fn compare_ui(ui: &mut Ui, state: &mut AppState) {
+    ui.set_min_width(240.0);
+    for (view, name, tip) in VIEWS {
+        let present = state.document.scene.compare.view == view;
+        if ui.radio(present, name).on_hover_text(tip).clicked() {
+            state.ask(Action::Compare(view));
+            ui.close();
+        }
+    }
+    ui.separator();
+    item(ui, state, "Next view", Action::NextView);
+    item(ui, state, "Next pane", Action::NextPane);
+    ui.separator();
+    item(ui, state, "Panes and figures…", Action::Tab(NumbersTab::Compare));
+    item(ui, state, "The five defects…", Action::Tab(NumbersTab::Defects));
 }
 
 fn modes_ui(ui: &mut Ui, state: &mut AppState) {

@@ -1,11 +1,16 @@
 //! The picture's meaning in numbers at the probe: vectors, angles, and the equation filled in.
 
+use super::compare::compare_ui;
 use super::curves::{Curves, curves_ui};
+use super::defects::defects_ui;
 use super::engine::Engine;
 use super::filled::{filled_ui, shadow_words, to_line};
 use super::palette::vector_text;
+use super::plan::plan_ui;
 use super::profile::profile_ui;
+use super::scan::scan_ui;
 use super::state::{AppState, NumbersTab};
+use super::study::study_ui;
 use crate::analysis::{LightTerms, Probe, ProbeHit};
 use crate::figure::palette::Vector;
 use crate::scene::{Reflectance, ReflectionModel, Scene};
@@ -18,33 +23,45 @@ use glam::DVec3;
 /// Height of a table's rows, points.
 const ROW: f32 = 21.0;
 
-/// The panel of numbers: the equation filled in, its curves, or a profile.
+/// The panel of numbers: a tab for each way of reading the picture.
 pub fn numbers_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, curves: &mut Curves) {
     ui.add_space(6.0);
     tabs_ui(ui, &mut state.look.tab);
     let tab = state.look.tab;
-    ScrollArea::vertical().id_salt(tab as u8).auto_shrink(false).show(ui, |ui| {
-        if tab == NumbersTab::Curves {
-            curves_ui(ui, state, engine, curves);
-            return;
-        }
-        if tab == NumbersTab::Profile {
-            profile_ui(ui, state, engine);
-            return;
-        }
-        let Some(probe) = engine.probed() else { return };
-        match &probe.hit {
-            None => background_ui(ui, probe),
-            Some(hit) => hit_ui(ui, state, probe, hit),
-        }
+    ScrollArea::vertical().id_salt(tab as u8).auto_shrink(false).show(ui, |ui| match tab {
+        NumbersTab::Equation => equation_ui(ui, state, engine),
+        NumbersTab::Curves => curves_ui(ui, state, engine, curves),
+        NumbersTab::Profile => profile_ui(ui, state, engine),
+        NumbersTab::ScanLine => scan_ui(ui, state, engine),
+        NumbersTab::Compare => compare_ui(ui, state, engine),
+        NumbersTab::Defects => defects_ui(ui, state, engine),
+        NumbersTab::Plan => plan_ui(ui, state, engine),
+        NumbersTab::Study => study_ui(ui, state, engine),
     });
 }
 
+/// The equation filled in at the probe.
+fn equation_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+    let Some(probe) = engine.probed() else { return };
+    match &probe.hit {
+        None => background_ui(ui, probe),
+        Some(hit) => hit_ui(ui, state, probe, hit),
+    }
+}
+
 fn tabs_ui(ui: &mut Ui, tab: &mut NumbersTab) {
-    ui.horizontal(|ui| {
-        for (choice, name) in
-            [(NumbersTab::Equation, "Equation"), (NumbersTab::Curves, "Curves"), (NumbersTab::Profile, "Profile")]
-        {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+        for (choice, name) in [
+            (NumbersTab::Equation, "Equation"),
+            (NumbersTab::Curves, "Curves"),
+            (NumbersTab::Profile, "Profile"),
+            (NumbersTab::ScanLine, "Scan line"),
+            (NumbersTab::Compare, "Compare"),
+            (NumbersTab::Defects, "Defects"),
+            (NumbersTab::Plan, "Plan"),
+            (NumbersTab::Study, "Study"),
+        ] {
             let response = ui.add(Button::selectable(*tab == choice, name));
             let (enabled, selected) = (ui.is_enabled(), *tab == choice);
             response.widget_info(|| WidgetInfo::selected(Role::Tab, enabled, selected, name));

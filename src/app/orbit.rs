@@ -12,7 +12,8 @@ const DISTANCES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
 pub fn orbit(camera: &mut Camera, right: f64, up: f64) {
     let offset = camera.eye - camera.target;
     let pole = camera.up.normalize_or(DVec3::Y);
-    let View { right: sideways, .. } = View::new(camera, [1, 1]);
+    // The picture may be turned about its middle; the eye still goes round the upright axis.
+    let View { right: sideways, .. } = View::new(&Camera { roll: 0.0, ..camera.clone() }, [1, 1]);
     let height = 90.0 - offset.angle_between(pole).to_degrees();
     let up = (height + up).clamp(-90.0 + POLE, 90.0 - POLE) - height;
     let turn = DQuat::from_axis_angle(pole, right.to_radians()) * DQuat::from_axis_angle(sideways, -up.to_radians());
@@ -72,6 +73,14 @@ mod tests {
         assert!(camera.eye.x > 0.0);
         orbit(&mut camera, 0.0, 10.0);
         assert!(camera.eye.y > 0.0);
+    }
+
+    #[test]
+    fn an_orbit_keeps_the_roll_and_the_way_it_goes() {
+        let (mut plain, mut rolled) = (Camera::default(), Camera { roll: 70.0, ..Camera::default() });
+        orbit(&mut plain, 10.0, 20.0);
+        orbit(&mut rolled, 10.0, 20.0);
+        assert_eq!(rolled, Camera { roll: 70.0, ..plain });
     }
 
     #[test]

@@ -9,7 +9,7 @@ use super::curves::{LETTERS, height, paper, plot_ui};
 use super::dialog::Dialog;
 use super::engine::Engine;
 use super::row::{About, NumberRow, Rail, number};
-use super::state::AppState;
+use super::state::{AppState, NumbersTab};
 use super::theme::TEXT;
 use crate::analysis::{Perception, ProfileRequest, ResponseModel, Viewing};
 use crate::figure::{PlotStyle, lay_out};
@@ -25,19 +25,21 @@ pub struct ProfileLook {
     pub modes: Vec<ShadingMode>,
     pub viewing: Viewing,
     pub perception: Perception,
+    /// Whether the picture is shown as it is perceived.
+    pub perceived: bool,
 }
 
 impl Default for ProfileLook {
     fn default() -> Self {
         let modes = vec![ShadingMode::Gouraud, ShadingMode::Phong];
-        Self { modes, viewing: Viewing::default(), perception: Perception::default() }
+        Self { modes, viewing: Viewing::default(), perception: Perception::default(), perceived: false }
     }
 }
 
 impl ProfileLook {
     /// The profile between two places.
     pub fn request(&self, [from, to]: [DVec2; 2]) -> ProfileRequest {
-        let Self { modes, viewing, perception } = self.clone();
+        let Self { modes, viewing, perception, perceived: _ } = self.clone();
         ProfileRequest { from, to, modes, viewing, perception }
     }
 }
@@ -47,13 +49,19 @@ pub fn profile_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     ui.label("Drag the line's ends in the picture.");
     modes_ui(ui, &mut state.look.profile.modes);
     eye_ui(ui, state);
-    let frame = engine.frame();
-    let size = [frame.width, frame.height];
+    let size = engine.size();
     if size.contains(&0) {
         return;
     }
+    ui.checkbox(&mut state.look.profile.perceived, "Show the picture as it is perceived");
     let request = state.look.profile.request(state.line.pixels(size));
-    let AppState { profiles, document, .. } = state;
+    let AppState { profiles, document, look, .. } = state;
+    if look.profile.perceived {
+        profiles.ask_perceived(ui.ctx(), document, size, &request);
+        if let Some(why) = profiles.not_perceived() {
+            ui.label(RichText::new(why).weak());
+        }
+    }
     profiles.ask(ui.ctx(), document, size, request);
     ui.add_space(4.0);
     save_ui(ui, state);
@@ -129,6 +137,12 @@ fn save_ui(ui: &mut Ui, state: &mut AppState) {
             }
         }
     });
+}
+
+/// Whether the picture is to be shown as it is perceived.
+pub fn shows_perceived(state: &AppState) -> bool {
+    let in_sight = state.look.numbers && !state.picture_alone && state.look.tab == NumbersTab::Profile;
+    in_sight && state.look.profile.perceived
 }
 
 /// The dialog that asks where to.

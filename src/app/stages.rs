@@ -1,12 +1,13 @@
 //! The bar at the bottom: which stages the last change ran, what they cost, and what was left out.
 
 use super::engine::Engine;
-use super::state::AppState;
+use super::plan::left_out;
+use super::state::{AppState, NumbersTab};
 use crate::render::{Stage, StageRun};
 use eframe::egui::{Align, Label, Layout, RichText, Sense, Ui};
 
 /// The bar of stages.
-pub fn stages_ui(ui: &mut Ui, state: &AppState, engine: &Engine) {
+pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     ui.add_space(2.0);
     ui.horizontal(|ui| {
         let report = engine.report();
@@ -15,8 +16,13 @@ pub fn stages_ui(ui: &mut Ui, state: &AppState, engine: &Engine) {
         }
         ui.separator();
         let evaluations: u64 = report.stages.iter().map(|run| run.evaluations).sum();
-        let ms = report.nanoseconds as f64 / 1e6;
+        let ms = engine.nanoseconds() as f64 / 1e6;
         ui.label(RichText::new(format!("{ms:.1} ms")).monospace());
+        if engine.coarser() > 1 {
+            let text = format!("1/{} of the size while dragged", engine.coarser());
+            ui.label(text)
+                .on_hover_text("All of it would not keep up with the hand; it is drawn whole when you let go");
+        }
         // What a narrow window has no room for is left to the tooltips.
         if ui.available_width() > 250.0 {
             let words = if evaluations == 1 { "evaluation" } else { "evaluations" };
@@ -29,7 +35,7 @@ pub fn stages_ui(ui: &mut Ui, state: &AppState, engine: &Engine) {
             ui.label(format!("{} pixels above 1", grouped(report.overflowing)));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            omissions_ui(ui, engine);
+            omissions_ui(ui, state, engine);
             if let Some(notice) = &state.notice {
                 ui.add(Label::new(RichText::new(notice).weak()).truncate());
             }
@@ -53,19 +59,16 @@ fn stage_ui(ui: &mut Ui, run: &StageRun) {
     ui.add(Label::new(text).sense(Sense::hover())).on_hover_text(time);
 }
 
-fn omissions_ui(ui: &mut Ui, engine: &Engine) {
-    let Some(plan) = engine.plan() else { return };
-    let omitted: Vec<_> = plan.omissions().collect();
-    let label = Label::new(format!("left out: {}", omitted.len())).sense(Sense::hover());
-    ui.add(label).on_hover_ui(|ui| {
-        for term in &omitted {
-            let reason = term.omitted.as_deref().unwrap_or_default();
-            ui.label(format!("{}: {reason}", term.name));
-        }
-    });
+fn omissions_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+    let omitted = left_out(engine, &state.look);
+    let tip = "What does not run and why: opens the plan of the frame";
+    if ui.link(format!("left out: {omitted}")).on_hover_text(tip).clicked() {
+        (state.look.numbers, state.look.tab) = (true, NumbersTab::Plan);
+    }
 }
 
-fn words(stage: Stage) -> (&'static str, &'static str) {
+/// A stage's name and what it does.
+pub fn words(stage: Stage) -> (&'static str, &'static str) {
     match stage {
         Stage::Geometry => ("geometry", "Tessellation and vertex normals"),
         Stage::Transform => ("transform", "Vertices to the picture; clipping; back faces"),

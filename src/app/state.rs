@@ -2,13 +2,18 @@
 
 use super::action::Action;
 use super::code;
+use super::compare;
+use super::defects::Measured;
 use super::dialog::Dialog;
 use super::document::Document;
 use super::gallery::Gallery;
 use super::handles::line::ProfileLine;
 use super::history::History;
+use super::panes::Panes;
 use super::profile::{ProfileLook, Profiles};
 use super::sampling::Sampling;
+use super::scan::ScanView;
+use super::study::StudyView;
 use super::symbol::Lit;
 use super::theme::ThemeChoice;
 use glam::DVec2;
@@ -23,6 +28,15 @@ pub struct AppState {
     pub document: Document,
     #[serde(skip)]
     pub history: History,
+    /// Which pane is worked on.
+    #[serde(skip)]
+    pub panes: Panes,
+    /// The defects as last measured.
+    #[serde(skip)]
+    pub measured: Measured,
+    /// What is typed in the tab of comparisons.
+    #[serde(skip)]
+    pub compared: compare::Typed,
     /// The document as last opened or saved.
     #[serde(skip)]
     pub saved: Document,
@@ -36,6 +50,18 @@ pub struct AppState {
     /// Index of the light whose controls are shown.
     #[serde(skip)]
     pub light: usize,
+    /// The vertex whose faces are lit up, while normals are shown.
+    #[serde(skip)]
+    pub pointed: PointedVertex,
+    /// Number of the vertex whose place is shown, of a scene's own polygons.
+    #[serde(skip)]
+    pub vertex: usize,
+    /// The polygon that is scanned in slow motion, and how far.
+    #[serde(skip)]
+    pub scan: ScanView,
+    /// Error against run time.
+    #[serde(skip)]
+    pub study: StudyView,
     /// The error of the chosen area light.
     #[serde(skip)]
     pub sampling: Sampling,
@@ -73,11 +99,14 @@ impl AppState {
         self.document = document;
         self.saved = self.document.clone();
         self.light = 0;
+        self.panes.active = 0;
+        self.vertex = 0;
     }
 
     /// Whether the document has changed since it was opened or saved.
     pub fn modified(&self) -> bool {
-        self.document != self.saved
+        let Document { scene, origin, .. } = &self.saved;
+        *self.shared_scene() != *scene || self.document.origin != *origin || self.document.model_differs(&self.saved)
     }
 }
 
@@ -129,6 +158,16 @@ pub enum NumbersTab {
     Curves,
     /// The intensity along a line.
     Profile,
+    /// Panes, and how far they are from each other.
+    Compare,
+    /// The five defects of interpolated shading.
+    Defects,
+    /// The scan line in slow motion.
+    ScanLine,
+    /// The plan of the frame.
+    Plan,
+    /// Error against run time.
+    Study,
 }
 
 /// What is drawn over the picture.
@@ -142,8 +181,19 @@ pub struct OverlayLook {
     /// What the point reflects to every side.
     pub lobe: bool,
     pub half_vector: bool,
-    /// The lights' handles.
+    /// The handles of lights and of vertices.
     pub handles: bool,
+    /// A needle on each polygon.
+    pub face_normals: bool,
+    /// A needle at each vertex.
+    pub vertex_normals: bool,
+}
+
+impl OverlayLook {
+    /// Whether any needles are shown.
+    pub fn normals(&self) -> bool {
+        self.face_normals || self.vertex_normals
+    }
 }
 
 impl Default for OverlayLook {
@@ -156,6 +206,8 @@ impl Default for OverlayLook {
             lobe: false,
             half_vector: false,
             handles: true,
+            face_normals: false,
+            vertex_normals: false,
         }
     }
 }
@@ -194,6 +246,16 @@ impl ProbePoint {
     }
 }
 
+/// The vertex that the pointer is on, or was clicked on, in the active pane.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PointedVertex {
+    /// The vertex that is lit up, by its number among those with normals.
+    pub lit: Option<u32>,
+    /// The point of the mesh that was clicked on: its vertex stays lit when the pointer is elsewhere, whichever normals are
+    /// chosen.
+    pub kept: Option<u32>,
+}
+
 /// What the pointer drags in the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Drag {
@@ -204,6 +266,10 @@ pub enum Drag {
     /// The camera along the picture's plane.
     Pan,
     Probe,
+    /// The line of a wipe.
+    Wipe,
+    /// The knob by which the picture is turned.
+    Roll,
     /// An end of the profile's line; `grab` leads from the pointer to it in pixels.
     LineEnd {
         end: usize,
@@ -217,6 +283,15 @@ pub enum Drag {
     /// A light towards the viewer and away.
     LightDepth {
         index: usize,
+    },
+    /// A vertex of the scene's own polygons, by its number; `grab` as before.
+    Vertex {
+        vertex: u32,
+        grab: DVec2,
+    },
+    /// A vertex towards the viewer and away.
+    VertexDepth {
+        vertex: u32,
     },
     /// The head of a light's axis, on the viewer's side of the light or beyond; `grab` as before.
     Aim {

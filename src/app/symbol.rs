@@ -40,6 +40,8 @@ pub enum Symbol {
     Shadows,
     /// What Ia stands for.
     Bounce,
+    /// s0 and Idc, depth cueing.
+    Depth,
 }
 
 impl Symbol {
@@ -70,6 +72,7 @@ impl Symbol {
             Self::Transmitted => "It: the light from behind, bent by Snell's law",
             Self::Shadows => "Whether what stands between keeps a light away",
             Self::Bounce => "What the ambient light stands for",
+            Self::Depth => "s0: what is left of the intensity at its depth; the rest is Idc, the colour of the mist",
         }
     }
 

@@ -18,7 +18,7 @@ const RAISED: f32 = 0.42;
 pub struct Piece {
     pub text: Cow<'static, str>,
     /// Lowered letters behind the text.
-    pub low: &'static str,
+    pub low: Cow<'static, str>,
     /// Raised letters behind the text.
     pub high: Cow<'static, str>,
     pub symbol: Option<Symbol>,
@@ -30,12 +30,12 @@ pub struct Piece {
 impl Piece {
     /// What is no symbol: a sign, a bracket, a number, a word.
     pub fn plain(text: impl Into<Cow<'static, str>>, colour: Color32) -> Self {
-        Self { text: text.into(), low: "", high: Cow::Borrowed(""), symbol: None, colour, tip: None }
+        Self { text: text.into(), low: Cow::Borrowed(""), high: Cow::Borrowed(""), symbol: None, colour, tip: None }
     }
 
     /// A symbol with a lowered letter, which may be empty.
-    pub fn symbol(text: &'static str, low: &'static str, symbol: Symbol, colour: Color32) -> Self {
-        Self { low, symbol: Some(symbol), ..Self::plain(text, colour) }
+    pub fn symbol(text: &'static str, low: impl Into<Cow<'static, str>>, symbol: Symbol, colour: Color32) -> Self {
+        Self { low: low.into(), symbol: Some(symbol), ..Self::plain(text, colour) }
     }
 
     /// The same with `high` raised behind it.
@@ -61,7 +61,7 @@ impl Piece {
         let italics = self.symbol.is_some() && self.text.trim() != "Σ" && self.text.trim().chars().count() <= 1;
         job.append(&self.text, 0.0, format(size, Align::Center, italics));
         if !self.low.is_empty() {
-            job.append(self.low, 0.0, format(size * 0.68, Align::BOTTOM, false));
+            job.append(&self.low, 0.0, format(size * 0.68, Align::BOTTOM, false));
         }
         if !self.high.is_empty() {
             let letter = self.high.starts_with(char::is_alphabetic);

@@ -1,7 +1,8 @@
 //! `bench`: the time of a frame.
 //!
 //! Every figure is the median over the frames asked for, after frames that are not counted: of everything drawn anew,
-//! with its stages, and of frames in which a single thing changed since the frame before.
+//! with its stages, and of frames in which a single thing changed since the frame before. Of a scene that compares panes all that
+//! it shows are drawn.
 
 use super::failure::Failure;
 use super::input::{SceneArguments, nanoseconds, parse_size};
@@ -11,12 +12,13 @@ use glam::DQuat;
 use indicatif::ProgressBar;
 use serde_json::{Map, Value, json};
 use shading_lab::document::Loaded;
-use shading_lab::render::{Renderer, Report};
-use shading_lab::scene::{LightKind, Rgb, Scene};
+use shading_lab::figure::panes_on_sheet;
+use shading_lab::render::{Renderer, Report, coarseness, coarser_size};
+use shading_lab::scene::{LightKind, Object, ObjectKind, Rgb, Scene};
 use std::fmt::Write;
 
 /// Frames that warm caches and buffers up before any is counted.
-const WARM_UP: u32 = 2;
+pub const WARM_UP: u32 = 2;
 
 #[derive(Args)]
 pub struct Bench {
@@ -57,10 +59,11 @@ impl Bench {
 }
 
 /// The scene's frame of a number, from 1; none where the scene has nothing of the kind to change.
-type Change = fn(&Scene, u32) -> Option<Scene>;
+pub type Change = fn(&Scene, u32) -> Option<Scene>;
 
 /// Each makes the scene's frame of a number; consecutive numbers up to 8 give different scenes.
-const CHANGES: [(&str, Change); 4] = [("light", move_light), ("n", turn_n), ("ka", turn_ka), ("camera", orbit)];
+pub const CHANGES: [(&str, Change); 5] =
+    [("light", move_light), ("n", turn_n), ("ka", turn_ka), ("camera", orbit), ("tessellation", divide)];
 
 fn move_light(scene: &Scene, step: u32) -> Option<Scene> {
     let mut scene = scene.clone();
@@ -94,33 +97,88 @@ fn orbit(scene: &Scene, step: u32) -> Option<Scene> {
     Some(scene)
 }
 
+fn divide(scene: &Scene, step: u32) -> Option<Scene> {
+    let mut scene = scene.clone();
+    let object = &mut scene.object;
+    if object.kind == ObjectKind::Obj {
+        return None;
+    }
+    // The teapot and the cube are cut anew at every fourth segment only.
+    let finer = object.segments + 4 * step;
+    object.segments = if finer <= Object::MAX_DIVISIONS { finer } else { object.segments - 4 * step };
+    Some(scene)
+}
+
 /// Medians in milliseconds.
 struct Figures {
     full: f64,
     stages: Vec<(String, f64)>,
     /// None where the scene has nothing of the kind to change.
-    changes: Vec<(&'static str, Option<f64>)>,
+    changes: Vec<(&'static str, Option<Changed>)>,
     /// Of a frame drawn anew.
     report: Report,
 }
 
+/// What a change costs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Changed {
+    whole: f64,
+    /// While something is dragged: by what the sides of the picture are divided, and what that takes.
+    dragged: (u32, f64),
+}
+
+/// The panes that a scene shows, a renderer each.
+struct Panes(Vec<Renderer>);
+
+impl Panes {
+    fn new(loaded: &Loaded) -> Self {
+        let shown = panes_on_sheet(&loaded.scene).len();
+        let renderer = |_| {
+            let mut renderer = Renderer::with_clock(nanoseconds);
+            renderer.set_model(loaded.model.clone());
+            renderer.keep_linear(shown > 1);
+            renderer
+        };
+        Self((0..shown).map(renderer).collect())
+    }
+
+    /// Draws all panes, their sides divided by `coarser`, and says how long that took.
+    fn draw(&mut self, scene: &Scene, coarser: u32) -> u64 {
+        let mut time = 0;
+        for ((index, size), renderer) in panes_on_sheet(scene).into_iter().zip(&mut self.0) {
+            let mut shown = scene.pane(index).unwrap_or_else(|_| scene.clone());
+            shown.image.size = coarser_size(size, coarser);
+            let began = nanoseconds();
+            renderer.render(&shown);
+            time += nanoseconds() - began;
+        }
+        time
+    }
+
+    fn report(&self) -> Report {
+        self.0.first().map(|first| first.report().clone()).unwrap_or_default()
+    }
+}
+
 fn measure(loaded: &Loaded, frames: u32, bar: &ProgressBar) -> Figures {
-    let mut renderer = Renderer::with_clock(nanoseconds);
-    renderer.set_model(loaded.model.clone());
+    let mut panes = Panes::new(loaded);
     let scene = &loaded.scene;
     let mut times = Vec::new();
     let mut stages: Vec<(String, Vec<u64>)> = Vec::new();
     for frame in 0..WARM_UP + frames {
-        renderer.redraw();
-        let time = timed(&mut renderer, scene);
+        panes.0.iter_mut().for_each(Renderer::redraw);
+        let time = panes.draw(scene, 1);
         if frame >= WARM_UP {
             times.push(time);
-            collect_stages(&mut stages, renderer.report());
+            panes.0.iter().for_each(|renderer| collect_stages(&mut stages, renderer.report()));
             bar.inc(1);
         }
     }
-    let report = renderer.report().clone();
-    let changes = CHANGES.map(|(name, change)| (name, measure_change(&mut renderer, scene, change, frames, bar)));
+    let report = panes.report();
+    let changes = CHANGES.map(|(name, change)| {
+        let whole = measure_change(&mut panes, scene, change, 1, frames, bar);
+        (name, whole.map(|whole| Changed { whole, dragged: dragged(loaded, change, whole, frames) }))
+    });
     Figures {
         full: median_ms(&mut times),
         stages: stages.into_iter().map(|(name, mut times)| (name, median_ms(&mut times))).collect(),
@@ -129,28 +187,40 @@ fn measure(loaded: &Loaded, frames: u32, bar: &ProgressBar) -> Figures {
     }
 }
 
+/// What the window does while something is dragged that takes `whole` milliseconds.
+fn dragged(loaded: &Loaded, change: Change, whole: f64, frames: u32) -> (u32, f64) {
+    let hidden = ProgressBar::hidden();
+    let (mut coarser, mut ms) = (1, whole);
+    // Not every stage shrinks with the picture: what is still too slow is drawn coarser.
+    loop {
+        let next = coarseness((ms * 1e6) as u64 * u64::from(coarser * coarser));
+        if next <= coarser {
+            return (coarser, ms);
+        }
+        coarser = next;
+        let measured = measure_change(&mut Panes::new(loaded), &loaded.scene, change, coarser, frames, &hidden);
+        ms = measured.unwrap_or(ms);
+    }
+}
+
+/// The median time of a frame in which only `change` differs from the frame before, milliseconds.
 fn measure_change(
-    renderer: &mut Renderer,
+    panes: &mut Panes,
     scene: &Scene,
     change: Change,
+    coarser: u32,
     frames: u32,
     bar: &ProgressBar,
 ) -> Option<f64> {
     let mut times = Vec::new();
     for frame in 0..WARM_UP + frames {
-        let time = timed(renderer, &change(scene, 1 + frame % 8)?);
+        let time = panes.draw(&change(scene, 1 + frame % 8)?, coarser);
         if frame >= WARM_UP {
             times.push(time);
             bar.inc(1);
         }
     }
     Some(median_ms(&mut times))
-}
-
-fn timed(renderer: &mut Renderer, scene: &Scene) -> u64 {
-    let began = nanoseconds();
-    renderer.render(scene);
-    nanoseconds() - began
 }
 
 fn collect_stages(stages: &mut Vec<(String, Vec<u64>)>, report: &Report) {
@@ -163,7 +233,7 @@ fn collect_stages(stages: &mut Vec<(String, Vec<u64>)>, report: &Report) {
     }
 }
 
-fn stage_name(stage: shading_lab::render::Stage) -> String {
+pub fn stage_name(stage: shading_lab::render::Stage) -> String {
     match serde_json::to_value(stage) {
         Ok(Value::String(name)) => name,
         _ => format!("{stage:?}"),
@@ -172,7 +242,7 @@ fn stage_name(stage: shading_lab::render::Stage) -> String {
 
 /// The median of nanoseconds, in milliseconds; of an even number the mean of the middle two.
 #[expect(clippy::cast_precision_loss, reason = "2⁵³ ns are a hundred days")]
-fn median_ms(times: &mut [u64]) -> f64 {
+pub fn median_ms(times: &mut [u64]) -> f64 {
     times.sort_unstable();
     let middle = times.len() / 2;
     let upper = times.get(middle).copied().unwrap_or(0);
@@ -184,8 +254,14 @@ fn median_ms(times: &mut [u64]) -> f64 {
 fn json(figures: &Figures, loaded: &Loaded, threads: usize, frames: u32) -> Value {
     let median = |ms: &Value| json!({"median_ms": ms});
     let stages: Map<_, _> = figures.stages.iter().map(|(name, ms)| (name.clone(), median(&json!(ms)))).collect();
+    let change = |changed: &Option<Changed>| match changed {
+        Some(Changed { whole, dragged: (coarser, ms) }) => {
+            json!({"median_ms": whole, "dragged": {"median_ms": ms, "coarser": coarser}})
+        }
+        None => median(&Value::Null),
+    };
     let changes: Map<_, _> =
-        figures.changes.iter().map(|(name, ms)| ((*name).to_owned(), median(&json!(ms)))).collect();
+        figures.changes.iter().map(|(name, changed)| ((*name).to_owned(), change(changed))).collect();
     json!({
         "scene": loaded.name,
         "full": median(&json!(figures.full)),
@@ -217,10 +293,16 @@ fn text(figures: &Figures, loaded: &Loaded, threads: usize, frames: u32) -> Stri
     for (name, ms) in &figures.stages {
         let _ = writeln!(text, "  {name:14}{ms:10.3}");
     }
-    text.push_str("\nwhat changed\n");
-    for (name, ms) in &figures.changes {
-        let ms = ms.map_or_else(|| format!("{:>10}", "-"), |ms| format!("{ms:10.3}"));
-        let _ = writeln!(text, "  {name:14}{ms}");
+    text.push_str("\nwhat changed                  while dragged\n");
+    for (name, changed) in &figures.changes {
+        let words = changed.map_or_else(
+            || format!("{:>10}", "-"),
+            |Changed { whole, dragged: (coarser, ms) }| match coarser {
+                1 => format!("{whole:10.3}{ms:15.3}"),
+                _ => format!("{whole:10.3}{ms:15.3}  at 1/{coarser} of the size"),
+            },
+        );
+        let _ = writeln!(text, "  {name:14}{words}");
     }
     text
 }
@@ -256,6 +338,7 @@ mod tests {
                         a.material.n != b.material.n,
                         a.material.ka != b.material.ka,
                         a.camera != b.camera,
+                        a.object != b.object,
                     ];
                     assert_eq!(parts.iter().filter(|&&differs| differs).count(), 1, "{name}");
                 }

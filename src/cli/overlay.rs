@@ -7,8 +7,8 @@ use glam::DVec2;
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
-use shading_lab::analysis::{Profile, ProfileRequest, probe, profile};
-use shading_lab::figure::{OverlayLayer, OverlayOptions, draw_overlay, draw_profile};
+use shading_lab::analysis::{NormalField, Profile, ProfileRequest, VertexNormal, defects, probe, profile};
+use shading_lab::figure::{LitVertex, Needles, OverlayLayer, OverlayOptions, draw_defects, draw_overlay, draw_profile};
 use shading_lab::render::{Frame, Renderer};
 use shading_lab::scene::{Scene, nearest};
 use tiny_skia::PixmapMut;
@@ -20,12 +20,14 @@ pub struct OverlayList {
     pixel: Option<[u32; 2]>,
     /// The ends of the profile's line.
     line: Option<(DVec2, DVec2)>,
+    /// The vertex whose faces are lit up.
+    vertex: Option<u32>,
 }
 
 impl OverlayList {
     /// Names between commas; `probe=X,Y` or any of the names followed by `=X,Y` gives the pixel.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let mut list = Self { layers: Vec::new(), pixel: None, line: None };
+        let mut list = Self { layers: Vec::new(), pixel: None, line: None, vertex: None };
         let mut pieces = text.split(',');
         while let Some(piece) = pieces.next() {
             let (name, x) = piece.split_once('=').map_or((piece, None), |(name, x)| (name, Some(x)));
@@ -57,10 +59,19 @@ impl OverlayList {
         Ok(())
     }
 
-    /// Refuses a pixel or a line outside the picture.
-    pub fn check(&self, scene: &Scene) -> Result<(), Failure> {
+    /// Takes the vertex whose faces are lit up.
+    pub fn set_vertex(&mut self, vertex: Option<u32>) -> Result<(), Failure> {
+        self.vertex = vertex;
+        if vertex.is_some() && !self.layers.iter().any(|layer| layer.of_needles()) {
+            return Err(Failure::input("--vertex without normals, expected --overlay vertex-normals"));
+        }
+        Ok(())
+    }
+
+    /// Refuses a pixel or a line outside a picture of `sides` pixels.
+    pub fn check(&self, sides: [u32; 2]) -> Result<(), Failure> {
         if let Some((from, to)) = self.line {
-            let size = DVec2::from_array(scene.image.size.map(f64::from));
+            let size = DVec2::from_array(sides.map(f64::from));
             let outside = |p: &DVec2| p.min_element() < 0.0 || p.cmpgt(size).any();
             if let Some(DVec2 { x, y }) = [from, to].into_iter().find(outside) {
                 let DVec2 { x: right, y: bottom } = size;
@@ -68,13 +79,12 @@ impl OverlayList {
             }
         }
         let Some([x, y]) = self.pixel else { return Ok(()) };
-        inside_picture(&format!("--overlay {x},{y}"), [x, y], scene.image.size)
+        inside_picture(&format!("--overlay {x},{y}"), [x, y], sides)
     }
 
     /// Draws the overlays on `frame`, which is a picture of `scene`.
     pub fn draw(&self, frame: &mut Frame, renderer: &mut Renderer, scene: &Scene) -> Result<(), Failure> {
-        let of_pixel = |layer: &OverlayLayer| !matches!(layer, OverlayLayer::Lights | OverlayLayer::Profile);
-        let about_pixel = self.layers.iter().any(of_pixel);
+        let about_pixel = self.layers.iter().any(|layer| layer.of_point());
         let probed = match self.pixel {
             Some([x, y]) => probe(renderer, scene, x, y),
             None => telling_pixel(renderer, scene),
@@ -86,16 +96,46 @@ impl OverlayList {
         }
         let options = OverlayOptions { layers: self.layers.clone(), ..OverlayOptions::default() };
         let taken = self.profile(renderer, scene)?;
+        let measured = self.layers.contains(&OverlayLayer::Defects).then(|| defects(renderer, scene, probed.pixel));
+        let (needles, lit) = self.normals(renderer, scene, &options)?.unzip();
         let (width, height) = (frame.width, frame.height);
         let mut pixmap = PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height)
             .ok_or_else(|| Failure::work("the picture is too large for overlays"))?;
+        if let Some(needles) = needles {
+            needles.draw(&mut pixmap);
+        }
+        if let Some(lit) = lit.flatten() {
+            lit.draw(&mut pixmap);
+        }
         if let Some(taken) = &taken {
             taken.traces.iter().for_each(|trace| draw_profile(&mut pixmap, taken, trace, &options));
         }
-        if options.layers != [OverlayLayer::Profile] {
+        if let Some(measured) = &measured {
+            draw_defects(&mut pixmap, measured, &options);
+        }
+        if self.layers.iter().any(|layer| layer.of_overlay()) {
             draw_overlay(&mut pixmap, scene, &probed, &options);
         }
         Ok(())
+    }
+
+    /// The needles, and the faces of the chosen vertex, where they are asked for.
+    fn normals(
+        &self,
+        renderer: &Renderer,
+        scene: &Scene,
+        options: &OverlayOptions,
+    ) -> Result<Option<(Needles, Option<LitVertex>)>, Failure> {
+        if !self.layers.iter().any(|layer| layer.of_needles()) {
+            return Ok(None);
+        }
+        let field = NormalField::new(renderer, &scene.object);
+        let size = scene.image.size;
+        let lit = match self.vertex {
+            Some(number) => LitVertex::new(size, scene, &field, &vertex_of(&field, number)?, options),
+            None => None,
+        };
+        Ok(Some((Needles::new(size, scene, renderer, &field, options), lit)))
     }
 
     /// The profile in the scene's own shading, where it is asked for.
@@ -111,6 +151,22 @@ impl OverlayList {
             .map(Some)
             .map_err(|error| Failure::input(format!("--overlay profile: {error}")))
     }
+}
+
+/// The number of a vertex.
+pub fn parse_vertex(text: &str) -> Result<u32, String> {
+    text.trim().parse().map_err(|_| "expected the number of a vertex, counted from 0".to_owned())
+}
+
+/// A vertex by its number.
+pub fn vertex_of(field: &NormalField, number: u32) -> Result<VertexNormal, Failure> {
+    field.vertex(number).ok_or_else(|| {
+        let expected = match field.vertex_count() {
+            0 => "expected none: the object has no vertices".to_owned(),
+            count => format!("expected 0 to {}", count - 1),
+        };
+        Failure::input(format!("--vertex {number}: no such vertex, {expected}"))
+    })
 }
 
 fn layer(name: &str) -> Result<OverlayLayer, String> {

@@ -8,7 +8,7 @@ use super::output::{print, print_json};
 use clap::Args;
 use glam::DVec3;
 use serde::Serialize;
-use shading_lab::analysis::{LightTerms, Probe, ProbeHit, SamplingError, probe, sampling_error_with};
+use shading_lab::analysis::{CueTerms, LightTerms, Probe, ProbeHit, SamplingError, probe, sampling_error_with};
 use shading_lab::render::{Renderer, Transmission};
 use shading_lab::scene::{LightKind, Rgb};
 
@@ -71,6 +71,8 @@ struct PrintedHit {
     reflected: Rgb,
     #[serde(skip_serializing_if = "Option::is_none")]
     transmission: Option<PrintedTransmission>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    depth_cue: Option<PrintedCue>,
     sum: Rgb,
     /// What the display divides the sum by.
     divisor: f64,
@@ -84,6 +86,18 @@ struct PrintedTransmission {
     refractions: u32,
     total_reflections: u32,
     seen: Rgb,
+}
+
+/// Depth cueing: the sum is `kept + veil`.
+#[derive(Serialize)]
+struct PrintedCue {
+    /// I before it fades.
+    intensity: Rgb,
+    s0: f64,
+    /// s0·I.
+    kept: Rgb,
+    /// (1 − s0)·Idc.
+    veil: Rgb,
 }
 
 impl From<Transmission> for PrintedTransmission {
@@ -148,6 +162,8 @@ impl PrintedHit {
             ..
         } = hit;
         let transmission = hit.transmission.map(PrintedTransmission::from);
+        let cue = |CueTerms { scale: s0, kept, veil }| PrintedCue { intensity: hit.intensity, s0, kept, veil };
+        let depth_cue = hit.cue.map(cue);
         let errors = sampling.into_iter().map(|error| error.map(PrintedSampling::from));
         let lights = lights.into_iter().zip(errors);
         let lights = lights.map(|(terms, sampling)| PrintedLight { sampling, ..PrintedLight::from(terms) }).collect();
@@ -164,6 +180,7 @@ impl PrintedHit {
             lights,
             reflected,
             transmission,
+            depth_cue,
             sum,
             divisor,
             stored,

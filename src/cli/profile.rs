@@ -11,16 +11,13 @@ use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 use serde_json::{Map, Value, json};
 use shading_lab::analysis::{
-    Perception, Profile, ProfileError, ProfileRequest, ResponseModel, Viewing, perceived_picture, profile,
-    profile_plots,
+    PERCEIVED_WIDTH, Perception, Profile, ProfileError, ProfileRequest, ResponseModel, Viewing, perceived_picture,
+    profile, profile_plots,
 };
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Scene, ShadingMode};
 use std::path::PathBuf;
-
-/// Greatest width of the surround in pixels for a whole picture: beyond, its time would grow without bound.
-const WIDEST: f64 = 256.0;
 
 #[derive(Args)]
 pub struct ProfileCommand {
@@ -127,8 +124,8 @@ impl ProfileCommand {
         }
         let (viewing, perception) = self.eye.checked()?;
         let [_, surround] = perception.widths(viewing.pixels_per_degree());
-        if self.picture.is_some() && surround > WIDEST {
-            let expected = format!("expected at most {WIDEST} for --picture");
+        if self.picture.is_some() && surround > PERCEIVED_WIDTH {
+            let expected = format!("expected at most {PERCEIVED_WIDTH} for --picture");
             return Err(Failure::input(format!("--surround {}: {surround:.0} pixels, {expected}", self.eye.surround)));
         }
         let mut modes: Vec<ShadingMode> = Vec::new();

@@ -4,7 +4,7 @@ use super::failure::Failure;
 use glam::DVec2;
 use shading_lab::analysis::Plot;
 use shading_lab::document::{SaveError, WriteError, save_picture, write_whole};
-use shading_lab::figure::{Paper, PlotStyle, lay_out_sheet};
+use shading_lab::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
 use shading_lab::scene::Scene;
 use std::path::{Path, PathBuf};
 
@@ -14,9 +14,14 @@ pub fn write_plots(path: &Path, plots: &[Plot], size: [u32; 2], dark: bool, scen
     let paper = if dark { Paper::DARK } else { Paper::LIGHT };
     let style = PlotStyle::of(size, plots.len(), paper);
     let drawing = lay_out_sheet(plots, DVec2::new(width.into(), height.into()), &style);
+    let titles: Vec<&str> = plots.iter().map(|plot| plot.title.as_str()).collect();
+    write_drawing(path, &drawing, &titles.join("; "), scene)
+}
+
+/// Writes a drawing as SVG where the name says so, otherwise as PNG with the scene inside.
+pub fn write_drawing(path: &Path, drawing: &Drawing, title: &str, scene: &Scene) -> Result<(), Failure> {
     if ending(path) == "svg" {
-        let titles: Vec<&str> = plots.iter().map(|plot| plot.title.as_str()).collect();
-        return write_text(path, &drawing.to_svg(&titles.join("; ")));
+        return write_text(path, &drawing.to_svg(title));
     }
     let frame = drawing.to_frame().ok_or_else(|| Failure::work("the figure is too large"))?;
     Ok(save_picture(path, &frame, scene)?)

@@ -4,11 +4,13 @@
 //! the polygons off screen.
 
 mod camera;
+mod fog;
 mod lamps;
 mod lights;
 mod material;
 mod program;
 
+pub(super) use fog::limits as fog_limits;
 pub(super) use lamps::{MOST as MOST_LIGHTS, fits as lights_fit, reaches};
 pub(super) use material::{GREATEST_EXPONENT, exponent};
 

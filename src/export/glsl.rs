@@ -3,6 +3,7 @@
 //! Phong and exact shading evaluate the equation in the fragment shader, the other modes in the vertex shader: the text of
 //! the equation is the same.
 
+mod cue;
 mod equation;
 mod lights;
 mod stages;

@@ -1,13 +1,13 @@
 //! What of a scene another program's words do not say.
 
 use super::emitter::{Emitter, Place, emitters};
-use super::fixed::{GREATEST_EXPONENT, MOST_LIGHTS, exponent, lights_fit, reaches};
+use super::fixed::{GREATEST_EXPONENT, MOST_LIGHTS, exponent, fog_limits, lights_fit, reaches};
 use super::number::said;
 use crate::geometry::VertexMesh;
 use crate::illumination::{Index, SpecularForm};
 use crate::scene::{
-    AmbientSource, Attenuation, Backfacing, Encoding, FlatAt, Interpolation, LightKind, ObjectKind, Overflow,
-    PatternKind, Projection, ReflectionModel, Scene, ShadingMode, Viewer,
+    AmbientSource, Attenuation, Backfacing, Encoding, FlatAt, Interpolation, LightKind, Overflow, PatternKind,
+    Projection, ReflectionModel, Scene, ShadingMode, Viewer,
 };
 
 /// What a program that sets up the lights has to add by itself.
@@ -42,6 +42,7 @@ pub(super) fn fixed_function(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
     limits.extend(fixed_shading(scene));
     limits.extend(fixed_reflection(scene));
     limits.extend(fixed_lights(scene, mesh));
+    limits.extend(fog_limits(scene, mesh));
     limits.extend(fixed_display(scene));
     limits
 }
@@ -202,7 +203,7 @@ const SCALE: &str =
 pub(super) fn shaders(scene: &Scene) -> Vec<String> {
     let mut limits = surroundings(scene);
     match scene.shading.mode {
-        ShadingMode::Exact if scene.object.kind != ObjectKind::Obj => limits.push(
+        ShadingMode::Exact if scene.object.kind.has_surface() => limits.push(
             "Exact shading: each pixel of the polygons is shaded with its interpolated N (Phong shading); the outline is \
              theirs."
                 .to_owned(),

@@ -5,19 +5,23 @@
 
 mod angles;
 mod construction;
+mod defects;
 mod equation;
 mod labels;
 mod lights;
 mod lobe;
+mod normals;
 mod options;
 mod profile;
 mod side;
 mod sketch;
 mod vectors;
 
+pub use defects::{DefectMark, defect_marks, draw_defects};
 pub use labels::Area;
+pub use normals::{LitVertex, Needle, NeedleKind, Needles, draw_normals};
 pub use options::{Halo, OverlayLayer, OverlayOptions};
-pub use profile::draw_profile;
+pub use profile::{CURVE, ProfileCurves, draw_profile, lay_out_profile};
 
 use super::ink::{Ink, Mark};
 use super::palette::{Rgb8, Vector};

@@ -18,6 +18,13 @@ pub const V: Rgb8 = [0x00, 0x9E, 0x73];
 pub const H: Rgb8 = [0xCC, 0x79, 0xA7];
 /// The transmitted direction: sky blue.
 pub const T: Rgb8 = [0x56, 0xB4, 0xE9];
+/// The share α along an edge or along a scan line, which is no vector: yellow.
+pub const ALPHA: Rgb8 = [0xF0, 0xE4, 0x42];
+
+/// The normal of a polygon, where it stands beside those of vertices: yellow, the colour that no vector has.
+pub const FACE: Rgb8 = [0xF0, 0xE4, 0x42];
+/// Its dashes, as [`Vector::dashes`] has them.
+pub const FACE_DASHES: [f32; 2] = [3.0, 1.5];
 
 /// The vectors of the illumination equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

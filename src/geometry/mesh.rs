@@ -1,5 +1,6 @@
 //! Meshes of n-sided polygons.
 
+use crate::scene::area_vector;
 use glam::{DVec3, Vec3};
 use std::ops::Range;
 
@@ -14,6 +15,9 @@ pub struct Corner {
 
 /// A corner without a given normal.
 pub const NO_NORMAL: u32 = u32::MAX;
+
+/// Nearer to the origin than this, single precision resolves a model whose parts are about 10⁻³ apart and larger.
+pub(crate) const FAR: f64 = 1000.0;
 
 /// Polygons over shared points, as the shape or the file gives them.
 ///
@@ -31,6 +35,9 @@ pub struct Mesh {
     /// Face f has the corners `corners[starts[f]..starts[f + 1]]`; one entry more than faces.
     pub starts: Vec<u32>,
     pub corners: Vec<Corner>,
+    /// Points at which the shape goes on beyond its border as its own mirror image in x: averaged normals there are
+    /// those of both together.
+    pub mirrored: Vec<u32>,
     /// Every edge has a face on either side and the faces point outwards, so that from outside no back face is seen.
     pub closed: bool,
     /// Closed and convex: from outside no two front faces cover the same pixel.
@@ -144,20 +151,6 @@ fn face_range(starts: &[u32], f: usize) -> Range<usize> {
 
 fn triangle_count(starts: &[u32]) -> usize {
     starts.windows(2).map(|pair| ((pair[1] - pair[0]) as usize).saturating_sub(2)).sum()
-}
-
-/// The area of a polygon times its unit normal, by Newell's formula ½ Σ pᵢ × pᵢ₊₁, with the points taken relative to the
-/// first one, which keeps the digits of a small polygon far from the origin.
-pub(crate) fn area_vector(mut points: impl Iterator<Item = DVec3>) -> DVec3 {
-    let Some(first) = points.next() else { return DVec3::ZERO };
-    let mut sum = DVec3::ZERO;
-    let mut previous = DVec3::ZERO;
-    for point in points {
-        let current = point - first;
-        sum += previous.cross(current);
-        previous = current;
-    }
-    sum / 2.0
 }
 
 fn mean(points: impl Iterator<Item = DVec3>) -> DVec3 {

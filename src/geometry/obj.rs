@@ -9,7 +9,6 @@
 //! Texture coordinates, materials, groups, lines, points and free-form surfaces are passed over.
 
 mod assemble;
-mod concave;
 mod error;
 mod lines;
 mod prepare;

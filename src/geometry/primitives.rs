@@ -5,12 +5,16 @@
 
 mod angular;
 mod builder;
+pub(crate) mod corrugated;
+mod count;
+mod polygons;
 mod round;
 mod teapot;
 
 use super::Mesh;
 use crate::scene::{Object, ObjectKind};
 pub(crate) use builder::Builder;
+pub use count::{divisions_for, triangles};
 
 pub(crate) const TORUS_RING: f64 = 0.7;
 pub(crate) const TORUS_TUBE: f64 = 0.3;
@@ -22,6 +26,12 @@ pub(crate) const CONE_APEX: f64 = 1.0;
 /// 1/√3: the corners of the cube lie on the unit sphere.
 pub(crate) const CUBE_HALF_EDGE: f64 = 0.577_350_269_189_625_8;
 
+/// Half the extent of the corrugated sheet across (x) and along its ridges (y): its corners lie in the unit sphere.
+pub(crate) const CORRUGATED_HALF_WIDTH: f64 = 0.75;
+pub(crate) const CORRUGATED_HALF_HEIGHT: f64 = 0.65;
+/// How far the ridges stand before the sheet's middle, and the troughs behind it.
+pub(crate) const CORRUGATED_RIDGE: f64 = 0.1;
+
 /// The polygons of an object; none for a model from a file, which brings its own.
 ///
 /// | kind | polygons |
@@ -32,6 +42,8 @@ pub(crate) const CUBE_HALF_EDGE: f64 = 0.577_350_269_189_625_8;
 /// | cone | `segments` × `rings` quads, triangles at the apex, and a base of `segments` sides |
 /// | cube | each upright side `segments`/4 (at least 1) × `rings` quads, top and bottom `segments`/4 squared |
 /// | plane | `segments` across (x) × `rings` down (y) |
+/// | corrugated | `segments` slopes, each of `rings` strips from top to bottom |
+/// | polygons | those of the scene |
 /// | teapot | each of its 32 patches `segments`/4 round × `rings`/4 along (at least 1; handle and spout 2 round), triangles at the poles |
 ///
 /// Numbers of divisions that [`Scene::validate`](crate::scene::Scene) would refuse are taken as the nearest that it
@@ -47,6 +59,8 @@ pub fn tessellate(object: &Object) -> Mesh {
         ObjectKind::Cone => round::cone(segments, rings),
         ObjectKind::Cube => angular::cube((segments / 4).max(1), rings),
         ObjectKind::Plane => angular::plane(divisions(object.segments, 1), rings),
+        ObjectKind::Corrugated => corrugated::corrugated(divisions(object.segments, 2), rings),
+        ObjectKind::Polygons => polygons::polygons(object),
         ObjectKind::Teapot => teapot::teapot((rings / 4).max(1), (segments / 4).max(1)),
         ObjectKind::Obj => Mesh { starts: vec![0], ..Mesh::default() },
     }

@@ -4,12 +4,14 @@
 //! surface lies within [`Surface::BOUND`] of the world's origin, so a ray is first brought to unit direction and to its point
 //! nearest the origin: the equations then see numbers about 1 however far away the eye is.
 
+mod corrugated;
 mod patch_ray;
 mod patches;
 mod polynomial;
 mod solids;
 mod torus;
 
+use crate::geometry::primitives::{CUBE_HALF_EDGE, CYLINDER_HALF_HEIGHT, CYLINDER_RADIUS};
 use crate::scene::{Object, ObjectKind};
 use glam::DVec3;
 
@@ -26,13 +28,18 @@ pub struct Ray {
 pub struct SurfaceHit {
     /// The point is `ray.origin + t · ray.direction`.
     pub t: f64,
-    /// Unit vector that points out of the shape, from whichever side the ray comes. The plane's is +z.
+    /// Unit vector that points out of the shape, from whichever side the ray comes. The plane's
+    /// and the corrugated sheet's are those of the sides that face +z.
     pub normal: DVec3,
 }
 
 /// The true surface of a built-in shape. Copied freely and shared between threads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Surface(ObjectKind);
+pub struct Surface {
+    kind: ObjectKind,
+    /// Of the corrugated sheet.
+    slopes: u32,
+}
 
 /// A ray as the shapes see it: unit direction, origin nearest to the world's origin, `s` the length along it.
 #[derive(Clone, Copy, Debug)]
@@ -55,9 +62,20 @@ impl Surface {
     /// rounding.
     pub const BOUND: f64 = 1.415;
 
-    /// The surface of `object`; none for a model from a file, which has no surface beyond its polygons.
+    /// The surface of `object`; none for a model or a scene's own polygons, which have no surface beyond them.
     pub fn of(object: &Object) -> Option<Self> {
-        (object.kind != ObjectKind::Obj).then_some(Self(object.kind))
+        let slopes = object.segments.clamp(2, Object::MAX_DIVISIONS);
+        object.kind.has_surface().then_some(Self { kind: object.kind, slopes })
+    }
+
+    /// Radius of a ball about the world's origin that the surface encloses; 0 if none is known.
+    pub fn inner_radius(&self) -> f64 {
+        match self.kind {
+            ObjectKind::Sphere => 1.0,
+            ObjectKind::Cylinder => CYLINDER_RADIUS.min(CYLINDER_HALF_HEIGHT),
+            ObjectKind::Cube => CUBE_HALF_EDGE,
+            _ => 0.0,
+        }
     }
 
     /// The nearest point with t > `t_min` where `ray` meets the surface, if there is one.
@@ -75,7 +93,7 @@ impl Surface {
             return None;
         }
         let ray = UnitRay { origin, direction, s_min: t_min * length - shift };
-        let meeting = match self.0 {
+        let meeting = match self.kind {
             ObjectKind::Sphere => solids::sphere(&ray),
             ObjectKind::Torus => torus::torus(&ray),
             ObjectKind::Cylinder => solids::cylinder(&ray),
@@ -83,7 +101,8 @@ impl Surface {
             ObjectKind::Cube => solids::cube(&ray),
             ObjectKind::Plane => solids::plane(&ray),
             ObjectKind::Teapot => patches::teapot(&ray),
-            ObjectKind::Obj => None,
+            ObjectKind::Corrugated => corrugated::corrugated(&ray, self.slopes),
+            ObjectKind::Obj | ObjectKind::Polygons => None,
         }?;
         Some(SurfaceHit { t: (meeting.s + shift) / length, normal: meeting.normal.normalize_or(DVec3::Y) })
     }

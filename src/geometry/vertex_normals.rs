@@ -1,7 +1,7 @@
 //! Vertex normals: from a mesh with shared points to vertices with one normal each.
 
-use super::mesh::{Mesh, NO_NORMAL, VertexMesh, area_vector, radius_about_origin};
-use crate::scene::{NormalSource, Weighting};
+use super::mesh::{Mesh, NO_NORMAL, VertexMesh, radius_about_origin};
+use crate::scene::{NormalSource, Weighting, area_vector};
 use glam::{DVec3, DVec4, Vec3};
 use std::f64::consts::TAU;
 
@@ -118,7 +118,13 @@ impl Mesh {
     fn averaged_normals(&self, weighting: Weighting) -> Vec<Vec3> {
         let mut sums = vec![DVec4::ZERO; self.positions.len()];
         for f in 0..self.face_count() {
-            self.add_face(f, weighting, &mut sums);
+            let Some((normal, area)) = self.normal_and_area(f) else { continue };
+            for (k, corner) in self.face(f).iter().enumerate() {
+                sums[corner.position as usize] += weighted(normal, self.corner_weight(f, k, (normal, area), weighting));
+            }
+        }
+        for &point in &self.mirrored {
+            sums[point as usize].x = 0.0;
         }
         let mut normals: Vec<Vec3> = sums.iter().map(|&sum| direction_of(sum).unwrap_or(Vec3::ZERO)).collect();
         if normals.contains(&Vec3::ZERO) {
@@ -127,25 +133,25 @@ impl Mesh {
         normals
     }
 
-    /// Adds the weighted normal of face `f`, and the weight as the fourth number, to the sums of its points.
-    fn add_face(&self, f: usize, weighting: Weighting, sums: &mut [DVec4]) {
+    /// The unit normal and the area of face `f`; nothing for a face without area, which does not count in an average.
+    pub(super) fn normal_and_area(&self, f: usize) -> Option<(DVec3, f64)> {
         let area_vector = area_vector(self.face_points(f));
         let area = area_vector.length();
-        if area <= 0.0 {
-            return;
-        }
-        let normal = area_vector / area;
-        let corners = self.face(f);
-        for (k, corner) in corners.iter().enumerate() {
-            let weight = match weighting {
-                Weighting::Equal => 1.0,
-                Weighting::Area => area,
-                Weighting::Angle => {
-                    let at = |k: usize| self.positions[corners[k % corners.len()].position as usize].as_dvec3();
-                    interior_angle(at(k + corners.len() - 1), at(k), at(k + 1), normal)
-                }
-            };
-            sums[corner.position as usize] += (normal * weight).extend(weight);
+        (area > 0.0).then(|| (area_vector / area, area))
+    }
+
+    /// What face `f`, of this normal and area, weighs in the average at its corner `k`: 1, its area, or its interior
+    /// angle there in radians.
+    #[inline]
+    pub(super) fn corner_weight(&self, f: usize, k: usize, (normal, area): (DVec3, f64), weighting: Weighting) -> f64 {
+        match weighting {
+            Weighting::Equal => 1.0,
+            Weighting::Area => area,
+            Weighting::Angle => {
+                let corners = self.face(f);
+                let at = |k: usize| self.positions[corners[k % corners.len()].position as usize].as_dvec3();
+                interior_angle(at(k + corners.len() - 1), at(k), at(k + 1), normal)
+            }
         }
     }
 
@@ -170,7 +176,14 @@ fn interior_angle(previous: DVec3, corner: DVec3, next: DVec3, normal: DVec3) ->
     if angle < 0.0 { angle + TAU } else { angle }
 }
 
-fn direction_of(sum: DVec4) -> Option<Vec3> {
+/// A normal times its weight, and the weight as the fourth number.
+#[inline]
+pub(super) fn weighted(normal: DVec3, weight: f64) -> DVec4 {
+    (normal * weight).extend(weight)
+}
+
+/// The unit vector along a sum of [`weighted`] normals; nothing where they cancel.
+pub(super) fn direction_of(sum: DVec4) -> Option<Vec3> {
     let (normal, weight) = (sum.truncate(), sum.w);
     let length = normal.length();
     (length > CANCELLED * weight).then(|| (normal / length).as_vec3())

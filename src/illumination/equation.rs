@@ -3,7 +3,7 @@
 use super::fresnel::{Fresnel, Index};
 use super::pattern::Fields;
 use super::{FormTask, Lobe, Real, Scalar, Source, Specular, SpecularForm, V3, specular};
-use crate::scene::{Backfacing, ObjectKind, Rgb, Scene, Viewer};
+use crate::scene::{Backfacing, Rgb, Scene, Viewer};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -81,6 +81,8 @@ pub struct Equation<T> {
     /// V where it is constant.
     infinite_view: Option<[T; 3]>,
     form: SpecularForm,
+    /// Whether any light is reflected diffusely.
+    diffuses: bool,
     /// The eye, world.
     eye: DVec3,
     /// World units to one camera distance.
@@ -112,7 +114,7 @@ impl<T: Scalar> Equation<T> {
         let camera = &scene.camera;
         let unit = camera.distance();
         let material = &scene.material;
-        let axis = if scene.object.kind == ObjectKind::Plane { 2 } else { 1 };
+        let axis = if scene.object.kind.faces_viewer() { 2 } else { 1 };
         let pattern = Fields::new(scene.pattern.kind, scene.pattern.scale, axis, camera.eye, unit).map(|fields| {
             let colors = [material.color, scene.pattern.color].map(|color| color.to_array().map(T::from_f64));
             Patterned { fields, colors }
@@ -128,7 +130,9 @@ impl<T: Scalar> Equation<T> {
             sources.extend(Source::all_of(light, camera.eye, unit, material.kd * color * on, ks * on));
             starts.push(sources.len());
         }
+        let zero = [T::default(); 3];
         Self {
+            diffuses: sources.iter().any(|source| source.diffuse != zero),
             ambient: (material.ka * color * scene.ambient.color).to_array().map(T::from_f64),
             sources,
             starts,
@@ -148,7 +152,7 @@ impl<T: Scalar> Equation<T> {
         self.form
     }
 
-    /// Leaves out the lights that cannot add anything: they have no sources then.
+    /// Leaves out the lights that cannot add anything: they have no sources then. What only they have needs no text either.
     pub fn retain_lights(&mut self, keep: impl Fn(usize) -> bool) {
         let mut kept = Vec::with_capacity(self.sources.len());
         let mut starts = vec![0];
@@ -159,6 +163,18 @@ impl<T: Scalar> Equation<T> {
             starts.push(kept.len());
         }
         (self.sources, self.starts) = (kept, starts);
+        let zero = [T::default(); 3];
+        self.diffuses = self.sources.iter().any(|source| source.diffuse != zero);
+        if self.sources.iter().all(|source| source.specular == zero) {
+            self.form = SpecularForm::None;
+        }
+    }
+
+    /// Evaluates what the scene's numbers make no difference to: terms whose coefficient is 0 and an f of 1.
+    pub fn leave_nothing_out(&mut self, scene: &Scene) {
+        self.form = SpecularForm::of_model(scene);
+        self.diffuses = true;
+        self.sources.iter_mut().for_each(Source::evaluate_attenuation);
     }
 
     /// Lights of the scene, those without sources included.
@@ -232,19 +248,24 @@ impl<T: Scalar> Equation<T> {
             None => None,
         };
         for (index, source) in self.sources.iter().enumerate() {
+            if reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
+                continue;
+            }
             let mut response = self.respond::<R, F>(source, site);
             if let Some(reached) = reached {
                 let lit = like.mask_of_bits(reached.bits(index));
                 response.diffuse = R::select(lit, response.diffuse, zero);
                 response.specular = R::select(lit, response.specular, zero);
             }
-            let mut diffuse = V3::constant(like, source.diffuse);
-            if let Some([r, g, b]) = color {
-                diffuse = V3::new(diffuse.x * r, diffuse.y * g, diffuse.z * b);
+            if self.diffuses {
+                let mut diffuse = V3::constant(like, source.diffuse);
+                if let Some([r, g, b]) = color {
+                    diffuse = V3::new(diffuse.x * r, diffuse.y * g, diffuse.z * b);
+                }
+                sum[0] = response.diffuse.mul_add(diffuse.x, sum[0]);
+                sum[1] = response.diffuse.mul_add(diffuse.y, sum[1]);
+                sum[2] = response.diffuse.mul_add(diffuse.z, sum[2]);
             }
-            sum[0] = response.diffuse.mul_add(diffuse.x, sum[0]);
-            sum[1] = response.diffuse.mul_add(diffuse.y, sum[1]);
-            sum[2] = response.diffuse.mul_add(diffuse.z, sum[2]);
             if F::PRESENT {
                 let mut specular = V3::constant(like, source.specular);
                 if let Some(fresnel) = &self.fresnel {

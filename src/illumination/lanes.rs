@@ -201,6 +201,11 @@ impl<S: Simd> Real for Lanes<S> {
     fn mask_of_bits(self, bits: u64) -> Self::Mask {
         S::mask32s::from_bitmask(self.0.token(), bits)
     }
+
+    #[inline(always)]
+    fn holds_none(self, bits: u64) -> bool {
+        bits << (64 - Self::LEN) == 0
+    }
 }
 
 #[cfg(test)]

@@ -75,6 +75,8 @@ pub trait Real:
     /// The truth values of as many lanes as there are, the lowest bit the first lane's.
     #[must_use]
     fn mask_of_bits(self, bits: u64) -> Self::Mask;
+    /// Whether all of those truth values are false.
+    fn holds_none(self, bits: u64) -> bool;
 
     /// `√self` for `self` ≥ 0.
     #[inline(always)]
@@ -153,5 +155,9 @@ impl Real for f64 {
 
     fn mask_of_bits(self, bits: u64) -> bool {
         bits & 1 == 1
+    }
+
+    fn holds_none(self, bits: u64) -> bool {
+        bits & 1 == 0
     }
 }

@@ -169,6 +169,14 @@ impl<T: Scalar> Source<T> {
         }
     }
 
+    /// Has f evaluated by its formula at each point even where it is 1 everywhere.
+    pub(super) fn evaluate_attenuation(&mut self) {
+        let one = T::from_f64(1.0);
+        if self.falloff == Falloff::Constant(one) {
+            self.falloff = Falloff::Quadratic { c1: one, c2: T::default(), c3: T::default() };
+        }
+    }
+
     /// Whether f differs from point to point.
     pub fn attenuates(&self) -> bool {
         !matches!(self.falloff, Falloff::Constant(_))

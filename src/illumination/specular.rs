@@ -63,11 +63,15 @@ impl SpecularForm {
     pub fn of(scene: &Scene) -> Self {
         let (soloing, ks) = (scene.soloing(), scene.material.ks * scene.material.specular_color);
         let lit = scene.lights.iter().any(|light| light.shines(soloing) && ks * light.color != Rgb::ZERO);
+        if lit { Self::of_model(scene) } else { Self::None }
+    }
+
+    /// The form that `scene` would need whatever its coefficients.
+    pub(super) fn of_model(scene: &Scene) -> Self {
         let shading = &scene.shading;
         let unit_normals = shading.renormalise || shading.mode != ShadingMode::Phong;
         let chord = scene.material.n >= Self::CHORD_FROM && unit_normals;
         match scene.reflection.model {
-            _ if !lit => Self::None,
             ReflectionModel::Phong if chord => Self::PhongChord,
             ReflectionModel::Phong => Self::PhongCosine,
             ReflectionModel::Blinn if chord => Self::BlinnChord,

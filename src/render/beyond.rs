@@ -2,20 +2,31 @@
 //! surfaces scatter. Linear pictures in, linear pictures out.
 
 use super::bounce::{Gathering, Receiver};
+use super::bvh::RAYS;
 use super::display::Linear;
+use super::floor::{FloorScratch, FloorView};
 use super::lens::Lens;
 use super::painting::Bands;
-use super::shadow::{Reach, Shadows};
+use super::shadow::{Cast, Reach, Shadows, SiteRow, Waiting};
 use super::sites::{Sight, Sights};
-use super::surroundings::{Beyond, Surroundings};
+use super::surroundings::{Surroundings, in_range};
 use super::transmission::Glass;
 use crate::illumination::Equation;
 use crate::scene::{AmbientSource, Rgb, Scene};
+use fearless_simd::{Level, dispatch};
 use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
+/// What a thread that marks shadows keeps from one row of sites to the next.
+#[derive(Default)]
+struct RowScratch {
+    rows: Vec<SiteRow>,
+    waiting: Waiting,
+}
+
 /// Marks which sources reach which pixels, a block of bits a row.
 pub(super) fn reach_pixels(
+    level: Level,
     bands: &Bands,
     sights: &Sights<'_>,
     shadows: &Shadows<'_>,
@@ -25,16 +36,27 @@ pub(super) fn reach_pixels(
     let [width, height] = size.map(|side| side as usize);
     reach.clear(height, width, shadows.equation.sources.len());
     let (block, stride) = (reach.block, reach.stride);
-    let rows = Bands::ROWS * block;
-    reach.words.par_chunks_mut(rows).zip(bands.parts(size)).for_each(|(words, (place, band, fragments))| {
+    let cast = Cast::new(*shadows, true);
+    if cast.reaches_all() {
+        return;
+    }
+    let bands = reach.words.par_chunks_mut(Bands::ROWS * block).zip(bands.parts(size));
+    bands.for_each_init(RowScratch::default, |scratch, (words, (place, band, fragments))| {
+        let RowScratch { rows, waiting } = scratch;
+        rows.resize_with(Bands::ROWS, SiteRow::default);
+        rows.iter_mut().for_each(|row| row.clear(width));
         sights.walk(place, band, fragments, |x, row, Sight { normal, lifted, .. }| {
-            shadows.mark(lifted, normal, x, stride, &mut words[row * block..(row + 1) * block]);
+            rows[row].set(x, cast.relative(lifted), normal);
         });
+        for (row, words) in rows.iter().zip(words.chunks_mut(block)) {
+            dispatch!(level, simd => cast.mark_row(simd, row, stride, words, waiting));
+        }
     });
 }
 
 /// Marks which sources reach which points, `sites` of them a block; `point` gives a point, world, and its normal.
 pub(super) fn reach_points(
+    level: Level,
     count: usize,
     sites: usize,
     point: impl Fn(usize) -> (DVec3, DVec3) + Sync,
@@ -43,11 +65,15 @@ pub(super) fn reach_points(
 ) {
     reach.clear(count.div_ceil(sites), sites, shadows.equation.sources.len());
     let (block, stride) = (reach.block, reach.stride);
-    reach.words.par_chunks_mut(block).enumerate().for_each(|(chunk, words)| {
-        for bit in 0..sites.min(count - chunk * sites) {
-            let (point, normal) = point(chunk * sites + bit);
-            shadows.mark(point, normal, bit, stride, words);
+    let cast = Cast::new(*shadows, true);
+    let chunks = reach.words.par_chunks_mut(block).enumerate();
+    chunks.for_each_init(<(SiteRow, Waiting)>::default, |(row, waiting), (chunk, words)| {
+        row.clear(sites);
+        for site in 0..sites.min(count - chunk * sites) {
+            let (point, normal) = point(chunk * sites + site);
+            row.set(site, cast.relative(point), normal);
         }
+        dispatch!(level, simd => cast.mark_row(simd, row, stride, words, waiting));
     });
 }
 
@@ -57,36 +83,80 @@ pub(super) fn eye_ray(lens: &Lens, x: usize, y: usize) -> (DVec3, DVec3) {
     (lens.world(point), direction.normalize())
 }
 
-/// An intensity in single precision, at most its greatest number.
-fn in_range(intensity: Rgb) -> Vec3 {
-    let greatest = f64::from(f32::MAX);
-    intensity.clamp(Rgb::splat(-greatest), Rgb::splat(greatest)).as_vec3()
+/// Pixels whose rays wait to be followed through the object together.
+struct Refracted<'a> {
+    level: Level,
+    glass: &'a Glass<'a>,
+    pixels: Vec<usize>,
+    rays: Vec<(Sight, DVec3)>,
 }
 
-/// What each pixel sees past the object, and behind its surface if that is `glass`.
-pub(super) fn seen_beyond(
-    bands: &Bands,
-    sights: &Sights<'_>,
-    size: [u32; 2],
-    surroundings: &Surroundings<'_>,
-    glass: Option<&Glass<'_>>,
-    seen: &mut Vec<Vec3>,
-) {
+impl<'a> Refracted<'a> {
+    fn new(level: Level, glass: &'a Glass<'a>) -> Self {
+        Self { level, glass, pixels: Vec::with_capacity(RAYS), rays: Vec::with_capacity(RAYS) }
+    }
+
+    fn push(&mut self, pixel: usize, ray: (Sight, DVec3), scratch: &mut Vec<u64>, seen: &mut [Vec3]) {
+        self.pixels.push(pixel);
+        self.rays.push(ray);
+        if self.rays.len() == RAYS {
+            self.follow(scratch, seen);
+        }
+    }
+
+    /// Puts what the rays see into their pixels.
+    fn follow(&mut self, scratch: &mut Vec<u64>, seen: &mut [Vec3]) {
+        let Self { level, glass, pixels, rays } = self;
+        if rays.is_empty() {
+            return;
+        }
+        dispatch!(*level, simd => glass.transmit_all(simd, rays, scratch, #[inline(always)] |ray, intensity| {
+            seen[pixels[ray]] = in_range(intensity);
+        }));
+        pixels.clear();
+        rays.clear();
+    }
+}
+
+/// What pixels see past the object.
+pub(super) struct Prospect<'a> {
+    pub sights: &'a Sights<'a>,
+    pub surroundings: &'a Surroundings<'a>,
+    /// The floor, if there is one.
+    pub floor: Option<&'a FloorView<'a>>,
+    /// What the object is made of, if light passes through it.
+    pub glass: Option<&'a Glass<'a>>,
+}
+
+/// What each pixel sees past the object, and behind its surface if that is of glass.
+pub(super) fn seen_beyond(level: Level, bands: &Bands, size: [u32; 2], prospect: &Prospect<'_>, seen: &mut Vec<Vec3>) {
+    let Prospect { sights, surroundings, floor, glass } = *prospect;
     let width = size[0] as usize;
     seen.clear();
     seen.resize(width * size[1] as usize, Vec3::NAN);
-    seen.par_chunks_mut(Bands::ROWS * width).zip(bands.parts(size)).for_each_init(Vec::new, |scratch, (part, job)| {
+    let parts = seen.par_chunks_mut(Bands::ROWS * width).zip(bands.parts(size));
+    parts.for_each_init(<(Vec<u64>, FloorScratch)>::default, |(scratch, floor_scratch), (part, job)| {
         let (place, band, fragments) = job;
         let first_row = place.first_row as usize;
-        sights.walk(place, band, fragments, |x, row, sight| {
-            part[row * width + x] = match glass {
-                Some(glass) => {
-                    let (_, incident) = eye_ray(sights.lens, x, first_row + row);
-                    in_range(glass.transmit(sight.point, sight.normal, incident, scratch).seen)
-                }
-                None => Vec3::ZERO,
-            };
+        sights.walk_covered(place, band, fragments, |row, columns| {
+            part[row * width..(row + 1) * width][columns].fill(Vec3::ZERO);
         });
+        if let Some(glass) = glass {
+            let mut through = Refracted::new(level, glass);
+            sights.walk(place, band, fragments, |x, row, sight| {
+                let (_, incident) = eye_ray(sights.lens, x, first_row + row);
+                through.push(row * width + x, (sight, incident), scratch, part);
+            });
+            through.follow(scratch, part);
+        }
+        if let Some(floor) = floor {
+            for (y, line) in (first_row..).zip(part.chunks_mut(width)) {
+                dispatch!(level, simd => floor.light_row(simd, y, line, floor_scratch));
+            }
+        }
+        for (y, line) in (first_row..).zip(part.chunks_mut(width)) {
+            dispatch!(level, simd => surroundings.fill_row(simd, sights.lens, y, line));
+        }
         for (index, pixel) in part.iter_mut().enumerate().filter(|(_, pixel)| pixel.is_nan()) {
             let (origin, direction) = eye_ray(sights.lens, index % width, first_row + index / width);
             *pixel = in_range(surroundings.along(origin, direction, scratch));
@@ -101,6 +171,8 @@ pub(super) struct Bounced {
     pub difference: Vec<Vec3>,
     /// The Ia whose constant term differs least from it: least squares over all pixels that see a surface.
     pub fit: Option<Rgb>,
+    /// Where the pixels gather; kept for its room.
+    receivers: Vec<Receiver>,
 }
 
 /// What a surface returns of the constant ambient light, and of light from other surfaces.
@@ -111,6 +183,7 @@ struct Returned {
 
 /// Gathers light from other surfaces at every pixel.
 pub(super) fn bounce(
+    level: Level,
     bands: &Bands,
     sights: &Sights<'_>,
     scene: &Scene,
@@ -120,42 +193,50 @@ pub(super) fn bounce(
 ) {
     let lens = sights.lens;
     let [width, height] = scene.image.size.map(|side| side as usize);
-    let mut receivers = vec![Receiver::default(); width * height];
+    let Bounced { difference, receivers, .. } = bounced;
+    receivers.clear();
+    receivers.resize(width * height, Receiver::default());
     let near = |point: DVec3| ((point - lens.eye) / lens.unit).as_vec3();
-    let surroundings = gathering.surroundings;
+    let floor = gathering.floor_view;
     let parts = receivers.par_chunks_mut(Bands::ROWS * width).zip(bands.parts(scene.image.size));
-    let on_object: Vec<Vec<bool>> = parts
-        .map(|(part, (place, band, fragments))| {
-            let mut object = vec![false; part.len()];
-            sights.walk(place, band, fragments, |x, row, sight| {
-                part[row * width + x] = Receiver { place: near(sight.point), normal: sight.normal.as_vec3() };
-                object[row * width + x] = true;
+    parts.for_each_init(FloorScratch::default, |scratch, (part, (place, band, fragments))| {
+        sights.walk(place, band, fragments, |x, row, sight| {
+            part[row * width + x] =
+                Receiver { place: near(sight.point), normal: sight.normal.as_vec3(), on_object: true };
+        });
+        let Some(floor) = floor else { return };
+        for (y, line) in (place.first_row as usize..).zip(part.chunks_mut(width)) {
+            dispatch!(level, simd => {
+                floor.find_row(simd, y, width, #[inline(always)] |x| !line[x].on_object, scratch)
             });
-            for (index, receiver) in part.iter_mut().enumerate().filter(|(index, _)| !object[*index]) {
-                let (origin, direction) = eye_ray(lens, index % width, place.first_row as usize + index / width);
-                if let Beyond::Floor(point) = surroundings.meet(origin, direction) {
-                    *receiver = Receiver { place: near(point), normal: Vec3::Y };
+            for (x, receiver) in line.iter_mut().enumerate() {
+                if let Some(place) = scratch.seen(x) {
+                    *receiver = Receiver { place, normal: Vec3::Y, on_object: false };
                 }
             }
-            object
+        }
+    });
+    let world = |place: Vec3| lens.world(place.as_dvec3());
+    gathering.gather(level, receivers, width, world, difference);
+    let share = Bands::ROWS * width;
+    let parts = difference.par_chunks_mut(share).zip(receivers.par_chunks(share));
+    let sums: Vec<[Rgb; 2]> = parts
+        .map(|(part, receivers)| {
+            let (mut products, mut squares) = (Rgb::ZERO, Rgb::ZERO);
+            for (light, receiver) in part.iter_mut().zip(receivers).filter(|(_, receiver)| receiver.is_there()) {
+                let point = world(receiver.place);
+                let Returned { constant, scattered } = returned(scene, pattern, point, receiver.on_object);
+                let arrived = light.as_dvec3() * scattered;
+                products += constant * arrived;
+                squares += constant * constant;
+                *light = in_range(arrived - constant * scene.ambient.color);
+            }
+            [products, squares]
         })
         .collect();
-    let world = |place: Vec3| lens.world(place.as_dvec3());
-    bounced.difference = gathering.gather(&receivers, width, world);
-    let (mut products, mut squares) = (Rgb::ZERO, Rgb::ZERO);
-    let of = |receiver: &Receiver, object: bool| returned(scene, pattern, world(receiver.place), object);
-    for ((light, receiver), object) in
-        bounced.difference.iter_mut().zip(&receivers).zip(on_object.into_iter().flatten())
-    {
-        if receiver.normal == Vec3::ZERO {
-            continue;
-        }
-        let Returned { constant, scattered } = of(receiver, object);
-        let arrived = light.as_dvec3() * scattered;
-        products += constant * arrived;
-        squares += constant * constant;
-        *light = in_range(arrived - constant * scene.ambient.color);
-    }
+    // Added in the order of the bands, whichever was done first.
+    let [products, squares] =
+        sums.iter().fold([Rgb::ZERO; 2], |[p, s], [products, squares]| [p + products, s + squares]);
     bounced.fit = (squares.min_element() > 0.0).then(|| products / squares);
 }
 
@@ -171,10 +252,20 @@ fn returned(scene: &Scene, pattern: &Equation<f64>, point: DVec3, object: bool) 
 
 /// Puts together what the equation gave, what is seen beyond and what other surfaces scatter; returns how many pixels
 /// overflow.
-pub(super) fn compose(scene: &Scene, seen: &[Vec3], bounced: &[Vec3], linear: &mut [Linear]) -> u64 {
+///
+/// What the equation gave may have faded with the depth already, where it was found at vertices or faces. Then `faded` has
+/// s0 at each pixel, for what is added there.
+pub(super) fn compose(
+    scene: &Scene,
+    seen: &[Vec3],
+    bounced: &[Vec3],
+    faded: Option<&[f32]>,
+    linear: &mut [Linear],
+) -> u64 {
     let width = scene.image.size[0] as usize;
     let kt = scene.transparency.kt as f32;
     let side = scene.ambient.source;
+    let veil = scene.depth_cueing.color.as_vec3();
     let whole = linear.par_chunks_mut(width.max(1)).enumerate();
     let overflowing = whole.map(|(row, line)| {
         let mut over = 0;
@@ -183,11 +274,12 @@ pub(super) fn compose(scene: &Scene, seen: &[Vec3], bounced: &[Vec3], linear: &m
             let covered = pixel[3] > 0.0;
             let beyond = seen.get(index).copied().unwrap_or(Vec3::ZERO);
             let mut color = if covered { Vec3::from_slice(&pixel[..3]) } else { beyond };
+            let s0 = faded.filter(|_| covered).and_then(|faded| faded.get(index)).copied().unwrap_or(1.0);
             if let Some(difference) = bounced.get(index).filter(|_| bounces_at(side, x, width)) {
-                color = (color + *difference).max(Vec3::ZERO);
+                color = (color + s0 * *difference).max(Vec3::ZERO);
             }
             if covered && kt > 0.0 {
-                color = color * (1.0 - kt) + beyond * kt;
+                color = color * (1.0 - kt) + (s0 * beyond + (1.0 - s0) * veil) * kt;
             }
             color = color.min(Vec3::MAX);
             over += u64::from(color.max_element() > 1.0);

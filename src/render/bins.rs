@@ -21,7 +21,7 @@ const CHUNK: usize = 8192;
 pub(super) struct Bins {
     chunks: Vec<Chunk>,
     used: usize,
-    /// Front-facing triangles with a pixel centre in their bounds.
+    /// Triangles with a pixel centre in their bounds, back faces only where these are not dropped.
     pub candidates: u64,
 }
 
@@ -72,6 +72,23 @@ impl Bins {
             last.sort_in(as_index(i), triangle.map(|v| placed.places[v as usize]), size, cull);
         }
         self.candidates = self.chunks[..self.used].iter().map(|chunk| chunk.candidates).sum();
+    }
+
+    /// How many of the candidates show their back; `corners` gives a triangle's places. Counted anew at each call.
+    pub fn backs(&self, corners: impl Fn(u32) -> [Place; 3] + Sync) -> u64 {
+        let lists = self.chunks[..self.used].par_iter().flat_map_iter(|chunk| chunk.bands.iter().zip(0_i32..));
+        let backs = lists.map(|(list, band)| {
+            let first = |corners: [Place; 3]| {
+                let top = corners.iter().map(|corner| corner[1]).min().unwrap_or(0);
+                first_centre(top).max(0) / BAND.cast_signed() == band
+            };
+            // A triangle is in the list of every band that it reaches, and counted in the first.
+            list.iter()
+                .map(|&index| corners(index))
+                .filter(|&corners| doubled_area(corners) > 0 && first(corners))
+                .count()
+        });
+        backs.sum::<usize>() as u64
     }
 
     /// The triangles of band `band`, in ascending order.

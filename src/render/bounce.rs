@@ -5,10 +5,15 @@
 //! the distance in the picture and vanish on another surface (after W. J. Ward et al., *A ray tracing solution for diffuse
 //! interreflection*, 1988: indirect light changes slowly but at creases).
 
+mod carry;
+
+use self::carry::Grid;
+use super::floor::FloorView;
 use super::shadow::Shadows;
 use super::surroundings::{Beyond, Surroundings, lit};
 use crate::illumination::Equation;
 use crate::scene::Rgb;
+use fearless_simd::{Level, dispatch};
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -17,8 +22,6 @@ use std::f64::consts::TAU;
 const DIRECTIONS: [u32; 2] = [8, 8];
 /// Points of the grid along the picture's longer side: light from other surfaces changes over the object, not over pixels.
 const POINTS: usize = 72;
-/// Weights below this tell nothing; the pixel gathers for itself.
-const LEAST_WEIGHT: f32 = 0.02;
 
 /// A point to gather at.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,10 +30,11 @@ pub(super) struct Receiver {
     pub place: Vec3,
     /// Unit; zero where there is nothing.
     pub normal: Vec3,
+    pub on_object: bool,
 }
 
 impl Receiver {
-    fn is_there(&self) -> bool {
+    pub fn is_there(&self) -> bool {
         self.normal != Vec3::ZERO
     }
 }
@@ -40,6 +44,8 @@ impl Receiver {
 pub(super) struct Gathering<'a> {
     pub shadows: Shadows<'a>,
     pub surroundings: &'a Surroundings<'a>,
+    /// The floor, if there is one, as rows of pixels see it.
+    pub floor_view: Option<&'a FloorView<'a>>,
     /// The object's diffuse reflection without its ambient light, and the floor's.
     pub object: &'a Equation<f64>,
     pub floor: &'a Equation<f64>,
@@ -48,21 +54,29 @@ pub(super) struct Gathering<'a> {
 impl Gathering<'_> {
     /// The mean intensity that arrives from other surfaces at every pixel of a picture `width` wide; `world` gives a
     /// receiver's point.
-    pub fn gather(&self, receivers: &[Receiver], width: usize, world: impl Fn(Vec3) -> DVec3 + Sync) -> Vec<Vec3> {
+    pub fn gather(
+        &self,
+        level: Level,
+        receivers: &[Receiver],
+        width: usize,
+        world: impl Fn(Vec3) -> DVec3 + Sync,
+        gathered: &mut Vec<Vec3>,
+    ) {
+        gathered.resize(receivers.len(), Vec3::ZERO);
         if receivers.is_empty() || width == 0 {
-            return Vec::new();
+            return;
         }
         let height = receivers.len() / width;
         let step = (width.max(height) / POINTS).max(1);
         let columns = width.div_ceil(step);
         let at = |receiver: &Receiver, salt: usize, scratch: &mut Vec<u64>| {
-            self.at(world(receiver.place), receiver.normal.as_dvec3(), salt, scratch).min(Rgb::splat(1e36)).as_vec3()
+            self.at(receiver, world(receiver.place), salt, scratch).min(Rgb::splat(1e36)).as_vec3()
         };
         let pick = |column: usize, row: usize| {
             let (x, y) = ((column * step + step / 2).min(width - 1), (row * step + step / 2).min(height - 1));
             receivers[y * width + x]
         };
-        let grid: Vec<(Receiver, Vec3)> = (0..height.div_ceil(step) * columns)
+        let points: Vec<(Receiver, Vec3)> = (0..height.div_ceil(step) * columns)
             .into_par_iter()
             .map_init(Vec::new, |scratch, cell| {
                 let receiver = pick(cell % columns, cell / columns);
@@ -70,22 +84,26 @@ impl Gathering<'_> {
                 (receiver, light)
             })
             .collect();
-        let mut gathered = vec![Vec3::ZERO; receivers.len()];
-        gathered.par_chunks_mut(width).enumerate().for_each_init(Vec::new, |scratch, (y, line)| {
-            for (x, light) in line.iter_mut().enumerate() {
-                let receiver = receivers[y * width + x];
-                if receiver.is_there() {
-                    let near = carried(&grid, [columns, step], [x, y], &receiver);
-                    *light = near.unwrap_or_else(|| at(&receiver, y * width + x, scratch));
+        let grid = Grid { points, columns, step };
+        let lines = gathered.par_chunks_mut(width).zip(receivers.par_chunks(width)).enumerate();
+        lines.for_each_init(Vec::new, |scratch, (y, (line, receivers))| {
+            dispatch!(level, simd => grid.carry_row(simd, y, receivers, line));
+            for (x, (light, receiver)) in line.iter_mut().zip(receivers).enumerate() {
+                if !receiver.is_there() {
+                    *light = Vec3::ZERO;
+                } else if light.is_nan() {
+                    *light = at(receiver, y * width + x, scratch);
                 }
             }
         });
-        gathered
     }
 
-    /// The mean intensity from other surfaces at a point with normal `n`. `salt` turns the directions, so that their
+    /// The mean intensity from other surfaces at a receiver's point, world. `salt` turns the directions, so that their
     /// number does not show as steps.
-    fn at(&self, point: DVec3, n: DVec3, salt: usize, scratch: &mut Vec<u64>) -> Rgb {
+    fn at(&self, receiver: &Receiver, point: DVec3, salt: usize, scratch: &mut Vec<u64>) -> Rgb {
+        let n = receiver.normal.as_dvec3();
+        // A convex solid lies behind the tangent plane of each of its points.
+        let alone = receiver.on_object && self.shadows.solid.is_convex();
         let (tangent, bitangent) = n.any_orthonormal_pair();
         let start = point + n * self.shadows.solid.clearance();
         let [rows, columns] = DIRECTIONS;
@@ -98,15 +116,16 @@ impl Gathering<'_> {
                 // Even over the disc under the half-sphere: spread as the cosine over the half-sphere.
                 let (radius, (sine, cosine)) = (height.sqrt(), angle.sin_cos());
                 let direction = tangent * (radius * cosine) + bitangent * (radius * sine) + n * (1.0 - height).sqrt();
-                sum += self.arriving(start, direction, scratch);
+                sum += self.arriving(start, direction, alone, scratch);
             }
         }
         sum / f64::from(rows * columns)
     }
 
-    /// What another surface of the scene scatters back along a ray.
-    fn arriving(&self, start: DVec3, direction: DVec3, scratch: &mut Vec<u64>) -> Rgb {
-        if let Some(hit) = self.shadows.solid.nearest(start, direction) {
+    /// What another surface of the scene scatters back along a ray, which meets no object if the point it leaves is `alone`.
+    fn arriving(&self, start: DVec3, direction: DVec3, alone: bool, scratch: &mut Vec<u64>) -> Rgb {
+        let hit = if alone { None } else { self.shadows.solid.nearest(start, direction) };
+        if let Some(hit) = hit {
             return lit(self.object, Some(&self.shadows), hit.point, hit.normal, scratch);
         }
         match self.surroundings.meet(start, direction) {
@@ -114,38 +133,4 @@ impl Gathering<'_> {
             Beyond::Elsewhere(_) => Rgb::ZERO,
         }
     }
-}
-
-/// The weighted mean of the grid's points about a pixel, if any of them lies on the same surface.
-fn carried(
-    grid: &[(Receiver, Vec3)],
-    [columns, step]: [usize; 2],
-    [x, y]: [usize; 2],
-    receiver: &Receiver,
-) -> Option<Vec3> {
-    let rows = grid.len() / columns;
-    let (column, row) = (x / step, y / step);
-    let (mut sum, mut weights) = (Vec3::ZERO, 0.0);
-    for r in row.saturating_sub(2)..(row + 3).min(rows) {
-        for c in column.saturating_sub(2)..(column + 3).min(columns) {
-            let (other, light) = &grid[r * columns + c];
-            let weight = tent(c, x, step) * tent(r, y, step) * likeness(receiver, other);
-            sum += *light * weight;
-            weights += weight;
-        }
-    }
-    (weights > LEAST_WEIGHT).then(|| sum / weights)
-}
-
-/// Falls from 1 at the cell's middle to 0 two and a half cells away.
-fn tent(cell: usize, pixel: usize, step: usize) -> f32 {
-    let distance = (cell * step + step / 2) as f32 - pixel as f32;
-    (1.0 - distance.abs() / (2.5 * step as f32)).max(0.0)
-}
-
-/// 1 for points in one plane, towards 0 where the normals or the planes part.
-fn likeness(a: &Receiver, b: &Receiver) -> f32 {
-    let normals = a.normal.dot(b.normal).max(0.0).powi(16);
-    let apart = (a.place - b.place).dot(a.normal).abs() / (1e-6 + 0.01 * a.place.length());
-    normals / (1.0 + apart * apart * apart * apart)
 }

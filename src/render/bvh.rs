@@ -4,6 +4,10 @@
 //! bounding volume hierarchies*, 2007). Coordinates are those of the model, relative to its origin; rays are traced in
 //! double precision against the same single-precision corners that are drawn.
 
+mod packet;
+
+pub(super) use packet::{Nearest, Packet, RAYS};
+
 use super::model::Model;
 use glam::{DVec3, Vec3, Vec3A};
 use rayon::join;
@@ -30,6 +34,13 @@ struct Node {
     count: u32,
 }
 
+impl Node {
+    /// A radius that holds the box, relative to the model's origin.
+    fn reach(&self) -> f32 {
+        Vec3::from_array(self.low).abs().max(Vec3::from_array(self.high).abs()).length()
+    }
+}
+
 /// A hierarchy over a model's triangles.
 #[derive(Default)]
 pub(super) struct Bvh {
@@ -38,6 +49,8 @@ pub(super) struct Bvh {
     corners: Vec<[Vec3; 3]>,
     /// Indices of the triangles in the same order.
     order: Vec<u32>,
+    /// Radius of a ball about the model's origin that lies within the solid; 0 if none is known.
+    inner_radius: f64,
 }
 
 /// Where a ray meets a triangle.
@@ -98,8 +111,19 @@ impl Bvh {
         let mut nodes = vec![Node::default(); 2 * items.len()];
         build(&mut items, &mut nodes, 0, 0, 0);
         let order: Vec<u32> = items.iter().map(|item| item.triangle).collect();
-        let corners = order.iter().map(|&triangle| corners_of(&model.triangles[triangle as usize])).collect();
-        Self { nodes, corners, order }
+        let corners: Vec<_> = order.iter().map(|&triangle| corners_of(&model.triangles[triangle as usize])).collect();
+        let inner_radius = if model.closed && model.convex { inner_radius(&corners) } else { 0.0 };
+        Self { nodes, corners, order, inner_radius }
+    }
+
+    /// Radius of a ball about the model's origin that lies within the solid; 0 if none is known.
+    pub fn inner_radius(&self) -> f64 {
+        self.inner_radius
+    }
+
+    /// The height of the lowest corner.
+    pub fn lowest(&self) -> f64 {
+        self.nodes.first().map_or(0.0, |root| f64::from(root.low[1]))
     }
 
     /// Whether anything lies on the ray `origin + t·direction` for 0 < t < `t_max`.
@@ -209,11 +233,21 @@ impl Slabs {
     }
 }
 
+/// The distance of the origin from the nearest of a convex solid's planes, a little less for rounding.
+fn inner_radius(corners: &[[Vec3; 3]]) -> f64 {
+    let distance = |triangle: &[Vec3; 3]| {
+        let [a, b, c] = triangle.map(|corner| corner.as_dvec3());
+        (b - a).cross(c - a).try_normalize().map(|normal| normal.dot(a))
+    };
+    corners.iter().filter_map(distance).fold(f64::INFINITY, f64::min).max(0.0) * (1.0 - 1e-5)
+}
+
+/// Edges are this much wider, as a part of the triangle, so that a ray through a shared edge misses neither.
+const SEAM: f64 = 1e-9;
+
 /// Where a ray meets a triangle with 0 < t < `limit`, and the weights of the second and third corner (T. Möller and
 /// B. Trumbore, *Fast, minimum storage ray/triangle intersection*, 1997).
 fn meet(corners: &[Vec3; 3], origin: DVec3, direction: DVec3, limit: f64) -> Option<(f64, [f64; 2])> {
-    /// Edges are this much wider, as a part of the triangle, so that a ray through a shared edge misses neither.
-    const SEAM: f64 = 1e-9;
     let [a, b, c] = corners.map(|corner| corner.as_dvec3());
     let (e1, e2, from) = (b - a, c - a, origin - a);
     let p = direction.cross(e2);
@@ -315,6 +349,7 @@ mod tests {
     use super::*;
     use crate::geometry::tessellate;
     use crate::scene::{NormalSource, Object, ObjectKind, Weighting};
+    use fearless_simd::{Level, dispatch};
 
     fn model(kind: ObjectKind) -> Model {
         let mesh = tessellate(&Object { kind, segments: 40, rings: 23, ..Object::default() });
@@ -354,6 +389,44 @@ mod tests {
             }
             assert!(met > 100, "{kind:?}: {met}");
         }
+    }
+
+    #[test]
+    fn a_packet_finds_what_its_rays_find_alone() {
+        for kind in [ObjectKind::Torus, ObjectKind::Teapot, ObjectKind::Plane, ObjectKind::Sphere] {
+            let bvh = Bvh::new(&model(kind));
+            let all: Vec<_> = rays().collect();
+            for rays in all.chunks_exact(RAYS) {
+                let mut packet = Packet::default();
+                for (k, (origin, direction)) in rays.iter().enumerate() {
+                    packet.set(k, *origin, *direction, 0.1 + 0.2 * k as f64);
+                }
+                let alone = |k: usize| {
+                    let (origin, direction, t_max) = packet.ray(k);
+                    u32::from(bvh.blocks(origin, direction, t_max)) << k
+                };
+                let expected = (0..RAYS).map(alone).sum::<u32>();
+                for level in [Level::new(), Level::baseline()] {
+                    for asked in [0xffff, 0x00f0, 0] {
+                        let blocked = dispatch!(level, simd => bvh.blocked(simd, &packet, asked));
+                        assert_eq!(blocked, expected & asked, "{kind:?}");
+                    }
+                    let nearest = dispatch!(level, simd => bvh.nearest_of(simd, &packet, 0xff0f));
+                    for k in (0..RAYS).filter(|k| 0xff0f >> k & 1 == 1) {
+                        let (origin, direction, t_max) = packet.ray(k);
+                        let alone = bvh.nearest(origin, direction).map(|meeting| meeting.t).filter(|t| *t < t_max);
+                        assert_eq!(nearest.of(k).map(|meeting| meeting.t), alone, "{kind:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_inner_ball_of_a_polygonal_sphere_touches_its_planes() {
+        let radius = Bvh::new(&model(ObjectKind::Sphere)).inner_radius();
+        assert!(radius > 0.98 && radius < 1.0, "{radius}");
+        assert_eq!(Bvh::new(&model(ObjectKind::Torus)).inner_radius(), 0.0);
     }
 
     #[test]

@@ -26,6 +26,8 @@ pub(super) struct Band {
     pub extents: Vec<Range<u32>>,
     /// Pixels that see the object.
     pub covered: u64,
+    /// Pixels that its triangles cover, those counted that another hides.
+    pub drawn: u64,
 }
 
 /// Depth and triangle of each pixel of a band, for the depth test.
@@ -33,6 +35,8 @@ pub(super) struct Band {
 pub(super) struct DepthScratch {
     keys: Vec<f32>,
     triangles: Vec<u32>,
+    /// Pixels tested.
+    drawn: u64,
 }
 
 /// No triangle is seen.
@@ -111,6 +115,7 @@ impl Band {
                 },
             );
         }
+        self.drawn = self.covered;
     }
 
     /// Covers the band by the nearest triangle at each pixel; of two at the same depth the first.
@@ -128,9 +133,11 @@ impl Band {
         scratch.keys.resize(pixels, f32::MIN);
         scratch.triangles.clear();
         scratch.triangles.resize(pixels, NONE);
+        scratch.drawn = 0;
         for triangle in triangles {
             scratch.draw(place, sources.placed, triangle, sources.vertices(triangle));
         }
+        self.drawn = scratch.drawn;
         for row in 0..place.rows {
             let start = (row * place.width) as usize;
             self.collect(row, &scratch.triangles[start..start + place.width as usize]);
@@ -145,7 +152,7 @@ impl Band {
     fn begin_sorted(&mut self, place: BandPlace, sorted: bool) {
         self.runs.clear();
         self.sorted = sorted;
-        self.covered = 0;
+        (self.covered, self.drawn) = (0, 0);
         self.extents.clear();
         self.extents.resize(place.rows as usize, place.width..0);
     }
@@ -191,6 +198,7 @@ impl DepthScratch {
                 let start = keys[0] + w1 as f32 * d1 + w2 as f32 * d2;
                 let base = ((as_u32(y) - place.first_row) * place.width) as usize;
                 let range = base + x0 as usize..base + x1 as usize;
+                self.drawn += range.len() as u64;
                 let depths = &mut self.keys[range.clone()];
                 for (k, (depth, seen)) in depths.iter_mut().zip(&mut self.triangles[range]).enumerate() {
                     let key = start + k as f32 * step;

@@ -27,7 +27,7 @@ pub(super) fn stored(v: f64, encoding: Encoding) -> u8 {
 }
 
 /// The stored pixel of a linear colour.
-pub(super) fn stored_pixel(color: Rgb, encoding: Encoding) -> [u8; 4] {
+pub(crate) fn stored_pixel(color: Rgb, encoding: Encoding) -> [u8; 4] {
     let [r, g, b] = color.to_array().map(|v| stored(v, encoding));
     [r, g, b, 255]
 }

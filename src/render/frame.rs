@@ -33,7 +33,7 @@ pub enum Stage {
     Rays,
     /// The equation at vertices or faces.
     VertexShading,
-    /// Normals or intensities carried to the pixels.
+    /// Normals or intensities carried to the pixels, and what depth cueing leaves of them there.
     Interpolation,
     /// The equation at pixels.
     PixelShading,
@@ -60,6 +60,16 @@ pub struct Report {
     pub nanoseconds: u64,
     /// Triangles of the mesh, before culling.
     pub triangles: u64,
+    /// Polygons of the mesh.
+    pub faces: u64,
+    /// Vertices of the mesh: points with one normal.
+    pub vertices: u64,
+    /// Triangles that show their front, or their back where backs are drawn, with a pixel centre in their bounds.
+    pub candidates: u64,
+    /// Triangles that clipping made of those that cross the near plane or reach far out of the picture.
+    pub clipped: u64,
+    /// Pixels that triangles cover, those counted that another triangle hides.
+    pub drawn: u64,
     /// Pixels that show the object.
     pub covered: u64,
     /// Pixels with a channel above 1 before the display.

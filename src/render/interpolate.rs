@@ -20,7 +20,7 @@ pub(super) const GAP: Fragment = [0.0, 0.0, 0.0, f32::MIN];
 /// Fills `carried` with what each vertex carries: `values` (one plane a component) and its depth key.
 pub(super) fn carry(
     carried: &mut Vec<Fragment>,
-    values: &[Vec<f32>; 3],
+    values: [&Vec<f32>; 3],
     placed: &Placed,
     clipped: &Clipped,
     perspective: bool,
@@ -35,7 +35,7 @@ pub(super) fn carry(
     carried.resize(count, GAP);
     carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
         let range = chunk * CHUNK..chunk * CHUNK + carried.len();
-        let [a, b, c] = values.each_ref().map(|plane| &plane[range.clone()]);
+        let [a, b, c] = values.map(|plane| &plane[range.clone()]);
         for ((((out, a), b), c), key) in carried.iter_mut().zip(a).zip(b).zip(c).zip(&placed.keys[range.clone()]) {
             *out = of([*a, *b, *c], *key);
         }
@@ -43,7 +43,7 @@ pub(super) fn carry(
     for (cut, key) in clipped.cuts.iter().zip(&placed.keys[count..]) {
         #[expect(clippy::cast_possible_truncation, reason = "back to the precision of the vertices")]
         let value = [0, 1, 2].map(|component| {
-            let plane = &values[component];
+            let plane = values[component];
             cut.vertices.iter().zip(cut.weights).map(|(&v, w)| f64::from(plane[v as usize]) * w).sum::<f64>() as f32
         });
         carried.push(of(value, *key));
@@ -231,6 +231,87 @@ fn fill<S: Simd>(simd: S, place: BandPlace, band: &Band, mut rule: impl Rule<S>,
         for fragment in &mut fragments[row + usize::from(run.x0)..row + usize::from(run.x1)] {
             step.mul_add(k, start).store_slice(fragment);
             k += 1.0;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::render::Renderer;
+    use crate::scene::{
+        Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, Rgb, Scene, ShadingMode, Shared,
+    };
+    use glam::{DVec2, DVec3};
+    use proptest::prelude::*;
+
+    const SIDE: u32 = 64;
+
+    /// The linear picture of a polygon whose corners, in pixels, have these intensities.
+    fn drawn(corners: &[(DVec2, f64)], interpolation: Interpolation) -> Vec<[f32; 4]> {
+        let mut scene = Scene::default();
+        (scene.image.size, scene.image.background) = ([SIDE; 2], Rgb::splat(9.0));
+        (scene.camera.projection, scene.camera.height) = (Projection::Orthographic, f64::from(SIDE));
+        let half = f64::from(SIDE / 2);
+        scene.object.kind = ObjectKind::Polygons;
+        scene.object.vertices = corners.iter().map(|(at, _)| DVec3::new(at.x - half, half - at.y, 0.0)).collect();
+        // Under light along −z, I is the normal's z.
+        scene.object.vertex_normals = corners.iter().map(|(_, i)| DVec3::new((1.0 - i * i).sqrt(), 0.0, *i)).collect();
+        scene.object.faces = vec![(0..corners.len() as u32).collect::<Shared<u32>>()].into();
+        scene.object.normals = NormalSource::File;
+        (scene.material.ka, scene.material.kd, scene.material.ks) = (Rgb::ZERO, Rgb::ONE, Rgb::ZERO);
+        scene.material.color = Rgb::ONE;
+        (scene.shading.mode, scene.shading.interpolation) = (ShadingMode::Gouraud, interpolation);
+        scene.lights = vec![Light { kind: LightKind::Directional, direction: DVec3::NEG_Z, ..Light::default() }];
+        assert_eq!(scene.validate(), Ok(()));
+        Renderer::default().draw_linear(&scene)
+    }
+
+    /// The course's formula in a convex quadrilateral, at a pixel's centre.
+    fn bilinear(corners: &[(DVec2, f64)], at: DVec2) -> f64 {
+        let cuts: Vec<[f64; 2]> = (0..corners.len())
+            .filter_map(|k| {
+                let ((a, ia), (b, ib)) = (corners[k], corners[(k + 1) % corners.len()]);
+                let alpha = (at.y - a.y) / (b.y - a.y);
+                (0.0..1.0).contains(&alpha).then_some([a.x + alpha * (b.x - a.x), ia + alpha * (ib - ia)])
+            })
+            .collect();
+        let [p, q] = cuts[..] else { panic!("{cuts:?} at {at}") };
+        p[1] + (at.x - p[0]) / (q[0] - p[0]) * (q[1] - p[1])
+    }
+
+    /// A place on the grid of the picture, off the rows of the pixels' centres.
+    fn place() -> impl Strategy<Value = DVec2> {
+        [0..16_000u32, 0..16_000u32].prop_map(|xy| DVec2::from_array(xy.map(|k| (f64::from(k) + 64.0).floor() / 256.0)))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+        #[test]
+        fn on_a_triangle_the_scan_line_is_affine(corners in prop::collection::vec((place(), 0.0..=1.0f64), 3)) {
+            let area = (corners[1].0 - corners[0].0).perp_dot(corners[2].0 - corners[0].0);
+            prop_assume!(area.abs() > 20.0);
+            let (line, affine) = (drawn(&corners, Interpolation::Scanline), drawn(&corners, Interpolation::Affine));
+            for (line, affine) in line.iter().zip(&affine) {
+                prop_assert!((line[0] - affine[0]).abs() < 1e-5, "{line:?} {affine:?}");
+            }
+        }
+
+        #[test]
+        fn on_a_quadrilateral_it_is_bilinear(parts in prop::collection::vec((0u32..3000, 0.0..=1.0f64), 4)) {
+            // A corner on each side of the picture, counter-clockwise, a quarter of a pixel off the centres' rows.
+            let along = |k: usize| f64::from(parts[k].0) / 256.0 + 20.25;
+            let at = [
+                DVec2::new(1.25, along(0)), DVec2::new(along(1), 62.25), DVec2::new(62.25, along(2)), DVec2::new(along(3), 1.25),
+            ];
+            prop_assume!([0, 2].iter().all(|&k| (at[k].y.fract() - 0.5).abs() > 0.01));
+            let corners: Vec<_> = at.into_iter().zip(parts).map(|(at, (_, i))| (at, i)).collect();
+            let picture = drawn(&corners, Interpolation::Scanline);
+            for (k, pixel) in (0u32..).zip(&picture).filter(|(_, pixel)| pixel[0] < 2.0) {
+                let centre = DVec2::new(f64::from(k % SIDE), f64::from(k / SIDE)) + 0.5;
+                let expected = bilinear(&corners, centre);
+                prop_assert!((f64::from(pixel[0]) - expected).abs() < 1e-5, "{centre}: {pixel:?}, expected {expected}");
+            }
         }
     }
 }

@@ -123,6 +123,11 @@ impl Bands {
         self.coverage = None;
     }
 
+    /// Runs of pixels of one row that see one triangle.
+    pub fn run_count(&self) -> u64 {
+        self.bands.iter().map(|band| band.runs.len() as u64).sum()
+    }
+
     /// The triangle that a pixel sees.
     pub fn triangle_at(&self, x: u32, y: u32) -> Option<u32> {
         let band = self.bands.get((y / BAND) as usize)?;
@@ -145,7 +150,11 @@ pub(super) struct Canvas<'a> {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Painted {
     pub covered: u64,
+    /// Pixels that triangles cover, those counted that another hides.
+    pub drawn: u64,
     pub overflowing: u64,
+    /// Whether anything was carried to the pixels.
+    pub carried: bool,
     /// Nanoseconds of coverage, interpolation and shading, summed over the threads and divided by their number.
     pub nanoseconds: [u64; 3],
 }
@@ -156,7 +165,14 @@ impl Painted {
         let [covering, interpolating, first] = self.nanoseconds;
         let [cover, interpolate, shading] = coloured.nanoseconds;
         let nanoseconds = [covering + cover, interpolating + interpolate, first + shading];
-        Self { covered: coloured.covered, overflowing: coloured.overflowing, nanoseconds }
+        Self { nanoseconds, carried: self.carried || coloured.carried, ..coloured }
+    }
+
+    /// With s0 brought to the pixels besides, if that was done, in so many nanoseconds.
+    pub fn and_cued(mut self, (done, nanoseconds): (bool, u64)) -> Self {
+        self.carried |= done;
+        self.nanoseconds[1] += nanoseconds;
+        self
     }
 }
 
@@ -192,6 +208,7 @@ struct Job<'a> {
 #[derive(Default)]
 struct Counters {
     covered: AtomicU64,
+    drawn: AtomicU64,
     overflowing: AtomicU64,
     nanoseconds: [AtomicU64; 3],
 }
@@ -208,10 +225,11 @@ impl Painting<'_> {
         bands.bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
         let fragment_count = if self.plan.keeps_fragments() { width as usize * height as usize } else { 0 };
         bands.fragments.resize(fragment_count, GAP);
-        if stale.interpolation && self.plan.interpolates() {
+        let carried = stale.interpolation && self.plan.interpolates();
+        if carried {
             let values = if self.plan.per == Per::Pixel { &self.sources.model.normal } else { self.intensity };
             let Sources { placed, clipped, .. } = self.sources;
-            carry(&mut bands.carried, values, placed, clipped, self.plan.perspective);
+            carry(&mut bands.carried, values.each_ref(), placed, clipped, self.plan.perspective);
         }
         let painting = Painting { sources: Sources { carried: &bands.carried, ..self.sources }, ..self };
         let carrying = (self.clock)().saturating_sub(began);
@@ -222,7 +240,9 @@ impl Painting<'_> {
         let threads = rayon::current_num_threads().max(1) as u64;
         let mut nanoseconds = counters.nanoseconds.map(|counter| counter.into_inner() / threads);
         nanoseconds[1] += carrying;
-        Painted { covered: counters.covered.into_inner(), overflowing: counters.overflowing.into_inner(), nanoseconds }
+        let [covered, drawn, overflowing] =
+            [counters.covered, counters.drawn, counters.overflowing].map(AtomicU64::into_inner);
+        Painted { covered, drawn, overflowing, carried, nanoseconds }
     }
 
     fn paint(&self, mut job: Job<'_>, stale: Stale, counters: &Counters) {
@@ -245,6 +265,7 @@ impl Painting<'_> {
         let over = if self.colours { self.colour(&mut job) } else { 0 };
         lap(2);
         counters.covered.fetch_add(job.band.covered, Ordering::Relaxed);
+        counters.drawn.fetch_add(job.band.drawn, Ordering::Relaxed);
         counters.overflowing.fetch_add(over, Ordering::Relaxed);
     }
 
@@ -339,7 +360,7 @@ impl Painting<'_> {
         equation.retain_lights(|light| self.plan.lights[light]);
         let Self { scene, plan, lens, .. } = *self;
         let Sources { model, clipped, .. } = self.sources;
-        let reference = Reference { scene, plan, lens, model, clipped, surface: None, reach: self.reach };
+        let reference = Reference { scene, plan, lens, model, clipped, surface: None, reach: self.reach, cue: None };
         let width = place.width as usize;
         target.clear(0..place.rows as usize * width);
         let mut over = 0;

@@ -1,12 +1,13 @@
-//! What a frame will do, decided before a pixel is touched: how often each term is evaluated and what is left out.
+//! What a frame will do, decided before a pixel is touched: where the equation is evaluated and what is left out.
 //!
-//! Leaving out never changes a stored pixel. The renderer executes the plan, and the same plan is what is shown to the reader.
+//! Leaving out never changes a stored pixel (`tests/omissions.rs`). The renderer executes the plan; `account.rs` tells it to
+//! the reader, term by term.
 
 use super::surroundings::Surroundings;
 use crate::illumination::SpecularForm;
 use crate::scene::{
-    AmbientSource, Attenuation, Backfacing, Camera, Encoding, FlatAt, Interpolation, Light, LightKind, NormalSource,
-    ObjectKind, Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode, Viewer,
+    AmbientSource, Backfacing, Camera, CuedBy, FlatAt, Interpolation, Light, LightKind, NormalSource, Overflow,
+    PatternKind, Projection, Rgb, Scene, ShadingMode,
 };
 use glam::DVec3;
 use serde::Serialize;
@@ -23,13 +24,16 @@ pub enum Per {
     None,
 }
 
-/// One term or step of the plan.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Term {
-    pub name: String,
-    pub per: Per,
-    /// Why it is left out.
-    pub omitted: Option<String>,
+/// Where the intensity is made to fade with the depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Cued {
+    Nowhere,
+    /// Where the equation is evaluated, at vertices or faces: the intensity fades before it is carried to the pixels.
+    AtPoints,
+    /// s0 is found at the vertices and carried to the pixels.
+    AtVertices,
+    /// s0 is found at each pixel.
+    AtPixels,
 }
 
 /// Facts about the geometry that the plan depends on.
@@ -72,10 +76,12 @@ pub struct Plan {
     /// Something besides the equation makes up the picture: a floor, a wall, what is seen through the object, light from
     /// other surfaces.
     pub composes: bool,
+    /// Depth cueing.
+    pub cued: Cued,
     /// The display needs to see the whole picture before it can store a pixel.
     pub whole_picture: bool,
-    /// Everything above, for the reader.
-    pub terms: Vec<Term>,
+    /// Whether what cannot change a stored pixel is left out.
+    pub leaves_out: bool,
 }
 
 impl Plan {
@@ -87,8 +93,8 @@ impl Plan {
             ShadingMode::Interpolated | ShadingMode::Gouraud => Per::Vertex,
             ShadingMode::Phong | ShadingMode::Exact => Per::Pixel,
         };
-        let from_file = scene.object.kind == ObjectKind::Obj;
-        let true_surface = mode == ShadingMode::Exact && !from_file;
+        let has_surface = scene.object.kind.has_surface();
+        let true_surface = mode == ShadingMode::Exact && has_surface;
         let outside = !sees_inside(&scene.camera, facts);
         let interpolation =
             if mode == ShadingMode::Exact { Interpolation::Perspective } else { scene.shading.interpolation };
@@ -99,7 +105,7 @@ impl Plan {
             carries: mode != ShadingMode::Flat,
             normals: normals(scene),
             true_surface,
-            double: mode == ShadingMode::Exact && from_file,
+            double: mode == ShadingMode::Exact && !has_surface,
             cull: facts.closed && outside,
             depth_test: !(facts.convex && facts.closed && outside),
             perspective: interpolation == Interpolation::Perspective
@@ -107,15 +113,28 @@ impl Plan {
             scanline: interpolation == Interpolation::Scanline && per != Per::Face,
             renormalise: scene.shading.renormalise || mode != ShadingMode::Phong,
             form: SpecularForm::of(scene),
-            lights: lights(scene),
+            lights: lights(scene, facts),
             shadows: false,
             composes,
+            cued: Cued::Nowhere,
             whole_picture: scene.display.overflow != Overflow::Clamp || composes,
-            terms: Vec::new(),
+            leaves_out: true,
         };
         plan.shadows = casts_shadows(scene, facts, &plan.lights).is_none();
-        plan.terms = terms(scene, facts, &plan);
+        if not_cued(scene, facts).is_none() {
+            plan.cued = cued(scene, plan.per);
+        }
+        plan.whole_picture |= matches!(plan.cued, Cued::AtVertices | Cued::AtPixels);
         plan
+    }
+
+    /// Puts back in what had been left out, where that can be done without another result by definition: lights that add
+    /// nothing, back faces, the depth test, and rays to lights that nothing can hide.
+    pub(super) fn leave_nothing_out(&mut self, scene: &Scene) {
+        self.lights.fill(true);
+        (self.cull, self.depth_test) = (false, true);
+        self.shadows = scene.shading.shadows && !scene.lights.is_empty();
+        self.leaves_out = false;
     }
 
     /// Whether values are carried from vertices to pixels.
@@ -128,14 +147,18 @@ impl Plan {
         self.composes || (self.shadows && self.per == Per::Pixel)
     }
 
+    /// Whether s0 is wanted at each pixel.
+    pub(super) fn cues_pixels(&self) -> bool {
+        match self.cued {
+            Cued::Nowhere => false,
+            Cued::AtPoints => self.composes,
+            Cued::AtVertices | Cued::AtPixels => true,
+        }
+    }
+
     /// Whether every pixel is brought a normal or an intensity of its own.
     pub(super) fn keeps_fragments(&self) -> bool {
         self.carries && !self.double
-    }
-
-    /// The terms that are left out.
-    pub fn omissions(&self) -> impl Iterator<Item = &Term> {
-        self.terms.iter().filter(|term| term.omitted.is_some())
     }
 }
 
@@ -152,83 +175,101 @@ fn normals(scene: &Scene) -> NormalSource {
     }
 }
 
-/// A light without any intensity, or whose light the material takes no part of, adds nothing.
-fn lights(scene: &Scene) -> Vec<bool> {
+/// For each light whether it can add anything.
+fn lights(scene: &Scene, facts: &Facts) -> Vec<bool> {
+    let soloing = scene.soloing();
+    let reflected = reflected(scene);
+    scene.lights.iter().map(|light| silent(scene, facts, light, soloing, reflected).is_none()).collect()
+}
+
+/// The greatest part of a light that the material takes, diffuse and specular together.
+fn reflected(scene: &Scene) -> Rgb {
     let material = &scene.material;
     let color = if scene.pattern.kind == PatternKind::None { Rgb::ZERO } else { scene.pattern.color } + material.color;
-    let reflects = material.kd * color + material.ks * material.specular_color;
-    let soloing = scene.soloing();
-    scene.lights.iter().map(|light| light.shines(soloing) && light.color * reflects != Rgb::ZERO).collect()
+    material.kd * color + material.ks * material.specular_color
+}
+
+/// Why each light adds nothing, if it does not.
+pub(super) fn silences(scene: &Scene, facts: &Facts) -> Vec<Option<&'static str>> {
+    let (soloing, reflected) = (scene.soloing(), reflected(scene));
+    scene.lights.iter().map(|light| silent(scene, facts, light, soloing, reflected)).collect()
+}
+
+fn silent(scene: &Scene, facts: &Facts, light: &Light, soloing: bool, reflected: Rgb) -> Option<&'static str> {
+    if light.mute {
+        Some("it is muted")
+    } else if !light.shines(soloing) {
+        Some("another light is soloed")
+    } else if light.color == Rgb::ZERO {
+        Some("it is black")
+    } else if light.color * reflected == Rgb::ZERO {
+        Some("the material takes no part of it")
+    } else {
+        misses(scene, facts, light).then_some("its cone passes the object by")
+    }
+}
+
+/// A cone must pass the model by this angle, radians, and its light be away from it by this part of the distances that single
+/// precision has to hold: so far no rounding of L reaches, which is then below 10⁻³.
+const CONE_MARGIN: f64 = 0.01;
+const NEAREST_CONE: f64 = 1e-3;
+
+/// Whether the whole model lies outside a spot light's cone.
+fn misses(scene: &Scene, facts: &Facts, light: &Light) -> bool {
+    let polygons =
+        scene.shading.mode != ShadingMode::Exact && scene.shading.interpolation == Interpolation::Perspective;
+    // The true surface bulges out of its polygons, and other interpolations take points off them.
+    let radius = facts.radius * if polygons { 1.0 + 1e-5 } else { 3.0 };
+    let (way, from_eye) = (facts.centre - light.position, (light.position - scene.camera.eye).length());
+    let (distance, axis) = (way.length(), light.direction.normalize_or_zero());
+    let spread = from_eye + distance + radius;
+    if light.kind != LightKind::Spot || axis == DVec3::ZERO || !spread.is_finite() {
+        return false;
+    }
+    // Lights farther than this may be treated as parallel.
+    let near = from_eye < 1e8 * scene.camera.distance();
+    let clear = distance - radius > NEAREST_CONE * spread;
+    let between = (axis.dot(way) / distance).clamp(-1.0, 1.0).acos();
+    near && clear && between - (radius / distance).asin() > light.cone.to_radians() + CONE_MARGIN
 }
 
 /// Why nothing lies in the shadow of the object.
-fn casts_shadows(scene: &Scene, facts: &Facts, lights: &[bool]) -> Option<&'static str> {
+pub(super) fn casts_shadows(scene: &Scene, facts: &Facts, lights: &[bool]) -> Option<&'static str> {
     if !scene.shading.shadows {
         return Some("switched off");
     }
     if !lights.contains(&true) {
         return Some("no light shines");
     }
-    let alone = facts.convex && facts.closed && !scene.ground.visible;
+    // Where surfaces turned away are lit all the same, the solid stands between them and the light.
+    let clamped = scene.reflection.backfacing == Backfacing::Clamp;
+    let alone = facts.convex && facts.closed && !scene.ground.visible && clamped;
     alone.then_some("a convex solid casts no shadow on itself")
 }
 
-/// Why a light adds nothing.
-fn silent(light: &Light, soloing: bool) -> &'static str {
-    match light {
-        Light { mute: true, .. } => "it is muted",
-        light if !light.shines(soloing) => "another light is soloed",
-        _ => "it adds nothing: black, or all its light is absorbed",
+/// Why nothing fades with the depth.
+pub(super) fn not_cued(scene: &Scene, facts: &Facts) -> Option<&'static str> {
+    let cueing = &scene.depth_cueing;
+    if cueing.by == CuedBy::Off {
+        return Some("switched off");
     }
+    if cueing.front_scale == 1.0 && cueing.back_scale == 1.0 {
+        return Some("its scales are 1: nothing fades");
+    }
+    let forward = (scene.camera.target - scene.camera.eye).normalize_or_zero();
+    let middle = (facts.centre - scene.camera.eye).dot(forward);
+    // The ball holds the model but for a rounding.
+    let farthest = middle + facts.radius * (1.0 + 1e-5);
+    let near = cueing.front_scale == 1.0 && farthest + middle.abs() * 1e-9 < cueing.front;
+    near.then_some("the object is nearer than where the cue begins")
 }
 
-fn term(name: impl Into<String>, per: Per, omitted: Option<&str>) -> Term {
-    let per = if omitted.is_some() { Per::None } else { per };
-    Term { name: name.into(), per, omitted: omitted.map(str::to_owned) }
-}
-
-fn terms(scene: &Scene, facts: &Facts, plan: &Plan) -> Vec<Term> {
-    let material = &scene.material;
-    let per = plan.per;
-    let shining = plan.lights.iter().any(|&kept| kept);
-    let ambient = (material.ka * material.color * scene.ambient.color == Rgb::ZERO).then_some("Ka·Ia is 0");
-    let diffuse = (material.kd * material.color == Rgb::ZERO).then_some("Kd is 0");
-    let specular = (plan.form == SpecularForm::None).then_some("Ks is 0");
-    let soloing = scene.soloing();
-    let dark = (!shining).then_some("no light shines");
-    let mut terms = vec![
-        term("ambient", Per::Frame, ambient),
-        term("diffuse", per, dark.or(diffuse)),
-        term("specular", per, dark.or(specular)),
-    ];
-    for (index, light) in scene.lights.iter().enumerate() {
-        let black = (!plan.lights[index]).then(|| silent(light, soloing));
-        terms.push(term(format!("light {index}"), per, black));
-        let direction = if light.kind == LightKind::Directional { Per::Frame } else { per };
-        terms.push(term(format!("L of light {index}"), direction, black));
-        let attenuates = light.attenuation == Attenuation::Viewer
-            || (light.attenuation != Attenuation::None && light.kind.has_position());
-        let unattenuated = (!attenuates).then_some("its f is 1");
-        terms.push(term(format!("attenuation of light {index}"), per, black.or(unattenuated)));
+/// Where s0 is evaluated, for an equation evaluated `per` something.
+fn cued(scene: &Scene, per: Per) -> Cued {
+    match (scene.depth_cueing.by, scene.shading.mode) {
+        (CuedBy::Off, _) => Cued::Nowhere,
+        (CuedBy::Pixel, _) | (_, ShadingMode::Exact) => Cued::AtPixels,
+        (CuedBy::Vertex, _) if per == Per::Pixel => Cued::AtVertices,
+        (CuedBy::Vertex, _) => Cued::AtPoints,
     }
-    terms.push(term("shadows", per, casts_shadows(scene, facts, &plan.lights)));
-    let opaque = (scene.transparency.kt == 0.0).then_some("Kt is 0");
-    terms.push(term("transmission", Per::Pixel, opaque));
-    let nothing = (!Surroundings::any(scene)).then_some("the background is plain");
-    terms.push(term("surroundings", Per::Pixel, nothing));
-    let constant = (scene.ambient.source == AmbientSource::Constant).then_some("Ia is constant");
-    terms.push(term("one bounce", Per::Pixel, constant));
-    let unused_view = dark.or(specular);
-    let view = if scene.camera.viewer == Viewer::Infinite { Per::Frame } else { per };
-    terms.push(term("V", view, unused_view));
-    terms.push(term("normal flipping", per, (scene.reflection.backfacing == Backfacing::Clamp).then_some("clamped")));
-    let evaluated_at_pixels = matches!(scene.shading.mode, ShadingMode::Phong);
-    let unit = (!evaluated_at_pixels).then_some("the normals are unit vectors by construction");
-    let forgotten = (!scene.shading.renormalise).then_some("switched off");
-    terms.push(term("renormalisation", Per::Pixel, unit.or(forgotten)));
-    terms.push(term("back faces", Per::Face, plan.cull.then_some("a closed solid hides them")));
-    terms.push(term("depth test", Per::Pixel, (!plan.depth_test).then_some("a convex solid shows one layer")));
-    let linear = (scene.display.encoding == Encoding::Raw).then_some("raw: value × 255");
-    terms.push(term("sRGB encoding", Per::Pixel, linear));
-    terms
 }

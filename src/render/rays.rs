@@ -1,15 +1,16 @@
 //! The stages that follow rays, each run only when what it reads has changed: the hierarchy of boxes, which light reaches
 //! what, what is seen beyond, and light from other surfaces.
 
-use super::beyond::{Bounced, bounce, bounces_at, eye_ray, reach_pixels, reach_points, seen_beyond};
+use super::beyond::{Bounced, Prospect, bounce, bounces_at, eye_ray, reach_pixels, reach_points, seen_beyond};
 use super::bounce::Gathering;
 use super::bvh::Bvh;
+use super::floor::FloorView;
 use super::interpolate::{Fragment, Sources};
 use super::lens::Lens;
 use super::painting::Bands;
 use super::plan::{Per, Plan};
 use super::points::CHUNK;
-use super::shadow::{Reach, Shadows};
+use super::shadow::{Cast, Reach, Shadows};
 use super::sites::Sights;
 use super::solid::Solid;
 use super::stage::Kept;
@@ -18,6 +19,7 @@ use super::transmission::{Glass, Transmission};
 use crate::geometry::Surface;
 use crate::illumination::Equation;
 use crate::scene::{Ambient, AmbientSource, Backdrop, Ground, Light, Pattern, Rgb, Scene, ShadingMode, Transparency};
+use fearless_simd::Level;
 use glam::{DVec2, DVec3, Vec3};
 
 /// The outputs that are kept.
@@ -32,6 +34,7 @@ pub(super) struct RayStages {
 /// What the rays of a frame read.
 #[derive(Clone, Copy)]
 pub(super) struct RayInputs<'a> {
+    pub level: Level,
     pub scene: &'a Scene,
     pub plan: &'a Plan,
     pub lens: &'a Lens,
@@ -172,7 +175,7 @@ impl RayStages {
         reach.update(Self::reach_inputs(inputs, 0), |_, reach| {
             let equation = inputs.equation();
             let shadows = Shadows::new(inputs.scene, inputs.solid(&bvh.output), &equation);
-            reach_points(count, CHUNK, point, &shadows, reach);
+            reach_points(inputs.level, count, CHUNK, point, &shadows, reach);
         })
     }
 
@@ -191,7 +194,7 @@ impl RayStages {
                 let equation = inputs.equation();
                 let sights = inputs.sights(&bvh.output);
                 let shadows = Shadows::new(scene, sights.solid, &equation);
-                reach_pixels(bands, &sights, &shadows, scene.image.size, reach);
+                reach_pixels(inputs.level, bands, &sights, &shadows, scene.image.size, reach);
             });
         }
         if plan.composes {
@@ -224,7 +227,14 @@ impl RayStages {
             let scenery = Scenery::new(inputs, &bvh.output);
             let surroundings = scenery.surroundings(keys.shadows);
             let glass = keys.glass.as_ref().map(|glass| scenery.glass(glass, &surroundings));
-            seen_beyond(bands, &scenery.sights, scene.image.size, &surroundings, glass.as_ref(), seen);
+            let floor = scenery.floor_view(keys.shadows);
+            let prospect = Prospect {
+                sights: &scenery.sights,
+                surroundings: &surroundings,
+                floor: floor.as_ref(),
+                glass: glass.as_ref(),
+            };
+            seen_beyond(inputs.level, bands, scene.image.size, &prospect, seen);
         })
     }
 
@@ -251,13 +261,15 @@ impl RayStages {
             let matt = Scene { pattern: scene.pattern.clone(), ..matt };
             let dark = Scene { ground: Ground { ka: 0.0, ..scene.ground.clone() }, ..scene.clone() };
             let (object, floor) = (Equation::new(&matt), ground_equation(&dark));
+            let floor_view = scenery.floor_view(false);
             let gathering = Gathering {
+                floor_view: floor_view.as_ref(),
                 shadows: Shadows::new(scene, scenery.sights.solid, &scenery.floor),
                 surroundings: &surroundings,
                 object: &object,
                 floor: &floor,
             };
-            bounce(bands, &scenery.sights, scene, &gathering, &object, bounced);
+            bounce(inputs.level, bands, &scenery.sights, scene, &gathering, &object, bounced);
         })
     }
 
@@ -330,6 +342,15 @@ impl<'a> Scenery<'a> {
         let RayInputs { scene, lens, .. } = self.inputs;
         let shadows = shadows.then(|| Shadows::new(scene, self.sights.solid, &self.floor));
         Surroundings::new(scene, lens, &self.floor, shadows)
+    }
+
+    /// The floor, if there is one, as rows of pixels see it.
+    fn floor_view(&self, shadows: bool) -> Option<FloorView<'_>> {
+        let RayInputs { scene, lens, .. } = self.inputs;
+        let cast = shadows.then(|| Cast::new(Shadows::new(scene, self.sights.solid, &self.floor), false));
+        let (middle, _) = self.sights.solid.ball();
+        let view = || FloorView { lens, height: scene.ground.height, equation: ground_equation(scene), cast, middle };
+        scene.ground.visible.then(view)
     }
 
     pub fn glass<'b>(&'b self, glass: &Transparency, surroundings: &'b Surroundings<'b>) -> Glass<'b> {

@@ -4,10 +4,11 @@
 //! sites, and [`Evaluation`] lists them: one at the face's centre, three at vertices, one at the pixel.
 
 use super::clip::Clipped;
+use super::cue::Cue;
 use super::exact::meet;
 use super::lens::{Lens, NEAR};
 use super::model::Model;
-use super::plan::{Per, Plan};
+use super::plan::{Cued, Per, Plan};
 use super::points::CHUNK;
 use super::shadow::Reach;
 use crate::geometry::Surface;
@@ -25,6 +26,8 @@ pub(crate) struct Evaluation<'a> {
     /// Distance along the viewing direction, world units.
     pub depth: f64,
     pub face: Option<u32>,
+    /// Idc, where intensities fade with the depth.
+    pub cue: Option<Rgb>,
     pub sites: Vec<WeightedSite<'a>>,
 }
 
@@ -35,6 +38,8 @@ pub(crate) struct WeightedSite<'a> {
     /// World.
     pub point: DVec3,
     pub normal: DVec3,
+    /// s0, what is left of its intensity; 1 where nothing fades.
+    pub scale: f64,
     /// The lights that reach it; all of them where there are no shadows.
     pub reached: Option<Reached<'a>>,
 }
@@ -44,6 +49,27 @@ impl<'a> Evaluation<'a> {
     pub fn intensity(&self, equation: &Equation<f64>) -> Rgb {
         let at = |site: &WeightedSite<'a>| equation.illuminate_world(site.point, site.normal, site.reached);
         self.sites.iter().map(|site| at(site) * site.weight).sum()
+    }
+
+    /// What is left of I at the pixel: each site's share fades by its own s0.
+    pub fn kept(&self, equation: &Equation<f64>) -> Rgb {
+        let at = |site: &WeightedSite<'a>| equation.illuminate_world(site.point, site.normal, site.reached);
+        self.sites.iter().map(|site| at(site) * (site.weight * site.scale)).sum()
+    }
+
+    /// s0 at the pixel.
+    pub fn scale(&self) -> f64 {
+        self.sites.iter().map(|site| site.weight * site.scale).sum()
+    }
+
+    /// What takes the place of the intensity that is gone: `(1 − s0)·Idc`.
+    pub fn veil(&self) -> Rgb {
+        self.cue.map_or(Rgb::ZERO, |color| color * (1.0 - self.scale()))
+    }
+
+    /// I at the pixel after depth cueing, before the display.
+    pub fn shown(&self, equation: &Equation<f64>) -> Rgb {
+        self.kept(equation) + self.veil()
     }
 }
 
@@ -58,6 +84,7 @@ pub(super) struct Reference<'a> {
     pub surface: Option<&'a Surface>,
     /// Which sources reach which sites, where there are shadows: pixels, faces or vertices, as the plan has it.
     pub reach: Option<&'a Reach>,
+    pub cue: Option<Cue>,
 }
 
 impl<'a> Reference<'a> {
@@ -65,8 +92,9 @@ impl<'a> Reference<'a> {
     pub fn of_surface(&self, place: DVec2) -> Option<Evaluation<'a>> {
         let (position, hit) = meet(self.lens, self.surface?, place)?;
         let depth = (position - self.lens.eye).dot(self.lens.forward);
-        let site = WeightedSite { weight: 1.0, point: position, normal: hit.normal, reached: self.at_pixel(place) };
-        Some(Evaluation { position, normal: hit.normal, depth, face: None, sites: vec![site] })
+        let (normal, reached) = (hit.normal, self.at_pixel(place));
+        let site = WeightedSite { weight: 1.0, point: position, normal, scale: self.scale(position), reached };
+        Some(Evaluation { position, normal, depth, face: None, cue: self.cue_color(), sites: vec![site] })
     }
 
     /// The pixel whose sample lies at `place` sees `triangle`, one of the model's or of the clipper's.
@@ -80,26 +108,69 @@ impl<'a> Reference<'a> {
         let carried = self.weights(face, &in_space, place);
         let normal = self.pixel_normal(face, &carried);
         let depth = (position - self.lens.eye).dot(self.lens.forward);
-        let site = |weight, point, normal, reached| WeightedSite { weight, point, normal, reached };
-        let at_vertex =
-            |v: u32, weight: f64| site(weight, self.model.position(v), self.model.normal(v), self.at_point(v));
-        let corners = self.model.face(face);
-        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
-        let share = 1.0 / corners.len().max(1) as f64;
-        let sites = match self.scene.shading.mode {
-            ShadingMode::Phong | ShadingMode::Exact => vec![site(1.0, position, normal, self.at_pixel(place))],
+        // s0 of the whole pixel, where it is not that of each point where the equation is evaluated.
+        let whole = match self.plan.cued {
+            Cued::Nowhere | Cued::AtPoints => None,
+            Cued::AtPixels => Some(self.scale(position)),
+            Cued::AtVertices => {
+                Some(carried.iter().map(|&(v, weight)| weight * self.scale(self.model.position(v))).sum())
+            }
+        };
+        let at_vertex = |v: u32, weight: f64| self.vertex_site(v, weight);
+        let mut sites = match self.scene.shading.mode {
+            ShadingMode::Phong | ShadingMode::Exact => {
+                let (scale, reached) = (self.scale(position), self.at_pixel(place));
+                vec![WeightedSite { weight: 1.0, point: position, normal, scale, reached }]
+            }
             ShadingMode::Interpolated | ShadingMode::Gouraud => {
                 carried.iter().map(|&(v, weight)| at_vertex(v, weight)).collect()
             }
-            ShadingMode::Flat => match self.scene.shading.flat_at {
-                FlatAt::Centre => {
-                    vec![site(1.0, self.model.face_centre(face), self.model.face_normal(face), self.at_point(face))]
-                }
-                FlatAt::VertexMean => corners.iter().map(|&v| at_vertex(v, share)).collect(),
-                FlatAt::ProvokingVertex => vec![at_vertex(vertices[0], 1.0)],
-            },
+            ShadingMode::Flat => self.flat_sites(face),
         };
-        Evaluation { position, normal, depth, face: Some(face), sites }
+        if let Some(scale) = whole {
+            sites.iter_mut().for_each(|site| site.scale = scale);
+        }
+        Evaluation { position, normal, depth, face: Some(face), cue: self.cue_color(), sites }
+    }
+
+    /// s0 at a point, world.
+    fn scale(&self, point: DVec3) -> f64 {
+        self.cue.map_or(1.0, |cue| cue.at(point))
+    }
+
+    fn cue_color(&self) -> Option<Rgb> {
+        self.cue.map(|cue| cue.law.color)
+    }
+
+    /// The corners of a face, each with the weight 1.
+    pub fn corner_sites(&self, face: u32) -> Vec<WeightedSite<'a>> {
+        self.model.face(face).iter().map(|&v| self.vertex_site(v, 1.0)).collect()
+    }
+
+    /// Where flat shading evaluates the equation for a face.
+    pub fn flat_sites(&self, face: u32) -> Vec<WeightedSite<'a>> {
+        let corners = self.model.face(face);
+        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
+        let share = 1.0 / corners.len().max(1) as f64;
+        match self.scene.shading.flat_at {
+            FlatAt::Centre => {
+                let (point, normal) = (self.model.face_centre(face), self.model.face_normal(face));
+                vec![WeightedSite {
+                    weight: 1.0,
+                    point,
+                    normal,
+                    scale: self.scale(point),
+                    reached: self.at_point(face),
+                }]
+            }
+            FlatAt::VertexMean => corners.iter().map(|&v| self.vertex_site(v, share)).collect(),
+            FlatAt::ProvokingVertex => corners.iter().take(1).map(|&v| self.vertex_site(v, 1.0)).collect(),
+        }
+    }
+
+    fn vertex_site(&self, v: u32, weight: f64) -> WeightedSite<'a> {
+        let (point, normal) = (self.model.position(v), self.model.normal(v));
+        WeightedSite { weight, point, normal, scale: self.scale(point), reached: self.at_point(v) }
     }
 
     /// The sources that reach a pixel.

@@ -1,14 +1,16 @@
 //! The renderer: runs the plan's stages, each only when what it reads has changed.
 
+use super::account::{Account, Term};
 use super::beyond::compose;
 use super::bins::Bins;
 use super::clip::Clipped;
+use super::cue::{Cue, Found, Layer, LayerInputs, fade_pixels};
 use super::display::{Linear, display};
 use super::interpolate::Sources;
 use super::lens::Lens;
 use super::model::Model;
 use super::painting::{Bands, Canvas, CoverageInputs, InterpolationInputs, Painted, Painting, Stale};
-use super::plan::{Facts, Per, Plan};
+use super::plan::{Cued, Facts, Per, Plan};
 use super::points::{Planes, PointShading, face_points};
 use super::rays::{RayInputs, RayStages, SeenAt};
 use super::reference::{Evaluation, Reference};
@@ -18,7 +20,9 @@ use super::transmission::Transmission;
 use super::{Frame, Report, Stage, StageRun};
 use crate::geometry::{Mesh, Surface, tessellate};
 use crate::illumination::Equation;
-use crate::scene::{AmbientSource, Display, NormalSource, Object, ObjectKind, Overflow, Rgb, Scene, Weighting};
+use crate::scene::{
+    AmbientSource, Display, NormalSource, Object, ObjectKind, Overflow, Polygons, Rgb, Scene, Weighting,
+};
 use fearless_simd::Level;
 use glam::DVec2;
 use std::sync::Arc;
@@ -39,9 +43,13 @@ pub struct Renderer {
     rays: RayStages,
     /// Whether rays to vertices or faces were followed for this frame, and for how long.
     traced: (bool, u64),
+    cue: Kept<LayerInputs, Layer>,
     canvas: Kept<CanvasInputs, ()>,
     drawn: Option<Drawn>,
     linear: Vec<Linear>,
+    /// Whether the picture before the display is asked for.
+    keeps_linear: bool,
+    leaves_nothing_out: bool,
     frame: Frame,
     report: Report,
 }
@@ -60,6 +68,7 @@ struct Drawn {
     scene: Scene,
     plan: Plan,
     lens: Lens,
+    facts: Facts,
 }
 
 #[derive(PartialEq)]
@@ -68,6 +77,8 @@ struct MeshInputs {
     segments: u32,
     rings: u32,
     given: u64,
+    /// The scene's own polygons.
+    polygons: Option<Polygons>,
 }
 
 #[derive(PartialEq)]
@@ -92,6 +103,8 @@ struct IntensityInputs {
     per: Per,
     /// The run of the bits, where there are shadows.
     reach: Option<u64>,
+    /// Where intensities fade at the points.
+    cue: Option<Cue>,
 }
 
 #[derive(PartialEq)]
@@ -107,12 +120,16 @@ struct CanvasInputs {
     rays: Option<[u64; 3]>,
     /// How what is seen beyond is mixed in.
     composition: Option<(f64, AmbientSource)>,
+    /// What s0 at the pixels is made from.
+    cue: Option<LayerInputs>,
 }
 
 impl CanvasInputs {
-    fn new(scene: &Scene, plan: &Plan, equation: &Equation<f32>, bands: u64, rays: [u64; 3]) -> Self {
+    fn new(scene: &Scene, plan: &Plan, equation: &Equation<f32>, stamps: (u64, [u64; 3])) -> Self {
+        let (bands, rays) = stamps;
         Self {
             bands,
+            cue: None,
             equation: (plan.per == Per::Pixel).then(|| equation.clone()),
             background: scene.image.background.to_array(),
             display: scene.display.clone(),
@@ -148,9 +165,12 @@ impl Renderer {
             bands: Bands::default(),
             rays: RayStages::default(),
             traced: (false, 0),
+            cue: Kept::default(),
             canvas: Kept::default(),
             drawn: None,
             linear: Vec::new(),
+            keeps_linear: false,
+            leaves_nothing_out: false,
             frame: Frame::default(),
             report: Report::default(),
         }
@@ -191,6 +211,7 @@ impl Renderer {
         self.intensity.forget();
         self.bands.forget();
         self.rays.forget();
+        self.cue.forget();
         self.canvas.forget();
     }
 
@@ -230,6 +251,7 @@ impl Renderer {
         sum.iter_mut().flatten().for_each(|value| *value *= factor);
         let mut frame = self.frame.clone();
         display(&sum, frame.width as usize, scene.display.overflow, scene.display.encoding, &mut frame.pixels);
+        self.linear = sum;
         self.redraw();
         frame
     }
@@ -260,6 +282,31 @@ impl Renderer {
         }
     }
 
+    /// Where the equation is evaluated for any place of the last picture, on the polygon that its pixel sees.
+    pub(crate) fn evaluation_seen(&self, place: DVec2) -> Option<Evaluation<'_>> {
+        let reference = self.reference()?;
+        if reference.plan.true_surface {
+            return reference.of_surface(place);
+        }
+        Some(reference.of_triangle(self.bands.triangle_at(place.x as u32, place.y as u32)?, place))
+    }
+
+    /// The polygons of the last picture, before they were given vertex normals.
+    pub(crate) fn mesh(&self) -> &Mesh {
+        &self.mesh.output
+    }
+
+    /// The same, shared: to be kept, and to be known again.
+    pub(crate) fn shared_mesh(&self) -> &Arc<Mesh> {
+        &self.mesh.output
+    }
+
+    /// Draws `scene`, which is exact, and says whether the picture shows a surface beyond its polygons.
+    pub(crate) fn shows_surface(&mut self, scene: &Scene) -> bool {
+        self.render(scene);
+        self.drawn.as_ref().is_some_and(|drawn| drawn.plan.true_surface)
+    }
+
     /// What evaluations of the last picture read.
     pub(super) fn reference(&self) -> Option<Reference<'_>> {
         let drawn = self.drawn.as_ref()?;
@@ -271,6 +318,7 @@ impl Renderer {
             clipped: &self.placed.output.1,
             surface: self.surface.output.as_ref(),
             reach: self.rays.reach(&drawn.plan),
+            cue: Cue::of(&drawn.scene, &drawn.plan, &drawn.lens),
         })
     }
 
@@ -292,14 +340,14 @@ impl Renderer {
 
     /// What is mixed into the equation's value at a pixel of the last picture that shows the object.
     pub(crate) fn mixture(&self, x: u32, y: u32) -> Option<Mixture> {
-        let Drawn { scene, plan, lens } = self.drawn.as_ref()?;
+        let Drawn { scene, plan, lens, .. } = self.drawn.as_ref()?;
         if !plan.composes {
             return None;
         }
         let (placed, clipped, _) = &self.placed.output;
         let sources = Sources { model: &self.model.output, clipped, placed, carried: &[] };
         let surface = self.surface.output.as_ref();
-        let inputs = RayInputs { scene, plan, lens, sources, surface, object: 0 };
+        let inputs = RayInputs { level: self.level, scene, plan, lens, sources, surface, object: 0 };
         let seen = if plan.true_surface {
             SeenAt::Surface(self.bands.fragment_at(x, y)?)
         } else {
@@ -309,9 +357,35 @@ impl Renderer {
         Some(Mixture { transmission, bounced: self.rays.bounced_at(scene, x, y) })
     }
 
-    /// The last picture before the display, where the display's policy needed all of it.
-    #[cfg(test)]
-    pub(super) fn linear(&self) -> &[Linear] {
+    /// Has the picture before the display kept from the next call on, for [`Renderer::linear`].
+    pub fn keep_linear(&mut self, keep: bool) {
+        self.keeps_linear = keep;
+    }
+
+    /// Has everything evaluated from the next call on that the plan leaves out and that can be kept in: lights and terms that
+    /// add nothing, an f of 1, back faces, the depth test, rays to lights that nothing hides. The stored pixels are the same:
+    /// this is for tests, and for measuring the work that is saved.
+    pub fn leave_nothing_out(&mut self, nothing: bool) {
+        if self.leaves_nothing_out != nothing {
+            self.leaves_nothing_out = nothing;
+            self.redraw();
+        }
+    }
+
+    /// The terms and steps of the last picture: how often each is evaluated, or why it is left out.
+    pub fn terms(&self) -> Vec<Term> {
+        self.drawn.as_ref().map_or_else(Vec::new, |Drawn { scene, plan, facts, .. }| {
+            let (placed, clipped, bins) = &self.placed.output;
+            let sources = Sources { model: &self.model.output, clipped, placed, carried: &[] };
+            let culled = plan.cull || plan.true_surface;
+            let backs = if culled { 0 } else { bins.backs(|index| placed.corners(sources.vertices(index))) };
+            Account { scene, plan, facts, report: &self.report, backs, runs: self.bands.run_count() }.terms()
+        })
+    }
+
+    /// The last picture before the display, row by row: linear red, green, blue, and the part of the pixel that shows the
+    /// object. Empty unless [`Renderer::keep_linear`] asked for it or the display needed all of it.
+    pub fn linear(&self) -> &[[f32; 4]] {
         &self.linear
     }
 
@@ -321,7 +395,8 @@ impl Renderer {
         let object = &scene.object;
         let given = if object.kind == ObjectKind::Obj { self.given_stamp } else { 0 };
         let source = self.given.clone();
-        let inputs = MeshInputs { kind: object.kind, segments: object.segments, rings: object.rings, given };
+        let polygons = (object.kind == ObjectKind::Polygons).then(|| object.polygons());
+        let inputs = MeshInputs { kind: object.kind, segments: object.segments, rings: object.rings, given, polygons };
         let mut ran = self.mesh.update(inputs, |_, mesh| {
             *mesh = match object.kind {
                 ObjectKind::Obj => source.unwrap_or_default(),
@@ -346,8 +421,19 @@ impl Renderer {
         self.note(Stage::Geometry, ran, began, 0);
         let model = &self.model.output;
         self.report.triangles = model.triangles.len() as u64;
-        let facts = Facts { closed: model.closed, convex: model.convex, centre: model.origin, radius: model.radius };
-        Plan::of(scene, &facts)
+        self.report.faces = model.face_count() as u64;
+        self.report.vertices = model.vertex_count as u64;
+        let mut plan = Plan::of(scene, &self.facts());
+        if self.leaves_nothing_out {
+            plan.leave_nothing_out(scene);
+        }
+        plan.whole_picture |= self.keeps_linear;
+        plan
+    }
+
+    fn facts(&self) -> Facts {
+        let model = &self.model.output;
+        Facts { closed: model.closed, convex: model.convex, centre: model.origin, radius: model.radius }
     }
 
     /// Runs the stages from the transform on.
@@ -356,10 +442,14 @@ impl Renderer {
         let lens = Lens::new(&scene.camera, size, offset);
         let mut equation = Equation::<f32>::new(scene);
         equation.retain_lights(|light| plan.lights[light]);
+        if !plan.leaves_out {
+            equation.leave_nothing_out(scene);
+        }
         self.place(&plan, &lens, size);
         self.shade_points(scene, &plan, &lens, &equation);
         self.paint(scene, &plan, &lens, equation);
-        self.drawn = Some(Drawn { scene: scene.clone(), plan, lens });
+        let facts = self.facts();
+        self.drawn = Some(Drawn { scene: scene.clone(), plan, lens, facts });
     }
 
     fn place(&mut self, plan: &Plan, lens: &Lens, size: [u32; 2]) {
@@ -374,6 +464,13 @@ impl Renderer {
                 bins.run(model, &inputs.lens, size, inputs.cull, placed, clipped);
             });
         }
+        if plan.true_surface {
+            (self.report.candidates, self.report.clipped) = (0, 0);
+        } else {
+            let (_, clipped, bins) = &self.placed.output;
+            self.report.candidates = bins.candidates;
+            self.report.clipped = clipped.triangles.len() as u64;
+        }
         self.note(Stage::Transform, ran, began, 0);
     }
 
@@ -383,7 +480,8 @@ impl Renderer {
         let model = &self.model.output;
         let (placed, clipped, _) = &self.placed.output;
         let sources = Sources { model, clipped, placed, carried: &[] };
-        let inputs = RayInputs { scene, plan, lens, sources, surface: None, object: self.model.stamp() };
+        let inputs =
+            RayInputs { level: self.level, scene, plan, lens, sources, surface: None, object: self.model.stamp() };
         let at_faces = plan.per == Per::Face;
         let count = if at_faces { model.face_count() } else { model.vertex_count };
         #[expect(clippy::cast_possible_truncation, reason = "vertices and faces are counted in 32 bits")]
@@ -414,8 +512,9 @@ impl Renderer {
             let bits = self.rays.reach(plan);
             let faces = &self.faces.output;
             let (position, normal) = if at_faces { (&faces.0, &faces.1) } else { (&model.position, &model.normal) };
+            let cue = Cue::of(scene, plan, lens).filter(|_| plan.cued == Cued::AtPoints);
             let inputs =
-                IntensityInputs { model: self.model.stamp(), equation: equation.clone(), per: plan.per, reach };
+                IntensityInputs { model: self.model.stamp(), equation: equation.clone(), per: plan.per, reach, cue };
             let level = self.level;
             ran = self.intensity.update(inputs, |inputs, intensity| {
                 inputs.equation.form().dispatch(PointShading {
@@ -426,9 +525,12 @@ impl Renderer {
                     eye: lens.eye,
                     position,
                     normal,
-                    intensity,
+                    intensity: &mut *intensity,
                     reach: bits,
                 });
+                if let Some(cue) = &inputs.cue {
+                    cue.fade_points(model.origin, position, intensity);
+                }
             });
             evaluations = if at_faces { model.face_count() as u64 } else { model.vertex_count as u64 };
         }
@@ -469,26 +571,63 @@ impl Renderer {
             }
             let began = (self.clock)();
             let object = if plan.true_surface { self.surface.stamp() } else { self.model.stamp() };
-            let inputs = RayInputs { scene, plan, lens, sources, surface: painting.surface, object };
+            let inputs = RayInputs { level: self.level, scene, plan, lens, sources, surface: painting.surface, object };
             if self.rays.follow(&inputs, &self.bands) {
                 self.traced = (true, self.traced.1 + (self.clock)().saturating_sub(began));
             }
             painting.reach = self.rays.reach(plan).filter(|_| plan.per == Per::Pixel);
         }
-        let inputs = CanvasInputs::new(scene, plan, &equation, self.bands.stamp(), self.rays.stamps());
+        let cue = self.layer_inputs(scene, plan, lens);
+        let inputs = CanvasInputs {
+            cue: cue.clone(),
+            ..CanvasInputs::new(scene, plan, &equation, (self.bands.stamp(), self.rays.stamps()))
+        };
         let repaint = self.canvas.update(inputs, |_, ()| {});
         let shaded = repaint || stale.any();
         if shaded {
             self.linear.resize(linear, [0.0; 4]);
             let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
             painted = painted.and(painting.run(&mut self.bands, still_stale, canvas));
-            self.report.covered = painted.covered;
+            (self.report.covered, self.report.drawn) = (painted.covered, painted.drawn);
             self.report.overflowing = painted.overflowing;
         }
+        painted = painted.and_cued(self.cue_pixels(cue));
         let whole = if shaded { self.compose_and_display(scene, plan) } else { 0 };
         let fit = self.rays.fit().filter(|_| scene.ambient.source != AmbientSource::Constant);
         self.report.ambient_fit = fit.map(|fit| fit.to_array());
         self.account(plan, stale, shaded, painted, whole);
+    }
+
+    /// What s0 at the pixels is made from, where it is wanted.
+    fn layer_inputs(&self, scene: &Scene, plan: &Plan, lens: &Lens) -> Option<LayerInputs> {
+        let cue = Cue::of(scene, plan, lens).filter(|_| plan.cues_pixels())?;
+        Some(LayerInputs {
+            cue,
+            cued: plan.cued,
+            lens: *lens,
+            size: scene.image.size,
+            model: self.model.stamp(),
+            coverage: self.bands.coverage_stamp(),
+            perspective: plan.perspective,
+            scanline: plan.scanline,
+            keeps_fragments: plan.keeps_fragments(),
+            flat_at: (!plan.carries).then_some(scene.shading.flat_at),
+        })
+    }
+
+    /// Finds s0 at the pixels, where it is wanted. Returns whether it had to be, and the time it took.
+    fn cue_pixels(&mut self, inputs: Option<LayerInputs>) -> (bool, u64) {
+        let Some(inputs) = inputs else { return (false, 0) };
+        let began = (self.clock)();
+        let (placed, clipped, _) = &self.placed.output;
+        let found = Found {
+            level: self.level,
+            bands: &self.bands,
+            sources: Sources { model: &self.model.output, clipped, placed, carried: &[] },
+            middles: &self.faces.output.0,
+        };
+        let ran = self.cue.update(inputs, |inputs, layer| layer.run(inputs, &found));
+        (ran, if ran { (self.clock)().saturating_sub(began) } else { 0 })
     }
 
     /// Gives the frame its size; one of another size is drawn anew.
@@ -527,7 +666,12 @@ impl Renderer {
         let began = (self.clock)();
         if plan.composes {
             let [seen, bounced] = self.rays.layers(scene);
-            self.report.overflowing = compose(scene, seen, bounced, &mut self.linear);
+            let faded = (plan.cued == Cued::AtPoints).then_some(&*self.cue.output.scales);
+            self.report.overflowing = compose(scene, seen, bounced, faded, &mut self.linear);
+        }
+        if matches!(plan.cued, Cued::AtVertices | Cued::AtPixels) {
+            let color = scene.depth_cueing.color.as_vec3();
+            self.report.overflowing = fade_pixels(&self.cue.output, color, plan.composes, &mut self.linear);
         }
         if plan.whole_picture {
             let Display { overflow, encoding } = scene.display;
@@ -550,7 +694,7 @@ impl Renderer {
             self.push(Stage::Rays, traced, tracing, 0);
         }
         self.push(Stage::Coverage, stale.coverage, covering, 0);
-        self.push(Stage::Interpolation, stale.interpolation && plan.interpolates(), interpolating, 0);
+        self.push(Stage::Interpolation, painted.carried, interpolating, 0);
         self.push(Stage::PixelShading, shaded && at_pixels, shading, evaluations);
         self.push(Stage::Display, shaded, displaying + whole, 0);
     }

@@ -2,9 +2,9 @@
 
 use super::Renderer;
 use crate::scene::{
-    AmbientSource, AreaShape, Attenuation, Backfacing, Distribution, FlatAt, Interpolation, Light, LightKind,
-    NormalSource, ObjectKind, Overflow, PatternKind, Projection, Reflectance, ReflectionModel, Scene, ShadingMode,
-    Through, Viewer, Weighting,
+    AmbientSource, AreaShape, Attenuation, Backfacing, CuedBy, DepthCueing, Distribution, FlatAt, Interpolation, Light,
+    LightKind, NormalSource, ObjectKind, Overflow, PatternKind, Projection, Reflectance, ReflectionModel, Scene,
+    ShadingMode, Shared, Through, Viewer, Weighting,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -79,6 +79,8 @@ fn scene() -> impl Strategy<Value = Scene> {
         ObjectKind::Cone,
         ObjectKind::Cube,
         ObjectKind::Plane,
+        ObjectKind::Corrugated,
+        ObjectKind::Polygons,
     ];
     const MODES: &[ShadingMode] =
         &[ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
@@ -86,6 +88,7 @@ fn scene() -> impl Strategy<Value = Scene> {
     const RULES: &[Interpolation] = &[Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline];
     const NORMALS: &[NormalSource] = &[NormalSource::Averaged, NormalSource::Exact, NormalSource::Facet];
     const WEIGHTS: &[Weighting] = &[Weighting::Equal, Weighting::Area, Weighting::Angle];
+    const CUES: &[CuedBy] = &[CuedBy::Off, CuedBy::Vertex, CuedBy::Pixel];
     const MODELS: &[ReflectionModel] = &[ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance];
     const DISTRIBUTIONS: &[Distribution] = &[Distribution::Beckmann, Distribution::Ggx];
     const LAWS: &[Reflectance] =
@@ -96,23 +99,32 @@ fn scene() -> impl Strategy<Value = Scene> {
         &[AmbientSource::Constant, AmbientSource::Constant, AmbientSource::Bounce, AmbientSource::Split];
     const INDICES: &[f64] = &[0.1, 0.7, 1.0, 1.5, 10.0];
     const ROUGHNESSES: &[f64] = &[1e-3, 0.02, 0.3, 1.0];
-    let camera = (vector(), vector(), vector(), any::<bool>(), 1.0..170.0f64, number(), any::<bool>());
-    let object = (choice(KINDS), 3..9u32, 3..7u32, choice(NORMALS), choice(WEIGHTS));
+    let camera = (vector(), vector(), vector(), any::<bool>(), 1.0..170.0f64, number(), any::<bool>(), number());
+    let corners = prop::collection::vec(vector(), 3..6);
+    let object = (choice(KINDS), 3..9u32, 3..7u32, choice(NORMALS), choice(WEIGHTS), corners);
     let material = (vector(), vector(), vector(), exponent(), choice(MODELS), any::<bool>());
     let around = (any::<[bool; 4]>(), choice(SOURCES), choice(PATTERNS), choice(INDICES), number(), choice(PARTS));
     let surface = (choice(DISTRIBUTIONS), choice(LAWS), choice(PATTERNS), choice(ROUGHNESSES), vector(), vector());
     let shading = (choice(MODES), choice(PLACES), choice(RULES), any::<bool>());
+    let cueing = (choice(CUES), number(), number(), choice(PARTS), choice(PARTS));
     let lights = prop::collection::vec(light(), 0..4);
-    (camera, object, material, surface, shading, lights, around).prop_map(
-        |(camera, object, material, surface, shading, lights, around)| {
+    (camera, object, material, surface, shading, lights, around, cueing).prop_map(
+        |(camera, object, material, surface, shading, lights, around, cueing)| {
             let mut scene = Scene::default();
             scene.image.size = [16, 16];
             (scene.camera.eye, scene.camera.target, scene.camera.up) = (camera.0, camera.1, camera.2);
             scene.camera.projection = if camera.3 { Projection::Perspective } else { Projection::Orthographic };
-            scene.camera.fov_y = camera.4;
+            (scene.camera.fov_y, scene.camera.roll) = (camera.4, camera.7);
             scene.camera.height = camera.5.abs();
             scene.camera.viewer = if camera.6 { Viewer::Local } else { Viewer::Infinite };
             (scene.object.kind, scene.object.segments, scene.object.rings) = (object.0, object.1, object.2);
+            if scene.object.kind == ObjectKind::Polygons {
+                let count = u32::try_from(object.5.len()).expect("few corners");
+                scene.object.vertices = object.5.into();
+                // A fan of triangles, as any corners make, and the triangle itself turned about.
+                scene.object.faces =
+                    (2..count).map(|k| vec![0, k - 1, k]).chain([vec![0, 2, 1]]).map(Shared::from).collect();
+            }
             (scene.object.normals, scene.object.weighting) = (object.3, object.4);
             (scene.material.ka, scene.material.kd, scene.material.ks) =
                 (material.0.abs(), material.1.abs(), material.2.abs());
@@ -135,6 +147,10 @@ fn scene() -> impl Strategy<Value = Scene> {
             (scene.transparency.ior, scene.transparency.kt) = (ior, kt);
             (scene.backdrop.pattern, scene.backdrop.distance) = (pattern, height);
             scene.ambient.source = source;
+            let (by, front, beyond, front_scale, back_scale) = cueing;
+            let (front, color) = (front.abs().min(1e29), surface.4.abs());
+            let back = (front + beyond.abs()).clamp(front.next_up(), 1e30);
+            scene.depth_cueing = DepthCueing { by, front, back, front_scale, back_scale, color };
             scene
         },
     )

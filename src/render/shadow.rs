@@ -1,5 +1,12 @@
 //! Which light reaches which site: rays from the sites to the sources, a bit each.
 
+mod cast;
+mod proof;
+mod site_row;
+
+pub(super) use cast::{Cast, Waiting};
+pub(super) use site_row::SiteRow;
+
 use super::solid::Solid;
 use crate::illumination::{Equation, Reached, area_hull};
 use crate::scene::{AreaShape, Backfacing, Light, LightKind, Scene};
@@ -82,15 +89,6 @@ impl<'a> Shadows<'a> {
     pub fn is_open(&self, start: DVec3, direction: DVec3, t_max: f64) -> bool {
         !self.is_underground(start, direction, t_max) && !self.solid.blocks(start, direction, t_max)
     }
-
-    /// Sets the bits of the sources that reach a site; `words` has one row of `stride` words a source.
-    pub fn mark(&self, start: DVec3, n: DVec3, bit: usize, stride: usize, words: &mut [u64]) {
-        for source in 0..self.equation.sources.len() {
-            if self.reaches(source, start, n) {
-                words[source * stride + bit / 64] |= 1 << (bit % 64);
-            }
-        }
-    }
 }
 
 /// How much of a light is seen.
@@ -133,13 +131,13 @@ pub(super) struct Reach {
 }
 
 impl Reach {
-    /// Room for `blocks` blocks of `sites` sites, all in shadow.
+    /// Room for `blocks` blocks of `sites` sites, none in shadow.
     pub fn clear(&mut self, blocks: usize, sites: usize, sources: usize) {
         self.stride = sites.div_ceil(64);
         // One word more, since bits are read two words at a time.
         self.block = sources * self.stride + 1;
         self.words.clear();
-        self.words.resize(blocks * self.block, 0);
+        self.words.resize(blocks * self.block, u64::MAX);
     }
 
     /// The bits from site `first` of a block on.

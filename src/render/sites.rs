@@ -1,10 +1,12 @@
 //! The points that pixels see, in double precision: what rays start from.
 
 use super::cover::{Band, BandPlace};
+use super::facet::Facet;
 use super::interpolate::{Fragment, GAP, Sources};
 use super::lens::Lens;
 use super::solid::Solid;
 use glam::{DVec2, DVec3};
+use std::ops::Range;
 
 /// A point that a pixel sees.
 #[derive(Clone, Copy, Debug)]
@@ -46,11 +48,37 @@ impl Sights<'_> {
             }
             return;
         }
+        let mut seen: Option<(u32, Facet<'_>)> = None;
         for run in &band.runs {
+            let facet = match &seen {
+                Some((triangle, facet)) if *triangle == run.triangle => facet,
+                _ => &seen.insert((run.triangle, self.facet(run.triangle))).1,
+            };
             let row = usize::from(run.row);
             for x in usize::from(run.x0)..usize::from(run.x1) {
-                each(x, row, self.of_triangle(run.triangle, pixel(x, place.first_row as usize + row)));
+                each(x, row, facet.at(pixel(x, place.first_row as usize + row)));
             }
+        }
+    }
+
+    /// Calls `each` with row and columns of every run of a band's pixels that see the object.
+    pub fn walk_covered(
+        &self,
+        place: BandPlace,
+        band: &Band,
+        fragments: &[Fragment],
+        mut each: impl FnMut(usize, Range<usize>),
+    ) {
+        if self.solid.surface.is_some() {
+            for (row, line) in fragments.chunks_exact(place.width as usize).take(place.rows as usize).enumerate() {
+                for x in band.extents[row].clone().map(|x| x as usize).filter(|x| line[*x][3] > GAP[3]) {
+                    each(row, x..x + 1);
+                }
+            }
+            return;
+        }
+        for run in &band.runs {
+            each(usize::from(run.row), usize::from(run.x0)..usize::from(run.x1));
         }
     }
 
@@ -65,33 +93,18 @@ impl Sights<'_> {
 
     /// What a pixel sees of `triangle`, one of the model's or of the clipper's.
     pub fn of_triangle(&self, triangle: u32, place: DVec2) -> Sight {
-        let model = self.solid.model;
-        let own = model.triangles.len();
+        self.facet(triangle).at(place)
+    }
+
+    fn facet(&self, triangle: u32) -> Facet<'_> {
+        let own = self.solid.model.triangles.len();
         let parents = &self.sources.clipped.parents;
         let triangle = parents.get((triangle as usize).wrapping_sub(own)).copied().unwrap_or(triangle);
-        let vertices = model.triangles[triangle as usize];
-        let corners = vertices.map(|v| model.position(v));
-        let weights = self.lens.weights_in_space(corners, place);
-        let share = [1.0 - weights[0] - weights[1], weights[0], weights[1]];
-        let point = corners[0] * share[0] + corners[1] * share[1] + corners[2] * share[2];
-        let normal = self.solid.normal(triangle, weights);
-        let lifted =
-            if self.solid.smooth { lift(point, corners, vertices.map(|v| model.normal(v)), share) } else { point };
-        Sight { point, normal, lifted }
+        Facet::new(&self.solid, self.lens, triangle)
     }
 }
 
 /// The centre of a pixel.
 fn pixel(x: usize, y: usize) -> DVec2 {
     DVec2::new(x as f64 + 0.5, y as f64 + 0.5)
-}
-
-/// The point raised onto the tangent planes at the corners, weighted as the corners are (J. Hanika, *Hacking the shadow
-/// terminator*, Ray Tracing Gems II, 2021). Where the surface is hollow the planes lie below and nothing is raised.
-fn lift(point: DVec3, corners: [DVec3; 3], normals: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
-    let onto = |k: usize| {
-        let below = (point - corners[k]).dot(normals[k]).min(0.0);
-        (point - normals[k] * below) * weights[k]
-    };
-    onto(0) + onto(1) + onto(2)
 }

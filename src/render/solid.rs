@@ -1,8 +1,9 @@
 //! What rays meet: the polygons, or the true surface where that is drawn.
 
-use super::bvh::{Bvh, Meeting};
+use super::bvh::{Bvh, Meeting, Nearest, Packet, RAYS};
 use super::model::Model;
 use crate::geometry::{Ray, Surface};
+use fearless_simd::Simd;
 use glam::DVec3;
 
 /// Rays start this part of the object's radius away from the surface, so that they do not meet the point they leave.
@@ -32,6 +33,8 @@ pub(super) struct SolidHit {
     pub point: DVec3,
     /// Unit, outwards.
     pub normal: DVec3,
+    /// Outwards from the polygon itself, of any length; the true surface's normal.
+    pub facing: DVec3,
 }
 
 impl Solid<'_> {
@@ -54,13 +57,25 @@ impl Solid<'_> {
         }
     }
 
-    /// Whether the object lies on the ray `origin + t·direction`, world, for 0 < t < `t_max`.
-    pub fn blocks(&self, origin: DVec3, direction: DVec3, t_max: f64) -> bool {
-        // Most rays pass the object at a distance.
+    /// The height of the lowest point, or less.
+    pub fn lowest(&self) -> f64 {
+        match self.surface {
+            Some(_) => -Surface::BOUND,
+            None => self.model.origin.y + self.bvh.lowest(),
+        }
+    }
+
+    /// Whether a ray passes the object's ball, as most rays do.
+    fn is_passed(&self, origin: DVec3, direction: DVec3, t_max: f64) -> bool {
         let (centre, radius) = self.ball();
         let towards = centre - origin;
         let t = (towards.dot(direction) / direction.length_squared()).clamp(0.0, t_max);
-        if (towards - direction * t).length_squared() > radius * radius * (1.0 + ROUNDING) {
+        (towards - direction * t).length_squared() > radius * radius * (1.0 + ROUNDING)
+    }
+
+    /// Whether the object lies on the ray `origin + t·direction`, world, for 0 < t < `t_max`.
+    pub fn blocks(&self, origin: DVec3, direction: DVec3, t_max: f64) -> bool {
+        if self.is_passed(origin, direction, t_max) {
             return false;
         }
         match self.surface {
@@ -69,14 +84,80 @@ impl Solid<'_> {
         }
     }
 
+    /// Radius of a ball about the middle of [`Solid::ball`] that lies within the object, so that a ray from outside into it
+    /// meets the object; 0 if none is known. A little less than touches, so that it lies before the surface on every ray.
+    pub fn inner_radius(&self) -> f64 {
+        match self.surface {
+            Some(surface) => surface.inner_radius() * (1.0 - CLEAR_OF_SURFACE),
+            None => self.bvh.inner_radius(),
+        }
+    }
+
+    /// On which of the rays whose bits are set in `asked` the object lies; the rays are relative to the ball's middle.
+    #[inline(always)]
+    pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> u32 {
+        let Some(surface) = self.surface else { return self.bvh.blocked(simd, packet, asked) };
+        let mut blocked = 0;
+        for ray in (0..RAYS).filter(|ray| asked >> ray & 1 == 1) {
+            let (origin, direction, t_max) = packet.ray(ray);
+            let met = surface.intersect(&Ray { origin, direction }, 0.0).is_some_and(|hit| hit.t < t_max);
+            blocked |= u32::from(met) << ray;
+        }
+        blocked
+    }
+
     /// The first point of the object on the ray.
     pub fn nearest(&self, origin: DVec3, direction: DVec3) -> Option<SolidHit> {
         if let Some(surface) = self.surface {
             let hit = surface.intersect(&Ray { origin, direction }, 0.0)?;
-            return Some(SolidHit { point: origin + direction * hit.t, normal: hit.normal });
+            return Some(SolidHit { point: origin + direction * hit.t, normal: hit.normal, facing: hit.normal });
         }
-        let Meeting { t, triangle, weights } = self.bvh.nearest(origin - self.model.origin, direction)?;
-        Some(SolidHit { point: origin + direction * t, normal: self.normal(triangle, weights) })
+        if self.is_passed(origin, direction, f64::INFINITY) {
+            return None;
+        }
+        let meeting = self.bvh.nearest(origin - self.model.origin, direction)?;
+        Some(self.hit(origin, direction, meeting))
+    }
+
+    /// The first point of the object on each of the rays whose bits are set in `asked`; the rays are relative to the ball's
+    /// middle. Calls `each` with the ray and what it meets.
+    #[inline(always)]
+    pub fn nearest_of<S: Simd>(
+        &self,
+        simd: S,
+        packet: &Packet,
+        asked: u32,
+        mut each: impl FnMut(usize, Option<SolidHit>),
+    ) {
+        let nearest: Option<Nearest> = self.surface.is_none().then(|| self.bvh.nearest_of(simd, packet, asked));
+        let (middle, _) = self.ball();
+        for ray in (0..RAYS).filter(|ray| asked >> ray & 1 == 1) {
+            let (origin, direction, _) = packet.ray(ray);
+            let hit = match &nearest {
+                None => self.nearest(origin + middle, direction),
+                Some(nearest) => nearest.of(ray).map(|meeting| self.hit(middle + origin, direction, meeting)),
+            };
+            each(ray, hit);
+        }
+    }
+
+    fn hit(&self, origin: DVec3, direction: DVec3, Meeting { t, triangle, weights }: Meeting) -> SolidHit {
+        let [a, b, c] = self.model.triangles[triangle as usize].map(|v| self.model.place(v).as_dvec3());
+        let facing = (b - a).cross(c - a);
+        SolidHit { point: origin + direction * t, normal: self.normal(triangle, weights), facing }
+    }
+
+    /// Where a ray from `start`, relative to the ball's middle, leaves the inner ball of a convex object; `start` itself if
+    /// it does not pass that. From inside the object nothing is met before.
+    pub fn past_inner_ball(&self, start: DVec3, direction: DVec3) -> DVec3 {
+        let radius = self.inner_radius();
+        if !self.is_convex() || radius <= 0.0 {
+            return start;
+        }
+        let unit = direction.normalize();
+        let middle = -start.dot(unit);
+        let half_chord = radius * radius - (start + unit * middle).length_squared();
+        if middle > 0.0 && half_chord > 0.0 { start + unit * (middle + half_chord.sqrt()) } else { start }
     }
 
     /// The unit normal of a triangle where its second and third corner have these weights.

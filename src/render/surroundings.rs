@@ -2,15 +2,16 @@
 
 use super::lens::Lens;
 use super::shadow::{Extent, Shadows};
-use crate::illumination::{Equation, Fields, Reached, V3, area_rows};
+use crate::illumination::{Equation, Fields, Reached, Scalar, V3, area_rows};
 use crate::scene::{Ground, Light, Material, Pattern, PatternKind, Reflectance, Rgb, Scene, Transparency};
-use glam::DVec3;
+use fearless_simd::Simd;
+use glam::{DVec2, DVec3, Vec3};
 use std::ops::Range;
 
 /// The scene's floor as a surface of its own: it reflects diffusely and lies under the same lights.
 ///
 /// Its equation takes the object's place in everything but the material. Sources that cannot light the object are kept.
-pub(super) fn ground_equation(scene: &Scene) -> Equation<f64> {
+pub(super) fn ground_equation<T: Scalar>(scene: &Scene) -> Equation<T> {
     let Ground { ka, kd, color, .. } = scene.ground;
     Equation::new(&diffuse_scene(scene, Rgb::splat(ka), Rgb::splat(kd), color))
 }
@@ -92,6 +93,35 @@ impl<'a> Surroundings<'a> {
         Beyond::Elsewhere(self.wall.as_ref().and_then(|wall| wall.met(origin, direction)).unwrap_or(self.background))
     }
 
+    /// Fills the pixels of row `y` that are not numbers yet with what lies behind everything; not where there is a floor,
+    /// which each ray may meet or miss.
+    ///
+    /// The wall is upright to the viewing direction, so that places on it are linear along a row.
+    #[inline(always)]
+    pub fn fill_row<S: Simd>(&self, _: S, lens: &Lens, y: usize, line: &mut [Vec3]) {
+        if self.ground.is_some() {
+            return;
+        }
+        let background = in_range(self.background);
+        let wall = self.wall.as_ref().filter(|wall| (wall.centre - lens.eye).dot(lens.forward) > 0.0);
+        let Some(wall) = wall else {
+            line.iter_mut().filter(|pixel| pixel.is_nan()).for_each(|pixel| *pixel = background);
+            return;
+        };
+        let depth = (wall.centre - lens.eye).dot(lens.forward) / lens.unit;
+        let at = |x: f64| {
+            let (point, direction) = lens.ray(DVec2::new(x, y as f64 + 0.5));
+            let place = lens.world(point + direction * depth) - wall.centre;
+            DVec2::new(place.dot(wall.right), place.dot(wall.up))
+        };
+        let (first, step) = (at(0.5), (at(line.len() as f64 + 0.5) - at(0.5)) / line.len() as f64);
+        let color = in_range(wall.color);
+        for (x, pixel) in line.iter_mut().enumerate().filter(|(_, pixel)| pixel.x.is_nan()) {
+            let place = first + step * x as f64;
+            *pixel = if wall.fields.lie_on(V3::new(place.x, place.y, 0.0)) { color } else { background };
+        }
+    }
+
     /// The intensity that arrives along the ray; `scratch` is room for a bit a source.
     pub fn along(&self, origin: DVec3, direction: DVec3, scratch: &mut Vec<u64>) -> Rgb {
         match self.meet(origin, direction) {
@@ -162,6 +192,12 @@ impl Wall {
         let flat = V3::new(place.dot(self.right), place.dot(self.up), 0.0);
         self.fields.lie_on(flat).then_some(self.color)
     }
+}
+
+/// An intensity in single precision, at most its greatest number.
+pub(super) fn in_range(intensity: Rgb) -> Vec3 {
+    let greatest = f64::from(f32::MAX);
+    intensity.clamp(Rgb::splat(-greatest), Rgb::splat(greatest)).as_vec3()
 }
 
 /// Whether any light is on.

@@ -1,9 +1,12 @@
 //! Light through the object: a ray refracted at the surface, or through the whole solid.
 
+use super::bvh::{Packet, RAYS};
+use super::sites::Sight;
 use super::solid::Solid;
 use super::surroundings::Surroundings;
 use crate::illumination::{mirror, refract};
 use crate::scene::{Rgb, Through};
+use fearless_simd::Simd;
 use glam::DVec3;
 
 /// Surfaces that a ray passes or is mirrored at before what it carries counts for nothing.
@@ -48,6 +51,50 @@ impl Glass<'_> {
         Transmission { t, refractions, total_reflections, seen }
     }
 
+    /// Follows as many rays at once as a packet has: each pixel's ray travels along its direction and meets the surface at
+    /// the sight beside it. Calls `each` with what they see at last.
+    #[inline(always)]
+    pub fn transmit_all<S: Simd>(
+        &self,
+        simd: S,
+        rays: &[(Sight, DVec3)],
+        scratch: &mut Vec<u64>,
+        mut each: impl FnMut(usize, Rgb),
+    ) {
+        let mut paths = [Path { point: DVec3::ZERO, direction: DVec3::X, refractions: 0, total_reflections: 0 }; RAYS];
+        for (path, (sight, incident)) in paths.iter_mut().zip(rays) {
+            (path.point, path.direction) = (sight.point, *incident);
+            self.pass(path, sight.normal);
+        }
+        let mut packet = Packet::default();
+        let (middle, _) = self.solid.ball();
+        let mut inside = if self.through == Through::Solid { u32::MAX >> (32 - rays.len().clamp(1, RAYS)) } else { 0 };
+        let convex = self.solid.is_convex();
+        let mut lost = 0_u32;
+        while inside != 0 {
+            for (ray, path) in paths.iter().enumerate() {
+                let start = path.point + path.direction * self.solid.clearance() - middle;
+                packet.set(ray, self.solid.past_inner_ball(start, path.direction), path.direction, f64::INFINITY);
+            }
+            let mut on = 0;
+            self.solid.nearest_of(simd, &packet, inside, |ray, hit| {
+                let (Some(hit), path) = (hit, &mut paths[ray]) else { return };
+                path.point = hit.point;
+                self.pass(path, hit.normal);
+                // Nothing meets a convex solid that has left it.
+                let gone = convex && path.direction.dot(hit.facing) > 0.0;
+                let spent = path.refractions + path.total_reflections >= MOST_EVENTS;
+                lost |= u32::from(spent) << ray;
+                on |= u32::from(!spent && !gone) << ray;
+            });
+            inside = on;
+        }
+        for (ray, path) in paths.iter().enumerate().take(rays.len()) {
+            let nothing = lost >> ray & 1 == 1;
+            each(ray, if nothing { Rgb::ZERO } else { self.surroundings.along(path.point, path.direction, scratch) });
+        }
+    }
+
     /// Refracts the path at a surface whose outward normal is `n`, or mirrors it where it cannot leave.
     fn pass(&self, path: &mut Path, n: DVec3) -> Option<DVec3> {
         let enters = path.direction.dot(n) <= 0.0;
@@ -67,6 +114,7 @@ impl Glass<'_> {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Path {
     point: DVec3,
     direction: DVec3,

@@ -12,6 +12,8 @@ pub struct Camera {
     pub target: DVec3,
     /// The direction that appears upwards.
     pub up: DVec3,
+    /// The picture's content is turned by this about its middle, counter-clockwise, degrees.
+    pub roll: f64,
     pub projection: Projection,
     /// Vertical field of view in degrees, perspective only.
     pub fov_y: f64,
@@ -26,6 +28,7 @@ impl Default for Camera {
             eye: DVec3::new(0.0, 0.0, 4.0),
             target: DVec3::ZERO,
             up: DVec3::Y,
+            roll: 0.0,
             projection: Projection::Perspective,
             fov_y: 40.0,
             height: 2.5,

@@ -1,5 +1,7 @@
 //! The object: which shape, how finely it is made of polygons, and where its vertex normals come from.
 
+use super::Shared;
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -18,11 +20,24 @@ pub struct Object {
     pub path: Option<PathBuf>,
     /// Whether a model is centred and scaled into the unit sphere, `kind = "obj"` only.
     pub fit: bool,
+    /// Vertices that `faces` are made over, `kind = "polygons"` only; world.
+    #[serde(skip_serializing_if = "is_empty")]
+    pub vertices: Shared<DVec3>,
+    /// The vertices of each polygon by their numbers from 0, counter-clockwise from outside, `kind = "polygons"` only.
+    #[serde(skip_serializing_if = "is_empty")]
+    pub faces: Shared<Shared<u32>>,
+    /// The normal at each of `vertices`, of any length but zero, for `normals = "file"`; or none.
+    #[serde(skip_serializing_if = "is_empty")]
+    pub vertex_normals: Shared<DVec3>,
 }
 
 impl Object {
     /// The finest tessellation in either direction: 4096 × 4096 quads are 33 million triangles.
     pub const MAX_DIVISIONS: u32 = 4096;
+}
+
+fn is_empty<T>(list: &[T]) -> bool {
+    list.is_empty()
 }
 
 impl Default for Object {
@@ -35,11 +50,15 @@ impl Default for Object {
             weighting: Weighting::Equal,
             path: None,
             fit: true,
+            vertices: Shared::default(),
+            faces: Shared::default(),
+            vertex_normals: Shared::default(),
         }
     }
 }
 
-/// The shapes. All fit into the unit sphere about the origin, their axis is y, but for the plane, whose axis is z.
+/// The shapes. All but models and polygons fit into the unit sphere about the origin, the plane but for its corners. Their
+/// axis is y, but for the plane and the corrugated sheet, which face +z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ObjectKind {
@@ -57,8 +76,25 @@ pub enum ObjectKind {
     Plane,
     /// Newell's teapot.
     Teapot,
+    /// A sheet folded to and fro at ridges parallel to y, facing +z: −0.75 ≤ x ≤ 0.75, −0.65 ≤ y ≤ 0.65, between z = −0.1
+    /// and 0.1. `segments` slopes, at least 2, the first rising from a trough at its left border.
+    Corrugated,
     /// A Wavefront OBJ model.
     Obj,
+    /// Polygons of the scene itself.
+    Polygons,
+}
+
+impl ObjectKind {
+    /// Whether it faces +z, so that this is its axis; otherwise that is y.
+    pub fn faces_viewer(self) -> bool {
+        matches!(self, Self::Plane | Self::Corrugated)
+    }
+
+    /// Whether there is a true surface that the polygons stand for. A model and a scene's own polygons are all there is.
+    pub fn has_surface(self) -> bool {
+        !matches!(self, Self::Obj | Self::Polygons)
+    }
 }
 
 /// Where vertex normals come from.

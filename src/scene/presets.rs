@@ -1,6 +1,7 @@
 //! The built-in scenes: one of each shape, and one for each thing to look at.
 
 mod beyond;
+mod defects;
 mod light;
 mod reflection;
 mod shading;
@@ -98,6 +99,48 @@ pub const ALL: &[Preset] = &[
         topic: "Shading",
         description: "A column of 16 sides under Gouraud shading: the slope of the light jumps at each edge, and the eye sees bright and dark stripes.",
         build: shading::mach_bands,
+    },
+    Preset {
+        name: "silhouette",
+        title: "The outline stays polygonal",
+        topic: "Shading",
+        description: "A ball of 9 by 6 polygons: smooth inside under Gouraud or Phong shading, angular at its rim.",
+        build: defects::silhouette,
+    },
+    Preset {
+        name: "perspective-distortion",
+        title: "Perspective distortion",
+        topic: "Shading",
+        description: "Stripes of light on a receding floor, interpolated in the picture: half-way there is not half-way on the floor, and they bend at every diagonal.",
+        build: defects::perspective_distortion,
+    },
+    Preset {
+        name: "orientation",
+        title: "Dependence on orientation",
+        topic: "Shading",
+        description: "A square lit at two corners, interpolated along scan lines: turn camera.roll, and its shades change.",
+        build: defects::orientation,
+    },
+    Preset {
+        name: "shared-vertices",
+        title: "A vertex that is not shared",
+        topic: "Shading",
+        description: "A lamp before a wall of three polygons: two have a vertex under it, the third does not, and the light jumps at their edge.",
+        build: defects::shared_vertices,
+    },
+    Preset {
+        name: "vertex-normals",
+        title: "Unrepresentative vertex normals",
+        topic: "Shading",
+        description: "A sheet folded to and fro: the averaged normals at its folds are all alike, and it looks flat; more rings bring the folds back.",
+        build: defects::vertex_normals,
+    },
+    Preset {
+        name: "depth-cueing",
+        title: "Mist",
+        topic: "Shading",
+        description: "One long polygon runs into mist: cued at its corners it fades from end to end, cued by pixel only where the mist lies.",
+        build: shading::depth_cueing,
     },
     Preset {
         name: "ambient-only",
@@ -345,8 +388,8 @@ mod tests {
     fn the_default_is_one_of_them_and_so_is_every_shape_without_a_file() {
         assert_eq!(find(DEFAULT).map(|preset| (preset.build)()), Some(default_scene()));
         let shapes: Vec<_> = ALL.iter().map(|preset| (preset.build)().object.kind).collect();
-        use ObjectKind::{Cone, Cube, Cylinder, Plane, Sphere, Teapot, Torus};
-        for kind in [Sphere, Torus, Cylinder, Cone, Cube, Plane, Teapot] {
+        use ObjectKind::{Cone, Corrugated, Cube, Cylinder, Plane, Polygons, Sphere, Teapot, Torus};
+        for kind in [Sphere, Torus, Cylinder, Cone, Cube, Plane, Teapot, Corrugated, Polygons] {
             assert!(shapes.contains(&kind), "{kind:?}");
         }
     }

@@ -100,6 +100,19 @@ pub enum Cause {
     Other(String),
 }
 
+impl Problem {
+    /// What is wrong, without the place.
+    pub(super) fn in_words(&self) -> String {
+        struct Words<'a>(&'a Problem);
+        impl fmt::Display for Words<'_> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.0.cause.describe(f, &shortened(&self.0.key))
+            }
+        }
+        Words(self).to_string()
+    }
+}
+
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.place {

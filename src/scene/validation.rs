@@ -1,9 +1,10 @@
 //! What a sound scene is: every number in its range, and no two that contradict each other.
 
+use super::compare;
 use super::problem::{Cause, Place, Problem, SceneError};
 use super::{
-    Ambient, Attenuation, Backdrop, Camera, Ground, Image, Light, Material, Object, ObjectKind, Pattern, Rgb, Scene,
-    Transparency,
+    Ambient, Attenuation, Backdrop, Camera, Compare, DepthCueing, Ground, Image, Light, Material, Object, ObjectKind,
+    Pattern, Rgb, Scene, Transparency,
 };
 use glam::DVec3;
 use std::ops::RangeInclusive;
@@ -40,7 +41,8 @@ impl Scene {
     /// # Guarantees
     /// `Ok` says that every number is finite (`material.n` may be infinite) and in the range that its section documents,
     /// that eye and target are different points and `up` points across the line between them, that directions are not
-    /// zero, and that a model has a path, in Unicode.
+    /// zero, that a model has a path, in Unicode, and that polygons are over known vertices and do not cross
+    /// themselves.
     ///
     /// # Errors
     /// Every number that is out of range and every contradiction, with its key.
@@ -63,6 +65,7 @@ impl Scene {
         self.transparency.check(&mut checks);
         self.ground.check(&mut checks);
         self.backdrop.check(&mut checks);
+        self.depth_cueing.check(&mut checks);
         let Ambient { color, source: _ } = self.ambient;
         checks.colour("ambient.color", color, GREATEST_INTENSITY);
         if self.lights.len() > Self::MAX_LIGHTS {
@@ -81,6 +84,12 @@ impl Scene {
             let expected = "a smaller picture, fewer samples of area lights, or no shadows";
             checks.found("image.size", Cause::Conflict { is: "has too many pixels for so many shadows", expected });
         }
+        let &Compare { view: _, wipe, difference: _, gain, panes: _ } = &self.compare;
+        checks.number("compare.wipe", wipe, 0.0..=1.0, "");
+        checks.number("compare.gain", gain, 1.0..=Compare::MAX_GAIN, "");
+        if checks.problems.is_empty() {
+            checks.problems = compare::problems(self);
+        }
         checks.problems
     }
 }
@@ -90,9 +99,12 @@ impl Camera {
     pub const FOV_Y: RangeInclusive<f64> = 1e-3..=179.0;
 
     fn check(&self, checks: &mut Checks) {
-        let &Self { eye, target, up, projection: _, fov_y, height, viewer: _ } = self;
+        let &Self { eye, target, up, roll, projection: _, fov_y, height, viewer: _ } = self;
         checks.number("camera.fov_y", fov_y, Self::FOV_Y, " degrees");
         checks.number("camera.height", height, LEAST_LENGTH..=GREATEST_LENGTH, "");
+        if !roll.is_finite() {
+            checks.value("camera.roll", number(roll), "a finite number of degrees");
+        }
         let points = checks.point("camera.eye", eye) & checks.point("camera.target", target);
         let upright = checks.direction("camera.up", up);
         if !points {
@@ -130,9 +142,14 @@ impl Image {
 }
 
 impl Object {
-    /// Fewest polygons round the axis: fewer than three enclose nothing. A plane's are counted across it.
+    /// Fewest polygons round the axis: fewer than three enclose nothing. A plane's are counted across it, and so are a corrugated sheet's slopes, at
+    /// least one up and one down.
     pub fn min_segments(&self) -> u32 {
-        if self.kind == ObjectKind::Plane { 1 } else { 3 }
+        match self.kind {
+            ObjectKind::Plane => 1,
+            ObjectKind::Corrugated => 2,
+            _ => 3,
+        }
     }
 
     /// Fewest polygons along the axis: a sphere needs both of its caps, the tube of a torus encloses something.
@@ -145,7 +162,7 @@ impl Object {
     }
 
     fn check(&self, checks: &mut Checks) {
-        let Self { kind, segments, rings, normals: _, weighting: _, path, fit: _ } = self;
+        let Self { kind, segments, rings, path, .. } = self;
         checks.count("object.segments", *segments, self.min_segments()..=Self::MAX_DIVISIONS);
         checks.count("object.rings", *rings, self.min_rings()..=Self::MAX_DIVISIONS);
         match path {
@@ -160,6 +177,7 @@ impl Object {
             }
             _ => {}
         }
+        self.check_polygons(checks);
     }
 }
 
@@ -282,18 +300,34 @@ impl Backdrop {
     }
 }
 
+impl DepthCueing {
+    fn check(&self, checks: &mut Checks) {
+        let &Self { by: _, front, back, front_scale, back_scale, color } = self;
+        let range = 0.0..=GREATEST_LENGTH;
+        let depths = checks.number("depth_cueing.front", front, range.clone(), "")
+            & checks.number("depth_cueing.back", back, range, "");
+        if depths && front >= back {
+            let expected = "a greater one";
+            checks.found("depth_cueing.back", Cause::Conflict { is: "is not beyond `depth_cueing.front`", expected });
+        }
+        checks.number("depth_cueing.front_scale", front_scale, 0.0..=1.0, "");
+        checks.number("depth_cueing.back_scale", back_scale, 0.0..=1.0, "");
+        checks.colour("depth_cueing.color", color, GREATEST_INTENSITY);
+    }
+}
+
 /// The problems found so far. The checks return whether they found none.
 #[derive(Default)]
-struct Checks {
+pub(super) struct Checks {
     problems: Vec<(String, Cause)>,
 }
 
 impl Checks {
-    fn found(&mut self, key: &str, cause: Cause) {
+    pub(super) fn found(&mut self, key: &str, cause: Cause) {
         self.problems.push((key.to_owned(), cause));
     }
 
-    fn value(&mut self, key: &str, found: impl Into<String>, expected: impl Into<String>) {
+    pub(super) fn value(&mut self, key: &str, found: impl Into<String>, expected: impl Into<String>) {
         self.found(key, Cause::Value { found: found.into(), expected: expected.into() });
     }
 
@@ -317,7 +351,7 @@ impl Checks {
         }
     }
 
-    fn point(&mut self, key: &str, value: DVec3) -> bool {
+    pub(super) fn point(&mut self, key: &str, value: DVec3) -> bool {
         let sound = value.to_array().iter().all(|x| x.abs() <= GREATEST_LENGTH);
         if !sound {
             self.value(key, triple(value), format!("coordinates up to {}", number(GREATEST_LENGTH)));
@@ -325,7 +359,7 @@ impl Checks {
         sound
     }
 
-    fn direction(&mut self, key: &str, value: DVec3) -> bool {
+    pub(super) fn direction(&mut self, key: &str, value: DVec3) -> bool {
         let point = self.point(key, value);
         let sound = point && value.length() >= LEAST_LENGTH;
         if point && !sound {

@@ -15,7 +15,7 @@ const PARALLEL: f64 = 1e-9;
 ///
 /// `right`, `up` and `forward` are unit, orthogonal and finite, `right × up = −forward`, and the scale is positive and
 /// finite, whatever the camera holds: an eye upon the target looks along −z, and an `up` along the viewing direction
-/// gives way to the axis farthest from it.
+/// gives way to the axis farthest from it. A roll that is not finite counts as none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Position of the eye, world.
@@ -39,7 +39,7 @@ impl View {
     pub fn new(camera: &Camera, size: [u32; 2]) -> Self {
         let [width, height] = size.map(|side| f64::from(side.max(1)));
         let forward = direction(camera.target * 0.5 - camera.eye * 0.5).unwrap_or(DVec3::NEG_Z);
-        let right = sideways(forward, camera.up);
+        let [right, up] = frame(forward, camera.up, camera.roll);
         let scale = match camera.projection {
             Projection::Perspective => 0.5 * height / (0.5 * camera.fov_y.to_radians()).tan(),
             Projection::Orthographic => height / camera.height,
@@ -47,12 +47,17 @@ impl View {
         Self {
             eye: camera.eye,
             right,
-            up: right.cross(forward).normalize(),
+            up,
             forward,
             centre: DVec2::new(0.5 * width, 0.5 * height),
             scale: if scale > 0.0 && scale.is_finite() { scale } else { height },
             projection: camera.projection,
         }
+    }
+
+    /// A way across the picture, `x` to the right and `y` upwards, as the same camera without its roll has it.
+    pub fn without_roll(across: DVec2, roll: f64) -> DVec2 {
+        rotation(-roll).rotate(across)
     }
 
     /// Where `world` appears, in pixels, and its depth; nothing for a point behind the eye or beside it, or one so far
@@ -120,6 +125,27 @@ fn direction(v: DVec3) -> Option<DVec3> {
     (v.is_finite() && largest > 0.0).then(|| (v / largest).normalize())
 }
 
+/// What points to the right and upwards in a picture whose content is turned counter-clockwise by `roll` degrees.
+fn frame(forward: DVec3, up: DVec3, roll: f64) -> [DVec3; 2] {
+    let right = sideways(forward, up);
+    let up = right.cross(forward).normalize();
+    let turn = rotation(roll);
+    [right * turn.x - up * turn.y, right * turn.y + up * turn.x]
+}
+
+/// Cosine and sine of an angle in degrees, exact at its quarter turns.
+fn rotation(degrees: f64) -> DVec2 {
+    let within = if degrees.is_finite() { degrees.rem_euclid(360.0) } else { 0.0 };
+    let quarters = (within / 90.0).round();
+    let rest = DVec2::from_angle((within - 90.0 * quarters).to_radians());
+    match quarters as u8 {
+        1 => rest.perp(),
+        2 => -rest,
+        3 => -rest.perp(),
+        _ => rest,
+    }
+}
+
 /// The unit vector at right angles to `forward` and `up`, to the right of one who looks along `forward`.
 fn sideways(forward: DVec3, up: DVec3) -> DVec3 {
     let right = direction(up).map_or(DVec3::ZERO, |up| forward.cross(up));
@@ -147,11 +173,13 @@ mod tests {
     }
 
     fn camera() -> impl Strategy<Value = Camera> {
-        let place = (vector(10.0), vector(10.0), vector(1.0));
-        (place, any::<bool>(), 1.0..170.0, 0.01..100.0).prop_map(|((eye, target, up), perspective, fov_y, height)| {
-            let projection = if perspective { Projection::Perspective } else { Projection::Orthographic };
-            Camera { eye, target, up, projection, fov_y, height, ..Camera::default() }
-        })
+        let place = (vector(10.0), vector(10.0), vector(1.0), -1e3..1e3f64);
+        (place, any::<bool>(), 1.0..170.0, 0.01..100.0).prop_map(
+            |((eye, target, up, roll), perspective, fov_y, height)| {
+                let projection = if perspective { Projection::Perspective } else { Projection::Orthographic };
+                Camera { eye, target, up, roll, projection, fov_y, height, ..Camera::default() }
+            },
+        )
     }
 
     #[test]
@@ -171,6 +199,29 @@ mod tests {
         for z in [-5.0, 0.0, 3.0] {
             let (pixel, depth) = view.project(DVec3::new(0.0, 1.25, z)).expect("in front of the eye");
             assert!(pixel.y.abs() < 1e-12 && (depth - (4.0 - z)).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_roll_turns_what_is_seen_counter_clockwise() {
+        let at = |roll: f64, world: DVec3| {
+            let view = View::new(&Camera { roll, ..Camera::default() }, SIZE);
+            let (pixel, _) = view.project(world).expect("in front of the eye");
+            // Upwards, from the middle.
+            (pixel - view.centre) * DVec2::new(1.0, -1.0)
+        };
+        let across = at(0.0, DVec3::X).x;
+        for quarters in -9..9i32 {
+            let turned = at(f64::from(quarters) * 90.0, DVec3::X);
+            let expected = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y][quarters.rem_euclid(4) as usize] * across;
+            assert!((turned - expected).length() < 1e-12, "{quarters} quarters: {turned}");
+        }
+        let turned = at(30.0, DVec3::X);
+        assert!((turned.to_angle().to_degrees() - 30.0).abs() < 1e-9, "{turned}");
+        let back = View::without_roll(turned, 30.0);
+        assert!((back - DVec2::new(across, 0.0)).length() < 1e-9);
+        for roll in [f64::NAN, f64::INFINITY, -1e300] {
+            assert!(View::new(&Camera { roll, ..Camera::default() }, SIZE).right.is_finite());
         }
     }
 
@@ -217,7 +268,8 @@ mod tests {
         fn the_frame_is_orthonormal(camera in camera()) {
             let view = View::new(&camera, SIZE);
             prop_assert!((view.right.cross(view.up) + view.forward).length() < 1e-9);
-            prop_assert!(view.up.dot(camera.up) >= 0.0, "up in the world is up in the picture");
+            let upright = View::new(&Camera { roll: 0.0, ..camera.clone() }, SIZE);
+            prop_assert!(upright.up.dot(camera.up) >= 0.0, "up in the world is up in the picture");
         }
     }
 }

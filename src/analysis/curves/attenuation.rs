@@ -85,6 +85,7 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
         marks,
         directions: vec![],
         borders: Vec::new(),
+        points: vec![],
     }
 }
 

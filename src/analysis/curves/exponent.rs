@@ -53,6 +53,7 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
         marks: marks.into_iter().collect(),
         directions: vec![],
         borders: Vec::new(),
+        points: vec![],
     }
 }
 

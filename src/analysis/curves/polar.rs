@@ -53,6 +53,7 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
         marks: vec![],
         directions: directions(&lobe),
         borders: Vec::new(),
+        points: vec![],
     })
 }
 

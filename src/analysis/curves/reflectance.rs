@@ -56,6 +56,7 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
         legend: READ_AT.map(|angle| format!("W({angle}°)")).to_vec(),
         directions: vec![],
         borders: Vec::new(),
+        points: vec![],
     }
 }
 

@@ -5,6 +5,9 @@ use crate::analysis::perception::{Perception, Viewing, blur_picture};
 use crate::render::{Frame, Renderer, displayed};
 use crate::scene::{Rgb, Scene};
 
+/// Greatest width of the surround in pixels for a whole picture: beyond, its time would grow without bound.
+pub const PERCEIVED_WIDTH: f64 = 256.0;
+
 /// The response over the whole picture, as a picture: each pixel's colour is multiplied by the ratio of the response to its
 /// luminance. A black pixel has no colour and becomes a grey; what is negative is black. Beyond the picture's edge its last
 /// pixels go on.

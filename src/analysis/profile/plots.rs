@@ -85,6 +85,7 @@ fn plot(profile: &Profile, kind: PlotKind, title: String, y: Axis, curves: Vec<C
         marks: Vec::new(),
         directions: Vec::new(),
         borders: edges.map(|border| border.t * profile.length).collect(),
+        points: vec![],
     }
 }
 

@@ -138,7 +138,7 @@ impl<'a> Source<'a> {
             return bilinear(pixels, self.size, place);
         }
         let seen = self.renderer.evaluation_at(self.inside(place), piece);
-        seen.map_or(self.background, |seen| luminance(seen.intensity(&self.equation).max(Rgb::ZERO)))
+        seen.map_or(self.background, |seen| luminance(seen.shown(&self.equation).max(Rgb::ZERO)))
     }
 }
 

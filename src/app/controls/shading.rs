@@ -3,7 +3,7 @@
 use crate::app::row::{About, choice, toggle};
 use crate::app::state::AppState;
 use crate::app::symbol::Symbol;
-use crate::scene::{FlatAt, Interpolation, ObjectKind, Shading, ShadingMode};
+use crate::scene::{FlatAt, Interpolation, Shading, ShadingMode};
 use eframe::egui::{RichText, Ui};
 
 /// The modes: what they are called and where each evaluates the equation.
@@ -25,12 +25,12 @@ pub const MODES: [(ShadingMode, &str, &str); 5] = [
 
 pub fn shading_ui(ui: &mut Ui, state: &mut AppState) {
     let AppState { document, lit, .. } = state;
-    let from_file = document.scene.object.kind == ObjectKind::Obj;
+    let has_surface = document.scene.object.kind.has_surface();
     let shading = &mut document.scene.shading;
     let default = Shading::default();
     let what = MODES.iter().find(|(mode, ..)| *mode == shading.mode).map_or("", |(_, _, what)| *what);
-    let model = "A model has no surface beyond its polygons: here Phong shading, evaluated in double precision";
-    let what = if from_file && shading.mode == ShadingMode::Exact { model } else { what };
+    let model = "There is no surface beyond these polygons: here Phong shading, evaluated in double precision";
+    let what = if !has_surface && shading.mode == ShadingMode::Exact { model } else { what };
     ui.label(RichText::new(what).weak());
     let symbol = Some(Symbol::Normal);
     if shading.mode == ShadingMode::Flat {

@@ -87,8 +87,15 @@ impl Notation {
             Factor::Itrans => letter("I", "trans", Symbol::Transmitted),
             Factor::Irefl => called("I", Symbol::Intensity, "Irefl: the reflected light, what the terms add up to")
                 .into_iter()
-                .map(|piece| Piece { low: "refl", ..piece })
+                .map(|piece| Piece { low: "refl".into(), ..piece })
                 .collect(),
+            Factor::Kept => letter("s", "0", Symbol::Depth),
+            Factor::Gone => [vec![self.sign("1 − ")], letter("s", "0", Symbol::Depth)].concat(),
+            Factor::Idc => called("I", Symbol::Depth, "Idc: what intensities fade into")
+                .into_iter()
+                .map(|piece| Piece { low: "dc".into(), ..piece })
+                .collect(),
+            Factor::Intensity => called("I", Symbol::Intensity, "I: what the surface sends out, before it fades"),
             Factor::Opaque => [vec![self.sign("1 − ")], letter("K", "t", Symbol::Kt)].concat(),
             Factor::Facing => self.facing(vectors),
             Factor::Lobe if self.model == ReflectionModel::CookTorrance => {

@@ -26,7 +26,9 @@ pub struct Share {
 /// The parts of the pixel, in the order of the equation.
 pub fn shares(here: Here<'_>, notation: &Notation) -> Vec<Share> {
     let hit = here.hit;
-    let opaque = if hit.transmission.is_some() { 1.0 - here.scene.transparency.kt } else { 1.0 };
+    // What fades at vertices has no s0 of its own for each term: all have that of their sum.
+    let left = hit.cue.map_or(1.0, |cue| luminance(cue.kept) / luminance(hit.intensity).max(f64::MIN_POSITIVE));
+    let opaque = left * if hit.transmission.is_some() { 1.0 - here.scene.transparency.kt } else { 1.0 };
     let part = |name: String, short: String, colour, value| Share {
         name,
         short,
@@ -43,8 +45,12 @@ pub fn shares(here: Here<'_>, notation: &Notation) -> Vec<Share> {
         parts.push(part(format!("specular{number}"), short("s"), notation.term(Term::Specular), light.specular));
     }
     if let Some(through) = hit.transmission {
-        let weight = here.scene.transparency.kt * luminance(through.seen);
+        let weight = left * here.scene.transparency.kt * luminance(through.seen);
         parts.push(Share { weight, ..part("through".into(), "t".into(), notation.through(), through.seen) });
+    }
+    if let Some(cue) = hit.cue {
+        let weight = luminance(cue.veil);
+        parts.push(Share { name: "mist".into(), short: "m".into(), colour: notation.weak(), weight });
     }
     parts
 }

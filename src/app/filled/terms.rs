@@ -7,7 +7,8 @@
 use crate::analysis::{LightTerms, ProbeHit};
 use crate::illumination::Equation;
 use crate::scene::{
-    Attenuation, Backfacing, Light, LightKind, PatternKind, Reflectance, ReflectionModel, Rgb, Scene, ShadingMode,
+    Attenuation, Backfacing, CuedBy, Light, LightKind, PatternKind, Reflectance, ReflectionModel, Rgb, Scene,
+    ShadingMode,
 };
 
 /// A factor of a term.
@@ -37,6 +38,13 @@ pub enum Factor {
     Irefl,
     Kt,
     Itrans,
+    /// s0.
+    Kept,
+    /// I, before it fades.
+    Intensity,
+    /// 1 − s0.
+    Gone,
+    Idc,
 }
 
 /// Some factors with their product, per channel.
@@ -119,6 +127,29 @@ impl<'a> Here<'a> {
             Column::of(Factor::Irefl, self.hit.reflected),
             Column { added: true, ..Column::of(Factor::Kt, Rgb::splat(kt)) },
             Column::of(Factor::Itrans, through.seen),
+        ];
+        Some(Product { columns, value: self.hit.intensity })
+    }
+
+    /// Whether every pixel meets the true surface, or is evaluated as if it did.
+    pub fn is_exact(self) -> bool {
+        self.scene.shading.mode == ShadingMode::Exact
+    }
+
+    /// Whether intensities fade where the equation is evaluated, which is not at the pixel.
+    pub fn fades_at_points(self) -> bool {
+        self.scene.depth_cueing.by == CuedBy::Vertex && !self.at_pixel()
+    }
+
+    /// `s0·I + (1 − s0)·Idc`, where the depth is cued.
+    pub fn fading(self) -> Option<Product> {
+        let (cue, intensity, mean) = (self.hit.cue?, self.hit.intensity, self.fades_at_points());
+        let kept = if mean { quotient(cue.kept, intensity) } else { Rgb::splat(cue.scale) };
+        let columns = vec![
+            Column { mean, ..Column::of(Factor::Kept, kept) },
+            Column::of(Factor::Intensity, intensity),
+            Column { mean, added: true, ..Column::of(Factor::Gone, Rgb::splat(1.0 - cue.scale)) },
+            Column::of(Factor::Idc, self.scene.depth_cueing.color),
         ];
         Some(Product { columns, value: self.hit.sum })
     }
@@ -337,6 +368,9 @@ mod tests {
         assert!((sum.max(Rgb::ZERO) - here.hit.reflected).abs().max_element() < 1e-9, "{what}: {sum}");
         if let Some(mixture) = here.mixture() {
             assert_makes_its_value(&mixture, &format!("{what} mixture"));
+        }
+        if let Some(fading) = here.fading() {
+            assert_makes_its_value(&fading, &format!("{what} fading"));
         }
     }
 

@@ -2,7 +2,9 @@
 
 use super::super::picture::Place;
 use super::super::state::{AppState, NumbersTab};
-use eframe::egui::{Color32, Painter, Pos2, Stroke};
+use super::super::theme::TEXT;
+use crate::figure::{CURVE, lay_out_profile};
+use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke};
 use glam::DVec2;
 
 /// Radius of an end, points.
@@ -34,7 +36,8 @@ impl ProfileLine {
     }
 }
 
-fn shown(state: &AppState) -> bool {
+/// Whether the line is in sight.
+pub fn shown(state: &AppState) -> bool {
     state.look.numbers && !state.picture_alone && state.look.tab == NumbersTab::Profile
 }
 
@@ -45,10 +48,35 @@ pub fn end_at(state: &AppState, place: Place, at: Pos2, reach: f32) -> Option<(u
     near.min_by(|a, b| a.1.distance(at).total_cmp(&b.1.distance(at)))
 }
 
-/// Draws the line white on dark, so that it shows on any picture.
-pub fn paint(painter: &Painter, state: &AppState, place: Place) {
+/// The curves above the line: what is there solid, what is perceived dashed, for the scene's own shading where it is taken.
+fn curves(painter: &Painter, state: &AppState, place: Place) {
+    let Some(taken) = state.profiles.profile() else { return };
+    let own = state.document.scene.shading.mode;
+    let Some(trace) = taken.traces.iter().find(|trace| trace.mode == own).or(taken.traces.first()) else { return };
+    let side = f64::from(place.size[0].min(place.size[1]));
+    let em = f64::from(TEXT * place.pixels_per_point);
+    let Some(curves) = lay_out_profile(taken, trace, side, em) else { return };
+    let points = |points: &[DVec2]| -> Vec<Pos2> { points.iter().map(|point| place.point(*point)).collect() };
+    let dark = Stroke::new(4.0, Color32::from_black_alpha(140));
+    for tick in &curves.ticks {
+        painter.line_segment([place.point(tick[0]), place.point(tick[1])], dark);
+        painter.line_segment([place.point(tick[0]), place.point(tick[1])], Stroke::new(1.5, Color32::WHITE));
+    }
+    let (there, seen) = (points(&curves.intensity), points(&curves.perceived));
+    painter.add(Shape::line(seen.clone(), dark));
+    painter.extend(Shape::dashed_line(&seen, Stroke::new(1.6, Color32::WHITE), 6.0, 4.0));
+    painter.add(Shape::line(there.clone(), dark));
+    let [r, g, b] = CURVE;
+    painter.add(Shape::line(there, Stroke::new(2.0, Color32::from_rgb(r, g, b))));
+}
+
+/// Draws the line white on dark, so that it shows on any picture, and the profile above it.
+pub fn paint(painter: &Painter, state: &AppState, place: Place, active: bool) {
     if !shown(state) {
         return;
+    }
+    if active {
+        curves(painter, state, place);
     }
     let ends = state.line.pixels(place.size).map(|end| place.point(end));
     let dark = |width| Stroke::new(width, Color32::from_black_alpha(150));

@@ -1,16 +1,18 @@
 //! Takes profiles beside the window: the interface never waits for one.
 
 use super::super::document::{Document, same_model};
+use super::super::engine::image_of;
 use super::super::errand::Errand;
 use super::super::state::AppState;
-use crate::analysis::{Plot, Profile, ProfileRequest, profile, profile_plots};
+use crate::analysis::{PERCEIVED_WIDTH, Plot, Profile, ProfileRequest, perceived_picture, profile, profile_plots};
 use crate::document::{WriteError, save_picture, write_whole};
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
 use crate::geometry::Mesh;
-use crate::render::Renderer;
+use crate::render::{Frame, Renderer};
 use crate::scene::Scene;
-use eframe::egui::Context;
+use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;
+use std::fmt::{self, Debug, Formatter};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -26,6 +28,23 @@ pub struct Profiles {
     drawings: Vec<Drawing>,
     /// The style and the width of what is laid out.
     style: Option<(PlotStyle, f32)>,
+    seen: Seen,
+}
+
+/// The picture as it is perceived, as last worked out.
+#[derive(Default)]
+struct Seen {
+    known: Option<Question>,
+    work: Option<Errand<Question, Result<Frame, String>>>,
+    texture: Option<TextureHandle>,
+    /// Why there is none.
+    problem: Option<String>,
+}
+
+impl Debug for Seen {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Seen").field("known", &self.known).field("problem", &self.problem).finish_non_exhaustive()
+    }
 }
 
 type Answer = Result<Profile, String>;
@@ -52,6 +71,17 @@ impl Question {
         scene
     }
 
+    fn perceived(&self) -> Result<Frame, String> {
+        let ProfileRequest { viewing, perception, .. } = &self.request;
+        let [_, widest] = perception.widths(viewing.pixels_per_degree());
+        if widest > PERCEIVED_WIDTH {
+            return Err(format!("σs is {widest:.0} pixels, expected at most {PERCEIVED_WIDTH} for a whole picture"));
+        }
+        let mut renderer = Renderer::default();
+        renderer.set_model(self.model.clone());
+        Ok(perceived_picture(&mut renderer, &self.sized(), viewing, perception))
+    }
+
     fn answer(&self) -> Answer {
         let mut renderer = Renderer::default();
         renderer.set_model(self.model.clone());
@@ -70,6 +100,45 @@ impl Profiles {
         let (scene, model) = (document.scene.clone(), document.model.clone());
         let question = Question { scene, model, size, request };
         self.work = Some(Errand::new(ctx, question.clone(), move || question.answer()));
+    }
+
+    /// Sees to it that the picture is worked out as it is perceived; until then the last one is shown.
+    pub fn ask_perceived(&mut self, ctx: &Context, document: &Document, size: [u32; 2], request: &ProfileRequest) {
+        let seen = &mut self.seen;
+        if let Some((question, answer)) = Errand::take(&mut seen.work) {
+            seen.known = Some(question);
+            let answer = answer.unwrap_or_else(|| Err("it ended without a result".to_owned()));
+            seen.problem = answer.as_ref().err().cloned();
+            match (answer, &mut seen.texture) {
+                (Ok(frame), Some(texture)) => texture.set(image_of(&frame), TextureOptions::NEAREST),
+                (Ok(frame), texture) => {
+                    *texture = Some(ctx.load_texture("perceived", image_of(&frame), TextureOptions::NEAREST));
+                }
+                (Err(_), texture) => *texture = None,
+            }
+            ctx.request_repaint();
+        }
+        // The line does not matter to the whole picture.
+        let same = |known: &Question| {
+            let request = ProfileRequest { from: known.request.from, to: known.request.to, ..request.clone() };
+            known.is(document, size, &ProfileRequest { modes: known.request.modes.clone(), ..request })
+        };
+        if seen.work.is_some() || seen.known.as_ref().is_some_and(same) {
+            return;
+        }
+        let (scene, model) = (document.scene.clone(), document.model.clone());
+        let question = Question { scene, model, size, request: request.clone() };
+        seen.work = Some(Errand::new(ctx, question.clone(), move || question.perceived()));
+    }
+
+    /// The picture as it is perceived.
+    pub fn perceived(&self) -> Option<&TextureHandle> {
+        self.seen.texture.as_ref()
+    }
+
+    /// Why there is no such picture.
+    pub fn not_perceived(&self) -> Option<&str> {
+        self.seen.problem.as_deref()
     }
 
     /// Takes what the thread has brought.

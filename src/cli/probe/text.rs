@@ -3,8 +3,8 @@
 use glam::DVec3;
 use shading_lab::analysis::{LightTerms, Probe, ProbeHit, REFERENCE_SAMPLES, SamplingError};
 use shading_lab::scene::{
-    Attenuation, Backfacing, Encoding, Light, LightKind, Overflow, PatternKind, Reflectance, ReflectionModel, Rgb,
-    Scene, ShadingMode,
+    Attenuation, Backfacing, CuedBy, Encoding, Light, LightKind, Overflow, PatternKind, Reflectance, ReflectionModel,
+    Rgb, Scene, ShadingMode,
 };
 use std::fmt::Write;
 
@@ -33,6 +33,7 @@ pub fn describe(probe: &Probe, scene: &Scene, sampling: &[Option<SamplingError>]
         }
     }
     transmission(&mut text, scene, hit);
+    depth_cue(&mut text, scene, hit);
     sum(&mut text, scene, hit);
     if let Some(fit) = probe.ambient_fit {
         let [r, g, b] = fit.to_array().map(number);
@@ -54,6 +55,9 @@ fn formula(text: &mut String, scene: &Scene) {
     let _ = writeln!(text, "\nI = ka·Od·Ia + Σ f·Ip·(kd·Od·(N·L) + ks·Os·{w}S), S = {lobe}");
     if scene.transparency.kt > 0.0 {
         text.push_str("I = (1 − kt)·Irefl + kt·Itrans, Irefl as above\n");
+    }
+    if scene.depth_cueing.by != CuedBy::Off {
+        text.push_str("shown is s0·I + (1 − s0)·Idc\n");
     }
 }
 
@@ -196,7 +200,29 @@ fn transmission(text: &mut String, scene: &Scene, hit: &ProbeHit) {
     for (c, name) in CHANNELS.iter().enumerate() {
         let [clear, kt] = [1.0 - kt, kt].map(number);
         let factors = format!("{clear} · {} + {kt} · {}", number(hit.reflected[c]), number(through.seen[c]));
-        row(text, name, &factors, hit.sum[c]);
+        row(text, name, &factors, hit.intensity[c]);
+    }
+}
+
+fn depth_cue(text: &mut String, scene: &Scene, hit: &ProbeHit) {
+    let Some(cue) = &hit.cue else { return };
+    let cueing = &scene.depth_cueing;
+    let at_pixel = matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact);
+    let found = match (cueing.by, scene.shading.mode) {
+        (CuedBy::Vertex, ShadingMode::Phong) => "interpolated between the vertices",
+        (CuedBy::Vertex, _) if !at_pixel => "the mean of those where the equation is evaluated",
+        _ => "by the pixel's depth",
+    };
+    let [front, back] = [cueing.front, cueing.back].map(|depth| number(depth).trim_start().to_owned());
+    let s0 = number(cue.scale);
+    let _ = writeln!(text, "\ndepth cueing from depth {front} to {back}, s0 = {}, {found}", s0.trim_start());
+    text.push_str("              s0 ·          I +   (1 − s0) ·        Idc\n");
+    for (c, name) in CHANNELS.iter().enumerate() {
+        // Where the equation is evaluated elsewhere, s0·I is a mean of products.
+        let mean = cueing.by == CuedBy::Vertex && !at_pixel && hit.intensity[c] > 0.0;
+        let share = if mean { cue.kept[c] / hit.intensity[c] } else { cue.scale };
+        let [share, intensity, gone, color] = [share, hit.intensity[c], 1.0 - cue.scale, cueing.color[c]].map(number);
+        row(text, name, &format!("{share} · {intensity} + {gone} · {color}"), hit.sum[c]);
     }
 }
 

@@ -1,6 +1,7 @@
 //! The camera as two matrices: from the world to the eye, and from the eye to the picture.
 
 use super::super::number::{c_double, said};
+use super::fog;
 use crate::geometry::VertexMesh;
 use crate::scene::{Camera, Projection, Scene, View};
 use glam::DVec3;
@@ -40,8 +41,9 @@ void set_up_camera(int width, int height) {{
     glLoadMatrixd(projection);
     glMatrixMode(GL_MODELVIEW);
     glLoadMatrixd(eye_from_world);
-}}
-"
+{}}}
+",
+        fog::text(scene)
     );
     text
 }

@@ -149,7 +149,7 @@ vec3 reflected(vec3 N, vec3 L, vec3 V, vec3 color, vec3 E) {{
 
 /// `surface_color`, Od at a point.
 fn pattern(pattern: &Pattern, object: ObjectKind) -> String {
-    let around = if object == ObjectKind::Plane { "xy" } else { "xz" };
+    let around = if object.faces_viewer() { "xy" } else { "xz" };
     let count = match pattern.kind {
         PatternKind::None => return String::new(),
         PatternKind::Checker => "floor(p.x + 0.5) + floor(p.y + 0.5) + floor(p.z + 0.5)".to_owned(),

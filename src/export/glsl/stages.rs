@@ -1,6 +1,7 @@
 //! What the two stages read, hand on and write.
 
 use super::super::number::{float, said};
+use super::cue::Cue;
 use crate::scene::{
     Camera, Encoding, Interpolation, NormalSource, Object, ObjectKind, Overflow, Projection, Scene, ShadingMode, View,
 };
@@ -8,6 +9,9 @@ use glam::{DMat4, DVec4};
 
 /// Radius about the origin that holds every built-in shape: √2 for the corners of the plane, a little more for rounding.
 const SHAPES: f64 = 1.42;
+
+/// Room before the nearest and behind the farthest of a scene's own polygons.
+const MARGIN: f64 = 1.01;
 
 /// What is nearer than this many camera distances is not drawn, nor what is farther than its inverse.
 const NEAR: f64 = 1e-3;
@@ -18,7 +22,7 @@ pub(super) fn host(scene: &Scene) -> String {
         (ShadingMode::Interpolated, _) | (_, NormalSource::Facet) => "each polygon's own, so that no vertex is shared",
         (_, NormalSource::Averaged) => "the mean of the polygons' at the vertex",
         (_, NormalSource::Exact) => "the true surface's",
-        (_, NormalSource::File) => "the model file's",
+        (_, NormalSource::File) => "the file's",
     };
     let provoking = match scene.shading.mode {
         ShadingMode::Flat => " glProvokingVertex(GL_FIRST_VERTEX_CONVENTION) takes the shade of the first vertex.",
@@ -83,16 +87,22 @@ fn clip_from_world(camera: &Camera, size: [u32; 2], object: &Object) -> DMat4 {
     DMat4::from_cols(DVec4::X * x, DVec4::Y * y, third, fourth) * eye_from_world
 }
 
-/// The depths that are drawn: those of the unit sphere, or of all that a model may be.
+/// The depths that are drawn: those of the unit sphere, of the scene's polygons, or of all that a model may be.
 fn planes(camera: &Camera, view: &View, object: &Object) -> [f64; 2] {
     let unit = camera.distance();
     let (nearest, farthest) = (NEAR * unit, unit / NEAR);
     if object.kind == ObjectKind::Obj && !object.fit {
         return [nearest, farthest];
     }
+    let reach = match object.kind {
+        ObjectKind::Polygons => {
+            object.polygons().vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max) * MARGIN
+        }
+        _ => SHAPES,
+    };
     let middle = -view.eye.dot(view.forward);
-    let near = (middle - SHAPES).max(nearest);
-    [near, (middle + SHAPES).max(2.0 * near)]
+    let near = (middle - reach).max(nearest);
+    [near, (middle + reach).max(2.0 * near)]
 }
 
 fn per_pixel(scene: &Scene) -> bool {
@@ -111,16 +121,33 @@ fn qualifier(scene: &Scene) -> &'static str {
 
 pub(super) fn vertex(scene: &Scene) -> String {
     let how = qualifier(scene);
-    let (carried, given) = if per_pixel(scene) {
+    let cue = Cue::of(scene);
+    let here = "dot(depth_from_world, vec4(vertex_position, 1.0))";
+    let (mut carried, mut given) = if per_pixel(scene) {
         (
             format!("out vec3 position;\n{how}out vec3 normal;"),
-            "position = vertex_position;\n    normal = vertex_normal;",
+            "position = vertex_position;\n    normal = vertex_normal;".to_owned(),
         )
+    } else if cue == Cue::Intensity {
+        let faded = format!("intensity = fade(illuminate(vertex_position, vertex_normal), s0_at({here}));");
+        (format!("{how}out vec3 intensity;"), faded)
     } else {
-        (format!("{how}out vec3 intensity;"), "intensity = illuminate(vertex_position, vertex_normal);")
+        (format!("{how}out vec3 intensity;"), "intensity = illuminate(vertex_position, vertex_normal);".to_owned())
     };
+    match cue {
+        Cue::None | Cue::Intensity => {}
+        Cue::Carried => {
+            carried += &format!("\n{how}out float s0;");
+            given += &format!("\n    s0 = s0_at({here});");
+        }
+        Cue::Fragment => {
+            carried += "\nout float depth;";
+            given += &format!("\n    depth = {here};");
+        }
+    }
+    let declared = cue.in_vertex(scene);
     format!(
-        "{carried}
+        "{declared}{carried}
 
 void main() {{
     {given}
@@ -134,13 +161,26 @@ pub(super) fn fragment(scene: &Scene) -> String {
     let how = qualifier(scene);
     let renormalise = scene.shading.renormalise || scene.shading.mode == ShadingMode::Exact;
     let normal = if renormalise { "normalize(normal)" } else { "normal" };
-    let (carried, intensity) = if per_pixel(scene) {
+    let (mut carried, mut intensity) = if per_pixel(scene) {
         (format!("in vec3 position;\n{how}in vec3 normal;"), format!("illuminate(position, {normal})"))
     } else {
         (format!("{how}in vec3 intensity;"), "intensity".to_owned())
     };
+    let cue = Cue::of(scene);
+    match cue {
+        Cue::None | Cue::Intensity => {}
+        Cue::Carried => {
+            carried += &format!("\n{how}in float s0;");
+            intensity = format!("fade({intensity}, s0)");
+        }
+        Cue::Fragment => {
+            carried += "\nin float depth;";
+            intensity = format!("fade({intensity}, s0_at(depth))");
+        }
+    }
+    let declared = cue.in_fragment(scene);
     format!(
-        "{carried}
+        "{declared}{carried}
 out vec4 pixel;
 
 {}void main() {{
@@ -190,7 +230,7 @@ mod tests {
     fn a_point_appears_where_the_view_has_it() {
         let size = [640, 480];
         for projection in [Projection::Perspective, Projection::Orthographic] {
-            let camera = Camera { eye: DVec3::new(1.0, 2.0, 3.0), projection, ..Camera::default() };
+            let camera = Camera { eye: DVec3::new(1.0, 2.0, 3.0), roll: 25.0, projection, ..Camera::default() };
             let clip = clip_from_world(&camera, size, &Object::default());
             let point = DVec3::new(0.3, -0.4, 0.5);
             let placed = clip * point.extend(1.0);

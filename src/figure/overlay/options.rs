@@ -20,12 +20,45 @@ pub enum OverlayLayer {
     SideView,
     /// The intensity along a line. It belongs to no point and is drawn by [`draw_profile`](super::draw_profile).
     Profile,
+    /// Where the defects of interpolated shading are. They belong to no point and are drawn by
+    /// [`draw_defects`](super::draw_defects).
+    Defects,
+    /// A needle at the centre of each polygon that is seen. Like the next it belongs to no point and is drawn by
+    /// [`Needles`](super::Needles).
+    FaceNormals,
+    /// A needle at each vertex that is seen.
+    VertexNormals,
 }
 
 impl OverlayLayer {
     /// Every layer.
-    pub const ALL: [Self; 7] =
-        [Self::Vectors, Self::Angles, Self::Construction, Self::Lights, Self::Lobe, Self::SideView, Self::Profile];
+    pub const ALL: [Self; 10] = [
+        Self::Vectors,
+        Self::Angles,
+        Self::Construction,
+        Self::Lights,
+        Self::Lobe,
+        Self::SideView,
+        Self::Profile,
+        Self::Defects,
+        Self::FaceNormals,
+        Self::VertexNormals,
+    ];
+
+    /// Whether it explains the probe's point.
+    pub fn of_point(self) -> bool {
+        !matches!(self, Self::Lights | Self::Profile | Self::Defects | Self::FaceNormals | Self::VertexNormals)
+    }
+
+    /// Whether it is drawn by an [`Overlay`](super::Overlay).
+    pub fn of_overlay(self) -> bool {
+        self.of_point() || self == Self::Lights
+    }
+
+    /// Whether it is drawn by [`Needles`](super::Needles).
+    pub fn of_needles(self) -> bool {
+        matches!(self, Self::FaceNormals | Self::VertexNormals)
+    }
 }
 
 /// What surrounds strokes and letters to set them off from the picture.

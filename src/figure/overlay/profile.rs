@@ -16,16 +16,26 @@ const GAP: f64 = 0.25;
 /// Of the perceived response, in widths.
 const DASHES: &[f32] = &[3.5, 2.2];
 /// The curve's colour, before it is fitted to its halo.
-const CURVE: Rgb8 = [0xF0, 0xA0, 0x20];
+pub const CURVE: Rgb8 = [0xF0, 0xA0, 0x20];
 
-/// Draws the profile of one mode over its picture on `pixmap`: what is there solid, what is perceived dashed. The curve stands
-/// on the line's left as one goes along it from right to left, so that it is above a level line; 1 is three tenths of the
-/// picture's shorter side.
-pub fn draw_profile(pixmap: &mut PixmapMut<'_>, profile: &Profile, trace: &Trace, options: &OverlayOptions) {
-    let side = f64::from(pixmap.width().min(pixmap.height()));
-    let style = Style::new(side, options);
-    let (Some(first), Some(last)) = (profile.samples.first(), profile.samples.last()) else { return };
-    let ends = [first, last].map(|end| DVec2::new(end.x, end.y));
+/// A profile laid out over its picture, pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProfileCurves {
+    /// Ends of the line.
+    pub ends: [DVec2; 2],
+    /// Where polygons meet on it, from one side to the other.
+    pub ticks: Vec<[DVec2; 2]>,
+    /// What is there, above the line.
+    pub intensity: Vec<DVec2>,
+    /// What is perceived.
+    pub perceived: Vec<DVec2>,
+}
+
+/// Lays the profile of one mode out over a picture whose shorter side has `side` pixels and whose letters are `em` pixels
+/// large. The curves stand on the line's left as one goes along it from right to left, so that they are above a level line;
+/// an intensity of 1 is three tenths of the shorter side.
+pub fn lay_out_profile(profile: &Profile, trace: &Trace, side: f64, em: f64) -> Option<ProfileCurves> {
+    let ends = [profile.samples.first()?, profile.samples.last()?].map(|end| DVec2::new(end.x, end.y));
     let along = (ends[1] - ends[0]).normalize_or(DVec2::X);
     // Above the line whichever way it is gone along.
     let across = if along.x < 0.0 { along.perp() } else { -along.perp() };
@@ -33,21 +43,33 @@ pub fn draw_profile(pixmap: &mut PixmapMut<'_>, profile: &Profile, trace: &Trace
         let places = profile.samples.iter().zip(values);
         places.map(|(at, value)| DVec2::new(at.x, at.y) + across * (value * HEIGHT * side)).collect()
     };
-    let colour = readable(CURVE, style.halo_colour, 3.0);
-    let mut marks = vec![Mark::line(ends.to_vec(), 0.7 * style.line, style.neutral)];
+    let mut ticks = Vec::new();
     let mut latest = f64::NEG_INFINITY;
     for border in profile.borders.iter().filter(|border| border.faces[0] != border.faces[1]) {
         let s = border.t * profile.length;
-        if s - latest >= GAP * style.text {
+        if s - latest >= GAP * em {
             latest = s;
             let at = DVec2::new(border.x, border.y);
-            let reach = across * (TICK * style.text);
-            marks.push(Mark::line(vec![at - reach, at + reach], 0.7 * style.line, style.neutral));
+            let reach = across * (TICK * em);
+            ticks.push([at - reach, at + reach]);
         }
     }
+    Some(ProfileCurves { ends, ticks, intensity: curve(&trace.intensity), perceived: curve(&trace.perceived) })
+}
+
+/// Draws the profile of one mode over its picture on `pixmap`: what is there solid, what is perceived dashed.
+pub fn draw_profile(pixmap: &mut PixmapMut<'_>, profile: &Profile, trace: &Trace, options: &OverlayOptions) {
+    let side = f64::from(pixmap.width().min(pixmap.height()));
+    let style = Style::new(side, options);
+    let Some(curves) = lay_out_profile(profile, trace, side, style.text) else { return };
+    let ProfileCurves { ends, ticks, intensity, perceived } = curves;
+    let colour = readable(CURVE, style.halo_colour, 3.0);
+    let thin = |points: Vec<DVec2>| Mark::line(points, 0.7 * style.line, style.neutral);
+    let mut marks = vec![thin(ends.to_vec())];
+    marks.extend(ticks.iter().map(|tick| thin(tick.to_vec())));
     marks.extend(ends.map(|end| Mark::dot(end, 1.6 * style.line, style.neutral)));
-    marks.push(Mark::line(curve(&trace.intensity), style.line, colour));
-    let seen = Mark::line(curve(&trace.perceived), 0.7 * style.line, style.neutral).dashed(DASHES);
+    marks.push(Mark::line(intensity, style.line, colour));
+    let seen = thin(perceived).dashed(DASHES);
     let mut ink = Ink { pixmap, halo: style.halo_colour, breadth: style.halo };
     // Below, so that it shows where it departs.
     ink.marks(&[seen]);

@@ -12,6 +12,9 @@ pub fn ticks(axis: &Axis, room: f64) -> Vec<(f64, String)> {
     if span.is_nan() || span <= 0.0 || !span.is_finite() {
         return vec![];
     }
+    if axis.decades {
+        return decades(axis, room.clamp(1.0, 40.0));
+    }
     let least = span / room.clamp(1.0, 40.0);
     let step =
         if axis.degrees { DEGREES.into_iter().find(|step| *step >= least).unwrap_or(90.0) } else { round_up(least) };
@@ -23,6 +26,35 @@ pub fn ticks(axis: &Axis, room: f64) -> Vec<(f64, String)> {
             (value, written(value, step, axis.degrees))
         })
         .collect()
+}
+
+/// What a decade is divided at, by how many ticks it has room for.
+const MANTISSAS: [&[u8]; 3] = [&[1, 2, 5], &[1, 3], &[1]];
+
+/// Ticks of an axis of logarithms: 1, 2, 5 of each decade, or 1 and 3, or 1 alone, or that of every so many decades.
+fn decades(axis: &Axis, room: f64) -> Vec<(f64, String)> {
+    let span = axis.high - axis.low;
+    #[expect(clippy::cast_precision_loss, reason = "three at most")]
+    let mantissas = MANTISSAS.into_iter().find(|list| list.len() as f64 * span <= room).unwrap_or(&[1]);
+    let every = (span / room).ceil().max(1.0) as i32;
+    let (first, last) = (axis.low.floor() as i32, axis.high.ceil() as i32);
+    let exponents = (first..=last).filter(|exponent| exponent % every == 0);
+    let all = exponents.flat_map(|exponent| mantissas.iter().map(move |mantissa| (exponent, *mantissa)));
+    let value = |(exponent, mantissa): (i32, u8)| f64::from(exponent) + f64::from(mantissa).log10();
+    let inside = |tick: &(i32, u8)| (axis.low - 1e-9..=axis.high + 1e-9).contains(&value(*tick));
+    all.filter(inside).map(|tick| (value(tick), power(tick))).collect()
+}
+
+/// A mantissa times a power of ten, in figures as long as these are short.
+fn power((exponent, mantissa): (i32, u8)) -> String {
+    match exponent {
+        -3..0 => format!("{:.*}", exponent.unsigned_abs() as usize, f64::from(mantissa) * 10f64.powi(exponent)),
+        0..5 => format!("{}", u32::from(mantissa) * 10u32.pow(exponent.unsigned_abs())),
+        _ => {
+            let text = scientific(f64::from(mantissa) * 10f64.powi(exponent)).replace(".0", "");
+            if mantissa == 1 { text.trim_start_matches("1·").to_owned() } else { text }
+        }
+    }
 }
 
 /// The least of 1, 2, 5, 10, 20 … that is not less than `value`, which is positive.
@@ -60,6 +92,16 @@ mod tests {
         assert_eq!(texts(&Axis::new("", 0.0, 0.031), 4.0), ["0", "0.01", "0.02", "0.03"]);
         assert_eq!(texts(&Axis::new("", 0.0, 2e7), 3.0), ["0", "1.0·10⁷", "2.0·10⁷"]);
         assert_eq!(texts(&Axis::degrees("", -90.0, 90.0), 8.0), ["−90°", "−60°", "−30°", "0°", "30°", "60°", "90°"]);
+    }
+
+    #[test]
+    fn decades_are_divided_as_far_as_there_is_room() {
+        let axis = Axis::decades("", -1.1, 1.2);
+        assert_eq!(texts(&axis, 7.0), ["0.1", "0.2", "0.5", "1", "2", "5", "10"]);
+        assert_eq!(texts(&axis, 5.0), ["0.1", "0.3", "1", "3", "10"]);
+        assert_eq!(texts(&axis, 3.0), ["0.1", "1", "10"]);
+        assert_eq!(texts(&Axis::decades("", -5.5, -2.5), 3.0), ["10⁻⁵", "10⁻⁴", "0.001"]);
+        assert_eq!(texts(&Axis::decades("", -6.0, 6.0), 6.0), ["10⁻⁶", "10⁻⁴", "0.01", "1", "100", "10000", "10⁶"]);
     }
 
     #[test]

@@ -1,10 +1,13 @@
 //! Curves over two straight axes.
 
+mod points;
+
 use super::drawing::{Drawing, Frame, Shape, Text, width_of};
 use super::{PlotStyle, dashes, ticks};
 use crate::analysis::{Axis, Curve, Mark, Plot};
 use crate::figure::Area;
 use glam::DVec2;
+use points::points;
 
 /// The axis of y reaches beyond its greatest value by this factor, so that a curve's top is seen.
 const HEADROOM: f64 = 1.05;
@@ -60,6 +63,7 @@ pub fn draw(drawing: &mut Drawing, plot: &Plot, room: Area, style: &PlotStyle) {
     for mark in &plot.marks {
         dots(drawing, plot, mark, &frame, &area, style);
     }
+    points(drawing, plot, &frame, &area, style);
     drawing.frames.push(frame);
 }
 

@@ -15,6 +15,9 @@ const CHANNELS: [Rgb8; 3] = [[0xD4, 0x2A, 0x2A], [0x12, 0x8A, 0x3E], [0x3A, 0x5F
 const MODES: [Rgb8; 5] =
     [[0xD5, 0x5E, 0x00], [0xCC, 0x79, 0xA7], [0x00, 0x72, 0xB2], [0x00, 0x9E, 0x73], [0x8A, 0x6D, 0x00]];
 
+/// Historic ways of shading: two more of those colours, and a violet.
+const HISTORIC: [Rgb8; 3] = [[0x7A, 0x4F, 0xB5], [0xE6, 0x9F, 0x00], [0x56, 0xB4, 0xE9]];
+
 /// The greys of a plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Paper {
@@ -51,6 +54,7 @@ impl Paper {
             Ink::H => Vector::H.colour(),
             Ink::Channel(channel) => CHANNELS[usize::from(channel.min(2))],
             Ink::Shading(mode) => MODES[mode as usize],
+            Ink::Historic(which) => HISTORIC[usize::from(which.min(2))],
             Ink::Perceived => self.text,
             Ink::Reference => self.weak,
         }
@@ -109,7 +113,8 @@ mod tests {
         use ShadingMode::{Exact, Flat, Gouraud, Interpolated, Phong};
         let modes = [Flat, Interpolated, Gouraud, Phong, Exact].map(Ink::Shading);
         let others = [Ink::N, Ink::L, Ink::R, Ink::V, Ink::H, Ink::Perceived, Ink::Reference];
-        for ink in others.into_iter().chain(channels).chain(modes) {
+        let historic = (0..3).map(Ink::Historic);
+        for ink in others.into_iter().chain(channels).chain(modes).chain(historic) {
             for paper in [Paper::LIGHT, Paper::DARK] {
                 assert!(contrast(paper.line(ink), paper.ground) >= CONTRAST[0], "{ink:?}");
                 assert!(contrast(paper.letters(ink), paper.ground) >= CONTRAST[1], "{ink:?}");

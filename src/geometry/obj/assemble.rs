@@ -1,7 +1,7 @@
 //! Puts the pieces that `tobj` read together to one mesh over shared points.
 
 use super::ObjError;
-use super::concave::fan_or_triangles;
+use crate::geometry::concave::fan_or_triangles;
 use crate::geometry::{Corner, Mesh, NO_NORMAL};
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;

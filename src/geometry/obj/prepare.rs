@@ -8,6 +8,7 @@
 use super::ObjError;
 use super::error::quoted;
 use super::lines::{Line, Lines};
+use crate::geometry::mesh::FAR;
 use glam::DVec3;
 use std::io::{self, BufRead, Read, Write};
 
@@ -17,9 +18,6 @@ const PIECE: usize = (1 << 17) - 64;
 
 /// Bytes written before they are passed on.
 const CHUNK: usize = 1 << 16;
-
-/// Nearer to the origin than this, single precision resolves a model whose parts are about 10⁻³ apart and larger.
-const FAR: f64 = 1000.0;
 
 /// A model written anew, to be read by `tobj`.
 pub struct Prepared<'a, R> {

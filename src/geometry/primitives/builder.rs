@@ -38,6 +38,11 @@ impl Builder {
         self.mesh.starts.push(self.mesh.corners.len() as u32);
     }
 
+    /// Points at which the shape is cut out of one that goes on as its mirror image in x.
+    pub fn mirror(&mut self, points: impl IntoIterator<Item = u32>) {
+        self.mesh.mirrored.extend(points);
+    }
+
     pub fn finish(mut self, closed: bool, convex: bool) -> Mesh {
         (self.mesh.closed, self.mesh.convex) = (closed, convex);
         self.mesh

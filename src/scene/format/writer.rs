@@ -1,13 +1,16 @@
 //! From a [`Scene`] to the text of a scene file.
 
-use super::super::{AreaShape, Attenuation, Light, LightKind, Rgb, Scene};
+use super::super::{
+    AreaShape, Attenuation, Compare, CompareView, DifferenceKind, Light, LightKind, Object, Rgb, Scene,
+};
 use glam::DVec3;
 use serde::Serialize;
+use std::fmt::{Debug, Write};
 use std::path::PathBuf;
 
 pub fn write(scene: &Scene) -> String {
     let Scene { version, camera, image, object, material, pattern, transparency, .. } = scene;
-    let Scene { reflection, shading, display, ground, backdrop, ambient, lights, .. } = scene;
+    let Scene { reflection, shading, display, ground, backdrop, depth_cueing, ambient, lights, compare, .. } = scene;
     let mut object = object.clone();
     object.path = object.path.map(|path| PathBuf::from(path.to_string_lossy().into_owned()));
     let mut text = format!("# A scene of shading-lab\nversion = {version}\n");
@@ -16,7 +19,12 @@ pub fn write(scene: &Scene) -> String {
     }
     section(&mut text, "[camera]", camera);
     section(&mut text, "[image]", image);
+    let Object { vertices, faces, vertex_normals, .. } = object.clone();
+    (object.vertices, object.faces, object.vertex_normals) = Default::default();
     section(&mut text, "[object]", &object);
+    lines(&mut text, "vertices", vertices.iter().map(|v| v.to_array()));
+    lines(&mut text, "faces", faces.iter());
+    lines(&mut text, "vertex_normals", vertex_normals.iter().map(|n| n.to_array()));
     section(&mut text, "[material]", material);
     unless_default(&mut text, "[pattern]", pattern);
     unless_default(&mut text, "[transparency]", transparency);
@@ -25,11 +33,28 @@ pub fn write(scene: &Scene) -> String {
     section(&mut text, "[display]", display);
     unless_default(&mut text, "[ground]", ground);
     unless_default(&mut text, "[backdrop]", backdrop);
+    unless_default(&mut text, "[depth_cueing]", depth_cueing);
     section(&mut text, "[ambient]", ambient);
     for light in lights {
         section(&mut text, "[[light]]", &WrittenLight::from(light));
     }
+    let &Compare { view, wipe, difference, gain, ref panes } = compare;
+    if *compare != Compare::default() {
+        section(&mut text, "[compare]", &WrittenCompare { view, wipe, difference, gain });
+    }
+    for pane in panes {
+        section(&mut text, "[[compare.pane]]", pane);
+    }
     text
+}
+
+/// What is compared, without the panes, which are sections of their own.
+#[derive(Serialize)]
+struct WrittenCompare {
+    view: CompareView,
+    wipe: f64,
+    difference: DifferenceKind,
+    gain: f64,
 }
 
 /// A section that is left out where all of it has its default.
@@ -42,6 +67,18 @@ fn unless_default<T: Serialize + Default + PartialEq>(text: &mut String, head: &
 fn section(text: &mut String, head: &str, keys: &impl Serialize) {
     let keys = toml::to_string(keys).expect("numbers, words, lists of numbers and valid Unicode all have a TOML form");
     text.extend(["\n", head, "\n", keys.as_str()]);
+}
+
+/// A list with each element on a line of its own, if there is any.
+fn lines(text: &mut String, key: &str, elements: impl ExactSizeIterator<Item: Debug>) {
+    if elements.len() > 0 {
+        text.extend([key, " = [\n"]);
+        for element in elements {
+            // Numbers and lists of them look alike in Rust and in TOML.
+            let _ = writeln!(text, "    {element:?},");
+        }
+        text.push_str("]\n");
+    }
 }
 
 /// A light's keys as they are written: those that it reads, and those that differ from their default.

@@ -1,6 +1,9 @@
 //! What the built-in scenes share: a camera, lamps, a background.
 
-use crate::scene::{Camera, Ground, Image, Light, LightKind, Material, NormalSource, Object, ObjectKind, Rgb, Scene};
+use crate::scene::{
+    Camera, Compare, CompareView, Ground, Image, Light, LightKind, Material, NormalSource, Object, ObjectKind, Pane,
+    Rgb, Scene,
+};
 use glam::DVec3;
 
 /// Night blue, dark enough for a highlight and bright enough for an unlit outline.
@@ -40,4 +43,10 @@ pub(super) fn studio(kind: ObjectKind, segments: u32, rings: u32) -> Scene {
 /// A bright floor that touches the object's lowest point at `height`.
 pub(super) fn floor(height: f64) -> Ground {
     Ground { visible: true, height, ka: 0.12, kd: 0.8, color: Rgb::new(0.78, 0.77, 0.75) }
+}
+
+/// Panes beside the scene, each with one setting of its own.
+pub(super) fn beside(settings: &[&str]) -> Compare {
+    let panes = settings.iter().map(|setting| Pane::of(&[setting])).collect();
+    Compare { view: CompareView::Panes, panes, ..Compare::default() }
 }

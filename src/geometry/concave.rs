@@ -3,8 +3,8 @@
 //! A polygon is drawn as a fan. That covers a convex one from any corner; of a concave one it may leave the outline. Such
 //! a polygon begins at a corner from which it does not, if there is one, or else is cut into triangles, ear by ear.
 
-use crate::geometry::Corner;
-use crate::geometry::mesh::area_vector;
+use super::Corner;
+use crate::scene::area_vector;
 use glam::DVec3;
 
 /// Ears are looked for in polygons of at most so many corners, as that takes the cube of their number; larger ones that

@@ -1,0 +1,192 @@
+//! The normals of a scene's polygons and vertices: which of them a picture shows, and which faces a vertex normal comes
+//! from.
+//!
+//! A polygon is seen from its front where N·(eye − centre) > 0. A vertex is seen where one of its polygons is, whichever way
+//! its own normal leans: at an outline that may be away from the eye.
+
+mod seen;
+
+pub use seen::{SeenNormal, SeenNormals};
+
+use crate::geometry::{Mesh, NormalOrigin, VertexMesh};
+use crate::render::Renderer;
+use crate::scene::{NormalSource, Object, Weighting};
+use glam::DVec3;
+use serde::Serialize;
+use std::sync::Arc;
+
+/// The polygons of an object with their normals, and its vertices with theirs.
+#[derive(Clone, Debug)]
+pub struct NormalField {
+    mesh: Arc<Mesh>,
+    vertices: VertexMesh,
+    source: NormalSource,
+    weighting: Weighting,
+    /// The centre, world, and the unit normal of each face.
+    faces: Vec<[DVec3; 2]>,
+    /// World units.
+    median_edge: f64,
+}
+
+/// A vertex, its normal, and the faces that this comes from.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VertexNormal {
+    pub vertex: u32,
+    /// World.
+    pub position: DVec3,
+    /// Unit.
+    pub normal: DVec3,
+    #[serde(serialize_with = "origin_word")]
+    pub origin: NormalOrigin,
+    pub faces: Vec<VertexFace>,
+    /// Whether the faces' mirror images in x count as much.
+    pub mirrored: bool,
+    /// `Σ share·N`, before it is made a unit vector; zero where nothing is averaged.
+    pub sum: DVec3,
+    /// Its length: 1 where the faces lie in one plane, 0 where their normals cancel.
+    pub length: f64,
+}
+
+/// A face at a vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct VertexFace {
+    pub face: u32,
+    /// Mean of its corners, world.
+    pub centre: DVec3,
+    /// Unit; zero for a face without area.
+    pub normal: DVec3,
+    /// 1, the area in square world units, or the angle in degrees; zero where nothing is averaged.
+    pub weight: f64,
+    /// The weight divided by the sum of all.
+    pub share: f64,
+    /// Degrees between its normal and the vertex's.
+    pub angle: f64,
+}
+
+impl NormalField {
+    /// The normals of the object that `renderer` last drew, from `object`'s choice of source and weights.
+    pub fn new(renderer: &Renderer, object: &Object) -> Self {
+        Self::of_mesh(Arc::clone(renderer.shared_mesh()), object.normals, object.weighting)
+    }
+
+    /// The normals of a mesh.
+    pub fn of_mesh(mesh: Arc<Mesh>, source: NormalSource, weighting: Weighting) -> Self {
+        let vertices = mesh.with_vertex_normals(source, weighting);
+        let faces = (0..mesh.face_count()).map(|f| [mesh.face_centre(f), mesh.face_normal(f)]).collect();
+        Self { median_edge: median_edge(&mesh), mesh, vertices, source, weighting, faces }
+    }
+
+    /// Whether it is what `new` would make.
+    pub fn holds(&self, renderer: &Renderer, object: &Object) -> bool {
+        let same_weights = self.weighting == object.weighting || !self.weighs();
+        Arc::ptr_eq(&self.mesh, renderer.shared_mesh()) && self.source == object.normals && same_weights
+    }
+
+    /// Whether points and faces have the numbers that they have in what `renderer` last drew, with whatever normals.
+    pub fn of_equal_mesh(&self, renderer: &Renderer) -> bool {
+        let (own, other) = (&self.mesh, renderer.shared_mesh());
+        Arc::ptr_eq(own, other) || (own.starts == other.starts && own.corners == other.corners)
+    }
+
+    /// Whether the weighting has any part in the normals.
+    pub fn weighs(&self) -> bool {
+        matches!(self.source, NormalSource::Averaged | NormalSource::File)
+    }
+
+    pub fn source(&self) -> NormalSource {
+        self.source
+    }
+
+    pub fn weighting(&self) -> Weighting {
+        self.weighting
+    }
+
+    /// Vertices: as many as there are pairs of a point and a normal.
+    pub fn vertex_count(&self) -> usize {
+        self.vertices.positions.len()
+    }
+
+    pub fn face_count(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// The median length of an edge, world units; 0 where there is none.
+    pub fn median_edge(&self) -> f64 {
+        self.median_edge
+    }
+
+    /// The corners of a face, world.
+    pub fn outline(&self, face: u32) -> Vec<DVec3> {
+        let corners = self.vertices.face(face as usize);
+        corners.iter().map(|&v| self.position(v)).collect()
+    }
+
+    /// The point of the mesh at which a vertex lies; whichever normals are chosen, its number is the same.
+    pub fn point_of(&self, vertex: u32) -> Option<u32> {
+        self.mesh.point_of_vertex(&self.vertices, vertex)
+    }
+
+    /// A vertex at a point of the mesh.
+    pub fn vertex_at(&self, point: u32) -> Option<u32> {
+        let corner = self.mesh.corners.iter().position(|corner| corner.position == point)?;
+        Some(self.vertices.indices[corner])
+    }
+
+    /// What is known of a vertex; nothing where there is no such vertex. Takes time in proportion to the mesh's corners.
+    pub fn vertex(&self, vertex: u32) -> Option<VertexNormal> {
+        let normal = self.vertices.normals.get(vertex as usize)?.as_dvec3();
+        let shares = self.mesh.vertex_shares(&self.vertices, vertex, self.source, self.weighting);
+        let degrees = self.weighting == Weighting::Angle && shares.origin == NormalOrigin::Averaged;
+        let faces = shares.faces.iter().map(|share| VertexFace {
+            face: share.face,
+            centre: self.faces[share.face as usize][0],
+            normal: share.normal,
+            weight: if degrees { share.weight.to_degrees() } else { share.weight },
+            share: share.share,
+            angle: angle_between(share.normal, normal).to_degrees(),
+        });
+        Some(VertexNormal {
+            vertex,
+            position: self.position(vertex),
+            normal,
+            origin: shares.origin,
+            faces: faces.collect(),
+            mirrored: shares.mirrored,
+            sum: shares.sum,
+            length: shares.sum.length(),
+        })
+    }
+
+    fn position(&self, vertex: u32) -> DVec3 {
+        self.vertices.origin + self.vertices.positions[vertex as usize].as_dvec3()
+    }
+}
+
+/// Radians; without the loss of digits that the cosine has near 0 and π.
+fn angle_between(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+/// Of edges evenly taken, so that a large mesh costs no more than a small one.
+fn median_edge(mesh: &Mesh) -> f64 {
+    const TAKEN: usize = 4096;
+    let faces = mesh.face_count();
+    let mut lengths: Vec<f64> = Vec::new();
+    for f in (0..faces).step_by(faces.div_ceil(TAKEN).max(1)) {
+        let points: Vec<DVec3> = mesh.face_points(f).collect();
+        let next = points.iter().cycle().skip(1);
+        lengths.extend(points.iter().zip(next).map(|(a, b)| a.distance(*b)).filter(|length| *length > 0.0));
+    }
+    let middle = lengths.len() / 2;
+    if lengths.is_empty() { 0.0 } else { *lengths.select_nth_unstable_by(middle, f64::total_cmp).1 }
+}
+
+fn origin_word<S: serde::Serializer>(origin: &NormalOrigin, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(match origin {
+        NormalOrigin::Averaged => "averaged",
+        NormalOrigin::Given => "given",
+        NormalOrigin::Facet => "facet",
+        NormalOrigin::FirstFace => "first-face",
+        NormalOrigin::Nowhere => "none",
+    })
+}

@@ -1,0 +1,264 @@
+//! The tab of comparisons: how panes are shown, what each has of its own, and how far they are from each other.
+
+use super::action::Action;
+use super::engine::Engine;
+use super::row::{About, NumberRow, Rail, number};
+use super::state::{AppState, ProbePoint};
+use crate::analysis::PaneFigures;
+use crate::scene::{Compare, CompareView, DifferenceKind, Interpolation, Object, Pane, Scene, ShadingMode};
+use eframe::egui::{Align, Button, Grid, Layout, RichText, TextEdit, Ui};
+
+/// The views with their names.
+pub const VIEWS: [(CompareView, &str, &str); 4] = [
+    (CompareView::Single, "One", "The scene alone"),
+    (CompareView::Panes, "Panes", "Side by side, with one camera and one probe"),
+    (CompareView::Wipe, "Wipe", "The first pane and the last on either side of a line to drag"),
+    (CompareView::Difference, "Difference", "The first pane less the last"),
+];
+
+/// What is typed in the tab.
+#[derive(Debug, Default)]
+pub struct Typed {
+    setting: String,
+    /// What is wrong with it.
+    problem: Option<String>,
+}
+
+/// The comparison's tab.
+pub fn compare_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+    view_ui(ui, state);
+    if state.document.scene.compare.panes.is_empty() {
+        ui.add_space(4.0);
+        ui.label("Nothing is compared yet. Choose a view above, or add a pane that shows the scene in another way:");
+    }
+    if state.document.scene.compare.view == CompareView::Difference {
+        ui.add_space(4.0);
+        difference_ui(ui, state);
+    }
+    ui.add_space(6.0);
+    let count = state.document.scene.pane_count();
+    for pane in 0..count {
+        pane_ui(ui, state, engine, pane, count);
+    }
+    ui.add_space(6.0);
+    if count <= Compare::MAX_PANES {
+        ui.menu_button("Add a pane…", |ui| add_ui(ui, state));
+    }
+    if count > 1 {
+        let tip = "Otherwise a change concerns all panes, except for what a pane has of its own";
+        ui.checkbox(&mut state.panes.own, "Changes concern the active pane only").on_hover_text(tip);
+    }
+    ui.add_space(8.0);
+    figures_ui(ui, state, engine);
+}
+
+fn view_ui(ui: &mut Ui, state: &mut AppState) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for (view, name, tip) in VIEWS {
+            let chosen = state.document.scene.compare.view == view;
+            if ui.add(Button::selectable(chosen, name)).on_hover_text(tip).clicked() {
+                state.ask(Action::Compare(view));
+            }
+        }
+    });
+}
+
+fn difference_ui(ui: &mut Ui, state: &mut AppState) {
+    let AppState { document, lit, .. } = state;
+    let compare = &mut document.scene.compare;
+    ui.horizontal_wrapped(|ui| {
+        for (kind, name, tip) in [
+            (DifferenceKind::Signed, "Signed", "Blue where the first pane is darker, orange where it is brighter"),
+            (DifferenceKind::Absolute, "Absolute", "The size of each channel's difference"),
+            (DifferenceKind::FalseColor, "False colour", "The channel that differs most, from dark blue to yellow"),
+        ] {
+            ui.selectable_value(&mut compare.difference, kind, name).on_hover_text(tip);
+        }
+    });
+    let about = About { label: "gain", tip: "What the difference is multiplied by.", ..About::default() };
+    let rail = Rail::logarithmic(1.0..=Compare::MAX_GAIN);
+    let rail = Rail { limits: 1.0..=Compare::MAX_GAIN, ..rail };
+    number(ui, lit, &NumberRow { about, rail, default: Compare::default().gain }, &mut compare.gain);
+}
+
+/// A pane: its name, which makes it active, and what it has of its own.
+fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, count: usize) {
+    let name = state.shared_scene().pane_name(pane);
+    let shown = engine.shown().contains(&pane);
+    ui.horizontal(|ui| {
+        let text = format!("{} {name}", pane + 1);
+        let button = ui.add_enabled(shown, Button::selectable(state.panes.active == pane && shown, text).truncate());
+        if button.on_hover_text("The controls show this pane").clicked() {
+            state.ask(Action::Activate(pane));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if pane > 0 && small(ui, "×", &format!("Removes pane {}", pane + 1)) {
+                state.document.scene.compare.panes.remove(pane - 1);
+                if state.document.scene.compare.panes.is_empty() {
+                    state.document.scene.compare.view = CompareView::Single;
+                }
+            }
+            if pane + 1 == count && count > 1 {
+                ui.label(RichText::new("reference").weak()).on_hover_text("The others are measured against this pane");
+            }
+        });
+    });
+    let Some(own) = pane.checked_sub(1).and_then(|index| state.document.scene.compare.panes.get_mut(index)) else {
+        return;
+    };
+    let mut released = None;
+    ui.horizontal_wrapped(|ui| {
+        ui.add_space(18.0);
+        for (index, setting) in own.set.iter().enumerate() {
+            let tip = format!("Lets {} follow the first pane again", setting.split('=').next().unwrap_or(setting));
+            if ui.add(Button::new(format!("{setting}  ×")).small()).on_hover_text(tip).clicked() {
+                released = Some(index);
+            }
+        }
+    });
+    if let Some(index) = released {
+        own.set.remove(index);
+    }
+}
+
+fn small(ui: &mut Ui, text: &str, name: &str) -> bool {
+    let response = ui.add(Button::new(text).frame(false)).on_hover_text(name);
+    let enabled = ui.is_enabled();
+    response.widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::accesskit::Role::Button, enabled, name));
+    response.clicked()
+}
+
+/// What a new pane may be, by one click, and any key by typing.
+fn add_ui(ui: &mut Ui, state: &mut AppState) {
+    ui.set_min_width(250.0);
+    let scene = &state.document.scene;
+    let mut chosen = None;
+    for (mode, name, word) in MODES {
+        if *mode != scene.shading.mode && ui.button(*name).clicked() {
+            chosen = Some(vec![format!("shading.mode={word}")]);
+        }
+    }
+    ui.separator();
+    for (interpolation, name, word) in INTERPOLATIONS {
+        if *interpolation != scene.shading.interpolation && ui.button(*name).clicked() {
+            chosen = Some(vec![format!("shading.interpolation={word}")]);
+        }
+    }
+    ui.separator();
+    if finer(scene).is_some() && ui.button("Four times as many polygons each way").clicked() {
+        chosen = finer(scene);
+    }
+    if ui.button("The same").on_hover_text("To change afterwards, alone").clicked() {
+        chosen = Some(vec![]);
+    }
+    ui.separator();
+    ui.horizontal(|ui| {
+        let field = TextEdit::singleline(&mut state.compared.setting).hint_text("material.n=1005").desired_width(170.0);
+        let entered = ui.add(field).lost_focus() && ui.input(|input| input.key_pressed(eframe::egui::Key::Enter));
+        if ui.button("Add").clicked() || entered {
+            let setting = state.compared.setting.trim().to_owned();
+            let alone = Scene { compare: Compare::default(), ..state.document.scene.clone() };
+            match alone.with_override(&setting) {
+                Ok(_) => chosen = Some(vec![setting]),
+                Err(error) => state.compared.problem = Some(error.to_string()),
+            }
+        }
+    });
+    if let Some(problem) = &state.compared.problem {
+        ui.label(RichText::new(problem).color(ui.visuals().error_fg_color));
+    }
+    if let Some(set) = chosen {
+        state.compared = Typed::default();
+        let compare = &mut state.document.scene.compare;
+        compare.panes.push(Pane { name: String::new(), set });
+        if compare.view == CompareView::Single {
+            compare.view = CompareView::Panes;
+        }
+        ui.close();
+    }
+}
+
+const MODES: &[(ShadingMode, &str, &str)] = &[
+    (ShadingMode::Flat, "Flat shading", "flat"),
+    (ShadingMode::Interpolated, "Interpolated shading", "interpolated"),
+    (ShadingMode::Gouraud, "Gouraud shading", "gouraud"),
+    (ShadingMode::Phong, "Phong shading", "phong"),
+    (ShadingMode::Exact, "Exact shading", "exact"),
+];
+
+const INTERPOLATIONS: &[(Interpolation, &str, &str)] = &[
+    (Interpolation::Perspective, "Perspective-correct interpolation", "perspective"),
+    (Interpolation::Affine, "Affine interpolation", "affine"),
+    (Interpolation::Scanline, "Scan-line interpolation", "scanline"),
+];
+
+/// The same object of more polygons, where that is possible.
+fn finer(scene: &Scene) -> Option<Vec<String>> {
+    let Object { segments, rings, .. } = scene.object;
+    let settings = vec![format!("object.segments={}", 4 * segments), format!("object.rings={}", 4 * rings)];
+    scene.with_overrides(&settings).is_ok().then_some(settings)
+}
+
+/// How far each pane is from the last one.
+fn figures_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+    let figures = engine.figures();
+    let (Some(reference), true) = (figures.last(), figures.len() > 1) else { return };
+    ui.label(RichText::new(format!("Against {}", reference.name)).strong());
+    ui.label(RichText::new("Linear intensity: 1 is white, 1/255 = 0.0039 a code value").weak());
+    let size = engine.size();
+    Grid::new("figures").num_columns(2).spacing([10.0, 3.0]).show(ui, |ui| {
+        for (pane, one) in engine.shown().iter().zip(figures) {
+            ui.label(RichText::new(format!("{} {}", pane + 1, one.name)).strong());
+            ui.end_row();
+            for (name, value) in rows(one) {
+                ui.label(name);
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(RichText::new(value).monospace()));
+                ui.end_row();
+            }
+            if let Some([x, y]) = one.error.and_then(|error| error.at) {
+                ui.label("at");
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    if ui.link(format!("pixel {x}, {y}")).on_hover_text("Puts the probe there").clicked() {
+                        state.probe = ProbePoint::at([x, y], size);
+                    }
+                });
+                ui.end_row();
+            }
+        }
+    });
+}
+
+/// The lines of a pane's figures.
+fn rows(figures: &PaneFigures) -> Vec<(&'static str, String)> {
+    let mut rows = Vec::new();
+    if let Some(brightest) = figures.brightest {
+        rows.push(("brightest", format!("{:.4}", brightest.value)));
+    }
+    if let Some(error) = figures.error {
+        rows.push(("mean error", format!("{:.5}", error.mean)));
+        rows.push(("RMS error", format!("{:.5}", error.rms)));
+        rows.push(("greatest", format!("{:.5}", error.greatest)));
+    }
+    rows
+}
+
+impl AppState {
+    /// Shows the panes in another way; where there are none, beside the exact picture.
+    pub fn compare(&mut self, view: CompareView) {
+        let exact = self.document.scene.shading.mode == ShadingMode::Exact;
+        let compare = &mut self.document.scene.compare;
+        if view != CompareView::Single && compare.panes.is_empty() {
+            let other = if exact { "shading.mode=phong" } else { "shading.mode=exact" };
+            compare.panes.push(Pane::of(&[other]));
+        }
+        compare.view = view;
+    }
+
+    /// The view after the present one.
+    pub fn next_view(&self) -> CompareView {
+        let present = self.shared_scene().compare.view;
+        let place = VIEWS.iter().position(|(view, ..)| *view == present).unwrap_or(0);
+        VIEWS[(place + 1) % VIEWS.len()].0
+    }
+}

@@ -1,0 +1,155 @@
+//! The tab of the five defects of interpolated shading: what each is, how large it is in this scene, and a scene to try it in.
+
+mod marks;
+mod words;
+
+pub use marks::paint;
+
+use super::action::Action;
+use super::curves::{LETTERS, height, paper, plot_ui};
+use super::document::{Document, same_model};
+use super::engine::Engine;
+use super::errand::Errand;
+use super::state::{AppState, NumbersTab};
+use super::theme::TEXT;
+use crate::analysis::{Defects, Plot, PlotKind, defect_plots, defects};
+use crate::figure::{Drawing, PlotStyle, lay_out};
+use crate::geometry::Mesh;
+use crate::render::Renderer;
+use crate::scene::Scene;
+use eframe::egui::{Context, RichText, Ui};
+use glam::DVec2;
+use std::sync::Arc;
+use words::{EACH, Entry};
+
+/// What was last measured, and what is being measured.
+#[derive(Debug, Default)]
+pub struct Measured {
+    known: Option<(Question, Option<Defects>)>,
+    work: Option<Errand<Question, Defects>>,
+    plots: Vec<Plot>,
+    drawings: Vec<Drawing>,
+    style: Option<(PlotStyle, f32)>,
+}
+
+#[derive(Clone, Debug)]
+struct Question {
+    scene: Scene,
+    model: Option<Arc<Mesh>>,
+    size: [u32; 2],
+    pixel: [u32; 2],
+}
+
+impl Question {
+    fn is(&self, document: &Document, size: [u32; 2], pixel: [u32; 2]) -> bool {
+        same_model(self.model.as_ref(), document.model.as_ref())
+            && (self.size, self.pixel) == (size, pixel)
+            && self.scene == document.scene
+    }
+
+    fn answer(&self) -> Defects {
+        let mut scene = self.scene.clone();
+        scene.image.size = self.size;
+        let mut renderer = Renderer::default();
+        renderer.set_model(self.model.clone());
+        defects(&mut renderer, &scene, self.pixel)
+    }
+}
+
+impl Measured {
+    /// Sees to it that the scene is measured, beside the window; until then the last figures are shown.
+    fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], pixel: [u32; 2]) {
+        if let Some((question, answer)) = Errand::take(&mut self.work) {
+            self.plots = answer.as_ref().map(defect_plots).unwrap_or_default();
+            self.style = None;
+            self.known = Some((question, answer));
+        }
+        let known = self.known.as_ref().is_some_and(|(known, _)| known.is(document, size, pixel));
+        if !known && self.work.is_none() {
+            let question = Question { scene: document.scene.clone(), model: document.model.clone(), size, pixel };
+            self.work = Some(Errand::new(ctx, question.clone(), move || question.answer()));
+        }
+    }
+
+    /// The figures last measured.
+    pub fn defects(&self) -> Option<&Defects> {
+        self.known.as_ref()?.1.as_ref()
+    }
+
+    fn lay_out(&mut self, style: PlotStyle, width: f32) {
+        if self.style != Some((style, width)) {
+            self.style = Some((style, width));
+            let room = |plot: &Plot| DVec2::new(width.into(), height(plot, width.into(), style.text));
+            self.drawings = self.plots.iter().map(|plot| lay_out(plot, room(plot), &style)).collect();
+        }
+    }
+
+    fn plot(&self, kind: PlotKind) -> Option<(&Plot, &Drawing)> {
+        self.plots.iter().zip(&self.drawings).find(|(plot, _)| plot.kind == kind)
+    }
+}
+
+/// Whether the tab is in sight.
+pub fn shown(state: &AppState) -> bool {
+    state.look.numbers && !state.picture_alone && state.look.tab == NumbersTab::Defects
+}
+
+/// The tab.
+pub fn defects_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+    let size = engine.size();
+    if size.contains(&0) {
+        return;
+    }
+    let pixel = state.probe.pixel(size);
+    let AppState { measured, document, .. } = state;
+    measured.ask(ui.ctx(), document, size, pixel);
+    let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
+    measured.lay_out(style, ui.available_width());
+    ui.label("Five things that interpolation gets wrong, measured in the active picture.");
+    ui.add_space(4.0);
+    // What the scene is about comes first.
+    let about = EACH.iter().filter(|entry| is_open(state, entry));
+    let order: Vec<&Entry> = about.chain(EACH.iter().filter(|entry| !is_open(state, entry))).collect();
+    for entry in order {
+        entry_ui(ui, state, entry, &style);
+    }
+}
+
+/// Whether the built-in scene about a defect is open.
+fn is_open(state: &AppState, entry: &Entry) -> bool {
+    matches!(&state.document.origin, super::Origin::BuiltIn(name) if name == entry.scene)
+}
+
+fn entry_ui(ui: &mut Ui, state: &mut AppState, entry: &Entry, style: &PlotStyle) {
+    ui.separator();
+    ui.label(RichText::new(entry.title).strong());
+    match state.measured.defects().map(entry.figures) {
+        None => {
+            ui.label("…");
+        }
+        Some(Ok(figures)) => {
+            for figure in figures {
+                ui.horizontal_wrapped(|ui| {
+                    ui.spacing_mut().item_spacing.x = 8.0;
+                    ui.label(RichText::new(figure.value).monospace().size(1.35 * TEXT).strong());
+                    ui.label(figure.of);
+                });
+            }
+        }
+        Some(Err(why)) => {
+            ui.label(RichText::new(format!("Not here: {why}.")).weak());
+        }
+    }
+    if let Some((plot, drawing)) = entry.plot.and_then(|kind| state.measured.plot(kind)) {
+        plot_ui(ui, plot, drawing, style);
+    }
+    ui.label(RichText::new(entry.says).weak());
+    let open = is_open(state, entry);
+    if !open && ui.button(format!("Show “{}”", entry.title)).on_hover_text(entry.try_this).clicked() {
+        state.ask(Action::OpenBuiltIn(entry.scene.to_owned()));
+    }
+    if open {
+        ui.label(format!("Try: {}", entry.try_this));
+    }
+    ui.add_space(6.0);
+}

@@ -1,0 +1,123 @@
+//! Normals over the active pane: needles, kept until something moves, and the faces of the vertex under the pointer.
+
+use super::super::state::AppState;
+use super::pane::PaneEngine;
+use super::{drawing, is_dark, overlay_options, upload};
+use crate::analysis::{NormalField, SeenNormals};
+use crate::figure::{LitVertex, Needles, OverlayOptions};
+use crate::scene::{Camera, Scene, ShadingMode, View};
+use eframe::egui::{Context, TextureHandle, TextureOptions};
+use glam::DVec2;
+
+/// What is drawn of the normals, and what for. Nothing is kept while none are shown.
+#[derive(Default)]
+pub struct NormalsDrawing {
+    field: Option<NormalField>,
+    seen: SeenNormals,
+    needles: Option<(NeedlesKey, TextureHandle)>,
+    lit: Option<(u32, TextureHandle)>,
+}
+
+/// What needles depend on beside the field.
+#[derive(PartialEq)]
+struct NeedlesKey {
+    pane: usize,
+    shown: [bool; 2],
+    camera: Camera,
+    size: [u32; 2],
+    /// The true surface hides otherwise than its polygons.
+    exact: bool,
+    dark: bool,
+    scale: f32,
+}
+
+impl NormalsDrawing {
+    /// Brings the needles up to date with the picture of the active pane.
+    pub fn update(&mut self, ctx: &Context, state: &mut AppState, pane: usize, engine: &PaneEngine) {
+        let look = &state.look.overlay;
+        let Some(scene) = engine.drawn().filter(|_| look.normals()) else {
+            if self.field.is_some() {
+                *self = Self::default();
+            }
+            state.pointed.lit = None;
+            return;
+        };
+        if !self.field.as_ref().is_some_and(|field| field.holds(engine.renderer(), &scene.object)) {
+            let same_numbers = self.field.as_ref().is_none_or(|field| field.of_equal_mesh(engine.renderer()));
+            if !same_numbers {
+                // Its numbers mean other points.
+                state.pointed.kept = None;
+            }
+            self.field = Some(NormalField::new(engine.renderer(), &scene.object));
+            // Only the key is forgotten by this: the textures are drawn upon.
+            self.needles = self.needles.take().map(|(key, texture)| (NeedlesKey { pane: usize::MAX, ..key }, texture));
+        }
+        let key = NeedlesKey {
+            pane,
+            shown: [look.face_normals, look.vertex_normals],
+            camera: scene.camera.clone(),
+            size: scene.image.size,
+            exact: scene.shading.mode == ShadingMode::Exact,
+            dark: is_dark(scene),
+            scale: state.look.scale,
+        };
+        let Some(field) = self.field.as_ref().filter(|_| self.needles.as_ref().is_none_or(|(drawn, _)| *drawn != key))
+        else {
+            return;
+        };
+        let size = scene.image.size;
+        self.seen = field.facing(&View::new(&scene.camera, size), size);
+        let needles = Needles::new(size, scene, engine.renderer(), field, &options(state, scene));
+        let mut texture = self.needles.take().map(|(_, texture)| texture);
+        if let Some(image) = drawing(size, |pixmap| needles.draw(pixmap)) {
+            upload(ctx, &mut texture, "needles", image, TextureOptions::NEAREST);
+        }
+        self.needles = texture.map(|texture| (key, texture));
+        self.lit = None;
+    }
+
+    /// Lights up the vertex within `reach` pixels of the pointer, or else the one that is kept.
+    pub fn point_at(
+        &mut self,
+        ctx: &Context,
+        state: &mut AppState,
+        engine: &PaneEngine,
+        pointer: Option<DVec2>,
+        reach: f64,
+        clicked: bool,
+    ) {
+        // A coarser picture is dragged in: nothing is pointed at.
+        if engine.coarser() > 1 {
+            return;
+        }
+        let (Some(field), Some(scene)) = (&self.field, engine.drawn()) else { return };
+        let near = |pixel| field.vertex_near(engine.renderer(), &self.seen, pixel, reach);
+        let hovered = pointer.and_then(near).map(|vertex| vertex.index);
+        if clicked {
+            state.pointed.kept = hovered.and_then(|vertex| field.point_of(vertex));
+        }
+        let wanted = hovered.or_else(|| field.vertex_at(state.pointed.kept?));
+        state.pointed.lit = wanted;
+        if self.lit.as_ref().map(|(vertex, _)| *vertex) == wanted {
+            return;
+        }
+        let known = wanted.and_then(|number| field.vertex(number));
+        let size = scene.image.size;
+        let laid = known.and_then(|vertex| LitVertex::new(size, scene, field, &vertex, &options(state, scene)));
+        let mut texture = self.lit.take().map(|(_, texture)| texture);
+        if let Some(image) = laid.and_then(|laid| drawing(size, |pixmap| laid.draw(pixmap))) {
+            upload(ctx, &mut texture, "lit vertex", image, TextureOptions::NEAREST);
+            self.lit = wanted.zip(texture);
+        }
+    }
+
+    /// The needles and the lit faces.
+    pub fn textures(&self) -> [Option<&TextureHandle>; 2] {
+        [self.needles.as_ref().map(|(_, texture)| texture), self.lit.as_ref().map(|(_, texture)| texture)]
+    }
+}
+
+fn options(state: &AppState, scene: &Scene) -> OverlayOptions {
+    let options = overlay_options(&state.look.overlay, state.light, scene);
+    OverlayOptions { scale: f64::from(state.look.scale), ..options }
+}

@@ -1,0 +1,210 @@
+//! One pane's picture: drawn and probed, and kept until something changes.
+//!
+//! Where drawing all of it would not keep up with the hand, a coarser picture is drawn while the pointer is held, by a renderer
+//! of its own, so that the whole one's stages are kept.
+
+use super::super::document::same_model;
+use super::{clock, image_of, upload};
+use crate::analysis::{LinearPicture, Probe, probe};
+use crate::geometry::Mesh;
+use crate::render::{Renderer, Report, coarseness, coarser_size};
+use crate::scene::Scene;
+use eframe::egui::{Context, TextureHandle, TextureOptions};
+use std::sync::Arc;
+
+/// A renderer, and what it drew last.
+struct Drawing {
+    renderer: Renderer,
+    model: Option<Arc<Mesh>>,
+    drawn: Option<Scene>,
+    linear: bool,
+    report: Report,
+}
+
+impl Default for Drawing {
+    fn default() -> Self {
+        let (model, drawn, linear, report) = (None, None, false, Report::default());
+        Self { renderer: Renderer::with_clock(clock), model, drawn, linear, report }
+    }
+}
+
+impl Drawing {
+    /// Whether the last picture is one of `wanted` at `size` pixels.
+    fn shows(&self, wanted: &Wanted<'_>, size: [u32; 2]) -> bool {
+        let same = same_model(self.model.as_ref(), wanted.model) && self.linear == wanted.linear;
+        same && self.drawn.as_ref().is_some_and(|drawn| same_picture(drawn, wanted.scene, size))
+    }
+
+    /// Draws unless it has.
+    fn draw(&mut self, wanted: &Wanted<'_>, size: [u32; 2]) {
+        if self.shows(wanted, size) {
+            return;
+        }
+        if !same_model(self.model.as_ref(), wanted.model) {
+            self.model = wanted.model.cloned();
+            self.renderer.set_model(self.model.clone());
+        }
+        self.linear = wanted.linear;
+        self.renderer.keep_linear(wanted.linear);
+        let mut sized = wanted.scene.clone();
+        sized.image.size = size;
+        self.renderer.render(&sized);
+        self.report = self.renderer.report().clone();
+        self.drawn = Some(sized);
+    }
+}
+
+/// What a pane is to show.
+pub struct Wanted<'a> {
+    pub scene: &'a Scene,
+    pub model: Option<&'a Arc<Mesh>>,
+    /// In pixels, when drawn whole.
+    pub size: [u32; 2],
+    /// Whether the picture is kept before the display too.
+    pub linear: bool,
+}
+
+/// A pane with renderers of its own, so that each pane's stages are kept.
+pub struct PaneEngine {
+    whole: Drawing,
+    /// While something is dragged.
+    draft: Option<Drawing>,
+    /// By what the sides of the picture in sight are divided.
+    coarser: u32,
+    /// What a whole picture took after a change of these parts, nanoseconds.
+    costs: Vec<(u32, u64)>,
+    pub picture: Option<TextureHandle>,
+    pub probed: Option<([u32; 2], Probe)>,
+}
+
+impl Default for PaneEngine {
+    fn default() -> Self {
+        Self { whole: Drawing::default(), draft: None, coarser: 1, costs: vec![], picture: None, probed: None }
+    }
+}
+
+impl PaneEngine {
+    /// What drawing `wanted` whole would take, nanoseconds, by what it took after the last change of the same parts; 0 where
+    /// it is drawn.
+    pub fn expected(&self, wanted: &Wanted<'_>) -> u64 {
+        let Some(drawn) = &self.whole.drawn else { return 0 };
+        let parts = changed_parts(drawn, wanted.scene);
+        let known = self.costs.iter().find(|(known, _)| *known == parts).map(|(_, cost)| *cost);
+        let most = || self.costs.iter().map(|(_, cost)| *cost).max().unwrap_or(0);
+        if parts == 0 { 0 } else { known.unwrap_or_else(most) }
+    }
+
+    /// Brings the picture up to date, its sides divided by `coarser`; returns whether what is in sight has changed.
+    pub fn draw(&mut self, ctx: &Context, wanted: &Wanted<'_>, coarser: u32) -> bool {
+        let size = coarser_size(wanted.size, coarser);
+        if self.coarser == coarser && self.in_sight().shows(wanted, size) {
+            return false;
+        }
+        self.coarser = coarser;
+        if coarser > 1 {
+            let draft = self.draft.get_or_insert_default();
+            draft.draw(wanted, size);
+            // Not every stage shrinks with the picture: what is still too slow is drawn coarser next time.
+            let spread = draft.report.nanoseconds * u64::from(coarser * coarser);
+            if coarseness(spread) > coarser {
+                let parts = self.whole.drawn.as_ref().map_or(u32::MAX, |drawn| changed_parts(drawn, wanted.scene));
+                self.remember(parts, spread);
+            }
+        } else if !self.whole.shows(wanted, size) {
+            let parts = self.whole.drawn.as_ref().map_or(u32::MAX, |drawn| changed_parts(drawn, wanted.scene));
+            self.whole.draw(wanted, size);
+            self.remember(parts, self.whole.report.nanoseconds);
+        }
+        // A coarser picture is spread smoothly.
+        let options = if coarser > 1 { TextureOptions::LINEAR } else { TextureOptions::NEAREST };
+        let image = image_of(self.in_sight().renderer.frame());
+        upload(ctx, &mut self.picture, "picture", image, options);
+        true
+    }
+
+    fn remember(&mut self, parts: u32, cost: u64) {
+        self.costs.retain(|(known, _)| *known != parts);
+        self.costs.push((parts, cost));
+    }
+
+    fn in_sight(&self) -> &Drawing {
+        self.draft.as_ref().filter(|_| self.coarser > 1).unwrap_or(&self.whole)
+    }
+
+    /// Brings the probe at a pixel of the whole picture up to date; returns whether it had to be.
+    pub fn probe(&mut self, pixel: [u32; 2], redrawn: bool) -> bool {
+        if !redrawn && self.probed.as_ref().is_some_and(|(at, _)| *at == pixel) {
+            return false;
+        }
+        let coarser = self.coarser.max(1);
+        let drawing = match &mut self.draft {
+            Some(draft) if coarser > 1 => draft,
+            _ => &mut self.whole,
+        };
+        let Some(scene) = &drawing.drawn else { return false };
+        let [x, y] = pixel.map(|v| v / coarser);
+        let mut probe = probe(&mut drawing.renderer, scene, x, y);
+        probe.pixel = pixel;
+        self.probed = Some((pixel, probe));
+        true
+    }
+
+    /// The renderer of the picture in sight.
+    pub fn renderer(&self) -> &Renderer {
+        &self.in_sight().renderer
+    }
+
+    /// The scene of the picture in sight, in that picture's size.
+    pub fn drawn(&self) -> Option<&Scene> {
+        self.in_sight().drawn.as_ref()
+    }
+
+    /// What drawing the picture in sight did.
+    pub fn report(&self) -> &Report {
+        &self.in_sight().report
+    }
+
+    /// By what the sides of the picture in sight are divided.
+    pub fn coarser(&self) -> u32 {
+        self.coarser
+    }
+
+    /// The picture in sight before the display.
+    pub fn linear(&self) -> Option<LinearPicture<'_>> {
+        let drawing = self.in_sight();
+        let scene = drawing.drawn.as_ref().filter(|_| drawing.linear)?;
+        Some(LinearPicture { width: scene.image.size[0], pixels: drawing.renderer.linear(), clamps: scene.clamps() })
+    }
+}
+
+/// Whether `drawn` is a picture of `scene` at `size` pixels.
+fn same_picture(drawn: &Scene, scene: &Scene, size: [u32; 2]) -> bool {
+    if drawn.image.size != size {
+        return false;
+    }
+    // The size in the scene is that of exported pictures.
+    let mut sized = scene.clone();
+    sized.image.size = size;
+    sized == *drawn
+}
+
+/// Which parts of two scenes differ, a bit each.
+fn changed_parts(a: &Scene, b: &Scene) -> u32 {
+    let parts = [
+        a.camera != b.camera,
+        a.object != b.object,
+        a.material != b.material,
+        a.pattern != b.pattern,
+        a.transparency != b.transparency,
+        a.reflection != b.reflection,
+        a.shading != b.shading,
+        a.display != b.display,
+        a.image.background != b.image.background,
+        a.ground != b.ground,
+        a.backdrop != b.backdrop,
+        a.depth_cueing != b.depth_cueing,
+        a.ambient != b.ambient,
+        a.lights != b.lights,
+    ];
+    parts.iter().zip(0..).fold(0, |bits, (changed, bit)| bits | (u32::from(*changed) << bit))
+}

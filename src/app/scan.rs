@@ -1,0 +1,95 @@
+//! The scan line in slow motion: the polygon under the probe, enlarged, walked through by hand or playing.
+
+mod formula;
+mod outline;
+mod tables;
+mod transport;
+mod view;
+
+pub use outline::paint;
+pub use view::{ScanView, Walk};
+
+use super::curves::{paint_shape, paint_text, paper};
+use super::engine::Engine;
+use super::row::{About, NumberRow, Rail, number, whole};
+use super::state::{AppState, NumbersTab};
+use super::theme::TEXT;
+use crate::analysis::Scan;
+use crate::figure::{Drawing, PlotStyle};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Sense, Ui, WidgetInfo, vec2};
+
+/// Size of letters in the drawing, in that of the window's text: its smallest are as large as that.
+const LETTERS: f64 = 1.05;
+
+/// The drawing takes at most this part of the panel's height: the formula below it is to be in sight.
+const TALLEST: f32 = 0.46;
+
+/// Whether the scan line's tab is in sight.
+pub fn shown(state: &AppState) -> bool {
+    state.look.numbers && !state.picture_alone && state.look.tab == NumbersTab::ScanLine
+}
+
+/// The scan line's tab.
+pub fn scan_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+    state.scan.update(engine, state.document.model.as_ref());
+    state.scan.play(ui.ctx());
+    let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
+    let width = ui.available_width();
+    state.scan.lay_out([width, (TALLEST * ui.clip_rect().height()).min(width)], style);
+    let AppState { scan: view, .. } = &*state;
+    match view.scan() {
+        Some(Ok(scan)) => {
+            if let Some(drawing) = view.drawing() {
+                drawing_ui(ui, drawing, &described(scan, view.step()));
+            }
+            ui.add_space(4.0);
+            transport::transport_ui(ui, state);
+            ui.add_space(6.0);
+            formula::formula_ui(ui, state);
+            tables::tables_ui(ui, &state.scan);
+        }
+        Some(Err(why)) => {
+            ui.label(format!("It cannot be scanned: {why}."));
+        }
+        None => {
+            ui.label("The probe sees the background. Double-click the object, or drag the ring onto it.");
+        }
+    }
+    ui.add_space(8.0);
+    settings_ui(ui, state);
+}
+
+/// The drawing in words, for those who do not see it.
+fn described(scan: &Scan, step: usize) -> String {
+    format!("Face {}, {} corners, enlarged; {}", scan.face, scan.corners.len(), scan.caption(step))
+}
+
+fn drawing_ui(ui: &mut Ui, drawing: &Drawing, words: &str) {
+    let size = vec2(drawing.size.x as f32, drawing.size.y as f32);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, enabled, words));
+    if !ui.is_rect_visible(rect) {
+        return;
+    }
+    let painter = ui.painter_at(rect.expand(1.0));
+    for shape in &drawing.shapes {
+        paint_shape(&painter, shape, rect.min);
+    }
+    for text in &drawing.texts {
+        paint_text(&painter, text, rect.min);
+    }
+}
+
+fn settings_ui(ui: &mut Ui, state: &mut AppState) {
+    let AppState { scan, lit, .. } = state;
+    let usual = ScanView::default();
+    let about = About { label: "speed", name: "Scan speed", tip: "Steps a second while it plays.", ..About::default() };
+    let rail = Rail { limits: ScanView::SPEEDS, decimals: 1, ..Rail::logarithmic(ScanView::SPEEDS) };
+    number(ui, lit, &NumberRow { about, rail, default: usual.speed }, &mut scan.speed);
+    let about = About { label: "rows", name: "Scan rows", tip: "Rows of enlarged pixels.", ..About::default() };
+    let span = f64::from(*Scan::ROWS.start())..=f64::from(*Scan::ROWS.end());
+    let rail = Rail { limits: span.clone(), decimals: 0, ..Rail::linear(span) };
+    whole(ui, lit, &NumberRow { about, rail, default: f64::from(usual.rows) }, &mut scan.rows);
+}

@@ -1,0 +1,70 @@
+//! The plot, whose points can be chosen.
+
+use super::super::curves::{LETTERS, boxed, height, paint_shape, paint_text, paper};
+use super::super::theme::TEXT;
+use super::StudyView;
+use crate::analysis::{Setting, StudyRow, study_point};
+use crate::figure::{Drawing, PlotStyle, Text, lay_out};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{CursorIcon, Pos2, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
+use glam::DVec2;
+
+/// A point is meant within this many points of the pointer.
+const NEAR: f32 = 16.0;
+
+/// The plot; returns the setting whose point is clicked.
+pub fn figure_ui(ui: &mut Ui, view: &mut StudyView) -> Option<Setting> {
+    let plot = view.plot.as_ref()?;
+    let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
+    let width = ui.available_width();
+    let kept = view.drawing.take().filter(|(_, laid, wide)| *laid == style && *wide == width);
+    let (drawing, ..) = &*view.drawing.insert(kept.unwrap_or_else(|| {
+        let room = DVec2::new(width.into(), height(plot, width.into(), style.text) + 0.3 * f64::from(width));
+        (lay_out(plot, room, &style), style, width)
+    }));
+    ui.add_space(6.0);
+    let size = vec2(drawing.size.x as f32, drawing.size.y as f32);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, enabled, format!("{}; {}", plot.title, plot.note)));
+    if !ui.is_rect_visible(rect) {
+        return None;
+    }
+    let painter = ui.painter_at(rect.expand(1.0));
+    for line in &drawing.shapes {
+        paint_shape(&painter, line, rect.min);
+    }
+    for text in &drawing.texts {
+        paint_text(&painter, text, rect.min);
+    }
+    let pointer = response.hover_pos()?;
+    let rows = view.study.as_ref().map_or(&[][..], |study| &study.rows);
+    let row = nearest(rows, drawing, rect, pointer)?;
+    ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
+    let lines: Vec<Text> =
+        words(row).into_iter().map(|line| Text::new(line, DVec2::ZERO, style.text, style.paper.text)).collect();
+    boxed(ui, &painter, &lines, (rect, pointer));
+    response.clicked().then_some(row.setting)
+}
+
+/// The row whose point is nearest to the pointer.
+fn nearest<'a>(rows: &'a [StudyRow], drawing: &Drawing, rect: Rect, pointer: Pos2) -> Option<&'a StudyRow> {
+    let away = |row: &StudyRow| {
+        let (at, _) = drawing.place(study_point(row)?)?;
+        Some(pos2(rect.min.x + at.x as f32, rect.min.y + at.y as f32).distance(pointer))
+    };
+    let near = rows.iter().filter_map(|row| Some((row, away(row)?))).filter(|(_, away)| *away <= NEAR);
+    near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(row, _)| row)
+}
+
+/// A row in a few lines.
+fn words(row: &StudyRow) -> [String; 4] {
+    let setting = &row.setting;
+    let go = if row.scalar { "a historic method: cannot be shown" } else { "click to show it" };
+    [
+        format!("{} {}×{}, n = {}", setting.method.title(), setting.segments, setting.rings, setting.n),
+        format!("RMS {:.3}, greatest {:.2} code values", 255.0 * row.error_rms, 255.0 * row.error_max),
+        format!("{:.3} ms ± {:.3}, {} evaluations", row.time_ms, row.spread_ms, row.evaluations),
+        go.to_owned(),
+    ]
+}

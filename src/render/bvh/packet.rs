@@ -1,0 +1,384 @@
+//! Sixteen rays at once through the boxes.
+//!
+//! Boxes are tested in single precision as for one ray. A triangle is first dismissed in single precision where it lies
+//! beside a ray by more than any rounding; what is left is decided in double precision by the same operations in the same
+//! order as for one ray, so that the answers do not depend on the SIMD level, nor on which rays go together.
+
+use super::{Bvh, Meeting, Node, SEAM, STACK, Slabs};
+use fearless_simd::{f32x16, f64x8, prelude::*};
+use glam::{DVec3, Vec3};
+
+/// Rays of a packet.
+pub(in crate::render) const RAYS: usize = 16;
+/// Half a packet, the lanes of double precision.
+const HALF: usize = RAYS / 2;
+
+/// Rays that are asked about together, relative to the model's origin.
+#[derive(Clone, Default)]
+pub(in crate::render) struct Packet {
+    pub origin: [[f64; RAYS]; 3],
+    pub direction: [[f64; RAYS]; 3],
+    pub t_max: [f64; RAYS],
+}
+
+impl Packet {
+    pub fn set(&mut self, ray: usize, origin: DVec3, direction: DVec3, t_max: f64) {
+        for axis in 0..3 {
+            self.origin[axis][ray] = origin[axis];
+            self.direction[axis][ray] = direction[axis];
+        }
+        self.t_max[ray] = t_max;
+    }
+
+    pub fn ray(&self, ray: usize) -> (DVec3, DVec3, f64) {
+        let of = |planes: &[[f64; RAYS]; 3]| DVec3::new(planes[0][ray], planes[1][ray], planes[2][ray]);
+        (of(&self.origin), of(&self.direction), self.t_max[ray])
+    }
+}
+
+type Near<S> = [f32x16<S>; 3];
+type Exact<S> = [f64x8<S>; 3];
+
+impl Bvh {
+    /// On which of the rays whose bits are set in `asked` anything lies, for 0 < t < t_max.
+    #[inline(always)]
+    pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> u32 {
+        let Some(root) = self.nodes.first() else { return 0 };
+        let rays = Rays::new(simd, packet, f64::from(root.reach()));
+        let mut stack = [(0_u32, 0_u32); STACK];
+        let mut waiting = 0;
+        let mut open = asked;
+        let (mut here, mut among) = (0, rays.enter(simd, root).0 & asked);
+        loop {
+            let node = &self.nodes[here as usize];
+            if among == 0 {
+                // All rays that came here are blocked by now.
+            } else if node.count > 0 {
+                for corners in &self.corners[node.start as usize..(node.start + node.count) as usize] {
+                    let near = rays.pass_near(simd, corners) & among & open;
+                    if near != 0 {
+                        open &= !(meet_exactly(simd, packet, corners, near) & near);
+                    }
+                }
+                if open == 0 {
+                    return asked;
+                }
+            } else {
+                let (left, right) = (here + 1, node.start);
+                let in_left = rays.enter(simd, &self.nodes[left as usize]).0 & among;
+                let in_right = rays.enter(simd, &self.nodes[right as usize]).0 & among;
+                // First where more rays go: it is likelier to block them all.
+                let first = if in_left.count_ones() >= in_right.count_ones() {
+                    [(left, in_left), (right, in_right)]
+                } else {
+                    [(right, in_right), (left, in_left)]
+                };
+                if first[1].1 != 0 {
+                    stack[waiting] = first[1];
+                    waiting += 1;
+                }
+                if first[0].1 != 0 {
+                    (here, among) = first[0];
+                    continue;
+                }
+            }
+            if waiting == 0 {
+                return asked & !open;
+            }
+            waiting -= 1;
+            (here, among) = (stack[waiting].0, stack[waiting].1 & open);
+        }
+    }
+}
+
+/// The first triangles on the rays of a packet.
+pub(in crate::render) struct Nearest {
+    t: [f64; RAYS],
+    triangle: [u32; RAYS],
+    weights: [[f64; RAYS]; 2],
+    met: u32,
+}
+
+impl Nearest {
+    pub fn of(&self, ray: usize) -> Option<Meeting> {
+        let weights = [self.weights[0][ray], self.weights[1][ray]];
+        (self.met >> ray & 1 == 1).then(|| Meeting { t: self.t[ray], triangle: self.triangle[ray], weights })
+    }
+
+    /// Takes over the meetings of half a packet.
+    #[inline(always)]
+    fn take<S: Simd>(&mut self, met: &Met<S>, asked: u32, first: usize, triangle: u32) -> bool {
+        let rays = met.rays & asked >> first;
+        for lane in (0..HALF).filter(|lane| rays >> lane & 1 == 1) {
+            let ray = first + lane;
+            self.t[ray] = met.t[lane];
+            self.triangle[ray] = triangle;
+            self.weights[0][ray] = met.weights[0][lane];
+            self.weights[1][ray] = met.weights[1][lane];
+        }
+        self.met |= rays << first;
+        rays != 0
+    }
+}
+
+impl Bvh {
+    /// The first triangle on each of the rays whose bits are set in `asked`, for 0 < t < t_max.
+    #[inline(always)]
+    pub fn nearest_of<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> Nearest {
+        let mut nearest = Nearest { t: packet.t_max, triangle: [0; RAYS], weights: [[0.0; RAYS]; 2], met: 0 };
+        let Some(root) = self.nodes.first() else { return nearest };
+        let mut rays = Rays::new(simd, packet, f64::from(root.reach()));
+        let mut stack = [(0_u32, 0_u32); STACK];
+        let mut waiting = 0;
+        let (mut here, mut among) = (0, rays.enter(simd, root).0 & asked);
+        loop {
+            let node = &self.nodes[here as usize];
+            if node.count > 0 && among != 0 {
+                let range = node.start as usize..(node.start + node.count) as usize;
+                let mut nearer = false;
+                for (corners, &triangle) in self.corners[range.clone()].iter().zip(&self.order[range]) {
+                    let near = rays.pass_near(simd, corners) & among;
+                    for first in [0, HALF] {
+                        if near >> first & 0xff != 0 {
+                            let met = meet_half(simd, packet, &nearest.t, corners, first);
+                            nearer |= nearest.take(&met, near, first, triangle);
+                        }
+                    }
+                }
+                if nearer {
+                    rays.limit = limits(simd, &nearest.t);
+                }
+            } else if among != 0 {
+                let (left, right) = (here + 1, node.start);
+                let (in_left, at_left) = rays.enter(simd, &self.nodes[left as usize]);
+                let (in_right, at_right) = rays.enter(simd, &self.nodes[right as usize]);
+                let (in_left, in_right) = (in_left & among, in_right & among);
+                // First where the first of the rays comes first.
+                let lead = among.trailing_zeros() as usize;
+                let left_first = in_right == 0 || (in_left != 0 && at_left[lead] <= at_right[lead]);
+                let (next, other) = if left_first {
+                    ((left, in_left), (right, in_right))
+                } else {
+                    ((right, in_right), (left, in_left))
+                };
+                if other.1 != 0 {
+                    stack[waiting] = other;
+                    waiting += 1;
+                }
+                if next.1 != 0 {
+                    (here, among) = next;
+                    continue;
+                }
+            }
+            if waiting == 0 {
+                return nearest;
+            }
+            waiting -= 1;
+            (here, among) = stack[waiting];
+            // Some may have met something nearer meanwhile.
+            among &= rays.enter(simd, &self.nodes[here as usize]).0;
+        }
+    }
+}
+
+/// Limits in single precision, with room for rounding.
+#[inline(always)]
+fn limits<S: Simd>(simd: S, t: &[f64; RAYS]) -> f32x16<S> {
+    let mut limit = [0.0_f32; RAYS];
+    for ray in 0..RAYS {
+        limit[ray] = (t[ray] * (1.0 + 2e-6)) as f32;
+    }
+    f32x16::from_slice(simd, &limit)
+}
+
+/// A packet in single precision.
+struct Rays<S: Simd> {
+    /// As [`Slabs`] has them.
+    from_low: Near<S>,
+    from_high: Near<S>,
+    inverse: Near<S>,
+    limit: f32x16<S>,
+    origin: Near<S>,
+    direction: Near<S>,
+    /// What a triple product of direction, an edge and the way from a corner may be wrong by, over the edge's length.
+    error: f32x16<S>,
+    /// The same for the product that gives the distance, over the square of the edge's length.
+    depth_error: f32x16<S>,
+}
+
+impl<S: Simd> Rays<S> {
+    /// Roundings of a triple product in single precision, generously.
+    const ROUNDINGS: f64 = 24.0 * f32::EPSILON as f64;
+
+    /// Products below this may have lost digits to underflow.
+    const LEAST: f32 = 1e-30;
+
+    /// `reach` holds every corner's coordinates.
+    #[inline(always)]
+    #[expect(clippy::cast_possible_truncation, reason = "rounded to single precision, with room for it")]
+    fn new(simd: S, packet: &Packet, reach: f64) -> Self {
+        let [mut widening, mut distance, mut speed] = [[0.0_f64; RAYS]; 3];
+        for (origins, directions) in packet.origin.iter().zip(&packet.direction) {
+            for ray in 0..RAYS {
+                widening[ray] = widening[ray].max(Slabs::WIDENING * origins[ray].abs());
+                distance[ray] += origins[ray].abs();
+                speed[ray] += directions[ray].abs();
+            }
+        }
+        let [mut low, mut high, mut inverse, mut near, mut way] = [[[0.0_f32; RAYS]; 3]; 5];
+        for axis in 0..3 {
+            for ray in 0..RAYS {
+                let (origin, direction) = (packet.origin[axis][ray], packet.direction[axis][ray]);
+                let slope = if direction.abs() < Slabs::LEVEL { Slabs::LEVEL.copysign(direction) } else { direction };
+                low[axis][ray] = (origin + widening[ray]) as f32;
+                high[axis][ray] = (origin - widening[ray]) as f32;
+                inverse[axis][ray] = (1.0 / slope) as f32;
+                near[axis][ray] = origin as f32;
+                way[axis][ray] = direction as f32;
+            }
+        }
+        let mut errors = [[0.0_f32; RAYS]; 2];
+        for ray in 0..RAYS {
+            let error = Self::ROUNDINGS * (distance[ray] + reach);
+            errors[0][ray] = (error * speed[ray]) as f32;
+            errors[1][ray] = error as f32;
+        }
+        Self {
+            from_low: load(simd, &low),
+            from_high: load(simd, &high),
+            inverse: load(simd, &inverse),
+            origin: load(simd, &near),
+            direction: load(simd, &way),
+            limit: limits(simd, &packet.t_max),
+            error: f32x16::from_slice(simd, &errors[0]),
+            depth_error: f32x16::from_slice(simd, &errors[1]),
+        }
+    }
+
+    /// Which of the rays enter a box before their limit, and where.
+    #[inline(always)]
+    fn enter(&self, simd: S, node: &Node) -> (u32, f32x16<S>) {
+        let mut near = f32x16::splat(simd, 0.0);
+        let mut far = f32x16::splat(simd, f32::INFINITY);
+        for axis in 0..3 {
+            let low = (f32x16::splat(simd, node.low[axis]) - self.from_low[axis]) * self.inverse[axis];
+            let high = (f32x16::splat(simd, node.high[axis]) - self.from_high[axis]) * self.inverse[axis];
+            near = near.max(low.min(high));
+            far = far.min(low.max(high));
+        }
+        (bits(near.simd_le(far * (1.0 + 1e-6)) & near.simd_le(self.limit)), near)
+    }
+
+    /// Which of the rays may meet a triangle: all that do, and few others.
+    #[inline(always)]
+    fn pass_near(&self, simd: S, &[a, b, c]: &[Vec3; 3]) -> u32 {
+        let (e1, e2) = (b - a, c - a);
+        let longest = e1.length().max(e2.length());
+        let from = [
+            self.origin[0] - f32x16::splat(simd, a.x),
+            self.origin[1] - f32x16::splat(simd, a.y),
+            self.origin[2] - f32x16::splat(simd, a.z),
+        ];
+        let (e1, e2) = (splat_near(simd, e1), splat_near(simd, e2));
+        let p = cross_near(&self.direction, &e2);
+        let q = cross_near(&from, &e1);
+        let determinant = dot_near(&e1, &p);
+        let one = f32x16::splat(simd, 1.0).copysign(determinant);
+        let size = determinant.abs();
+        let (w1, w2) = (dot_near(&from, &p) * one, dot_near(&self.direction, &q) * one);
+        let t = dot_near(&e2, &q) * one;
+        let error = self.error * longest;
+        let depth_error = self.depth_error * (longest * longest);
+        let beside = w1.simd_lt(-error) | w2.simd_lt(-error) | (w1 + w2).simd_gt(size + error * 3.0);
+        let behind = t.simd_lt(-depth_error);
+        // Without a sign of the determinant nothing is known.
+        !bits((beside | behind) & size.simd_gt(error + Self::LEAST))
+    }
+}
+
+/// Where half a packet meets a triangle.
+struct Met<S: Simd> {
+    rays: u32,
+    t: f64x8<S>,
+    weights: [f64x8<S>; 2],
+}
+
+/// Which of the rays in `near` meet a triangle before their limit.
+#[inline(always)]
+fn meet_exactly<S: Simd>(simd: S, packet: &Packet, corners: &[Vec3; 3], near: u32) -> u32 {
+    let low = if near & 0xff == 0 { 0 } else { meet_half(simd, packet, &packet.t_max, corners, 0).rays };
+    let high = if near >> HALF == 0 { 0 } else { meet_half(simd, packet, &packet.t_max, corners, HALF).rays };
+    low | high << HALF
+}
+
+/// The meeting of eight rays with a triangle, by the operations of [`super::meet`].
+#[inline(always)]
+fn meet_half<S: Simd>(simd: S, packet: &Packet, limit: &[f64; RAYS], corners: &[Vec3; 3], first: usize) -> Met<S> {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    let (e1, e2, corner) = (splat(simd, b - a), splat(simd, c - a), splat(simd, a));
+    let direction = half(simd, &packet.direction, first);
+    let origin = half(simd, &packet.origin, first);
+    let from = [origin[0] - corner[0], origin[1] - corner[1], origin[2] - corner[2]];
+    let p = cross(&direction, &e2);
+    let determinant = dot(&e1, &p);
+    let inverse = f64x8::splat(simd, 1.0) / determinant;
+    let w1 = dot(&from, &p) * inverse;
+    let q = cross(&from, &e1);
+    let w2 = dot(&direction, &q) * inverse;
+    let t = dot(&e2, &q) * inverse;
+    let (least, most) = (f64x8::splat(simd, -SEAM), f64x8::splat(simd, 1.0 + SEAM));
+    let zero = f64x8::splat(simd, 0.0);
+    let limit = f64x8::from_slice(simd, &limit[first..first + HALF]);
+    let within = w1.simd_ge(least) & w1.simd_le(most) & w2.simd_ge(least) & (w1 + w2).simd_le(most);
+    let met = within & t.simd_gt(zero) & t.simd_lt(limit) & determinant.simd_ne(zero);
+    Met { rays: met.to_bitmask() as u32, t, weights: [w1, w2] }
+}
+
+#[inline(always)]
+fn bits<S: Simd>(mask: fearless_simd::mask32x16<S>) -> u32 {
+    mask.to_bitmask() as u32
+}
+
+#[inline(always)]
+fn load<S: Simd>(simd: S, planes: &[[f32; RAYS]; 3]) -> Near<S> {
+    [f32x16::from_slice(simd, &planes[0]), f32x16::from_slice(simd, &planes[1]), f32x16::from_slice(simd, &planes[2])]
+}
+
+#[inline(always)]
+fn splat_near<S: Simd>(simd: S, v: Vec3) -> Near<S> {
+    [f32x16::splat(simd, v.x), f32x16::splat(simd, v.y), f32x16::splat(simd, v.z)]
+}
+
+#[inline(always)]
+fn cross_near<S: Simd>(a: &Near<S>, b: &Near<S>) -> Near<S> {
+    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
+}
+
+#[inline(always)]
+fn dot_near<S: Simd>(a: &Near<S>, b: &Near<S>) -> f32x16<S> {
+    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
+}
+
+#[inline(always)]
+fn half<S: Simd>(simd: S, planes: &[[f64; RAYS]; 3], first: usize) -> Exact<S> {
+    [
+        f64x8::from_slice(simd, &planes[0][first..first + HALF]),
+        f64x8::from_slice(simd, &planes[1][first..first + HALF]),
+        f64x8::from_slice(simd, &planes[2][first..first + HALF]),
+    ]
+}
+
+#[inline(always)]
+fn splat<S: Simd>(simd: S, v: DVec3) -> Exact<S> {
+    [f64x8::splat(simd, v.x), f64x8::splat(simd, v.y), f64x8::splat(simd, v.z)]
+}
+
+#[inline(always)]
+fn cross<S: Simd>(a: &Exact<S>, b: &Exact<S>) -> Exact<S> {
+    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
+}
+
+#[inline(always)]
+fn dot<S: Simd>(a: &Exact<S>, b: &Exact<S>) -> f64x8<S> {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

@@ -1,0 +1,221 @@
+//! Polygons written in the scene itself, and which of them can be drawn.
+//!
+//! A polygon is taken as it appears along its own normal (Newell's): it need not be plane, but seen so it must have an
+//! area, and its edges may meet in its corners only. A straight corner is one, so that a vertex of one polygon may lie on
+//! the edge of another.
+
+use super::Object;
+use super::problem::Cause;
+use super::shared::Shared;
+use super::validation::{Checks, LEAST_LENGTH};
+use glam::{DVec2, DVec3};
+use std::sync::LazyLock;
+
+/// Edges that are nearer to each other than this part of their polygon's extent touch: what rounding leaves of a distance.
+const TOUCH: f64 = 1e-9;
+
+/// Polygons over shared vertices.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Polygons {
+    /// World.
+    pub vertices: Shared<DVec3>,
+    /// The vertices of each polygon, counter-clockwise from outside.
+    pub faces: Shared<Shared<u32>>,
+    /// One for each vertex, of any length but zero; or none.
+    pub normals: Shared<DVec3>,
+}
+
+/// What is shown where a scene has polygons but says nothing of them: a quadrilateral of four unequal sides.
+static QUADRILATERAL: LazyLock<Polygons> = LazyLock::new(|| {
+    let corners = [[-0.9, -0.6], [0.7, -0.8], [0.85, 0.4], [-0.5, 0.75]];
+    Polygons {
+        vertices: corners.into_iter().map(|[x, y]| DVec3::new(x, y, 0.0)).collect(),
+        faces: Shared::from(vec![Shared::from(vec![0, 1, 2, 3])]),
+        normals: Shared::default(),
+    }
+});
+
+impl Object {
+    /// Most vertices of polygons in a scene, and most polygons: their text is then shorter than
+    /// [`Scene::MAX_TEXT`](super::Scene::MAX_TEXT).
+    pub const MAX_POLYGONS: usize = 1 << 14;
+
+    /// Most corners of a polygon in a scene.
+    pub const MAX_CORNERS: usize = 256;
+
+    /// Most corners of all polygons in a scene.
+    pub const MAX_ALL_CORNERS: usize = 1 << 16;
+
+    /// The polygons of the kind `polygons`: those of the scene, or a quadrilateral where it gives none.
+    pub fn polygons(&self) -> Polygons {
+        if self.vertices.is_empty() && self.faces.is_empty() {
+            return QUADRILATERAL.clone();
+        }
+        Polygons { vertices: self.vertices.clone(), faces: self.faces.clone(), normals: self.vertex_normals.clone() }
+    }
+
+    /// The scene's own vertices to be changed. Where it gives none it is first given those that are shown.
+    pub fn vertices_mut(&mut self) -> &mut [DVec3] {
+        self.own_polygons();
+        self.vertices.make_mut()
+    }
+
+    /// Puts what [`Object::polygons`] shows into the scene, so that it can be edited.
+    pub fn own_polygons(&mut self) {
+        let Polygons { vertices, faces, normals } = self.polygons();
+        (self.vertices, self.faces, self.vertex_normals) = (vertices, faces, normals);
+    }
+
+    /// What is wrong with the polygons, whether or not they are shown.
+    pub(super) fn check_polygons(&self, checks: &mut Checks) {
+        let Self { vertices, faces, vertex_normals, .. } = self;
+        let mut sound = true;
+        for (key, count) in [("object.vertices", vertices.len()), ("object.faces", faces.len())] {
+            if count > Self::MAX_POLYGONS {
+                checks.value(key, format!("a list of {count}"), format!("at most {}", Self::MAX_POLYGONS));
+                sound = false;
+            }
+        }
+        let corners: usize = faces.iter().map(|face| face.len()).sum();
+        if corners > Self::MAX_ALL_CORNERS {
+            checks.value("object.faces", format!("{corners} corners"), format!("at most {}", Self::MAX_ALL_CORNERS));
+            sound = false;
+        }
+        if !sound {
+            return;
+        }
+        for (v, vertex) in vertices.iter().enumerate() {
+            sound &= checks.point(&format!("object.vertices.{v}"), *vertex);
+        }
+        for (v, normal) in vertex_normals.iter().enumerate() {
+            checks.direction(&format!("object.vertex_normals.{v}"), *normal);
+        }
+        if !vertex_normals.is_empty() && vertex_normals.len() != vertices.len() {
+            let expected = format!("{}, one for each vertex, or none", vertices.len());
+            checks.value("object.vertex_normals", format!("a list of {}", vertex_normals.len()), expected);
+        }
+        if faces.is_empty() && !vertices.is_empty() {
+            let expected = "at least one polygon since there are `object.vertices`";
+            checks.found("object.faces", Cause::Conflict { is: "is empty", expected });
+        }
+        for (f, face) in faces.iter().enumerate() {
+            check_face(&format!("object.faces.{f}"), face, vertices, sound, checks);
+        }
+    }
+}
+
+/// What is wrong with a polygon; its shape is looked at where the vertices are sound.
+fn check_face(key: &str, face: &[u32], vertices: &[DVec3], sound: bool, checks: &mut Checks) {
+    if !(3..=Object::MAX_CORNERS).contains(&face.len()) {
+        let expected = format!("3 to {} vertices", Object::MAX_CORNERS);
+        return checks.value(key, format!("a list of {}", face.len()), expected);
+    }
+    let mut known = true;
+    for (k, &v) in face.iter().enumerate().filter(|&(_, &v)| v as usize >= vertices.len()) {
+        known = false;
+        let expected = match vertices.len() {
+            0 => "no polygon, since `object.vertices` is empty".to_owned(),
+            count => format!("the number of a vertex, 0 to {}", count - 1),
+        };
+        checks.value(&format!("{key}.{k}"), v.to_string(), expected);
+    }
+    if let Some(&twice) = face.iter().enumerate().find_map(|(k, v)| face[..k].contains(v).then_some(v)) {
+        return checks.value(key, format!("a polygon with the vertex {twice} twice"), "each vertex once");
+    }
+    if known
+        && sound
+        && let Some((found, expected)) = unsound(face, vertices)
+    {
+        checks.value(key, found, expected);
+    }
+}
+
+impl Polygons {
+    /// The first polygon that cannot be drawn now that vertex `moved` has been; only those that have it are looked at.
+    pub fn spoilt_by(&self, moved: u32) -> Option<usize> {
+        let known = |face: &[u32]| face.len() >= 3 && face.iter().all(|&v| (v as usize) < self.vertices.len());
+        let spoilt = |face: &[u32]| face.contains(&moved) && known(face) && unsound(face, &self.vertices).is_some();
+        self.faces.iter().position(|face| spoilt(face))
+    }
+}
+
+/// Why a polygon of different, known vertices cannot be drawn: what it is, and what was expected.
+fn unsound(face: &[u32], vertices: &[DVec3]) -> Option<(String, &'static str)> {
+    const NO_AREA: &str = "a polygon without an area";
+    const AREA: &str = "corners that span one";
+    let first = vertices[face[0] as usize];
+    let mut offsets: Vec<DVec3> = face.iter().map(|&v| vertices[v as usize] - first).collect();
+    let extent = offsets.iter().map(|offset| offset.abs().max_element()).fold(0.0, f64::max);
+    if extent < LEAST_LENGTH {
+        return Some((NO_AREA.to_owned(), AREA));
+    }
+    offsets.iter_mut().for_each(|offset| *offset /= extent);
+    let area = area_vector(offsets.iter().copied());
+    if let Some([i, j]) = meeting_edges(&flattened(&offsets, area)) {
+        let ends = |k: usize| format!("{} to {}", face[k], face[(k + 1) % face.len()]);
+        let found = format!("a polygon whose edges from vertex {} and {} meet", ends(i), ends(j));
+        return Some((found, "one that neither crosses nor touches itself"));
+    }
+    (area.length() < TOUCH).then(|| (NO_AREA.to_owned(), AREA))
+}
+
+/// The points seen along `axis`, in any frame; along z where it is zero.
+fn flattened(points: &[DVec3], axis: DVec3) -> Vec<DVec2> {
+    let (u, v) = axis.normalize_or(DVec3::Z).any_orthonormal_pair();
+    points.iter().map(|p| DVec2::new(p.dot(u), p.dot(v))).collect()
+}
+
+/// Two edges of a polygon about 1 across that meet elsewhere than in the corner between them.
+fn meeting_edges(points: &[DVec2]) -> Option<[usize; 2]> {
+    let count = points.len();
+    let edge = |k: usize| [points[k], points[(k + 1) % count]];
+    for i in 0..count {
+        for j in i + 1..count {
+            let ([a, b], [c, d]) = (edge(i), edge(j));
+            let apart = if j == i + 1 || (i == 0 && j == count - 1) {
+                // Neighbours, which fold where the far end of one lies on the other.
+                let [before, corner, after] = if j == i + 1 { [a, b, d] } else { [c, d, b] };
+                distance_to(before, [corner, after]).min(distance_to(after, [before, corner]))
+            } else {
+                distance([a, b], [c, d])
+            };
+            if apart <= TOUCH {
+                return Some([i, j]);
+            }
+        }
+    }
+    None
+}
+
+/// The distance between two segments; 0 where they cross.
+fn distance([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> f64 {
+    let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
+    let cross = side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+    if cross {
+        return 0.0;
+    }
+    let ends = [distance_to(a, [c, d]), distance_to(b, [c, d]), distance_to(c, [a, b]), distance_to(d, [a, b])];
+    ends.into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// The distance of a point from a segment.
+fn distance_to(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
+    let along = to - from;
+    let squared = along.length_squared();
+    let t = if squared > 0.0 { ((point - from).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    point.distance(from + along * t)
+}
+
+/// The area of a polygon times its unit normal, by Newell's formula ½ Σ pᵢ × pᵢ₊₁, with the points taken relative to the
+/// first one, which keeps the digits of a small polygon far from the origin.
+pub(crate) fn area_vector(mut points: impl Iterator<Item = DVec3>) -> DVec3 {
+    let Some(first) = points.next() else { return DVec3::ZERO };
+    let mut sum = DVec3::ZERO;
+    let mut previous = DVec3::ZERO;
+    for point in points {
+        let current = point - first;
+        sum += previous.cross(current);
+        previous = current;
+    }
+    sum / 2.0
+}

@@ -1,0 +1,156 @@
+//! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
+
+use shading_lab::analysis::{ErrorFigures, luminance};
+use shading_lab::figure::{DrawnPane, comparison_sheet, draw_panes, pane_figures, panes_on_sheet};
+use shading_lab::render::Renderer;
+use shading_lab::scene::{Compare, CompareView, DifferenceKind, Pane, Rgb, Scene, ShadingMode, presets};
+use std::convert::Infallible;
+
+fn drawn(scene: &Scene) -> Vec<DrawnPane> {
+    let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), Infallible>(());
+    draw_panes(&mut Renderer::default(), scene, &panes_on_sheet(scene), 1, &mut |_| {}, nothing).unwrap_or_default()
+}
+
+/// A coarse sphere beside the true one.
+fn scene(view: CompareView) -> Scene {
+    let mut scene = Scene::default();
+    scene.image.size = [96, 64];
+    scene.object.segments = 9;
+    scene.object.rings = 5;
+    scene.shading.mode = ShadingMode::Gouraud;
+    scene.compare = Compare { view, panes: vec![Pane::of(&["shading.mode=exact"])], ..Compare::default() };
+    scene
+}
+
+#[test]
+fn a_pane_is_the_scene_with_its_own_settings() {
+    let scene = scene(CompareView::Wipe);
+    for (pane, mode) in drawn(&scene).iter().zip([ShadingMode::Gouraud, ShadingMode::Exact]) {
+        let mut alone = Scene { compare: Compare::default(), ..scene.clone() };
+        alone.shading.mode = mode;
+        assert_eq!(Renderer::default().render(&alone).pixels, pane.frame.pixels, "{mode:?}");
+    }
+}
+
+#[test]
+fn keeping_the_picture_before_the_display_does_not_change_what_is_stored() {
+    for preset in presets::ALL {
+        let mut scene = Scene { compare: Compare::default(), ..(preset.build)() };
+        scene.image.size = [48, 48];
+        let stored = Renderer::default().render(&scene).pixels.clone();
+        let mut renderer = Renderer::default();
+        renderer.keep_linear(true);
+        assert_eq!(renderer.render(&scene).pixels, stored, "{}", preset.name);
+        assert_eq!(renderer.linear().len(), stored.len());
+        renderer.keep_linear(false);
+        assert_eq!(renderer.render(&scene).pixels, stored, "{}", preset.name);
+    }
+}
+
+/// The error of the stored pixels, worked out from them alone.
+fn of_stored(a: &DrawnPane, b: &DrawnPane) -> (f64, f64) {
+    let (mut sum, mut greatest, mut count) = (0.0, 0.0f64, 0u32);
+    for (index, (p, q)) in a.frame.pixels.iter().zip(&b.frame.pixels).enumerate() {
+        if a.linear[index][3] > 0.0 || b.linear[index][3] > 0.0 {
+            for channel in 0..3 {
+                let difference = (f64::from(p[channel]) - f64::from(q[channel])).abs() / 255.0;
+                sum += difference * difference;
+                greatest = greatest.max(difference);
+                count += 1;
+            }
+        }
+    }
+    ((sum / f64::from(count)).sqrt(), greatest)
+}
+
+#[test]
+fn the_figures_are_those_of_the_stored_pixels_to_their_rounding() {
+    let panes = drawn(&scene(CompareView::Difference));
+    let figures = pane_figures(&panes);
+    let ErrorFigures { rms, greatest, at, .. } = figures[0].error.expect("against the last");
+    let (expected, most) = of_stored(&panes[0], &panes[1]);
+    assert!((rms - expected).abs() < 0.6 / 255.0, "{rms} {expected}");
+    assert!((greatest - most).abs() <= 1.0 / 255.0, "{greatest} {most}");
+    let [x, y] = at.expect("they differ").map(|v| v as usize);
+    let pixel = |pane: &DrawnPane| pane.linear[y * 96 + x];
+    let there = (0..3).map(|c| (pixel(&panes[0])[c] - pixel(&panes[1])[c]).abs()).fold(0.0, f32::max);
+    assert!((f64::from(there) - greatest).abs() < 1e-12);
+    assert_eq!(figures[1].error, None);
+    let brightest = panes[1].linear.iter().map(|p| luminance(Rgb::new(p[0].into(), p[1].into(), p[2].into())));
+    assert_eq!(figures[1].brightest.map(|b| b.value), Some(brightest.fold(0.0, f64::max)));
+}
+
+#[test]
+fn a_wipe_has_the_one_picture_left_of_its_line_and_the_other_right_of_it() {
+    let mut scene = scene(CompareView::Wipe);
+    let panes = drawn(&scene);
+    for wipe in [0.0, 0.25, 1.0] {
+        scene.compare.wipe = wipe;
+        let sheet = comparison_sheet(&scene, &panes, false);
+        let line = (96.0 * wipe) as u32;
+        for (x, y) in (0..96u32).flat_map(|x| (0..64).map(move |y| (x, y))) {
+            // The line itself is drawn over both.
+            if x.abs_diff(line) > 2 {
+                let expected = &panes[usize::from(x >= line)].frame;
+                assert_eq!(sheet.pixel(x, y), expected.pixel(x, y), "{wipe} {x} {y}");
+            }
+        }
+    }
+}
+
+#[test]
+fn panes_stand_side_by_side_as_they_were_drawn() {
+    let scene = scene(CompareView::Panes);
+    let panes = drawn(&scene);
+    let sheet = comparison_sheet(&scene, &panes, false);
+    assert_eq!([sheet.width, sheet.height], scene.image.size);
+    let [width, height] = [panes[0].frame.width, panes[0].frame.height];
+    assert!(width < 96 || height < 64);
+    let last = |x: u32, y: u32| sheet.pixel(96 - width + x, 64 - height + y);
+    for (x, y) in [(0, 0), (width / 2, height / 2), (width - 1, height - 1)] {
+        assert_eq!(sheet.pixel(x, y), panes[0].frame.pixel(x, y));
+        assert_eq!(last(x, y), panes[1].frame.pixel(x, y));
+    }
+}
+
+#[test]
+fn a_difference_of_nothing_is_even_and_gain_makes_it_stronger() {
+    let mut scene = scene(CompareView::Difference);
+    scene.compare.difference = DifferenceKind::Absolute;
+    let panes = drawn(&scene);
+    let sum = |gain: f64| {
+        let mut scene = scene.clone();
+        scene.compare.gain = gain;
+        let sheet = comparison_sheet(&scene, &panes, false);
+        let object = sheet.pixels.iter().zip(&panes[0].linear).filter(|(_, linear)| linear[3] > 0.0);
+        object.map(|(pixel, _)| pixel[..3].iter().map(|&v| u64::from(v)).sum::<u64>()).sum::<u64>()
+    };
+    assert!(sum(1.0) > 0 && sum(4.0) > 3 * sum(1.0));
+    scene.compare.panes = vec![Pane::default()];
+    let same = drawn(&scene);
+    assert_eq!(pane_figures(&same)[0].error.map(|e| (e.greatest, e.at)), Some((0.0, None)));
+}
+
+#[test]
+fn the_highlight_is_lost_by_gouraud_shading_and_kept_by_phong_shading() {
+    let mut scene = presets::find("highlight").map(|preset| (preset.build)()).expect("built in");
+    scene.image.size = [400, 300];
+    let figures = pane_figures(&drawn(&scene));
+    let names: Vec<&str> = figures.iter().map(|pane| pane.name.as_str()).collect();
+    assert_eq!(names, ["Flat", "Gouraud", "Phong", "Exact"]);
+    let brightest: Vec<f64> = figures.iter().filter_map(|pane| Some(pane.brightest?.value)).collect();
+    assert!(brightest[1] < 0.4 * brightest[3], "{brightest:?}");
+    assert!((brightest[2] - brightest[3]).abs() < 1e-4, "{brightest:?}");
+}
+
+#[test]
+fn what_is_drawn_over_panes_does_not_change_their_figures() {
+    let scene = scene(CompareView::Panes);
+    let over = |frame: &mut shading_lab::render::Frame, renderer: &mut Renderer, scene: &Scene| {
+        shading_lab::analysis::defects(renderer, scene, [3, 3]);
+        frame.pixels.fill([0, 0, 0, 255]);
+        Ok::<(), Infallible>(())
+    };
+    let panes = draw_panes(&mut Renderer::default(), &scene, &panes_on_sheet(&scene), 1, &mut |_| {}, over);
+    assert_eq!(pane_figures(&panes.unwrap_or_default()), pane_figures(&drawn(&scene)));
+}

@@ -1,0 +1,152 @@
+//! The five defects of interpolated shading: the figures beside what geometry says they are.
+
+use glam::DVec3;
+use shading_lab::analysis::{Defects, defect_plots, defects};
+use shading_lab::render::Renderer;
+use shading_lab::scene::{
+    Camera, Interpolation, NormalSource, Object, ObjectKind, Projection, Scene, Shading, ShadingMode, Viewer, presets,
+};
+
+fn measured(scene: &Scene) -> Defects {
+    let pixel = scene.image.size.map(|side| side / 2);
+    defects(&mut Renderer::default(), scene, pixel)
+}
+
+fn preset(name: &str, size: [u32; 2]) -> Scene {
+    let mut scene = presets::find(name).map(|preset| (preset.build)()).expect("built in");
+    scene.image.size = size;
+    scene
+}
+
+/// A cylinder seen along its axis: a circle of radius 0.6 beside a regular polygon.
+fn disc(segments: u32, size: [u32; 2]) -> Scene {
+    let mut scene = Scene {
+        camera: Camera {
+            eye: DVec3::new(0.0, 5.0, 0.0),
+            up: DVec3::NEG_Z,
+            projection: Projection::Orthographic,
+            height: 1.5,
+            viewer: Viewer::Infinite,
+            ..Camera::default()
+        },
+        object: Object { kind: ObjectKind::Cylinder, segments, rings: 1, ..Object::default() },
+        shading: Shading { mode: ShadingMode::Gouraud, ..Shading::default() },
+        ..Scene::default()
+    };
+    scene.image.size = size;
+    scene
+}
+
+#[test]
+fn the_silhouette_of_a_circle_of_segments_is_off_by_its_sagitta() {
+    for segments in [3, 4, 5, 6, 8, 11, 16, 24, 32, 64, 100] {
+        for size in [[300, 300], [640, 480]] {
+            let scene = disc(segments, size);
+            let radius = 0.6 * f64::from(size[1]) / 1.5;
+            let expected = radius * (1.0 - (std::f64::consts::PI / f64::from(segments)).cos());
+            let silhouette = measured(&scene).silhouette.expect("a circle");
+            let off = (silhouette.greatest - expected).abs();
+            assert!(off < 0.02 + 0.5 / 256.0, "{segments} at {size:?}: {} for {expected}", silhouette.greatest);
+        }
+    }
+}
+
+#[test]
+fn the_silhouette_nears_the_outline_as_the_square_of_the_segments() {
+    let at = |segments: u32| {
+        let mut scene = preset("silhouette", [500, 500]);
+        (scene.object.segments, scene.object.rings) = (segments, segments / 2);
+        measured(&scene).silhouette.expect("a sphere").greatest
+    };
+    let ratio = at(16) / at(32);
+    assert!((3.2..4.8).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn where_there_is_nothing_to_measure_it_says_why() {
+    let mut scene = preset("orientation", [200, 200]);
+    let found = measured(&scene);
+    assert_eq!(found.silhouette, Err("the object has no surface beyond its polygons"));
+    assert_eq!(found.perspective.map(|_| ()), Err("a parallel projection distorts nothing"));
+    scene.shading.mode = ShadingMode::Flat;
+    assert_eq!(measured(&scene).orientation, Err("flat shading interpolates nothing"));
+    scene.camera.target = scene.camera.eye * 2.0;
+    scene.shading.mode = ShadingMode::Gouraud;
+    let away = measured(&scene);
+    assert_eq!(away.orientation, Err("the probe sees the background"));
+    assert_eq!(away.vertex_normals.map(|_| ()), Err("the object is not in the picture"));
+    let smooth = measured(&preset("sphere", [100, 100]));
+    assert_eq!(smooth.shared_vertices, Err("every vertex on an edge is shared by both of its sides"));
+}
+
+#[test]
+fn perspective_distortion_vanishes_with_the_polygons_size_and_in_a_parallel_projection() {
+    let coarse = measured(&preset("perspective-distortion", [300, 300])).perspective.expect("perspective");
+    assert_eq!(coarse.interpolation, Interpolation::Affine);
+    assert!(coarse.error.greatest > 0.1, "{coarse:?}");
+    let mut plane = preset("plane", [300, 300]);
+    plane.shading = Shading { mode: ShadingMode::Gouraud, interpolation: Interpolation::Affine, ..plane.shading };
+    plane.camera.eye = DVec3::new(2.0, 1.0, 1.2);
+    let at = |divisions: u32| {
+        let mut scene = plane.clone();
+        (scene.object.segments, scene.object.rings) = (divisions, divisions);
+        measured(&scene).perspective.expect("perspective").error.rms
+    };
+    assert!(at(32) < 0.25 * at(4), "{} {}", at(4), at(32));
+}
+
+#[test]
+fn a_turned_square_comes_back_at_right_angles_and_barycentric_weights_do_not_care() {
+    let mut scene = preset("orientation", [256, 256]);
+    scene.camera.roll = 0.0;
+    let orientation = defects(&mut Renderer::default(), &scene, [150, 110]).orientation.expect("a square");
+    let at = |angle: f64| orientation.samples.iter().find(|turned| turned.angle == angle).and_then(|t| t.scanline);
+    let [zero, quarter, eighth] = [0.0, 90.0, 45.0].map(|angle| at(angle).expect("seen"));
+    assert!((zero - quarter).abs() < 2e-3, "{zero} {quarter}");
+    assert!((zero - eighth).abs() > 0.02, "{zero} {eighth}");
+    assert!(orientation.spread[0] > 0.1 && orientation.spread[1] < 2e-3, "{:?}", orientation.spread);
+    assert_eq!(orientation.samples.len(), 121);
+}
+
+#[test]
+fn the_jump_at_an_unshared_vertex_is_that_of_the_two_interpolations() {
+    let scene = preset("shared-vertices", [400, 400]);
+    let shared = measured(&scene).shared_vertices.expect("a vertex on an edge");
+    assert_eq!(shared.edges, 1);
+    // The edge runs away from the eye: its middle appears beside the middle.
+    assert!((0.4..0.6).contains(&shared.vertex) && (shared.vertex - 0.5).abs() > 0.01, "{}", shared.vertex);
+    // Without the vertex the edge is linear between its ends, with it it peaks there: the jump is greatest at the vertex.
+    let at = |s: f64| shared.samples.iter().find(|sample| (sample[0] - s).abs() < 1e-9).expect("a sample");
+    let [_, without, with] = *at(shared.vertex);
+    assert!((with - without - shared.greatest).abs() < 1e-3, "{with} {without} {}", shared.greatest);
+    let ends = [at(0.005), at(0.995)];
+    assert!(ends.iter().all(|[_, without, with]| (with - without).abs() < 0.05 * shared.greatest), "{ends:?}");
+    // The side without it runs straight but for perspective: the mean of the ends, within a few per cent.
+    let mean = 0.5 * (ends[0][1] + ends[1][1]);
+    assert!((without - mean).abs() < 0.03, "{without} {mean}");
+}
+
+#[test]
+fn averaged_normals_of_a_corrugated_sheet_are_all_alike_until_it_is_cut_finer() {
+    let scene = preset("vertex-normals", [300, 200]);
+    let coarse = measured(&scene).vertex_normals.expect("Gouraud shading");
+    // Slopes of the sheet: 10 over a width of 1.5, rising 0.2 each.
+    let slope = (0.2_f64 / 0.15).atan().to_degrees();
+    assert!((coarse.greatest_angle - slope).abs() < 1e-3, "{} {slope}", coarse.greatest_angle);
+    assert!(coarse.contrast < 1e-3 && coarse.true_contrast > 0.1, "{coarse:?}");
+    let mut finer = scene.clone();
+    finer.object.rings = 8;
+    let finer = measured(&finer).vertex_normals.expect("Gouraud shading");
+    assert!(finer.contrast > 0.6 * finer.true_contrast, "{finer:?}");
+    let mut facet = scene;
+    facet.object.normals = NormalSource::Facet;
+    assert!(measured(&facet).vertex_normals.expect("Gouraud shading").greatest_angle < 1e-3);
+}
+
+#[test]
+fn curves_are_plotted_where_there_are_some() {
+    let kinds = |name| defect_plots(&measured(&preset(name, [200, 200]))).len();
+    assert_eq!(kinds("shared-vertices"), 2);
+    assert_eq!(kinds("orientation"), 1);
+    assert_eq!(kinds("flat-facets"), 0);
+}

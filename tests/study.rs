@@ -1,0 +1,181 @@
+//! Error against run time: orders of convergence against theory, what the historic methods do, and the loop itself.
+
+use glam::DVec3;
+use serde_json::Value;
+use shading_lab::analysis::{Method, Study, StudyRequest, study, study_plot};
+use shading_lab::scene::{Interpolation, Light, LightKind, Projection, Rgb, Scene};
+use std::process::Command;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// A matt sphere seen along −z, lit by parallel rays that travel along `towards`.
+fn matt_sphere(towards: DVec3, projection: Projection) -> Scene {
+    let mut scene = Scene::default();
+    scene.image.size = [224, 224];
+    scene.camera.eye = DVec3::new(0.0, 0.0, 4.0);
+    scene.camera.target = DVec3::ZERO;
+    scene.camera.projection = projection;
+    scene.camera.height = 2.2;
+    scene.material.ka = Rgb::ZERO;
+    scene.material.ks = Rgb::ZERO;
+    scene.material.kd = Rgb::ONE;
+    scene.material.color = Rgb::ONE;
+    scene.lights = vec![Light { kind: LightKind::Directional, direction: towards, ..Light::default() }];
+    scene
+}
+
+fn request(methods: &[Method], segments: &[u32], repeats: u32) -> StudyRequest {
+    let interpolations = vec![Interpolation::Perspective];
+    StudyRequest { methods: methods.to_vec(), segments: segments.to_vec(), interpolations, n: vec![], repeats }
+}
+
+fn measured(scene: &Scene, methods: &[Method], segments: &[u32]) -> Study {
+    let never = AtomicBool::new(false);
+    study(scene, None, &request(methods, segments, 1), || 0, &mut |_| {}, &never)
+}
+
+/// The order of the greatest error.
+fn order(study: &Study, method: Method) -> f64 {
+    for row in study.rows.iter().filter(|row| row.setting.method == method) {
+        println!("{:?} {:.4}: {:.6}, RMS {:.6}", row.setting, row.spacing, row.error_max, row.error_rms);
+    }
+    let series = study.series_of(method).expect("a series");
+    println!("{series:?}");
+    series.order.expect("an order").slope
+}
+
+/// Fine enough that what is left out of theory, of higher order, is small.
+const FINE: [u32; 5] = [24, 32, 48, 64, 96];
+
+#[test]
+fn without_a_terminator_flat_is_of_first_order_and_gouraud_and_phong_of_second() {
+    for projection in [Projection::Orthographic, Projection::Perspective] {
+        let scene = matt_sphere(DVec3::NEG_Z, projection);
+        let study = measured(&scene, &[Method::Flat, Method::Gouraud, Method::Phong], &FINE);
+        for (method, expected, within) in
+            [(Method::Flat, 1.0, 0.15), (Method::Gouraud, 2.0, 0.25), (Method::Phong, 2.0, 0.25)]
+        {
+            let found = order(&study, method);
+            assert!((found - expected).abs() <= within, "{projection:?}, {method:?}: {found} is not {expected}");
+        }
+    }
+}
+
+/// max(N·L, 0) has a corner at the terminator. A polygon that lies across it interpolates over the corner: off by its slope
+/// times the spacing. Phong's normals are bent before they are cut off.
+#[test]
+fn at_the_terminator_gouraud_falls_to_first_order_and_phong_does_not() {
+    let scene = matt_sphere(DVec3::new(-1.0, -0.3, -0.5), Projection::Orthographic);
+    let study = measured(&scene, &[Method::Gouraud, Method::Phong], &FINE);
+    let (gouraud, phong) = (order(&study, Method::Gouraud), order(&study, Method::Phong));
+    assert!((gouraud - 1.0).abs() < 0.2, "{gouraud}");
+    assert!(phong > 1.75, "{phong}");
+}
+
+#[test]
+fn the_historic_methods_come_near_phong_shading_and_are_of_its_order() {
+    let mut scene = matt_sphere(DVec3::new(-0.4, -0.3, -1.0), Projection::Orthographic);
+    scene.material.ks = Rgb::splat(0.5);
+    scene.material.n = 10.0;
+    let methods = [Method::Phong, Method::PhongScalar, Method::Taylor, Method::Angular];
+    let study = measured(&scene, &methods, &FINE);
+    let of = |method: Method| study.rows.iter().filter(move |row| row.setting.method == method);
+    for (engine, scalar) in of(Method::Phong).zip(of(Method::PhongScalar)) {
+        assert!((engine.error_rms - scalar.error_rms).abs() < 1e-5, "{engine:?} {scalar:?}");
+        assert!(engine.outline_pixels.abs_diff(scalar.outline_pixels) <= 8);
+        assert_eq!(engine.evaluations.abs_diff(scalar.evaluations) / 100, 0, "{engine:?} {scalar:?}");
+    }
+    for method in [Method::Taylor, Method::Angular] {
+        for (phong, other) in of(Method::Phong).zip(of(method)) {
+            assert!((other.error_rms / phong.error_rms - 1.0).abs() < 0.05, "{phong:?} {other:?}");
+        }
+        let found = order(&study, method);
+        assert!((found - 2.0).abs() < 0.3, "{method:?}: {found}");
+    }
+    // Triangles are expanded, pixels are not.
+    let (taylor, phong) = (of(Method::Taylor).next().expect("a row"), of(Method::Phong).next().expect("a row"));
+    assert!(10 * taylor.evaluations < phong.evaluations);
+}
+
+#[test]
+fn settings_are_timed_in_turn() {
+    let mut scene = matt_sphere(DVec3::NEG_Z, Projection::Orthographic);
+    scene.image.size = [32, 32];
+    let request = request(&[Method::Flat, Method::Taylor], &[8, 16], 3);
+    let mut seen = Vec::new();
+    let mut progress = |at: shading_lab::analysis::Progress<'_>| {
+        assert_eq!(at.total, 12);
+        seen.push(at.study.rows.iter().map(|row| row.samples).collect::<Vec<_>>());
+    };
+    let found = study(&scene, None, &request, || 0, &mut progress, &AtomicBool::new(false));
+    assert!(found.complete && seen.len() == 12);
+    assert_eq!((&seen[1], &seen[3], &seen[5]), (&vec![1, 1], &vec![1; 4], &vec![2, 2, 1, 1]));
+    assert_eq!(study_plot(&found), None, "a clock that stands still has no times to plot");
+}
+
+#[test]
+fn a_study_that_is_cancelled_keeps_what_it_has() {
+    let mut scene = matt_sphere(DVec3::NEG_Z, Projection::Orthographic);
+    scene.image.size = [32, 32];
+    let cancel = AtomicBool::new(false);
+    let mut progress = |at: shading_lab::analysis::Progress<'_>| cancel.store(at.done == 3, Ordering::Relaxed);
+    let found = study(&scene, None, &StudyRequest::default(), || 0, &mut progress, &cancel);
+    assert_eq!((found.rows.len(), found.complete), (3, false));
+    assert_eq!(found.series.len(), 1);
+}
+
+/// Runs `study` on a built-in scene; returns its exit status and what it printed.
+fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_shading-lab")).arg("study").args(arguments).output().expect("it runs");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+    (output.status.code(), text(output.stdout), text(output.stderr))
+}
+
+const SMALL: [&str; 7] = ["sphere", "--size", "64x64", "--segments", "8,16,32", "--repeats", "2"];
+
+#[test]
+fn the_command_prints_the_keys_that_scripts_read() {
+    let (status, out, err) = run(&[&SMALL[..], &["--json", "--n", "5,50"]].concat());
+    assert_eq!((status, err.as_str()), (Some(0), ""));
+    let value: Value = serde_json::from_str(&out).expect("JSON");
+    let rows = value["rows"].as_array().expect("rows");
+    // Nine methods, two without an interpolation, angular interpolation with one; three tessellations; two exponents.
+    assert_eq!(rows.len(), (2 + 6 * 2 + 1) * 3 * 2);
+    for row in rows {
+        assert!(row["method"].is_string() && row["segments"].is_u64() && row["rings"].is_u64(), "{row}");
+        for key in ["error_rms", "error_max", "error_p99", "time_ms", "spread_ms", "outline_rms", "n", "evaluations"] {
+            assert!(row[key].as_f64().is_some_and(|number| number >= 0.0), "{key} of {row}");
+        }
+        assert!(row["time_ms"].as_f64() > Some(0.0) && row["error_rms"].as_f64() <= row["error_max"].as_f64());
+    }
+    for method in Method::ALL {
+        assert!(value["orders"][method.name()].is_f64(), "{}", method.name());
+        assert!(value["order_confidence"][method.name()].is_f64(), "{}", method.name());
+    }
+    assert_eq!(value["omitted"][0]["method"], "angular");
+}
+
+#[test]
+fn the_command_writes_table_and_plot_and_refuses_what_it_does_not_know() {
+    let folder = std::env::temp_dir().join(format!("shading-lab-study-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let [csv, svg, png] = ["rows.csv", "plot.svg", "plot.png"].map(|name| folder.join(name).display().to_string());
+    let few = [&SMALL[..], &["--methods", "flat,gouraud,taylor"]].concat();
+    let (status, out, err) = run(&[&few[..], &["--csv", &csv, "-o", &svg]].concat());
+    assert_eq!((status, out.as_str(), err.as_str()), (Some(0), "", ""));
+    let table = std::fs::read_to_string(&csv).expect("a table");
+    assert_eq!(table.lines().count(), 1 + (1 + 2 + 2) * 3);
+    assert!(table.lines().nth(1).is_some_and(|line| line.starts_with("flat,8,4,none,")), "{table}");
+    let plot = std::fs::read_to_string(&svg).expect("a plot");
+    assert!(plot.contains("front of Pareto") && plot.contains("Gouraud, affine"));
+    assert_eq!(run(&[&few[..], &["-o", &png]].concat()).0, Some(0));
+    assert!(std::fs::metadata(&png).is_ok_and(|file| file.len() > 1000));
+    std::fs::remove_dir_all(&folder).expect("the folder goes");
+    let (status, out, _) = run(&few);
+    assert!(status == Some(0) && out.contains("order in the spacing"), "{out}");
+    for wrong in [["--methods", "gourand"], ["--n", "-1"], ["--segments", "2"], ["-o", "rows.csv"]] {
+        assert_eq!(run(&[&SMALL[..1], &wrong].concat()).0, Some(2), "{wrong:?}");
+    }
+    let cook = ["sphere", "--set", "reflection.model=cook-torrance", "--methods", "taylor"];
+    assert!(run(&cook).2.contains("no single cosine"));
+}

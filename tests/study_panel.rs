@@ -1,0 +1,43 @@
+//! The window's tab of error against run time.
+
+#[path = "common/window.rs"]
+mod hands;
+
+use eframe::egui::accesskit::Role;
+use egui_kittest::kittest::Queryable;
+use hands::{press, scene, undo, wait, window};
+use shading_lab::scene::ShadingMode;
+
+#[test]
+fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
+    let mut harness = window("sphere");
+    harness.get_by_role_and_label(Role::Tab, "Study").click_accesskit();
+    harness.run();
+    for segments in ["16", "64", "128"] {
+        press(&mut harness, segments);
+    }
+    for method in ["flat, vertex mean", "Phong, not unit", "Phong, scalar", "angular, scalar"] {
+        press(&mut harness, method);
+    }
+    press(&mut harness, "3 ×");
+    press(&mut harness, "Start");
+    assert!(wait(&mut harness, |harness| harness.query_by_label("Start").is_some()), "it comes to its end");
+    assert!(harness.query_by_label_contains("Error against run time").is_some(), "the plot is there");
+    let before = scene(&harness).clone();
+    press(&mut harness, "Gouraud 8×4");
+    let after = scene(&harness).clone();
+    assert_eq!((after.shading.mode, after.object.segments, after.object.rings), (ShadingMode::Gouraud, 8, 4));
+    press(&mut harness, "Taylor, scalar 8×4");
+    assert_eq!(*scene(&harness), after, "a historic method is no mode of the picture");
+    assert!(harness.query_by_label_contains("it cannot be shown").is_some());
+    undo(&mut harness);
+    assert_eq!(*scene(&harness), before, "one step of undo");
+    // Another is stopped by hand and keeps what it has.
+    press(&mut harness, "27 ×");
+    press(&mut harness, "512");
+    press(&mut harness, "Start");
+    assert!(wait(&mut harness, |harness| harness.query_by_label("flat 8×4").is_some()));
+    press(&mut harness, "Stop");
+    assert!(wait(&mut harness, |harness| harness.query_by_label("Start").is_some()));
+    assert!(harness.query_by_label("flat 8×4").is_some());
+}
