@@ -11,6 +11,7 @@ mod probe;
 mod profile;
 mod sampling;
 mod scan;
+mod stability;
 mod study;
 
 pub use comparison::{
@@ -35,6 +36,9 @@ pub(crate) use scan::scan_drawn;
 pub use scan::{
     Carried, Crossing, Grid, Mix, Rule, Scan, ScanCorner, ScanEdge, ScanError, ScanLevel, ScanLine, ScanPixel,
     ScanPoint, ScanSpan, ScanStep, corner_name, face_at, scan,
+};
+pub use stability::{
+    CASE_PICTURES, Case, CaseResult, Condition, HALF_A_CODE_VALUE, Topic, Verdict, stability, stability_cases,
 };
 pub use study::{
     Fit, Method, Omission, PixelCost, Progress, Series, Setting, Study, StudyRequest, StudyRow, fit_line, order_of,

@@ -32,6 +32,7 @@ mod profile;
 mod row;
 mod sampling;
 mod scan;
+mod stability;
 mod stages;
 mod start;
 mod state;

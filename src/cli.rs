@@ -22,6 +22,7 @@ mod render;
 mod scanline;
 mod scenes;
 mod sheet;
+mod stability;
 mod study;
 mod telling;
 mod window;
@@ -74,6 +75,10 @@ enum Command {
     ///
     /// Prints a table with the orders of convergence; with a file only what was asked for is written.
     Study(study::StudyCommand),
+    /// Draw the catalogue of stiff and extreme cases: where the textbook's way fails, by how much, and that the engine does not.
+    ///
+    /// The reference computes with 106 bits. It ends with status 1 if the engine is off by more than half a code value anywhere.
+    Stability(stability::StabilityCommand),
     /// Write a scene as OpenGL calls or as GLSL shaders, to copy; what they cannot express is told on stderr.
     Code(code::Code),
     /// Plot the curves of local illumination: f(d), the family of powers of a cosine, W(θ), and the lobe at one pixel.
@@ -126,11 +131,15 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Scenes(_)) if !earlier.is_empty() => {
             Err(Failure::input("--set without a scene, expected `scenes` alone"))
         }
+        Some(Command::Stability(_)) if !earlier.is_empty() => {
+            Err(Failure::input("--set without a scene, expected `stability` alone"))
+        }
         Some(Command::Materials(_)) if !earlier.is_empty() => {
             Err(Failure::input("--set without a scene, expected `materials` alone"))
         }
         Some(Command::Scenes(scenes)) => scenes.run(),
         Some(Command::Materials(materials)) => materials.run(),
+        Some(Command::Stability(stability)) => stability.run(),
     }
 }
 

@@ -7,4 +7,4 @@ mod load;
 mod save;
 
 pub use load::{LoadError, Loaded, Progress, load, load_model, load_with};
-pub use save::{SaveError, WriteError, check_target, save_code, save_picture, save_scene, write_whole};
+pub use save::{SaveError, WriteError, check_target, save_code, save_frame, save_picture, save_scene, write_whole};

@@ -12,6 +12,7 @@ mod overlay;
 pub mod palette;
 mod plot;
 mod scan;
+mod stability;
 mod text;
 
 pub use comparison::{
@@ -25,4 +26,5 @@ pub use overlay::{
 };
 pub use plot::{Drawing, Paper, PlotStyle, Shape, Text, lay_out, lay_out_sheet};
 pub use scan::{lay_out_scan, scan_room};
+pub use stability::stability_sheet;
 pub use text::Set;

@@ -31,21 +31,23 @@ pub enum PictureError {
     Unwritten(#[from] png::EncodingError),
 }
 
-/// Writes `frame` as a PNG that holds `scene`: three channels where every pixel is opaque, else four. A picture encoded
+/// Writes `frame` as a PNG that holds `scene`, if it shows one: three channels where every pixel is opaque, else four. A picture encoded
 /// as sRGB says so; a raw one says nothing about its colours.
 ///
 /// # Errors
 /// [`PictureError::Unwritten`], when `out` refuses or the frame has no pixels.
-pub fn write_png(out: &mut dyn Write, frame: &Frame, scene: &Scene) -> Result<(), PictureError> {
+pub fn write_png(out: &mut dyn Write, frame: &Frame, scene: Option<&Scene>) -> Result<(), PictureError> {
     let opaque = frame.pixels.iter().all(|pixel| pixel[3] == 255);
     let mut encoder = png::Encoder::new(out, frame.width, frame.height);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_color(if opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
-    if scene.display.encoding == Encoding::Srgb {
+    if scene.is_some_and(|scene| scene.display.encoding == Encoding::Srgb) {
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     }
     encoder.add_text_chunk("Software".into(), concat!("shading-lab ", env!("CARGO_PKG_VERSION")).into())?;
-    encoder.add_itxt_chunk(SCENE_KEYWORD.into(), scene.to_toml())?;
+    if let Some(scene) = scene {
+        encoder.add_itxt_chunk(SCENE_KEYWORD.into(), scene.to_toml())?;
+    }
     let mut writer = encoder.write_header()?;
     let mut stream = writer.stream_writer()?;
     let channels = if opaque { 3 } else { 4 };
@@ -90,7 +92,7 @@ mod tests {
 
     fn written(frame: &Frame, scene: &Scene) -> Vec<u8> {
         let mut bytes = Vec::new();
-        write_png(&mut bytes, frame, scene).expect("a picture");
+        write_png(&mut bytes, frame, Some(scene)).expect("a picture");
         bytes
     }
 

@@ -148,7 +148,8 @@ impl AppState {
                     NumbersTab::Compare => NumbersTab::Defects,
                     NumbersTab::Defects => NumbersTab::Plan,
                     NumbersTab::Plan => NumbersTab::Study,
-                    NumbersTab::Study => NumbersTab::Equation,
+                    NumbersTab::Study => NumbersTab::Stability,
+                    NumbersTab::Stability => NumbersTab::Equation,
                 };
                 self.look.tab = if self.look.numbers { next } else { NumbersTab::Curves };
                 self.look.numbers = true;

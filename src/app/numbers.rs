@@ -9,6 +9,7 @@ use super::palette::vector_text;
 use super::plan::plan_ui;
 use super::profile::profile_ui;
 use super::scan::scan_ui;
+use super::stability::stability_ui;
 use super::state::{AppState, NumbersTab};
 use super::study::study_ui;
 use crate::analysis::{LightTerms, Probe, ProbeHit};
@@ -37,6 +38,7 @@ pub fn numbers_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, curves: &m
         NumbersTab::Defects => defects_ui(ui, state, engine),
         NumbersTab::Plan => plan_ui(ui, state, engine),
         NumbersTab::Study => study_ui(ui, state, engine),
+        NumbersTab::Stability => stability_ui(ui, state),
     });
 }
 
@@ -61,6 +63,7 @@ fn tabs_ui(ui: &mut Ui, tab: &mut NumbersTab) {
             (NumbersTab::Defects, "Defects"),
             (NumbersTab::Plan, "Plan"),
             (NumbersTab::Study, "Study"),
+            (NumbersTab::Stability, "Stability"),
         ] {
             let response = ui.add(Button::selectable(*tab == choice, name));
             let (enabled, selected) = (ui.is_enabled(), *tab == choice);

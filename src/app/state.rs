@@ -13,6 +13,7 @@ use super::panes::Panes;
 use super::profile::{ProfileLook, Profiles};
 use super::sampling::Sampling;
 use super::scan::ScanView;
+use super::stability::StabilityView;
 use super::study::StudyView;
 use super::symbol::Lit;
 use super::theme::ThemeChoice;
@@ -62,6 +63,9 @@ pub struct AppState {
     /// Error against run time.
     #[serde(skip)]
     pub study: StudyView,
+    /// Stiff and extreme cases.
+    #[serde(skip)]
+    pub stability: StabilityView,
     /// The error of the chosen area light.
     #[serde(skip)]
     pub sampling: Sampling,
@@ -168,6 +172,8 @@ pub enum NumbersTab {
     Plan,
     /// Error against run time.
     Study,
+    /// Stiff and extreme cases.
+    Stability,
 }
 
 /// What is drawn over the picture.

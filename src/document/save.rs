@@ -42,7 +42,15 @@ pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), SaveError> {
 /// # Errors
 /// See [`SaveError`].
 pub fn save_picture(path: &Path, frame: &Frame, scene: &Scene) -> Result<(), SaveError> {
-    write_whole(path, |out| write_png(out, frame, scene).map_err(WriteError::Picture))
+    write_whole(path, |out| write_png(out, frame, Some(scene)).map_err(WriteError::Picture))
+}
+
+/// Writes a picture of no one scene as PNG.
+///
+/// # Errors
+/// See [`SaveError`].
+pub fn save_frame(path: &Path, frame: &Frame) -> Result<(), SaveError> {
+    write_whole(path, |out| write_png(out, frame, None).map_err(WriteError::Picture))
 }
 
 /// Writes the parts of a scene's code, each to its [path](Export::path_of).

@@ -32,7 +32,7 @@ pub struct LightResponse<R> {
     pub n_dot_l: R,
     /// f·max(N·L, 0), with the spot's part; 0 in shadow.
     pub diffuse: R,
-    /// f·S where N·L > 0, with the spot's part; otherwise 0.
+    /// f·S where the light is above the surface, with the spot's part; otherwise 0.
     pub specular: R,
     /// The cosine of the angle of incidence that W depends on.
     pub incidence: R,
@@ -64,6 +64,10 @@ impl Reached<'_> {
         self.words[word] >> shift | self.words[word + 1] << 1 << (63 - shift)
     }
 }
+
+/// A light is above the surface when it is so many camera distances over the tangent plane, or N·L so great: below lies the
+/// rounding of places and directions in single precision, and the highlight would be switched on and off by it.
+const GRAZING: f64 = 1e-6;
 
 /// The coefficients of a scene's equation.
 #[derive(Clone, Debug, PartialEq)]
@@ -209,7 +213,7 @@ impl<T: Scalar> Equation<T> {
     /// What `source` does at `site`: direction, attenuation, Lambert's cosine and the specular factor.
     #[inline(always)]
     pub fn respond<R: Real<Scalar = T>, F: Specular>(&self, source: &Source<T>, site: &Site<R>) -> LightResponse<R> {
-        let (l, attenuation) = source.reach(site.position, site.inverse_distance);
+        let (l, attenuation, nearness) = source.reach(site.position, site.inverse_distance);
         let spot = source.spot(l);
         let strength = attenuation * spot;
         let zero = l.x.constant(T::default());
@@ -221,14 +225,15 @@ impl<T: Scalar> Equation<T> {
             turned.normal = site.normal.scale(sign);
             n_dot_l = n_dot_l.abs();
         }
-        let lit = n_dot_l.greater_than(zero);
+        let least = zero.constant(T::from_f64(GRAZING));
+        let lit = n_dot_l.greater_than(nearness.mul_add(least, least));
         let specular = if F::PRESENT && R::any(lit) {
             let factor = F::factor(&turned, l, n_dot_l, &self.lobe);
             R::select(lit, factor * strength, zero)
         } else {
             zero
         };
-        let diffuse = n_dot_l.max(zero) * strength;
+        let diffuse = R::select(lit, n_dot_l * strength, zero);
         LightResponse { l, attenuation, spot, n_dot_l, diffuse, specular, incidence: F::incidence(site, l, n_dot_l) }
     }
 

@@ -121,9 +121,10 @@ impl<T: Scalar> Source<T> {
         }
     }
 
-    /// Unit vector to the light and the attenuation f at `position`, whose distance from the eye is `1/inverse_depth`.
+    /// Unit vector to the light, the attenuation f and the inverse distance of the light (1 for parallel rays) at `position`,
+    /// whose distance from the eye is `1/inverse_depth`.
     #[inline(always)]
-    pub fn reach<R: Real<Scalar = T>>(&self, position: V3<R>, inverse_depth: R) -> (V3<R>, R) {
+    pub fn reach<R: Real<Scalar = T>>(&self, position: V3<R>, inverse_depth: R) -> (V3<R>, R, R) {
         let like = position.x;
         let shortest = like.constant(T::from_f64(SHORTEST));
         let one = like.constant(T::from_f64(1.0));
@@ -146,7 +147,7 @@ impl<T: Scalar> Source<T> {
                 one.min(one / sum.max(shortest))
             }
         };
-        (l, f)
+        (l, f, inverse_distance)
     }
 
     /// The part of the light's intensity that a spot light sends in the direction −`l`; 1 for other lights.

@@ -22,8 +22,9 @@ pub struct Lobe<T> {
     pub(super) inverse_roughness_squared: T,
 }
 
-/// Stands for n = ∞: any deviation that single precision can tell from 0 vanishes.
-const MIRROR: f64 = 1e30;
+/// Stands for n = ∞: any deviation that single precision can tell from 0 vanishes, and what double precision leaves of 0 counts
+/// as 0.
+const MIRROR: f64 = 1e24;
 
 impl<T: Scalar> Lobe<T> {
     /// The lobe of `material`, whose n may be infinite.

@@ -52,6 +52,15 @@ impl<R: Real> V3<R> {
     }
 }
 
+impl<R: Real> V3<R> {
+    /// The unit vector of one that is at least as long as the root of `shortest`; a shorter one stays so much short of unit.
+    #[inline(always)]
+    #[must_use]
+    pub fn normalised_from(self, shortest: R) -> Self {
+        self.scale(self.dot(self).max(shortest).inverse_sqrt())
+    }
+}
+
 impl<R: Real> Add for V3<R> {
     type Output = Self;
 

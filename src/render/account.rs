@@ -196,7 +196,7 @@ impl Account<'_> {
         let (plan, covered) = (self.plan, self.report.covered);
         let surface = plan.true_surface.then_some(SURFACE);
         let flat = (!plan.carries).then_some("a face has one colour");
-        let double = plan.double.then_some("each pixel is evaluated in double precision");
+        let double = plan.pixels_in_double().then_some("each pixel is evaluated in double precision");
         let none = surface.or(flat).or(double);
         let linear = (!plan.perspective).then_some("interpolation is linear in the picture");
         let shortened = (plan.per == Per::Pixel && plan.renormalise).then_some("N is made a unit vector all the same");

@@ -14,6 +14,10 @@ use rayon::prelude::*;
 /// Three carried numbers and the depth key.
 pub(super) type Fragment = [f32; 4];
 
+/// An interpolated normal shorter than this has no direction: its rounding is 10⁻³ of it and more. It is not lengthened to 1,
+/// so that normals which cancel out stay near zero.
+pub(super) const SHORTEST_NORMAL: f64 = 1e-4;
+
 /// A pixel that does not see the object.
 pub(super) const GAP: Fragment = [0.0, 0.0, 0.0, f32::MIN];
 

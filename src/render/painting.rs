@@ -8,7 +8,7 @@ use super::interpolate::{Fragment, GAP, Sources, carry, interpolate};
 use super::lens::Lens;
 use super::plan::{Per, Plan};
 use super::points::Planes;
-use super::reference::Reference;
+use super::reference::{Evaluation, Reference};
 use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
 use super::shadow::Reach;
 use crate::geometry::Surface;
@@ -308,8 +308,8 @@ impl Painting<'_> {
     }
 
     fn colour_into(&self, place: BandPlace, band: &Band, fragments: &[Fragment], mut target: impl Target) -> u64 {
-        if self.plan.double {
-            return self.colour_in_double_precision(place, band, target);
+        if self.plan.pixels_in_double() {
+            return self.colour_in_double_precision(place, band, fragments, target);
         }
         if !self.plan.keeps_fragments() {
             return self.colour_faces(place, band, target);
@@ -354,23 +354,41 @@ impl Painting<'_> {
         }
     }
 
-    /// A model's `exact` picture: Phong shading evaluated in `f64`.
-    fn colour_in_double_precision(&self, place: BandPlace, band: &Band, mut target: impl Target) -> u64 {
+    /// Pixels one by one in `f64`.
+    fn colour_in_double_precision(
+        &self,
+        place: BandPlace,
+        band: &Band,
+        fragments: &[Fragment],
+        mut target: impl Target,
+    ) -> u64 {
         let mut equation = Equation::<f64>::new(self.scene);
         equation.retain_lights(|light| self.plan.lights[light]);
         let Self { scene, plan, lens, .. } = *self;
         let Sources { model, clipped, .. } = self.sources;
-        let reference = Reference { scene, plan, lens, model, clipped, surface: None, reach: self.reach, cue: None };
+        let reference =
+            Reference { scene, plan, lens, model, clipped, surface: self.surface, reach: self.reach, cue: None };
         let width = place.width as usize;
         target.clear(0..place.rows as usize * width);
         let mut over = 0;
+        let mut put = |x: usize, row: usize, evaluation: Evaluation<'_>| {
+            let color: Rgb = evaluation.intensity(&equation);
+            let at = row * width + x;
+            over += target.fill(at..at + 1, color.as_vec3().to_array());
+        };
+        let centre = |x: usize, row: usize| DVec2::new(x as f64 + 0.5, f64::from(place.first_row) + row as f64 + 0.5);
+        if plan.true_surface {
+            for (index, _) in fragments.iter().enumerate().filter(|(_, fragment)| **fragment != GAP) {
+                let (x, row) = (index % width, index / width);
+                if let Some(evaluation) = reference.of_surface(centre(x, row)) {
+                    put(x, row, evaluation);
+                }
+            }
+        }
         for run in &band.runs {
-            let y = f64::from(place.first_row + u32::from(run.row)) + 0.5;
             for x in run.x0..run.x1 {
-                let evaluation = reference.of_triangle(run.triangle, DVec2::new(f64::from(x) + 0.5, y));
-                let color: Rgb = evaluation.intensity(&equation);
-                let at = usize::from(run.row) * width + usize::from(x);
-                over += target.fill(at..at + 1, color.as_vec3().to_array());
+                let (x, row) = (usize::from(x), usize::from(run.row));
+                put(x, row, reference.of_triangle(run.triangle, centre(x, row)));
             }
         }
         over

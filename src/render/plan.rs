@@ -58,7 +58,7 @@ pub struct Plan {
     pub normals: NormalSource,
     /// Whether pixels meet the true surface instead of polygons.
     pub true_surface: bool,
-    /// Whether pixels are evaluated in double precision.
+    /// Whether the equation is evaluated in double precision.
     pub double: bool,
     /// Back faces are dropped.
     pub cull: bool,
@@ -105,7 +105,7 @@ impl Plan {
             carries: mode != ShadingMode::Flat,
             normals: normals(scene),
             true_surface,
-            double: mode == ShadingMode::Exact && !has_surface,
+            double: (mode == ShadingMode::Exact && !has_surface) || stiff(scene, facts).is_some(),
             cull: facts.closed && outside,
             depth_test: !(facts.convex && facts.closed && outside),
             perspective: interpolation == Interpolation::Perspective
@@ -137,9 +137,14 @@ impl Plan {
         self.leaves_out = false;
     }
 
+    /// Whether pixels are evaluated one by one in double precision.
+    pub(super) fn pixels_in_double(&self) -> bool {
+        self.double && self.per == Per::Pixel
+    }
+
     /// Whether values are carried from vertices to pixels.
     pub fn interpolates(&self) -> bool {
-        self.carries && !self.true_surface && !self.double
+        self.carries && !self.true_surface && !self.pixels_in_double()
     }
 
     /// Whether rays start from what the pixels see.
@@ -158,8 +163,27 @@ impl Plan {
 
     /// Whether every pixel is brought a normal or an intensity of its own.
     pub(super) fn keeps_fragments(&self) -> bool {
-        self.carries && !self.double
+        self.carries && (self.true_surface || !self.pixels_in_double())
     }
+}
+
+/// Past this n the rounding of unit vectors in single precision is seen in the highlight.
+const STIFF_FROM: f64 = 1e7;
+/// An eye this many radii of the model away sees it in fewer digits than single precision needs: places are kept relative to
+/// the eye.
+const FAR_FROM: f64 = 1e4;
+
+/// Why single precision does not do for the equation, if it does not.
+pub(super) fn stiff(scene: &Scene, facts: &Facts) -> Option<&'static str> {
+    let powers = matches!(
+        SpecularForm::of(scene),
+        SpecularForm::PhongCosine | SpecularForm::PhongChord | SpecularForm::BlinnCosine | SpecularForm::BlinnChord
+    );
+    if powers && scene.material.n > STIFF_FROM {
+        return Some("n is past 10⁷");
+    }
+    let far = facts.radius > 0.0 && scene.camera.distance() > FAR_FROM * facts.radius;
+    far.then_some("the eye is over 10⁴ radii of the object away")
 }
 
 /// The eye may be inside the model, or so near that the near plane opens it.

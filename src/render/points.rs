@@ -68,6 +68,23 @@ impl FormTask for PointShading<'_> {
     }
 }
 
+impl PointShading<'_> {
+    /// The same in double precision, by `equation`.
+    pub fn run_in_double(self, equation: &Equation<f64>) {
+        let count = self.position[0].len();
+        self.intensity.iter_mut().for_each(|plane| plane.resize(count, 0.0));
+        let [r, g, b] = self.intensity;
+        let at =
+            |planes: &Planes, index: usize| DVec3::from_array([0, 1, 2].map(|axis| f64::from(planes[axis][index])));
+        let out = r.par_iter_mut().zip(g.par_iter_mut()).zip(b.par_iter_mut());
+        out.enumerate().for_each(|(index, ((r, g), b))| {
+            let reached = self.reach.and_then(|reach| reach.at(index / CHUNK, index % CHUNK));
+            let (point, normal) = (self.origin + at(self.position, index), at(self.normal, index));
+            [*r, *g, *b] = equation.illuminate_world(point, normal, reached).as_vec3().to_array();
+        });
+    }
+}
+
 struct Sites<'a> {
     equation: &'a Equation<f32>,
     scale: f32,

@@ -6,6 +6,7 @@
 use super::clip::Clipped;
 use super::cue::Cue;
 use super::exact::meet;
+use super::interpolate::SHORTEST_NORMAL;
 use super::lens::{Lens, NEAR};
 use super::model::Model;
 use super::plan::{Cued, Per, Plan};
@@ -190,7 +191,7 @@ impl<'a> Reference<'a> {
             return self.model.face_normal(face);
         }
         let normal = mix(carried, |v| self.model.normal(v));
-        if self.plan.renormalise { normal.normalize_or_zero() } else { normal }
+        if self.plan.renormalise { normal / normal.length().max(SHORTEST_NORMAL) } else { normal }
     }
 
     /// The weights by which values are carried to the pixel.

@@ -101,6 +101,7 @@ struct IntensityInputs {
     model: u64,
     equation: Equation<f32>,
     per: Per,
+    double: bool,
     /// The run of the bits, where there are shadows.
     reach: Option<u64>,
     /// Where intensities fade at the points.
@@ -513,11 +514,12 @@ impl Renderer {
             let faces = &self.faces.output;
             let (position, normal) = if at_faces { (&faces.0, &faces.1) } else { (&model.position, &model.normal) };
             let cue = Cue::of(scene, plan, lens).filter(|_| plan.cued == Cued::AtPoints);
+            let (per, double) = (plan.per, plan.double);
             let inputs =
-                IntensityInputs { model: self.model.stamp(), equation: equation.clone(), per: plan.per, reach, cue };
+                IntensityInputs { model: self.model.stamp(), equation: equation.clone(), per, double, reach, cue };
             let level = self.level;
             ran = self.intensity.update(inputs, |inputs, intensity| {
-                inputs.equation.form().dispatch(PointShading {
+                let shading = PointShading {
                     level,
                     equation: &inputs.equation,
                     origin: model.origin,
@@ -527,7 +529,14 @@ impl Renderer {
                     normal,
                     intensity: &mut *intensity,
                     reach: bits,
-                });
+                };
+                if plan.double {
+                    let mut equation = Equation::<f64>::new(scene);
+                    equation.retain_lights(|light| plan.lights[light]);
+                    shading.run_in_double(&equation);
+                } else {
+                    inputs.equation.form().dispatch(shading);
+                }
                 if let Some(cue) = &inputs.cue {
                     cue.fade_points(model.origin, position, intensity);
                 }

@@ -3,6 +3,7 @@
 use super::cover::BandPlace;
 use super::display::{Linear, pack, stored};
 use super::interpolate::Fragment;
+use super::interpolate::SHORTEST_NORMAL;
 use super::lens::Lens;
 use super::shadow::Reach;
 use crate::illumination::{Equation, Lanes, Reached, Real, Specular, V3};
@@ -10,6 +11,9 @@ use crate::scene::Encoding;
 use fearless_simd::{f32x4, prelude::*};
 use glam::DVec2;
 use std::ops::Range;
+
+/// The square of [`SHORTEST_NORMAL`].
+const SHORTEST_SQUARED: f32 = (SHORTEST_NORMAL * SHORTEST_NORMAL) as f32;
 
 /// Fragments that are taken from interleaved order into lanes at a time.
 const BLOCK: usize = 256;
@@ -122,7 +126,8 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
         let [nx, ny, nz] = carried;
         let normal = V3::new(nx, ny, nz);
         let normal = if self.renormalise {
-            normal.normalised()
+            let shortest = Lanes::splat(simd, SHORTEST_SQUARED);
+            normal.normalised_from(if self.by_key { key * key * shortest } else { shortest })
         } else if self.by_key {
             normal.scale(Lanes::splat(simd, 1.0) / key)
         } else {

@@ -65,7 +65,7 @@ impl Kernel for Taylor<'_> {
         let site = equation.site(position, n);
         self.expansions.clear();
         for source in &equation.sources {
-            let (l, f) = source.reach(site.position, site.inverse_distance);
+            let (l, f, _) = source.reach(site.position, site.inverse_distance);
             let n_dot_l = n.dot(l);
             let cosine = match self.model {
                 ReflectionModel::Blinn => n.dot((l + site.view).normalised()),

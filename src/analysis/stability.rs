@@ -1,0 +1,266 @@
+//! Stiff and extreme cases: the naive way, the engine and a reference on the same scene, and what each makes of it.
+//!
+//! Values are compared as code values, 255·min(I, 1) before rounding, where the reference's pixel is that of no outline. What
+//! is no number counts as an error of the whole range.
+
+mod cases;
+mod precise;
+mod reference;
+mod textbook;
+
+use crate::render::{Frame, Renderer};
+use crate::scene::Scene;
+use serde::Serialize;
+use std::fmt;
+
+/// Code values that the engine may be off by: what rounding to a stored pixel takes anyway.
+pub const HALF_A_CODE_VALUE: f64 = 0.5;
+
+/// What cases are about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Topic {
+    Highlight,
+    Cosines,
+    Vectors,
+    Lights,
+    Geometry,
+}
+
+impl Topic {
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Highlight => "The highlight",
+            Self::Cosines => "N·L",
+            Self::Vectors => "Vectors",
+            Self::Lights => "Lights",
+            Self::Geometry => "Geometry",
+        }
+    }
+}
+
+/// How much greater a relative error becomes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Condition {
+    pub value: f64,
+    /// Of what in what.
+    pub of: &'static str,
+}
+
+impl fmt::Display for Condition {
+    /// As in “6.6·10⁵ of the angle in its cosine”.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+        let text = format!("{:.1e}", self.value);
+        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+        let raised = power.bytes().map(|digit| match digit {
+            b'0'..=b'9' => RAISED[usize::from(digit - b'0')],
+            _ => '⁻',
+        });
+        match (digits.trim_end_matches(".0"), power) {
+            (digits, "0") => write!(f, "{digits}")?,
+            ("1", _) => write!(f, "10{}", raised.collect::<String>())?,
+            (digits, _) => write!(f, "{digits}·10{}", raised.collect::<String>())?,
+        }
+        write!(f, " {}", self.of)
+    }
+}
+
+/// A case of the catalogue.
+#[derive(Debug)]
+pub struct Case {
+    /// Lower case, joined by hyphens.
+    pub name: &'static str,
+    pub title: &'static str,
+    pub topic: Topic,
+    /// What a textbook implementation does wrong.
+    pub wrong: &'static str,
+    /// What the engine does.
+    pub robust: &'static str,
+    pub condition: Option<Condition>,
+    subject: Subject,
+}
+
+impl Case {
+    /// The case as a scene, where it is one.
+    pub fn scene(&self) -> Option<Scene> {
+        match self.subject {
+            Subject::Scene(make) => Some(make()),
+            Subject::Pictures(_) => None,
+        }
+    }
+}
+
+#[derive(Debug)]
+enum Subject {
+    /// All three draw a scene.
+    Scene(fn() -> Scene),
+    /// The pictures are made in some other way.
+    Pictures(fn(&mut Renderer) -> Pictures),
+}
+
+/// Linear intensities of the three, row by row from the top.
+struct Pictures {
+    naive: Vec<[f64; 3]>,
+    engine: Vec<[f64; 3]>,
+    /// Nothing where nothing is compared.
+    truth: Vec<Option<[f64; 3]>>,
+    scene: Option<Scene>,
+}
+
+/// How the two ways came out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// The engine is within half a code value, and the naive way is not.
+    RobustHolds,
+    /// Both are within half a code value.
+    BothHold,
+    /// The engine is not.
+    Fails,
+}
+
+impl Verdict {
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::RobustHolds => "the robust way holds",
+            Self::BothHold => "both hold",
+            Self::Fails => "fails",
+        }
+    }
+}
+
+/// What became of a case.
+#[derive(Clone, Debug, Serialize)]
+pub struct CaseResult {
+    pub name: &'static str,
+    pub title: &'static str,
+    pub topic: Topic,
+    pub wrong: &'static str,
+    pub robust: &'static str,
+    pub condition: Option<Condition>,
+    /// Greatest error in code values, 0 to 255.
+    pub naive_error: f64,
+    pub robust_error: f64,
+    pub verdict: Verdict,
+    /// Pixels compared.
+    pub pixels: u64,
+    /// Those where the naive way is off by more than half a code value.
+    pub naive_off: u64,
+    /// Pixels of the naive way that are infinite or no number, compared or not.
+    pub naive_not_finite: u64,
+    /// The same of the engine: none.
+    pub robust_not_finite: u64,
+    /// What each stores: the naive way with what is not finite in magenta, the engine, the reference.
+    #[serde(skip)]
+    pub pictures: [Frame; 3],
+    /// The case as a scene, where it is one.
+    #[serde(skip)]
+    pub scene: Option<Scene>,
+}
+
+/// The names of the pictures of a [`CaseResult`].
+pub const CASE_PICTURES: [&str; 3] = ["textbook", "this engine", "reference"];
+
+/// The catalogue, by topic.
+pub fn stability_cases() -> impl Iterator<Item = &'static Case> {
+    cases::catalogue()
+}
+
+/// Draws a case in all three ways.
+pub fn stability(renderer: &mut Renderer, case: &Case) -> CaseResult {
+    let pictures = match case.subject {
+        Subject::Scene(make) => of_scene(renderer, make()),
+        Subject::Pictures(make) => make(renderer),
+    };
+    let mut result = CaseResult {
+        name: case.name,
+        title: case.title,
+        topic: case.topic,
+        wrong: case.wrong,
+        robust: case.robust,
+        condition: case.condition,
+        naive_error: 0.0,
+        robust_error: 0.0,
+        verdict: Verdict::Fails,
+        pixels: 0,
+        naive_off: 0,
+        naive_not_finite: not_finite(&pictures.naive),
+        robust_not_finite: not_finite(&pictures.engine),
+        pictures: Default::default(),
+        scene: None,
+    };
+    let compared = pictures.truth.iter().zip(pictures.naive.iter().zip(&pictures.engine));
+    for (truth, (naive, engine)) in compared {
+        let Some(truth) = truth else { continue };
+        let truth = truth.map(clamped);
+        let naive = greatest(truth, naive.map(wrapped));
+        result.naive_error = result.naive_error.max(naive);
+        result.robust_error = result.robust_error.max(greatest(truth, engine.map(clamped)));
+        result.naive_off += u64::from(naive > HALF_A_CODE_VALUE);
+        result.pixels += 1;
+    }
+    let holds = |error: f64| error <= HALF_A_CODE_VALUE;
+    result.verdict = match (holds(result.robust_error), holds(result.naive_error) && result.naive_not_finite == 0) {
+        (false, _) => Verdict::Fails,
+        (true, false) => Verdict::RobustHolds,
+        (true, true) => Verdict::BothHold,
+    };
+    let truth: Vec<[f64; 3]> =
+        pictures.truth.iter().zip(&pictures.engine).map(|(truth, engine)| truth.unwrap_or(*engine)).collect();
+    result.pictures = [frame(&pictures.naive, wrapped), frame(&pictures.engine, clamped), frame(&truth, clamped)];
+    result.scene = pictures.scene;
+    result
+}
+
+fn of_scene(renderer: &mut Renderer, scene: Scene) -> Pictures {
+    let naive = textbook::draw(&scene).into_iter().map(|color| color.map(f64::from)).collect();
+    let engine = engine_picture(renderer, &scene);
+    let truth = reference::draw(&scene).into_iter().map(|truth| truth.clear.then_some(truth.color)).collect();
+    Pictures { naive, engine, truth, scene: Some(scene) }
+}
+
+/// The engine's picture before the display.
+fn engine_picture(renderer: &mut Renderer, scene: &Scene) -> Vec<[f64; 3]> {
+    renderer.keep_linear(true);
+    renderer.render(scene);
+    let pixels = renderer.linear().iter().map(|&[r, g, b, _]| [r, g, b].map(f64::from)).collect();
+    renderer.keep_linear(false);
+    pixels
+}
+
+fn not_finite(pixels: &[[f64; 3]]) -> u64 {
+    pixels.iter().filter(|pixel| !pixel.iter().all(|v| v.is_finite())).count() as u64
+}
+
+/// Greatest difference of code values in any channel; what is no number is off by the whole range.
+fn greatest(truth: [f64; 3], value: [f64; 3]) -> f64 {
+    let of = |(a, b): (f64, f64)| if b.is_finite() { (a - b).abs() } else { 255.0 };
+    truth.into_iter().zip(value).map(of).fold(0.0, f64::max)
+}
+
+/// The code value of an intensity before rounding.
+fn clamped(intensity: f64) -> f64 {
+    if intensity.is_nan() { f64::NAN } else { 255.0 * intensity.clamp(0.0, 1.0) }
+}
+
+/// What a cast to a byte leaves of an intensity times 255: its lowest 8 bits.
+fn wrapped(intensity: f64) -> f64 {
+    let value = 255.0 * intensity;
+    if value < 256.0 { value } else { value.rem_euclid(256.0) }
+}
+
+/// How a pixel that is not finite is shown.
+const MARK: [u8; 4] = [255, 0, 255, 255];
+
+fn frame(pixels: &[[f64; 3]], code: fn(f64) -> f64) -> Frame {
+    let pixel = |pixel: &[f64; 3]| {
+        if !pixel.iter().all(|v| v.is_finite()) {
+            return MARK;
+        }
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "rounded to 0..=255")]
+        let [r, g, b] = pixel.map(|v| code(v).round().clamp(0.0, 255.0) as u8);
+        [r, g, b, 255]
+    };
+    Frame { width: cases::SIDE, height: cases::SIDE, pixels: pixels.iter().map(pixel).collect() }
+}

@@ -1,0 +1,306 @@
+//! The reference: a ray through each pixel's centre and the equation's own formulas, in double-double arithmetic.
+//!
+//! It shares no text with the engine. Cosines and powers are taken as the textbook writes them, which 106 bits afford: the
+//! power's error at n = 10¹² is below 10⁻¹⁸. What has no value by its formula has the value of the limit: a vector of
+//! length zero has no direction and is lit by nothing, and light that grazes the surface counts as none.
+
+use super::precise::{Precise3, precise};
+use crate::scene::{
+    Attenuation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode,
+    Viewer,
+};
+use glam::DVec2;
+use rayon::prelude::*;
+use twofloat::TwoFloat;
+
+/// What is nearer to the eye than this many camera distances is not seen, as in the engine.
+const NEAR: f64 = 1e-3;
+
+/// Half the side of the square about a pixel's centre, pixels, in which the same polygon has to be seen everywhere: places of
+/// vertices are rounded to 1/256 of a pixel.
+const CLEAR: f64 = 1.0 / 64.0;
+
+/// The vector of length zero.
+const NOTHING: Precise3 = Precise3([TwoFloat::from_f64(0.0); 3]);
+
+/// N·L that is no more than the rounding of 106 bits leaves of 0.
+const GRAZING: f64 = 1e-24;
+
+/// A pixel of the reference.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Truth {
+    /// Linear intensity before the display.
+    pub color: [f64; 3],
+    /// Whether the pixel sees the same polygon all about its centre, so that its value is that of no outline.
+    pub clear: bool,
+}
+
+/// Draws `scene`, whose object is polygons or, in exact mode, the sphere: row by row from the top.
+pub fn draw(scene: &Scene) -> Vec<Truth> {
+    let [width, height] = scene.image.size;
+    let stage = Stage::new(scene);
+    let pixels: Vec<(u32, u32)> = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).collect();
+    pixels.into_par_iter().map(|(x, y)| stage.pixel(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5))).collect()
+}
+
+struct Stage<'a> {
+    scene: &'a Scene,
+    triangles: Vec<Triangle>,
+    eye: Precise3,
+    right: Precise3,
+    up: Precise3,
+    forward: Precise3,
+    /// |target − eye|.
+    distance: TwoFloat,
+    /// Pixels to a unit of the picture's plane.
+    scale: TwoFloat,
+    lights: Vec<Lamp<'a>>,
+}
+
+struct Lamp<'a> {
+    light: &'a Light,
+    position: Precise3,
+    /// The way the light travels, unit.
+    direction: Precise3,
+}
+
+struct Triangle {
+    face: usize,
+    corners: [Precise3; 3],
+    normals: [Precise3; 3],
+}
+
+/// What a ray meets.
+struct Hit {
+    face: usize,
+    /// In units of the ray's direction.
+    t: TwoFloat,
+    normal: Precise3,
+}
+
+impl<'a> Stage<'a> {
+    fn new(scene: &'a Scene) -> Self {
+        let camera = &scene.camera;
+        let eye = Precise3::new(camera.eye);
+        let ahead = Precise3::new(camera.target) - eye;
+        let forward = ahead.unit();
+        let right = forward.cross(Precise3::new(camera.up)).unit();
+        let height = precise(f64::from(scene.image.size[1]));
+        let scale = match camera.projection {
+            Projection::Perspective => height / (precise(camera.fov_y / 2.0).to_radians().tan() * 2.0),
+            Projection::Orthographic => height / precise(camera.height),
+        };
+        let lamp = |light: &'a Light| Lamp {
+            light,
+            position: Precise3::new(light.position),
+            direction: Precise3::new(light.direction).unit(),
+        };
+        Self {
+            scene,
+            triangles: if scene.object.kind == ObjectKind::Polygons { triangles(scene) } else { vec![] },
+            eye,
+            right,
+            up: right.cross(forward),
+            forward,
+            distance: ahead.length(),
+            scale,
+            lights: scene.lights.iter().map(lamp).collect(),
+        }
+    }
+
+    fn pixel(&self, place: DVec2) -> Truth {
+        let hit = self.meet(place);
+        let face = hit.as_ref().map(|(_, hit)| hit.face);
+        let corners = [(-CLEAR, -CLEAR), (CLEAR, -CLEAR), (-CLEAR, CLEAR), (CLEAR, CLEAR)];
+        let clear =
+            corners.into_iter().all(|(dx, dy)| self.meet(place + DVec2::new(dx, dy)).map(|(_, hit)| hit.face) == face);
+        let color = match hit {
+            Some((position, hit)) => self.illuminate(position, hit.normal),
+            None => self.scene.image.background.to_array(),
+        };
+        Truth { color, clear }
+    }
+
+    /// The nearest point that is seen at a place in the picture.
+    fn meet(&self, place: DVec2) -> Option<(Precise3, Hit)> {
+        let [width, height] = self.scene.image.size.map(f64::from);
+        let across = self.right * (precise(place.x - width / 2.0) / self.scale)
+            - self.up * (precise(place.y - height / 2.0) / self.scale);
+        let (origin, direction) = match self.scene.camera.projection {
+            Projection::Perspective => (self.eye, self.forward + across),
+            Projection::Orthographic => (self.eye + across, self.forward),
+        };
+        let nearest = self.distance * NEAR;
+        let hit = if self.scene.object.kind == ObjectKind::Sphere {
+            sphere(origin, direction, nearest)
+        } else {
+            let hits = self.triangles.iter().filter_map(|triangle| triangle.meet(origin, direction, nearest));
+            hits.reduce(|a, b| if b.t < a.t { b } else { a })
+        }?;
+        Some((origin + direction * hit.t, hit))
+    }
+
+    /// `I = ka·Od·Ia + Σ f·Ip·(kd·Od·(N·L) + ks·S)`, per channel.
+    fn illuminate(&self, point: Precise3, normal: Precise3) -> [f64; 3] {
+        let scene = self.scene;
+        let material = &scene.material;
+        let view = match scene.camera.viewer {
+            Viewer::Local => (self.eye - point).unit(),
+            Viewer::Infinite => -self.forward,
+        };
+        let mut sum = (material.ka * material.color * scene.ambient.color).to_array().map(precise);
+        for lamp in &self.lights {
+            let to_light = lamp.position - point;
+            let parallel = lamp.light.kind == LightKind::Directional;
+            let l = if parallel { -lamp.direction } else { to_light.unit() };
+            let n_dot_l = normal.dot(l);
+            if n_dot_l <= precise(GRAZING) {
+                continue;
+            }
+            let strength = lamp.attenuation(to_light.length()) * lamp.spot(l);
+            let specular = self.specular(normal, l, view, n_dot_l);
+            let colors = [lamp.light.color, material.kd * material.color, material.ks * material.specular_color];
+            let [ip, kd, ks] = colors.map(|color: Rgb| color.to_array());
+            for (k, channel) in sum.iter_mut().enumerate() {
+                *channel += strength * ip[k] * (n_dot_l * kd[k] + specular * ks[k]);
+            }
+        }
+        sum.map(f64::from)
+    }
+
+    fn specular(&self, n: Precise3, l: Precise3, v: Precise3, n_dot_l: TwoFloat) -> TwoFloat {
+        let material = &self.scene.material;
+        let h = (l + v).unit();
+        match self.scene.reflection.model {
+            ReflectionModel::Phong => power((n * (n_dot_l * 2.0) - l).dot(v), material.n),
+            ReflectionModel::Blinn => power(n.dot(h), material.n),
+            ReflectionModel::CookTorrance => {
+                let (n_dot_h, n_dot_v, v_dot_h) = (n.dot(h), n.dot(v), v.dot(h));
+                if n_dot_h <= precise(0.0) || n_dot_v <= precise(0.0) {
+                    return precise(0.0);
+                }
+                let (m, cosine) = (precise(material.roughness), n_dot_h * n_dot_h);
+                let tangent = (precise(1.0) - cosine) / cosine;
+                let spread = (-tangent / (m * m)).exp() / (m * m * cosine * cosine);
+                let of = |cosine: TwoFloat| n_dot_h * 2.0 * cosine / v_dot_h;
+                let masking = precise(1.0).min(of(n_dot_v)).min(of(n_dot_l));
+                spread * masking / (n_dot_v * 4.0)
+            }
+        }
+    }
+}
+
+/// `max(c, 0)^n` with 0⁰ = 1; at n = ∞ nothing but the axis itself remains.
+fn power(c: TwoFloat, n: f64) -> TwoFloat {
+    /// What 106 bits leave of 0 after a few operations.
+    const ROUNDING: f64 = 1e-26;
+    let zero = precise(0.0);
+    if n == 0.0 {
+        precise(1.0)
+    } else if c <= zero {
+        zero
+    } else if n.is_infinite() {
+        if (c - 1.0).abs() < precise(ROUNDING) { precise(1.0) } else { zero }
+    } else {
+        let exponent = c.ln() * n;
+        if exponent < precise(-700.0) { zero } else { exponent.exp() }
+    }
+}
+
+impl Lamp<'_> {
+    /// f at `d` world units from the light.
+    fn attenuation(&self, d: TwoFloat) -> TwoFloat {
+        let light = self.light;
+        let one = precise(1.0);
+        match light.attenuation {
+            // The distance to the viewer occurs in no case.
+            Attenuation::None | Attenuation::Viewer => one,
+            Attenuation::Light => one / (d + light.k),
+            Attenuation::InverseSquare => one / (d * d),
+            Attenuation::Quadratic => one.min(one / (d * d * light.c3 + d * light.c2 + light.c1)),
+        }
+    }
+
+    /// A spot light's part in the direction −L: `(−L·D)^e` within a hard edge (Warn 1983).
+    fn spot(&self, l: Precise3) -> TwoFloat {
+        if self.light.kind != LightKind::Spot {
+            return precise(1.0);
+        }
+        let cosine = -l.dot(self.direction);
+        let inside = cosine >= precise(self.light.cone).to_radians().cos();
+        if inside { power(cosine, self.light.exponent) } else { precise(0.0) }
+    }
+}
+
+impl Triangle {
+    /// The point of the triangle on a ray, beyond `nearest`; nothing where the ray runs in its plane.
+    fn meet(&self, origin: Precise3, direction: Precise3, nearest: TwoFloat) -> Option<Hit> {
+        let [a, b, c] = self.corners;
+        let (e1, e2, from) = (b - a, c - a, origin - a);
+        let (p, q) = (direction.cross(e2), from.cross(e1));
+        let determinant = e1.dot(p);
+        let zero = precise(0.0);
+        if determinant == zero {
+            return None;
+        }
+        let (u, v, t) = (from.dot(p) / determinant, direction.dot(q) / determinant, e2.dot(q) / determinant);
+        let w = precise(1.0) - u - v;
+        let inside = u >= zero && v >= zero && w >= zero && t > nearest;
+        let [na, nb, nc] = self.normals;
+        inside.then(|| Hit { face: self.face, t, normal: (na * w + nb * u + nc * v).unit() })
+    }
+}
+
+/// The nearest point of the unit sphere about the origin on a ray.
+fn sphere(origin: Precise3, direction: Precise3, nearest: TwoFloat) -> Option<Hit> {
+    let (a, b) = (direction.dot(direction), origin.dot(direction));
+    let discriminant = b * b - a * (origin.dot(origin) - 1.0);
+    if discriminant < precise(0.0) {
+        return None;
+    }
+    let root = discriminant.sqrt();
+    let t = [(-b - root) / a, (-b + root) / a].into_iter().find(|t| *t > nearest)?;
+    Some(Hit { face: 0, t, normal: (origin + direction * t).unit() })
+}
+
+/// The scene's polygons as triangles with the normals that their corners carry.
+fn triangles(scene: &Scene) -> Vec<Triangle> {
+    let polygons = scene.object.polygons();
+    let at = |v: u32| Precise3::new(polygons.vertices[v as usize]);
+    let own: Vec<Precise3> = polygons
+        .faces
+        .iter()
+        .map(|face| {
+            // Newell's normal, about the first corner.
+            let from = |k: usize| at(face[k % face.len()]) - at(face[0]);
+            let edges = (0..face.len()).map(|k| from(k).cross(from(k + 1)));
+            edges.reduce(|a, b| a + b).map_or(NOTHING, Precise3::unit)
+        })
+        .collect();
+    let averaged = |v: u32| {
+        let meeting = polygons.faces.iter().zip(&own).filter(|(face, _)| face.contains(&v));
+        meeting.map(|(_, normal)| *normal).reduce(|a, b| a + b).map_or(NOTHING, Precise3::unit)
+    };
+    let flat = scene.shading.mode == ShadingMode::Flat || scene.object.normals == NormalSource::Facet;
+    let normal = |face: usize, v: u32| {
+        if flat {
+            own[face]
+        } else if scene.object.normals == NormalSource::File && !polygons.normals.is_empty() {
+            Precise3::new(polygons.normals[v as usize]).unit()
+        } else {
+            averaged(v)
+        }
+    };
+    let mut triangles = Vec::new();
+    for (index, face) in polygons.faces.iter().enumerate() {
+        for k in 1..face.len().saturating_sub(1) {
+            let corners = [face[0], face[k], face[k + 1]];
+            triangles.push(Triangle {
+                face: index,
+                corners: corners.map(at),
+                normals: corners.map(|v| normal(index, v)),
+            });
+        }
+    }
+    triangles
+}

@@ -1,0 +1,164 @@
+//! The tab of stiff and extreme cases: what the textbook's way, the engine and a reference make of each, and by how much they
+//! differ.
+
+mod work;
+
+use super::state::AppState;
+use crate::analysis::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Topic, stability_cases};
+use crate::render::Frame;
+use eframe::egui::{
+    Align, Button, ColorImage, Context, Grid, Image, Label, Layout, ProgressBar, RichText, TextureHandle,
+    TextureOptions, Ui, vec2,
+};
+pub use work::StabilityView;
+
+/// Widths of the columns, points, and the height of a row.
+const NUMBER: f32 = 62.0;
+const ROW: f32 = 21.0;
+/// Between the pictures.
+const GAP: f32 = 6.0;
+
+/// The tab. The catalogue is drawn once, when the tab is first seen.
+pub fn stability_ui(ui: &mut Ui, state: &mut AppState) {
+    let view = &mut state.stability;
+    view.receive(ui.ctx());
+    ui.label("Scenes at the edge of what numbers hold. A textbook's renderer fails; this one must not.");
+    ui.add_space(4.0);
+    let (known, total) = (view.results.len(), stability_cases().count());
+    if known < total {
+        progress_ui(ui, view, known, total);
+    }
+    let mut opened = None;
+    if let Some(result) = view.results.get(view.chosen) {
+        let pictures = view.shown.get_or_insert_with(|| textures(ui.ctx(), result));
+        if case_ui(ui, result, pictures) {
+            opened = result.scene.clone();
+        }
+        ui.add_space(4.0);
+    }
+    table_ui(ui, view);
+    if let Some(mut scene) = opened {
+        // The window has its own size, and the picture is looked at in it.
+        scene.image.size = state.document.scene.image.size;
+        state.document.scene = scene;
+    }
+}
+
+fn progress_ui(ui: &mut Ui, view: &StabilityView, known: usize, total: usize) {
+    if let Some(told) = &view.told {
+        ui.label(RichText::new(told).color(ui.visuals().warn_fg_color));
+        return;
+    }
+    ui.add(ProgressBar::new(known as f32 / total as f32).text(format!("{known} of {total} cases")));
+    ui.add_space(4.0);
+}
+
+/// A case with its pictures; returns whether it is asked for as a scene.
+fn case_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) -> bool {
+    ui.label(RichText::new(result.title).strong().size(16.0));
+    ui.add_space(2.0);
+    let side = ((ui.available_width() - 2.0 * GAP) / 3.0).max(40.0);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = GAP;
+        for (picture, name) in pictures.iter().zip(CASE_PICTURES) {
+            ui.add(
+                Image::new(picture).fit_to_exact_size(vec2(side, side)).alt_text(format!("{}: {name}", result.title)),
+            );
+        }
+    });
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = GAP;
+        let errors = [Some(result.naive_error), Some(result.robust_error), None];
+        for (name, error) in CASE_PICTURES.into_iter().zip(errors) {
+            ui.allocate_ui_with_layout(vec2(side, 40.0), Layout::top_down(Align::Center), |ui| {
+                ui.set_min_width(side);
+                ui.spacing_mut().item_spacing.y = 0.0;
+                ui.label(name);
+                ui.label(match error {
+                    Some(error) => error_text(ui, format!("off by {}", code_values(error)), error),
+                    None => RichText::new("106 bits").weak(),
+                });
+            });
+        }
+    });
+    let lost = result.naive_not_finite;
+    if lost > 0 {
+        let pixels = if lost == 1 { "1 pixel is" } else { &format!("{lost} pixels are") };
+        ui.label(RichText::new(format!("{pixels} infinite or no number, in magenta.")).weak());
+    }
+    said_ui(ui, "The textbook", result.wrong);
+    said_ui(ui, "This engine", result.robust);
+    if let Some(condition) = result.condition {
+        ui.label(RichText::new(format!("Condition number {condition}.")).weak());
+    }
+    let tip = "The case becomes the scene in the window. Undo leads back";
+    let open = Button::new("Open as the scene");
+    result.scene.is_some() && ui.add(open).on_hover_text(tip).clicked()
+}
+
+fn said_ui(ui: &mut Ui, who: &str, what: &str) {
+    ui.add_space(3.0);
+    ui.label(RichText::new(who).strong());
+    ui.add(Label::new(what).wrap());
+}
+
+fn table_ui(ui: &mut Ui, view: &mut StabilityView) {
+    ui.separator();
+    ui.label(RichText::new("Greatest errors in code values, of 255").weak());
+    let name = (ui.available_width() - 2.0 * (NUMBER + 4.0)).max(120.0);
+    let mut topic: Option<Topic> = None;
+    let mut chosen = view.chosen;
+    Grid::new("stability").num_columns(3).spacing([4.0, 1.0]).min_row_height(ROW).show(ui, |ui| {
+        for (index, result) in view.results.iter().enumerate() {
+            if topic != Some(result.topic) {
+                topic = Some(result.topic);
+                ui.label(RichText::new(result.topic.title()).strong());
+                number_ui(ui, RichText::new(if index == 0 { "textbook" } else { "" }).weak());
+                number_ui(ui, RichText::new(if index == 0 { "engine" } else { "" }).weak());
+                ui.end_row();
+            }
+            ui.allocate_ui_with_layout(vec2(name, ROW), Layout::left_to_right(Align::Center), |ui| {
+                ui.set_min_width(name);
+                let row = Button::selectable(index == view.chosen, result.title).truncate();
+                if ui.add(row).on_hover_text(result.wrong).clicked() {
+                    chosen = index;
+                }
+            });
+            for error in [result.naive_error, result.robust_error] {
+                let text = error_text(ui, code_values(error), error).monospace();
+                number_ui(ui, text);
+            }
+            ui.end_row();
+        }
+    });
+    view.choose(chosen);
+}
+
+fn number_ui(ui: &mut Ui, text: RichText) {
+    ui.allocate_ui_with_layout(vec2(NUMBER, ROW), Layout::right_to_left(Align::Center), |ui| {
+        ui.set_min_width(NUMBER);
+        ui.label(text);
+    });
+}
+
+/// Words about an error, in the colour of a warning where it is seen.
+fn error_text(ui: &Ui, words: String, error: f64) -> RichText {
+    let text = RichText::new(words);
+    if error > HALF_A_CODE_VALUE { text.color(ui.visuals().warn_fg_color) } else { text }
+}
+
+fn code_values(error: f64) -> String {
+    if error >= 10.0 { format!("{error:.0}") } else { format!("{error:.2}") }
+}
+
+fn textures(ctx: &Context, result: &CaseResult) -> [TextureHandle; 3] {
+    let image = |frame: &Frame| {
+        let size = [frame.width as usize, frame.height as usize];
+        ColorImage::from_rgba_premultiplied(size, frame.pixels.as_flattened())
+    };
+    let load = |index: usize| {
+        let name = format!("stability {index}");
+        ctx.load_texture(name, image(&result.pictures[index]), TextureOptions::NEAREST)
+    };
+    [0, 1, 2].map(load)
+}
