@@ -36,15 +36,18 @@ pub struct Row {
     /// Frames that the median is of.
     pub frames: usize,
     pub median_ms: f64,
+    /// The least of them, which other work on the machine has delayed least.
+    pub fastest_ms: f64,
 }
 
-/// A row of pictures, and the exponent by which the time grows: that of a power through all of it, and through its upper half,
-/// where what every frame takes besides counts for less. None where too few are known.
+/// A row of pictures, and the exponent by which the time grows: that of a power through all of it, through its upper half,
+/// where what every frame takes besides counts for less, and through the fastest frames. None where too few are known.
 #[derive(Clone, Debug, Serialize)]
 pub struct Series {
     pub rows: Vec<Row>,
     pub order: Option<Fit>,
     pub order_upper: Option<Fit>,
+    pub order_fastest: Option<Fit>,
 }
 
 /// How the time grows.
@@ -130,6 +133,7 @@ impl Subject {
             pixels: width * height,
             triangles: self.renderer.report().triangles,
             frames: self.times.len(),
+            fastest_ms: self.times.iter().min().map_or(0.0, |fastest| median_ms(&mut [*fastest])),
             median_ms: median_ms(&mut self.times),
         }
     }
@@ -149,26 +153,34 @@ fn series(loaded: &Loaded, scenes: Vec<Scene>, frames: u32, bar: &ProgressBar, s
     }
     let rows: Vec<Row> = subjects.into_iter().map(Subject::row).collect();
     #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³")]
-    let order = |rows: &[Row]| order_of(rows.iter().map(|row| (size(row) as f64, row.median_ms)));
-    Series { order: order(&rows), order_upper: order(&rows[rows.len() / 2..]), rows }
+    let order = |rows: &[Row], ms: fn(&Row) -> f64| order_of(rows.iter().map(|row| (size(row) as f64, ms(row))));
+    let median = |row: &Row| row.median_ms;
+    Series {
+        order: order(&rows, median),
+        order_upper: order(&rows[rows.len() / 2..], median),
+        order_fastest: order(&rows, |row| row.fastest_ms),
+        rows,
+    }
 }
 
 /// The tables, with the exponents below.
 pub fn text(growth: &Growth) -> String {
     let mut text = String::new();
     let series = [("pixels", Some(&growth.pixels)), ("triangles", growth.triangles.as_ref())];
-    for (name, Series { rows, order, order_upper }) in series.into_iter().filter_map(|(name, s)| Some((name, s?))) {
-        let _ =
-            writeln!(text, "\ngrowth with the {name}\n{:>10}{:>12}{:>8}{:>12}", "pixels", "triangles", "frames", "ms");
-        for Row { pixels, triangles, frames, median_ms } in rows {
-            let _ = writeln!(text, "{pixels:10}{triangles:12}{frames:8}{median_ms:12.3}");
+    for (name, series) in series.into_iter().filter_map(|(name, series)| Some((name, series?))) {
+        let _ = writeln!(text, "\ngrowth with the {name}");
+        let _ = writeln!(text, "    pixels   triangles  frames   median, ms  fastest, ms");
+        for Row { pixels, triangles, frames, median_ms, fastest_ms } in &series.rows {
+            let _ = writeln!(text, "{pixels:10}{triangles:12}{frames:8}{median_ms:13.3}{fastest_ms:13.3}");
         }
-        for (which, fit) in [("all", order), ("upper half", order_upper)] {
+        let fits =
+            [("all", series.order), ("upper half", series.order_upper), ("fastest frames", series.order_fastest)];
+        for (which, fit) in fits {
             let told = fit.map_or_else(
                 || "too few".to_owned(),
                 |fit| format!("{:.3} ± {:.3} (95 %, {} points)", fit.slope, fit.confidence, fit.points),
             );
-            let _ = writeln!(text, "  exponent, {which:11}{told}");
+            let _ = writeln!(text, "  exponent, {which:15}{told}");
         }
     }
     text
