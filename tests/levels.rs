@@ -19,9 +19,9 @@ const SIDE: u32 = 150;
 const EVERY: u32 = 7;
 /// Single precision turns N·L or a place by less than this where they are near 0 or an edge.
 const STEP: f64 = 1e-4;
-/// Corners lie on a grid of 1/256 of a pixel, at each level the same. In a polygon thinner than this many pixels that moves what a
-/// pixel sees by 1/200 of the polygon and more: a code value and more where a highlight comes and goes across a sliver, as it
-/// does on a knob or at an outline.
+/// Corners lie on a grid of 1/256 of a pixel, at each level the same. In a polygon thinner than this many pixels that moves
+/// what a pixel sees by 1/200 of the polygon and more: a code value and more where a highlight comes and goes across a
+/// sliver, as it does on a knob or at an outline.
 const THIN: f64 = 0.6;
 
 /// The levels of this machine, best first.
