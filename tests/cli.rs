@@ -496,6 +496,11 @@ fn a_benchmark_names_every_figure() {
     for stage in ["geometry", "transform", "coverage", "pixel-shading", "display"] {
         assert!(stages[stage]["median_ms"].is_number(), "{stage}");
     }
+    let memory = &bench["memory"];
+    for each in ["bytes_per_vertex", "bytes_per_triangle", "bytes_per_pixel", "total_bytes"] {
+        assert!(memory[each].as_f64().expect("bytes") > 0.0, "{each}");
+    }
+    assert!(bench["growth"].is_null());
     let dark = folder.json(&["bench", "sphere", "--frames", "1", "--size", "8x8", "--set", "light=[]", "--json"]);
     assert!(dark["changes"]["light"]["median_ms"].is_null());
     let text = folder.prints(&["bench", "cube", "--frames", "1", "--size", "8x8"]);

@@ -1,8 +1,7 @@
 //! A change re-runs only the stages that read it, and what is kept shows the same picture as what is drawn anew.
 
-use fearless_simd::Level;
 use shading_lab::render::{Renderer, Stage};
-use shading_lab::scene::{Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer, presets};
+use shading_lab::scene::{Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer};
 
 const MODES: [ShadingMode; 5] =
     [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
@@ -116,38 +115,6 @@ fn switches_of_the_shading_are_noticed() {
     scene.shading.mode = ShadingMode::Exact;
     renderer.render(&scene);
     assert!(ran(&renderer).contains(&Stage::PixelShading), "a model's exact picture is evaluated in double precision");
-}
-
-/// The levels of this machine, best first.
-fn levels() -> Vec<Level> {
-    let best = Level::new();
-    let mut levels = vec![best, Level::baseline()];
-    #[cfg(target_arch = "x86_64")]
-    {
-        levels.extend(best.as_avx2().map(Level::Avx2));
-        levels.extend(best.as_sse4_2().map(Level::Sse4_2));
-    }
-    levels
-}
-
-#[test]
-fn every_level_and_any_number_of_threads_draw_the_same() {
-    for preset in presets::ALL {
-        let mut scene = (preset.build)();
-        scene.image.size = [150, 150];
-        let reference = Renderer::default().render(&scene).clone();
-        for level in levels() {
-            let picture = Renderer::default().with_level(level).render(&scene).clone();
-            let worst = reference.pixels.as_flattened().iter().zip(picture.pixels.as_flattened());
-            let worst = worst.map(|(a, b)| a.abs_diff(*b)).max();
-            assert!(worst <= Some(1), "{}: {level:?} differs by {worst:?}", preset.name);
-        }
-        for threads in [1, 2, 3, 8] {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
-            let picture = pool.install(|| Renderer::default().render(&scene).clone());
-            assert!(picture.pixels == reference.pixels, "{}: {threads} threads", preset.name);
-        }
-    }
 }
 
 #[test]

@@ -4,16 +4,19 @@
 //! with its stages, and of frames in which a single thing changed since the frame before. Of a scene that compares panes all that
 //! it shows are drawn.
 
+mod growth;
+
 use super::failure::Failure;
 use super::input::{SceneArguments, nanoseconds, parse_size};
 use super::output::{print, print_json, progress_bar};
 use clap::Args;
 use glam::DQuat;
+use growth::Growth;
 use indicatif::ProgressBar;
 use serde_json::{Map, Value, json};
 use shading_lab::document::Loaded;
 use shading_lab::figure::panes_on_sheet;
-use shading_lab::render::{Renderer, Report, coarseness, coarser_size};
+use shading_lab::render::{Memory, Renderer, Report, coarseness, coarser_size};
 use shading_lab::scene::{LightKind, Object, ObjectKind, Rgb, Scene};
 use std::fmt::Write;
 
@@ -33,6 +36,9 @@ pub struct Bench {
     /// Width and height in pixels, instead of the scene's
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
+    /// Measure also how the time grows with the pixels, up to 8 million, and with the triangles, up to 4 million
+    #[arg(long)]
+    growth: bool,
     /// Print one JSON object; times in milliseconds
     #[arg(long)]
     json: bool,
@@ -46,8 +52,12 @@ impl Bench {
             .num_threads(self.threads.map_or(0, usize::from))
             .build()
             .map_err(|error| Failure::work(format!("the threads cannot be started ({error})")))?;
-        let bar = progress_bar(u64::from(self.frames) * (1 + CHANGES.len() as u64), "measuring");
-        let figures = pool.install(|| measure(&loaded, self.frames, &bar));
+        let more = if self.growth { growth::most_frames(self.frames) } else { 0 };
+        let bar = progress_bar(u64::from(self.frames) * (1 + CHANGES.len() as u64) + more, "measuring");
+        let figures = pool.install(|| Figures {
+            growth: self.growth.then(|| growth::measure(&loaded, self.frames, &bar)),
+            ..measure(&loaded, self.frames, &bar)
+        });
         bar.finish_and_clear();
         let threads = pool.current_num_threads();
         if self.json {
@@ -115,8 +125,10 @@ struct Figures {
     stages: Vec<(String, f64)>,
     /// None where the scene has nothing of the kind to change.
     changes: Vec<(&'static str, Option<Changed>)>,
-    /// Of a frame drawn anew.
+    /// Of a frame drawn anew; of a scene that compares panes the first one's.
     report: Report,
+    memory: Memory,
+    growth: Option<Growth>,
 }
 
 /// What a change costs.
@@ -155,8 +167,9 @@ impl Panes {
         time
     }
 
-    fn report(&self) -> Report {
-        self.0.first().map(|first| first.report().clone()).unwrap_or_default()
+    /// The first one's figures.
+    fn figures(&self) -> (Report, Memory) {
+        self.0.first().map(|first| (first.report().clone(), first.memory())).unwrap_or_default()
     }
 }
 
@@ -174,7 +187,7 @@ fn measure(loaded: &Loaded, frames: u32, bar: &ProgressBar) -> Figures {
             bar.inc(1);
         }
     }
-    let report = panes.report();
+    let (report, memory) = panes.figures();
     let changes = CHANGES.map(|(name, change)| {
         let whole = measure_change(&mut panes, scene, change, 1, frames, bar);
         (name, whole.map(|whole| Changed { whole, dragged: dragged(loaded, change, whole, frames) }))
@@ -184,6 +197,8 @@ fn measure(loaded: &Loaded, frames: u32, bar: &ProgressBar) -> Figures {
         stages: stages.into_iter().map(|(name, mut times)| (name, median_ms(&mut times))).collect(),
         changes: changes.to_vec(),
         report,
+        memory,
+        growth: None,
     }
 }
 
@@ -262,7 +277,8 @@ fn json(figures: &Figures, loaded: &Loaded, threads: usize, frames: u32) -> Valu
     };
     let changes: Map<_, _> =
         figures.changes.iter().map(|(name, changed)| ((*name).to_owned(), change(changed))).collect();
-    json!({
+    let each = bytes_each(figures, loaded.scene.image.size);
+    let mut told = json!({
         "scene": loaded.name,
         "full": median(&json!(figures.full)),
         "stages": stages,
@@ -273,7 +289,29 @@ fn json(figures: &Figures, loaded: &Loaded, threads: usize, frames: u32) -> Valu
         "covered": figures.report.covered,
         "evaluations": evaluations(&figures.report),
         "frames": frames,
-    })
+        "memory": {
+            "total_bytes": figures.memory.total(),
+            "bytes_per_vertex": each[0],
+            "bytes_per_triangle": each[1],
+            "bytes_per_pixel": each[2],
+        },
+    });
+    if let Some(growth) = &figures.growth {
+        told["growth"] = json!(growth);
+    }
+    told
+}
+
+/// Bytes a vertex, a triangle and a pixel; none where there are no such.
+#[expect(clippy::cast_precision_loss, reason = "far fewer bytes than 2⁵³")]
+fn bytes_each(figures: &Figures, [width, height]: [u32; 2]) -> [Option<f64>; 3] {
+    let Figures { memory, report, .. } = figures;
+    let each = |bytes: u64, count: u64| (count > 0).then(|| bytes as f64 / count as f64);
+    [
+        each(memory.vertices, report.vertices),
+        each(memory.triangles, report.triangles),
+        each(memory.pixels, u64::from(width) * u64::from(height)),
+    ]
 }
 
 fn evaluations(report: &Report) -> u64 {
@@ -303,6 +341,14 @@ fn text(figures: &Figures, loaded: &Loaded, threads: usize, frames: u32) -> Stri
             },
         );
         let _ = writeln!(text, "  {name:14}{words}");
+    }
+    text.push_str("\nmemory, bytes each\n");
+    for (name, bytes) in ["vertex", "triangle", "pixel"].into_iter().zip(bytes_each(figures, loaded.scene.image.size)) {
+        let _ = writeln!(text, "  {name:14}{}", bytes.map_or_else(|| format!("{:>10}", "-"), |b| format!("{b:10.1}")));
+    }
+    let _ = writeln!(text, "  {:14}{:10.1} MB", "in all", figures.memory.total() as f64 * 1e-6);
+    if let Some(growth) = &figures.growth {
+        text.push_str(&growth::text(growth));
     }
     text
 }

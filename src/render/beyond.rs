@@ -6,6 +6,7 @@ use super::bvh::RAYS;
 use super::display::Linear;
 use super::floor::{FloorScratch, FloorView};
 use super::lens::Lens;
+use super::memory::{Holds, Memory, room};
 use super::painting::Bands;
 use super::shadow::{Cast, Reach, Shadows, SiteRow, Waiting};
 use super::sites::{Sight, Sights};
@@ -173,6 +174,12 @@ pub(super) struct Bounced {
     pub fit: Option<Rgb>,
     /// Where the pixels gather; kept for its room.
     receivers: Vec<Receiver>,
+}
+
+impl Holds for Bounced {
+    fn memory(&self) -> Memory {
+        Memory::of_pixels(room(&self.difference) + room(&self.receivers))
+    }
 }
 
 /// What a surface returns of the constant ambient light, and of light from other surfaces.

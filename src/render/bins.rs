@@ -5,6 +5,7 @@
 
 use super::clip::Clipped;
 use super::lens::Lens;
+use super::memory::{Holds, Memory, room};
 use super::model::Model;
 use super::span::{doubled_area, first_centre};
 use super::transform::{Place, Placed, UNPLACED};
@@ -15,6 +16,10 @@ pub(super) const BAND: u32 = 16;
 
 /// Triangles that one task looks at.
 const CHUNK: usize = 8192;
+
+/// A list that the last picture filled to less than one part in so many gives back what it did not need: as a camera goes round,
+/// each list would otherwise keep the room of its fullest picture.
+const SLACK: usize = 4;
 
 /// The triangles of each band.
 #[derive(Default)]
@@ -100,7 +105,12 @@ impl Bins {
 impl Chunk {
     fn reset(&mut self, bands: usize) {
         self.bands.resize_with(bands.max(self.bands.len()), Vec::new);
-        self.bands.iter_mut().for_each(Vec::clear);
+        for list in &mut self.bands {
+            if list.capacity() > SLACK * list.len().max(SLACK) {
+                list.shrink_to_fit();
+            }
+            list.clear();
+        }
         self.clip.clear();
         self.candidates = 0;
     }
@@ -131,6 +141,13 @@ impl Chunk {
         for band in first..=last {
             self.bands[band as usize].push(index);
         }
+    }
+}
+
+impl Holds for Bins {
+    fn memory(&self) -> Memory {
+        let lists = self.chunks.iter().flat_map(|chunk| chunk.bands.iter().chain([&chunk.clip]));
+        Memory::of_triangles(lists.map(room).sum())
     }
 }
 

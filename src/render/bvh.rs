@@ -8,6 +8,7 @@ mod packet;
 
 pub(super) use packet::{Nearest, Packet, RAYS};
 
+use super::memory::{Holds, Memory, room};
 use super::model::Model;
 use glam::{DVec3, Vec3, Vec3A};
 use rayon::join;
@@ -91,6 +92,12 @@ struct Item {
     bounds: Bounds,
     centre: Vec3,
     triangle: u32,
+}
+
+impl Holds for Bvh {
+    fn memory(&self) -> Memory {
+        Memory::of_triangles(room(&self.nodes) + room(&self.corners) + room(&self.order))
+    }
 }
 
 impl Bvh {

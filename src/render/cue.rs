@@ -7,6 +7,7 @@
 use super::display::Linear;
 use super::interpolate::{Fragment, GAP, Sources, carry, interpolate};
 use super::lens::Lens;
+use super::memory::{Holds, Memory, room};
 use super::model::Model;
 use super::painting::Bands;
 use super::plan::{Cued, Plan};
@@ -87,6 +88,12 @@ pub(super) struct Layer {
     pub scales: Vec<f32>,
     carried: Vec<Fragment>,
     fragments: Vec<Fragment>,
+}
+
+impl Holds for Layer {
+    fn memory(&self) -> Memory {
+        Memory { vertices: room(&self.carried), triangles: 0, pixels: room(&self.scales) + room(&self.fragments) }
+    }
 }
 
 /// What the layer is made from.

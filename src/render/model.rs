@@ -47,8 +47,8 @@ impl Model {
             normal: planes(&mesh.normals),
             triangles,
             faces,
-            starts: mesh.starts,
-            indices: mesh.indices,
+            starts: trimmed(mesh.starts),
+            indices: trimmed(mesh.indices),
             closed: mesh.closed,
             convex: mesh.convex,
         }
@@ -106,6 +106,12 @@ impl Model {
         let largest = sum.abs().max_element();
         if largest > 0.0 { (sum / largest).normalize_or_zero() } else { DVec3::ZERO }
     }
+}
+
+/// Without room for more.
+fn trimmed(mut list: Vec<u32>) -> Vec<u32> {
+    list.shrink_to_fit();
+    list
 }
 
 fn at(planes: &[Vec<f32>; 3], vertex: u32) -> Vec3 {

@@ -6,6 +6,7 @@ use super::display::{Linear, stored_pixel};
 use super::exact::meet_band;
 use super::interpolate::{Fragment, GAP, Sources, carry, interpolate};
 use super::lens::Lens;
+use super::memory::{Holds, Memory, room};
 use super::plan::{Per, Plan};
 use super::points::Planes;
 use super::reference::{Evaluation, Reference};
@@ -136,6 +137,14 @@ impl Bands {
             .iter()
             .find(|run| u32::from(run.row) == y % BAND && u32::from(run.x0) <= x && x < u32::from(run.x1))?;
         Some(run.triangle)
+    }
+}
+
+impl Holds for Bands {
+    fn memory(&self) -> Memory {
+        // Each run has a pixel of its own at least, so that runs grow with the pixels however many triangles there are.
+        let seen: u64 = self.bands.iter().map(|band| room(&band.runs) + room(&band.extents)).sum();
+        Memory { vertices: room(&self.carried), triangles: 0, pixels: room(&self.fragments) + seen }
     }
 }
 

@@ -7,6 +7,7 @@ use super::bvh::Bvh;
 use super::floor::FloorView;
 use super::interpolate::{Fragment, Sources};
 use super::lens::Lens;
+use super::memory::{Holds, Memory, room};
 use super::painting::Bands;
 use super::plan::{Per, Plan};
 use super::points::CHUNK;
@@ -137,6 +138,18 @@ impl RayStages {
         self.reach.forget();
         self.seen.forget();
         self.bounced.forget();
+    }
+
+    /// The memory held, where the bits are those of sites of which there is one `per` something.
+    pub fn memory(&self, per: Per) -> Memory {
+        let bits = room(&self.reach.output.words);
+        let bits = match per {
+            Per::Vertex => Memory::of_vertices(bits),
+            Per::Face => Memory::of_triangles(bits),
+            _ => Memory::of_pixels(bits),
+        };
+        let seen = Memory::of_pixels(room(&self.seen.output));
+        self.bvh.output.memory() + bits + seen + self.bounced.output.memory()
     }
 
     /// Builds the boxes, unless the true surface takes their place.

@@ -1,5 +1,7 @@
 //! The renderer: runs the plan's stages, each only when what it reads has changed.
 
+mod held;
+
 use super::account::{Account, Term};
 use super::beyond::compose;
 use super::bins::Bins;
@@ -8,6 +10,7 @@ use super::cue::{Cue, Found, Layer, LayerInputs, fade_pixels};
 use super::display::{Linear, display};
 use super::interpolate::Sources;
 use super::lens::Lens;
+use super::mesh_source::MeshSource;
 use super::model::Model;
 use super::painting::{Bands, Canvas, CoverageInputs, InterpolationInputs, Painted, Painting, Stale};
 use super::plan::{Cued, Facts, Per, Plan};
@@ -18,7 +21,7 @@ use super::stage::Kept;
 use super::transform::Placed;
 use super::transmission::Transmission;
 use super::{Frame, Report, Stage, StageRun};
-use crate::geometry::{Mesh, Surface, tessellate};
+use crate::geometry::{Mesh, Surface};
 use crate::illumination::Equation;
 use crate::scene::{
     AmbientSource, Display, NormalSource, Object, ObjectKind, Overflow, Polygons, Rgb, Scene, Weighting,
@@ -33,7 +36,7 @@ pub struct Renderer {
     clock: fn() -> u64,
     given: Option<Arc<Mesh>>,
     given_stamp: u64,
-    mesh: Kept<MeshInputs, Arc<Mesh>>,
+    mesh: Kept<MeshInputs, MeshSource>,
     model: Kept<ModelInputs, Model>,
     faces: Kept<u64, (Planes, Planes)>,
     surface: Kept<Object, Option<Surface>>,
@@ -294,12 +297,12 @@ impl Renderer {
 
     /// The polygons of the last picture, before they were given vertex normals.
     pub(crate) fn mesh(&self) -> &Mesh {
-        &self.mesh.output
+        self.shared_mesh()
     }
 
     /// The same, shared: to be kept, and to be known again.
     pub(crate) fn shared_mesh(&self) -> &Arc<Mesh> {
-        &self.mesh.output
+        self.mesh.output.mesh()
     }
 
     /// Draws `scene`, which is exact, and says whether the picture shows a surface beyond its polygons.
@@ -400,8 +403,8 @@ impl Renderer {
         let inputs = MeshInputs { kind: object.kind, segments: object.segments, rings: object.rings, given, polygons };
         let mut ran = self.mesh.update(inputs, |_, mesh| {
             *mesh = match object.kind {
-                ObjectKind::Obj => source.unwrap_or_default(),
-                _ => Arc::new(tessellate(object)),
+                ObjectKind::Obj => MeshSource::of_model(source.unwrap_or_default()),
+                _ => MeshSource::of_shape(object.clone()),
             };
         });
         let preview = Plan::of(scene, &Facts::default());
@@ -411,9 +414,10 @@ impl Renderer {
             Weighting::Equal
         };
         let inputs = ModelInputs { mesh: self.mesh.stamp(), normals: preview.normals, weighting };
-        let mesh = &self.mesh.output;
+        let source = &mut self.mesh.output;
         ran |= self.model.update(inputs, |inputs, model| {
-            *model = Model::new(mesh.with_vertex_normals(inputs.normals, inputs.weighting));
+            *model = Model::new(source.mesh().with_vertex_normals(inputs.normals, inputs.weighting));
+            source.release();
         });
         if preview.true_surface {
             let key = Object { path: None, ..object.clone() };
@@ -573,7 +577,7 @@ impl Renderer {
         if plan.follows_rays() {
             // Rays start from what the pixels see, so that is found first.
             if stale.any() {
-                self.linear.resize(linear, [0.0; 4]);
+                fit_linear(&mut self.linear, linear);
                 let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
                 painted = Painting { colours: false, ..painting }.run(&mut self.bands, stale, canvas);
                 still_stale = Stale::NOTHING;
@@ -594,7 +598,7 @@ impl Renderer {
         let repaint = self.canvas.update(inputs, |_, ()| {});
         let shaded = repaint || stale.any();
         if shaded {
-            self.linear.resize(linear, [0.0; 4]);
+            fit_linear(&mut self.linear, linear);
             let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
             painted = painted.and(painting.run(&mut self.bands, still_stale, canvas));
             (self.report.covered, self.report.drawn) = (painted.covered, painted.drawn);
@@ -716,6 +720,14 @@ impl Renderer {
     fn push(&mut self, stage: Stage, ran: bool, nanoseconds: u64, evaluations: u64) {
         self.report.stages.push(StageRun { stage, ran, nanoseconds, evaluations });
     }
+}
+
+/// Gives the picture before the display its size; the room of one that is not wanted is let go.
+fn fit_linear(buffer: &mut Vec<Linear>, pixels: usize) {
+    if pixels == 0 {
+        *buffer = Vec::new();
+    }
+    buffer.resize(pixels, [0.0; 4]);
 }
 
 /// Place of sample `index` of `count` relative to the pixel's centre: a lattice of rank 1 with the golden section.

@@ -1,0 +1,216 @@
+//! How the time of a frame grows with the pixels and with the triangles.
+//!
+//! A row of pictures of one scene, from few pixels to many, and a row of tessellations in one picture. All of a row are drawn in
+//! turn, so that what else the machine does falls on all alike; each just after it was drawn uncounted, so that none pays
+//! for the others having used the caches. What takes long takes part in fewer of the rounds.
+
+use super::super::input::nanoseconds;
+use super::median_ms;
+use indicatif::ProgressBar;
+use serde::Serialize;
+use shading_lab::analysis::{Fit, order_of};
+use shading_lab::document::Loaded;
+use shading_lab::geometry::{divisions_for, triangles};
+use shading_lab::render::Renderer;
+use shading_lab::scene::{Image, ObjectKind, Scene};
+use std::fmt::Write;
+
+/// Pixels of the pictures, about, drawn with [`FEW_TRIANGLES`]: each has twice as many as the one before.
+const PIXELS: [f64; 8] =
+    [65_536.0, 131_072.0, 262_144.0, 524_288.0, 1_048_576.0, 2_097_152.0, 4_194_304.0, 8_388_608.0];
+const FEW_TRIANGLES: u64 = 1024;
+/// Triangles of the tessellations, about, in a picture of [`FEW_PIXELS`].
+const TRIANGLES: [u64; 9] = [16_384, 32_768, 65_536, 131_072, 262_144, 524_288, 1_048_576, 2_097_152, 4_194_304];
+const FEW_PIXELS: f64 = 65_536.0;
+
+/// A frame that takes longer than this takes part in every second round, one twice as long in every third, and so on.
+const ROUND_MS: f64 = 15.0;
+/// But in so many at least, as far as there are so many.
+const LEAST_FRAMES: u32 = 5;
+
+/// A picture of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Row {
+    pub pixels: u64,
+    pub triangles: u64,
+    /// Frames that the median is of.
+    pub frames: usize,
+    pub median_ms: f64,
+    /// The least of them, which other work on the machine has delayed least.
+    pub fastest_ms: f64,
+}
+
+/// A row of pictures, and the exponent by which the time grows: that of a power through all of it, through its upper half,
+/// where what every frame takes besides counts for less, and through the fastest frames. None where too few are known.
+#[derive(Clone, Debug, Serialize)]
+pub struct Series {
+    pub rows: Vec<Row>,
+    pub order: Option<Fit>,
+    pub order_upper: Option<Fit>,
+    pub order_fastest: Option<Fit>,
+}
+
+/// How the time grows.
+#[derive(Clone, Debug, Serialize)]
+pub struct Growth {
+    pub pixels: Series,
+    /// None for objects whose polygons are given.
+    pub triangles: Option<Series>,
+}
+
+/// Frames that [`measure`] is going to draw at most.
+pub fn most_frames(frames: u32) -> u64 {
+    u64::from(frames) * (PIXELS.len() + TRIANGLES.len()) as u64
+}
+
+/// Measures by up to `frames` frames each.
+pub fn measure(loaded: &Loaded, frames: u32, bar: &ProgressBar) -> Growth {
+    let scene = &loaded.scene;
+    let coarse = divided(scene, FEW_TRIANGLES).unwrap_or_else(|| scene.clone());
+    let pictures = PIXELS.iter().map(|pixels| sized(&coarse, *pixels)).collect();
+    let fine: Vec<Scene> = TRIANGLES.iter().filter_map(|count| divided(&sized(scene, FEW_PIXELS), *count)).collect();
+    let pixels = series(loaded, pictures, frames, bar, |row| row.pixels);
+    let triangles = (!fine.is_empty()).then(|| series(loaded, fine, frames, bar, |row| row.triangles));
+    Growth { pixels, triangles }
+}
+
+/// The scene with about so many pixels.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sides of a picture")]
+fn sized(scene: &Scene, pixels: f64) -> Scene {
+    let mut scene = scene.clone();
+    let [width, height] = scene.image.size.map(f64::from);
+    let factor = (pixels / (width * height)).sqrt();
+    let side = |length: f64| ((length * factor).round() as u32).clamp(1, Image::MAX_SIDE);
+    scene.image.size = [side(width), side(height)];
+    scene
+}
+
+/// The scene with about so many triangles; none where its polygons are given.
+fn divided(scene: &Scene, count: u64) -> Option<Scene> {
+    let mut scene = scene.clone();
+    let object = &mut scene.object;
+    if matches!(object.kind, ObjectKind::Obj | ObjectKind::Polygons) {
+        return None;
+    }
+    [object.segments, object.rings] = divisions_for(object.kind, count);
+    // A shape that cannot be cut so fine has fewer.
+    (triangles(object) * 2 > count).then_some(scene)
+}
+
+/// A picture that is measured.
+struct Subject {
+    renderer: Renderer,
+    scene: Scene,
+    /// It takes part in one of so many rounds.
+    stride: u32,
+    times: Vec<u64>,
+}
+
+impl Subject {
+    fn new(loaded: &Loaded, scene: Scene, frames: u32) -> Self {
+        let mut renderer = Renderer::with_clock(nanoseconds);
+        renderer.set_model(loaded.model.clone());
+        renderer.render(&scene);
+        let mut subject = Self { renderer, scene, stride: 1, times: Vec::new() };
+        let stride = median_ms(&mut [subject.time()]) / ROUND_MS;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+        let stride = (stride.ceil() as u32).max(1);
+        subject.stride = stride.min((frames / LEAST_FRAMES).max(1));
+        subject
+    }
+
+    /// The time of a frame drawn anew.
+    fn time(&mut self) -> u64 {
+        self.renderer.redraw();
+        let began = nanoseconds();
+        self.renderer.render(&self.scene);
+        nanoseconds() - began
+    }
+
+    fn row(mut self) -> Row {
+        let [width, height] = self.scene.image.size.map(u64::from);
+        Row {
+            pixels: width * height,
+            triangles: self.renderer.report().triangles,
+            frames: self.times.len(),
+            fastest_ms: self.times.iter().min().map_or(0.0, |fastest| median_ms(&mut [*fastest])),
+            median_ms: median_ms(&mut self.times),
+        }
+    }
+}
+
+fn series(loaded: &Loaded, scenes: Vec<Scene>, frames: u32, bar: &ProgressBar, size: fn(&Row) -> u64) -> Series {
+    let mut subjects: Vec<Subject> = scenes.into_iter().map(|scene| Subject::new(loaded, scene, frames)).collect();
+    for round in 0..frames {
+        for subject in &mut subjects {
+            if round.is_multiple_of(subject.stride) {
+                subject.time();
+                let time = subject.time();
+                subject.times.push(time);
+            }
+            bar.inc(1);
+        }
+    }
+    let rows: Vec<Row> = subjects.into_iter().map(Subject::row).collect();
+    #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³")]
+    let order = |rows: &[Row], ms: fn(&Row) -> f64| order_of(rows.iter().map(|row| (size(row) as f64, ms(row))));
+    let median = |row: &Row| row.median_ms;
+    Series {
+        order: order(&rows, median),
+        order_upper: order(&rows[rows.len() / 2..], median),
+        order_fastest: order(&rows, |row| row.fastest_ms),
+        rows,
+    }
+}
+
+/// The tables, with the exponents below.
+pub fn text(growth: &Growth) -> String {
+    let mut text = String::new();
+    let series = [("pixels", Some(&growth.pixels)), ("triangles", growth.triangles.as_ref())];
+    for (name, series) in series.into_iter().filter_map(|(name, series)| Some((name, series?))) {
+        let _ = writeln!(text, "\ngrowth with the {name}");
+        let _ = writeln!(text, "    pixels   triangles  frames   median, ms  fastest, ms");
+        for Row { pixels, triangles, frames, median_ms, fastest_ms } in &series.rows {
+            let _ = writeln!(text, "{pixels:10}{triangles:12}{frames:8}{median_ms:13.3}{fastest_ms:13.3}");
+        }
+        let fits =
+            [("all", series.order), ("upper half", series.order_upper), ("fastest frames", series.order_fastest)];
+        for (which, fit) in fits {
+            let told = fit.map_or_else(
+                || "too few".to_owned(),
+                |fit| format!("{:.3} ± {:.3} (95 %, {} points)", fit.slope, fit.confidence, fit.points),
+            );
+            let _ = writeln!(text, "  exponent, {which:15}{told}");
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shading_lab::scene::Object;
+
+    #[test]
+    fn pictures_have_the_pixels_and_the_shape_that_were_asked_for() {
+        let mut scene = Scene::default();
+        scene.image.size = [640, 480];
+        for pixels in PIXELS {
+            let [width, height] = sized(&scene, pixels).image.size.map(f64::from);
+            assert!((width * height / pixels - 1.0).abs() < 0.01, "{width} × {height}");
+            assert!((width / height * 3.0 / 4.0 - 1.0).abs() < 0.01, "{width} × {height}");
+        }
+    }
+
+    #[test]
+    fn tessellations_are_as_fine_as_asked_for_or_not_there() {
+        let scene = Scene::default();
+        for count in TRIANGLES {
+            let divided = divided(&scene, count).expect("a sphere of any fineness");
+            assert!(triangles(&divided.object).abs_diff(count) < count / 50, "{count}");
+            assert_eq!(divided.validate(), Ok(()));
+        }
+        let model = Scene { object: Object { kind: ObjectKind::Obj, ..Object::default() }, ..Scene::default() };
+        assert_eq!(divided(&model, 1000), None);
+    }
+}
