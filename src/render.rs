@@ -26,8 +26,6 @@ mod polygon;
 mod rays;
 mod reference;
 mod renderer;
-#[cfg(test)]
-mod robustness;
 mod section;
 mod shade;
 mod shadow;

@@ -369,6 +369,16 @@ fn shadows_of_more_samples_than_memory_holds_are_refused() {
 }
 
 #[test]
+fn sizes_beyond_all_counting_are_refused() {
+    let side = u32::MAX;
+    let settings =
+        [format!("image.size=[{side},{side}]"), "light.0.kind=area".into(), format!("light.0.samples={side}")];
+    let error = Scene::default().with_overrides(&settings).expect_err("no memory holds that").to_string();
+    assert!(error.contains("`image.size` is [4294967295, 4294967295], expected sides of 1 to 16384 pixels"), "{error}");
+    assert!(error.contains("`light.0.samples` is 4294967295, expected 1 to 1024"), "{error}");
+}
+
+#[test]
 fn a_written_light_has_only_the_keys_that_it_reads_or_that_were_set() {
     let text = Scene::default().to_toml();
     let light = text.split("[[light]]\n").nth(1).expect("a light");

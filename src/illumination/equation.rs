@@ -1,9 +1,11 @@
 //! The equation itself.
 
 use super::fresnel::{Fresnel, Index};
+use super::microfacet::greatest_factor;
 use super::pattern::Fields;
+use super::source::{BRIGHTEST, Share};
 use super::{FormTask, Lobe, Real, Scalar, Source, Specular, SpecularForm, V3, specular};
-use crate::scene::{Backfacing, Rgb, Scene, Viewer};
+use crate::scene::{Backfacing, ReflectionModel, Rgb, Scene, Viewer};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -127,17 +129,27 @@ impl<T: Scalar> Equation<T> {
         let color = if pattern.is_some() { Rgb::ONE } else { material.color };
         let backwards = (camera.eye - camera.target).normalize_or_zero();
         let (soloing, ks) = (scene.soloing(), material.ks * material.specular_color);
-        let mut sources = Vec::with_capacity(scene.lights.len());
+        let tint = if pattern.is_some() { material.color.max(scene.pattern.color).max_element().max(1.0) } else { 1.0 };
+        let peak = match scene.reflection.model {
+            ReflectionModel::Phong | ReflectionModel::Blinn => 1.0,
+            ReflectionModel::CookTorrance => greatest_factor(material.roughness),
+        };
+        let count: usize = scene.lights.iter().map(|light| light.sample_count() as usize).sum();
+        let share = Share::new(count, tint, peak);
+        let mut sources = Vec::with_capacity(count);
         let mut starts = vec![0];
         for light in &scene.lights {
             let on = if light.shines(soloing) { 1.0 } else { 0.0 };
-            sources.extend(Source::all_of(light, camera.eye, unit, material.kd * color * on, ks * on));
+            sources.extend(Source::all_of(light, camera.eye, unit, [material.kd * color * on, ks * on], share));
             starts.push(sources.len());
         }
         let zero = [T::default(); 3];
         Self {
             diffuses: sources.iter().any(|source| source.diffuse != zero),
-            ambient: (material.ka * color * scene.ambient.color).to_array().map(T::from_f64),
+            ambient: (material.ka * color * scene.ambient.color)
+                .min(Rgb::splat(BRIGHTEST / tint))
+                .to_array()
+                .map(T::from_f64),
             sources,
             starts,
             lobe: Lobe::of(material),

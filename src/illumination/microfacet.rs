@@ -7,6 +7,12 @@ use super::{Real, Scalar};
 /// Cosines are lifted to this before anything is divided by them. The quotients stay finite and go to their limits.
 const SMALLEST_COSINE: f64 = 1e-4;
 
+/// What `π·D·G/(4(N·V))` does not exceed at this roughness m, whichever the distribution: π·D is below 1.5/m², G/(N·V) is
+/// below 1 over the smallest cosine for cavities, below 4 times that for Smith's G over α.
+pub(super) fn greatest_factor(roughness: f64) -> f64 {
+    1.0 / (SMALLEST_COSINE * roughness * roughness)
+}
+
 /// `π·D` of Beckmann's distribution, `exp(−tan²α/m²)/(m²·cos⁴α)`, for `gap` = 1 − cos α.
 ///
 /// m is the root mean square slope. sin²α = gap·(2 − gap) keeps its digits near α = 0, where the lobe is stiff.

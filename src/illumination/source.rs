@@ -9,6 +9,11 @@ use glam::DVec3;
 /// distance's size the direction turns by less than 10⁻⁹, well under single precision.
 const PARALLEL_BEYOND: f64 = 1e9;
 
+/// Greatest intensity that a surface sends out: what the lights that reach it add up to, or the ambient light. It is beyond any
+/// that a scene's numbers are meant for, and leaves single precision room for what pictures do with intensities: to carry
+/// them over depths, and to add up samples.
+pub const BRIGHTEST: f64 = 1e34;
+
 /// Lengths are lifted to this before anything is divided by them, so that a light on the surface stays finite.
 const SHORTEST: f64 = 1e-9;
 
@@ -75,34 +80,70 @@ enum Place<T> {
     At([T; 3]),
 }
 
-/// The attenuation factor f as a function of a distance in camera distances.
+/// The attenuation factor f as a function of a distance in camera distances. It is not greater than the source's intensity
+/// allows (see [`Share`]): divisors are lifted to `least`, or f is lowered to `greatest`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Falloff<T> {
     /// f is the same everywhere.
     Constant(T),
     /// `1/(scale·r + k)`, r to the viewer.
-    Viewer { scale: T, k: T },
+    Viewer { scale: T, k: T, least: T },
     /// `1/(scale·r + k)`, r to the light.
-    Light { scale: T, k: T },
+    Light { scale: T, k: T, least: T },
     /// `min(1, 1/(c1 + c2·d + c3·d²))`.
     Quadratic { c1: T, c2: T, c3: T },
     /// `1/(scale·d)²`, given 1/scale².
-    InverseSquare { factor: T },
+    InverseSquare { factor: T, greatest: T },
+}
+
+/// What one source may add to an intensity, so that all of them together stay below [`BRIGHTEST`] wherever they stand.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Share {
+    /// Greatest coefficient of the diffuse term, times f.
+    pub diffuse: f64,
+    /// Greatest coefficient of the specular term, times f.
+    pub specular: f64,
+}
+
+impl Share {
+    /// The share of one of `count` sources of a surface whose colour multiplies by `color` at most, and whose specular factor
+    /// by `specular`.
+    pub fn new(count: usize, color: f64, specular: f64) -> Self {
+        #[expect(clippy::cast_precision_loss, reason = "at most 4096 sources")]
+        let each = 0.5 * BRIGHTEST / count.max(1) as f64;
+        Self { diffuse: each / color.max(1.0), specular: each / specular.max(1.0) }
+    }
+
+    /// How great f may be for these coefficients.
+    fn attenuation(self, diffuse: Rgb, specular: Rgb) -> f64 {
+        // Not even a dark source's f may leave the range of numbers.
+        let most = |share: f64, coefficients: Rgb| share / coefficients.max_element().max(1.0);
+        most(self.diffuse, diffuse).min(most(self.specular, specular))
+    }
 }
 
 impl<T: Scalar> Source<T> {
     /// Prepares `light` as one source, or one a sample, seen from `eye`, with lengths measured in `unit`s; `kd_color` and
-    /// `ks` are the material's.
-    pub fn all_of(light: &Light, eye: DVec3, unit: f64, kd_color: Rgb, ks: Rgb) -> Vec<Self> {
-        if light.kind != LightKind::Area {
-            return vec![Self::at(light, light.position, light.color, eye, unit, [kd_color, ks])];
+    /// `ks` are the material's. None adds more than its `share`.
+    pub(super) fn all_of(light: &Light, eye: DVec3, unit: f64, [kd_color, ks]: [Rgb; 2], share: Share) -> Vec<Self> {
+        let color = light.color / f64::from(light.sample_count().max(1));
+        let diffuse = (color * kd_color).min(Rgb::splat(share.diffuse));
+        let specular = (color * ks).min(Rgb::splat(share.specular));
+        let greatest = share.attenuation(diffuse, specular);
+        let at = |position| Self {
+            diffuse: scalars(diffuse),
+            specular: scalars(specular),
+            ..Self::at(light, position, eye, unit, greatest)
+        };
+        if light.kind == LightKind::Area {
+            area_samples(light).into_iter().map(at).collect()
+        } else {
+            vec![at(light.position)]
         }
-        let share = light.color / f64::from(light.samples.max(1));
-        let sample = |position| Self::at(light, position, share, eye, unit, [kd_color, ks]);
-        area_samples(light).into_iter().map(sample).collect()
     }
 
-    fn at(light: &Light, position: DVec3, color: Rgb, eye: DVec3, unit: f64, [kd_color, ks]: [Rgb; 2]) -> Self {
+    /// A source that is dark yet, whose f is `greatest` at most.
+    fn at(light: &Light, position: DVec3, eye: DVec3, unit: f64, greatest: f64) -> Self {
         let offset = (position - eye) / unit;
         let distance = length(offset);
         let parallel = light.kind == LightKind::Directional || distance > PARALLEL_BEYOND;
@@ -114,10 +155,10 @@ impl<T: Scalar> Source<T> {
         let far = (light.kind.has_position() && parallel).then_some(distance);
         Self {
             place,
-            falloff: Falloff::new(light, unit, far),
+            falloff: Falloff::new(light, unit, far, greatest),
             cone: Cone::of(light),
-            diffuse: scalars(color * kd_color),
-            specular: scalars(color * ks),
+            diffuse: [T::default(); 3],
+            specular: [T::default(); 3],
         }
     }
 
@@ -138,9 +179,15 @@ impl<T: Scalar> Source<T> {
         };
         let f = match self.falloff {
             Falloff::Constant(f) => like.constant(f),
-            Falloff::Viewer { scale, k } => one / (one / inverse_depth * scale + like.constant(k)).max(shortest),
-            Falloff::Light { scale, k } => one / (one / inverse_distance * scale + like.constant(k)).max(shortest),
-            Falloff::InverseSquare { factor } => inverse_distance * inverse_distance * factor,
+            Falloff::Viewer { scale, k, least } => {
+                one / (one / inverse_depth * scale + like.constant(k)).max(like.constant(least))
+            }
+            Falloff::Light { scale, k, least } => {
+                one / (one / inverse_distance * scale + like.constant(k)).max(like.constant(least))
+            }
+            Falloff::InverseSquare { factor, greatest } => {
+                (inverse_distance * inverse_distance * factor).min(like.constant(greatest))
+            }
             Falloff::Quadratic { c1, c2, c3 } => {
                 let d = one / inverse_distance;
                 let sum = d.mul_add(d.mul_add(like.constant(c3), like.constant(c2)), like.constant(c1));
@@ -192,20 +239,23 @@ impl<T: Scalar> Source<T> {
 impl<T: Scalar> Falloff<T> {
     /// `far` is the distance of a point light that is treated as parallel. A directional light has no distance; what
     /// depends on the distance to it leaves it as it is.
-    fn new(light: &Light, unit: f64, far: Option<f64>) -> Self {
+    fn new(light: &Light, unit: f64, far: Option<f64>, greatest: f64) -> Self {
         let t = T::from_f64;
+        let least = t(SHORTEST.max(1.0 / greatest));
         let by_distance = light.kind.has_position();
         match light.attenuation {
-            Attenuation::Viewer => Self::Viewer { scale: t(unit), k: t(light.k) },
+            Attenuation::Viewer => Self::Viewer { scale: t(unit), k: t(light.k), least },
             _ if !by_distance => Self::Constant(t(1.0)),
             Attenuation::None => Self::Constant(t(1.0)),
             attenuation => {
                 if let Some(distance) = far {
-                    return Self::Constant(t(attenuation_at(light, attenuation, distance * unit)));
+                    return Self::Constant(t(attenuation_at(light, attenuation, distance * unit).min(greatest)));
                 }
                 match attenuation {
-                    Attenuation::Light => Self::Light { scale: t(unit), k: t(light.k) },
-                    Attenuation::InverseSquare => Self::InverseSquare { factor: t(1.0 / (unit * unit)) },
+                    Attenuation::Light => Self::Light { scale: t(unit), k: t(light.k), least },
+                    Attenuation::InverseSquare => {
+                        Self::InverseSquare { factor: t(1.0 / (unit * unit)), greatest: t(greatest) }
+                    }
                     _ => Self::Quadratic { c1: t(light.c1), c2: t(light.c2 * unit), c3: t(light.c3 * unit * unit) },
                 }
             }

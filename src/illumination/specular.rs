@@ -174,12 +174,13 @@ pub(super) fn halfway<R: Real>(l: V3<R>, v: V3<R>) -> V3<R> {
     (l + v).normalised()
 }
 
-/// `max(c, 0)^n`, from the cosine.
+/// `max(c, 0)^n`, from the cosine, which rounding may take past 1.
 #[inline(always)]
 fn power_of_cosine<R: Real>(c: R, lobe: &Lobe<R::Scalar>) -> R {
     let zero = c.constant(R::Scalar::default());
     let tiny = c.constant(R::Scalar::from_f64(f64::from(f32::MIN_POSITIVE)));
-    let power = (c.max(tiny).log2() * lobe.n).exp2();
+    let one = c.constant(R::Scalar::from_f64(1.0));
+    let power = (c.max(tiny).min(one).log2() * lobe.n).exp2();
     R::select(c.greater_than(zero), power, c.constant(lobe.at_zero))
 }
 

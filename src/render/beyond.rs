@@ -5,14 +5,14 @@ use super::bounce::{Gathering, Receiver};
 use super::bvh::RAYS;
 use super::display::Linear;
 use super::floor::{FloorScratch, FloorView};
-use super::lens::Lens;
+use super::lens::{FARTHEST, Lens};
 use super::memory::{Holds, Memory, room};
 use super::painting::Bands;
 use super::shadow::{Cast, Reach, Shadows, SiteRow, Waiting};
 use super::sites::{Sight, Sights};
 use super::surroundings::{Surroundings, in_range};
 use super::transmission::Glass;
-use crate::illumination::Equation;
+use crate::illumination::{BRIGHTEST, Equation};
 use crate::scene::{AmbientSource, Rgb, Scene};
 use fearless_simd::{Level, dispatch};
 use glam::{DVec2, DVec3, Vec3};
@@ -203,7 +203,8 @@ pub(super) fn bounce(
     let Bounced { difference, receivers, .. } = bounced;
     receivers.clear();
     receivers.resize(width * height, Receiver::default());
-    let near = |point: DVec3| ((point - lens.eye) / lens.unit).as_vec3();
+    let farthest = DVec3::splat(FARTHEST);
+    let near = |point: DVec3| ((point - lens.eye) / lens.unit).clamp(-farthest, farthest).as_vec3();
     let floor = gathering.floor_view;
     let parts = receivers.par_chunks_mut(Bands::ROWS * width).zip(bands.parts(scene.image.size));
     parts.for_each_init(FloorScratch::default, |scratch, (part, (place, band, fragments))| {
@@ -288,7 +289,7 @@ pub(super) fn compose(
             if covered && kt > 0.0 {
                 color = color * (1.0 - kt) + (s0 * beyond + (1.0 - s0) * veil) * kt;
             }
-            color = color.min(Vec3::MAX);
+            color = color.min(Vec3::splat(BRIGHTEST as f32));
             over += u64::from(color.max_element() > 1.0);
             pixel[..3].copy_from_slice(&color.to_array());
         }

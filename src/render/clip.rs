@@ -58,11 +58,13 @@ impl Clipped {
     #[expect(clippy::cast_possible_truncation, reason = "the guard band bounds the place, the near plane the key")]
     fn add_vertex(&mut self, lens: &Lens, vertices: [u32; 3], corner: &Corner, placed: &mut Placed) -> u32 {
         let index = placed.places.len();
-        let place = (lens.picture_from_view(corner.view) * f64::from(SUBPIXELS)).round();
+        // Rounding may take a cut off the plane by some part of the triangle's extent, however great that is.
+        let view = DVec3 { z: corner.view.z.max(NEAR), ..corner.view };
+        let place = (lens.picture_from_view(view) * f64::from(SUBPIXELS)).round();
         let limit = f64::from(SUBPIXELS) * (GUARD + 1.0);
         let place: Place = [place.x.clamp(-limit, limit) as i32, place.y.clamp(-limit, limit) as i32];
         placed.places.push(place);
-        placed.keys.push(lens.key_from_depth(corner.view.z) as f32);
+        placed.keys.push(lens.key_from_depth(view.z) as f32);
         self.cuts.push(Cut { vertices, weights: corner.weights.to_array() });
         u32::try_from(index).unwrap_or(u32::MAX)
     }

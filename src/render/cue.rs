@@ -193,7 +193,7 @@ pub(super) fn fade_pixels(layer: &Layer, color: Vec3, all: bool, linear: &mut [L
     let fade = |([r, g, b, covered], s0): (&mut Linear, &f32)| {
         let (mut pixel, covered) = (Vec3::new(*r, *g, *b), *covered > 0.0);
         if covered {
-            pixel = *s0 * pixel.min(Vec3::MAX) + (1.0 - s0) * color;
+            pixel = *s0 * pixel + (1.0 - s0) * color;
             (*r, *g, *b) = pixel.into();
         }
         u64::from((covered || all) && pixel.max_element() > 1.0)

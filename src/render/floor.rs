@@ -2,16 +2,14 @@
 //! rays, and the equation in lanes.
 
 use super::bvh::RAYS;
-use super::lens::Lens;
+use super::lens::{FARTHEST, Lens};
 use super::shadow::{Cast, SiteRow, Waiting};
-use crate::illumination::{Equation, Lanes, NoSpecular, Reached, Real, V3};
+use crate::illumination::{Equation, Lanes, NoSpecular, Reached, V3};
 use fearless_simd::{f64x8, prelude::*};
 use glam::{DVec2, DVec3, Vec3};
 
 /// Pixels whose rays are met with the floor at a time.
 const EIGHT: usize = 8;
-/// What is farther away, in camera distances, is not lit in single precision.
-const FARTHEST: f64 = 1e12;
 
 /// What the floor's pixels are found and lit by.
 pub(super) struct FloorView<'a> {
@@ -116,7 +114,7 @@ impl FloorView<'_> {
         let seen =
             along_y.simd_lt(splat(0.0)) & from_y.simd_gt(splat(drop)) & px.abs().simd_lt(near) & pz.abs().simd_lt(near);
         let seen = seen.to_bitmask() as u32 & wanted;
-        if seen == 0 {
+        if seen == 0 || drop.abs() >= FARTHEST {
             return false;
         }
         sites.present[x / RAYS] |= seen << (x % RAYS);
@@ -160,8 +158,6 @@ impl FloorView<'_> {
                 |reached| reached.starting_at(x),
             );
             let [r, g, b] = self.equation.illuminate::<Lanes<S>, NoSpecular>(&site, reached);
-            let most = Lanes::splat(simd, f32::MAX);
-            let [r, g, b] = [r.min(most).max(-most), g.min(most).max(-most), b.min(most).max(-most)];
             for (lane, pixel) in pixels.iter_mut().enumerate().filter(|(lane, _)| present >> lane & 1 == 1) {
                 *pixel = Vec3::new(r.0[lane], g.0[lane], b.0[lane]);
             }

@@ -7,7 +7,7 @@
 use super::clip::Clipped;
 use super::cover::{Band, BandPlace, Run, Weights};
 use super::model::Model;
-use super::transform::{HALF, Place, Placed, SUBPIXELS};
+use super::transform::{HALF, Place, Placed, SUBPIXELS, UNPLACED};
 use fearless_simd::{f32x4, prelude::*};
 use rayon::prelude::*;
 
@@ -150,10 +150,12 @@ impl Scanline<'_> {
         let own = sources.model.triangles.len();
         let corner = |&v: &u32| (sources.placed.places[v as usize], sources.carried[v as usize]);
         self.corners.clear();
-        // A clipped polygon has lost corners; its pieces are interpolated as the triangles they are.
         if (triangle as usize) < own {
             self.corners.extend(sources.model.face(sources.face(triangle)).iter().map(corner));
-        } else {
+        }
+        // A clipped polygon has lost corners; its pieces are interpolated as the triangles they are.
+        if self.corners.is_empty() || self.corners.iter().any(|(place, _)| place[0] == UNPLACED) {
+            self.corners.clear();
             self.corners.extend(sources.vertices(triangle).iter().map(corner));
         }
     }
@@ -231,8 +233,12 @@ fn fill<S: Simd>(simd: S, place: BandPlace, band: &Band, mut rule: impl Rule<S>,
         }
         cursor = (run.row, run.x1);
         let (start, step) = rule.along(simd, *run, y);
-        let mut k = f32x4::splat(simd, 0.0);
-        for fragment in &mut fragments[row + usize::from(run.x0)..row + usize::from(run.x1)] {
+        let pixels = &mut fragments[row + usize::from(run.x0)..row + usize::from(run.x1)];
+        let Some((first, rest)) = pixels.split_first_mut() else { continue };
+        // A sliver's step may be beyond all numbers, but it has no second pixel then.
+        start.store_slice(first);
+        let mut k = f32x4::splat(simd, 1.0);
+        for fragment in rest {
             step.mul_add(k, start).store_slice(fragment);
             k += 1.0;
         }

@@ -6,6 +6,10 @@ use glam::{DVec2, DVec3};
 /// What is nearer to the eye than this many camera distances is clipped away.
 pub(super) const NEAR: f64 = 1e-3;
 
+/// What is farther from the eye than this many camera distances is lit as if it were no farther: nothing of it is told
+/// apart, and squares of distances stay within single precision.
+pub(super) const FARTHEST: f64 = 1e12;
+
 /// Projection of one picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lens {
@@ -74,6 +78,11 @@ impl Lens {
         let across =
             self.right * ((place.x - self.middle.x) / self.focal) - self.up * ((place.y - self.middle.y) / self.focal);
         if self.perspective { (DVec3::ZERO, self.forward + across) } else { (across, self.forward) }
+    }
+
+    /// The key of the farthest depth.
+    pub fn least_key(&self) -> f64 {
+        self.key_from_depth(FARTHEST)
     }
 
     /// World coordinates of a point relative to the eye in camera distances.

@@ -1,5 +1,6 @@
 //! The equation at vertices or at faces: points with a normal in, intensities out.
 
+use super::lens::FARTHEST;
 use super::model::{Model, PADDING};
 use super::shadow::Reach;
 use crate::illumination::{Equation, FormTask, Lanes, Reached, Specular, V3};
@@ -39,6 +40,8 @@ pub(super) struct PointShading<'a> {
     pub unit: f64,
     /// The eye, world.
     pub eye: DVec3,
+    /// Radius about the origin that holds every position, world units.
+    pub radius: f64,
     pub position: &'a Planes,
     pub normal: &'a Planes,
     pub intensity: &'a mut Planes,
@@ -53,8 +56,9 @@ impl FormTask for PointShading<'_> {
         let count = self.position[0].len();
         self.intensity.iter_mut().for_each(|plane| plane.resize(count, 0.0));
         #[expect(clippy::cast_possible_truncation, reason = "the kernel's precision")]
-        let scale = (1.0 / self.unit) as f32;
-        let offset = ((self.origin - self.eye) / self.unit).as_vec3().to_array();
+        let scale = (1.0 / self.unit).min(FARTHEST / self.radius.max(f64::MIN_POSITIVE)) as f32;
+        let offset = (self.origin - self.eye) / self.unit;
+        let offset = offset.clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST)).as_vec3().to_array();
         let [r, g, b] = self.intensity;
         let out = r.par_chunks_mut(CHUNK).zip(g.par_chunks_mut(CHUNK)).zip(b.par_chunks_mut(CHUNK));
         out.enumerate().for_each(|(chunk, ((r, g), b))| {

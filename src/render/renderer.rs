@@ -529,6 +529,7 @@ impl Renderer {
                     origin: model.origin,
                     unit: lens.unit,
                     eye: lens.eye,
+                    radius: model.radius,
                     position,
                     normal,
                     intensity: &mut *intensity,

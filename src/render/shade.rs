@@ -2,14 +2,13 @@
 
 use super::cover::BandPlace;
 use super::display::{Linear, pack, stored};
-use super::interpolate::Fragment;
-use super::interpolate::SHORTEST_NORMAL;
-use super::lens::Lens;
+use super::interpolate::{Fragment, SHORTEST_NORMAL};
+use super::lens::{FARTHEST, Lens};
 use super::shadow::Reach;
-use crate::illumination::{Equation, Lanes, Reached, Real, Specular, V3};
+use crate::illumination::{BRIGHTEST, Equation, Lanes, Reached, Real, Specular, V3};
 use crate::scene::Encoding;
 use fearless_simd::{f32x4, prelude::*};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::ops::Range;
 
 /// The square of [`SHORTEST_NORMAL`].
@@ -41,7 +40,9 @@ pub(super) struct Carried {
 impl Colour for Carried {
     #[inline(always)]
     fn at<S: Simd>(&self, simd: S, _: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
-        let factor = if self.by_key { Lanes::splat(simd, 1.0) / key } else { Lanes::splat(simd, 1.0) };
+        // Rounding may leave nothing of the key of what is far beside what is near.
+        let least = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
+        let factor = if self.by_key { Lanes::splat(simd, 1.0) / key.max(least) } else { Lanes::splat(simd, 1.0) };
         let [r, g, b] = carried;
         [r * factor, g * factor, b * factor]
     }
@@ -83,20 +84,20 @@ struct Rays {
     /// Through column 0 of the present row.
     start: [f32; 3],
     forward: [f32; 3],
+    least_key: f32,
 }
 
 impl Rays {
     fn new(lens: &Lens) -> Self {
-        let step = (lens.right / lens.focal).as_vec3().to_array();
-        let forward = lens.forward.as_vec3().to_array();
-        Self { lens: *lens, perspective: lens.perspective, step, start: [0.0; 3], forward }
+        let step = within_reach(lens.right / lens.focal);
+        let (forward, least_key) = (lens.forward.as_vec3().to_array(), lens.least_key() as f32);
+        Self { lens: *lens, perspective: lens.perspective, step, start: [0.0; 3], forward, least_key }
     }
 
     #[inline(always)]
     fn row(&mut self, y: u32) {
         let (point, direction) = self.lens.ray(DVec2::new(0.5, f64::from(y) + 0.5));
-        let start = if self.perspective { direction } else { point };
-        self.start = start.as_vec3().to_array();
+        self.start = within_reach(if self.perspective { direction } else { point });
     }
 
     /// The points that pixels in columns `x` see at depth key `key`.
@@ -112,6 +113,11 @@ impl Rays {
     }
 }
 
+/// In single precision, no component greater than the farthest distance.
+fn within_reach(v: DVec3) -> [f32; 3] {
+    v.clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST)).as_vec3().to_array()
+}
+
 impl<F: Specular> Colour for Evaluated<'_, F> {
     #[inline(always)]
     fn row(&mut self, y: u32) {
@@ -123,6 +129,7 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
     fn at<S: Simd>(&self, simd: S, column: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
         let _ = self.form;
         let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
+        let key = key.max(Lanes::splat(simd, self.rays.least_key));
         let [nx, ny, nz] = carried;
         let normal = V3::new(nx, ny, nz);
         let normal = if self.renormalise {
@@ -193,6 +200,11 @@ impl Target for Stored<'_> {
     }
 }
 
+/// Carried intensities may grow without end where rounding leaves nothing of their depth key.
+fn at_most_brightest(v: f32) -> f32 {
+    if v > BRIGHTEST as f32 { BRIGHTEST as f32 } else { v }
+}
+
 /// Linear colours of a band.
 pub(super) struct Unstored<'a> {
     pub pixels: &'a mut [Linear],
@@ -207,7 +219,7 @@ impl Target for Unstored<'_> {
         let mut over = 0;
         for (lane, pixel) in self.pixels[first..first + count].iter_mut().enumerate() {
             *pixel = if covered >> lane & 1 == 1 {
-                let [r, g, b] = [color[0].0[lane], color[1].0[lane], color[2].0[lane]];
+                let [r, g, b] = color.map(|channel| at_most_brightest(channel.0[lane]));
                 over += u32::from(r > 1.0 || g > 1.0 || b > 1.0);
                 [r, g, b, 1.0]
             } else {

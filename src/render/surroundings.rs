@@ -2,7 +2,7 @@
 
 use super::lens::Lens;
 use super::shadow::{Extent, Shadows};
-use crate::illumination::{Equation, Fields, Reached, Scalar, V3, area_rows};
+use crate::illumination::{BRIGHTEST, Equation, Fields, Reached, Scalar, V3, area_rows};
 use crate::scene::{Ground, Light, Material, Pattern, PatternKind, Reflectance, Rgb, Scene, Transparency};
 use fearless_simd::Simd;
 use glam::{DVec2, DVec3, Vec3};
@@ -194,10 +194,9 @@ impl Wall {
     }
 }
 
-/// An intensity in single precision, at most its greatest number.
+/// An intensity in single precision, at most the brightest.
 pub(super) fn in_range(intensity: Rgb) -> Vec3 {
-    let greatest = f64::from(f32::MAX);
-    intensity.clamp(Rgb::splat(-greatest), Rgb::splat(greatest)).as_vec3()
+    intensity.clamp(Rgb::splat(-BRIGHTEST), Rgb::splat(BRIGHTEST)).as_vec3()
 }
 
 /// Whether any light is on.

@@ -79,7 +79,8 @@ impl Scene {
             let expected = format!("at most {}", Self::MAX_LIGHT_SAMPLES);
             checks.value("light", format!("{samples} samples in all"), expected);
         }
-        let bits = samples * self.image.size.iter().map(|side| u64::from(*side)).product::<u64>();
+        let pixels: u64 = self.image.size.iter().map(|side| u64::from(*side)).product();
+        let bits = samples.saturating_mul(pixels);
         if self.shading.shadows && bits > Self::MAX_SHADOW_BITS {
             let expected = "a smaller picture, fewer samples of area lights, or no shadows";
             checks.found("image.size", Cause::Conflict { is: "has too many pixels for so many shadows", expected });

@@ -1,0 +1,210 @@
+//! Whatever a scene holds: it is refused with a reason, or drawn in finite numbers.
+
+#[path = "common/any_scene.rs"]
+mod any_scene;
+
+use any_scene::{AnyScene, any_scene};
+use glam::DVec3;
+use rayon::prelude::*;
+use shading_lab::analysis::{Probe, probe};
+use shading_lab::render::Renderer;
+use shading_lab::scene::{
+    Attenuation, Encoding, GREATEST_INTENSITY, Light, Material, ObjectKind, Overflow, PatternKind, Projection,
+    ReflectionModel, Rgb, Scene, ShadingMode,
+};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// What became of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fate {
+    Drawn,
+    Refused,
+}
+
+/// Draws the scene of this number, or sees it refused; what is wrong with that.
+fn examine(seed: u64) -> Result<Fate, String> {
+    let any = any_scene(seed);
+    let outcome = catch_unwind(AssertUnwindSafe(|| check_and_draw(&any))).unwrap_or_else(|panic| {
+        let text = panic.downcast_ref::<String>().cloned();
+        Err(text.or(panic.downcast_ref::<&str>().map(|&text| text.to_owned())).unwrap_or_default())
+    });
+    outcome.map_err(|what| format!("scene {seed}: {what}\n{}", any.scene.to_toml()))
+}
+
+fn check_and_draw(AnyScene { scene, model }: &AnyScene) -> Result<Fate, String> {
+    if let Err(error) = scene.validate() {
+        let named = error.problems().iter().all(|problem| !problem.key.is_empty());
+        let explained = error.to_string().lines().all(|line| line.contains("expected"));
+        return if named && explained { Ok(Fate::Refused) } else { Err(format!("refused by: {error}")) };
+    }
+    let model = match model {
+        Ok(model) => model.clone(),
+        Err(error) if error.is_empty() => return Err("a model refused without a reason".into()),
+        Err(_) => return Ok(Fate::Refused),
+    };
+    let mut renderer = Renderer::default();
+    renderer.set_model(model);
+    for pane in 0..scene.pane_count() {
+        let pane = scene.pane(pane).map_err(|error| format!("pane {pane}: {error}"))?;
+        draw(&mut renderer, &pane)?;
+    }
+    Ok(Fate::Drawn)
+}
+
+/// Draws a scene in every way that a picture may be displayed, and probes it.
+fn draw(renderer: &mut Renderer, scene: &Scene) -> Result<(), String> {
+    renderer.keep_linear(true);
+    renderer.render(scene);
+    finite(renderer, "the picture")?;
+    let [width, height] = scene.image.size;
+    for [x, y] in [[width / 2, height / 2], [width / 3, height / 4], [width - 1, height - 1]] {
+        let probe = probe(renderer, scene, x, y);
+        if let Some(what) = not_finite(&probe) {
+            return Err(format!("the probe at {x},{y} has {what} in {probe:?}"));
+        }
+    }
+    for overflow in [Overflow::Clamp, Overflow::Scale, Overflow::Mark] {
+        for encoding in [Encoding::Raw, Encoding::Srgb] {
+            let mut shown = scene.clone();
+            (shown.display.overflow, shown.display.encoding) = (overflow, encoding);
+            for keep in [true, false] {
+                renderer.keep_linear(keep);
+                let opaque = renderer.render(&shown).pixels.iter().all(|pixel| pixel[3] == 255);
+                let divisor = renderer.report().divisor;
+                finite(renderer, &format!("{overflow:?}, {encoding:?}"))?;
+                if !opaque || !(1.0..=f64::from(f32::MAX)).contains(&divisor) {
+                    return Err(format!("{overflow:?}, {encoding:?}: divided by {divisor}, opaque: {opaque}"));
+                }
+            }
+        }
+    }
+    renderer.render_supersampled(scene, 3, &mut |_| {});
+    finite(renderer, "three samples a pixel")
+}
+
+fn finite(renderer: &Renderer, what: &str) -> Result<(), String> {
+    match renderer.linear().iter().flatten().position(|v| !v.is_finite()) {
+        None => Ok(()),
+        Some(at) => Err(format!("{what}: {:?} at pixel {}", renderer.linear()[at / 4], at / 4)),
+    }
+}
+
+/// What of a probe is not a finite number.
+fn not_finite(probe: &Probe) -> Option<&'static str> {
+    let hit = probe.hit.as_ref()?;
+    let mut vectors = vec![
+        ("the point", hit.position),
+        ("N", hit.normal),
+        ("V", hit.view),
+        ("the ambient term", hit.ambient),
+        ("Irefl", hit.reflected),
+        ("I", hit.intensity),
+        ("the sum", hit.sum),
+        ("the fit", probe.ambient_fit.unwrap_or(Rgb::ZERO)),
+    ];
+    let mut numbers = vec![("the depth", hit.depth), ("the divisor", hit.divisor)];
+    if let Some(cue) = hit.cue {
+        vectors.extend([("what is kept", cue.kept), ("the veil", cue.veil)]);
+        numbers.push(("s0", cue.scale));
+    }
+    if let Some(through) = hit.transmission {
+        vectors.extend([("what is seen through", through.seen)]);
+    }
+    for light in &hit.lights {
+        vectors.extend([("L", light.l), ("R", light.r), ("H", light.h), ("W", light.reflectance)]);
+        vectors.extend([("the diffuse term", light.diffuse), ("the specular term", light.specular)]);
+        let angles = [("N·L", light.n_dot_l), ("θ", light.theta), ("φ", light.phi), ("the incidence", light.incidence)];
+        numbers.extend(angles);
+        numbers.extend([("f", light.attenuation), ("the spot", light.spot), ("the part reached", light.reached)]);
+    }
+    let vector = vectors.into_iter().find(|(_, value)| !value.is_finite());
+    let number = numbers.into_iter().find(|(_, value)| !value.is_finite());
+    vector.map(|(name, _)| name).or(number.map(|(name, _)| name))
+}
+
+/// Examines scenes over all threads; says how many of them were drawn.
+fn examine_all(seeds: std::ops::Range<u64>) -> u64 {
+    let count = seeds.end - seeds.start;
+    let fates: Vec<Result<Fate, String>> =
+        seeds.into_par_iter().map(examine).filter(|fate| *fate != Ok(Fate::Refused)).collect();
+    let drawn = fates.iter().filter(|fate| fate.is_ok()).count() as u64;
+    let wrong: Vec<String> = fates.into_iter().filter_map(Result::err).collect();
+    println!("{count} scenes: {drawn} drawn, {} refused, {} wrong", count - drawn - wrong.len() as u64, wrong.len());
+    assert!(wrong.is_empty(), "{} of {count} are wrong:\n{}", wrong.len(), wrong[..wrong.len().min(5)].join("\n"));
+    drawn
+}
+
+/// A thousand lights, each as bright as lights may be and upon the surface, and a material that multiplies by all it may.
+fn blinding(model: ReflectionModel, mode: ShadingMode, attenuation: Attenuation) -> Scene {
+    let most = Rgb::splat(Material::MAX_COEFFICIENT);
+    let mut scene = Scene::default();
+    scene.image.size = [16; 2];
+    (scene.shading.mode, scene.reflection.model) = (mode, model);
+    let roughness = *Material::ROUGHNESS.start();
+    scene.material = Material { kd: most, ks: most, color: most, specular_color: most, roughness, ..scene.material };
+    (scene.pattern.kind, scene.pattern.color) = (PatternKind::Checker, most);
+    let color = Rgb::splat(GREATEST_INTENSITY);
+    // On the sphere's point next to the eye.
+    let light = Light { attenuation, position: DVec3::Z, color, k: 0.0, c1: 0.0, c2: 0.0, ..Light::default() };
+    (scene.ambient.color, scene.lights) = (color, vec![light; Scene::MAX_LIGHTS]);
+    scene
+}
+
+#[test]
+fn a_thousand_blinding_lights_add_up_to_a_finite_number() {
+    for model in [ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance] {
+        for mode in [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact] {
+            for attenuation in
+                [Attenuation::None, Attenuation::InverseSquare, Attenuation::Light, Attenuation::Quadratic]
+            {
+                let scene = blinding(model, mode, attenuation);
+                assert_eq!(scene.validate(), Ok(()));
+                let mut renderer = Renderer::default();
+                assert_eq!(draw(&mut renderer, &scene), Ok(()), "{model:?} {mode:?} {attenuation:?}");
+                renderer.keep_linear(true);
+                renderer.render(&scene);
+                let brightest = renderer.linear().iter().flatten().copied().fold(0.0, f32::max);
+                assert!(f64::from(brightest) > GREATEST_INTENSITY, "{model:?} {mode:?} {attenuation:?}: {brightest}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_camera_of_any_size_draws_solids_of_size_one() {
+    let modes = [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+    for (exponent, mode) in (-29..=29).flat_map(|exponent| modes.map(|mode| (exponent, mode))) {
+        let mut scene = Scene::default();
+        let size = 10_f64.powi(exponent);
+        (scene.image.size, scene.shading.mode) = ([16; 2], mode);
+        (scene.camera.eye, scene.camera.target) = (DVec3::new(0.7, 0.9, 0.4) * size, DVec3::new(0.2, -0.1, 0.1) * size);
+        scene.camera.height = size;
+        scene.camera.projection = if exponent % 2 == 0 { Projection::Perspective } else { Projection::Orthographic };
+        (scene.object.segments, scene.object.rings) = (7, 5);
+        scene.lights[0].attenuation = Attenuation::InverseSquare;
+        for kind in [ObjectKind::Sphere, ObjectKind::Torus, ObjectKind::Cone, ObjectKind::Cube, ObjectKind::Plane] {
+            scene.object.kind = kind;
+            assert_eq!(scene.validate(), Ok(()));
+            assert_eq!(draw(&mut Renderer::default(), &scene), Ok(()), "{kind:?}, {mode:?}, 1e{exponent}");
+        }
+    }
+}
+
+#[test]
+fn a_scene_is_refused_with_a_reason_or_drawn_in_finite_numbers() {
+    let count = 3000;
+    let drawn = examine_all(0..count);
+    assert!(drawn > count / 2 && drawn < count, "{drawn} of {count} were drawn");
+}
+
+/// The same with a million scenes over all cores, some minutes of work:
+/// `cargo test --test robustness -- --ignored --nocapture`. `ROBUSTNESS_SEEDS=FROM..TO` takes others.
+#[test]
+#[ignore = "takes minutes"]
+fn a_million_scenes() {
+    let named = std::env::var("ROBUSTNESS_SEEDS").ok();
+    let seeds = named.as_deref().and_then(|text| text.split_once("..")).map_or([0, 1_000_000], |(from, to)| {
+        [from, to].map(|number| number.parse().expect("FROM..TO in whole numbers"))
+    });
+    examine_all(seeds[0]..seeds[1]);
+}
