@@ -1,4 +1,4 @@
-//! The window's tab of error against run time.
+//! The window's tabs of error against run time, and of stiff and extreme cases.
 
 #[path = "common/window.rs"]
 mod hands;
@@ -6,7 +6,8 @@ mod hands;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use hands::{press, scene, undo, wait, window};
-use shading_lab::scene::ShadingMode;
+use shading_lab::analysis::stability_cases;
+use shading_lab::scene::{ObjectKind, ShadingMode};
 
 #[test]
 fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
@@ -40,4 +41,29 @@ fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
     press(&mut harness, "Stop");
     assert!(wait(&mut harness, |harness| harness.query_by_label("Start").is_some()));
     assert!(harness.query_by_label("flat 8×4").is_some());
+}
+
+#[test]
+fn the_catalogue_is_drawn_and_a_case_opens_as_the_scene() {
+    let mut harness = window("sphere");
+    let before = scene(&harness).clone();
+    harness.get_by_role_and_label(Role::Tab, "Stability").click_accesskit();
+    harness.run();
+    let last = stability_cases().last().expect("cases").title;
+    assert!(
+        wait(&mut harness, |harness| harness.query_by_role_and_label(Role::Button, last).is_some()),
+        "all are drawn"
+    );
+    let case = stability_cases().find(|case| case.name == "far-from-the-origin").expect("a case");
+    press(&mut harness, case.title);
+    assert!(
+        harness.query_by_label_contains(case.wrong).is_some() && harness.query_by_label_contains(case.robust).is_some()
+    );
+    assert!(harness.query_by_label_contains("Condition number 10⁷").is_some());
+    press(&mut harness, "Open as the scene");
+    let opened = scene(&harness).clone();
+    assert_eq!((opened.object.kind, opened.image.size), (ObjectKind::Polygons, before.image.size));
+    assert_eq!(opened.object.vertices, case.scene().expect("a scene").object.vertices);
+    undo(&mut harness);
+    assert_eq!(*scene(&harness), before, "one step of undo");
 }

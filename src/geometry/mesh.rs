@@ -86,9 +86,16 @@ impl Mesh {
         self.face(f).iter().map(|corner| self.positions[corner.position as usize].as_dvec3())
     }
 
-    /// The unit normal of face `f` by Newell's formula; zero where the face has no area.
+    /// The unit normal of face `f` by Newell's formula; zero where the face has no area, or none beyond its points' rounding.
     pub fn face_normal(&self, f: usize) -> DVec3 {
-        area_vector(self.face_points(f)).normalize_or_zero()
+        sure_area_vector(self.face_points(f), self.face_points(f)).normalize_or_zero()
+    }
+
+    /// The unit normal and the area of face `f`; nothing for a face without area, which does not count in an average.
+    pub(super) fn normal_and_area(&self, f: usize) -> Option<(DVec3, f64)> {
+        let area_vector = sure_area_vector(self.face_points(f), self.face_points(f));
+        let area = area_vector.length();
+        (area > 0.0).then(|| (area_vector / area, area))
     }
 
     /// The mean of the points of face `f`, in the world.
@@ -134,15 +141,29 @@ impl VertexMesh {
         self.face(f).iter().map(|&vertex| self.positions[vertex as usize].as_dvec3())
     }
 
-    /// The unit normal of face `f` by Newell's formula; zero where the face has no area.
+    /// The unit normal of face `f` by Newell's formula; zero where the face has no area, or none beyond its points' rounding.
     pub fn face_normal(&self, f: usize) -> DVec3 {
-        area_vector(self.face_points(f)).normalize_or_zero()
+        sure_area_vector(self.face_points(f), self.face_points(f)).normalize_or_zero()
     }
 
     /// The mean of the points of face `f`, in the world.
     pub fn face_centre(&self, f: usize) -> DVec3 {
         self.origin + mean(self.face_points(f))
     }
+}
+
+/// A polygon's normal with its area as length, of corners that are told twice; zero where the area is no more than the rounding
+/// of corners to single precision can make it, so that it tells no direction.
+fn sure_area_vector(corners: impl Iterator<Item = DVec3>, again: impl Iterator<Item = DVec3>) -> DVec3 {
+    /// Half a unit in the last place of a coordinate, in all of a corner's coordinates, at all corners; twice that.
+    const ROUNDING: f64 = 4.0 / (1 << 24) as f64;
+    let area = area_vector(corners);
+    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for corner in again {
+        (low, high) = (low.min(corner), high.max(corner));
+    }
+    let (extent, farthest) = ((high - low).max_element(), low.abs().max(high.abs()).max_element());
+    if area.length() > ROUNDING * extent * farthest { area } else { DVec3::ZERO }
 }
 
 fn face_range(starts: &[u32], f: usize) -> Range<usize> {

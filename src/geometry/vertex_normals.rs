@@ -1,7 +1,7 @@
 //! Vertex normals: from a mesh with shared points to vertices with one normal each.
 
 use super::mesh::{Mesh, NO_NORMAL, VertexMesh, radius_about_origin};
-use crate::scene::{NormalSource, Weighting, area_vector};
+use crate::scene::{NormalSource, Weighting};
 use glam::{DVec3, DVec4, Vec3};
 use std::f64::consts::TAU;
 
@@ -131,13 +131,6 @@ impl Mesh {
             self.fill_from_faces(&mut normals);
         }
         normals
-    }
-
-    /// The unit normal and the area of face `f`; nothing for a face without area, which does not count in an average.
-    pub(super) fn normal_and_area(&self, f: usize) -> Option<(DVec3, f64)> {
-        let area_vector = area_vector(self.face_points(f));
-        let area = area_vector.length();
-        (area > 0.0).then(|| (area_vector / area, area))
     }
 
     /// What face `f`, of this normal and area, weighs in the average at its corner `k`: 1, its area, or its interior

@@ -5,7 +5,7 @@ use super::microfacet::greatest_factor;
 use super::pattern::Fields;
 use super::source::{BRIGHTEST, Share};
 use super::{FormTask, Lobe, Real, Scalar, Source, Specular, SpecularForm, V3, specular};
-use crate::scene::{Backfacing, ReflectionModel, Rgb, Scene, Viewer};
+use crate::scene::{Backfacing, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -67,10 +67,6 @@ impl Reached<'_> {
     }
 }
 
-/// A light is above the surface when it is so many camera distances over the tangent plane, or N·L so great: below lies the
-/// rounding of places and directions in single precision, and the highlight would be switched on and off by it.
-const GRAZING: f64 = 1e-6;
-
 /// The coefficients of a scene's equation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation<T> {
@@ -84,6 +80,9 @@ pub struct Equation<T> {
     fresnel: Option<Fresnel<T>>,
     pattern: Option<Patterned<T>>,
     backfacing: Backfacing,
+    /// A light is above the surface when it is so many camera distances over the tangent plane, and N·L so great. Below lies what
+    /// rounding makes of places, and the highlight would be switched on and off by it.
+    grazing: T,
     /// V where it is constant.
     infinite_view: Option<[T; 3]>,
     form: SpecularForm,
@@ -156,6 +155,7 @@ impl<T: Scalar> Equation<T> {
             fresnel: Index::of(material).map(Fresnel::new),
             pattern,
             backfacing: scene.reflection.backfacing,
+            grazing: T::from_f64(grazing(scene, T::ROUNDING, T::GRID)),
             infinite_view: (camera.viewer == Viewer::Infinite).then(|| backwards.to_array().map(T::from_f64)),
             form: SpecularForm::of(scene),
             eye: camera.eye,
@@ -237,7 +237,7 @@ impl<T: Scalar> Equation<T> {
             turned.normal = site.normal.scale(sign);
             n_dot_l = n_dot_l.abs();
         }
-        let least = zero.constant(T::from_f64(GRAZING));
+        let least = zero.constant(self.grazing);
         let lit = n_dot_l.greater_than(nearness.mul_add(least, least));
         let specular = if F::PRESENT && R::any(lit) {
             let factor = F::factor(&turned, l, n_dot_l, &self.lobe);
@@ -296,6 +296,20 @@ impl<T: Scalar> Equation<T> {
         }
         sum
     }
+}
+
+/// From which height over the tangent plane a light counts, camera distances; places are rounded to `rounding`, and vertices to
+/// `grid` pixels in the picture. Surfaces lit from both sides have no step there, and a true surface no vertices.
+fn grazing(scene: &Scene, rounding: f64, grid: f64) -> f64 {
+    if scene.reflection.backfacing == Backfacing::Flip {
+        return 0.0;
+    }
+    let scale = View::new(&scene.camera, scene.image.size).scale;
+    let pixels = match scene.camera.projection {
+        Projection::Perspective => scale,
+        Projection::Orthographic => scale * scene.camera.distance(),
+    };
+    rounding + if scene.shading.mode == ShadingMode::Exact { 0.0 } else { grid / pixels }
 }
 
 /// What one light does at a point, an area light all its samples together.

@@ -4,11 +4,19 @@ use std::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 /// A coefficient: `f32` for pictures, `f64` for the reference.
 pub trait Scalar: Copy + PartialEq + PartialOrd + Default + Send + Sync + 'static {
+    /// What places are rounded to in the picture, pixels: vertices lie on a grid where this type shades them.
+    const GRID: f64;
+    /// What a few operations leave of 0, beside 1.
+    const ROUNDING: f64;
+
     /// Rounds to this type; values beyond its range become its greatest.
     fn from_f64(value: f64) -> Self;
 }
 
 impl Scalar for f32 {
+    const GRID: f64 = 1.0 / 256.0;
+    const ROUNDING: f64 = 4e-7;
+
     #[expect(clippy::cast_possible_truncation, reason = "rounding to single precision is what is asked for")]
     fn from_f64(value: f64) -> Self {
         (value as f32).clamp(f32::MIN, f32::MAX)
@@ -16,6 +24,9 @@ impl Scalar for f32 {
 }
 
 impl Scalar for f64 {
+    const GRID: f64 = 0.0;
+    const ROUNDING: f64 = 1e-13;
+
     fn from_f64(value: f64) -> Self {
         value.clamp(f64::MIN, f64::MAX)
     }

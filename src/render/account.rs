@@ -3,7 +3,7 @@
 //! A line that counts evaluations is really evaluated, however little it adds. Counts are of a frame in which every stage runs.
 
 use super::frame::{Report, Stage};
-use super::plan::{Cued, Facts, Per, Plan, casts_shadows, not_cued, silences};
+use super::plan::{Cued, Facts, Per, Plan, casts_shadows, not_cued, silences, stiff};
 use crate::illumination::{Equation, SpecularForm};
 use crate::scene::{
     AmbientSource, Backfacing, Encoding, LightKind, ObjectKind, Overflow, PatternKind, Reflectance, Rgb, Scene, Viewer,
@@ -147,6 +147,9 @@ impl Account<'_> {
         if constant.is_some() && scene.material.ka * scene.material.color * scene.ambient.color == Rgb::ZERO {
             terms[4] = term("ambient", count, Some("Ka·Ia is 0"));
         }
+        let enough = (!self.plan.double).then_some("single precision does");
+        let stiff = stiff(scene, self.facts).unwrap_or("polygons are all there is of the object: shown exactly");
+        terms.push(term("double precision", count, enough).noted(stiff));
         for light in 0..scene.lights.len() {
             terms.extend(self.light(light, &equation, no_specular));
         }

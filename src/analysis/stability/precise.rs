@@ -1,25 +1,203 @@
-//! Vectors of double-double numbers: 106 bits, the unevaluated sum of two `f64` (T. J. Dekker, *A Floating-Point Technique
-//! for Extending the Available Precision*, 1971).
+//! Double-double numbers, 106 bits as the unevaluated sum of two `f64`, and vectors of them.
+//!
+//! The algorithms are those of T. J. Dekker (*A Floating-Point Technique for Extending the Available Precision*, 1971) and
+//! of Y. Hida, X. S. Li and D. H. Bailey (*Algorithms for Quad-Double Precision Floating Point Arithmetic*, 2001). Relative errors
+//! are a few 10⁻³² for the operations and below 10⁻²⁹ for the functions, in the range of exponents of an `f64`.
 
 use glam::DVec3;
-use std::ops::{Add, Mul, Neg, Sub};
-use twofloat::TwoFloat;
+use std::cmp::Ordering;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+/// A double-double number.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Precise {
+    hi: f64,
+    lo: f64,
+}
+
+/// A double-double number of an `f64`, exactly.
+pub const fn precise(value: f64) -> Precise {
+    Precise { hi: value, lo: 0.0 }
+}
+
+/// The sum of two numbers and its rounding error, of numbers of which the first is the greater.
+fn quick_sum(a: f64, b: f64) -> Precise {
+    let hi = a + b;
+    Precise { hi, lo: b - (hi - a) }
+}
+
+/// The sum of two numbers and its rounding error.
+fn sum(a: f64, b: f64) -> Precise {
+    let hi = a + b;
+    let part = hi - a;
+    Precise { hi, lo: (a - (hi - part)) + (b - part) }
+}
+
+/// The product of two numbers and its rounding error.
+fn product(a: f64, b: f64) -> Precise {
+    let hi = a * b;
+    Precise { hi, lo: a.mul_add(b, -hi) }
+}
+
+impl Precise {
+    const PI: Self = Self { hi: std::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
+    const LN_2: Self = Self { hi: std::f64::consts::LN_2, lo: 2.319_046_813_846_299_6e-17 };
+
+    pub fn sqrt(self) -> Self {
+        if self.hi <= 0.0 {
+            return precise(if self.hi < 0.0 { f64::NAN } else { 0.0 });
+        }
+        let inverse = 1.0 / self.hi.sqrt();
+        let root = self.hi * inverse;
+        sum(root, (self - product(root, root)).hi * (inverse * 0.5))
+    }
+
+    pub fn abs(self) -> Self {
+        if self.hi < 0.0 { -self } else { self }
+    }
+
+    pub fn min(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+
+    /// eˣ: Taylor's series of x/512 after whole powers of 2 are taken out, squared nine times.
+    pub fn exp(self) -> Self {
+        const SQUARINGS: i32 = 9;
+        let power = (self.hi / Self::LN_2.hi).round();
+        if power < -1000.0 {
+            return precise(0.0);
+        }
+        let rest = (self - Self::LN_2 * power) * 0.5_f64.powi(SQUARINGS);
+        // eʳ − 1, so that squaring loses nothing: (1 + s)² − 1 = 2s + s².
+        let mut less_one = precise(0.0);
+        let mut term = precise(1.0);
+        for k in 1..12_u32 {
+            term = term * rest / precise(f64::from(k));
+            less_one += term;
+        }
+        for _ in 0..SQUARINGS {
+            less_one = less_one * 2.0 + less_one * less_one;
+        }
+        #[expect(clippy::cast_possible_truncation, reason = "a power of 2 in the range of an f64")]
+        let scale = 2.0_f64.powi(power as i32);
+        (less_one + precise(1.0)) * scale
+    }
+
+    /// The natural logarithm of a positive number, by Newton's iteration; absolute error 10⁻³² times its size or 1.
+    pub fn ln(self) -> Self {
+        let mut x = precise(self.hi.ln());
+        for _ in 0..2 {
+            x += self * (-x).exp() - precise(1.0);
+        }
+        x
+    }
+
+    /// Sine and cosine of an angle of at most a few radians, by Taylor's series.
+    pub fn sin_cos(self) -> (Self, Self) {
+        let (mut sine, mut cosine) = (precise(0.0), precise(0.0));
+        let mut term = precise(1.0);
+        for k in 0..48_u32 {
+            let part = if k % 4 < 2 { term } else { -term };
+            if k % 2 == 0 {
+                cosine += part;
+            } else {
+                sine += part;
+            }
+            term = term * self / precise(f64::from(k + 1));
+        }
+        (sine, cosine)
+    }
+
+    /// Degrees to radians.
+    pub fn to_radians(self) -> Self {
+        self * Self::PI / precise(180.0)
+    }
+}
+
+impl From<Precise> for f64 {
+    fn from(value: Precise) -> Self {
+        value.hi + value.lo
+    }
+}
+
+impl PartialOrd for Precise {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        let high = self.hi.partial_cmp(&other.hi)?;
+        Some(high.then(self.lo.partial_cmp(&other.lo)?))
+    }
+}
+
+impl Add for Precise {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let (high, low) = (sum(self.hi, other.hi), sum(self.lo, other.lo));
+        let once = quick_sum(high.hi, high.lo + low.hi);
+        quick_sum(once.hi, once.lo + low.lo)
+    }
+}
+
+impl AddAssign for Precise {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Neg for Precise {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { hi: -self.hi, lo: -self.lo }
+    }
+}
+
+impl Sub for Precise {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Precise {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let high = product(self.hi, other.hi);
+        quick_sum(high.hi, high.lo + (self.hi * other.lo + self.lo * other.hi))
+    }
+}
+
+impl Mul<f64> for Precise {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        self * precise(factor)
+    }
+}
+
+impl Div for Precise {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let first = self.hi / other.hi;
+        let rest = self - other * first;
+        let second = rest.hi / other.hi;
+        let third = (rest - other * second).hi / other.hi;
+        quick_sum(first, second) + precise(third)
+    }
+}
 
 /// A vector of three double-double numbers.
 #[derive(Clone, Copy, Debug)]
-pub struct Precise3(pub [TwoFloat; 3]);
-
-/// A double-double number of an `f64`, exactly.
-pub fn precise(value: f64) -> TwoFloat {
-    TwoFloat::from(value)
-}
+pub struct Precise3(pub [Precise; 3]);
 
 impl Precise3 {
     pub fn new(v: DVec3) -> Self {
         Self(v.to_array().map(precise))
     }
 
-    pub fn dot(self, other: Self) -> TwoFloat {
+    pub fn dot(self, other: Self) -> Precise {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         a * x + b * y + c * z
     }
@@ -29,7 +207,7 @@ impl Precise3 {
         Self([b * z - c * y, c * x - a * z, a * y - b * x])
     }
 
-    pub fn length(self) -> TwoFloat {
+    pub fn length(self) -> Precise {
         self.dot(self).sqrt()
     }
 
@@ -66,10 +244,56 @@ impl Neg for Precise3 {
     }
 }
 
-impl Mul<TwoFloat> for Precise3 {
+impl Mul<Precise> for Precise3 {
     type Output = Self;
 
-    fn mul(self, factor: TwoFloat) -> Self {
+    fn mul(self, factor: Precise) -> Self {
         Self(self.0.map(|v| v * factor))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Greatest relative error of `found` against `truth` over a few thousand numbers of all sizes.
+    fn worst(found: impl Fn(Precise) -> Precise, truth: impl Fn(Precise) -> Precise) -> f64 {
+        let number = |i: i32| (precise(f64::from(i)) + precise(0.37) / precise(7.0)) * 2.0_f64.powi(i % 60 - 30);
+        let error = |x: Precise| f64::from((found(x) - truth(x)) / truth(x)).abs();
+        (1..3000).map(|i| error(number(i))).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn operations_undo_each_other_to_thirty_digits() {
+        let third = precise(1.0) / precise(3.0);
+        assert!(worst(|x| x / third * third, |x| x) < 1e-30);
+        assert!(worst(|x| x.sqrt() * x.sqrt(), |x| x) < 1e-30);
+        assert!(worst(|x| x + third - third, |x| x) < 1e-20, "what is small beside 1/3 loses its last digits");
+        assert_eq!(precise(6.0) / precise(-3.0), precise(-2.0));
+    }
+
+    #[test]
+    fn functions_have_thirty_digits() {
+        let small = |x: Precise| x / (x + precise(1.0)) * 3.0;
+        assert!(worst(|x| small(x).exp() * (-small(x)).exp(), |_| precise(1.0)) < 1e-29);
+        assert!(worst(|x| (x + precise(1.0)).ln().exp(), |x| x + precise(1.0)) < 1e-29);
+        let circle = |x: Precise| {
+            let (sine, cosine) = small(x).sin_cos();
+            sine * sine + cosine * cosine
+        };
+        assert!(worst(circle, |_| precise(1.0)) < 1e-29);
+        // e to 32 digits, and the sine of 30 degrees.
+        let e = Precise { hi: std::f64::consts::E, lo: 1.445_646_891_729_250_2e-16 };
+        assert!(f64::from(precise(1.0).exp() - e).abs() < 1e-30);
+        let (half, _) = precise(30.0).to_radians().sin_cos();
+        assert!(f64::from(half - precise(0.5)).abs() < 1e-30);
+    }
+
+    #[test]
+    fn vectors_are_made_unit_to_thirty_digits() {
+        let v = Precise3::new(DVec3::new(1e-15, 3e7, -0.2)).unit();
+        assert!(f64::from(v.length() - precise(1.0)).abs() < 1e-30);
+        assert!(f64::from(v.dot(v.cross(Precise3::new(DVec3::ONE)))).abs() < 1e-30);
+        assert_eq!(Precise3::new(DVec3::ZERO).unit().length(), precise(0.0));
     }
 }

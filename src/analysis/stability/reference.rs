@@ -4,14 +4,13 @@
 //! power's error at n = 10¹² is below 10⁻¹⁸. What has no value by its formula has the value of the limit: a vector of
 //! length zero has no direction and is lit by nothing, and light that grazes the surface counts as none.
 
-use super::precise::{Precise3, precise};
+use super::precise::{Precise, Precise3, precise};
 use crate::scene::{
     Attenuation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode,
     Viewer,
 };
 use glam::DVec2;
 use rayon::prelude::*;
-use twofloat::TwoFloat;
 
 /// What is nearer to the eye than this many camera distances is not seen, as in the engine.
 const NEAR: f64 = 1e-3;
@@ -21,10 +20,11 @@ const NEAR: f64 = 1e-3;
 const CLEAR: f64 = 1.0 / 64.0;
 
 /// The vector of length zero.
-const NOTHING: Precise3 = Precise3([TwoFloat::from_f64(0.0); 3]);
+const NOTHING: Precise3 = Precise3([precise(0.0); 3]);
 
-/// N·L that is no more than the rounding of 106 bits leaves of 0.
-const GRAZING: f64 = 1e-24;
+/// What 106 bits leave of 0 after all that is done to a point: the height of a light over a tangent plane in camera
+/// distances, or N·L of parallel rays.
+const ROUNDING: f64 = 1e-20;
 
 /// A pixel of the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -51,9 +51,9 @@ struct Stage<'a> {
     up: Precise3,
     forward: Precise3,
     /// |target − eye|.
-    distance: TwoFloat,
+    distance: Precise,
     /// Pixels to a unit of the picture's plane.
-    scale: TwoFloat,
+    scale: Precise,
     lights: Vec<Lamp<'a>>,
 }
 
@@ -74,7 +74,7 @@ struct Triangle {
 struct Hit {
     face: usize,
     /// In units of the ray's direction.
-    t: TwoFloat,
+    t: Precise,
     normal: Precise3,
 }
 
@@ -87,7 +87,7 @@ impl<'a> Stage<'a> {
         let right = forward.cross(Precise3::new(camera.up)).unit();
         let height = precise(f64::from(scene.image.size[1]));
         let scale = match camera.projection {
-            Projection::Perspective => height / (precise(camera.fov_y / 2.0).to_radians().tan() * 2.0),
+            Projection::Perspective => height / (tangent(precise(camera.fov_y / 2.0).to_radians()) * 2.0),
             Projection::Orthographic => height / precise(camera.height),
         };
         let lamp = |light: &'a Light| Lamp {
@@ -154,7 +154,8 @@ impl<'a> Stage<'a> {
             let parallel = lamp.light.kind == LightKind::Directional;
             let l = if parallel { -lamp.direction } else { to_light.unit() };
             let n_dot_l = normal.dot(l);
-            if n_dot_l <= precise(GRAZING) {
+            let height = if parallel { n_dot_l } else { normal.dot(to_light) / self.distance };
+            if height <= precise(ROUNDING) {
                 continue;
             }
             let strength = lamp.attenuation(to_light.length()) * lamp.spot(l);
@@ -168,7 +169,7 @@ impl<'a> Stage<'a> {
         sum.map(f64::from)
     }
 
-    fn specular(&self, n: Precise3, l: Precise3, v: Precise3, n_dot_l: TwoFloat) -> TwoFloat {
+    fn specular(&self, n: Precise3, l: Precise3, v: Precise3, n_dot_l: Precise) -> Precise {
         let material = &self.scene.material;
         let h = (l + v).unit();
         match self.scene.reflection.model {
@@ -182,7 +183,7 @@ impl<'a> Stage<'a> {
                 let (m, cosine) = (precise(material.roughness), n_dot_h * n_dot_h);
                 let tangent = (precise(1.0) - cosine) / cosine;
                 let spread = (-tangent / (m * m)).exp() / (m * m * cosine * cosine);
-                let of = |cosine: TwoFloat| n_dot_h * 2.0 * cosine / v_dot_h;
+                let of = |cosine: Precise| n_dot_h * 2.0 * cosine / v_dot_h;
                 let masking = precise(1.0).min(of(n_dot_v)).min(of(n_dot_l));
                 spread * masking / (n_dot_v * 4.0)
             }
@@ -190,17 +191,20 @@ impl<'a> Stage<'a> {
     }
 }
 
+fn tangent(angle: Precise) -> Precise {
+    let (sine, cosine) = angle.sin_cos();
+    sine / cosine
+}
+
 /// `max(c, 0)^n` with 0⁰ = 1; at n = ∞ nothing but the axis itself remains.
-fn power(c: TwoFloat, n: f64) -> TwoFloat {
-    /// What 106 bits leave of 0 after a few operations.
-    const ROUNDING: f64 = 1e-26;
+fn power(c: Precise, n: f64) -> Precise {
     let zero = precise(0.0);
     if n == 0.0 {
         precise(1.0)
     } else if c <= zero {
         zero
     } else if n.is_infinite() {
-        if (c - 1.0).abs() < precise(ROUNDING) { precise(1.0) } else { zero }
+        if (c - precise(1.0)).abs() < precise(ROUNDING) { precise(1.0) } else { zero }
     } else {
         let exponent = c.ln() * n;
         if exponent < precise(-700.0) { zero } else { exponent.exp() }
@@ -209,32 +213,32 @@ fn power(c: TwoFloat, n: f64) -> TwoFloat {
 
 impl Lamp<'_> {
     /// f at `d` world units from the light.
-    fn attenuation(&self, d: TwoFloat) -> TwoFloat {
+    fn attenuation(&self, d: Precise) -> Precise {
         let light = self.light;
         let one = precise(1.0);
         match light.attenuation {
             // The distance to the viewer occurs in no case.
             Attenuation::None | Attenuation::Viewer => one,
-            Attenuation::Light => one / (d + light.k),
+            Attenuation::Light => one / (d + precise(light.k)),
             Attenuation::InverseSquare => one / (d * d),
-            Attenuation::Quadratic => one.min(one / (d * d * light.c3 + d * light.c2 + light.c1)),
+            Attenuation::Quadratic => one.min(one / (d * d * light.c3 + d * light.c2 + precise(light.c1))),
         }
     }
 
     /// A spot light's part in the direction −L: `(−L·D)^e` within a hard edge (Warn 1983).
-    fn spot(&self, l: Precise3) -> TwoFloat {
+    fn spot(&self, l: Precise3) -> Precise {
         if self.light.kind != LightKind::Spot {
             return precise(1.0);
         }
         let cosine = -l.dot(self.direction);
-        let inside = cosine >= precise(self.light.cone).to_radians().cos();
+        let inside = cosine >= precise(self.light.cone).to_radians().sin_cos().1;
         if inside { power(cosine, self.light.exponent) } else { precise(0.0) }
     }
 }
 
 impl Triangle {
     /// The point of the triangle on a ray, beyond `nearest`; nothing where the ray runs in its plane.
-    fn meet(&self, origin: Precise3, direction: Precise3, nearest: TwoFloat) -> Option<Hit> {
+    fn meet(&self, origin: Precise3, direction: Precise3, nearest: Precise) -> Option<Hit> {
         let [a, b, c] = self.corners;
         let (e1, e2, from) = (b - a, c - a, origin - a);
         let (p, q) = (direction.cross(e2), from.cross(e1));
@@ -247,14 +251,16 @@ impl Triangle {
         let w = precise(1.0) - u - v;
         let inside = u >= zero && v >= zero && w >= zero && t > nearest;
         let [na, nb, nc] = self.normals;
-        inside.then(|| Hit { face: self.face, t, normal: (na * w + nb * u + nc * v).unit() })
+        let normal = na * w + nb * u + nc * v;
+        let normal = if normal.length() > precise(ROUNDING) { normal.unit() } else { NOTHING };
+        inside.then_some(Hit { face: self.face, t, normal })
     }
 }
 
 /// The nearest point of the unit sphere about the origin on a ray.
-fn sphere(origin: Precise3, direction: Precise3, nearest: TwoFloat) -> Option<Hit> {
+fn sphere(origin: Precise3, direction: Precise3, nearest: Precise) -> Option<Hit> {
     let (a, b) = (direction.dot(direction), origin.dot(direction));
-    let discriminant = b * b - a * (origin.dot(origin) - 1.0);
+    let discriminant = b * b - a * (origin.dot(origin) - precise(1.0));
     if discriminant < precise(0.0) {
         return None;
     }

@@ -67,8 +67,8 @@ pub const CASES: &[Case] = &[
         condition: None,
         subject: scene(|| {
             let mut scene = square();
-            (scene.camera.eye, scene.camera.viewer) = (DVec3::new(-1.7, 1.1, 2.9), Viewer::Infinite);
-            let direction = DVec3::new(-1.7, 1.1, -2.9);
+            (scene.camera.eye, scene.camera.viewer) = (DVec3::new(-1.1, 0.9, 2.3), Viewer::Infinite);
+            let direction = DVec3::new(-1.1, 0.9, -2.3);
             scene.lights = vec![Light { kind: LightKind::Directional, direction, ..Light::default() }];
             scene.material.n = f64::INFINITY;
             scene

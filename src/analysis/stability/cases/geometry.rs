@@ -41,20 +41,22 @@ pub const CASES: &[Case] = &[
         topic: Topic::Geometry,
         wrong: "In single precision they have no area: their normals are no numbers, and spread through the averages at \
                 vertices to polygons that are sound.",
-        robust: "Normals by Newell's formula in double precision. Polygons without any area are refused by `check`; in a model \
-                 they have no normal and no weight.",
+        robust: "What has no area left has no normal and no weight in any average. Polygons without any area in a scene are \
+                 refused by `check`.",
         condition: Some(Condition { value: 1e8, of: "of the normal in the corners: length over width" }),
         subject: scene(|| {
-            let width = 1e-8;
+            // In the planes of the polygons beside them.
+            let (width, slope) = (1e-8, 0.25);
+            let tip = |x: f64| [x * (0.875 + width), 0.0, -width * slope];
             let corners = [
                 [-0.875, -0.75, 0.0],
-                [0.0, -0.75, 0.2],
+                [0.0, -0.75, 0.875 * slope],
                 [0.875, -0.75, 0.0],
                 [0.875, 0.75, 0.0],
-                [0.0, 0.75, 0.2],
+                [0.0, 0.75, 0.875 * slope],
                 [-0.875, 0.75, 0.0],
-                [-0.875 - width, 0.0, 0.0],
-                [0.875 + width, 0.0, 0.0],
+                tip(-1.0),
+                tip(1.0),
             ];
             polygons(&corners, &[&[0, 1, 4, 5], &[1, 2, 3, 4], &[0, 5, 6], &[3, 2, 7]])
         }),

@@ -42,7 +42,7 @@ pub const CASES: &[Case] = &[
         condition: None,
         subject: scene(|| {
             let mut scene = square();
-            scene.lights = vec![lamp(1e30, 0.5e30, 2e30)];
+            scene.lights = vec![lamp(0.5e30, 0.25e30, 1e30)];
             scene
         }),
     },

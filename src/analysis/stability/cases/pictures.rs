@@ -1,13 +1,12 @@
 //! Cases that no whole scene shows: the scan line itself, and Snell's law at the critical angle.
 
-use super::super::precise::precise;
+use super::super::precise::{Precise, precise};
 use super::super::{Case, Condition, Pictures, Subject, Topic, engine_picture};
 use super::{SIDE, polygons};
 use crate::illumination::{critical_angle, refract};
 use crate::render::Renderer;
 use crate::scene::{Interpolation, Light, LightKind, NormalSource, Projection, Rgb, Scene, ShadingMode};
 use glam::{DVec3, Vec2};
-use twofloat::TwoFloat;
 
 pub const CASES: &[Case] = &[
     Case {
@@ -73,12 +72,12 @@ fn true_spans(background: [f64; 3]) -> Vec<Option<[f64; 3]>> {
     let mut pixels = vec![Some(background); (SIDE * SIDE) as usize];
     for y in 0..SIDE {
         let line = f64::from(y) + 0.5;
-        let mut crossings: Vec<[TwoFloat; 2]> = Vec::new();
+        let mut crossings: Vec<[Precise; 2]> = Vec::new();
         for (index, ([xa, ya], ia)) in CORNERS.iter().enumerate() {
             let ([xb, yb], ib) = CORNERS[(index + 1) % CORNERS.len()];
             if (*ya <= line) != (yb <= line) {
                 let alpha = precise(line - ya) / precise(yb - ya);
-                crossings.push([alpha * (xb - xa) + *xa, alpha * (ib - ia) + *ia]);
+                crossings.push([alpha * (xb - xa) + precise(*xa), alpha * (ib - ia) + precise(*ia)]);
             }
         }
         let [Some(p), Some(q)] = [crossings.first(), crossings.get(1)] else { continue };
@@ -147,7 +146,7 @@ fn critical(_: &mut Renderer) -> Pictures {
 
 /// cos θ₂ by Snell's law, 0 where nothing is transmitted.
 fn true_cosine(angle: f64, eta: f64) -> f64 {
-    let sine = precise(angle).sin() / precise(eta);
+    let sine = precise(angle).sin_cos().0 / precise(eta);
     let rest = precise(1.0) - sine * sine;
     if rest > precise(0.0) { rest.sqrt().into() } else { 0.0 }
 }
