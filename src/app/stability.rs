@@ -13,7 +13,7 @@ use eframe::egui::{
 pub use work::StabilityView;
 
 /// Widths of the columns, points, and the height of a row.
-const NUMBER: f32 = 62.0;
+const NUMBER: f32 = 54.0;
 const ROW: f32 = 21.0;
 /// Between the pictures.
 const GAP: f32 = 6.0;

@@ -81,8 +81,8 @@ pub struct Equation<T> {
     pattern: Option<Patterned<T>>,
     backfacing: Backfacing,
     /// A light is above the surface when it is so many camera distances over the tangent plane, and N·L so great. Below lies what
-    /// rounding makes of places, and the highlight would be switched on and off by it.
-    grazing: T,
+    /// rounding makes of places and directions, and the highlight would be switched on and off by it.
+    grazing: [T; 2],
     /// V where it is constant.
     infinite_view: Option<[T; 3]>,
     form: SpecularForm,
@@ -155,7 +155,7 @@ impl<T: Scalar> Equation<T> {
             fresnel: Index::of(material).map(Fresnel::new),
             pattern,
             backfacing: scene.reflection.backfacing,
-            grazing: T::from_f64(grazing(scene, T::ROUNDING, T::GRID)),
+            grazing: grazing(scene, T::ROUNDING, T::GRID).map(T::from_f64),
             infinite_view: (camera.viewer == Viewer::Infinite).then(|| backwards.to_array().map(T::from_f64)),
             form: SpecularForm::of(scene),
             eye: camera.eye,
@@ -237,8 +237,8 @@ impl<T: Scalar> Equation<T> {
             turned.normal = site.normal.scale(sign);
             n_dot_l = n_dot_l.abs();
         }
-        let least = zero.constant(self.grazing);
-        let lit = n_dot_l.greater_than(nearness.mul_add(least, least));
+        let [height, cosine] = self.grazing.map(|least| zero.constant(least));
+        let lit = n_dot_l.greater_than(nearness.mul_add(height, cosine));
         let specular = if F::PRESENT && R::any(lit) {
             let factor = F::factor(&turned, l, n_dot_l, &self.lobe);
             R::select(lit, factor * strength, zero)
@@ -298,18 +298,19 @@ impl<T: Scalar> Equation<T> {
     }
 }
 
-/// From which height over the tangent plane a light counts, camera distances; places are rounded to `rounding`, and vertices to
-/// `grid` pixels in the picture. Surfaces lit from both sides have no step there, and a true surface no vertices.
-fn grazing(scene: &Scene, rounding: f64, grid: f64) -> f64 {
+/// From which height over the tangent plane in camera distances, and from which N·L, a light counts; places and directions are
+/// rounded to `rounding`, and vertices to `grid` pixels in the picture. Surfaces lit from both sides have no step there, and a
+/// true surface no vertices.
+fn grazing(scene: &Scene, rounding: f64, grid: f64) -> [f64; 2] {
     if scene.reflection.backfacing == Backfacing::Flip {
-        return 0.0;
+        return [0.0; 2];
     }
     let scale = View::new(&scene.camera, scene.image.size).scale;
     let pixels = match scene.camera.projection {
         Projection::Perspective => scale,
         Projection::Orthographic => scale * scene.camera.distance(),
     };
-    rounding + if scene.shading.mode == ShadingMode::Exact { 0.0 } else { grid / pixels }
+    [rounding + if scene.shading.mode == ShadingMode::Exact { 0.0 } else { grid / pixels }, rounding]
 }
 
 /// What one light does at a point, an area light all its samples together.

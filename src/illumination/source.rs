@@ -162,19 +162,19 @@ impl<T: Scalar> Source<T> {
         }
     }
 
-    /// Unit vector to the light, the attenuation f and the inverse distance of the light (1 for parallel rays) at `position`,
+    /// Unit vector to the light, the attenuation f and the inverse distance of the light (0 for parallel rays) at `position`,
     /// whose distance from the eye is `1/inverse_depth`.
     #[inline(always)]
     pub fn reach<R: Real<Scalar = T>>(&self, position: V3<R>, inverse_depth: R) -> (V3<R>, R, R) {
         let like = position.x;
         let shortest = like.constant(T::from_f64(SHORTEST));
         let one = like.constant(T::from_f64(1.0));
-        let (l, inverse_distance) = match self.place {
-            Place::Towards(l) => (V3::constant(like, l), one),
+        let (l, inverse_distance, nearness) = match self.place {
+            Place::Towards(l) => (V3::constant(like, l), one, like.constant(T::default())),
             Place::At(place) => {
                 let to_light = V3::constant(like, place) - position;
                 let inverse = to_light.dot(to_light).max(shortest * shortest).inverse_sqrt();
-                (to_light.scale(inverse), inverse)
+                (to_light.scale(inverse), inverse, inverse)
             }
         };
         let f = match self.falloff {
@@ -194,7 +194,7 @@ impl<T: Scalar> Source<T> {
                 one.min(one / sum.max(shortest))
             }
         };
-        (l, f, inverse_distance)
+        (l, f, nearness)
     }
 
     /// The part of the light's intensity that a spot light sends in the direction −`l`; 1 for other lights.
