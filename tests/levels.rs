@@ -4,6 +4,9 @@
 #[path = "common/textbook.rs"]
 mod textbook;
 
+#[path = "common/levels.rs"]
+mod simd;
+
 use fearless_simd::Level;
 use glam::DVec2;
 use rayon::ThreadPool;
@@ -11,6 +14,7 @@ use shading_lab::analysis::{ProbeHit, probe};
 use shading_lab::geometry::{Mesh, tessellate};
 use shading_lab::render::{Frame, Renderer, srgb};
 use shading_lab::scene::{Encoding, Overflow, Scene, ShadingMode, View, presets};
+use simd::levels;
 use textbook::field_edge;
 
 const THREADS: [usize; 4] = [1, 2, 3, 8];
@@ -23,18 +27,6 @@ const STEP: f64 = 1e-4;
 /// what a pixel sees by 1/200 of the polygon and more: a code value and more where a highlight comes and goes across a
 /// sliver, as it does on a knob or at an outline.
 const THIN: f64 = 0.6;
-
-/// The levels of this machine, best first.
-fn levels() -> Vec<Level> {
-    let best = Level::new();
-    let mut levels = vec![best, Level::baseline()];
-    #[cfg(target_arch = "x86_64")]
-    {
-        levels.extend(best.as_avx2().map(Level::Avx2));
-        levels.extend(best.as_sse4_2().map(Level::Sse4_2));
-    }
-    levels
-}
 
 fn pools() -> Vec<ThreadPool> {
     let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");

@@ -7,11 +7,15 @@
 #[path = "common/dice.rs"]
 mod dice;
 
+#[path = "common/levels.rs"]
+mod simd;
+
 use dice::Dice;
 use fearless_simd::{Level, dispatch, prelude::*};
 use glam::DVec3;
 use shading_lab::illumination::{FormTask, Lanes, Lobe, Site, Specular, SpecularForm, V3};
 use shading_lab::scene::{Material, ReflectionModel, Scene};
+use simd::levels;
 use std::f64::consts::TAU;
 
 /// Greatest error of the factor.
@@ -113,18 +117,6 @@ fn factors<S: Simd, F: Specular>(simd: S, lobe: &Lobe<f32>, directions: &[Direct
         all.extend(&factor.0.as_slice()[..chunk.len()]);
     }
     all
-}
-
-/// The levels of this machine, best first.
-fn levels() -> Vec<Level> {
-    let best = Level::new();
-    let mut levels = vec![best, Level::baseline()];
-    #[cfg(target_arch = "x86_64")]
-    {
-        levels.extend(best.as_avx2().map(Level::Avx2));
-        levels.extend(best.as_sse4_2().map(Level::Sse4_2));
-    }
-    levels
 }
 
 #[test]

@@ -15,7 +15,7 @@ fn the_engine_is_within_half_a_code_value_in_every_case() {
         let result = stability(&mut renderer, case);
         println!(
             "{:22} naive {:8.3} ({} off, {} not finite) robust {:8.4} of {} {:?}",
-            result.name,
+            result.case.name,
             result.naive_error,
             result.naive_off,
             result.naive_not_finite,
@@ -23,11 +23,11 @@ fn the_engine_is_within_half_a_code_value_in_every_case() {
             result.pixels,
             result.verdict
         );
-        assert!(result.pixels > 8000, "{}: most pixels are compared", result.name);
-        let expected = if MILD.contains(&result.name) { Verdict::BothHold } else { Verdict::RobustHolds };
+        assert!(result.pixels > 8000, "{}: most pixels are compared", result.case.name);
+        let expected = if MILD.contains(&result.case.name) { Verdict::BothHold } else { Verdict::RobustHolds };
         let holds = result.robust_error <= HALF_A_CODE_VALUE && result.robust_not_finite == 0;
         if !holds || result.verdict != expected {
-            failed.push(result.name);
+            failed.push(result.case.name);
         }
     }
     assert!(failed.is_empty(), "{failed:?}");

@@ -67,7 +67,7 @@ impl fmt::Display for Condition {
 }
 
 /// A case of the catalogue.
-#[derive(Debug)]
+#[derive(Debug, Serialize)]
 pub struct Case {
     /// Lower case, joined by hyphens.
     pub name: &'static str,
@@ -78,6 +78,7 @@ pub struct Case {
     /// What the engine does.
     pub robust: &'static str,
     pub condition: Option<Condition>,
+    #[serde(skip)]
     subject: Subject,
 }
 
@@ -133,12 +134,8 @@ impl Verdict {
 /// What became of a case.
 #[derive(Clone, Debug, Serialize)]
 pub struct CaseResult {
-    pub name: &'static str,
-    pub title: &'static str,
-    pub topic: Topic,
-    pub wrong: &'static str,
-    pub robust: &'static str,
-    pub condition: Option<Condition>,
+    #[serde(flatten)]
+    pub case: &'static Case,
     /// Greatest error in code values, 0 to 255.
     pub naive_error: f64,
     pub robust_error: f64,
@@ -168,18 +165,13 @@ pub fn stability_cases() -> impl Iterator<Item = &'static Case> {
 }
 
 /// Draws a case in all three ways.
-pub fn stability(renderer: &mut Renderer, case: &Case) -> CaseResult {
+pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
     let pictures = match case.subject {
         Subject::Scene(make) => of_scene(renderer, make()),
         Subject::Pictures(make) => make(renderer),
     };
     let mut result = CaseResult {
-        name: case.name,
-        title: case.title,
-        topic: case.topic,
-        wrong: case.wrong,
-        robust: case.robust,
-        condition: case.condition,
+        case,
         naive_error: 0.0,
         robust_error: 0.0,
         verdict: Verdict::Fails,

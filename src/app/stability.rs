@@ -7,13 +7,13 @@ use super::state::AppState;
 use crate::analysis::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Topic, stability_cases};
 use crate::render::Frame;
 use eframe::egui::{
-    Align, Button, ColorImage, Context, Grid, Image, Label, Layout, ProgressBar, RichText, TextureHandle,
-    TextureOptions, Ui, vec2,
+    Align, Button, ColorImage, Context, Image, Label, Layout, ProgressBar, RichText, TextureHandle, TextureOptions, Ui,
+    vec2,
 };
 pub use work::StabilityView;
 
 /// Widths of the columns, points, and the height of a row.
-const NUMBER: f32 = 54.0;
+const NUMBER: f32 = 62.0;
 const ROW: f32 = 21.0;
 /// Between the pictures.
 const GAP: f32 = 6.0;
@@ -55,14 +55,16 @@ fn progress_ui(ui: &mut Ui, view: &StabilityView, known: usize, total: usize) {
 
 /// A case with its pictures; returns whether it is asked for as a scene.
 fn case_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) -> bool {
-    ui.label(RichText::new(result.title).strong().size(16.0));
+    ui.label(RichText::new(result.case.title).strong().size(16.0));
     ui.add_space(2.0);
     let side = ((ui.available_width() - 2.0 * GAP) / 3.0).max(40.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = GAP;
         for (picture, name) in pictures.iter().zip(CASE_PICTURES) {
             ui.add(
-                Image::new(picture).fit_to_exact_size(vec2(side, side)).alt_text(format!("{}: {name}", result.title)),
+                Image::new(picture)
+                    .fit_to_exact_size(vec2(side, side))
+                    .alt_text(format!("{}: {name}", result.case.title)),
             );
         }
     });
@@ -86,9 +88,9 @@ fn case_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) -> b
         let pixels = if lost == 1 { "1 pixel is" } else { &format!("{lost} pixels are") };
         ui.label(RichText::new(format!("{pixels} infinite or no number, in magenta.")).weak());
     }
-    said_ui(ui, "The textbook", result.wrong);
-    said_ui(ui, "This engine", result.robust);
-    if let Some(condition) = result.condition {
+    said_ui(ui, "The textbook", result.case.wrong);
+    said_ui(ui, "This engine", result.case.robust);
+    if let Some(condition) = result.case.condition {
         ui.label(RichText::new(format!("Condition number {condition}.")).weak());
     }
     let tip = "The case becomes the scene in the window. Undo leads back";
@@ -108,30 +110,48 @@ fn table_ui(ui: &mut Ui, view: &mut StabilityView) {
     let name = (ui.available_width() - 2.0 * (NUMBER + 4.0)).max(120.0);
     let mut topic: Option<Topic> = None;
     let mut chosen = view.chosen;
-    Grid::new("stability").num_columns(3).spacing([4.0, 1.0]).min_row_height(ROW).show(ui, |ui| {
-        for (index, result) in view.results.iter().enumerate() {
-            if topic != Some(result.topic) {
-                topic = Some(result.topic);
-                ui.label(RichText::new(result.topic.title()).strong());
-                number_ui(ui, RichText::new(if index == 0 { "textbook" } else { "" }).weak());
-                number_ui(ui, RichText::new(if index == 0 { "engine" } else { "" }).weak());
-                ui.end_row();
+    ui.spacing_mut().item_spacing = vec2(4.0, 1.0);
+    for (index, result) in view.results.iter().enumerate() {
+        let case = result.case;
+        if topic != Some(case.topic) {
+            let first = topic.is_none();
+            topic = Some(case.topic);
+            row_ui(
+                ui,
+                name,
+                |ui| drop(ui.label(RichText::new(case.topic.title()).strong())),
+                |ui| {
+                    for head in ["textbook", "engine"] {
+                        number_ui(ui, RichText::new(if first { head } else { "" }).weak());
+                    }
+                },
+            );
+        }
+        let pick = |ui: &mut Ui| {
+            let row = Button::selectable(index == view.chosen, case.title).truncate();
+            if ui.add(row).on_hover_text(case.title).clicked() {
+                chosen = index;
             }
-            ui.allocate_ui_with_layout(vec2(name, ROW), Layout::left_to_right(Align::Center), |ui| {
-                ui.set_min_width(name);
-                let row = Button::selectable(index == view.chosen, result.title).truncate();
-                if ui.add(row).on_hover_text(result.wrong).clicked() {
-                    chosen = index;
-                }
-            });
+        };
+        row_ui(ui, name, pick, |ui| {
             for error in [result.naive_error, result.robust_error] {
                 let text = error_text(ui, code_values(error), error).monospace();
                 number_ui(ui, text);
             }
-            ui.end_row();
-        }
-    });
+        });
+    }
     view.choose(chosen);
+}
+
+/// A row: what it is about in `width` points, then its numbers.
+fn row_ui(ui: &mut Ui, width: f32, name: impl FnOnce(&mut Ui), numbers: impl FnOnce(&mut Ui)) {
+    ui.horizontal(|ui| {
+        ui.allocate_ui_with_layout(vec2(width, ROW), Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(width);
+            name(ui);
+        });
+        numbers(ui);
+    });
 }
 
 fn number_ui(ui: &mut Ui, text: RichText) {

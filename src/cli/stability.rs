@@ -40,10 +40,10 @@ fn parse_picture(text: &str) -> Result<PathBuf, String> {
 
 impl StabilityCommand {
     pub fn run(self) -> Result<(), Failure> {
-        let asked: Vec<&Case> = if self.cases.is_empty() { stability_cases().collect() } else { self.cases };
+        let asked: Vec<&'static Case> = if self.cases.is_empty() { stability_cases().collect() } else { self.cases };
         let bar = progress_bar(asked.len() as u64, "drawing");
         let mut renderer = Renderer::default();
-        let draw = |case: &&Case| {
+        let draw = |case: &&'static Case| {
             let result = stability(&mut renderer, case);
             bar.inc(1);
             result
@@ -76,12 +76,13 @@ fn csv(results: &[CaseResult]) -> String {
     let mut text =
         "name,topic,condition,naive_error,robust_error,verdict,pixels,naive_off,naive_not_finite\n".to_owned();
     for result in results {
-        let CaseResult { name, naive_error, robust_error, pixels, naive_off, naive_not_finite, .. } = result;
-        let condition = result.condition.map_or_else(String::new, |condition| condition.value.to_string());
+        let CaseResult { case, naive_error, robust_error, pixels, naive_off, naive_not_finite, .. } = result;
+        let condition = result.case.condition.map_or_else(String::new, |condition| condition.value.to_string());
         let _ = writeln!(
             text,
-            "{name},{},{condition},{naive_error},{robust_error},{},{pixels},{naive_off},{naive_not_finite}",
-            result.topic.title(),
+            "{},{},{condition},{naive_error},{robust_error},{},{pixels},{naive_off},{naive_not_finite}",
+            case.name,
+            case.topic.title(),
             result.verdict.words()
         );
     }
@@ -100,11 +101,12 @@ fn text(results: &[CaseResult]) -> String {
         "case", "condition", "textbook", "pixels", "∅", "this engine"
     );
     for result in results {
-        let condition = result.condition.map_or_else(|| "-".to_owned(), |condition| format!("{:.1e}", condition.value));
+        let condition =
+            result.case.condition.map_or_else(|| "-".to_owned(), |condition| format!("{:.1e}", condition.value));
         let _ = writeln!(
             text,
             "{:22} {condition:>9} {:>9.3} {:>7} {:>6} {:>11.4}  {}",
-            result.name,
+            result.case.name,
             result.naive_error,
             result.naive_off,
             result.naive_not_finite,
@@ -113,8 +115,12 @@ fn text(results: &[CaseResult]) -> String {
         );
     }
     if let [result] = results {
-        let _ = writeln!(text, "\n{}\n  textbook: {}\n  this engine: {}", result.title, result.wrong, result.robust);
-        if let Some(condition) = result.condition {
+        let _ = writeln!(
+            text,
+            "\n{}\n  textbook: {}\n  this engine: {}",
+            result.case.title, result.case.wrong, result.case.robust
+        );
+        if let Some(condition) = result.case.condition {
             let _ = writeln!(text, "  condition number {condition}");
         }
     }

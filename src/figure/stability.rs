@@ -41,7 +41,7 @@ pub fn stability_sheet(results: &[CaseResult]) -> Option<Frame> {
     let mut pixmap = PixmapMut::from_bytes(sheet.pixels.as_flattened_mut(), width, height)?;
     let mut ink = Ink { pixmap: &mut pixmap, halo: [GROUND[0], GROUND[1], GROUND[2]], breadth: 0.0 };
     for (result, [x, y]) in results.iter().zip(&places) {
-        letter(&mut ink, result.title, EM, [*x, y + HEAD - 12], WORDS);
+        letter(&mut ink, result.case.title, EM, [*x, y + HEAD - 12], WORDS);
         for ((words, colour), step) in captions(result).into_iter().zip(0..) {
             letter(&mut ink, &words, 0.86 * EM, [x + step * (side + GAP), y + HEAD + side + 22], colour);
         }

@@ -1,7 +1,9 @@
 //! The renderer: runs the plan's stages, each only when what it reads has changed.
 
 mod held;
+mod inputs;
 
+use self::inputs::{CanvasInputs, IntensityInputs, MeshInputs, ModelInputs, PlacedInputs};
 use super::account::{Account, Term};
 use super::beyond::compose;
 use super::bins::Bins;
@@ -23,9 +25,7 @@ use super::transmission::Transmission;
 use super::{Frame, Report, Stage, StageRun};
 use crate::geometry::{Mesh, Surface};
 use crate::illumination::Equation;
-use crate::scene::{
-    AmbientSource, Display, NormalSource, Object, ObjectKind, Overflow, Polygons, Rgb, Scene, Weighting,
-};
+use crate::scene::{AmbientSource, Display, NormalSource, Object, ObjectKind, Overflow, Rgb, Scene, Weighting};
 use fearless_simd::Level;
 use glam::DVec2;
 use std::sync::Arc;
@@ -72,78 +72,6 @@ struct Drawn {
     plan: Plan,
     lens: Lens,
     facts: Facts,
-}
-
-#[derive(PartialEq)]
-struct MeshInputs {
-    kind: ObjectKind,
-    segments: u32,
-    rings: u32,
-    given: u64,
-    /// The scene's own polygons.
-    polygons: Option<Polygons>,
-}
-
-#[derive(PartialEq)]
-struct ModelInputs {
-    mesh: u64,
-    normals: NormalSource,
-    weighting: Weighting,
-}
-
-#[derive(PartialEq)]
-struct PlacedInputs {
-    model: u64,
-    lens: Lens,
-    size: [u32; 2],
-    cull: bool,
-}
-
-#[derive(PartialEq)]
-struct IntensityInputs {
-    model: u64,
-    equation: Equation<f32>,
-    per: Per,
-    double: bool,
-    /// The run of the bits, where there are shadows.
-    reach: Option<u64>,
-    /// Where intensities fade at the points.
-    cue: Option<Cue>,
-}
-
-#[derive(PartialEq)]
-struct CanvasInputs {
-    bands: u64,
-    equation: Option<Equation<f32>>,
-    background: [f64; 3],
-    display: Display,
-    whole_picture: bool,
-    renormalise: bool,
-    double: bool,
-    /// The runs of the bits, of what is seen beyond and of what other surfaces scatter.
-    rays: Option<[u64; 3]>,
-    /// How what is seen beyond is mixed in.
-    composition: Option<(f64, AmbientSource)>,
-    /// What s0 at the pixels is made from.
-    cue: Option<LayerInputs>,
-}
-
-impl CanvasInputs {
-    fn new(scene: &Scene, plan: &Plan, equation: &Equation<f32>, stamps: (u64, [u64; 3])) -> Self {
-        let (bands, rays) = stamps;
-        Self {
-            bands,
-            cue: None,
-            equation: (plan.per == Per::Pixel).then(|| equation.clone()),
-            background: scene.image.background.to_array(),
-            display: scene.display.clone(),
-            whole_picture: plan.whole_picture,
-            renormalise: plan.renormalise,
-            double: plan.double,
-            rays: plan.follows_rays().then_some(rays),
-            composition: plan.composes.then_some((scene.transparency.kt, scene.ambient.source)),
-        }
-    }
 }
 
 impl Default for Renderer {
