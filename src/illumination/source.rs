@@ -81,7 +81,7 @@ enum Place<T> {
 }
 
 /// The attenuation factor f as a function of a distance in camera distances. It is not greater than the source's intensity
-/// allows (see [`Share`]): divisors are lifted to `least`, or f is lowered to `greatest`.
+/// allows (see `Share`): divisors are lifted to `least`, or f is lowered to `greatest`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Falloff<T> {
     /// f is the same everywhere.

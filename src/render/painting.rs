@@ -387,7 +387,7 @@ impl Painting<'_> {
         };
         let centre = |x: usize, row: usize| DVec2::new(x as f64 + 0.5, f64::from(place.first_row) + row as f64 + 0.5);
         if plan.true_surface {
-            for (index, _) in fragments.iter().enumerate().filter(|(_, fragment)| **fragment != GAP) {
+            for (index, _) in fragments.iter().enumerate().filter(|(_, fragment)| fragment[3] > GAP[3]) {
                 let (x, row) = (index % width, index / width);
                 if let Some(evaluation) = reference.of_surface(centre(x, row)) {
                     put(x, row, evaluation);
