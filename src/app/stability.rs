@@ -6,6 +6,7 @@ mod work;
 use super::state::AppState;
 use crate::analysis::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Topic, stability_cases};
 use crate::render::Frame;
+use crate::scene::Scene;
 use eframe::egui::{
     Align, Button, ColorImage, Context, Image, Label, Layout, ProgressBar, RichText, TextureHandle, TextureOptions, Ui,
     vec2,
@@ -28,15 +29,7 @@ pub fn stability_ui(ui: &mut Ui, state: &mut AppState) {
     if known < total {
         progress_ui(ui, view, known, total);
     }
-    let mut opened = None;
-    if let Some(result) = view.results.get(view.chosen) {
-        let pictures = view.shown.get_or_insert_with(|| textures(ui.ctx(), result));
-        if case_ui(ui, result, pictures) {
-            opened = result.scene.clone();
-        }
-        ui.add_space(4.0);
-    }
-    table_ui(ui, view);
+    let opened = table_ui(ui, view);
     if let Some(mut scene) = opened {
         // The window has its own size, and the picture is looked at in it.
         scene.image.size = state.document.scene.image.size;
@@ -55,6 +48,7 @@ fn progress_ui(ui: &mut Ui, view: &StabilityView, known: usize, total: usize) {
 
 /// A case with its pictures; returns whether it is asked for as a scene.
 fn case_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) -> bool {
+    ui.add_space(4.0);
     ui.label(RichText::new(result.case.title).strong().size(16.0));
     ui.add_space(2.0);
     let side = ((ui.available_width() - 2.0 * GAP) / 3.0).max(40.0);
@@ -104,13 +98,13 @@ fn said_ui(ui: &mut Ui, who: &str, what: &str) {
     ui.add(Label::new(what).wrap());
 }
 
-fn table_ui(ui: &mut Ui, view: &mut StabilityView) {
-    ui.separator();
+/// The cases by topic, the chosen one with all that is known of it below its row; returns the scene that is asked for.
+fn table_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
     ui.label(RichText::new("Greatest errors in code values, of 255").weak());
     let name = (ui.available_width() - 2.0 * (NUMBER + 4.0)).max(120.0);
     let mut topic: Option<Topic> = None;
-    let mut chosen = view.chosen;
-    ui.spacing_mut().item_spacing = vec2(4.0, 1.0);
+    let (mut chosen, mut opened) = (view.chosen, None);
+    let mut shown = view.shown.take();
     for (index, result) in view.results.iter().enumerate() {
         let case = result.case;
         if topic != Some(case.topic) {
@@ -127,10 +121,14 @@ fn table_ui(ui: &mut Ui, view: &mut StabilityView) {
                 },
             );
         }
+        let open = index == view.chosen;
         let pick = |ui: &mut Ui| {
-            let row = Button::selectable(index == view.chosen, case.title).truncate();
-            if ui.add(row).on_hover_text(case.title).clicked() {
+            let row = ui.add(Button::selectable(open, case.title).truncate()).on_hover_text(case.title);
+            if row.clicked() {
                 chosen = index;
+            }
+            if open && shown.is_none() && index > 0 {
+                row.scroll_to_me(Some(Align::Min));
             }
         };
         row_ui(ui, name, pick, |ui| {
@@ -139,13 +137,23 @@ fn table_ui(ui: &mut Ui, view: &mut StabilityView) {
                 number_ui(ui, text);
             }
         });
+        if open {
+            let pictures = shown.get_or_insert_with(|| textures(ui.ctx(), result));
+            if case_ui(ui, result, pictures) {
+                opened.clone_from(&result.scene);
+            }
+            ui.add_space(8.0);
+        }
     }
+    view.shown = shown;
     view.choose(chosen);
+    opened
 }
 
 /// A row: what it is about in `width` points, then its numbers.
 fn row_ui(ui: &mut Ui, width: f32, name: impl FnOnce(&mut Ui), numbers: impl FnOnce(&mut Ui)) {
     ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing = vec2(4.0, 1.0);
         ui.allocate_ui_with_layout(vec2(width, ROW), Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(width);
             name(ui);

@@ -150,7 +150,7 @@ pub const CASES: &[Case] = &[
         title: "Normals of length 10⁻³⁰",
         topic: Topic::Vectors,
         wrong: "The square of the length underflows to 0, and what is divided by that is infinite.",
-        robust: "Double precision likewise; shorter ones are refused by `check`.",
+        robust: "Double precision likewise; shorter ones are refused.",
         condition: None,
         subject: scene(|| with_normals(|x, y| DVec3::new(x, y, 1.2) * 1e-30)),
     },

@@ -39,10 +39,10 @@ pub const CASES: &[Case] = &[
         name: "slivers",
         title: "Slivers: triangles 10⁻⁸ wide",
         topic: Topic::Geometry,
-        wrong: "In single precision they have no area: their normals are no numbers, and spread through the averages at \
+        wrong: "In single precision they have hardly an area: their normals point anywhere, and spread through the averages at \
                 vertices to polygons that are sound.",
-        robust: "What has no area left has no normal and no weight in any average. Polygons without any area in a scene are \
-                 refused by `check`.",
+        robust: "What has no area beyond the rounding of its corners has no normal and no weight in any average. Polygons \
+                 without any area in a scene are refused.",
         condition: Some(Condition { value: 1e8, of: "of the normal in the corners: length over width" }),
         subject: scene(|| {
             // In the planes of the polygons beside them.

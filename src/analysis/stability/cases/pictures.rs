@@ -23,7 +23,7 @@ pub const CASES: &[Case] = &[
     Case {
         name: "critical-angle",
         title: "The critical angle, 4·10⁻⁶ radians of it",
-        topic: Topic::Vectors,
+        topic: Topic::Geometry,
         wrong: "1 − sin²θ₂ from a cosine has two or three digits left; past the angle its root is no number.",
         robust: "sin² from the cross product, in double precision; where the rest is below 0 nothing is transmitted.",
         condition: Some(Condition { value: 5e5, of: "of cos θ₂ in θ₁: 1/(2δ)" }),
