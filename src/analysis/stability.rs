@@ -10,6 +10,7 @@ mod textbook;
 
 use crate::render::{Frame, Renderer};
 use crate::scene::Scene;
+use reference::Truth;
 use serde::Serialize;
 use std::fmt;
 
@@ -104,8 +105,7 @@ enum Subject {
 struct Pictures {
     naive: Vec<[f64; 3]>,
     engine: Vec<[f64; 3]>,
-    /// Nothing where nothing is compared.
-    truth: Vec<Option<[f64; 3]>>,
+    truth: Vec<Truth>,
     scene: Option<Scene>,
 }
 
@@ -184,8 +184,10 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
     };
     let compared = pictures.truth.iter().zip(pictures.naive.iter().zip(&pictures.engine));
     for (truth, (naive, engine)) in compared {
-        let Some(truth) = truth else { continue };
-        let truth = truth.map(clamped);
+        if !truth.clear {
+            continue;
+        }
+        let truth = truth.color.map(clamped);
         let naive = greatest(truth, naive.map(wrapped));
         result.naive_error = result.naive_error.max(naive);
         result.robust_error = result.robust_error.max(greatest(truth, engine.map(clamped)));
@@ -198,8 +200,7 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
         (true, false) => Verdict::RobustHolds,
         (true, true) => Verdict::BothHold,
     };
-    let truth: Vec<[f64; 3]> =
-        pictures.truth.iter().zip(&pictures.engine).map(|(truth, engine)| truth.unwrap_or(*engine)).collect();
+    let truth: Vec<[f64; 3]> = pictures.truth.iter().map(|truth| truth.color).collect();
     result.pictures = [frame(&pictures.naive, wrapped), frame(&pictures.engine, clamped), frame(&truth, clamped)];
     result.scene = pictures.scene;
     result
@@ -208,8 +209,7 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
 fn of_scene(renderer: &mut Renderer, scene: Scene) -> Pictures {
     let naive = textbook::draw(&scene).into_iter().map(|color| color.map(f64::from)).collect();
     let engine = engine_picture(renderer, &scene);
-    let truth = reference::draw(&scene).into_iter().map(|truth| truth.clear.then_some(truth.color)).collect();
-    Pictures { naive, engine, truth, scene: Some(scene) }
+    Pictures { naive, engine, truth: reference::draw(&scene), scene: Some(scene) }
 }
 
 /// The engine's picture before the display.

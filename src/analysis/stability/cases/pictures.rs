@@ -1,6 +1,7 @@
 //! Cases that no whole scene shows: the scan line itself, and Snell's law at the critical angle.
 
 use super::super::precise::{Precise, precise};
+use super::super::reference::Truth;
 use super::super::{Case, Condition, Pictures, Subject, Topic, engine_picture};
 use super::{SIDE, polygons};
 use crate::illumination::{critical_angle, refract};
@@ -68,8 +69,8 @@ fn grey(value: f64) -> [f64; 3] {
     [value; 3]
 }
 
-fn true_spans(background: [f64; 3]) -> Vec<Option<[f64; 3]>> {
-    let mut pixels = vec![Some(background); (SIDE * SIDE) as usize];
+fn true_spans(background: [f64; 3]) -> Vec<Truth> {
+    let mut pixels = vec![Truth { color: background, clear: true }; (SIDE * SIDE) as usize];
     for y in 0..SIDE {
         let line = f64::from(y) + 0.5;
         let mut crossings: Vec<[Precise; 2]> = Vec::new();
@@ -89,7 +90,7 @@ fn true_spans(background: [f64; 3]) -> Vec<Option<[f64; 3]>> {
             if ends[0] <= centre && centre < ends[1] {
                 let at = precise(centre);
                 let value = p[1] + (at - p[0]) / (q[0] - p[0]) * (q[1] - p[1]);
-                pixels[(y * SIDE + x) as usize] = Some(grey(value.into()));
+                pixels[(y * SIDE + x) as usize] = Truth { color: grey(value.into()), clear: true };
             }
         }
     }
@@ -135,7 +136,7 @@ fn critical(_: &mut Renderer) -> Pictures {
         let eta = 0.95 - 0.5 * f64::from(y) / f64::from(SIDE);
         let beyond = (f64::from(x) - middle) / middle * ANGLES;
         let angle = critical_angle(eta).unwrap_or_default() + beyond;
-        pictures.truth.push(Some(grey(true_cosine(angle, eta) * GAIN)));
+        pictures.truth.push(Truth { color: grey(true_cosine(angle, eta) * GAIN), clear: true });
         let incident = DVec3::new(angle.sin(), 0.0, -angle.cos());
         let cosine = refract(incident, DVec3::Z, eta).map_or(0.0, |t| -t.z);
         pictures.engine.push(grey(cosine * GAIN));
