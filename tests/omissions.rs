@@ -153,12 +153,6 @@ fn random_scenes(cases: u32) {
 }
 
 #[test]
-fn three_hundred_random_scenes_are_the_same() {
-    random_scenes(300);
-}
-
-#[test]
-#[ignore = "takes some seconds"]
 fn ten_thousand_random_scenes_are_the_same() {
     random_scenes(10_000);
 }

@@ -39,10 +39,18 @@ impl<'a> Shadows<'a> {
         if facing <= 0.0 && !self.flip {
             return true;
         }
-        let start = start + n * self.solid.clearance().copysign(facing);
+        let mut start = start + n * self.solid.clearance().copysign(facing);
+        start.y = start.y.max(self.least_height());
         // A convex solid lies behind the tangent plane of each of its points.
         let alone = self.solid.is_convex() && facing > 0.0;
         !self.is_underground(start, direction, t_max) && (alone || !self.solid.blocks(start, direction, t_max))
+    }
+
+    /// The height that the object's own sites have at least: on an object that stands on the floor or above it none lies beneath,
+    /// though normals that lean out of its faces lift some there.
+    fn least_height(&self) -> f64 {
+        let ground = self.ground.filter(|ground| self.solid.lowest() >= ground - self.solid.clearance());
+        ground.unwrap_or(f64::NEG_INFINITY)
     }
 
     fn is_underground(&self, start: DVec3, direction: DVec3, t_max: f64) -> bool {

@@ -93,9 +93,8 @@ impl<'a> Cast<'a> {
     /// source, and no floor parts them.
     pub fn reaches_all(&self) -> bool {
         let Shadows { solid, ground, flip, .. } = self.shadows;
-        let above = |ground: f64| {
-            solid.lowest() >= ground - solid.clearance() && self.targets.iter().all(|target| target.rise > 0.0)
-        };
+        let above =
+            |ground: f64| self.shadows.least_height() >= ground && self.targets.iter().all(|target| target.rise > 0.0);
         self.own && !flip && solid.is_convex() && ground.is_none_or(above)
     }
 
@@ -109,13 +108,15 @@ impl<'a> Cast<'a> {
     pub fn mark_row<S: Simd>(&self, simd: S, row: &SiteRow, stride: usize, words: &mut [u64], waiting: &mut Waiting) {
         let mut sheet = Sheet { stride, words, waiting };
         let clearance = self.shadows.solid.clearance();
-        let ground = self.shadows.ground.map_or(f64::NEG_INFINITY, |ground| ground - self.middle.y);
+        let least = if self.own { self.shadows.least_height() } else { f64::NEG_INFINITY };
+        let [ground, least] =
+            [self.shadows.ground.unwrap_or(f64::NEG_INFINITY), least].map(|height| height - self.middle.y);
         for packet in (0..row.present.len()).filter(|packet| row.present[*packet] != 0) {
             if self.own && self.shadows.flip {
                 self.mark_each(row, packet, &mut sheet);
                 continue;
             }
-            let sites = Sites::load(simd, row, packet, clearance, ground, self.balls);
+            let sites = Sites::load(simd, row, packet, clearance, [ground, least], self.balls);
             let place = Place { row, first: packet * RAYS, sites };
             for lamp in &self.lamps {
                 self.mark_lamp(simd, &place, lamp, &mut sheet);

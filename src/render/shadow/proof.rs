@@ -85,10 +85,17 @@ pub(super) struct Sites<S: Simd> {
 }
 
 impl<S: Simd> Sites<S> {
-    /// The sites of a row's packet, whose rays start `clearance` away from them; the floor lies at `ground` relative to the
-    /// middle.
+    /// The sites of a row's packet, whose rays start `clearance` away from them; the floor lies at the height `ground`, and none
+    /// of the sites below `least`, both relative to the middle.
     #[inline(always)]
-    pub fn load(simd: S, row: &SiteRow, packet: usize, clearance: f64, ground: f64, balls: Balls) -> Self {
+    pub fn load(
+        simd: S,
+        row: &SiteRow,
+        packet: usize,
+        clearance: f64,
+        [ground, least]: [f64; 2],
+        balls: Balls,
+    ) -> Self {
         let range = packet * RAYS..(packet + 1) * RAYS;
         let mut planes = [[0.0_f32; RAYS]; 7];
         for axis in 0..3 {
@@ -100,7 +107,7 @@ impl<S: Simd> Sites<S> {
         }
         let (heights, slopes) = (&row.start[1][range.clone()], &row.normal[1][range]);
         for lane in 0..RAYS {
-            planes[6][lane] = (heights[lane] + slopes[lane] * clearance - ground) as f32;
+            planes[6][lane] = ((heights[lane] + slopes[lane] * clearance).max(least) - ground) as f32;
         }
         let [x, y, z, nx, ny, nz, above] = &planes;
         let from = [lanes(simd, x), lanes(simd, y), lanes(simd, z)];
