@@ -13,6 +13,7 @@ mod draft;
 mod exact;
 mod facet;
 mod floor;
+mod fragments;
 mod frame;
 mod interpolate;
 mod lens;

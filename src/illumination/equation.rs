@@ -298,6 +298,14 @@ impl<T: Scalar> Equation<T> {
     }
 }
 
+impl Equation<f32> {
+    /// Leaves out powers of a cosine that add nothing to be seen.
+    pub fn leave_out_faint(&mut self) {
+        let most = self.sources.iter().map(Source::greatest_specular).sum();
+        self.lobe.leave_out_faint(most);
+    }
+}
+
 /// From which height over the tangent plane in camera distances, and from which N·L, a light counts; places and directions are
 /// rounded to `rounding`, and vertices to `grid` pixels in the picture. Surfaces lit from both sides have no step there, and a
 /// true surface no vertices.

@@ -75,6 +75,19 @@ impl<S: Simd> Neg for Lanes<S> {
     }
 }
 
+/// `x²` and `x⁴`. Polynomials are added up in pairs (Estrin's scheme): in a long chain of sums each would wait for the last.
+#[inline(always)]
+fn powers<S: Simd>(x: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
+    let square = x * x;
+    (square, square * square)
+}
+
+/// `a·x + b`.
+#[inline(always)]
+fn line<S: Simd>(x: Lanes<S>, a: f32, b: f32) -> Lanes<S> {
+    x.constant(a).mul_add(x, x.constant(b))
+}
+
 /// `ln(1 + x)` for −0.293 ≤ x ≤ 0.415 (√½ ≤ 1 + x ≤ √2), relative error under 2·10⁻⁷ (Cephes `logf`).
 #[inline(always)]
 fn ln_one_plus<S: Simd>(x: Lanes<S>) -> Lanes<S> {
@@ -89,11 +102,10 @@ fn ln_one_plus<S: Simd>(x: Lanes<S>) -> Lanes<S> {
         -2.499_999_4e-1,
         3.333_333e-1,
     ];
-    let mut p = x.constant(P[0]);
-    for coefficient in &P[1..] {
-        p = p.mul_add(x, x.constant(*coefficient));
-    }
-    let square = x * x;
+    let (square, fourth) = powers(x);
+    let low = line(x, P[5], P[6]).mul_add(square, line(x, P[7], P[8]));
+    let high = line(x, P[1], P[2]).mul_add(square, line(x, P[3], P[4]));
+    let p = fourth.mul_add(x.constant(P[0]), high).mul_add(fourth, low);
     (square * x).mul_add(p, square.mul_add(x.constant(-0.5), x))
 }
 
@@ -156,10 +168,9 @@ impl<S: Simd> Real for Lanes<S> {
         let clamped = self.max(self.constant(-126.0)).min(self.constant(126.0));
         let whole = Self((clamped.0 + 0.5).floor());
         let x = clamped - whole;
-        let mut p = x.constant(P[0]);
-        for coefficient in &P[1..] {
-            p = p.mul_add(x, x.constant(*coefficient));
-        }
+        let (square, fourth) = powers(x);
+        let low = line(x, P[2], P[3]).mul_add(square, line(x, P[4], P[5]));
+        let p = line(x, P[0], P[1]).mul_add(fourth, low);
         let mantissa = p.mul_add(x, x.constant(1.0));
         let exponent = (S::i32s::truncate_from(whole.0) + S::i32s::simd_from(simd, 127)) << 23;
         mantissa * Self(exponent.bitcast())

@@ -236,6 +236,20 @@ impl<T: Scalar> Source<T> {
     }
 }
 
+impl Source<f32> {
+    /// What a highlight of this source adds at most, in any channel.
+    pub(super) fn greatest_specular(&self) -> f64 {
+        let f = match self.falloff {
+            Falloff::Constant(f) => f,
+            Falloff::Viewer { k, least, .. } | Falloff::Light { k, least, .. } => 1.0 / k.max(least),
+            Falloff::Quadratic { .. } => 1.0,
+            Falloff::InverseSquare { greatest, .. } => greatest,
+        };
+        let [r, g, b] = self.specular;
+        f64::from(r.max(g).max(b)) * f64::from(f)
+    }
+}
+
 impl<T: Scalar> Falloff<T> {
     /// `far` is the distance of a point light that is treated as parallel. A directional light has no distance; what
     /// depends on the distance to it leaves it as it is.

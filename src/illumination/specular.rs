@@ -16,6 +16,8 @@ pub struct Lobe<T> {
     n: T,
     /// `0^n`: 1 for n = 0, otherwise 0.
     at_zero: T,
+    /// Cosines up to this one need no power: what it would add is not seen.
+    faint: T,
     /// The square of the roughness.
     pub(super) roughness_squared: T,
     /// 1 over the square of the roughness.
@@ -36,8 +38,26 @@ impl<T: Scalar> Lobe<T> {
         Self {
             n: T::from_f64(n.min(MIRROR)),
             at_zero: T::from_f64(if n == 0.0 { 1.0 } else { 0.0 }),
+            faint: T::from_f64(NEVER_FAINT),
             roughness_squared: T::from_f64(roughness * roughness),
             inverse_roughness_squared: T::from_f64(1.0 / (roughness * roughness)),
+        }
+    }
+}
+
+/// Below all cosines.
+const NEVER_FAINT: f64 = -2.0;
+
+/// What may be added to an intensity without a stored value to show it: it is under half a unit in the last place, in single
+/// precision, of any intensity that is not stored as 0.
+const UNSEEN: f64 = 1.0 / (1_u64 << 38) as f64;
+
+impl Lobe<f32> {
+    /// Leaves out powers that add nothing to be seen where a highlight of all sources together adds `most`.
+    pub(super) fn leave_out_faint(&mut self, most: f64) {
+        let n = f64::from(self.n);
+        if n > 0.0 && most > 0.0 {
+            self.faint = f32::from_f64((UNSEEN / most).powf(1.0 / n).min(1.0));
         }
     }
 }
@@ -178,6 +198,9 @@ pub(super) fn halfway<R: Real>(l: V3<R>, v: V3<R>) -> V3<R> {
 #[inline(always)]
 fn power_of_cosine<R: Real>(c: R, lobe: &Lobe<R::Scalar>) -> R {
     let zero = c.constant(R::Scalar::default());
+    if !R::any(c.greater_than(c.constant(lobe.faint))) {
+        return zero;
+    }
     let tiny = c.constant(R::Scalar::from_f64(f64::from(f32::MIN_POSITIVE)));
     let one = c.constant(R::Scalar::from_f64(1.0));
     let power = (c.max(tiny).min(one).log2() * lobe.n).exp2();
@@ -190,8 +213,12 @@ fn power_of_chord<R: Real>(a: V3<R>, b: V3<R>, lobe: &Lobe<R::Scalar>) -> R {
     let chord = a - b;
     let t = chord.dot(chord) * R::Scalar::from_f64(0.5);
     let limit = t.constant(R::Scalar::from_f64(0.29));
+    let (zero, one) = (t.constant(R::Scalar::default()), t.constant(R::Scalar::from_f64(1.0)));
+    if !R::any((one - t).greater_than(t.constant(lobe.faint)) & limit.greater_than(t)) {
+        return zero;
+    }
     let power = (R::log2_one_minus(t.min(limit)) * lobe.n).exp2();
-    R::select(limit.greater_than(t), power, t.constant(R::Scalar::default()))
+    R::select(limit.greater_than(t), power, zero)
 }
 
 impl Specular for PhongCosine {

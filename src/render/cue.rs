@@ -5,7 +5,8 @@
 //! carried to the pixels, or at the pixels.
 
 use super::display::Linear;
-use super::interpolate::{Fragment, GAP, Sources, carry, interpolate};
+use super::fragments::{Block, Fragment, fragment};
+use super::interpolate::{Sources, carry, interpolate};
 use super::lens::Lens;
 use super::memory::{Holds, Memory, room};
 use super::model::Model;
@@ -87,7 +88,7 @@ pub(super) struct LayerInputs {
 pub(super) struct Layer {
     pub scales: Vec<f32>,
     carried: Vec<Fragment>,
-    fragments: Vec<Fragment>,
+    fragments: Vec<Block>,
 }
 
 impl Holds for Layer {
@@ -122,8 +123,10 @@ impl Layer {
     fn by_depth(&mut self, inputs: &LayerInputs, found: &Found<'_>) {
         let (share, bands) = (Bands::ROWS * inputs.size[0] as usize, found.bands.parts(inputs.size));
         self.scales.par_chunks_mut(share).zip(bands).for_each(|(scales, (_, _, fragments))| {
-            for (scale, [_, _, _, key]) in scales.iter_mut().zip(fragments) {
-                *scale = at_key(inputs, *key);
+            for (scales, line) in rows(scales, fragments, inputs.size[0]) {
+                for (x, scale) in scales.iter_mut().enumerate() {
+                    *scale = at_key(inputs, fragment(line, x)[3]);
+                }
             }
         });
     }
@@ -152,21 +155,34 @@ impl Layer {
         let points =
             if by_depth { vec![0.0; model.padded_len()] } else { inputs.cue.scales(model.origin, &model.position) };
         carry(&mut self.carried, [&points; 3], placed, clipped, inputs.perspective);
-        self.fragments.resize(self.scales.len(), GAP);
+        let blocks = Block::count(inputs.size[0]);
+        self.fragments.resize(blocks * inputs.size[1] as usize, Block::GAP);
         let sources = Sources { carried: &self.carried, ..found.sources };
         let (share, bands) = (Bands::ROWS * inputs.size[0] as usize, found.bands.parts(inputs.size));
-        let parts = self.scales.par_chunks_mut(share).zip(self.fragments.par_chunks_mut(share));
+        let parts = self.scales.par_chunks_mut(share).zip(self.fragments.par_chunks_mut(Bands::ROWS * blocks));
         parts.zip(bands).for_each(|((scales, fragments), (place, band, _))| {
             dispatch!(found.level, simd => interpolate(simd, place, band, sources, inputs.scanline, fragments));
-            for (scale, [carried, _, _, key]) in scales.iter_mut().zip(fragments) {
-                *scale = match (by_depth, inputs.perspective) {
-                    (true, _) => at_key(inputs, *key),
-                    (false, true) => *carried / *key,
-                    (false, false) => *carried,
-                };
+            for (scales, line) in rows(scales, fragments, inputs.size[0]) {
+                for (x, scale) in scales.iter_mut().enumerate() {
+                    let [carried, _, _, key] = fragment(line, x);
+                    *scale = match (by_depth, inputs.perspective) {
+                        (true, _) => at_key(inputs, key),
+                        (false, true) => carried / key,
+                        (false, false) => carried,
+                    };
+                }
             }
         });
     }
+}
+
+/// The rows of a band, `width` pixels each.
+fn rows<'a>(
+    scales: &'a mut [f32],
+    fragments: &'a [Block],
+    width: u32,
+) -> impl Iterator<Item = (&'a mut [f32], &'a [Block])> {
+    scales.chunks_mut(width as usize).zip(fragments.chunks(Block::count(width)))
 }
 
 fn at_key(inputs: &LayerInputs, key: f32) -> f32 {

@@ -1,7 +1,7 @@
 //! The true surface in, fragments out: each pixel's ray meets the surface itself, in double precision.
 
 use super::cover::{Band, BandPlace};
-use super::interpolate::{Fragment, GAP};
+use super::fragments::{self, Block};
 use super::lens::{Lens, NEAR};
 use crate::geometry::{Ray, Surface, SurfaceHit};
 use glam::{DVec2, DVec3};
@@ -16,16 +16,16 @@ pub(super) fn meet(lens: &Lens, surface: &Surface, place: DVec2) -> Option<(DVec
 
 /// Fills the fragments of a band and its extents.
 #[expect(clippy::cast_possible_truncation, reason = "fragments are single precision")]
-pub(super) fn meet_band(lens: &Lens, surface: &Surface, place: BandPlace, band: &mut Band, fragments: &mut [Fragment]) {
+pub(super) fn meet_band(lens: &Lens, surface: &Surface, place: BandPlace, band: &mut Band, fragments: &mut [Block]) {
     band.begin(place);
-    for (row, line) in fragments.chunks_exact_mut(place.width as usize).take(place.rows as usize).enumerate() {
+    for (row, line) in fragments.chunks_exact_mut(Block::count(place.width)).take(place.rows as usize).enumerate() {
         let y = f64::from(place.first_row) + row as f64 + 0.5;
         let extent = &mut band.extents[row];
-        for (x, fragment) in line.iter_mut().enumerate() {
-            *fragment = GAP;
+        fragments::open(line);
+        for x in 0..place.width as usize {
             let Some((_, hit)) = meet(lens, surface, DVec2::new(x as f64 + 0.5, y)) else { continue };
             let [nx, ny, nz] = hit.normal.as_vec3().to_array();
-            *fragment = [nx, ny, nz, lens.key_from_depth(hit.t) as f32];
+            fragments::put(line, x, [nx, ny, nz, lens.key_from_depth(hit.t) as f32]);
             let x = x as u32;
             extent.start = extent.start.min(x);
             extent.end = extent.end.max(x + 1);

@@ -6,20 +6,15 @@
 
 use super::clip::Clipped;
 use super::cover::{Band, BandPlace, Run, Weights};
+use super::fragments::{self, Block, Fragment};
 use super::model::Model;
 use super::transform::{HALF, Place, Placed, SUBPIXELS, UNPLACED};
 use fearless_simd::{f32x4, prelude::*};
 use rayon::prelude::*;
 
-/// Three carried numbers and the depth key.
-pub(super) type Fragment = [f32; 4];
-
 /// An interpolated normal shorter than this has no direction: its rounding is 10⁻³ of it and more. It is not lengthened to 1,
 /// so that normals which cancel out stay near zero.
 pub(super) const SHORTEST_NORMAL: f64 = 1e-4;
-
-/// A pixel that does not see the object.
-pub(super) const GAP: Fragment = [0.0, 0.0, 0.0, f32::MIN];
 
 /// Fills `carried` with what each vertex carries: `values` (one plane a component) and its depth key.
 pub(super) fn carry(
@@ -36,7 +31,7 @@ pub(super) fn carry(
     };
     let count = values[0].len();
     carried.clear();
-    carried.resize(count, GAP);
+    carried.resize(count, [0.0; 4]);
     carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
         let range = chunk * CHUNK..chunk * CHUNK + carried.len();
         let [a, b, c] = values.map(|plane| &plane[range.clone()]);
@@ -210,7 +205,7 @@ pub(super) fn interpolate<S: Simd>(
     band: &Band,
     sources: Sources<'_>,
     scanline: bool,
-    fragments: &mut [Fragment],
+    fragments: &mut [Block],
 ) {
     if scanline {
         let rule = Scanline { sources, triangle: u32::MAX, corners: Vec::new(), crossings: Vec::new() };
@@ -221,27 +216,26 @@ pub(super) fn interpolate<S: Simd>(
 }
 
 #[inline(always)]
-fn fill<S: Simd>(simd: S, place: BandPlace, band: &Band, mut rule: impl Rule<S>, fragments: &mut [Fragment]) {
-    let mut cursor = (u16::MAX, 0);
+fn fill<S: Simd>(simd: S, place: BandPlace, band: &Band, mut rule: impl Rule<S>, fragments: &mut [Block]) {
+    let count = Block::count(place.width);
+    for (extent, line) in band.extents.iter().zip(fragments.chunks_mut(count)).filter(|(extent, _)| !extent.is_empty())
+    {
+        let (first, last) = (extent.start as usize / Block::PIXELS, (extent.end as usize - 1) / Block::PIXELS);
+        if band.sorted {
+            fragments::open(&mut line[first..=last]);
+        } else {
+            // Runs leave no gaps between them.
+            fragments::open(&mut line[first..=first]);
+            fragments::open(&mut line[last..=last]);
+        }
+    }
     for run in &band.runs {
         #[expect(clippy::cast_possible_wrap, reason = "pictures are at most 16384 pixels high")]
         let y = (place.first_row + u32::from(run.row)) as i32;
-        let row = usize::from(run.row) * place.width as usize;
-        // Runs that are sorted may leave gaps between them; runs that are not leave none.
-        if cursor.0 == run.row && cursor.1 < run.x0 && band.sorted {
-            fragments[row + usize::from(cursor.1)..row + usize::from(run.x0)].fill(GAP);
-        }
-        cursor = (run.row, run.x1);
         let (start, step) = rule.along(simd, *run, y);
-        let pixels = &mut fragments[row + usize::from(run.x0)..row + usize::from(run.x1)];
-        let Some((first, rest)) = pixels.split_first_mut() else { continue };
-        // A sliver's step may be beyond all numbers, but it has no second pixel then.
-        start.store_slice(first);
-        let mut k = f32x4::splat(simd, 1.0);
-        for fragment in rest {
-            step.mul_add(k, start).store_slice(fragment);
-            k += 1.0;
-        }
+        let row = usize::from(run.row) * count;
+        let line = &mut fragments[row..row + count];
+        fragments::fill(simd, line, usize::from(run.x0)..usize::from(run.x1), start, step);
     }
 }
 

@@ -4,7 +4,8 @@ use super::bins::{BAND, Bins};
 use super::cover::{Band, BandPlace, DepthScratch};
 use super::display::{Linear, stored_pixel};
 use super::exact::meet_band;
-use super::interpolate::{Fragment, GAP, Sources, carry, interpolate};
+use super::fragments::{Block, Fragment, fragment, is_seen};
+use super::interpolate::{Sources, carry, interpolate};
 use super::lens::Lens;
 use super::memory::{Holds, Memory, room};
 use super::plan::{Per, Plan};
@@ -28,7 +29,7 @@ pub(super) struct Bands {
     /// What each vertex carries to the pixels.
     carried: Vec<Fragment>,
     /// What each pixel was brought.
-    fragments: Vec<Fragment>,
+    fragments: Vec<Block>,
     coverage: Option<CoverageInputs>,
     interpolation: Option<InterpolationInputs>,
     stamp: u64,
@@ -82,8 +83,8 @@ impl Bands {
     pub fn parts(
         &self,
         [width, height]: [u32; 2],
-    ) -> impl IndexedParallelIterator<Item = (BandPlace, &Band, &[Fragment])> {
-        let share = (BAND * width) as usize;
+    ) -> impl IndexedParallelIterator<Item = (BandPlace, &Band, &[Block])> {
+        let share = Self::ROWS * Block::count(width);
         self.bands.par_iter().enumerate().map(move |(index, band)| {
             let first_row = index as u32 * BAND;
             let fragments = &self.fragments[(index * share).min(self.fragments.len())..];
@@ -94,7 +95,9 @@ impl Bands {
 
     /// The fragment of a pixel, where the bands keep any.
     pub fn fragment_at(&self, x: u32, y: u32) -> Option<Fragment> {
-        self.fragments.get(y as usize * self.width as usize + x as usize).copied()
+        let count = Block::count(self.width);
+        let line = self.fragments.get(y as usize * count..(y as usize + 1) * count)?;
+        (x < self.width).then(|| fragment(line, x as usize))
     }
 
     /// Compares the inputs with the last ones and takes them over.
@@ -209,7 +212,7 @@ struct Job<'a> {
     place: BandPlace,
     index: usize,
     band: &'a mut Band,
-    fragments: &'a mut [Fragment],
+    fragments: &'a mut [Block],
     pixels: &'a mut [[u8; 4]],
     linear: &'a mut [Linear],
 }
@@ -232,8 +235,8 @@ impl Painting<'_> {
         let began = (self.clock)();
         let [width, height] = self.scene.image.size;
         bands.bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
-        let fragment_count = if self.plan.keeps_fragments() { width as usize * height as usize } else { 0 };
-        bands.fragments.resize(fragment_count, GAP);
+        let blocks = if self.plan.keeps_fragments() { Block::count(width) * height as usize } else { 0 };
+        bands.fragments.resize(blocks, Block::GAP);
         let carried = stale.interpolation && self.plan.interpolates();
         if carried {
             let values = if self.plan.per == Per::Pixel { &self.sources.model.normal } else { self.intensity };
@@ -316,7 +319,7 @@ impl Painting<'_> {
         }
     }
 
-    fn colour_into(&self, place: BandPlace, band: &Band, fragments: &[Fragment], mut target: impl Target) -> u64 {
+    fn colour_into(&self, place: BandPlace, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
         if self.plan.pixels_in_double() {
             return self.colour_in_double_precision(place, band, fragments, target);
         }
@@ -368,7 +371,7 @@ impl Painting<'_> {
         &self,
         place: BandPlace,
         band: &Band,
-        fragments: &[Fragment],
+        fragments: &[Block],
         mut target: impl Target,
     ) -> u64 {
         let mut equation = Equation::<f64>::new(self.scene);
@@ -387,10 +390,11 @@ impl Painting<'_> {
         };
         let centre = |x: usize, row: usize| DVec2::new(x as f64 + 0.5, f64::from(place.first_row) + row as f64 + 0.5);
         if plan.true_surface {
-            for (index, _) in fragments.iter().enumerate().filter(|(_, fragment)| fragment[3] > GAP[3]) {
-                let (x, row) = (index % width, index / width);
-                if let Some(evaluation) = reference.of_surface(centre(x, row)) {
-                    put(x, row, evaluation);
+            for (row, line) in fragments.chunks(Block::count(place.width)).enumerate() {
+                for x in (0..width).filter(|x| is_seen(fragment(line, *x))) {
+                    if let Some(evaluation) = reference.of_surface(centre(x, row)) {
+                        put(x, row, evaluation);
+                    }
                 }
             }
         }
@@ -409,7 +413,7 @@ struct ShadePixels<'a, T> {
     painting: &'a Painting<'a>,
     place: BandPlace,
     band: &'a Band,
-    fragments: &'a [Fragment],
+    fragments: &'a [Block],
     target: T,
 }
 
@@ -434,12 +438,12 @@ fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
 /// Splits the buffers into bands.
 fn jobs<'a>(
     bands: &'a mut [Band],
-    fragments: &'a mut [Fragment],
+    fragments: &'a mut [Block],
     canvas: Canvas<'a>,
     [width, height]: [u32; 2],
 ) -> Vec<Job<'a>> {
     let share = (BAND * width) as usize;
-    let mut fragments = fragments.chunks_mut(share);
+    let mut fragments = fragments.chunks_mut(Bands::ROWS * Block::count(width));
     let mut linear = canvas.linear.chunks_mut(share);
     bands
         .iter_mut()

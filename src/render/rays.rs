@@ -5,7 +5,8 @@ use super::beyond::{Bounced, Prospect, bounce, bounces_at, eye_ray, reach_pixels
 use super::bounce::Gathering;
 use super::bvh::Bvh;
 use super::floor::FloorView;
-use super::interpolate::{Fragment, Sources};
+use super::fragments::Fragment;
+use super::interpolate::Sources;
 use super::lens::Lens;
 use super::memory::{Holds, Memory, room};
 use super::painting::Bands;

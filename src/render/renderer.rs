@@ -375,7 +375,9 @@ impl Renderer {
         let lens = Lens::new(&scene.camera, size, offset);
         let mut equation = Equation::<f32>::new(scene);
         equation.retain_lights(|light| plan.lights[light]);
-        if !plan.leaves_out {
+        if plan.leaves_out {
+            equation.leave_out_faint();
+        } else {
             equation.leave_nothing_out(scene);
         }
         self.place(&plan, &lens, size);

@@ -2,23 +2,18 @@
 
 use super::cover::BandPlace;
 use super::display::{Linear, pack, stored};
-use super::interpolate::{Fragment, SHORTEST_NORMAL};
+use super::fragments::Block;
+use super::interpolate::SHORTEST_NORMAL;
 use super::lens::{FARTHEST, Lens};
 use super::shadow::Reach;
 use crate::illumination::{BRIGHTEST, Equation, Lanes, Reached, Real, Specular, V3};
 use crate::scene::Encoding;
-use fearless_simd::{f32x4, prelude::*};
+use fearless_simd::prelude::*;
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 
 /// The square of [`SHORTEST_NORMAL`].
 const SHORTEST_SQUARED: f32 = (SHORTEST_NORMAL * SHORTEST_NORMAL) as f32;
-
-/// Fragments that are taken from interleaved order into lanes at a time.
-const BLOCK: usize = 256;
-
-/// The components of a block's fragments.
-type Planes = [[f32; BLOCK]; 4];
 
 /// Colours of pixels from their fragments.
 pub(super) trait Colour: Copy + Sync {
@@ -249,76 +244,32 @@ pub(super) fn shade<S: Simd>(
     simd: S,
     place: BandPlace,
     extents: &[Range<u32>],
-    fragments: &[Fragment],
+    fragments: &[Block],
     mut colour: impl Colour,
     target: &mut impl Target,
 ) -> u64 {
     let width = place.width as usize;
     let mut over = 0;
-    let mut planes = [[0.0; BLOCK]; 4];
-    for (row, extent) in extents.iter().enumerate() {
-        let line = row * width..(row + 1) * width;
+    for ((row, extent), line) in extents.iter().enumerate().zip(fragments.chunks(Block::count(place.width))) {
+        let start = row * width;
         if extent.is_empty() {
-            target.clear(line);
+            target.clear(start..start + width);
             continue;
         }
-        let (x0, x1) = (extent.start as usize, extent.end as usize);
-        target.clear(line.start..line.start + x0);
-        target.clear(line.start + x1..line.end);
+        // Whole vectors: what they have beyond the extent are gaps.
+        let lanes = Lanes::<S>::LEN;
+        let first = extent.start as usize / lanes * lanes;
+        let end = (extent.end as usize).next_multiple_of(lanes).min(width);
+        target.clear(start..start + first);
+        target.clear(start + end..start + width);
         colour.row(place.first_row + row as u32);
-        for x in (x0..x1).step_by(BLOCK) {
-            let end = (x + BLOCK).min(x1);
-            let fragments = &fragments[line.start + x..line.start + end];
-            separate(simd, fragments, &mut planes);
-            over += shade_block(simd, x, fragments.len(), &planes, colour, line.start, target);
+        let limit = Lanes::splat(simd, f32::MIN);
+        for x in (first..end).step_by(lanes) {
+            let [a, b, c, key] = line[x / Block::PIXELS].load(simd, x % Block::PIXELS);
+            let rgb = colour.at(simd, x, [a, b, c], key);
+            let count = lanes.min(width - x);
+            over += u64::from(target.put(simd, start + x, count, rgb, key.greater_than(limit)));
         }
     }
     over
-}
-
-/// Colours `length` pixels from column `x` on whose fragments `planes` holds.
-#[inline(always)]
-fn shade_block<S: Simd>(
-    simd: S,
-    x: usize,
-    length: usize,
-    planes: &Planes,
-    colour: impl Colour,
-    line: usize,
-    target: &mut impl Target,
-) -> u64 {
-    let lanes = Lanes::<S>::LEN;
-    let limit = Lanes::splat(simd, f32::MIN);
-    let mut over = 0;
-    let mut start = 0;
-    while start < length {
-        let [a, b, c, key] = planes;
-        let carried =
-            [Lanes::<S>::load(simd, &a[start..]), Lanes::load(simd, &b[start..]), Lanes::load(simd, &c[start..])];
-        let key = Lanes::load(simd, &key[start..]);
-        let rgb = colour.at(simd, x + start, carried, key);
-        let count = lanes.min(length - start);
-        over += u64::from(target.put(simd, line + x + start, count, rgb, key.greater_than(limit)));
-        start += lanes;
-    }
-    over
-}
-
-/// Fragments to one plane a component.
-#[inline(always)]
-fn separate<S: Simd>(simd: S, fragments: &[Fragment], planes: &mut Planes) {
-    let quads = fragments.chunks_exact(4);
-    let rest = quads.remainder();
-    let whole = fragments.len() - rest.len();
-    for (quad, start) in quads.zip((0..).step_by(4)) {
-        let vectors = f32x4::load_four_interleaved(simd, quad.as_flattened());
-        for (plane, vector) in planes.iter_mut().zip(vectors) {
-            vector.store_slice(&mut plane[start..start + 4]);
-        }
-    }
-    for (fragment, index) in rest.iter().zip(whole..) {
-        for (plane, value) in planes.iter_mut().zip(fragment) {
-            plane[index] = *value;
-        }
-    }
 }

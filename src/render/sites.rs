@@ -2,7 +2,8 @@
 
 use super::cover::{Band, BandPlace};
 use super::facet::Facet;
-use super::interpolate::{Fragment, GAP, Sources};
+use super::fragments::{Block, Fragment, fragment, is_seen};
+use super::interpolate::Sources;
 use super::lens::Lens;
 use super::solid::Solid;
 use glam::{DVec2, DVec3};
@@ -30,19 +31,13 @@ pub(super) struct Sights<'a> {
 
 impl Sights<'_> {
     /// Calls `each` with column, row within the band and what is seen there, for every pixel of a band that sees the object.
-    pub fn walk(
-        &self,
-        place: BandPlace,
-        band: &Band,
-        fragments: &[Fragment],
-        mut each: impl FnMut(usize, usize, Sight),
-    ) {
+    pub fn walk(&self, place: BandPlace, band: &Band, fragments: &[Block], mut each: impl FnMut(usize, usize, Sight)) {
         if self.solid.surface.is_some() {
-            let width = place.width as usize;
-            for (row, line) in fragments.chunks_exact(width).take(place.rows as usize).enumerate() {
+            for (row, line) in fragments.chunks_exact(Block::count(place.width)).take(place.rows as usize).enumerate() {
                 for x in band.extents[row].clone().map(|x| x as usize) {
-                    if line[x][3] > GAP[3] {
-                        each(x, row, self.of_fragment(pixel(x, place.first_row as usize + row), line[x]));
+                    let fragment = fragment(line, x);
+                    if is_seen(fragment) {
+                        each(x, row, self.of_fragment(pixel(x, place.first_row as usize + row), fragment));
                     }
                 }
             }
@@ -66,12 +61,12 @@ impl Sights<'_> {
         &self,
         place: BandPlace,
         band: &Band,
-        fragments: &[Fragment],
+        fragments: &[Block],
         mut each: impl FnMut(usize, Range<usize>),
     ) {
         if self.solid.surface.is_some() {
-            for (row, line) in fragments.chunks_exact(place.width as usize).take(place.rows as usize).enumerate() {
-                for x in band.extents[row].clone().map(|x| x as usize).filter(|x| line[*x][3] > GAP[3]) {
+            for (row, line) in fragments.chunks_exact(Block::count(place.width)).take(place.rows as usize).enumerate() {
+                for x in band.extents[row].clone().map(|x| x as usize).filter(|x| is_seen(fragment(line, *x))) {
                     each(row, x..x + 1);
                 }
             }
