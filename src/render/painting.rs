@@ -227,6 +227,8 @@ struct Counters {
 
 thread_local! {
     static DEPTH: RefCell<DepthScratch> = RefCell::default();
+    /// The fragments of a band that are not kept.
+    static FRAGMENTS: RefCell<Vec<Block>> = RefCell::default();
 }
 
 impl Painting<'_> {
@@ -237,8 +239,7 @@ impl Painting<'_> {
         bands.bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
         let blocks = if self.plan.keeps_fragments() { Block::count(width) * height as usize } else { 0 };
         bands.fragments.resize(blocks, Block::GAP);
-        let carried = stale.interpolation && self.plan.interpolates();
-        if carried {
+        if stale.interpolation && self.plan.interpolates() {
             let values = if self.plan.per == Per::Pixel { &self.sources.model.normal } else { self.intensity };
             let Sources { placed, clipped, .. } = self.sources;
             carry(&mut bands.carried, values.each_ref(), placed, clipped, self.plan.perspective);
@@ -254,10 +255,26 @@ impl Painting<'_> {
         nanoseconds[1] += carrying;
         let [covered, drawn, overflowing] =
             [counters.covered, counters.drawn, counters.overflowing].map(AtomicU64::into_inner);
-        Painted { covered, drawn, overflowing, carried, nanoseconds }
+        Painted { covered, drawn, overflowing, carried: self.interpolates(stale), nanoseconds }
     }
 
-    fn paint(&self, mut job: Job<'_>, stale: Stale, counters: &Counters) {
+    /// Whether fragments are to be made: those that are kept are as good as what they are made from.
+    fn interpolates(&self, stale: Stale) -> bool {
+        self.plan.interpolates() && if self.plan.keeps_fragments() { stale.interpolation } else { self.colours }
+    }
+
+    fn paint(&self, job: Job<'_>, stale: Stale, counters: &Counters) {
+        if self.plan.has_fragments() && !self.plan.keeps_fragments() {
+            FRAGMENTS.with_borrow_mut(|fragments| {
+                fragments.resize(Bands::ROWS * Block::count(job.place.width), Block::GAP);
+                self.paint_with(Job { fragments, ..job }, stale, counters);
+            });
+        } else {
+            self.paint_with(job, stale, counters);
+        }
+    }
+
+    fn paint_with(&self, mut job: Job<'_>, stale: Stale, counters: &Counters) {
         let mut last = (self.clock)();
         let mut lap = |stage: usize| {
             let now = (self.clock)();
@@ -268,7 +285,7 @@ impl Painting<'_> {
             self.cover(&mut job);
             lap(0);
         }
-        if stale.interpolation && self.plan.interpolates() {
+        if self.interpolates(stale) {
             let Job { place, band, fragments, .. } = &mut job;
             let scanline = self.plan.scanline;
             dispatch!(self.level, simd => interpolate(simd, *place, band, self.sources, scanline, fragments));
@@ -323,8 +340,8 @@ impl Painting<'_> {
         if self.plan.pixels_in_double() {
             return self.colour_in_double_precision(place, band, fragments, target);
         }
-        if !self.plan.keeps_fragments() {
-            return self.colour_faces(place, band, target);
+        if !self.plan.has_fragments() {
+            return dispatch!(self.level, simd => self.colour_faces(simd, place, band, target));
         }
         if self.plan.per == Per::Pixel {
             let task = ShadePixels { painting: self, place, band, fragments, target };
@@ -335,14 +352,24 @@ impl Painting<'_> {
     }
 
     /// Flat shading: each run in its face's colour.
-    fn colour_faces(&self, place: BandPlace, band: &Band, mut target: impl Target) -> u64 {
+    #[inline(always)]
+    fn colour_faces<S: Simd>(&self, simd: S, place: BandPlace, band: &Band, mut target: impl Target) -> u64 {
         let width = place.width as usize;
-        target.clear(0..place.rows as usize * width);
+        for (row, extent) in band.extents.iter().enumerate() {
+            let line = row * width..(row + 1) * width;
+            // Runs that are not sorted leave no gaps between them.
+            if band.sorted || extent.is_empty() {
+                target.clear(line);
+            } else {
+                target.clear(line.start..line.start + extent.start as usize);
+                target.clear(line.start + extent.end as usize..line.end);
+            }
+        }
         let mut over = 0;
-        let mut last = (u32::MAX, [0.0; 3]);
+        let mut last = (u32::MAX, target.ink(simd, [0.0; 3]));
         for run in &band.runs {
             if last.0 != run.triangle {
-                last = (run.triangle, self.face_intensity(run.triangle));
+                last = (run.triangle, target.ink(simd, self.face_intensity(run.triangle)));
             }
             let row = usize::from(run.row) * width;
             over += target.fill(row + usize::from(run.x0)..row + usize::from(run.x1), last.1);
@@ -350,6 +377,7 @@ impl Painting<'_> {
         over
     }
 
+    #[inline(always)]
     fn face_intensity(&self, triangle: u32) -> [f32; 3] {
         let at = |point: u32| self.intensity.each_ref().map(|plane| plane[point as usize]);
         let face = self.sources.face(triangle);
@@ -386,7 +414,8 @@ impl Painting<'_> {
         let mut put = |x: usize, row: usize, evaluation: Evaluation<'_>| {
             let color: Rgb = evaluation.intensity(&equation);
             let at = row * width + x;
-            over += target.fill(at..at + 1, color.as_vec3().to_array());
+            let ink = dispatch!(self.level, simd => target.ink(simd, color.as_vec3().to_array()));
+            over += target.fill(at..at + 1, ink);
         };
         let centre = |x: usize, row: usize| DVec2::new(x as f64 + 0.5, f64::from(place.first_row) + row as f64 + 0.5);
         if plan.true_surface {

@@ -162,8 +162,14 @@ impl Plan {
     }
 
     /// Whether every pixel is brought a normal or an intensity of its own.
-    pub(super) fn keeps_fragments(&self) -> bool {
+    pub(super) fn has_fragments(&self) -> bool {
         self.carries && (self.true_surface || !self.pixels_in_double())
+    }
+
+    /// Whether these are kept for the next picture: normals serve the equation again when only its numbers have changed, but
+    /// intensities have changed with them.
+    pub(super) fn keeps_fragments(&self) -> bool {
+        self.has_fragments() && self.per == Per::Pixel
     }
 }
 

@@ -1,7 +1,7 @@
 //! A band's fragments in, colours out: the equation at pixels, or intensities that vertices carried.
 
 use super::cover::BandPlace;
-use super::display::{Linear, pack, stored};
+use super::display::{Linear, pack};
 use super::fragments::Block;
 use super::interpolate::SHORTEST_NORMAL;
 use super::lens::{FARTHEST, Lens};
@@ -146,17 +146,32 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
 
 /// Where colours go.
 pub(super) trait Target {
+    type Pixel: Copy;
+
     /// Writes one vector's lanes to the pixels from `first` on, at most `count` of them; returns how many overflow.
     fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32;
     /// Fills pixels that see no object.
     fn clear(&mut self, range: Range<usize>);
-    /// Fills pixels with one linear colour; returns how many overflow.
-    fn fill(&mut self, range: Range<usize>, color: [f32; 3]) -> u64;
+    /// A linear colour as pixels hold it.
+    fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> Ink<Self::Pixel>;
+    /// Fills pixels with one colour; returns how many overflow.
+    fn fill(&mut self, range: Range<usize>, ink: Ink<Self::Pixel>) -> u64;
 }
 
-/// Pixels of a run that overflow if they all have this colour.
-fn overflowing(color: [f32; 3], count: usize) -> u64 {
-    if color.iter().any(|&v| v > 1.0) { count as u64 } else { 0 }
+/// A colour for many pixels.
+#[derive(Clone, Copy)]
+pub(super) struct Ink<P> {
+    pixel: P,
+    overflows: bool,
+}
+
+impl<P: Copy> Ink<P> {
+    /// Fills pixels; returns how many overflow.
+    #[inline(always)]
+    fn fill(self, pixels: &mut [P]) -> u64 {
+        pixels.fill(self.pixel);
+        if self.overflows { pixels.len() as u64 } else { 0 }
+    }
 }
 
 /// Stored pixels of a band.
@@ -167,6 +182,8 @@ pub(super) struct Stored<'a> {
 }
 
 impl Target for Stored<'_> {
+    type Pixel = [u8; 4];
+
     #[inline(always)]
     fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32 {
         let background = S::i32s::simd_from(simd, i32::from_le_bytes(self.background));
@@ -187,11 +204,19 @@ impl Target for Stored<'_> {
     }
 
     #[inline(always)]
-    fn fill(&mut self, range: Range<usize>, color: [f32; 3]) -> u64 {
-        let over = overflowing(color, range.len());
-        let [r, g, b] = color.map(|v| stored(f64::from(v), self.encoding));
-        self.pixels[range].fill([r, g, b, 255]);
-        over
+    fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> Ink<[u8; 4]> {
+        let mut pixel = [[0; 4]];
+        let mut one = Stored { pixels: &mut pixel, ..*self };
+        let covered = S::mask32s::from_bitmask(simd, 1);
+        let [r, g, b] = color;
+        let color = [Lanes::splat(simd, r), Lanes::splat(simd, g), Lanes::splat(simd, b)];
+        let overflows = one.put(simd, 0, 1, color, covered) > 0;
+        Ink { pixel: pixel[0], overflows }
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, range: Range<usize>, ink: Ink<[u8; 4]>) -> u64 {
+        ink.fill(&mut self.pixels[range])
     }
 }
 
@@ -207,6 +232,8 @@ pub(super) struct Unstored<'a> {
 }
 
 impl Target for Unstored<'_> {
+    type Pixel = Linear;
+
     #[inline(always)]
     fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32 {
         let _ = simd;
@@ -230,11 +257,13 @@ impl Target for Unstored<'_> {
     }
 
     #[inline(always)]
-    fn fill(&mut self, range: Range<usize>, color: [f32; 3]) -> u64 {
-        let over = overflowing(color, range.len());
-        let [r, g, b] = color;
-        self.pixels[range].fill([r, g, b, 1.0]);
-        over
+    fn ink<S: Simd>(&self, _: S, [r, g, b]: [f32; 3]) -> Ink<Linear> {
+        Ink { pixel: [r, g, b, 1.0], overflows: r > 1.0 || g > 1.0 || b > 1.0 }
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, range: Range<usize>, ink: Ink<Linear>) -> u64 {
+        ink.fill(&mut self.pixels[range])
     }
 }
 
