@@ -7,10 +7,10 @@ use super::state::{AppState, OverlayLook};
 use crate::analysis::{
     Brightest, ErrorFigures, PaneFigures, Plot, Probe, Scan, ScanError, brightest, curves, error_figures, scan_drawn,
 };
-use crate::figure::{Halo, OverlayLayer, OverlayOptions, difference_picture, draw_difference_scale, draw_overlay};
+use crate::figure::{Halo, Overlay, OverlayLayer, OverlayOptions, difference_picture, draw_difference_scale};
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
-use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
+use eframe::egui::{Color32, ColorImage, Context, ImageData, TextureHandle, TextureOptions};
 use glam::DVec2;
 use normals::NormalsDrawing;
 use pane::{PaneEngine, Wanted};
@@ -28,7 +28,7 @@ pub struct Engine {
     size: [u32; 2],
     figures: Vec<PaneFigures>,
     difference: Option<Difference>,
-    overlay: Option<Overlay>,
+    overlay: Option<DrawnOverlay>,
     normals: NormalsDrawing,
     terms: OnceCell<Vec<Term>>,
     revision: u64,
@@ -41,8 +41,10 @@ struct Difference {
 }
 
 /// The overlay as last drawn, and what for.
-struct Overlay {
+struct DrawnOverlay {
     texture: TextureHandle,
+    overlay: Overlay,
+    size: [u32; 2],
     look: OverlayLook,
     light: usize,
     dark: bool,
@@ -184,12 +186,20 @@ impl Engine {
         options.scale = f64::from(scale);
         let pane = self.active();
         let (Some((_, probe)), Some(scene)) = (&pane.probed, pane.drawn()) else { return };
-        let mut scene = scene.clone();
-        scene.image.size = self.size;
-        let Some(image) = overlay_image(&scene, probe, &options) else { return };
-        let mut texture = self.overlay.take().map(|overlay| overlay.texture);
-        upload(ctx, &mut texture, "overlay", image, TextureOptions::NEAREST);
-        self.overlay = texture.map(|texture| Overlay { texture, look: look.clone(), light: state.light, dark, scale });
+        let size = self.size;
+        let overlay = Overlay::new(size, scene, probe, &options);
+        let (mut texture, same) = match self.overlay.take() {
+            Some(drawn) => (Some(drawn.texture), drawn.size == size && drawn.overlay == overlay),
+            None => (None, false),
+        };
+        // Most sliders move no vector.
+        if !same {
+            let Some(image) = drawing(size, |pixmap| overlay.draw(pixmap)) else { return };
+            upload(ctx, &mut texture, "overlay", image, TextureOptions::NEAREST);
+        }
+        let look = look.clone();
+        self.overlay =
+            texture.map(|texture| DrawnOverlay { texture, overlay, size, look, light: state.light, dark, scale });
     }
 
     fn active(&self) -> &PaneEngine {
@@ -322,12 +332,20 @@ fn is_dark(scene: &Scene) -> bool {
 
 /// A picture for the window.
 pub fn image_of(frame: &Frame) -> ColorImage {
-    let pixels = frame.pixels.iter().map(|[r, g, b, _]| Color32::from_rgb(*r, *g, *b)).collect();
-    ColorImage::new([frame.width as usize, frame.height as usize], pixels)
+    let mut image = ColorImage::default();
+    show(frame, &mut image);
+    image
 }
 
-fn overlay_image(scene: &Scene, probe: &Probe, options: &OverlayOptions) -> Option<ColorImage> {
-    drawing(scene.image.size, |pixmap| draw_overlay(pixmap, scene, probe, options))
+/// Makes `image` show a picture.
+fn show(frame: &Frame, image: &mut ColorImage) {
+    let size = [frame.width as usize, frame.height as usize];
+    let pixels = frame.pixels.iter().map(|&[r, g, b, a]| Color32::from_rgba_premultiplied(r, g, b, a));
+    if image.size == size {
+        image.pixels.iter_mut().zip(pixels).for_each(|(shown, pixel)| *shown = pixel);
+    } else {
+        *image = ColorImage::new(size, pixels.collect());
+    }
 }
 
 /// A picture of `size` pixels that `draw` puts on nothing.
@@ -337,7 +355,13 @@ fn drawing([width, height]: [u32; 2], draw: impl FnOnce(&mut tiny_skia::PixmapMu
     Some(ColorImage::from_rgba_premultiplied([width as usize, height as usize], pixmap.data()))
 }
 
-fn upload(ctx: &Context, texture: &mut Option<TextureHandle>, name: &str, image: ColorImage, options: TextureOptions) {
+fn upload(
+    ctx: &Context,
+    texture: &mut Option<TextureHandle>,
+    name: &str,
+    image: impl Into<ImageData>,
+    options: TextureOptions,
+) {
     match texture {
         Some(texture) => texture.set(image, options),
         None => *texture = Some(ctx.load_texture(name, image, options)),

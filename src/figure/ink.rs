@@ -15,7 +15,7 @@ const EMBOLDEN: f64 = 0.055;
 const CIRCLE_CORNERS: u32 = 96;
 
 /// A line or an area, in pixels.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Mark {
     pub points: Vec<DVec2>,
     pub closed: bool,

@@ -112,7 +112,7 @@ pub struct Label {
 /// # Guarantees
 ///
 /// Labels lie inside the picture and do not overlap; one that finds no room is left out. All coordinates are finite.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Overlay {
     pub arrows: Vec<Arrow>,
     pub arcs: Vec<Arc>,

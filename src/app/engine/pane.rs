@@ -4,12 +4,12 @@
 //! of its own, so that the whole one's stages are kept.
 
 use super::super::document::same_model;
-use super::{clock, image_of, upload};
+use super::{clock, show, upload};
 use crate::analysis::{LinearPicture, Probe, probe};
 use crate::geometry::Mesh;
 use crate::render::{Renderer, Report, coarseness, coarser_size};
 use crate::scene::Scene;
-use eframe::egui::{Context, TextureHandle, TextureOptions};
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use std::sync::Arc;
 
 /// A renderer, and what it drew last.
@@ -74,12 +74,14 @@ pub struct PaneEngine {
     /// What a whole picture took after a change of these parts, nanoseconds.
     costs: Vec<(u32, u64)>,
     pub picture: Option<TextureHandle>,
+    image: Arc<ColorImage>,
     pub probed: Option<([u32; 2], Probe)>,
 }
 
 impl Default for PaneEngine {
     fn default() -> Self {
-        Self { whole: Drawing::default(), draft: None, coarser: 1, costs: vec![], picture: None, probed: None }
+        let (whole, image) = (Drawing::default(), Arc::default());
+        Self { whole, draft: None, coarser: 1, costs: vec![], picture: None, image, probed: None }
     }
 }
 
@@ -117,8 +119,14 @@ impl PaneEngine {
         }
         // A coarser picture is spread smoothly.
         let options = if coarser > 1 { TextureOptions::LINEAR } else { TextureOptions::NEAREST };
-        let image = image_of(self.in_sight().renderer.frame());
-        upload(ctx, &mut self.picture, "picture", image, options);
+        let mut image = std::mem::take(&mut self.image);
+        if Arc::get_mut(&mut image).is_none() {
+            // The last picture is still on its way to the texture.
+            image = Arc::default();
+        }
+        show(self.in_sight().renderer.frame(), Arc::make_mut(&mut image));
+        upload(ctx, &mut self.picture, "picture", Arc::clone(&image), options);
+        self.image = image;
         true
     }
 

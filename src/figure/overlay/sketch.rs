@@ -18,7 +18,7 @@ const FARTHEST: f64 = 1e6;
 const LEAST_TEXT: f64 = 13.0;
 
 /// Sizes of everything, in pixels, and the neutral colours.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Style {
     pub text: f64,
     pub line: f64,
