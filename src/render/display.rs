@@ -51,6 +51,15 @@ fn code<S: Simd>(v: Lanes<S>, encoding: Encoding) -> S::i32s {
     S::i32s::truncate_from(encode(clamped, encoding).0 + 0.5)
 }
 
+/// The code value of an intensity that is stored as it is, as [`pack`] has it.
+#[inline(always)]
+pub(super) fn raw(v: f32) -> u8 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
+    {
+        (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
+    }
+}
+
 /// Packs a vector of colours into pixels and returns which lanes overflow. Lanes outside `covered` get `background`.
 #[inline(always)]
 pub(super) fn pack<S: Simd>(

@@ -1,7 +1,7 @@
 //! A band's fragments in, colours out: the equation at pixels, or intensities that vertices carried.
 
 use super::cover::BandPlace;
-use super::display::{Linear, pack};
+use super::display::{Linear, pack, raw};
 use super::fragments::Block;
 use super::interpolate::SHORTEST_NORMAL;
 use super::lens::{FARTHEST, Lens};
@@ -174,6 +174,11 @@ impl<P: Copy> Ink<P> {
     }
 }
 
+#[inline(always)]
+fn overflows(color: [f32; 3]) -> bool {
+    color.iter().any(|&v| v > 1.0)
+}
+
 /// Stored pixels of a band.
 pub(super) struct Stored<'a> {
     pub pixels: &'a mut [[u8; 4]],
@@ -205,6 +210,10 @@ impl Target for Stored<'_> {
 
     #[inline(always)]
     fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> Ink<[u8; 4]> {
+        if self.encoding == Encoding::Raw {
+            let [r, g, b] = color.map(raw);
+            return Ink { pixel: [r, g, b, 255], overflows: overflows(color) };
+        }
         let mut pixel = [[0; 4]];
         let mut one = Stored { pixels: &mut pixel, ..*self };
         let covered = S::mask32s::from_bitmask(simd, 1);
@@ -257,8 +266,9 @@ impl Target for Unstored<'_> {
     }
 
     #[inline(always)]
-    fn ink<S: Simd>(&self, _: S, [r, g, b]: [f32; 3]) -> Ink<Linear> {
-        Ink { pixel: [r, g, b, 1.0], overflows: r > 1.0 || g > 1.0 || b > 1.0 }
+    fn ink<S: Simd>(&self, _: S, color: [f32; 3]) -> Ink<Linear> {
+        let [r, g, b] = color;
+        Ink { pixel: [r, g, b, 1.0], overflows: overflows(color) }
     }
 
     #[inline(always)]
