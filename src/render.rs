@@ -12,6 +12,7 @@ mod display;
 mod draft;
 mod exact;
 mod facet;
+mod factors;
 mod floor;
 mod fragments;
 mod frame;

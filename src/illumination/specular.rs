@@ -52,12 +52,17 @@ const NEVER_FAINT: f64 = -2.0;
 /// precision, of any intensity that is not stored as 0.
 const UNSEEN: f64 = 1.0 / (1_u64 << 38) as f64;
 
+/// Binary orders of magnitude in which the brightness of highlights is told.
+const STEP: f64 = 4.0;
+
 impl Lobe<f32> {
     /// Leaves out powers that add nothing to be seen where a highlight of all sources together adds `most`.
     pub(super) fn leave_out_faint(&mut self, most: f64) {
         let n = f64::from(self.n);
         if n > 0.0 && most > 0.0 {
-            self.faint = f32::from_f64((UNSEEN / most).powf(1.0 / n).min(1.0));
+            // In steps, so that factors stay as they are while coefficients change.
+            let steps = (most.log2() / STEP).ceil().max(1.0);
+            self.faint = f32::from_f64(((UNSEEN.log2() - STEP * steps) / n).exp2());
         }
     }
 }

@@ -4,6 +4,7 @@ use super::bins::{BAND, Bins};
 use super::cover::{Band, BandPlace, DepthScratch};
 use super::display::{Linear, stored_pixel};
 use super::exact::meet_band;
+use super::factors::{self, Keeping, Plane, Rows, Taking, Use};
 use super::fragments::{Block, Fragment, fragment, is_seen};
 use super::interpolate::{Sources, carry, interpolate};
 use super::lens::Lens;
@@ -14,7 +15,7 @@ use super::reference::{Evaluation, Reference};
 use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
 use super::shadow::Reach;
 use crate::geometry::Surface;
-use crate::illumination::{Equation, FormTask, Specular};
+use crate::illumination::{Equation, FormTask, NoSpecular, Specular};
 use crate::scene::{FlatAt, Rgb, Scene};
 use fearless_simd::{Level, Simd, dispatch};
 use glam::DVec2;
@@ -30,6 +31,9 @@ pub(super) struct Bands {
     carried: Vec<Fragment>,
     /// What each pixel was brought.
     fragments: Vec<Block>,
+    /// What each light does at each pixel.
+    factors: Vec<Plane>,
+    pub kept_factors: factors::Kept,
     coverage: Option<CoverageInputs>,
     interpolation: Option<InterpolationInputs>,
     stamp: u64,
@@ -147,7 +151,11 @@ impl Holds for Bands {
     fn memory(&self) -> Memory {
         // Each run has a pixel of its own at least, so that runs grow with the pixels however many triangles there are.
         let seen: u64 = self.bands.iter().map(|band| room(&band.runs) + room(&band.extents)).sum();
-        Memory { vertices: room(&self.carried), triangles: 0, pixels: room(&self.fragments) + seen }
+        Memory {
+            vertices: room(&self.carried),
+            triangles: 0,
+            pixels: room(&self.fragments) + room(&self.factors) + seen,
+        }
     }
 }
 
@@ -165,6 +173,8 @@ pub(super) struct Painted {
     /// Pixels that triangles cover, those counted that another hides.
     pub drawn: u64,
     pub overflowing: u64,
+    /// Evaluations of the equation at pixels.
+    pub evaluations: u64,
     /// Whether anything was carried to the pixels.
     pub carried: bool,
     /// Nanoseconds of coverage, interpolation and shading, summed over the threads and divided by their number.
@@ -205,6 +215,7 @@ pub(super) struct Painting<'a> {
     pub reach: Option<&'a Reach>,
     /// Whether the bands are coloured, or covered and interpolated only.
     pub colours: bool,
+    pub factors: Use,
 }
 
 /// One band's share of the buffers.
@@ -213,6 +224,7 @@ struct Job<'a> {
     index: usize,
     band: &'a mut Band,
     fragments: &'a mut [Block],
+    factors: &'a mut [Plane],
     pixels: &'a mut [[u8; 4]],
     linear: &'a mut [Linear],
 }
@@ -239,6 +251,12 @@ impl Painting<'_> {
         bands.bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
         let blocks = if self.plan.keeps_fragments() { Block::count(width) * height as usize } else { 0 };
         bands.fragments.resize(blocks, Block::GAP);
+        let planes = self.planes(width);
+        if self.factors == Use::Keep {
+            bands.factors.resize(planes * height as usize, Plane::ZERO);
+        } else if self.factors == Use::None && !bands.kept_factors.is_possible() {
+            bands.factors = Vec::new();
+        }
         if stale.interpolation && self.plan.interpolates() {
             let values = if self.plan.per == Per::Pixel { &self.sources.model.normal } else { self.intensity };
             let Sources { placed, clipped, .. } = self.sources;
@@ -247,7 +265,8 @@ impl Painting<'_> {
         let painting = Painting { sources: Sources { carried: &bands.carried, ..self.sources }, ..self };
         let carrying = (self.clock)().saturating_sub(began);
         let counters = Counters::default();
-        jobs(&mut bands.bands, &mut bands.fragments, canvas, [width, height])
+        let buffers = (&mut bands.fragments[..], &mut bands.factors[..], planes);
+        jobs(&mut bands.bands, buffers, canvas, [width, height])
             .into_par_iter()
             .for_each(|job| painting.paint(job, stale, &counters));
         let threads = rayon::current_num_threads().max(1) as u64;
@@ -255,7 +274,9 @@ impl Painting<'_> {
         nanoseconds[1] += carrying;
         let [covered, drawn, overflowing] =
             [counters.covered, counters.drawn, counters.overflowing].map(AtomicU64::into_inner);
-        Painted { covered, drawn, overflowing, carried: self.interpolates(stale), nanoseconds }
+        let evaluates = self.colours && self.plan.per == Per::Pixel && self.factors != Use::Take;
+        let (evaluations, carried) = (if evaluates { covered } else { 0 }, self.interpolates(stale));
+        Painted { covered, drawn, overflowing, evaluations, carried, nanoseconds }
     }
 
     /// Whether fragments are to be made: those that are kept are as good as what they are made from.
@@ -325,30 +346,47 @@ impl Painting<'_> {
     fn colour(&self, job: &mut Job<'_>) -> u64 {
         let display = &self.scene.display;
         let background = self.scene.image.background;
+        let Job { place, band, fragments, factors, .. } = job;
+        let covered = Covered { place: *place, band, fragments, factors };
         if job.linear.is_empty() {
             let background = stored_pixel(background, display.encoding);
             let target = Stored { pixels: &mut *job.pixels, background, encoding: display.encoding };
-            self.colour_into(job.place, job.band, job.fragments, target)
+            self.colour_into(covered, target)
         } else {
             let [r, g, b] = background.as_vec3().to_array();
             let target = Unstored { pixels: &mut *job.linear, background: [r, g, b, 0.0] };
-            self.colour_into(job.place, job.band, job.fragments, target)
+            self.colour_into(covered, target)
         }
     }
 
-    fn colour_into(&self, place: BandPlace, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
+    fn colour_into(&self, covered: Covered<'_>, mut target: impl Target) -> u64 {
+        let Covered { place, band, fragments, .. } = covered;
         if self.plan.pixels_in_double() {
             return self.colour_in_double_precision(place, band, fragments, target);
         }
         if !self.plan.has_fragments() {
             return dispatch!(self.level, simd => self.colour_faces(simd, place, band, target));
         }
-        if self.plan.per == Per::Pixel {
-            let task = ShadePixels { painting: self, place, band, fragments, target };
-            return self.equation.form().dispatch(task);
+        if self.plan.per != Per::Pixel {
+            let carried = Carried { by_key: self.plan.perspective };
+            return dispatch!(self.level, simd => shade(simd, place, &band.extents, fragments, carried, &mut target));
         }
-        let carried = Carried { by_key: self.plan.perspective };
-        dispatch!(self.level, simd => shade(simd, place, &band.extents, fragments, carried, &mut target))
+        if self.factors == Use::Take {
+            let rows = Rows::new(&*covered.factors, self.planes(place.width), place.first_row);
+            let taking = Taking { evaluated: self.evaluated(NoSpecular), rows };
+            return dispatch!(self.level, simd => shade(simd, place, &band.extents, fragments, taking, &mut target));
+        }
+        self.equation.form().dispatch(ShadePixels { painting: self, covered, target })
+    }
+
+    fn evaluated<F: Specular>(&self, form: F) -> Evaluated<'_, F> {
+        let by_key = self.plan.perspective && !self.plan.true_surface;
+        Evaluated::new(form, self.equation, self.lens, by_key, self.plan.renormalise, self.reach)
+    }
+
+    /// Planes of factors in a row.
+    fn planes(&self, width: u32) -> usize {
+        factors::row_length(width, self.equation.sources.len())
     }
 
     /// Flat shading: each run in its face's colour.
@@ -437,12 +475,18 @@ impl Painting<'_> {
     }
 }
 
-/// Shading at pixels, compiled for each specular form.
-struct ShadePixels<'a, T> {
-    painting: &'a Painting<'a>,
+/// What a band's pixels are coloured from.
+struct Covered<'a> {
     place: BandPlace,
     band: &'a Band,
     fragments: &'a [Block],
+    factors: &'a mut [Plane],
+}
+
+/// Shading at pixels, compiled for each specular form.
+struct ShadePixels<'a, T> {
+    painting: &'a Painting<'a>,
+    covered: Covered<'a>,
     target: T,
 }
 
@@ -450,11 +494,16 @@ impl<T: Target> FormTask for ShadePixels<'_, T> {
     type Output = u64;
 
     fn run<F: Specular>(mut self, form: F) -> u64 {
-        let Painting { plan, lens, equation, level, reach, .. } = *self.painting;
-        let by_key = plan.perspective && !plan.true_surface;
-        let colour = Evaluated::new(form, equation, lens, by_key, plan.renormalise, reach);
-        let extents = &self.band.extents;
-        dispatch!(level, simd => shade(simd, self.place, extents, self.fragments, colour, &mut self.target))
+        let Covered { place, band, fragments, factors } = self.covered;
+        let evaluated = self.painting.evaluated(form);
+        if self.painting.factors == Use::Keep {
+            let rows = Rows::new(factors, self.painting.planes(place.width), place.first_row);
+            let keeping = Keeping { evaluated, rows };
+            return dispatch!(self.painting.level, simd => {
+                shade(simd, place, &band.extents, fragments, keeping, &mut self.target)
+            });
+        }
+        dispatch!(self.painting.level, simd => shade(simd, place, &band.extents, fragments, evaluated, &mut self.target))
     }
 }
 
@@ -467,12 +516,13 @@ fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
 /// Splits the buffers into bands.
 fn jobs<'a>(
     bands: &'a mut [Band],
-    fragments: &'a mut [Block],
+    (fragments, factors, planes): (&'a mut [Block], &'a mut [Plane], usize),
     canvas: Canvas<'a>,
     [width, height]: [u32; 2],
 ) -> Vec<Job<'a>> {
     let share = (BAND * width) as usize;
     let mut fragments = fragments.chunks_mut(Bands::ROWS * Block::count(width));
+    let mut factors = factors.chunks_mut((Bands::ROWS * planes).max(1));
     let mut linear = canvas.linear.chunks_mut(share);
     bands
         .iter_mut()
@@ -484,6 +534,7 @@ fn jobs<'a>(
             index,
             band,
             fragments: fragments.next().unwrap_or_default(),
+            factors: factors.next().unwrap_or_default(),
             pixels,
             linear: linear.next().unwrap_or_default(),
         })

@@ -10,6 +10,7 @@ use super::bins::Bins;
 use super::clip::Clipped;
 use super::cue::{Cue, Found, Layer, LayerInputs, fade_pixels};
 use super::display::{Linear, display};
+use super::factors::{FactorInputs, Use};
 use super::interpolate::Sources;
 use super::lens::Lens;
 use super::mesh_source::MeshSource;
@@ -502,6 +503,7 @@ impl Renderer {
             intensity: &self.intensity.output,
             reach: None,
             colours: true,
+            factors: Use::None,
         };
         let mut painted = Painted::default();
         let mut still_stale = stale;
@@ -530,6 +532,8 @@ impl Renderer {
         let shaded = repaint || stale.any();
         if shaded {
             fit_linear(&mut self.linear, linear);
+            let factors = FactorInputs::of(plan, &equation, self.bands.stamp(), self.rays.stamps()[0]);
+            painting.factors = self.bands.kept_factors.next(factors);
             let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
             painted = painted.and(painting.run(&mut self.bands, still_stale, canvas));
             (self.report.covered, self.report.drawn) = (painted.covered, painted.drawn);
@@ -632,14 +636,13 @@ impl Renderer {
         let at_pixels = plan.per == Per::Pixel;
         let [covering, interpolating, shading] = painted.nanoseconds;
         let (shading, displaying) = if at_pixels { (shading, 0) } else { (0, shading) };
-        let evaluations = if at_pixels { painted.covered } else { 0 };
         if plan.shadows || plan.composes {
             let (traced, tracing) = self.traced;
             self.push(Stage::Rays, traced, tracing, 0);
         }
         self.push(Stage::Coverage, stale.coverage, covering, 0);
         self.push(Stage::Interpolation, painted.carried, interpolating, 0);
-        self.push(Stage::PixelShading, shaded && at_pixels, shading, evaluations);
+        self.push(Stage::PixelShading, shaded && at_pixels, shading, painted.evaluations);
         self.push(Stage::Display, shaded, displaying + whole, 0);
     }
 

@@ -6,7 +6,7 @@ use super::fragments::Block;
 use super::interpolate::SHORTEST_NORMAL;
 use super::lens::{FARTHEST, Lens};
 use super::shadow::Reach;
-use crate::illumination::{BRIGHTEST, Equation, Lanes, Reached, Real, Specular, V3};
+use crate::illumination::{BRIGHTEST, Equation, Lanes, Reached, Real, Site, Specular, V3};
 use crate::scene::Encoding;
 use fearless_simd::prelude::*;
 use glam::{DVec2, DVec3};
@@ -16,13 +16,13 @@ use std::ops::Range;
 const SHORTEST_SQUARED: f32 = (SHORTEST_NORMAL * SHORTEST_NORMAL) as f32;
 
 /// Colours of pixels from their fragments.
-pub(super) trait Colour: Copy + Sync {
+pub(super) trait Colour {
     /// Readies a row: `y` is the pixel row.
     #[inline(always)]
     fn row(&mut self, _y: u32) {}
 
     /// Red, green, blue at the pixels from `column` on, given the three carried numbers and the depth key.
-    fn at<S: Simd>(&self, simd: S, column: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3];
+    fn at<S: Simd>(&mut self, simd: S, column: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3];
 }
 
 /// The carried numbers are intensities.
@@ -34,7 +34,7 @@ pub(super) struct Carried {
 
 impl Colour for Carried {
     #[inline(always)]
-    fn at<S: Simd>(&self, simd: S, _: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
+    fn at<S: Simd>(&mut self, simd: S, _: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
         // Rounding may leave nothing of the key of what is far beside what is near.
         let least = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
         let factor = if self.by_key { Lanes::splat(simd, 1.0) / key.max(least) } else { Lanes::splat(simd, 1.0) };
@@ -66,6 +66,49 @@ impl<'a, F: Specular> Evaluated<'a, F> {
         reach: Option<&'a Reach>,
     ) -> Self {
         Self { equation, rays: Rays::new(lens), by_key, renormalise, form, reach, reached: None }
+    }
+}
+
+impl<'a, F: Specular> Evaluated<'a, F> {
+    pub fn equation(&self) -> &'a Equation<f32> {
+        self.equation
+    }
+
+    /// Where the equation is evaluated for the pixels from `column` on, and which sources reach it.
+    #[inline(always)]
+    pub fn site<S: Simd>(
+        &self,
+        simd: S,
+        column: usize,
+        carried: [Lanes<S>; 3],
+        key: Lanes<S>,
+    ) -> (Site<Lanes<S>>, Option<Reached<'a>>) {
+        let _ = self.form;
+        let key = key.max(Lanes::splat(simd, self.rays.least_key));
+        let [nx, ny, nz] = carried;
+        let normal = V3::new(nx, ny, nz);
+        let normal = if self.renormalise {
+            let shortest = Lanes::splat(simd, SHORTEST_SQUARED);
+            normal.normalised_from(if self.by_key { key * key * shortest } else { shortest })
+        } else if self.by_key {
+            normal.scale(Lanes::splat(simd, 1.0) / key)
+        } else {
+            normal
+        };
+        let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
+        let site = self.equation.site(self.rays.positions(simd, x, key), normal);
+        let reached = self.reached.map(
+            #[inline(always)]
+            |reached| reached.starting_at(column),
+        );
+        (site, reached)
+    }
+
+    /// The points that the pixels from `column` on see.
+    #[inline(always)]
+    pub fn position<S: Simd>(&self, simd: S, column: usize, key: Lanes<S>) -> V3<Lanes<S>> {
+        let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
+        self.rays.positions(simd, x, key.max(Lanes::splat(simd, self.rays.least_key)))
     }
 }
 
@@ -121,25 +164,8 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
     }
 
     #[inline(always)]
-    fn at<S: Simd>(&self, simd: S, column: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
-        let _ = self.form;
-        let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
-        let key = key.max(Lanes::splat(simd, self.rays.least_key));
-        let [nx, ny, nz] = carried;
-        let normal = V3::new(nx, ny, nz);
-        let normal = if self.renormalise {
-            let shortest = Lanes::splat(simd, SHORTEST_SQUARED);
-            normal.normalised_from(if self.by_key { key * key * shortest } else { shortest })
-        } else if self.by_key {
-            normal.scale(Lanes::splat(simd, 1.0) / key)
-        } else {
-            normal
-        };
-        let site = self.equation.site(self.rays.positions(simd, x, key), normal);
-        let reached = self.reached.map(
-            #[inline(always)]
-            |reached| reached.starting_at(column),
-        );
+    fn at<S: Simd>(&mut self, simd: S, column: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
+        let (site, reached) = self.site(simd, column, carried, key);
         self.equation.illuminate::<Lanes<S>, F>(&site, reached)
     }
 }
