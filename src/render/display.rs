@@ -1,8 +1,8 @@
 //! Linear intensities in, stored values out.
 
 use crate::illumination::{Lanes, Real};
-use crate::scene::{Encoding, Overflow, Rgb};
-use fearless_simd::prelude::*;
+use crate::scene::{Display, Encoding, Overflow, Rgb};
+use fearless_simd::{Level, dispatch, f32x4, prelude::*};
 use rayon::prelude::*;
 
 /// A picture before the display: linear red, green, blue, and 1 where the object is seen.
@@ -80,29 +80,81 @@ pub(super) fn pack<S: Simd>(
 
 /// Turns a linear picture of `width` columns into stored pixels by the policies that need to see all of it. Returns what
 /// its intensities were divided by.
-pub(super) fn display(
-    linear: &[Linear],
-    width: usize,
-    overflow: Overflow,
-    encoding: Encoding,
-    out: &mut [[u8; 4]],
-) -> f64 {
-    let peak = || linear.par_iter().flat_map_iter(|p| &p[..3]).copied().reduce(|| 1.0_f32, f32::max);
-    let divisor = if overflow == Overflow::Scale { f64::from(peak()) } else { 1.0 };
+pub(super) fn display(level: Level, linear: &[Linear], width: usize, policy: &Display, out: &mut [[u8; 4]]) -> f64 {
+    // The fourth component is 1 at most.
+    let peak = |line: &[Linear]| dispatch!(level, simd => greatest(simd, line.as_flattened()));
+    let divisor = match policy.overflow {
+        Overflow::Scale => linear.par_chunks_exact(width).map(peak).reduce(|| 1.0, f32::max),
+        Overflow::Clamp | Overflow::Mark => 1.0,
+    };
     let factor = 1.0 / divisor;
     let lines = linear.par_chunks_exact(width).zip(out.par_chunks_exact_mut(width));
     lines.enumerate().for_each(|(row, (line, pixels))| {
-        for (column, (color, pixel)) in line.iter().zip(pixels).enumerate() {
-            let over = color[..3].iter().any(|&v| v > 1.0);
-            *pixel = if overflow == Overflow::Mark && over {
-                hatching(column, row)
-            } else {
-                let [r, g, b] = [0, 1, 2].map(|k| stored(f64::from(color[k]) * factor, encoding));
-                [r, g, b, 255]
-            };
-        }
+        dispatch!(level, simd => store_line(simd, (row, line), factor, policy, pixels));
     });
-    divisor
+    f64::from(divisor)
+}
+
+/// The greatest of some numbers and 1.
+#[inline(always)]
+fn greatest<S: Simd>(simd: S, values: &[f32]) -> f32 {
+    let vectors = values.chunks_exact(Lanes::<S>::LEN);
+    let rest = vectors.remainder().iter().copied().fold(1.0, f32::max);
+    let mut most = Lanes::splat(simd, rest);
+    for vector in vectors {
+        most = most.max(Lanes::load(simd, vector));
+    }
+    most.0.as_slice().iter().copied().fold(rest, f32::max)
+}
+
+#[inline(always)]
+fn store_line<S: Simd>(
+    simd: S,
+    (row, line): (usize, &[Linear]),
+    factor: f32,
+    policy: &Display,
+    pixels: &mut [[u8; 4]],
+) {
+    let lanes = Lanes::<S>::LEN;
+    let (all, nothing) = (S::mask32s::splat(simd, true), S::i32s::simd_from(simd, 0));
+    let mut planes = [[0.0; WIDEST]; 4];
+    for (first, (colors, pixels)) in (0..).step_by(lanes).zip(line.chunks(lanes).zip(pixels.chunks_mut(lanes))) {
+        separate(simd, colors, &mut planes);
+        let [r, g, b, _] = &planes;
+        let color = [Lanes::load(simd, r) * factor, Lanes::load(simd, g) * factor, Lanes::load(simd, b) * factor];
+        let (packed, mut over) = pack(simd, color, all, nothing, policy.encoding);
+        let bytes = pixels.as_flattened_mut();
+        bytes.copy_from_slice(&packed.as_slice()[..bytes.len()]);
+        if policy.overflow == Overflow::Mark {
+            over &= u64::MAX >> (64 - pixels.len());
+            while over != 0 {
+                let lane = over.trailing_zeros() as usize;
+                over &= over - 1;
+                pixels[lane] = hatching(first + lane, row);
+            }
+        }
+    }
+}
+
+/// The widest vector's lanes.
+const WIDEST: usize = 16;
+
+/// Colours to one plane a component.
+#[inline(always)]
+fn separate<S: Simd>(simd: S, colors: &[Linear], planes: &mut [[f32; WIDEST]; 4]) {
+    let quads = colors.chunks_exact(4);
+    let (rest, whole) = (quads.remainder(), colors.len() / 4 * 4);
+    for (quad, start) in quads.zip((0..).step_by(4)) {
+        let vectors = f32x4::load_four_interleaved(simd, quad.as_flattened());
+        for (plane, vector) in planes.iter_mut().zip(vectors) {
+            vector.store_slice(&mut plane[start..start + 4]);
+        }
+    }
+    for (color, index) in rest.iter().zip(whole..) {
+        for (plane, value) in planes.iter_mut().zip(color) {
+            plane[index] = *value;
+        }
+    }
 }
 
 /// Black and white diagonal stripes, three pixels wide, which no shading looks like.
@@ -118,6 +170,35 @@ mod tests {
     fn every_code_value_survives_its_own_intensity() {
         for code in 0..=255_u8 {
             assert_eq!(stored(f64::from(code) / 255.0, Encoding::Raw), code);
+        }
+    }
+
+    #[test]
+    fn lanes_store_what_single_numbers_do() {
+        // A width that fills no vector, and an intensity on either side of each step.
+        let linear: Vec<Linear> = (0..37 * 29)
+            .map(|k| [0, 1, 2].map(|c| ((k * 7 + c * 311) % 1300) as f32 / 1150.0))
+            .map(|[r, g, b]| [r, g, b, 1.0])
+            .collect();
+        for level in [Level::new(), Level::baseline()] {
+            for overflow in [Overflow::Clamp, Overflow::Scale, Overflow::Mark] {
+                for encoding in [Encoding::Raw, Encoding::Srgb] {
+                    let mut out = vec![[0; 4]; linear.len()];
+                    let divisor = display(level, &linear, 37, &Display { overflow, encoding }, &mut out);
+                    assert_eq!(divisor > 1.1, overflow == Overflow::Scale, "{divisor}");
+                    for (index, (color, pixel)) in linear.iter().zip(&out).enumerate() {
+                        if overflow == Overflow::Mark && color.iter().any(|&v| v > 1.0) {
+                            assert_eq!(*pixel, hatching(index % 37, index / 37));
+                            continue;
+                        }
+                        for channel in 0..3 {
+                            let expected = stored(f64::from(color[channel]) / divisor, encoding);
+                            assert!(pixel[channel].abs_diff(expected) <= 1, "{color:?}: {pixel:?}, {expected}");
+                        }
+                        assert_eq!(pixel[3], 255);
+                    }
+                }
+            }
         }
     }
 

@@ -26,7 +26,7 @@ use super::transmission::Transmission;
 use super::{Frame, Report, Stage, StageRun};
 use crate::geometry::{Mesh, Surface};
 use crate::illumination::Equation;
-use crate::scene::{AmbientSource, Display, NormalSource, Object, ObjectKind, Overflow, Rgb, Scene, Weighting};
+use crate::scene::{AmbientSource, NormalSource, Object, ObjectKind, Overflow, Rgb, Scene, Weighting};
 use fearless_simd::Level;
 use glam::DVec2;
 use std::sync::Arc;
@@ -183,7 +183,7 @@ impl Renderer {
         let factor = 1.0 / samples as f32;
         sum.iter_mut().flatten().for_each(|value| *value *= factor);
         let mut frame = self.frame.clone();
-        display(&sum, frame.width as usize, scene.display.overflow, scene.display.encoding, &mut frame.pixels);
+        display(self.level, &sum, frame.width as usize, &scene.display, &mut frame.pixels);
         self.linear = sum;
         self.redraw();
         frame
@@ -622,9 +622,8 @@ impl Renderer {
             self.report.overflowing = fade_pixels(&self.cue.output, color, plan.composes, &mut self.linear);
         }
         if plan.whole_picture {
-            let Display { overflow, encoding } = scene.display;
             let width = self.frame.width as usize;
-            self.report.divisor = display(&self.linear, width, overflow, encoding, &mut self.frame.pixels);
+            self.report.divisor = display(self.level, &self.linear, width, &scene.display, &mut self.frame.pixels);
         } else {
             self.report.divisor = 1.0;
         }

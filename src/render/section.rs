@@ -16,7 +16,8 @@ use super::renderer::Renderer;
 use super::span::doubled_area;
 use super::transform::{Place, SUBPIXELS, UNPLACED};
 use super::{Frame, Plan};
-use crate::scene::{Display, Scene};
+use crate::scene::Scene;
+use fearless_simd::Level;
 use glam::DVec2;
 
 /// Parts of the line shorter than this share of it are roundings.
@@ -82,9 +83,8 @@ impl Renderer {
 /// A linear picture as the display of `scene` stores it.
 pub(crate) fn displayed(linear: &[Linear], scene: &Scene) -> Frame {
     let [width, height] = scene.image.size;
-    let Display { overflow, encoding } = scene.display;
     let mut pixels = vec![[0; 4]; linear.len()];
-    display(linear, width as usize, overflow, encoding, &mut pixels);
+    display(Level::new(), linear, width as usize, &scene.display, &mut pixels);
     Frame { width, height, pixels }
 }
 

@@ -191,7 +191,8 @@ fn interpolation(bencher: Bencher<'_, '_>, rule: Interpolation) {
     alternate(bencher, 1, Renderer::default(), scenes, covered);
 }
 
-/// Intensities to stored values: as each pixel is shaded, or once the whole picture is known.
+/// Intensities to stored values, with the interpolation that brings them: as each pixel is shaded, or once the whole picture is
+/// known.
 #[divan::bench(args = ["clamp raw", "clamp sRGB", "scale raw", "scale sRGB", "mark raw"])]
 fn display(bencher: Bencher<'_, '_>, what: &str) {
     let mut scene = sphere(ShadingMode::Gouraud, 1024, SIDE);
@@ -223,6 +224,18 @@ fn frame<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
 fn light<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
     let scene = sphere(mode, TRIANGLES, SIDE);
     alternate(bencher, 0, Renderer::default(), light_moved(&scene), covered);
+}
+
+/// A frame in which Ka has changed under one to four lights: what several do is kept.
+#[divan::bench(args = [1, 2, 3, 4])]
+fn ka_under_lights(bencher: Bencher<'_, '_>, lights: usize) {
+    let mut scene = sphere(ShadingMode::Phong, 16_384, SIDE);
+    scene.lights = vec![scene.lights[0].clone(); lights];
+    for (light, x) in scene.lights.iter_mut().zip([2.0, -2.0, 0.0, 4.0]) {
+        light.position.x = x;
+    }
+    let scenes = changed(&scene, |scene| scene.material.ka = Rgb::splat(0.2));
+    alternate(bencher, 0, Renderer::default(), scenes, covered);
 }
 
 /// A frame in which Ka has changed.
