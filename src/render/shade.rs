@@ -1,7 +1,7 @@
 //! A band's fragments in, colours out: the equation at pixels, or intensities that vertices carried.
 
 use super::cover::BandPlace;
-use super::display::{Linear, pack, raw};
+use super::display::{Linear, WIDEST, join, pack, raw};
 use super::fragments::Block;
 use super::interpolate::SHORTEST_NORMAL;
 use super::lens::{FARTHEST, Lens};
@@ -255,11 +255,6 @@ impl Target for Stored<'_> {
     }
 }
 
-/// Carried intensities may grow without end where rounding leaves nothing of their depth key.
-fn at_most_brightest(v: f32) -> f32 {
-    if v > BRIGHTEST as f32 { BRIGHTEST as f32 } else { v }
-}
-
 /// Linear colours of a band.
 pub(super) struct Unstored<'a> {
     pub pixels: &'a mut [Linear],
@@ -271,19 +266,26 @@ impl Target for Unstored<'_> {
 
     #[inline(always)]
     fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32 {
-        let _ = simd;
-        let covered = covered.to_bitmask();
-        let mut over = 0;
-        for (lane, pixel) in self.pixels[first..first + count].iter_mut().enumerate() {
-            *pixel = if covered >> lane & 1 == 1 {
-                let [r, g, b] = color.map(|channel| at_most_brightest(channel.0[lane]));
-                over += u32::from(r > 1.0 || g > 1.0 || b > 1.0);
-                [r, g, b, 1.0]
-            } else {
-                self.background
-            };
+        let one = Lanes::splat(simd, 1.0);
+        let [red, green, blue, _] = self.background;
+        let brightest = one.constant(BRIGHTEST as f32);
+        let [r, g, b] = [color[0].min(brightest), color[1].min(brightest), color[2].min(brightest)];
+        let over = (r.max(g).max(b).greater_than(one) & covered).to_bitmask() & (u64::MAX >> (64 - count));
+        let planes = [
+            Lanes::select(covered, r, one.constant(red)),
+            Lanes::select(covered, g, one.constant(green)),
+            Lanes::select(covered, b, one.constant(blue)),
+            Lanes::select(covered, one, one.constant(0.0)),
+        ];
+        let pixels = &mut self.pixels[first..first + count];
+        if count == Lanes::<S>::LEN {
+            join(simd, &planes, pixels);
+        } else {
+            let mut whole = [self.background; WIDEST];
+            join(simd, &planes, &mut whole[..Lanes::<S>::LEN]);
+            pixels.copy_from_slice(&whole[..count]);
         }
-        over
+        over.count_ones()
     }
 
     #[inline(always)]
