@@ -39,8 +39,8 @@ pub(super) struct Account<'a> {
     pub report: &'a Report,
     /// Triangles of the picture that show their back.
     pub backs: u64,
-    /// Rows of triangles that are seen, of flat shading each filled at once.
-    pub runs: u64,
+    /// Colours that flat shading makes ready: one for each triangle's runs that follow each other.
+    pub inks: u64,
 }
 
 const SURFACE: &str = "rays meet the true surface";
@@ -188,8 +188,8 @@ impl Account<'_> {
             term("N·L", each, None).noted("evaluated also where the light is behind: its sign tells"),
             term("diffuse", each, matt.then_some("Kd is 0")),
             term("specular", each, no_specular).noted(
-                "skipped where N·L ≤ 0 in a whole vector of points; kept where it is less than half a code value, since it \
-                 could turn one",
+                "skipped where N·L ≤ 0 in a whole vector of points, and the power where it changes no sum in single \
+                 precision; what is less than half a code value is kept, since it could turn one",
             ),
             term("W(θ)", each, no_specular.or(law)),
         ]
@@ -219,21 +219,21 @@ impl Account<'_> {
 
     fn display(&self) -> Vec<Term> {
         let (plan, display) = (self.plan, &self.scene.display);
-        let sites = if plan.carries { self.report.covered } else { self.runs };
+        let sites = if plan.carries { self.report.covered } else { self.inks };
         let (per, sites) = if plan.carries || plan.whole_picture { (Per::Pixel, sites) } else { (Per::Face, sites) };
         let count = if plan.whole_picture { self.pixels() } else { sites };
         let raw = (display.encoding == Encoding::Raw).then_some("raw: value × 255");
         let clamped = (display.overflow == Overflow::Clamp).then_some("values above 1 are clamped");
         let single = (!plan.whole_picture).then_some("each pixel is stored as it is shaded");
         let mixed = (!plan.composes).then_some("the picture is the equation's alone");
-        let by_rows = (per == Per::Face).then_some("once for each row of a face in sight");
+        let by_faces = (per == Per::Face).then_some("once for each triangle in sight, in each band of rows");
         let term = |name, count, omitted| self.term(Stage::Display, name, count, omitted);
         vec![
             term("mixing", (Per::Pixel, self.pixels()), mixed),
             term("picture kept linear", (Per::Pixel, self.pixels()), single),
             term("overflow", (Per::Pixel, self.pixels()), clamped),
             term("sRGB encoding", (per, count), raw).noted("by its formula: no table is needed"),
-            Term { note: by_rows, ..term("rounding to code values", (per, count), None) },
+            Term { note: by_faces, ..term("rounding to code values", (per, count), None) },
         ]
     }
 

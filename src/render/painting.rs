@@ -131,9 +131,10 @@ impl Bands {
         self.coverage = None;
     }
 
-    /// Runs of pixels of one row that see one triangle.
-    pub fn run_count(&self) -> u64 {
-        self.bands.iter().map(|band| band.runs.len() as u64).sum()
+    /// Triangles that are seen, counted again in each band and where another comes between.
+    pub fn ink_count(&self) -> u64 {
+        let of = |band: &Band| band.runs.chunk_by(|a, b| a.triangle == b.triangle).count() as u64;
+        self.bands.iter().map(of).sum()
     }
 
     /// The triangle that a pixel sees.

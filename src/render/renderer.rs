@@ -312,7 +312,7 @@ impl Renderer {
             let sources = Sources { model: &self.model.output, clipped, placed, carried: &[] };
             let culled = plan.cull || plan.true_surface;
             let backs = if culled { 0 } else { bins.backs(|index| placed.corners(sources.vertices(index))) };
-            Account { scene, plan, facts, report: &self.report, backs, runs: self.bands.run_count() }.terms()
+            Account { scene, plan, facts, report: &self.report, backs, inks: self.bands.ink_count() }.terms()
         })
     }
 
