@@ -143,17 +143,21 @@ impl<S: Simd> Real for Lanes<S> {
         Self(self.0.floor())
     }
 
+    #[inline(always)]
+    fn inverse_sqrt(self) -> Self {
+        // Smaller squares would overflow the square of the inverse root.
+        self.max(self.constant(1e-36)).inverse_sqrt_of_sound()
+    }
+
     /// The bits' halved exponent as a first guess, then three Newton steps, each of which squares the relative error
     /// 3.4·10⁻² (times 1.5): 2·10⁻³, 5·10⁻⁶, rounding. No level's own estimate is used, so all give the same digits.
     #[inline(always)]
-    fn inverse_sqrt(self) -> Self {
+    fn inverse_sqrt_of_sound(self) -> Self {
         let simd = self.0.token();
-        // Smaller squares would overflow the square of the inverse root.
-        let square = self.max(self.constant(1e-36));
-        let halved: S::i32s = square.bits() >> 1;
+        let halved: S::i32s = self.bits() >> 1;
         let guess = S::i32s::simd_from(simd, 0x5f37_59df) - halved;
         let mut y = Self(guess.bitcast());
-        let half = square * -0.5;
+        let half = self * -0.5;
         for _ in 0..3 {
             y = y * half.mul_add(y * y, y.constant(1.5));
         }

@@ -68,6 +68,12 @@ pub trait Real:
     /// it is multiplied by the inverse of its length.
     #[must_use]
     fn inverse_sqrt(self) -> Self;
+    /// The same for what is known to be 10⁻³⁶ at least.
+    #[inline(always)]
+    #[must_use]
+    fn inverse_sqrt_of_sound(self) -> Self {
+        self.inverse_sqrt()
+    }
     /// `2^self`; 0 or almost 0 below the range of exponents. Relative error 2·10⁻⁷ in single precision.
     #[must_use]
     fn exp2(self) -> Self;

@@ -173,7 +173,7 @@ impl<T: Scalar> Source<T> {
             Place::Towards(l) => (V3::constant(like, l), one, like.constant(T::default())),
             Place::At(place) => {
                 let to_light = V3::constant(like, place) - position;
-                let inverse = to_light.dot(to_light).max(shortest * shortest).inverse_sqrt();
+                let inverse = to_light.dot(to_light).max(shortest * shortest).inverse_sqrt_of_sound();
                 (to_light.scale(inverse), inverse, inverse)
             }
         };

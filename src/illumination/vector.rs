@@ -53,11 +53,12 @@ impl<R: Real> V3<R> {
 }
 
 impl<R: Real> V3<R> {
-    /// The unit vector of one that is at least as long as the root of `shortest`; a shorter one stays so much short of unit.
+    /// The unit vector of one that is at least as long as the root of `shortest`, which is 10⁻³⁶ at least; a shorter one stays so
+    /// much short of unit.
     #[inline(always)]
     #[must_use]
     pub fn normalised_from(self, shortest: R) -> Self {
-        self.scale(self.dot(self).max(shortest).inverse_sqrt())
+        self.scale(self.dot(self).max(shortest).inverse_sqrt_of_sound())
     }
 }
 

@@ -32,15 +32,16 @@ pub(crate) fn stored_pixel(color: Rgb, encoding: Encoding) -> [u8; 4] {
     [r, g, b, 255]
 }
 
-/// Intensities already within 0..1 to code values 0..255, not yet rounded.
+/// Intensities already within 0..1 to code values 0..255 and a half, to be cut off.
 #[inline(always)]
 fn encode<S: Simd>(v: Lanes<S>, encoding: Encoding) -> Lanes<S> {
+    let half = v.constant(0.5);
     if encoding == Encoding::Raw {
-        return v * 255.0;
+        return v.mul_add(v.constant(255.0), half);
     }
-    let low = v * (12.92 * 255.0);
+    let low = v.mul_add(v.constant(12.92 * 255.0), half);
     let root = (v.max(v.constant(1e-6)).log2() * (1.0 / 2.4)).exp2();
-    let high = root.mul_add(v.constant(1.055 * 255.0), v.constant(-0.055 * 255.0));
+    let high = root.mul_add(v.constant(1.055 * 255.0), v.constant(0.5 - 0.055 * 255.0));
     Lanes::select(v.greater_than(v.constant(0.003_130_8)), high, low)
 }
 
@@ -48,7 +49,7 @@ fn encode<S: Simd>(v: Lanes<S>, encoding: Encoding) -> Lanes<S> {
 #[inline(always)]
 fn code<S: Simd>(v: Lanes<S>, encoding: Encoding) -> S::i32s {
     let clamped = v.max(v.constant(0.0)).min(v.constant(1.0));
-    S::i32s::truncate_from(encode(clamped, encoding).0 + 0.5)
+    S::i32s::truncate_from(encode(clamped, encoding).0)
 }
 
 /// The code value of an intensity that is stored as it is, as [`pack`] has it.
