@@ -312,7 +312,8 @@ impl Renderer {
             let sources = Sources { model: &self.model.output, clipped, placed, carried: &[] };
             let culled = plan.cull || plan.true_surface;
             let backs = if culled { 0 } else { bins.backs(|index| placed.corners(sources.vertices(index))) };
-            Account { scene, plan, facts, report: &self.report, backs, inks: self.bands.ink_count() }.terms()
+            let inks = if plan.carries { 0 } else { self.bands.ink_count() };
+            Account { scene, plan, facts, report: &self.report, backs, inks }.terms()
         })
     }
 
