@@ -67,7 +67,8 @@ fn chip(ui: &mut Ui, index: usize, light: &Light, shines: bool, selected: bool, 
     let text = if shines { text } else { text.strikethrough() };
     // The colour's place is kept free without letters, which would be struck through as well.
     let mut button = Button::selectable(selected, (Atom::custom(IdSalt::new("colour"), vec2(12.0, 12.0)), text));
-    if lit {
+    // The chosen one keeps its colour, on which its letters are read.
+    if lit && !selected {
         button = button.fill(ui.visuals().widgets.hovered.bg_fill);
     }
     let response = ui.add(button);
