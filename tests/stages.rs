@@ -1,5 +1,10 @@
 //! A change re-runs only the stages that read it, and what is kept shows the same picture as what is drawn anew.
 
+#[path = "common/dice.rs"]
+#[allow(dead_code, reason = "each test takes what it needs of it")]
+mod dice;
+
+use dice::Dice;
 use shading_lab::render::{Renderer, Stage};
 use shading_lab::scene::{Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer};
 
@@ -94,6 +99,63 @@ fn what_is_kept_is_what_would_be_drawn() {
         let kept = renderer.render(&scene).clone();
         let fresh = Renderer::default().render(&scene).clone();
         assert!(kept.pixels == fresh.pixels, "after the change of {name}");
+    }
+}
+
+/// Any change after any other, there and back.
+#[test]
+fn what_is_kept_is_what_would_be_drawn_on_any_way() {
+    const CHANGES: [&[&str]; 23] = [
+        &[
+            "shading.mode=flat",
+            "shading.mode=gouraud",
+            "shading.mode=phong",
+            "shading.mode=phong",
+            "shading.mode=exact",
+        ],
+        &["material.n=0", "material.n=20", "material.n=300", "material.n=1e8", "material.n=inf"],
+        &["material.ka=0", "material.ka=0.3"],
+        &["material.kd=0", "material.kd=0.7"],
+        &["material.ks=0", "material.ks=0.5", "material.ks=1.5"],
+        &["material.color=[1, 0, 0.5]", "material.color=[0.2, 0.9, 1]"],
+        &["light.0.color=[1, 1, 1]", "light.0.color=[0, 0, 0]", "light.0.color=[0.2, 0.9, 0.4]"],
+        &["light.1.mute=true", "light.1.mute=false"],
+        &["light.1.position=[-3, 1, 2]", "light.1.position=[0, -4, 2]"],
+        &["shading.interpolation=affine", "shading.interpolation=perspective", "shading.interpolation=scanline"],
+        &["shading.renormalise=true", "shading.renormalise=false"],
+        &["shading.shadows=true", "shading.shadows=false"],
+        &["ground.visible=true", "ground.visible=false"],
+        &["display.overflow=clamp", "display.overflow=mark", "display.overflow=scale"],
+        &["display.encoding=raw", "display.encoding=srgb"],
+        &["depth_cueing.by=off", "depth_cueing.by=vertex", "depth_cueing.by=pixel"],
+        &["pattern.kind=none", "pattern.kind=checker"],
+        &["transparency.kt=0", "transparency.kt=0.4"],
+        &["reflection.model=phong", "reflection.model=blinn", "reflection.model=cook-torrance"],
+        &["camera.viewer=local", "camera.viewer=infinite"],
+        &["camera.eye=[0, 1, 3]", "camera.eye=[2, 1, 3]", "camera.eye=[0, 0, 60000]"],
+        &["object.kind=sphere", "object.kind=torus", "object.kind=cube"],
+        &["image.size=[47, 33]", "image.size=[40, 40]"],
+    ];
+    let mut renderer = Renderer::default();
+    let mut scene = scene(ShadingMode::Phong);
+    (scene.object.segments, scene.object.rings) = (9, 6);
+    scene.lights.push(scene.lights[0].clone());
+    let mut dice = Dice(7);
+    let mut way = std::collections::VecDeque::new();
+    for _ in 0..1500 {
+        let choices = dice.of(&CHANGES);
+        let change = dice.of(choices);
+        scene = scene.with_override(change).expect(change);
+        way.push_back(change);
+        if way.len() > 12 {
+            way.pop_front();
+        }
+        if scene.validate().is_err() {
+            continue;
+        }
+        let kept = renderer.render(&scene).clone();
+        let fresh = Renderer::default().render(&scene).clone();
+        assert!(kept.pixels == fresh.pixels, "the last changes: {way:#?}\n{}", scene.to_toml());
     }
 }
 

@@ -59,6 +59,8 @@ pub(super) struct InterpolationInputs {
     /// The stamp of what the vertices carry.
     pub source: u64,
     pub per: Per,
+    /// Pixels that are evaluated in double precision are brought nothing.
+    pub carries: bool,
     pub perspective: bool,
     pub scanline: bool,
     pub flat_at: Option<FlatAt>,

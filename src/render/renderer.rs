@@ -603,6 +603,7 @@ impl Renderer {
         let interpolation = InterpolationInputs {
             source: if plan.true_surface { 0 } else { carried },
             per: plan.per,
+            carries: plan.interpolates(),
             perspective: plan.perspective,
             scanline: plan.scanline,
             flat_at: (!plan.carries).then_some(scene.shading.flat_at),
