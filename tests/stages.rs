@@ -140,9 +140,9 @@ fn what_is_kept_is_what_would_be_drawn_on_any_way() {
     let mut scene = scene(ShadingMode::Phong);
     (scene.object.segments, scene.object.rings) = (9, 6);
     scene.lights.push(scene.lights[0].clone());
-    let mut dice = Dice(7);
+    let mut dice = Dice(99);
     let mut way = std::collections::VecDeque::new();
-    for _ in 0..1500 {
+    for _ in 0..3000 {
         let choices = dice.of(&CHANGES);
         let change = dice.of(choices);
         scene = scene.with_override(change).expect(change);
@@ -170,6 +170,18 @@ fn switches_of_the_shading_are_noticed() {
         let kept = renderer.render(&scene).clone();
         assert!(kept.pixels == Renderer::default().render(&scene).pixels, "renormalise = {renormalise}");
     }
+    let mut glass = scene.clone();
+    (glass.object.kind, glass.transparency.kt) = (ObjectKind::Torus, 0.4);
+    (glass.object.segments, glass.object.rings) = (48, 24);
+    (glass.camera.eye, glass.shading.renormalise) = (glam::DVec3::new(0.0, 1.0, 3.0), true);
+    glass.lights[0].position = glam::DVec3::new(-3.0, 1.0, 2.0);
+    let shadowed = [true, false, true].map(|shadows| {
+        glass.shading.shadows = shadows;
+        let kept = renderer.render(&glass).clone();
+        assert!(kept.pixels == Renderer::default().render(&glass).pixels, "shadows = {shadows}");
+        kept.pixels
+    });
+    assert!(shadowed[0] != shadowed[1]);
     let model = std::sync::Arc::new(shading_lab::geometry::tessellate(&scene.object));
     scene.object.kind = ObjectKind::Obj;
     renderer.set_model(Some(model));

@@ -52,6 +52,8 @@ pub(super) struct CanvasInputs {
     pub whole_picture: bool,
     pub renormalise: bool,
     pub double: bool,
+    /// Whether the bits are read: they are kept while shadows are off.
+    pub shadows: bool,
     /// The runs of the bits, of what is seen beyond and of what other surfaces scatter.
     pub rays: Option<[u64; 3]>,
     /// How what is seen beyond is mixed in.
@@ -72,6 +74,7 @@ impl CanvasInputs {
             whole_picture: plan.whole_picture,
             renormalise: plan.renormalise,
             double: plan.double,
+            shadows: plan.shadows,
             rays: plan.follows_rays().then_some(rays),
             composition: plan.composes.then_some((scene.transparency.kt, scene.ambient.source)),
         }
