@@ -13,6 +13,7 @@ mod draft;
 mod exact;
 mod facet;
 mod factors;
+mod fine;
 mod floor;
 mod fragments;
 mod frame;

@@ -55,6 +55,13 @@ impl BandPlace {
     fn row_range(self) -> Range<i32> {
         self.first_row as i32..(self.first_row + self.rows) as i32
     }
+
+    /// The pixel row of a run.
+    #[inline(always)]
+    #[expect(clippy::cast_possible_wrap, reason = "pictures are at most 16384 pixels high")]
+    pub fn y(self, run: Run) -> i32 {
+        (self.first_row + u32::from(run.row)) as i32
+    }
 }
 
 /// A triangle's barycentric coordinates as linear functions of the pixel.
@@ -82,13 +89,21 @@ impl Weights {
     /// The second and third weight at the centre of a pixel. The products are exact, so that inside the triangle no
     /// weight leaves 0..1 by more than a rounding, however thin it is.
     #[inline(always)]
-    pub fn at(&self, x: i32, y: i32) -> [f64; 2] {
+    #[expect(clippy::cast_possible_truncation, reason = "weights multiply single-precision values")]
+    pub fn at(&self, x: i32, y: i32) -> [f32; 2] {
         let px = f64::from(x * SUBPIXELS + HALF) - f64::from(self.origin[0]);
         let py = f64::from(y * SUBPIXELS + HALF) - f64::from(self.origin[1]);
         [
-            (px * self.e2[1] - py * self.e2[0]) * self.inverse_area,
-            (self.e1[0] * py - self.e1[1] * px) * self.inverse_area,
+            ((px * self.e2[1] - py * self.e2[0]) * self.inverse_area) as f32,
+            ((self.e1[0] * py - self.e1[1] * px) * self.inverse_area) as f32,
         ]
+    }
+
+    /// They at the pixels of a run in pixel row `y`.
+    #[inline(always)]
+    pub fn along(&self, run: Run, y: i32) -> impl Iterator<Item = [f32; 2]> {
+        let ([w1, w2], [s1, s2]) = (self.at(i32::from(run.x0), y), self.step);
+        (0..run.x1 - run.x0).map(move |k| [w1 + f32::from(k) * s1, w2 + f32::from(k) * s2])
     }
 }
 
@@ -195,7 +210,7 @@ impl DepthScratch {
             #[inline(always)]
             |y, x0, x1| {
                 let [w1, w2] = weights.at(x0, y);
-                let start = keys[0] + w1 as f32 * d1 + w2 as f32 * d2;
+                let start = keys[0] + w1 * d1 + w2 * d2;
                 let base = ((as_u32(y) - place.first_row) * place.width) as usize;
                 let range = base + x0 as usize..base + x1 as usize;
                 self.drawn += range.len() as u64;

@@ -6,7 +6,7 @@
 
 use super::display::Linear;
 use super::fragments::{Block, Fragment, fragment};
-use super::interpolate::{Sources, carry, interpolate};
+use super::interpolate::{Rule, Sources, carry, interpolate};
 use super::lens::Lens;
 use super::memory::{Holds, Memory, room};
 use super::model::Model;
@@ -161,7 +161,8 @@ impl Layer {
         let (share, bands) = (Bands::ROWS * inputs.size[0] as usize, found.bands.parts(inputs.size));
         let parts = self.scales.par_chunks_mut(share).zip(self.fragments.par_chunks_mut(Bands::ROWS * blocks));
         parts.zip(bands).for_each(|((scales, fragments), (place, band, _))| {
-            dispatch!(found.level, simd => interpolate(simd, place, band, sources, inputs.scanline, fragments));
+            let rule = if inputs.scanline { Rule::Scanline } else { Rule::Steps };
+            dispatch!(found.level, simd => interpolate(simd, place, band, sources, rule, fragments));
             for (scales, line) in rows(scales, fragments, inputs.size[0]) {
                 for (x, scale) in scales.iter_mut().enumerate() {
                     let [carried, _, _, key] = fragment(line, x);

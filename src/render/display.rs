@@ -2,7 +2,7 @@
 
 use crate::illumination::{Lanes, Real};
 use crate::scene::{Display, Encoding, Overflow, Rgb};
-use fearless_simd::{Level, dispatch, f32x4, prelude::*};
+use fearless_simd::{Level, dispatch, f32x4, i32x4, prelude::*};
 use rayon::prelude::*;
 
 /// A picture before the display: linear red, green, blue, and 1 where the object is seen.
@@ -52,13 +52,16 @@ fn code<S: Simd>(v: Lanes<S>, encoding: Encoding) -> S::i32s {
     S::i32s::truncate_from(encode(clamped, encoding).0)
 }
 
-/// The code value of an intensity that is stored as it is, as [`pack`] has it.
+/// The pixel of a colour that is stored as it is: bit for bit what [`pack`] makes of it.
 #[inline(always)]
-pub(super) fn raw(v: f32) -> u8 {
+pub(super) fn raw<S: Simd>(simd: S, [r, g, b]: [f32; 3]) -> [u8; 4] {
+    let color = f32x4::simd_from(simd, [r, g, b, 1.0]).max(0.0).min(1.0);
+    let codes: [i32; 4] = i32x4::truncate_from(color.mul_add(255.0, 0.5)).into();
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
-    {
-        (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
-    }
+    codes.map(
+        #[inline(always)]
+        |code| code as u8,
+    )
 }
 
 /// Packs a vector of colours into pixels and returns which lanes overflow. Lanes outside `covered` get `background`.

@@ -27,17 +27,6 @@ impl Plane {
     pub const ZERO: Self = Self([0.0; Block::PIXELS]);
 }
 
-/// What a picture does with the factors.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Use {
-    #[default]
-    None,
-    /// They are found, and kept.
-    Keep,
-    /// They are known.
-    Take,
-}
-
 /// What the factors depend on.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct FactorInputs {
@@ -59,32 +48,6 @@ impl FactorInputs {
             equation: equation.without_coefficients(),
             renormalise: plan.renormalise,
         })
-    }
-}
-
-/// Whose factors are kept.
-#[derive(Default)]
-pub(super) struct Kept {
-    of: Option<FactorInputs>,
-    found: bool,
-}
-
-impl Kept {
-    /// What a picture with these inputs, none where they cannot be kept, is to do.
-    pub fn next(&mut self, inputs: Option<FactorInputs>) -> Use {
-        let same = inputs.is_some() && self.of == inputs;
-        let next = match (same, self.found) {
-            (false, _) => Use::None,
-            (true, false) => Use::Keep,
-            (true, true) => Use::Take,
-        };
-        (self.of, self.found) = (inputs, same);
-        next
-    }
-
-    /// Whether the present inputs can be kept at all.
-    pub fn is_possible(&self) -> bool {
-        self.of.is_some()
     }
 }
 

@@ -15,7 +15,7 @@ use std::ops::Range;
 pub(super) type Fragment = [f32; 4];
 
 /// A pixel that does not see the object.
-const GAP: Fragment = [0.0, 0.0, 0.0, f32::MIN];
+pub(super) const GAP: Fragment = [0.0, 0.0, 0.0, f32::MIN];
 
 /// The component of a fragment that is its depth key.
 const KEY: usize = 3;
@@ -42,6 +42,29 @@ impl Block {
         (width as usize).div_ceil(PIXELS)
     }
 
+    /// The blocks of a row that these columns lie in.
+    pub fn over(columns: &Range<u32>) -> Range<usize> {
+        if columns.is_empty() { 0..0 } else { columns.start as usize / PIXELS..Self::count(columns.end) }
+    }
+
+    /// Puts a fragment at pixel `index`.
+    #[inline(always)]
+    pub fn put(&mut self, index: usize, fragment: Fragment) {
+        for (plane, value) in self.planes.iter_mut().zip(fragment) {
+            plane[index] = value;
+        }
+    }
+
+    /// Puts fragments at four pixels from `first` on.
+    #[inline(always)]
+    pub fn put_four<S: Simd>(&mut self, first: usize, [p, q, r, s]: [f32x4<S>; 4]) {
+        let ((pr_ab, pr_cd), (qs_ab, qs_cd)) = (p.interleave(r), q.interleave(s));
+        let ((a, b), (c, d)) = (pr_ab.interleave(qs_ab), pr_cd.interleave(qs_cd));
+        for (plane, lanes) in self.planes.iter_mut().zip([a, b, c, d]) {
+            lanes.store_slice(&mut plane[first..first + 4]);
+        }
+    }
+
     /// The lanes of each component from pixel `first` on.
     #[inline(always)]
     pub fn load<S: Simd>(&self, simd: S, first: usize) -> [Lanes<S>; 4] {
@@ -66,10 +89,7 @@ pub(super) fn fragment(line: &[Block], x: usize) -> Fragment {
 /// Puts a fragment into column `x` of a row.
 #[inline(always)]
 pub(super) fn put(line: &mut [Block], x: usize, fragment: Fragment) {
-    let planes = &mut line[x / PIXELS].planes;
-    for (plane, value) in planes.iter_mut().zip(fragment) {
-        plane[x % PIXELS] = value;
-    }
+    line[x / PIXELS].put(x % PIXELS, fragment);
 }
 
 /// Makes the pixels of these blocks gaps.

@@ -30,7 +30,6 @@ pub(super) fn carry(
         [v[0] * factor, v[1] * factor, v[2] * factor, key]
     };
     let count = values[0].len();
-    carried.clear();
     carried.resize(count, [0.0; 4]);
     carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
         let range = chunk * CHUNK..chunk * CHUNK + carried.len();
@@ -69,6 +68,15 @@ impl Sources<'_> {
         }
     }
 
+    /// What a triangle's first vertex carries, and how the second's and the third's differ from it.
+    #[inline(always)]
+    pub fn carried_from<S: Simd>(&self, simd: S, [a, b, c]: [u32; 3]) -> [f32x4<S>; 3] {
+        let a = f32x4::simd_from(simd, self.carried[a as usize]);
+        let b = f32x4::simd_from(simd, self.carried[b as usize]);
+        let c = f32x4::simd_from(simd, self.carried[c as usize]);
+        [a, b - a, c - a]
+    }
+
     /// The face that a triangle belongs to.
     #[inline(always)]
     pub fn face(&self, triangle: u32) -> u32 {
@@ -78,10 +86,27 @@ impl Sources<'_> {
             None => self.model.faces[self.clipped.parents[triangle as usize - own] as usize],
         }
     }
+
+    /// The vertex that a triangle's face is coloured by where one of them colours it: the face's first.
+    #[inline(always)]
+    pub fn provoking_vertex(&self, triangle: u32) -> u32 {
+        self.model.face(self.face(triangle)).first().copied().unwrap_or_default()
+    }
+}
+
+/// How values are found inside a polygon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rule {
+    /// Linear along the polygon's edges, then along the scan line.
+    Scanline,
+    /// Linear over the triangle: by a step from one pixel to the next.
+    Steps,
+    /// The same by the weights of the triangle's vertices at each pixel.
+    Weights,
 }
 
 /// How values run along a row inside a polygon: linearly, from `start` at the run's first pixel by `step` a pixel.
-trait Rule<S: Simd> {
+trait Along<S: Simd> {
     fn along(&mut self, simd: S, run: Run, y: i32) -> (f32x4<S>, f32x4<S>);
 }
 
@@ -102,28 +127,36 @@ impl<'a, S: Simd> Barycentric<'a, S> {
         let weights = Weights::new([[0, 0], [1, 0], [0, 1]]);
         Self { sources, triangle: u32::MAX, weights, origin: zero, d1: zero, d2: zero }
     }
+
+    #[inline(always)]
+    fn take(&mut self, simd: S, triangle: u32) {
+        if triangle != self.triangle {
+            self.triangle = triangle;
+            let vertices = self.sources.vertices(triangle);
+            self.weights = Weights::new(self.sources.placed.corners(vertices));
+            [self.origin, self.d1, self.d2] = self.sources.carried_from(simd, vertices);
+        }
+    }
+
+    /// What is carried to where the second and third vertex have these weights.
+    #[inline(always)]
+    fn at(&self, simd: S, weights: [f32; 2]) -> f32x4<S> {
+        mix(simd, [self.origin, self.d1, self.d2], weights)
+    }
 }
 
-impl<S: Simd> Rule<S> for Barycentric<'_, S> {
+/// What is carried, from the first vertex by the differences to the second and the third.
+#[inline(always)]
+pub(super) fn mix<S: Simd>(simd: S, [origin, d1, d2]: [f32x4<S>; 3], [w1, w2]: [f32; 2]) -> f32x4<S> {
+    d1.mul_add(f32x4::splat(simd, w1), d2.mul_add(f32x4::splat(simd, w2), origin))
+}
+
+impl<S: Simd> Along<S> for Barycentric<'_, S> {
     #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, reason = "weights multiply single-precision values")]
     fn along(&mut self, simd: S, run: Run, y: i32) -> (f32x4<S>, f32x4<S>) {
-        if run.triangle != self.triangle {
-            self.triangle = run.triangle;
-            let vertices = self.sources.vertices(run.triangle);
-            self.weights = Weights::new(self.sources.placed.corners(vertices));
-            let [a, b, c] = vertices;
-            let carried = self.sources.carried;
-            let a = f32x4::simd_from(simd, carried[a as usize]);
-            let b = f32x4::simd_from(simd, carried[b as usize]);
-            let c = f32x4::simd_from(simd, carried[c as usize]);
-            self.origin = a;
-            self.d1 = b - a;
-            self.d2 = c - a;
-        }
-        let [w1, w2] = self.weights.at(i32::from(run.x0), y);
+        self.take(simd, run.triangle);
         let [s1, s2] = self.weights.step;
-        let start = self.d1.mul_add(w1 as f32, self.d2.mul_add(w2 as f32, self.origin));
+        let start = self.at(simd, self.weights.at(i32::from(run.x0), y));
         (start, self.d1.mul_add(s1, self.d2 * s2))
     }
 }
@@ -177,7 +210,7 @@ impl Scanline<'_> {
     }
 }
 
-impl<S: Simd> Rule<S> for Scanline<'_> {
+impl<S: Simd> Along<S> for Scanline<'_> {
     #[expect(clippy::cast_possible_truncation, reason = "fragments are single precision")]
     fn along(&mut self, simd: S, run: Run, y: i32) -> (f32x4<S>, f32x4<S>) {
         if run.triangle != self.triangle {
@@ -204,38 +237,59 @@ pub(super) fn interpolate<S: Simd>(
     place: BandPlace,
     band: &Band,
     sources: Sources<'_>,
-    scanline: bool,
+    rule: Rule,
     fragments: &mut [Block],
 ) {
-    if scanline {
-        let rule = Scanline { sources, triangle: u32::MAX, corners: Vec::new(), crossings: Vec::new() };
-        fill(simd, place, band, rule, fragments);
-    } else {
-        fill(simd, place, band, Barycentric::new(simd, sources), fragments);
+    open_gaps(place, band, fragments);
+    match rule {
+        Rule::Scanline => {
+            let along = Scanline { sources, triangle: u32::MAX, corners: Vec::new(), crossings: Vec::new() };
+            fill(simd, place, band, along, fragments);
+        }
+        Rule::Steps => fill(simd, place, band, Barycentric::new(simd, sources), fragments),
+        Rule::Weights => fill_by_weights(simd, place, band, sources, fragments),
+    }
+}
+
+/// Makes those pixels of the extents gaps that no run may fill.
+#[inline(always)]
+fn open_gaps(place: BandPlace, band: &Band, fragments: &mut [Block]) {
+    let count = Block::count(place.width);
+    for (extent, line) in band.extents.iter().zip(fragments.chunks_mut(count)).filter(|(extent, _)| !extent.is_empty())
+    {
+        let blocks = Block::over(extent);
+        if band.sorted {
+            fragments::open(&mut line[blocks]);
+        } else {
+            // Runs leave no gaps between them.
+            fragments::open(&mut line[blocks.start..=blocks.start]);
+            fragments::open(&mut line[blocks.end - 1..blocks.end]);
+        }
     }
 }
 
 #[inline(always)]
-fn fill<S: Simd>(simd: S, place: BandPlace, band: &Band, mut rule: impl Rule<S>, fragments: &mut [Block]) {
+fn fill<S: Simd>(simd: S, place: BandPlace, band: &Band, mut along: impl Along<S>, fragments: &mut [Block]) {
     let count = Block::count(place.width);
-    for (extent, line) in band.extents.iter().zip(fragments.chunks_mut(count)).filter(|(extent, _)| !extent.is_empty())
-    {
-        let (first, last) = (extent.start as usize / Block::PIXELS, (extent.end as usize - 1) / Block::PIXELS);
-        if band.sorted {
-            fragments::open(&mut line[first..=last]);
-        } else {
-            // Runs leave no gaps between them.
-            fragments::open(&mut line[first..=first]);
-            fragments::open(&mut line[last..=last]);
-        }
-    }
     for run in &band.runs {
-        #[expect(clippy::cast_possible_wrap, reason = "pictures are at most 16384 pixels high")]
-        let y = (place.first_row + u32::from(run.row)) as i32;
-        let (start, step) = rule.along(simd, *run, y);
+        let (start, step) = along.along(simd, *run, place.y(*run));
         let row = usize::from(run.row) * count;
         let line = &mut fragments[row..row + count];
         fragments::fill(simd, line, usize::from(run.x0)..usize::from(run.x1), start, step);
+    }
+}
+
+#[inline(always)]
+fn fill_by_weights<S: Simd>(simd: S, place: BandPlace, band: &Band, sources: Sources<'_>, fragments: &mut [Block]) {
+    let count = Block::count(place.width);
+    let mut rule = Barycentric::new(simd, sources);
+    for run in &band.runs {
+        rule.take(simd, run.triangle);
+        let row = usize::from(run.row) * count;
+        let line = &mut fragments[row..row + count];
+        for (x, weights) in (usize::from(run.x0)..).zip(rule.weights.along(*run, place.y(*run))) {
+            fragments::put(line, x, rule.at(simd, weights).into());
+        }
     }
 }
 

@@ -4,9 +4,10 @@ use super::bins::{BAND, Bins};
 use super::cover::{Band, BandPlace, DepthScratch};
 use super::display::{Linear, stored_pixel};
 use super::exact::meet_band;
-use super::factors::{self, Keeping, Plane, Rows, Taking, Use};
+use super::factors::{self, FactorInputs, Keeping, Plane, Rows, Taking};
+use super::fine::{Fine, Origin};
 use super::fragments::{Block, Fragment, fragment, is_seen};
-use super::interpolate::{Sources, carry, interpolate};
+use super::interpolate::{Rule, Sources, carry, interpolate};
 use super::lens::Lens;
 use super::memory::{Holds, Memory, room};
 use super::plan::{Per, Plan};
@@ -14,6 +15,7 @@ use super::points::Planes;
 use super::reference::{Evaluation, Reference};
 use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
 use super::shadow::Reach;
+use super::stage::{Repeats, Use};
 use crate::geometry::Surface;
 use crate::illumination::{Equation, FormTask, NoSpecular, Specular};
 use crate::scene::{FlatAt, Rgb, Scene};
@@ -27,13 +29,17 @@ use std::sync::atomic::{AtomicU64, Ordering};
 #[derive(Default)]
 pub(super) struct Bands {
     bands: Vec<Band>,
+    /// What the pixels' intensities are made from, in bands that it suits.
+    fine: Vec<Fine>,
+    /// For which run of the coverage that is kept.
+    kept_origins: Repeats<(Origin, u64)>,
     /// What each vertex carries to the pixels.
     carried: Vec<Fragment>,
     /// What each pixel was brought.
     fragments: Vec<Block>,
     /// What each light does at each pixel.
     factors: Vec<Plane>,
-    pub kept_factors: factors::Kept,
+    pub kept_factors: Repeats<FactorInputs>,
     coverage: Option<CoverageInputs>,
     interpolation: Option<InterpolationInputs>,
     stamp: u64,
@@ -157,7 +163,7 @@ impl Holds for Bands {
         Memory {
             vertices: room(&self.carried),
             triangles: 0,
-            pixels: room(&self.fragments) + room(&self.factors) + seen,
+            pixels: room(&self.fragments) + room(&self.factors) + seen + self.fine.iter().map(Fine::room).sum::<u64>(),
         }
     }
 }
@@ -219,6 +225,8 @@ pub(super) struct Painting<'a> {
     /// Whether the bands are coloured, or covered and interpolated only.
     pub colours: bool,
     pub factors: Use,
+    /// What pixels' intensities are made from where polygons are fine, and whether it is kept.
+    pub fine: Option<(Origin, Use)>,
 }
 
 /// One band's share of the buffers.
@@ -226,6 +234,8 @@ struct Job<'a> {
     place: BandPlace,
     index: usize,
     band: &'a mut Band,
+    /// Nothing where pixels cannot keep what their intensities are made from.
+    fine: Option<&'a mut Fine>,
     fragments: &'a mut [Block],
     factors: &'a mut [Plane],
     pixels: &'a mut [[u8; 4]],
@@ -252,6 +262,10 @@ impl Painting<'_> {
         let began = (self.clock)();
         let [width, height] = self.scene.image.size;
         bands.bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
+        let origin = Origin::of(self.scene, self.plan);
+        bands.fine.resize_with(if origin.is_some() { bands.bands.len() } else { 0 }, Fine::default);
+        let origins = origin.map(|origin| (origin, bands.covered));
+        let fine = origin.zip(self.colours.then(|| bands.kept_origins.next(origins)));
         let blocks = if self.plan.keeps_fragments() { Block::count(width) * height as usize } else { 0 };
         bands.fragments.resize(blocks, Block::GAP);
         let planes = self.planes(width);
@@ -265,11 +279,12 @@ impl Painting<'_> {
             let Sources { placed, clipped, .. } = self.sources;
             carry(&mut bands.carried, values.each_ref(), placed, clipped, self.plan.perspective);
         }
-        let painting = Painting { sources: Sources { carried: &bands.carried, ..self.sources }, ..self };
+        let sources = Sources { carried: &bands.carried, ..self.sources };
+        let painting = Painting { sources, fine, ..self };
         let carrying = (self.clock)().saturating_sub(began);
         let counters = Counters::default();
         let buffers = (&mut bands.fragments[..], &mut bands.factors[..], planes);
-        jobs(&mut bands.bands, buffers, canvas, [width, height])
+        jobs((&mut bands.bands, &mut bands.fine), buffers, canvas, [width, height])
             .into_par_iter()
             .for_each(|job| painting.paint(job, stale, &counters));
         let threads = rayon::current_num_threads().max(1) as u64;
@@ -288,7 +303,8 @@ impl Painting<'_> {
     }
 
     fn paint(&self, job: Job<'_>, stale: Stale, counters: &Counters) {
-        if self.plan.has_fragments() && !self.plan.keeps_fragments() {
+        let brought = self.plan.has_fragments() || job.fine.is_some();
+        if brought && !self.plan.keeps_fragments() {
             FRAGMENTS.with_borrow_mut(|fragments| {
                 fragments.resize(Bands::ROWS * Block::count(job.place.width), Block::GAP);
                 self.paint_with(Job { fragments, ..job }, stale, counters);
@@ -309,17 +325,45 @@ impl Painting<'_> {
             self.cover(&mut job);
             lap(0);
         }
-        if self.interpolates(stale) {
+        let gathered = self.gather(&mut job);
+        if !gathered && self.interpolates(stale) {
             let Job { place, band, fragments, .. } = &mut job;
-            let scanline = self.plan.scanline;
-            dispatch!(self.level, simd => interpolate(simd, *place, band, self.sources, scanline, fragments));
+            let rule = self.rule(band);
+            dispatch!(self.level, simd => interpolate(simd, *place, band, self.sources, rule, fragments));
+        }
+        if self.plan.interpolates() {
             lap(1);
         }
-        let over = if self.colours { self.colour(&mut job) } else { 0 };
+        let over = if self.colours { self.colour(&mut job, gathered) } else { 0 };
         lap(2);
         counters.covered.fetch_add(job.band.covered, Ordering::Relaxed);
         counters.drawn.fetch_add(job.band.drawn, Ordering::Relaxed);
         counters.overflowing.fetch_add(over, Ordering::Relaxed);
+    }
+
+    /// Makes the fragments of a band from what its pixels keep, if they do.
+    fn gather(&self, job: &mut Job<'_>) -> bool {
+        let Job { place, band, fine: Some(fine), fragments, .. } = job else { return false };
+        if !Fine::suits(band) {
+            **fine = Fine::default();
+            return false;
+        }
+        let Some((origin, using)) = self.fine.filter(|(_, using)| *using != Use::None) else { return false };
+        if using == Use::Keep {
+            fine.find(*place, band, self.sources, origin);
+        }
+        dispatch!(self.level, simd => fine.gather(simd, *place, band, self.sources, self.intensity, fragments));
+        true
+    }
+
+    fn rule(&self, band: &Band) -> Rule {
+        if self.plan.scanline {
+            Rule::Scanline
+        } else if self.plan.per != Per::Pixel && Fine::suits(band) {
+            Rule::Weights
+        } else {
+            Rule::Steps
+        }
     }
 
     fn cover(&self, job: &mut Job<'_>) {
@@ -345,12 +389,12 @@ impl Painting<'_> {
         }
     }
 
-    /// Colours a band; returns how many pixels overflow.
-    fn colour(&self, job: &mut Job<'_>) -> u64 {
+    /// Colours a band, whose intensities may have been gathered; returns how many pixels overflow.
+    fn colour(&self, job: &mut Job<'_>, gathered: bool) -> u64 {
         let display = &self.scene.display;
         let background = self.scene.image.background;
         let Job { place, band, fragments, factors, .. } = job;
-        let covered = Covered { place: *place, band, fragments, factors };
+        let covered = Covered { place: *place, band, gathered, fragments, factors };
         if job.linear.is_empty() {
             let background = stored_pixel(background, display.encoding);
             let target = Stored { pixels: &mut *job.pixels, background, encoding: display.encoding };
@@ -363,15 +407,15 @@ impl Painting<'_> {
     }
 
     fn colour_into(&self, covered: Covered<'_>, mut target: impl Target) -> u64 {
-        let Covered { place, band, fragments, .. } = covered;
+        let Covered { place, band, gathered, fragments, .. } = covered;
         if self.plan.pixels_in_double() {
             return self.colour_in_double_precision(place, band, fragments, target);
         }
-        if !self.plan.has_fragments() {
+        if !self.plan.has_fragments() && !gathered {
             return dispatch!(self.level, simd => self.colour_faces(simd, place, band, target));
         }
         if self.plan.per != Per::Pixel {
-            let carried = Carried { by_key: self.plan.perspective };
+            let carried = Carried { by_key: self.plan.carries && self.plan.perspective };
             return dispatch!(self.level, simd => shade(simd, place, &band.extents, fragments, carried, &mut target));
         }
         if self.factors == Use::Take {
@@ -482,6 +526,7 @@ impl Painting<'_> {
 struct Covered<'a> {
     place: BandPlace,
     band: &'a Band,
+    gathered: bool,
     fragments: &'a [Block],
     factors: &'a mut [Plane],
 }
@@ -497,7 +542,7 @@ impl<T: Target> FormTask for ShadePixels<'_, T> {
     type Output = u64;
 
     fn run<F: Specular>(mut self, form: F) -> u64 {
-        let Covered { place, band, fragments, factors } = self.covered;
+        let Covered { place, band, fragments, factors, .. } = self.covered;
         let evaluated = self.painting.evaluated(form);
         if self.painting.factors == Use::Keep {
             let rows = Rows::new(factors, self.painting.planes(place.width), place.first_row);
@@ -518,7 +563,7 @@ fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
 
 /// Splits the buffers into bands.
 fn jobs<'a>(
-    bands: &'a mut [Band],
+    (bands, fine): (&'a mut [Band], &'a mut [Fine]),
     (fragments, factors, planes): (&'a mut [Block], &'a mut [Plane], usize),
     canvas: Canvas<'a>,
     [width, height]: [u32; 2],
@@ -527,6 +572,7 @@ fn jobs<'a>(
     let mut fragments = fragments.chunks_mut(Bands::ROWS * Block::count(width));
     let mut factors = factors.chunks_mut((Bands::ROWS * planes).max(1));
     let mut linear = canvas.linear.chunks_mut(share);
+    let mut fine = fine.iter_mut();
     bands
         .iter_mut()
         .zip(canvas.pixels.chunks_mut(share))
@@ -536,6 +582,7 @@ fn jobs<'a>(
             place: BandPlace { first_row, rows: BAND.min(height - first_row), width },
             index,
             band,
+            fine: fine.next(),
             fragments: fragments.next().unwrap_or_default(),
             factors: factors.next().unwrap_or_default(),
             pixels,

@@ -10,7 +10,7 @@ use super::bins::Bins;
 use super::clip::Clipped;
 use super::cue::{Cue, Found, Layer, LayerInputs, fade_pixels};
 use super::display::{Linear, display};
-use super::factors::{FactorInputs, Use};
+use super::factors::FactorInputs;
 use super::interpolate::Sources;
 use super::lens::Lens;
 use super::mesh_source::MeshSource;
@@ -20,7 +20,7 @@ use super::plan::{Cued, Facts, Per, Plan};
 use super::points::{Planes, PointShading, face_points};
 use super::rays::{RayInputs, RayStages, SeenAt};
 use super::reference::{Evaluation, Reference};
-use super::stage::Kept;
+use super::stage::{Kept, Use};
 use super::transform::Placed;
 use super::transmission::Transmission;
 use super::{Frame, Report, Stage, StageRun};
@@ -505,6 +505,7 @@ impl Renderer {
             reach: None,
             colours: true,
             factors: Use::None,
+            fine: None,
         };
         let mut painted = Painted::default();
         let mut still_stale = stale;

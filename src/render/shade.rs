@@ -237,8 +237,7 @@ impl Target for Stored<'_> {
     #[inline(always)]
     fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> Ink<[u8; 4]> {
         if self.encoding == Encoding::Raw {
-            let [r, g, b] = color.map(raw);
-            return Ink { pixel: [r, g, b, 255], overflows: overflows(color) };
+            return Ink { pixel: raw(simd, color), overflows: overflows(color) };
         }
         let mut pixel = [[0; 4]];
         let mut one = Stored { pixels: &mut pixel, ..*self };

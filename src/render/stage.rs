@@ -36,3 +36,45 @@ impl<K: PartialEq, T> Kept<K, T> {
         self.inputs = None;
     }
 }
+
+/// What a picture does with numbers that it can do without, but that make the next ones faster.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Use {
+    #[default]
+    None,
+    /// They are found, and kept.
+    Keep,
+    /// They are known.
+    Take,
+}
+
+/// Decides on that: the second picture in a row with the same inputs keeps, and those after it take.
+pub(super) struct Repeats<K> {
+    of: Option<K>,
+    found: bool,
+}
+
+impl<K> Default for Repeats<K> {
+    fn default() -> Self {
+        Self { of: None, found: false }
+    }
+}
+
+impl<K: PartialEq> Repeats<K> {
+    /// What a picture with these inputs, none where nothing can be kept, is to do.
+    pub fn next(&mut self, inputs: Option<K>) -> Use {
+        let same = inputs.is_some() && self.of == inputs;
+        let next = match (same, self.found) {
+            (false, _) => Use::None,
+            (true, false) => Use::Keep,
+            (true, true) => Use::Take,
+        };
+        (self.of, self.found) = (inputs, same);
+        next
+    }
+
+    /// Whether anything can be kept at present.
+    pub fn is_possible(&self) -> bool {
+        self.of.is_some()
+    }
+}
