@@ -154,7 +154,7 @@ impl Layer {
         let by_depth = inputs.cued == Cued::AtPixels;
         let points =
             if by_depth { vec![0.0; model.padded_len()] } else { inputs.cue.scales(model.origin, &model.position) };
-        carry(&mut self.carried, [&points; 3], placed, clipped, inputs.perspective);
+        carry(found.level, &mut self.carried, [&points; 3], placed, clipped, inputs.perspective);
         let blocks = Block::count(inputs.size[0]);
         self.fragments.resize(blocks * inputs.size[1] as usize, Block::GAP);
         let sources = Sources { carried: &self.carried, ..found.sources };

@@ -5,7 +5,7 @@
 //! the band is a walk through its pixels, without a triangle's setup and without a branch.
 
 use super::cover::{Band, BandPlace, Weights};
-use super::fragments::{self, Block};
+use super::fragments::{self, Block, Fragment};
 use super::interpolate::{self, Sources};
 use super::memory::room;
 use super::plan::{Per, Plan};
@@ -48,10 +48,18 @@ impl Origin {
 /// The origins of a band's pixels, in rows of whole blocks.
 #[derive(Default)]
 pub(super) struct Fine {
-    /// Triangles, faces or vertices.
-    indices: Vec<u32>,
-    /// Those of a triangle's second and third vertex.
-    weights: Vec<[f32; 2]>,
+    /// Faces or vertices, where one colours a pixel.
+    points: Vec<u32>,
+    mixtures: Vec<Mixture>,
+}
+
+/// What a pixel mixes of what three vertices carry.
+#[derive(Clone, Copy, Debug)]
+struct Mixture {
+    vertices: [u32; 3],
+    /// The weights of the second and the third; an array would be taken apart by shuffles.
+    second: f32,
+    third: f32,
 }
 
 impl Fine {
@@ -62,47 +70,52 @@ impl Fine {
 
     /// Bytes, which grow with the pixels.
     pub fn room(&self) -> u64 {
-        room(&self.indices) + room(&self.weights)
+        room(&self.points) + room(&self.mixtures)
     }
 
     /// Finds the origins of a band's pixels.
     #[inline(always)]
     pub fn find(&mut self, place: BandPlace, band: &Band, sources: Sources<'_>, origin: Origin) {
-        let width = Block::count(place.width) * Block::PIXELS;
-        let count = width * band.extents.len();
-        self.indices.resize(count, GAP);
-        self.weights.resize(if origin == Origin::Triangle { count } else { 0 }, [0.0; 2]);
-        for (extent, line) in band.extents.iter().zip(self.indices.chunks_exact_mut(width)) {
-            let blocks = Block::over(extent);
-            line[blocks.start * Block::PIXELS..blocks.end * Block::PIXELS].fill(GAP);
+        match origin {
+            Origin::Face => self.find_points(place, band, |triangle| sources.face(triangle)),
+            Origin::Vertex => self.find_points(place, band, |triangle| sources.provoking_vertex(triangle)),
+            Origin::Triangle => self.find_mixtures(place, band, sources),
         }
-        let mut last = (u32::MAX, 0, Weights::new([[0, 0], [1, 0], [0, 1]]));
+    }
+
+    fn find_points(&mut self, place: BandPlace, band: &Band, point: impl Fn(u32) -> u32) {
+        self.mixtures = Vec::new();
+        let width = lay_out(&mut self.points, place, band, GAP);
+        let mut last = (u32::MAX, 0);
         for run in &band.runs {
             if run.triangle != last.0 {
-                last.0 = run.triangle;
-                match origin {
-                    Origin::Face => last.1 = sources.face(run.triangle),
-                    Origin::Vertex => last.1 = sources.provoking_vertex(run.triangle),
-                    Origin::Triangle => {
-                        last.1 = run.triangle;
-                        last.2 = Weights::new(sources.placed.corners(sources.vertices(run.triangle)));
-                    }
-                }
+                last = (run.triangle, point(run.triangle));
             }
-            let (_, index, weights) = &last;
             let row = usize::from(run.row) * width;
-            let pixels = row + usize::from(run.x0)..row + usize::from(run.x1);
-            self.indices[pixels.clone()].fill(*index);
-            if origin == Origin::Triangle {
-                for (out, at) in self.weights[pixels].iter_mut().zip(weights.along(*run, place.y(*run))) {
-                    *out = at;
-                }
+            self.points[row + usize::from(run.x0)..row + usize::from(run.x1)].fill(last.1);
+        }
+    }
+
+    fn find_mixtures(&mut self, place: BandPlace, band: &Band, sources: Sources<'_>) {
+        self.points = Vec::new();
+        let gap = Mixture { vertices: [GAP; 3], second: 0.0, third: 0.0 };
+        let width = lay_out(&mut self.mixtures, place, band, gap);
+        let mut last = (u32::MAX, [0; 3], Weights::new([[0, 0], [1, 0], [0, 1]]));
+        for run in &band.runs {
+            if run.triangle != last.0 {
+                let vertices = sources.vertices(run.triangle);
+                last = (run.triangle, vertices, Weights::new(sources.placed.corners(vertices)));
+            }
+            let row = usize::from(run.row) * width;
+            let pixels = &mut self.mixtures[row + usize::from(run.x0)..row + usize::from(run.x1)];
+            for (pixel, [second, third]) in pixels.iter_mut().zip(last.2.along(*run, place.y(*run))) {
+                *pixel = Mixture { vertices: last.1, second, third };
             }
         }
     }
 
-    /// Makes the fragments of a band: the intensities of faces or vertices where pixels have one origin, otherwise what a
-    /// triangle's vertices carry. In each row all blocks of the extent are written.
+    /// Makes the fragments of a band from the intensities at the faces or vertices that colour its pixels, or from what the
+    /// vertices carry that they mix. In each row all blocks of the extent are written.
     #[inline(always)]
     pub fn gather<S: Simd>(
         &self,
@@ -118,51 +131,61 @@ impl Fine {
         for ((extent, line), start) in rows.zip((0..).step_by(count * Block::PIXELS)) {
             let seen = Block::over(extent);
             let pixels = start + seen.start * Block::PIXELS..start + seen.end * Block::PIXELS;
-            let line = &mut line[seen];
-            if self.weights.is_empty() {
-                pick(line, &self.indices[pixels], intensity);
+            if self.mixtures.is_empty() {
+                pick(&mut line[seen], &self.points[pixels], intensity);
             } else {
-                mix(simd, line, &self.indices[pixels.clone()], &self.weights[pixels], sources);
+                mix(simd, &mut line[seen], &self.mixtures[pixels], sources.carried);
             }
         }
     }
 }
 
-/// Fragments of the intensities at `indices`.
+/// Gives a band's pixels room, those of each row's extent as gaps; returns the length of a row.
+fn lay_out<T: Copy>(pixels: &mut Vec<T>, place: BandPlace, band: &Band, gap: T) -> usize {
+    let width = Block::count(place.width) * Block::PIXELS;
+    pixels.resize(width * band.extents.len(), gap);
+    for (extent, line) in band.extents.iter().zip(pixels.chunks_exact_mut(width)) {
+        let blocks = Block::over(extent);
+        line[blocks.start * Block::PIXELS..blocks.end * Block::PIXELS].fill(gap);
+    }
+    width
+}
+
+/// Fragments of the intensities at `points`.
 #[inline(always)]
-fn pick(line: &mut [Block], indices: &[u32], [r, g, b]: &Planes) {
-    for (block, indices) in line.iter_mut().zip(indices.chunks_exact(Block::PIXELS)) {
-        for (lane, &index) in indices.iter().enumerate() {
-            let fragment = if index == GAP {
+fn pick(line: &mut [Block], points: &[u32], [r, g, b]: &Planes) {
+    for (block, points) in line.iter_mut().zip(points.chunks_exact(Block::PIXELS)) {
+        for (lane, &point) in points.iter().enumerate() {
+            let fragment = if point == GAP {
                 fragments::GAP
             } else {
-                let index = index as usize;
-                [r[index], g[index], b[index], 1.0]
+                let point = point as usize;
+                [r[point], g[point], b[point], 1.0]
             };
             block.put(lane, fragment);
         }
     }
 }
 
-/// Fragments of what triangles' vertices carry, by their weights.
+/// Fragments of mixtures of what is carried.
 #[inline(always)]
-fn mix<S: Simd>(simd: S, line: &mut [Block], indices: &[u32], weights: &[[f32; 2]], sources: Sources<'_>) {
-    const QUADS: usize = Block::PIXELS / 4;
-    for (quad, (index, weights)) in indices.chunks_exact(4).zip(weights.chunks_exact(4)).enumerate() {
-        let four = [
-            mixed(simd, index[0], weights[0], sources),
-            mixed(simd, index[1], weights[1], sources),
-            mixed(simd, index[2], weights[2], sources),
-            mixed(simd, index[3], weights[3], sources),
-        ];
-        line[quad / QUADS].put_four(quad % QUADS * 4, four);
+fn mix<S: Simd>(simd: S, line: &mut [Block], mixtures: &[Mixture], carried: &[Fragment]) {
+    for (block, mixtures) in line.iter_mut().zip(mixtures.chunks_exact(Block::PIXELS)) {
+        for (first, four) in (0..).step_by(4).zip(mixtures.chunks_exact(4)) {
+            let [p, q, r, s] = [&four[0], &four[1], &four[2], &four[3]];
+            let four = [p.of(simd, carried), q.of(simd, carried), r.of(simd, carried), s.of(simd, carried)];
+            block.put_four(first, four);
+        }
     }
 }
 
-#[inline(always)]
-fn mixed<S: Simd>(simd: S, triangle: u32, weights: [f32; 2], sources: Sources<'_>) -> f32x4<S> {
-    if triangle == GAP {
-        return f32x4::simd_from(simd, fragments::GAP);
+impl Mixture {
+    #[inline(always)]
+    fn of<S: Simd>(&self, simd: S, carried: &[Fragment]) -> f32x4<S> {
+        if self.vertices[0] as usize >= carried.len() {
+            return f32x4::simd_from(simd, fragments::GAP);
+        }
+        let differences = interpolate::differences(simd, carried, self.vertices);
+        interpolate::mix(simd, differences, [self.second, self.third])
     }
-    interpolate::mix(simd, sources.carried_from(simd, sources.vertices(triangle)), weights)
 }

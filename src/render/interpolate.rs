@@ -6,10 +6,12 @@
 
 use super::clip::Clipped;
 use super::cover::{Band, BandPlace, Run, Weights};
+use super::display::join;
 use super::fragments::{self, Block, Fragment};
 use super::model::Model;
 use super::transform::{HALF, Place, Placed, SUBPIXELS, UNPLACED};
-use fearless_simd::{f32x4, prelude::*};
+use crate::illumination::Lanes;
+use fearless_simd::{Level, dispatch, f32x4, prelude::*};
 use rayon::prelude::*;
 
 /// An interpolated normal shorter than this has no direction: its rounding is 10⁻³ of it and more. It is not lengthened to 1,
@@ -18,6 +20,7 @@ pub(super) const SHORTEST_NORMAL: f64 = 1e-4;
 
 /// Fills `carried` with what each vertex carries: `values` (one plane a component) and its depth key.
 pub(super) fn carry(
+    level: Level,
     carried: &mut Vec<Fragment>,
     values: [&Vec<f32>; 3],
     placed: &Placed,
@@ -25,18 +28,13 @@ pub(super) fn carry(
     perspective: bool,
 ) {
     const CHUNK: usize = 4096;
-    let of = |v: [f32; 3], key: f32| {
-        let factor = if perspective { key } else { 1.0 };
-        [v[0] * factor, v[1] * factor, v[2] * factor, key]
-    };
     let count = values[0].len();
     carried.resize(count, [0.0; 4]);
     carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
         let range = chunk * CHUNK..chunk * CHUNK + carried.len();
         let [a, b, c] = values.map(|plane| &plane[range.clone()]);
-        for ((((out, a), b), c), key) in carried.iter_mut().zip(a).zip(b).zip(c).zip(&placed.keys[range.clone()]) {
-            *out = of([*a, *b, *c], *key);
-        }
+        let planes = [a, b, c, &placed.keys[range]];
+        dispatch!(level, simd => carry_vertices(simd, carried, planes, perspective));
     });
     for (cut, key) in clipped.cuts.iter().zip(&placed.keys[count..]) {
         #[expect(clippy::cast_possible_truncation, reason = "back to the precision of the vertices")]
@@ -44,7 +42,27 @@ pub(super) fn carry(
             let plane = values[component];
             cut.vertices.iter().zip(cut.weights).map(|(&v, w)| f64::from(plane[v as usize]) * w).sum::<f64>() as f32
         });
-        carried.push(of(value, *key));
+        let factor = if perspective { *key } else { 1.0 };
+        let [a, b, c] = value.map(|value| value * factor);
+        carried.push([a, b, c, *key]);
+    }
+}
+
+/// Of as many vertices as fill vectors, component by component in `planes`.
+#[inline(always)]
+fn carry_vertices<S: Simd>(simd: S, carried: &mut [Fragment], planes: [&[f32]; 4], perspective: bool) {
+    let lanes = Lanes::<S>::LEN;
+    let [a, b, c, keys] = planes;
+    for (start, carried) in (0..).step_by(lanes).zip(carried.chunks_exact_mut(lanes)) {
+        let key = Lanes::load(simd, &keys[start..]);
+        let factor = if perspective { key } else { Lanes::splat(simd, 1.0) };
+        let values = [
+            Lanes::load(simd, &a[start..]) * factor,
+            Lanes::load(simd, &b[start..]) * factor,
+            Lanes::load(simd, &c[start..]) * factor,
+            key,
+        ];
+        join(simd, &values, carried);
     }
 }
 
@@ -66,15 +84,6 @@ impl Sources<'_> {
             Some(vertices) => *vertices,
             None => self.clipped.triangles[triangle as usize - own],
         }
-    }
-
-    /// What a triangle's first vertex carries, and how the second's and the third's differ from it.
-    #[inline(always)]
-    pub fn carried_from<S: Simd>(&self, simd: S, [a, b, c]: [u32; 3]) -> [f32x4<S>; 3] {
-        let a = f32x4::simd_from(simd, self.carried[a as usize]);
-        let b = f32x4::simd_from(simd, self.carried[b as usize]);
-        let c = f32x4::simd_from(simd, self.carried[c as usize]);
-        [a, b - a, c - a]
     }
 
     /// The face that a triangle belongs to.
@@ -134,7 +143,7 @@ impl<'a, S: Simd> Barycentric<'a, S> {
             self.triangle = triangle;
             let vertices = self.sources.vertices(triangle);
             self.weights = Weights::new(self.sources.placed.corners(vertices));
-            [self.origin, self.d1, self.d2] = self.sources.carried_from(simd, vertices);
+            [self.origin, self.d1, self.d2] = differences(simd, self.sources.carried, vertices);
         }
     }
 
@@ -143,6 +152,15 @@ impl<'a, S: Simd> Barycentric<'a, S> {
     fn at(&self, simd: S, weights: [f32; 2]) -> f32x4<S> {
         mix(simd, [self.origin, self.d1, self.d2], weights)
     }
+}
+
+/// What a triangle's first vertex carries, and how the second's and the third's differ from it.
+#[inline(always)]
+pub(super) fn differences<S: Simd>(simd: S, carried: &[Fragment], [a, b, c]: [u32; 3]) -> [f32x4<S>; 3] {
+    let a = f32x4::simd_from(simd, carried[a as usize]);
+    let b = f32x4::simd_from(simd, carried[b as usize]);
+    let c = f32x4::simd_from(simd, carried[c as usize]);
+    [a, b - a, c - a]
 }
 
 /// What is carried, from the first vertex by the differences to the second and the third.

@@ -277,7 +277,7 @@ impl Painting<'_> {
         if stale.interpolation && self.plan.interpolates() {
             let values = if self.plan.per == Per::Pixel { &self.sources.model.normal } else { self.intensity };
             let Sources { placed, clipped, .. } = self.sources;
-            carry(&mut bands.carried, values.each_ref(), placed, clipped, self.plan.perspective);
+            carry(self.level, &mut bands.carried, values.each_ref(), placed, clipped, self.plan.perspective);
         }
         let sources = Sources { carried: &bands.carried, ..self.sources };
         let painting = Painting { sources, fine, ..self };
