@@ -22,6 +22,7 @@ mod lens;
 mod memory;
 mod mesh_source;
 mod model;
+mod needed;
 mod painting;
 mod plan;
 mod points;

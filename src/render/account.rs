@@ -104,7 +104,12 @@ impl Account<'_> {
 
     fn rays(&self) -> Vec<Term> {
         let scene = self.scene;
-        let (per, sites) = self.sites();
+        let Report { faces, vertices, covered, .. } = *self.report;
+        let sites = match self.plan.per {
+            Per::Face => faces,
+            Per::Vertex => vertices,
+            _ => covered,
+        };
         let shadows = (!self.plan.shadows)
             .then(|| casts_shadows(scene, self.facts, &self.plan.lights).unwrap_or("nothing casts a shadow"));
         let opaque = (scene.transparency.kt == 0.0).then_some("Kt is 0");
@@ -112,7 +117,7 @@ impl Account<'_> {
         let constant = (scene.ambient.source == AmbientSource::Constant).then_some("Ia is constant");
         let term = |name, count, omitted| self.term(Stage::Rays, name, count, omitted);
         vec![
-            term("shadows", (per, sites * self.sources().iter().sum::<u64>()), shadows)
+            term("shadows", (self.plan.per, sites * self.sources().iter().sum::<u64>()), shadows)
                 .noted("one question a source; rays that are proven free are not followed"),
             term("transmission", (Per::Pixel, self.report.covered), opaque),
             term("surroundings", (Per::Pixel, self.pixels() - self.report.covered.min(self.pixels())), plain),
@@ -252,13 +257,8 @@ impl Account<'_> {
 
     /// How often the equation is evaluated, and how many times.
     fn sites(&self) -> (Per, u64) {
-        let Report { faces, vertices, covered, .. } = *self.report;
-        let count = match self.plan.per {
-            Per::Face => faces,
-            Per::Vertex => vertices,
-            _ => covered,
-        };
-        (self.plan.per, count)
+        let Report { points, covered, .. } = *self.report;
+        (self.plan.per, if self.plan.per == Per::Pixel { covered } else { points })
     }
 
     /// How many sources each light has that is not left out.

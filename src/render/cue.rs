@@ -6,7 +6,7 @@
 
 use super::display::Linear;
 use super::fragments::{Block, Fragment, fragment};
-use super::interpolate::{Rule, Sources, carry, interpolate};
+use super::interpolate::{CarriedValues, Rule, Sources, carry, interpolate};
 use super::lens::Lens;
 use super::memory::{Holds, Memory, room};
 use super::model::Model;
@@ -154,7 +154,8 @@ impl Layer {
         let by_depth = inputs.cued == Cued::AtPixels;
         let points =
             if by_depth { vec![0.0; model.padded_len()] } else { inputs.cue.scales(model.origin, &model.position) };
-        carry(found.level, &mut self.carried, [&points; 3], placed, clipped, inputs.perspective);
+        let values = CarriedValues { planes: [&points; 3], needed: None, by_key: inputs.perspective };
+        carry(found.level, &mut self.carried, &values, placed, clipped);
         let blocks = Block::count(inputs.size[0]);
         self.fragments.resize(blocks * inputs.size[1] as usize, Block::GAP);
         let sources = Sources { carried: &self.carried, ..found.sources };

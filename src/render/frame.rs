@@ -64,6 +64,8 @@ pub struct Report {
     pub faces: u64,
     /// Vertices of the mesh: points with one normal.
     pub vertices: u64,
+    /// Vertices or faces at which the picture needs the equation; 0 where that is evaluated at pixels.
+    pub points: u64,
     /// Triangles that show their front, or their back where backs are drawn, with a pixel centre in their bounds.
     pub candidates: u64,
     /// Triangles that clipping made of those that cross the near plane or reach far out of the picture.

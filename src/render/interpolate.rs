@@ -9,6 +9,7 @@ use super::cover::{Band, BandPlace, Run, Weights};
 use super::display::join;
 use super::fragments::{self, Block, Fragment};
 use super::model::Model;
+use super::needed::Needed;
 use super::transform::{HALF, Place, Placed, SUBPIXELS, UNPLACED};
 use crate::illumination::Lanes;
 use fearless_simd::{Level, dispatch, f32x4, prelude::*};
@@ -18,44 +19,60 @@ use rayon::prelude::*;
 /// so that normals which cancel out stay near zero.
 pub(super) const SHORTEST_NORMAL: f64 = 1e-4;
 
-/// Fills `carried` with what each vertex carries: `values` (one plane a component) and its depth key.
+/// What the vertices are to carry.
+pub(super) struct CarriedValues<'a> {
+    /// One plane a component.
+    pub planes: [&'a [f32]; 3],
+    /// The vertices that have values, if not all have.
+    pub needed: Option<&'a Needed>,
+    /// Whether they carry them multiplied by the depth key.
+    pub by_key: bool,
+}
+
+/// Fills `carried` with what each vertex carries, and its depth key.
 pub(super) fn carry(
     level: Level,
     carried: &mut Vec<Fragment>,
-    values: [&Vec<f32>; 3],
+    values: &CarriedValues<'_>,
     placed: &Placed,
     clipped: &Clipped,
-    perspective: bool,
 ) {
     const CHUNK: usize = 4096;
-    let count = values[0].len();
+    let CarriedValues { planes, needed, by_key } = *values;
+    let ([a, b, c], count) = (planes, planes[0].len());
     carried.resize(count, [0.0; 4]);
     carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
-        let range = chunk * CHUNK..chunk * CHUNK + carried.len();
-        let [a, b, c] = values.map(|plane| &plane[range.clone()]);
-        let planes = [a, b, c, &placed.keys[range]];
-        dispatch!(level, simd => carry_vertices(simd, carried, planes, perspective));
+        let start = chunk * CHUNK;
+        let blocks = carried.chunks_exact_mut(Needed::BLOCK).enumerate();
+        dispatch!(level, simd => {
+            for (block, carried) in blocks {
+                let start = start + block * Needed::BLOCK;
+                if needed.is_none_or(|needed| needed.has(start)) {
+                    carry_vertices(simd, carried, [&a[start..], &b[start..], &c[start..]], &placed.keys[start..], by_key);
+                }
+            }
+        });
     });
     for (cut, key) in clipped.cuts.iter().zip(&placed.keys[count..]) {
         #[expect(clippy::cast_possible_truncation, reason = "back to the precision of the vertices")]
         let value = [0, 1, 2].map(|component| {
-            let plane = values[component];
+            let plane = planes[component];
             cut.vertices.iter().zip(cut.weights).map(|(&v, w)| f64::from(plane[v as usize]) * w).sum::<f64>() as f32
         });
-        let factor = if perspective { *key } else { 1.0 };
+        let factor = if by_key { *key } else { 1.0 };
         let [a, b, c] = value.map(|value| value * factor);
         carried.push([a, b, c, *key]);
     }
 }
 
-/// Of as many vertices as fill vectors, component by component in `planes`.
+/// Of as many vertices as fill vectors.
 #[inline(always)]
-fn carry_vertices<S: Simd>(simd: S, carried: &mut [Fragment], planes: [&[f32]; 4], perspective: bool) {
+fn carry_vertices<S: Simd>(simd: S, carried: &mut [Fragment], planes: [&[f32]; 3], keys: &[f32], by_key: bool) {
     let lanes = Lanes::<S>::LEN;
-    let [a, b, c, keys] = planes;
+    let [a, b, c] = planes;
     for (start, carried) in (0..).step_by(lanes).zip(carried.chunks_exact_mut(lanes)) {
         let key = Lanes::load(simd, &keys[start..]);
-        let factor = if perspective { key } else { Lanes::splat(simd, 1.0) };
+        let factor = if by_key { key } else { Lanes::splat(simd, 1.0) };
         let values = [
             Lanes::load(simd, &a[start..]) * factor,
             Lanes::load(simd, &b[start..]) * factor,
@@ -83,6 +100,16 @@ impl Sources<'_> {
         match self.model.triangles.get(triangle as usize) {
             Some(vertices) => *vertices,
             None => self.clipped.triangles[triangle as usize - own],
+        }
+    }
+
+    /// Those of the model: a piece that clipping made has those of the triangle that it is part of.
+    #[inline(always)]
+    pub fn own_vertices(&self, triangle: u32) -> [u32; 3] {
+        let own = self.model.triangles.len();
+        match self.model.triangles.get(triangle as usize) {
+            Some(vertices) => *vertices,
+            None => self.model.triangles[self.clipped.parents[triangle as usize - own] as usize],
         }
     }
 

@@ -7,9 +7,10 @@ use super::exact::meet_band;
 use super::factors::{self, FactorInputs, Keeping, Plane, Rows, Taking};
 use super::fine::{Fine, Origin};
 use super::fragments::{Block, Fragment, fragment, is_seen};
-use super::interpolate::{Rule, Sources, carry, interpolate};
+use super::interpolate::{CarriedValues, Rule, Sources, carry, interpolate};
 use super::lens::Lens;
 use super::memory::{Holds, Memory, room};
+use super::needed::Needed;
 use super::plan::{Per, Plan};
 use super::points::Planes;
 use super::reference::{Evaluation, Reference};
@@ -219,6 +220,8 @@ pub(super) struct Painting<'a> {
     pub surface: Option<&'a Surface>,
     pub sources: Sources<'a>,
     pub bins: &'a Bins,
+    /// The points that have intensities.
+    pub needed: &'a Needed,
     pub intensity: &'a Planes,
     /// Which sources reach which pixels, where there are shadows.
     pub reach: Option<&'a Reach>,
@@ -275,9 +278,13 @@ impl Painting<'_> {
             bands.factors = Vec::new();
         }
         if stale.interpolation && self.plan.interpolates() {
-            let values = if self.plan.per == Per::Pixel { &self.sources.model.normal } else { self.intensity };
-            let Sources { placed, clipped, .. } = self.sources;
-            carry(self.level, &mut bands.carried, values.each_ref(), placed, clipped, self.plan.perspective);
+            let (values, needed) = match self.plan.per {
+                Per::Pixel => (&self.sources.model.normal, None),
+                _ => (self.intensity, Some(self.needed)),
+            };
+            let values =
+                CarriedValues { planes: values.each_ref().map(Vec::as_slice), needed, by_key: self.plan.perspective };
+            carry(self.level, &mut bands.carried, &values, self.sources.placed, self.sources.clipped);
         }
         let sources = Sources { carried: &bands.carried, ..self.sources };
         let painting = Painting { sources, fine, ..self };

@@ -2,8 +2,9 @@
 
 mod held;
 mod inputs;
+mod intensities;
 
-use self::inputs::{CanvasInputs, IntensityInputs, MeshInputs, ModelInputs, PlacedInputs};
+use self::inputs::{CanvasInputs, IntensityInputs, MeshInputs, ModelInputs, NeededInputs, PlacedInputs};
 use super::account::{Account, Term};
 use super::beyond::compose;
 use super::bins::Bins;
@@ -15,9 +16,10 @@ use super::interpolate::Sources;
 use super::lens::Lens;
 use super::mesh_source::MeshSource;
 use super::model::Model;
+use super::needed::Needed;
 use super::painting::{Bands, Canvas, CoverageInputs, InterpolationInputs, Painted, Painting, Stale};
 use super::plan::{Cued, Facts, Per, Plan};
-use super::points::{Planes, PointShading, face_points};
+use super::points::Planes;
 use super::rays::{RayInputs, RayStages, SeenAt};
 use super::reference::{Evaluation, Reference};
 use super::stage::{Kept, Use};
@@ -42,6 +44,7 @@ pub struct Renderer {
     faces: Kept<u64, (Planes, Planes)>,
     surface: Kept<Object, Option<Surface>>,
     placed: Kept<PlacedInputs, (Placed, Clipped, Bins)>,
+    needed: Kept<NeededInputs, Needed>,
     intensity: Kept<IntensityInputs, Planes>,
     bands: Bands,
     rays: RayStages,
@@ -94,6 +97,7 @@ impl Renderer {
             faces: Kept::default(),
             surface: Kept::default(),
             placed: Kept::default(),
+            needed: Kept::default(),
             intensity: Kept::default(),
             bands: Bands::default(),
             rays: RayStages::default(),
@@ -411,78 +415,6 @@ impl Renderer {
         self.note(Stage::Transform, ran, began, 0);
     }
 
-    /// Which sources reach the points where the equation is evaluated; the run, where there are shadows.
-    fn reach_points(&mut self, scene: &Scene, plan: &Plan, lens: &Lens) -> Option<u64> {
-        let began = (self.clock)();
-        let model = &self.model.output;
-        let (placed, clipped, _) = &self.placed.output;
-        let sources = Sources { model, clipped, placed, carried: &[] };
-        let inputs =
-            RayInputs { level: self.level, scene, plan, lens, sources, surface: None, object: self.model.stamp() };
-        let at_faces = plan.per == Per::Face;
-        let count = if at_faces { model.face_count() } else { model.vertex_count };
-        #[expect(clippy::cast_possible_truncation, reason = "vertices and faces are counted in 32 bits")]
-        let point = |index: usize| {
-            let index = index as u32;
-            if at_faces {
-                (model.face_centre(index), model.face_normal(index))
-            } else {
-                (model.position(index), model.normal(index))
-            }
-        };
-        let ran = self.rays.reach_points(&inputs, count, point);
-        self.traced = (ran, if ran { (self.clock)().saturating_sub(began) } else { 0 });
-        plan.shadows.then(|| self.rays.stamps()[0])
-    }
-
-    fn shade_points(&mut self, scene: &Scene, plan: &Plan, lens: &Lens, equation: &Equation<f32>) {
-        self.traced = (false, 0);
-        let reach = if plan.shadows && plan.per != Per::Pixel { self.reach_points(scene, plan, lens) } else { None };
-        let began = (self.clock)();
-        let (mut ran, mut evaluations) = (false, 0);
-        if plan.per != Per::Pixel {
-            let at_faces = plan.per == Per::Face;
-            let model = &self.model.output;
-            if at_faces {
-                self.faces.update(self.model.stamp(), |_, faces| *faces = face_points(model));
-            }
-            let bits = self.rays.reach(plan);
-            let faces = &self.faces.output;
-            let (position, normal) = if at_faces { (&faces.0, &faces.1) } else { (&model.position, &model.normal) };
-            let cue = Cue::of(scene, plan, lens).filter(|_| plan.cued == Cued::AtPoints);
-            let (per, double) = (plan.per, plan.double);
-            let inputs =
-                IntensityInputs { model: self.model.stamp(), equation: equation.clone(), per, double, reach, cue };
-            let level = self.level;
-            ran = self.intensity.update(inputs, |inputs, intensity| {
-                let shading = PointShading {
-                    level,
-                    equation: &inputs.equation,
-                    origin: model.origin,
-                    unit: lens.unit,
-                    eye: lens.eye,
-                    radius: model.radius,
-                    position,
-                    normal,
-                    intensity: &mut *intensity,
-                    reach: bits,
-                };
-                if plan.double {
-                    let mut equation = Equation::<f64>::new(scene);
-                    equation.retain_lights(|light| plan.lights[light]);
-                    shading.run_in_double(&equation);
-                } else {
-                    inputs.equation.form().dispatch(shading);
-                }
-                if let Some(cue) = &inputs.cue {
-                    cue.fade_points(model.origin, position, intensity);
-                }
-            });
-            evaluations = if at_faces { model.face_count() as u64 } else { model.vertex_count as u64 };
-        }
-        self.note(Stage::VertexShading, ran, began, if ran { evaluations } else { 0 });
-    }
-
     /// Coverage, interpolation, shading and display, band by band.
     fn paint(&mut self, scene: &Scene, plan: &Plan, lens: &Lens, equation: Equation<f32>) {
         self.fit_frame(scene.image.size);
@@ -501,6 +433,7 @@ impl Renderer {
             surface: self.surface.output.as_ref(),
             sources,
             bins,
+            needed: &self.needed.output,
             intensity: &self.intensity.output,
             reach: None,
             colours: true,

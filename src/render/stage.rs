@@ -17,7 +17,19 @@ impl<K, T: Default> Default for Kept<K, T> {
 impl<K: PartialEq, T> Kept<K, T> {
     /// Runs the stage if its inputs differ from the last ones; tells whether it ran.
     pub fn update(&mut self, inputs: K, run: impl FnOnce(&K, &mut T)) -> bool {
-        let stale = self.inputs.as_ref() != Some(&inputs);
+        self.update_unless(K::eq, inputs, run)
+    }
+}
+
+impl<K, T> Kept<K, T> {
+    /// Runs the stage unless what it made from its last inputs serves for these; tells whether it ran.
+    pub fn update_unless(
+        &mut self,
+        serves: impl FnOnce(&K, &K) -> bool,
+        inputs: K,
+        run: impl FnOnce(&K, &mut T),
+    ) -> bool {
+        let stale = !self.inputs.as_ref().is_some_and(|last| serves(last, &inputs));
         if stale {
             run(&inputs, &mut self.output);
             self.inputs = Some(inputs);
