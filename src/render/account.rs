@@ -104,12 +104,7 @@ impl Account<'_> {
 
     fn rays(&self) -> Vec<Term> {
         let scene = self.scene;
-        let Report { faces, vertices, covered, .. } = *self.report;
-        let sites = match self.plan.per {
-            Per::Face => faces,
-            Per::Vertex => vertices,
-            _ => covered,
-        };
+        let sites = if self.plan.per == Per::Pixel { self.report.covered } else { self.points() };
         let shadows = (!self.plan.shadows)
             .then(|| casts_shadows(scene, self.facts, &self.plan.lights).unwrap_or("nothing casts a shadow"));
         let opaque = (scene.transparency.kt == 0.0).then_some("Kt is 0");
@@ -146,6 +141,9 @@ impl Account<'_> {
             term("ambient", if constant.is_some() { (Per::Frame, 1) } else { count }, None),
             term("turning N to the light", count, dark.or(clamped)),
         ];
+        if self.plan.per != Per::Pixel && self.report.points < self.points() {
+            terms[1] = terms[1].clone().noted("left out where no polygon in the picture needs it");
+        }
         if self.plan.true_surface {
             terms[0] = terms[0].clone().noted("of unit length but for a rounding, which could turn a code value");
         }
@@ -259,6 +257,11 @@ impl Account<'_> {
     fn sites(&self) -> (Per, u64) {
         let Report { points, covered, .. } = *self.report;
         (self.plan.per, if self.plan.per == Per::Pixel { covered } else { points })
+    }
+
+    /// Points of the geometry at which the equation could be evaluated.
+    fn points(&self) -> u64 {
+        if self.plan.per == Per::Face { self.report.faces } else { self.report.vertices }
     }
 
     /// How many sources each light has that is not left out.

@@ -195,7 +195,6 @@ impl Band {
 
 impl DepthScratch {
     #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, reason = "depth keys are single precision")]
     fn draw(&mut self, place: BandPlace, placed: &Placed, triangle: u32, vertices: [u32; 3]) {
         let corners = placed.corners(vertices);
         let [a, b, c] = vertices;

@@ -6,7 +6,7 @@
 
 use super::display::Linear;
 use super::fragments::{Block, Fragment, fragment};
-use super::interpolate::{CarriedValues, Rule, Sources, carry, interpolate};
+use super::interpolate::{CarriedValues, Rule, Sources, interpolate};
 use super::lens::Lens;
 use super::memory::{Holds, Memory, room};
 use super::model::Model;
@@ -155,7 +155,7 @@ impl Layer {
         let points =
             if by_depth { vec![0.0; model.padded_len()] } else { inputs.cue.scales(model.origin, &model.position) };
         let values = CarriedValues { planes: [&points; 3], needed: None, by_key: inputs.perspective };
-        carry(found.level, &mut self.carried, &values, placed, clipped);
+        values.carry(found.level, &mut self.carried, placed, clipped);
         let blocks = Block::count(inputs.size[0]);
         self.fragments.resize(blocks * inputs.size[1] as usize, Block::GAP);
         let sources = Sources { carried: &self.carried, ..found.sources };

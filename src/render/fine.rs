@@ -9,7 +9,6 @@ use super::fragments::{self, Block, Fragment};
 use super::interpolate::{self, Sources};
 use super::memory::room;
 use super::plan::{Per, Plan};
-use super::points::Planes;
 use crate::scene::{FlatAt, Scene};
 use fearless_simd::{f32x4, prelude::*};
 
@@ -26,8 +25,8 @@ pub(super) enum Origin {
     Face,
     /// That of its face's first vertex.
     Vertex,
-    /// Those of its triangle's three vertices.
-    Triangle,
+    /// A mixture of those of its triangle's vertices.
+    Mixture,
 }
 
 impl Origin {
@@ -37,7 +36,7 @@ impl Origin {
             return None;
         }
         match scene.shading.flat_at {
-            _ if plan.carries => Some(Self::Triangle),
+            _ if plan.carries => Some(Self::Mixture),
             FlatAt::Centre => Some(Self::Face),
             FlatAt::ProvokingVertex => Some(Self::Vertex),
             FlatAt::VertexMean => None,
@@ -79,7 +78,7 @@ impl Fine {
         match origin {
             Origin::Face => self.find_points(place, band, |triangle| sources.face(triangle)),
             Origin::Vertex => self.find_points(place, band, |triangle| sources.provoking_vertex(triangle)),
-            Origin::Triangle => self.find_mixtures(place, band, sources),
+            Origin::Mixture => self.find_mixtures(place, band, sources),
         }
     }
 
@@ -114,27 +113,18 @@ impl Fine {
         }
     }
 
-    /// Makes the fragments of a band from the intensities at the faces or vertices that colour its pixels, or from what the
-    /// vertices carry that they mix. In each row all blocks of the extent are written.
+    /// Makes the fragments of a band from what is carried to its pixels. In each row all blocks of the extent are written.
     #[inline(always)]
-    pub fn gather<S: Simd>(
-        &self,
-        simd: S,
-        place: BandPlace,
-        band: &Band,
-        sources: Sources<'_>,
-        intensity: &Planes,
-        blocks: &mut [Block],
-    ) {
+    pub fn gather<S: Simd>(&self, simd: S, place: BandPlace, band: &Band, carried: &[Fragment], blocks: &mut [Block]) {
         let count = Block::count(place.width);
         let rows = band.extents.iter().zip(blocks.chunks_exact_mut(count));
         for ((extent, line), start) in rows.zip((0..).step_by(count * Block::PIXELS)) {
             let seen = Block::over(extent);
             let pixels = start + seen.start * Block::PIXELS..start + seen.end * Block::PIXELS;
             if self.mixtures.is_empty() {
-                pick(&mut line[seen], &self.points[pixels], intensity);
+                gather_row(simd, &mut line[seen], &self.points[pixels], carried);
             } else {
-                mix(simd, &mut line[seen], &self.mixtures[pixels], sources.carried);
+                gather_row(simd, &mut line[seen], &self.mixtures[pixels], carried);
             }
         }
     }
@@ -151,37 +141,38 @@ fn lay_out<T: Copy>(pixels: &mut Vec<T>, place: BandPlace, band: &Band, gap: T) 
     width
 }
 
-/// Fragments of the intensities at `points`.
-#[inline(always)]
-fn pick(line: &mut [Block], points: &[u32], [r, g, b]: &Planes) {
-    for (block, points) in line.iter_mut().zip(points.chunks_exact(Block::PIXELS)) {
-        for (lane, &point) in points.iter().enumerate() {
-            let fragment = if point == GAP {
-                fragments::GAP
-            } else {
-                let point = point as usize;
-                [r[point], g[point], b[point], 1.0]
-            };
-            block.put(lane, fragment);
-        }
-    }
+/// What a pixel keeps of where its intensity comes from.
+trait Kept {
+    /// The fragment, given what is carried.
+    fn fragment<S: Simd>(&self, simd: S, carried: &[Fragment]) -> f32x4<S>;
 }
 
-/// Fragments of mixtures of what is carried.
 #[inline(always)]
-fn mix<S: Simd>(simd: S, line: &mut [Block], mixtures: &[Mixture], carried: &[Fragment]) {
-    for (block, mixtures) in line.iter_mut().zip(mixtures.chunks_exact(Block::PIXELS)) {
-        for (first, four) in (0..).step_by(4).zip(mixtures.chunks_exact(4)) {
-            let [p, q, r, s] = [&four[0], &four[1], &four[2], &four[3]];
-            let four = [p.of(simd, carried), q.of(simd, carried), r.of(simd, carried), s.of(simd, carried)];
+fn gather_row<S: Simd>(simd: S, line: &mut [Block], pixels: &[impl Kept], carried: &[Fragment]) {
+    for (block, pixels) in line.iter_mut().zip(pixels.chunks_exact(Block::PIXELS)) {
+        for (first, four) in (0..).step_by(4).zip(pixels.chunks_exact(4)) {
+            let four = [
+                four[0].fragment(simd, carried),
+                four[1].fragment(simd, carried),
+                four[2].fragment(simd, carried),
+                four[3].fragment(simd, carried),
+            ];
             block.put_four(first, four);
         }
     }
 }
 
-impl Mixture {
+/// A face or a vertex, which colours the pixel.
+impl Kept for u32 {
     #[inline(always)]
-    fn of<S: Simd>(&self, simd: S, carried: &[Fragment]) -> f32x4<S> {
+    fn fragment<S: Simd>(&self, simd: S, carried: &[Fragment]) -> f32x4<S> {
+        f32x4::simd_from(simd, carried.get(*self as usize).copied().unwrap_or(fragments::GAP))
+    }
+}
+
+impl Kept for Mixture {
+    #[inline(always)]
+    fn fragment<S: Simd>(&self, simd: S, carried: &[Fragment]) -> f32x4<S> {
         if self.vertices[0] as usize >= carried.len() {
             return f32x4::simd_from(simd, fragments::GAP);
         }

@@ -19,67 +19,66 @@ use rayon::prelude::*;
 /// so that normals which cancel out stay near zero.
 pub(super) const SHORTEST_NORMAL: f64 = 1e-4;
 
-/// What the vertices are to carry.
+/// What the vertices are to carry, or other points by themselves.
+#[derive(Clone, Copy)]
 pub(super) struct CarriedValues<'a> {
     /// One plane a component.
     pub planes: [&'a [f32]; 3],
-    /// The vertices that have values, if not all have.
+    /// The points that have values, if not all have.
     pub needed: Option<&'a Needed>,
     /// Whether they carry them multiplied by the depth key.
     pub by_key: bool,
 }
 
-/// Fills `carried` with what each vertex carries, and its depth key.
-pub(super) fn carry(
-    level: Level,
-    carried: &mut Vec<Fragment>,
-    values: &CarriedValues<'_>,
-    placed: &Placed,
-    clipped: &Clipped,
-) {
-    const CHUNK: usize = 4096;
-    let CarriedValues { planes, needed, by_key } = *values;
-    let ([a, b, c], count) = (planes, planes[0].len());
-    carried.resize(count, [0.0; 4]);
-    carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
-        let start = chunk * CHUNK;
-        let blocks = carried.chunks_exact_mut(Needed::BLOCK).enumerate();
-        dispatch!(level, simd => {
-            for (block, carried) in blocks {
-                let start = start + block * Needed::BLOCK;
-                if needed.is_none_or(|needed| needed.has(start)) {
-                    carry_vertices(simd, carried, [&a[start..], &b[start..], &c[start..]], &placed.keys[start..], by_key);
-                }
-            }
-        });
-    });
-    for (cut, key) in clipped.cuts.iter().zip(&placed.keys[count..]) {
-        #[expect(clippy::cast_possible_truncation, reason = "back to the precision of the vertices")]
-        let value = [0, 1, 2].map(|component| {
-            let plane = planes[component];
-            cut.vertices.iter().zip(cut.weights).map(|(&v, w)| f64::from(plane[v as usize]) * w).sum::<f64>() as f32
-        });
-        let factor = if by_key { *key } else { 1.0 };
-        let [a, b, c] = value.map(|value| value * factor);
-        carried.push([a, b, c, *key]);
+impl CarriedValues<'_> {
+    /// Fills `carried` with what each vertex carries, and its depth key.
+    pub fn carry(&self, level: Level, carried: &mut Vec<Fragment>, placed: &Placed, clipped: &Clipped) {
+        self.carry_with(level, carried, Some(&placed.keys));
+        for (cut, key) in clipped.cuts.iter().zip(&placed.keys[carried.len()..]) {
+            let factor = if self.by_key { *key } else { 1.0 };
+            #[expect(clippy::cast_possible_truncation, reason = "back to the precision of the vertices")]
+            let [a, b, c] = self.planes.map(|plane| {
+                let parts = cut.vertices.iter().zip(cut.weights);
+                parts.map(|(&v, w)| f64::from(plane[v as usize]) * w).sum::<f64>() as f32 * factor
+            });
+            carried.push([a, b, c, *key]);
+        }
     }
-}
 
-/// Of as many vertices as fill vectors.
-#[inline(always)]
-fn carry_vertices<S: Simd>(simd: S, carried: &mut [Fragment], planes: [&[f32]; 3], keys: &[f32], by_key: bool) {
-    let lanes = Lanes::<S>::LEN;
-    let [a, b, c] = planes;
-    for (start, carried) in (0..).step_by(lanes).zip(carried.chunks_exact_mut(lanes)) {
-        let key = Lanes::load(simd, &keys[start..]);
-        let factor = if by_key { key } else { Lanes::splat(simd, 1.0) };
-        let values = [
-            Lanes::load(simd, &a[start..]) * factor,
-            Lanes::load(simd, &b[start..]) * factor,
-            Lanes::load(simd, &c[start..]) * factor,
-            key,
-        ];
-        join(simd, &values, carried);
+    /// Fills `carried` with the values of each point and its depth key, which is 1 where none is given.
+    pub fn carry_with(&self, level: Level, carried: &mut Vec<Fragment>, keys: Option<&[f32]>) {
+        const CHUNK: usize = 4096;
+        carried.resize(self.planes[0].len(), [0.0; 4]);
+        carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
+            dispatch!(level, simd => self.carry_chunk(simd, chunk * CHUNK, carried, keys));
+        });
+    }
+
+    #[inline(always)]
+    fn carry_chunk<S: Simd>(&self, simd: S, first: usize, carried: &mut [Fragment], keys: Option<&[f32]>) {
+        let lanes = Lanes::<S>::LEN;
+        let [a, b, c] = self.planes;
+        let one = Lanes::splat(simd, 1.0);
+        for (start, carried) in (first..).step_by(lanes).zip(carried.chunks_exact_mut(lanes)) {
+            if self.needed.is_some_and(
+                #[inline(always)]
+                |needed| !needed.has(start),
+            ) {
+                continue;
+            }
+            let key = match keys {
+                Some(keys) => Lanes::load(simd, &keys[start..]),
+                None => one,
+            };
+            let factor = if self.by_key { key } else { one };
+            let values = [
+                Lanes::load(simd, &a[start..]) * factor,
+                Lanes::load(simd, &b[start..]) * factor,
+                Lanes::load(simd, &c[start..]) * factor,
+                key,
+            ];
+            join(simd, &values, carried);
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::bins::Bins;
 use super::interpolate::Sources;
+use super::memory::{Holds, Memory, room};
 use super::model::PADDING;
 use super::plan::{Per, Plan};
 use crate::scene::{FlatAt, Scene};
@@ -93,8 +94,11 @@ impl Needed {
         let points = |(block, _): (usize, &bool)| (count - block * Self::BLOCK).min(Self::BLOCK) as u64;
         self.blocks.iter().enumerate().filter(|(_, needed)| **needed).map(points).sum()
     }
+}
 
-    pub fn room(&self) -> u64 {
-        super::memory::room(&self.blocks)
+impl Holds for Needed {
+    fn memory(&self) -> Memory {
+        // The intensities keep the flags that they were made with.
+        Memory::of_triangles(2 * room(&self.blocks))
     }
 }

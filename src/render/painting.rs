@@ -7,7 +7,7 @@ use super::exact::meet_band;
 use super::factors::{self, FactorInputs, Keeping, Plane, Rows, Taking};
 use super::fine::{Fine, Origin};
 use super::fragments::{Block, Fragment, fragment, is_seen};
-use super::interpolate::{CarriedValues, Rule, Sources, carry, interpolate};
+use super::interpolate::{CarriedValues, Rule, Sources, interpolate};
 use super::lens::Lens;
 use super::memory::{Holds, Memory, room};
 use super::needed::Needed;
@@ -277,15 +277,7 @@ impl Painting<'_> {
         } else if self.factors == Use::None && !bands.kept_factors.is_possible() {
             bands.factors = Vec::new();
         }
-        if stale.interpolation && self.plan.interpolates() {
-            let (values, needed) = match self.plan.per {
-                Per::Pixel => (&self.sources.model.normal, None),
-                _ => (self.intensity, Some(self.needed)),
-            };
-            let values =
-                CarriedValues { planes: values.each_ref().map(Vec::as_slice), needed, by_key: self.plan.perspective };
-            carry(self.level, &mut bands.carried, &values, self.sources.placed, self.sources.clipped);
-        }
+        self.carry(&mut bands.carried, stale, fine);
         let sources = Sources { carried: &bands.carried, ..self.sources };
         let painting = Painting { sources, fine, ..self };
         let carrying = (self.clock)().saturating_sub(began);
@@ -302,6 +294,21 @@ impl Painting<'_> {
         let evaluates = self.colours && self.plan.per == Per::Pixel && self.factors != Use::Take;
         let (evaluations, carried) = (if evaluates { covered } else { 0 }, self.interpolates(stale));
         Painted { covered, drawn, overflowing, evaluations, carried, nanoseconds }
+    }
+
+    /// Readies what the pixels are brought: what vertices carry, or the colours of faces that fine bands pick.
+    fn carry(&self, carried: &mut Vec<Fragment>, stale: Stale, fine: Option<(Origin, Use)>) {
+        let (planes, needed) = match self.plan.per {
+            Per::Pixel => (&self.sources.model.normal, None),
+            _ => (self.intensity, Some(self.needed)),
+        };
+        let by_key = self.plan.carries && self.plan.perspective;
+        let values = CarriedValues { planes: planes.each_ref().map(Vec::as_slice), needed, by_key };
+        if stale.interpolation && self.plan.interpolates() {
+            values.carry(self.level, carried, self.sources.placed, self.sources.clipped);
+        } else if fine.is_some_and(|(origin, using)| origin != Origin::Mixture && using != Use::None) {
+            values.carry_with(self.level, carried, None);
+        }
     }
 
     /// Whether fragments are to be made: those that are kept are as good as what they are made from.
@@ -359,7 +366,7 @@ impl Painting<'_> {
         if using == Use::Keep {
             fine.find(*place, band, self.sources, origin);
         }
-        dispatch!(self.level, simd => fine.gather(simd, *place, band, self.sources, self.intensity, fragments));
+        dispatch!(self.level, simd => fine.gather(simd, *place, band, self.sources.carried, fragments));
         true
     }
 

@@ -11,7 +11,7 @@ impl Renderer {
         let (placed, clipped, bins) = &self.placed.output;
         let (centres, normals) = &self.faces.output;
         let faces = Memory::of_triangles(room_of_planes(centres) + room_of_planes(normals));
-        let intensity = room_of_planes(&self.intensity.output) + self.needed.output.room();
+        let intensity = room_of_planes(&self.intensity.output);
         let intensity = if per == Per::Face { Memory::of_triangles(intensity) } else { Memory::of_vertices(intensity) };
         let picture = Memory::of_pixels(room(&self.frame.pixels) + room(&self.linear));
         let stages = [
@@ -21,6 +21,7 @@ impl Renderer {
             clipped.memory(),
             bins.memory(),
             faces,
+            self.needed.output.memory(),
             intensity,
             self.bands.memory(),
             self.cue.output.memory(),
