@@ -48,7 +48,7 @@ pub use start::{AppError, run};
 pub use state::{AppState, Look, NumbersTab, OverlayLook, ProbePoint};
 
 use crate::document::Loaded;
-use crate::render::{Frame, Renderer};
+use crate::render::{Frame, Renderer, Report};
 use crate::scene::presets;
 use action::{Action, Shown};
 use curves::Curves;
@@ -93,6 +93,11 @@ impl App {
     /// The picture as last drawn.
     pub fn frame(&self) -> &Frame {
         self.engine.frame()
+    }
+
+    /// What drawing it did.
+    pub fn report(&self) -> &Report {
+        self.engine.report()
     }
 
     /// What the window remembers.

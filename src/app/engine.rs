@@ -332,20 +332,12 @@ fn is_dark(scene: &Scene) -> bool {
 
 /// A picture for the window.
 pub fn image_of(frame: &Frame) -> ColorImage {
-    let mut image = ColorImage::default();
-    show(frame, &mut image);
-    image
+    let size = [frame.width as usize, frame.height as usize];
+    ColorImage::new(size, frame.pixels.iter().map(color).collect())
 }
 
-/// Makes `image` show a picture.
-fn show(frame: &Frame, image: &mut ColorImage) {
-    let size = [frame.width as usize, frame.height as usize];
-    let pixels = frame.pixels.iter().map(|&[r, g, b, a]| Color32::from_rgba_premultiplied(r, g, b, a));
-    if image.size == size {
-        image.pixels.iter_mut().zip(pixels).for_each(|(shown, pixel)| *shown = pixel);
-    } else {
-        *image = ColorImage::new(size, pixels.collect());
-    }
+fn color(&[r, g, b, a]: &[u8; 4]) -> Color32 {
+    Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
 /// A picture of `size` pixels that `draw` puts on nothing.

@@ -68,7 +68,9 @@ impl AppState {
     pub fn leave_pane(&mut self) {
         let Some(Entered { mut shared, before }) = self.panes.entered.take() else { return };
         let after = &self.document.scene;
-        if *after != before {
+        if shared.compare.panes.is_empty() {
+            shared.clone_from(after);
+        } else if *after != before {
             shared.compare = after.compare.clone();
             distribute(&mut shared, &before, after, self.panes.active, self.panes.own);
             mend(&mut shared);

@@ -3,6 +3,8 @@
 //! The colours are Okabe and Ito's (2008, "Color Universal Design"), which colour-blind eyes tell apart; the letters and
 //! the dashes carry the meaning where colour cannot.
 
+use std::sync::LazyLock;
+
 /// A display colour: red, green, blue, as stored in a picture.
 pub type Rgb8 = [u8; 3];
 
@@ -94,21 +96,29 @@ pub fn readable(colour: Rgb8, background: Rgb8, ratio: f64) -> Rgb8 {
         let mixed = |from: u8, to: u8| (f64::from(from) + (f64::from(to) - f64::from(from)) * share).round() as u8;
         std::array::from_fn(|channel| mixed(colour[channel], away[channel]))
     };
-    (0..=STEPS).map(towards).find(|candidate| contrast(*candidate, background) >= ratio).unwrap_or(away)
+    let behind = luminance(background);
+    let stands_out = |candidate: &Rgb8| contrast_of(luminance(*candidate), behind) >= ratio;
+    (0..=STEPS).map(towards).find(stands_out).unwrap_or(away)
 }
 
 /// Contrast ratio as WCAG 2.2 defines it, from 1 to 21.
 pub fn contrast(a: Rgb8, b: Rgb8) -> f64 {
-    let (a, b) = (luminance(a), luminance(b));
+    contrast_of(luminance(a), luminance(b))
+}
+
+fn contrast_of(a: f64, b: f64) -> f64 {
     (a.max(b) + 0.05) / (a.min(b) + 0.05)
 }
 
 /// Relative luminance as WCAG 2.2 defines it.
 fn luminance(colour: Rgb8) -> f64 {
-    let [r, g, b] = colour.map(|code| {
-        let value = f64::from(code) / 255.0;
-        if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+    static LINEAR: LazyLock<[f64; 256]> = LazyLock::new(|| {
+        std::array::from_fn(|code| {
+            let value = code as f64 / 255.0;
+            if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+        })
     });
+    let [r, g, b] = colour.map(|code| LINEAR[usize::from(code)]);
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 

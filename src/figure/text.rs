@@ -4,6 +4,8 @@ use glam::DVec2;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::{DrawSettings, OutlinePen};
 use skrifa::{FontRef, MetadataProvider};
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::sync::OnceLock;
 use tiny_skia::{Path, PathBuilder, Transform};
 
@@ -54,6 +56,24 @@ impl Lettering {
         let to = centre - (self.min + self.max) * 0.5;
         self.path.clone()?.transform(Transform::from_translate(to.x as f32, to.y as f32))
     }
+}
+
+/// Width and height of what is inked of a text at `size` pixels an em, pixels.
+pub(super) fn inked_size(text: &str, size: f64) -> DVec2 {
+    // A figure that is laid out again and again has the same few labels.
+    const KEPT: usize = 256;
+    thread_local! {
+        static SIZES: RefCell<HashMap<(String, u64), DVec2>> = RefCell::default();
+    }
+    SIZES.with_borrow_mut(|sizes| {
+        if sizes.len() >= KEPT {
+            sizes.clear();
+        }
+        *sizes.entry((text.to_owned(), size.to_bits())).or_insert_with(|| {
+            let lettering = Lettering::new(text, size);
+            lettering.max - lettering.min
+        })
+    })
 }
 
 /// Collects glyph outlines one after another.

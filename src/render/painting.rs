@@ -24,6 +24,7 @@ use fearless_simd::{Level, Simd, dispatch};
 use glam::DVec2;
 use rayon::prelude::*;
 use std::cell::RefCell;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// What coverage and interpolation keep between frames.
@@ -46,7 +47,28 @@ pub(super) struct Bands {
     stamp: u64,
     /// Counts the runs of the coverage alone.
     covered: u64,
+    background: Background,
     width: u32,
+}
+
+/// What the stored picture shows where it does not show the object.
+#[derive(Default)]
+struct Background {
+    /// The pixel that the last picture put there, and the run of the coverage that told where.
+    shown: Option<([u8; 4], u64)>,
+    /// Counts the times when something else was put there.
+    stamp: u64,
+}
+
+impl Background {
+    /// Notes what the next picture puts there, none if that is not one pixel everywhere; returns whether it is there
+    /// already.
+    fn lay(&mut self, shown: Option<([u8; 4], u64)>) -> bool {
+        let same = shown.is_some() && self.shown == shown;
+        self.shown = shown;
+        self.stamp += u64::from(!same);
+        same
+    }
 }
 
 /// What coverage reads.
@@ -133,6 +155,16 @@ impl Bands {
     /// Counts the runs of the coverage alone.
     pub fn coverage_stamp(&self) -> u64 {
         self.covered
+    }
+
+    /// Counts the pictures that changed anything outside of [`Bands::extents`].
+    pub fn background_stamp(&self) -> u64 {
+        self.background.stamp
+    }
+
+    /// For each row the columns between the first and the last that see the object.
+    pub fn extents(&self) -> impl Iterator<Item = Range<u32>> {
+        self.bands.iter().flat_map(|band| band.extents.iter().cloned())
     }
 
     /// The next picture is covered anew.
@@ -228,6 +260,8 @@ pub(super) struct Painting<'a> {
     /// Whether the bands are coloured, or covered and interpolated only.
     pub colours: bool,
     pub factors: Use,
+    /// Whether the background is there already.
+    pub cleared: bool,
     /// What pixels' intensities are made from where polygons are fine, and whether it is kept.
     pub fine: Option<(Origin, Use)>,
 }
@@ -281,6 +315,9 @@ impl Painting<'_> {
         let sources = Sources { carried: &bands.carried, ..self.sources };
         let painting = Painting { sources, fine, ..self };
         let carrying = (self.clock)().saturating_sub(began);
+        let background = stored_pixel(self.scene.image.background, self.scene.display.encoding);
+        let stored = canvas.linear.is_empty().then_some((background, bands.covered));
+        let painting = Painting { cleared: self.colours && bands.background.lay(stored), ..painting };
         let counters = Counters::default();
         let buffers = (&mut bands.fragments[..], &mut bands.factors[..], planes);
         jobs((&mut bands.bands, &mut bands.fine), buffers, canvas, [width, height])
@@ -411,7 +448,10 @@ impl Painting<'_> {
         let covered = Covered { place: *place, band, gathered, fragments, factors };
         if job.linear.is_empty() {
             let background = stored_pixel(background, display.encoding);
-            let target = Stored { pixels: &mut *job.pixels, background, encoding: display.encoding };
+            let encoding = display.encoding;
+            // In double precision a pixel may turn out to miss the surface after all.
+            let cleared = self.cleared && !self.plan.pixels_in_double();
+            let target = Stored { pixels: &mut *job.pixels, background, cleared, encoding };
             self.colour_into(covered, target)
         } else {
             let [r, g, b] = background.as_vec3().to_array();

@@ -31,6 +31,7 @@ use crate::illumination::Equation;
 use crate::scene::{AmbientSource, NormalSource, Object, ObjectKind, Overflow, Rgb, Scene, Weighting};
 use fearless_simd::Level;
 use glam::DVec2;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Draws scenes, keeping each stage's output for the next call.
@@ -196,6 +197,17 @@ impl Renderer {
     /// The last picture.
     pub fn frame(&self) -> &Frame {
         &self.frame
+    }
+
+    /// Counts the pictures that changed anything outside of their [`Renderer::extents`]: where two have the same count they
+    /// differ only within.
+    pub fn background_stamp(&self) -> u64 {
+        self.bands.background_stamp()
+    }
+
+    /// For each row of the last picture, from the top, the columns between the first and the last that see the object.
+    pub fn extents(&self) -> impl Iterator<Item = Range<u32>> {
+        self.bands.extents()
     }
 
     /// What the last call of [`Renderer::render`] did.
@@ -438,6 +450,7 @@ impl Renderer {
             reach: None,
             colours: true,
             factors: Use::None,
+            cleared: false,
             fine: None,
         };
         let mut painted = Painted::default();

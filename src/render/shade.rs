@@ -209,6 +209,8 @@ fn overflows(color: [f32; 3]) -> bool {
 pub(super) struct Stored<'a> {
     pub pixels: &'a mut [[u8; 4]],
     pub background: [u8; 4],
+    /// Whether pixels that are to be cleared have the background already.
+    pub cleared: bool,
     pub encoding: Encoding,
 }
 
@@ -231,7 +233,9 @@ impl Target for Stored<'_> {
 
     #[inline(always)]
     fn clear(&mut self, range: Range<usize>) {
-        self.pixels[range].fill(self.background);
+        if !self.cleared {
+            self.pixels[range].fill(self.background);
+        }
     }
 
     #[inline(always)]

@@ -4,12 +4,12 @@
 //! of its own, so that the whole one's stages are kept.
 
 use super::super::document::same_model;
-use super::{clock, show, upload};
+use super::{clock, color, image_of, upload};
 use crate::analysis::{LinearPicture, Probe, probe};
 use crate::geometry::Mesh;
 use crate::render::{Renderer, Report, coarseness, coarser_size};
 use crate::scene::Scene;
-use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
 use std::sync::Arc;
 
 /// A renderer, and what it drew last.
@@ -75,13 +75,15 @@ pub struct PaneEngine {
     costs: Vec<(u32, u64)>,
     pub picture: Option<TextureHandle>,
     image: Arc<ColorImage>,
+    /// By what its sides are divided, and whose background it has.
+    shown: Option<(u32, u64)>,
     pub probed: Option<([u32; 2], Probe)>,
 }
 
 impl Default for PaneEngine {
     fn default() -> Self {
         let (whole, image) = (Drawing::default(), Arc::default());
-        Self { whole, draft: None, coarser: 1, costs: vec![], picture: None, image, probed: None }
+        Self { whole, draft: None, coarser: 1, costs: vec![], picture: None, image, shown: None, probed: None }
     }
 }
 
@@ -119,15 +121,31 @@ impl PaneEngine {
         }
         // A coarser picture is spread smoothly.
         let options = if coarser > 1 { TextureOptions::LINEAR } else { TextureOptions::NEAREST };
-        let mut image = std::mem::take(&mut self.image);
-        if Arc::get_mut(&mut image).is_none() {
-            // The last picture is still on its way to the texture.
-            image = Arc::default();
-        }
-        show(self.in_sight().renderer.frame(), Arc::make_mut(&mut image));
-        upload(ctx, &mut self.picture, "picture", Arc::clone(&image), options);
-        self.image = image;
+        self.fill_image();
+        upload(ctx, &mut self.picture, "picture", Arc::clone(&self.image), options);
         true
+    }
+
+    /// Brings the image up to date: all of it, or what lies between the ends of the object's rows.
+    fn fill_image(&mut self) {
+        let drawing = self.draft.as_ref().filter(|_| self.coarser > 1).unwrap_or(&self.whole);
+        let (renderer, frame) = (&drawing.renderer, drawing.renderer.frame());
+        let shown = Some((self.coarser, renderer.background_stamp()));
+        let width = frame.width as usize;
+        let size = [width, frame.height as usize];
+        // There is none to be had while the last picture is still on its way to the texture.
+        match Arc::get_mut(&mut self.image).filter(|image| image.size == size) {
+            Some(image) if self.shown == shown => {
+                let lines = image.pixels.chunks_exact_mut(width).zip(frame.pixels.chunks_exact(width));
+                for ((to, from), columns) in lines.zip(renderer.extents()).filter(|(_, columns)| !columns.is_empty()) {
+                    let columns = columns.start as usize..columns.end as usize;
+                    copy(&mut to[columns.clone()], &from[columns]);
+                }
+            }
+            Some(image) => copy(&mut image.pixels, &frame.pixels),
+            None => self.image = Arc::new(image_of(frame)),
+        }
+        self.shown = shown;
     }
 
     fn remember(&mut self, parts: u32, cost: u64) {
@@ -183,6 +201,10 @@ impl PaneEngine {
         let scene = drawing.drawn.as_ref().filter(|_| drawing.linear)?;
         Some(LinearPicture { width: scene.image.size[0], pixels: drawing.renderer.linear(), clamps: scene.clamps() })
     }
+}
+
+fn copy(to: &mut [Color32], from: &[[u8; 4]]) {
+    to.iter_mut().zip(from).for_each(|(to, from)| *to = color(from));
 }
 
 /// Whether `drawn` is a picture of `scene` at `size` pixels.

@@ -4,7 +4,7 @@ use super::labels::{Area, Placer, Wish};
 use super::{Halo, Label, OverlayOptions};
 use crate::figure::ink::Mark;
 use crate::figure::palette::Rgb8;
-use crate::figure::text::Lettering;
+use crate::figure::text::inked_size;
 use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 
@@ -149,8 +149,7 @@ impl Sketch {
         }
         let mut labels = Vec::new();
         for pending in std::mem::take(&mut self.pending) {
-            let lettering = Lettering::new(&pending.text, pending.size);
-            let size = lettering.max - lettering.min + 2.0 * self.style.halo + 0.1 * pending.size;
+            let size = inked_size(&pending.text, pending.size) + 2.0 * self.style.halo + 0.1 * pending.size;
             let Pending { anchor, direction, clearance, .. } = pending;
             let Some(area) = placer.place(&Wish { anchor, direction, size, clearance }) else { continue };
             self.leader(anchor, clearance, area, pending.colour);
