@@ -64,6 +64,16 @@ pub struct Wanted<'a> {
     pub linear: bool,
 }
 
+/// One is shown while another is filled.
+const IMAGES: usize = 2;
+
+/// A picture as the window takes it.
+struct Shown {
+    image: Arc<ColorImage>,
+    /// By what its sides are divided, and whose background it has.
+    background: (u32, u64),
+}
+
 /// A pane with renderers of its own, so that each pane's stages are kept.
 pub struct PaneEngine {
     whole: Drawing,
@@ -74,16 +84,15 @@ pub struct PaneEngine {
     /// What a whole picture took after a change of these parts, nanoseconds.
     costs: Vec<(u32, u64)>,
     pub picture: Option<TextureHandle>,
-    image: Arc<ColorImage>,
-    /// By what its sides are divided, and whose background it has.
-    shown: Option<(u32, u64)>,
+    /// At most [`IMAGES`].
+    images: Vec<Shown>,
     pub probed: Option<([u32; 2], Probe)>,
 }
 
 impl Default for PaneEngine {
     fn default() -> Self {
-        let (whole, image) = (Drawing::default(), Arc::default());
-        Self { whole, draft: None, coarser: 1, costs: vec![], picture: None, image, shown: None, probed: None }
+        let whole = Drawing::default();
+        Self { whole, draft: None, coarser: 1, costs: vec![], picture: None, images: vec![], probed: None }
     }
 }
 
@@ -121,31 +130,42 @@ impl PaneEngine {
         }
         // A coarser picture is spread smoothly.
         let options = if coarser > 1 { TextureOptions::LINEAR } else { TextureOptions::NEAREST };
-        self.fill_image();
-        upload(ctx, &mut self.picture, "picture", Arc::clone(&self.image), options);
+        let image = self.image();
+        upload(ctx, &mut self.picture, "picture", image, options);
         true
     }
 
-    /// Brings the image up to date: all of it, or what lies between the ends of the object's rows.
-    fn fill_image(&mut self) {
+    /// An image of the picture in sight: one that showed an earlier picture, in which only what lies between the ends of the
+    /// object's rows may have to be changed, or a new one.
+    fn image(&mut self) -> Arc<ColorImage> {
         let drawing = self.draft.as_ref().filter(|_| self.coarser > 1).unwrap_or(&self.whole);
         let (renderer, frame) = (&drawing.renderer, drawing.renderer.frame());
-        let shown = Some((self.coarser, renderer.background_stamp()));
+        let background = (self.coarser, renderer.background_stamp());
         let width = frame.width as usize;
-        let size = [width, frame.height as usize];
-        // There is none to be had while the last picture is still on its way to the texture.
-        match Arc::get_mut(&mut self.image).filter(|image| image.size == size) {
-            Some(image) if self.shown == shown => {
+        // The last picture's may still be on its way to the texture.
+        let free = self.images.iter_mut().position(|shown| Arc::get_mut(&mut shown.image).is_some());
+        let mut shown = match free {
+            Some(index) => self.images.swap_remove(index),
+            None => Shown { image: Arc::new(image_of(frame)), background },
+        };
+        if let Some(image) = Arc::get_mut(&mut shown.image).filter(|_| free.is_some()) {
+            if image.size != [width, frame.height as usize] {
+                *image = image_of(frame);
+            } else if shown.background == background {
                 let lines = image.pixels.chunks_exact_mut(width).zip(frame.pixels.chunks_exact(width));
                 for ((to, from), columns) in lines.zip(renderer.extents()).filter(|(_, columns)| !columns.is_empty()) {
                     let columns = columns.start as usize..columns.end as usize;
                     copy(&mut to[columns.clone()], &from[columns]);
                 }
+            } else {
+                copy(&mut image.pixels, &frame.pixels);
             }
-            Some(image) => copy(&mut image.pixels, &frame.pixels),
-            None => self.image = Arc::new(image_of(frame)),
         }
-        self.shown = shown;
+        shown.background = background;
+        let image = Arc::clone(&shown.image);
+        self.images.truncate(IMAGES - 1);
+        self.images.push(shown);
+        image
     }
 
     fn remember(&mut self, parts: u32, cost: u64) {
