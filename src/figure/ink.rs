@@ -5,6 +5,7 @@
 use super::palette::Rgb8;
 use super::text::Lettering;
 use glam::DVec2;
+use std::sync::LazyLock;
 use tiny_skia::{
     Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, PixmapMut, Stroke, StrokeDash, Transform,
 };
@@ -44,8 +45,11 @@ impl Mark {
 
     /// A circle's outline.
     pub fn ring(centre: DVec2, radius: f64, width: f64, colour: Rgb8) -> Self {
-        let step = std::f64::consts::TAU / f64::from(CIRCLE_CORNERS);
-        let points = (0..CIRCLE_CORNERS).map(|i| centre + radius * DVec2::from_angle(f64::from(i) * step)).collect();
+        static CORNERS: LazyLock<Vec<DVec2>> = LazyLock::new(|| {
+            let step = std::f64::consts::TAU / f64::from(CIRCLE_CORNERS);
+            (0..CIRCLE_CORNERS).map(|i| DVec2::from_angle(f64::from(i) * step)).collect()
+        });
+        let points = CORNERS.iter().map(|corner| centre + radius * *corner).collect();
         Self { closed: true, ..Self::line(points, width, colour) }
     }
 

@@ -52,6 +52,10 @@ impl Area {
 
     /// Length of the segment from `a` to `b` inside.
     fn covers(&self, a: DVec2, b: DVec2) -> f64 {
+        // Most segments are nowhere near.
+        if a.max(b).cmple(self.min).any() || a.min(b).cmpge(self.max).any() {
+            return 0.0;
+        }
         let along = b - a;
         let (mut enter, mut leave) = (0.0f64, 1.0f64);
         for axis in 0..2 {
@@ -120,11 +124,14 @@ impl Placer {
         let mut best: Option<(f64, Area)> = None;
         for distance in DISTANCES {
             for turn in TURNS {
+                let turned = if wish.direction == DVec2::ZERO { 0.0 } else { turn.abs() / 180.0 };
+                let dearest = COST[0] * distance + COST[1] * turned;
+                if best.is_some_and(|(cost, _)| cost <= dearest) {
+                    continue;
+                }
                 let way = DVec2::from_angle(turn.to_radians()).rotate(towards);
                 let reach = (wish.size * 0.5).dot(way.abs()) + wish.clearance + distance * self.text_size;
                 let area = Area::about(wish.anchor + way * reach, wish.size);
-                let turned = if wish.direction == DVec2::ZERO { 0.0 } else { turn.abs() / 180.0 };
-                let dearest = COST[0] * distance + COST[1] * turned;
                 self.consider(area, dearest, &mut best);
             }
         }
