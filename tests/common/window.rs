@@ -3,20 +3,34 @@
 #![allow(dead_code, reason = "each test takes what it needs of it")]
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Pos2};
-use egui_kittest::Harness;
+use eframe::egui::{Key, Modifiers, Pos2, TexturesDelta};
 use egui_kittest::kittest::Queryable;
+use egui_kittest::{Harness, TestRenderer};
 use shading_lab::app::App;
 use shading_lab::document::load;
 use shading_lab::scene::Scene;
 use std::path::Path;
 
 pub fn window(scene: &str) -> Harness<'static, App> {
+    window_on(scene, Nowhere)
+}
+
+/// A window whose textures go to `card`.
+pub fn window_on(scene: &str, card: impl TestRenderer + 'static) -> Harness<'static, App> {
     let loaded = load(Path::new(scene)).expect("a built-in scene");
-    let mut harness =
-        Harness::builder().with_size([1280.0, 800.0]).with_max_steps(40).build_eframe(|cc| App::new(cc, loaded));
+    let builder = Harness::builder().with_size([1280.0, 800.0]).with_max_steps(40).renderer(card);
+    let mut harness = builder.build_eframe(|cc| App::new(cc, loaded));
     harness.run();
     harness
+}
+
+/// A graphics card that takes textures and lets them go, as one does that has copied them.
+struct Nowhere;
+
+impl TestRenderer for Nowhere {
+    fn handle_delta(&mut self, delta: &mut TexturesDelta) {
+        delta.clear();
+    }
 }
 
 pub fn picture(harness: &Harness<'_, App>) -> Vec<[u8; 4]> {
