@@ -35,12 +35,19 @@ fn assert_within_bounds(renderer: &Renderer, scene: &Scene, what: &str) {
 
 #[test]
 fn a_large_sphere_stays_within_the_bounds() {
-    let mut renderer = Renderer::default();
-    for mode in [ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Phong] {
-        let scene = sphere(mode, 262_144, 768);
+    let [mut renderer, mut flat] = [Renderer::default(), Renderer::default()];
+    for mode in [ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Flat] {
+        let renderer = if mode == ShadingMode::Flat { &mut flat } else { &mut renderer };
+        let mut scene = sphere(mode, 262_144, 768);
         renderer.render(&scene);
         assert_eq!(renderer.report().triangles, 262_144);
-        assert_within_bounds(&renderer, &scene, &format!("{mode:?}"));
+        assert_within_bounds(renderer, &scene, &format!("{mode:?}"));
+        // Fine polygons' pixels keep something once a light is moved.
+        for x in [1.0, 2.0] {
+            scene.lights[0].position.x = x;
+            renderer.render(&scene);
+        }
+        assert_within_bounds(renderer, &scene, &format!("{mode:?}, a light moved"));
     }
 }
 

@@ -48,7 +48,9 @@ impl CarriedValues<'_> {
     /// Fills `carried` with the values of each point and its depth key, which is 1 where none is given.
     pub fn carry_with(&self, level: Level, carried: &mut Vec<Fragment>, keys: Option<&[f32]>) {
         const CHUNK: usize = 4096;
-        carried.resize(self.planes[0].len(), [0.0; 4]);
+        let count = self.planes[0].len();
+        carried.reserve_exact(count.saturating_sub(carried.len()));
+        carried.resize(count, [0.0; 4]);
         carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
             dispatch!(level, simd => self.carry_chunk(simd, chunk * CHUNK, carried, keys));
         });

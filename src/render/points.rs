@@ -57,7 +57,7 @@ impl FormTask for PointShading<'_> {
 
     fn run<F: Specular>(self, _: F) {
         let count = self.position[0].len();
-        self.intensity.iter_mut().for_each(|plane| plane.resize(count, 0.0));
+        fit(self.intensity, count);
         #[expect(clippy::cast_possible_truncation, reason = "the kernel's precision")]
         let scale = (1.0 / self.unit).min(FARTHEST / self.radius.max(f64::MIN_POSITIVE)) as f32;
         let offset = (self.origin - self.eye) / self.unit;
@@ -80,7 +80,7 @@ impl PointShading<'_> {
     /// The same in double precision, by `equation`.
     pub fn run_in_double(self, equation: &Equation<f64>) {
         let count = self.position[0].len();
-        self.intensity.iter_mut().for_each(|plane| plane.resize(count, 0.0));
+        fit(self.intensity, count);
         let [r, g, b] = self.intensity;
         let at =
             |planes: &Planes, index: usize| DVec3::from_array([0, 1, 2].map(|axis| f64::from(planes[axis][index])));
@@ -90,6 +90,14 @@ impl PointShading<'_> {
             let (point, normal) = (self.origin + at(self.position, index), at(self.normal, index));
             [*r, *g, *b] = equation.illuminate_world(point, normal, reached).as_vec3().to_array();
         });
+    }
+}
+
+/// Gives the planes their length, and no more room than that takes.
+fn fit(planes: &mut Planes, count: usize) {
+    for plane in planes {
+        plane.reserve_exact(count.saturating_sub(plane.len()));
+        plane.resize(count, 0.0);
     }
 }
 
