@@ -142,13 +142,13 @@ fn lay_out<T: Copy>(pixels: &mut Vec<T>, place: BandPlace, band: &Band, gap: T) 
 }
 
 /// What a pixel keeps of where its intensity comes from.
-trait Kept {
+trait Gathered {
     /// The fragment, given what is carried.
     fn fragment<S: Simd>(&self, simd: S, carried: &[Fragment]) -> f32x4<S>;
 }
 
 #[inline(always)]
-fn gather_row<S: Simd>(simd: S, line: &mut [Block], pixels: &[impl Kept], carried: &[Fragment]) {
+fn gather_row<S: Simd>(simd: S, line: &mut [Block], pixels: &[impl Gathered], carried: &[Fragment]) {
     for (block, pixels) in line.iter_mut().zip(pixels.chunks_exact(Block::PIXELS)) {
         for (first, four) in (0..).step_by(4).zip(pixels.chunks_exact(4)) {
             let four = [
@@ -163,14 +163,14 @@ fn gather_row<S: Simd>(simd: S, line: &mut [Block], pixels: &[impl Kept], carrie
 }
 
 /// A face or a vertex, which colours the pixel.
-impl Kept for u32 {
+impl Gathered for u32 {
     #[inline(always)]
     fn fragment<S: Simd>(&self, simd: S, carried: &[Fragment]) -> f32x4<S> {
         f32x4::simd_from(simd, carried.get(*self as usize).copied().unwrap_or(fragments::GAP))
     }
 }
 
-impl Kept for Mixture {
+impl Gathered for Mixture {
     #[inline(always)]
     fn fragment<S: Simd>(&self, simd: S, carried: &[Fragment]) -> f32x4<S> {
         if self.vertices[0] as usize >= carried.len() {
