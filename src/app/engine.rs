@@ -10,7 +10,7 @@ use crate::analysis::{
 use crate::figure::{Halo, Overlay, OverlayLayer, OverlayOptions, difference_picture, draw_difference_scale};
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
-use eframe::egui::{Color32, ColorImage, Context, ImageData, TextureHandle, TextureOptions};
+use eframe::egui::{ColorImage, Context, ImageData, TextureHandle, TextureOptions};
 use glam::DVec2;
 use normals::NormalsDrawing;
 use pane::{PaneEngine, Wanted};
@@ -333,11 +333,8 @@ fn is_dark(scene: &Scene) -> bool {
 /// A picture for the window.
 pub fn image_of(frame: &Frame) -> ColorImage {
     let size = [frame.width as usize, frame.height as usize];
-    ColorImage::new(size, frame.pixels.iter().map(color).collect())
-}
-
-fn color(&[r, g, b, a]: &[u8; 4]) -> Color32 {
-    Color32::from_rgba_premultiplied(r, g, b, a)
+    // No alpha but 255 occurs.
+    ColorImage::from_rgba_premultiplied(size, frame.pixels.as_flattened())
 }
 
 /// A picture of `size` pixels that `draw` puts on nothing.

@@ -4,12 +4,13 @@
 //! of its own, so that the whole one's stages are kept.
 
 use super::super::document::same_model;
-use super::{clock, color, image_of, upload};
+use super::{clock, image_of, upload};
 use crate::analysis::{LinearPicture, Probe, probe};
 use crate::geometry::Mesh;
-use crate::render::{Renderer, Report, coarseness, coarser_size};
+use crate::render::{Frame, Renderer, Report, coarseness, coarser_size};
 use crate::scene::Scene;
-use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A renderer, and what it drew last.
@@ -152,13 +153,12 @@ impl PaneEngine {
             if image.size != [width, frame.height as usize] {
                 *image = image_of(frame);
             } else if shown.background == background {
-                let lines = image.pixels.chunks_exact_mut(width).zip(frame.pixels.chunks_exact(width));
-                for ((to, from), columns) in lines.zip(renderer.extents()).filter(|(_, columns)| !columns.is_empty()) {
-                    let columns = columns.start as usize..columns.end as usize;
-                    copy(&mut to[columns.clone()], &from[columns]);
+                let rows = (0..).step_by(width).zip(renderer.extents());
+                for (row, columns) in rows.filter(|(_, columns)| !columns.is_empty()) {
+                    copy(frame, image, row + columns.start as usize..row + columns.end as usize);
                 }
             } else {
-                copy(&mut image.pixels, &frame.pixels);
+                copy(frame, image, 0..frame.pixels.len());
             }
         }
         shown.background = background;
@@ -223,8 +223,10 @@ impl PaneEngine {
     }
 }
 
-fn copy(to: &mut [Color32], from: &[[u8; 4]]) {
-    to.iter_mut().zip(from).for_each(|(to, from)| *to = color(from));
+/// Copies some of the pixels, which are stored alike in both.
+fn copy(frame: &Frame, image: &mut ColorImage, pixels: Range<usize>) {
+    let bytes = 4 * pixels.start..4 * pixels.end;
+    image.as_raw_mut()[bytes].copy_from_slice(frame.pixels[pixels].as_flattened());
 }
 
 /// Whether `drawn` is a picture of `scene` at `size` pixels.
