@@ -134,6 +134,9 @@ fn points_are_evaluated_where_they_come_into_sight() {
         assert!((0.3..0.65).contains(&share), "{mode:?}: {share}");
         let evaluations = report.stages.iter().map(|run| run.evaluations).sum::<u64>();
         assert_eq!(evaluations, report.points, "{mode:?}");
+        let terms = renderer.terms();
+        let left_out = terms.iter().find(|term| term.name.ends_with("out of sight")).expect("a term");
+        assert_eq!(left_out.omitted, Some("no polygon in the picture needs them"), "{mode:?}");
 
         let same = |renderer: &mut Renderer, scene: &Scene| {
             renderer.render(scene).pixels == Renderer::default().render(scene).pixels

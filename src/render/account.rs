@@ -142,7 +142,8 @@ impl Account<'_> {
             term("turning N to the light", count, dark.or(clamped)),
         ];
         if self.plan.per != Per::Pixel && self.report.points < self.points() {
-            terms[1] = terms[1].clone().noted("left out where no polygon in the picture needs it");
+            let what = if self.plan.per == Per::Face { "faces out of sight" } else { "vertices out of sight" };
+            terms.push(term(what, count, Some("no polygon in the picture needs them")));
         }
         if self.plan.true_surface {
             terms[0] = terms[0].clone().noted("of unit length but for a rounding, which could turn a code value");
