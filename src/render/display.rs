@@ -161,22 +161,6 @@ fn separate<S: Simd>(simd: S, colors: &[Linear], planes: &mut [[f32; WIDEST]; 4]
     }
 }
 
-/// One plane a component to colours, of one vector.
-#[inline(always)]
-pub(super) fn join<S: Simd>(simd: S, planes: &[Lanes<S>; 4], colors: &mut [Linear]) {
-    let [r, g, b, a] = planes;
-    let [r, g, b, a] = [r.0.as_slice(), g.0.as_slice(), b.0.as_slice(), a.0.as_slice()];
-    for (quad, start) in colors.chunks_exact_mut(4).zip((0..).step_by(4)) {
-        let vectors = [
-            f32x4::from_slice(simd, &r[start..start + 4]),
-            f32x4::from_slice(simd, &g[start..start + 4]),
-            f32x4::from_slice(simd, &b[start..start + 4]),
-            f32x4::from_slice(simd, &a[start..start + 4]),
-        ];
-        f32x4::store_four_interleaved(vectors, quad.as_flattened_mut());
-    }
-}
-
 /// Black and white diagonal stripes, three pixels wide, which no shading looks like.
 fn hatching(x: usize, y: usize) -> [u8; 4] {
     if ((x + y) / 3).is_multiple_of(2) { [0, 0, 0, 255] } else { [255, 255, 255, 255] }

@@ -147,6 +147,22 @@ pub(super) fn fill<S: Simd>(simd: S, line: &mut [Block], columns: Range<usize>, 
     }
 }
 
+/// One plane a component to four numbers a pixel side by side, of one vector.
+#[inline(always)]
+pub(super) fn join<S: Simd>(simd: S, planes: &[Lanes<S>; 4], pixels: &mut [[f32; 4]]) {
+    let [r, g, b, a] = planes;
+    let [r, g, b, a] = [r.0.as_slice(), g.0.as_slice(), b.0.as_slice(), a.0.as_slice()];
+    for (quad, start) in pixels.chunks_exact_mut(4).zip((0..).step_by(4)) {
+        let vectors = [
+            f32x4::from_slice(simd, &r[start..start + 4]),
+            f32x4::from_slice(simd, &g[start..start + 4]),
+            f32x4::from_slice(simd, &b[start..start + 4]),
+            f32x4::from_slice(simd, &a[start..start + 4]),
+        ];
+        f32x4::store_four_interleaved(vectors, quad.as_flattened_mut());
+    }
+}
+
 #[inline(always)]
 fn splat<S: Simd>(simd: S, value: f32) -> S::f32s {
     S::f32s::simd_from(simd, value)

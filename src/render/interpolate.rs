@@ -6,8 +6,7 @@
 
 use super::clip::Clipped;
 use super::cover::{Band, BandPlace, Run, Weights};
-use super::display::join;
-use super::fragments::{self, Block, Fragment};
+use super::fragments::{self, Block, Fragment, join};
 use super::model::Model;
 use super::needed::Needed;
 use super::transform::{HALF, Place, Placed, SUBPIXELS, UNPLACED};
@@ -104,24 +103,23 @@ impl Sources<'_> {
         }
     }
 
-    /// Those of the model: a piece that clipping made has those of the triangle that it is part of.
+    /// The model's triangle: that which a piece that clipping made is part of.
+    #[inline(always)]
+    fn whole(&self, triangle: u32) -> usize {
+        let (index, own) = (triangle as usize, self.model.triangles.len());
+        if index < own { index } else { self.clipped.parents[index - own] as usize }
+    }
+
+    /// The vertices of the model's triangle.
     #[inline(always)]
     pub fn own_vertices(&self, triangle: u32) -> [u32; 3] {
-        let own = self.model.triangles.len();
-        match self.model.triangles.get(triangle as usize) {
-            Some(vertices) => *vertices,
-            None => self.model.triangles[self.clipped.parents[triangle as usize - own] as usize],
-        }
+        self.model.triangles[self.whole(triangle)]
     }
 
     /// The face that a triangle belongs to.
     #[inline(always)]
     pub fn face(&self, triangle: u32) -> u32 {
-        let own = self.model.faces.len();
-        match self.model.faces.get(triangle as usize) {
-            Some(face) => *face,
-            None => self.model.faces[self.clipped.parents[triangle as usize - own] as usize],
-        }
+        self.model.faces[self.whole(triangle)]
     }
 
     /// The vertex that a triangle's face is coloured by where one of them colours it: the face's first.

@@ -523,7 +523,7 @@ impl Painting<'_> {
         let corners = self.sources.model.face(face);
         match self.scene.shading.flat_at {
             FlatAt::Centre => at(face),
-            FlatAt::ProvokingVertex => at(corners.first().copied().unwrap_or_default()),
+            FlatAt::ProvokingVertex => at(self.sources.provoking_vertex(triangle)),
             FlatAt::VertexMean => {
                 #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
                 let share = 1.0 / corners.len().max(1) as f32;

@@ -1,8 +1,8 @@
 //! A band's fragments in, colours out: the equation at pixels, or intensities that vertices carried.
 
 use super::cover::BandPlace;
-use super::display::{Linear, WIDEST, join, pack, raw};
-use super::fragments::Block;
+use super::display::{Linear, WIDEST, pack, raw};
+use super::fragments::{Block, join};
 use super::interpolate::SHORTEST_NORMAL;
 use super::lens::{FARTHEST, Lens};
 use super::shadow::Reach;
