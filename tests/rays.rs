@@ -162,6 +162,32 @@ fn shadows_are_kept_while_the_material_changes_and_traced_again_when_a_light_mov
     }
 }
 
+/// A ray that has entered a ball meets its surface from inside at the angle at which it was refracted, and leaves. Under water
+/// it is mirrored beyond the critical angle, and only there.
+#[test]
+fn what_the_scenes_say_of_total_reflection_is_seen_in_them() {
+    for (name, critical) in [("glass-ball", None), ("under-water", Some((1.0_f64 / 1.33).asin().to_degrees()))] {
+        let preset = presets::find(name).expect("a scene");
+        let mut scene = (preset.build)();
+        scene.image.size = [64, 64];
+        let (mut renderer, mut total, mut passing) = (Renderer::default(), 0, 0);
+        for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
+            let Some(hit) = probe(&mut renderer, &scene, x, y).hit else { continue };
+            let through = hit.transmission.expect("glass");
+            let angle = hit.normal.dot((scene.camera.eye - hit.position).normalize()).acos().to_degrees();
+            assert_eq!(
+                through.total_reflections > 0,
+                critical.is_some_and(|critical| angle > critical),
+                "{name} {x},{y}"
+            );
+            if through.total_reflections > 0 { total += 1 } else { passing += 1 }
+        }
+        assert!(passing > 1000 && (total > 500) == critical.is_some(), "{name}: {total} and {passing}");
+        assert_eq!(critical.is_some(), preset.description.contains("all light is reflected"), "{name}");
+        assert!(!preset.description.contains("totally"), "{name}");
+    }
+}
+
 fn before_wall(eta: f64, through: Through) -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [SIDE, SIDE];

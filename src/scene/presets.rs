@@ -69,7 +69,7 @@ pub const ALL: &[Preset] = &[
         name: "plane",
         title: "Plane",
         topic: "Shapes",
-        description: "One normal everywhere: all that varies comes from the light's and the viewer's distance.",
+        description: "One normal everywhere: all that varies are the directions to the light and to the viewer.",
         build: shapes::plane,
     },
     Preset {
@@ -90,7 +90,7 @@ pub const ALL: &[Preset] = &[
         name: "flat-facets",
         title: "Facets",
         topic: "Shading",
-        description: "A coarse sphere, one shade a polygon: Mach bands make every edge look brighter than it is.",
+        description: "A coarse sphere, one shade a polygon: at every edge Mach bands make the lighter side look lighter, the darker side darker.",
         build: shading::flat_facets,
     },
     Preset {
@@ -153,7 +153,7 @@ pub const ALL: &[Preset] = &[
         name: "sun",
         title: "Parallel rays",
         topic: "Light",
-        description: "A directional light: every shadow has the same direction, and a plane has one shade.",
+        description: "A directional light: every shadow has the same direction, and a plane has one diffuse shade.",
         build: light::sun,
     },
     Preset {
@@ -251,7 +251,7 @@ pub const ALL: &[Preset] = &[
         name: "glass-rim",
         title: "A glass ball, its reflection only",
         topic: "Reflection",
-        description: "W(θ) of glass: 4 % of the light at the front, all of it at the rim.",
+        description: "W(θ) of glass: 4 % of the light that falls straight on, nearly all of what grazes.",
         build: reflection::glass_rim,
     },
     Preset {
@@ -314,7 +314,7 @@ pub const ALL: &[Preset] = &[
         name: "glass-ball",
         title: "A glass ball",
         topic: "Between surfaces",
-        description: "Refracted twice, the pattern behind stands on its head; at the rim light is reflected totally inside.",
+        description: "Refracted twice, the pattern behind stands on its head, squeezed together towards the rim: a ray that enters a ball always leaves it.",
         build: beyond::glass_ball,
     },
     Preset {
@@ -328,7 +328,7 @@ pub const ALL: &[Preset] = &[
         name: "under-water",
         title: "From under water",
         topic: "Between surfaces",
-        description: "η = 1/1.33: beyond 48.8° from the normal nothing passes, and the surface is a mirror.",
+        description: "η = 1/1.33, seen from below: the world above fits in a circle; beyond 48.8° from the normal all light is reflected, and the surface mirrors the dark water.",
         build: beyond::under_water,
     },
     Preset {
