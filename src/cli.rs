@@ -57,6 +57,9 @@ enum Command {
     /// and before rounding.
     Profile(profile::ProfileCommand),
     /// Measure panes of one scene against the last of them: mean, root mean square and greatest difference, and where it is.
+    ///
+    /// Differences are those of linear intensities before they are encoded and rounded; where the display clamps, what is above
+    /// 1 counts as 1. `study` has the errors without the clamp as well.
     Compare(compare::CompareCommand),
     /// Say which faces a vertex normal comes from, and what each of them counts for.
     Normals(normals::NormalsCommand),
@@ -73,7 +76,9 @@ enum Command {
     Scanline(scanline::Scanline),
     /// Measure error against run time: every way of shading at several tessellations against the exact picture.
     ///
-    /// Prints a table with the orders of convergence; with a file only what was asked for is written.
+    /// Prints a table with the orders of convergence; with a file only what was asked for is written. Errors are those of the
+    /// linear intensities before the display, values above 1 in full; “shown” are those of the values clamped to 1 where the
+    /// display clamps, as `compare` has them.
     Study(study::StudyCommand),
     /// Draw the catalogue of stiff and extreme cases: where the textbook's way fails, by how much, and that the engine does not.
     ///

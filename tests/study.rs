@@ -3,7 +3,7 @@
 use glam::DVec3;
 use serde_json::Value;
 use shading_lab::analysis::{Method, Study, StudyRequest, study, study_plot};
-use shading_lab::scene::{Interpolation, Light, LightKind, Projection, Rgb, Scene};
+use shading_lab::scene::{Interpolation, Light, LightKind, Overflow, Projection, Rgb, Scene, presets};
 use std::process::Command;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -58,6 +58,25 @@ fn without_a_terminator_flat_is_of_first_order_and_gouraud_and_phong_of_second()
             assert!((found - expected).abs() <= within, "{projection:?}, {method:?}: {found} is not {expected}");
         }
     }
+}
+
+/// Before the display what is above 1 counts in full; as shown it counts as 1, where the display clamps.
+#[test]
+fn errors_are_told_before_the_display_and_as_shown() {
+    let mut scene = (presets::find("sphere").expect("a scene").build)();
+    scene.image.size = [512, 512];
+    let row = |scene: &Scene| measured(scene, &[Method::Flat], &[32]).rows[0].clone();
+    let clamped = row(&scene);
+    assert!((clamped.error_rms - 0.0328).abs() < 1e-4, "{clamped:?}");
+    assert!((clamped.error_rms_shown - 0.0295).abs() < 1e-4, "{clamped:?}");
+    assert!(clamped.error_max_shown <= clamped.error_max);
+    scene.display.overflow = Overflow::Scale;
+    let scaled = row(&scene);
+    assert_eq!((scaled.error_rms_shown, scaled.error_max_shown), (scaled.error_rms, scaled.error_max));
+    scene.display.overflow = Overflow::Clamp;
+    scene.material.ks = Rgb::ZERO;
+    let matt = row(&scene);
+    assert_eq!((matt.error_rms_shown, matt.error_max_shown), (matt.error_rms, matt.error_max), "all of it below 1");
 }
 
 /// max(N·L, 0) has a corner at the terminator. A polygon that lies across it interpolates over the corner: off by its slope
@@ -143,7 +162,18 @@ fn the_command_prints_the_keys_that_scripts_read() {
     assert_eq!(rows.len(), (2 + 6 * 2 + 1) * 3 * 2);
     for row in rows {
         assert!(row["method"].is_string() && row["segments"].is_u64() && row["rings"].is_u64(), "{row}");
-        for key in ["error_rms", "error_max", "error_p99", "time_ms", "spread_ms", "outline_rms", "n", "evaluations"] {
+        for key in [
+            "error_rms",
+            "error_max",
+            "error_p99",
+            "error_rms_shown",
+            "error_max_shown",
+            "time_ms",
+            "spread_ms",
+            "outline_rms",
+            "n",
+            "evaluations",
+        ] {
             assert!(row[key].as_f64().is_some_and(|number| number >= 0.0), "{key} of {row}");
         }
         assert!(row["time_ms"].as_f64() > Some(0.0) && row["error_rms"].as_f64() <= row["error_max"].as_f64());

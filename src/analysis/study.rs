@@ -35,10 +35,15 @@ pub struct StudyRow {
     pub setting: Setting,
     /// The longest edge of a polygon, world units: the spacing of the vertices.
     pub spacing: f64,
-    /// Inside: root mean square, greatest and 99th percentile, linear intensity.
+    /// Inside: root mean square, greatest and 99th percentile, linear intensity before the display: values above 1 count in
+    /// full.
     pub error_rms: f64,
     pub error_max: f64,
     pub error_p99: f64,
+    /// Inside: root mean square and greatest of the values as shown: where the display clamps, what is above 1 counts as 1, as
+    /// in the figures of a comparison.
+    pub error_rms_shown: f64,
+    pub error_max_shown: f64,
     /// The pixels inside.
     pub interior_pixels: u64,
     /// Pixels that show the object here or in the exact picture, but not in both; the root mean square over them.
@@ -159,13 +164,16 @@ pub fn study(
     study
 }
 
-fn row(setting: &Setting, errors: &RegionErrors, spacing: f64) -> StudyRow {
+/// `shown` are the errors of the values as shown.
+fn row(setting: &Setting, [errors, shown]: &[RegionErrors; 2], spacing: f64) -> StudyRow {
     StudyRow {
         setting: *setting,
         spacing,
         error_rms: errors.interior.rms,
         error_max: errors.interior.greatest,
         error_p99: errors.percentile_99,
+        error_rms_shown: shown.interior.rms,
+        error_max_shown: shown.interior.greatest,
         interior_pixels: errors.interior.pixels,
         outline_pixels: errors.outline_pixels,
         outline_rms: errors.outline_rms,

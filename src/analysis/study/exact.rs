@@ -44,7 +44,7 @@ impl Exact {
         Self { width, pixels, inside }
     }
 
-    /// The picture; nothing is clamped, so that what the display would hide is counted.
+    /// The picture before the display: nothing is clamped.
     pub fn picture(&self) -> LinearPicture<'_> {
         LinearPicture { width: self.width, pixels: &self.pixels, clamps: false }
     }

@@ -37,8 +37,8 @@ impl Bench {
         scene
     }
 
-    /// The errors of a setting, and its spacing of vertices in world units.
-    pub fn errors(&mut self, setting: &Setting) -> (RegionErrors, f64) {
+    /// The errors of a setting before the display and as shown, and its spacing of vertices in world units.
+    pub fn errors(&mut self, setting: &Setting) -> ([RegionErrors; 2], f64) {
         let scene = self.scene(setting);
         let renderer = &mut self.renderer;
         let exact = self.exact.entry(setting.n.to_bits()).or_insert_with(|| {
@@ -56,8 +56,10 @@ impl Bench {
             renderer.render(&scene);
             renderer.linear()
         };
-        let picture = LinearPicture { width: scene.image.size[0], pixels, clamps: false };
-        let errors = region_errors(picture, exact.picture(), &exact.inside);
+        let errors = [false, scene.clamps()].map(|clamps| {
+            let picture = LinearPicture { width: scene.image.size[0], pixels, clamps };
+            region_errors(picture, LinearPicture { clamps, ..exact.picture() }, &exact.inside)
+        });
         (errors, longest_edge(mesh_of(&mut self.mesh, self.model.as_ref(), &scene)))
     }
 

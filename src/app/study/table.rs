@@ -47,10 +47,12 @@ fn name_ui(ui: &mut Ui, row: &StudyRow) -> bool {
     let go =
         if row.scalar { "A historic method: it cannot be shown in the picture" } else { "Shows it in the picture" };
     let says = format!(
-        "{front}n = {}, at most {} and 99 % within {} code values, {} pixels of the outline, {} evaluations. {go}",
+        "{front}n = {}, at most {} and 99 % within {} code values before the display, RMS {} as shown, {} pixels of the \
+         outline, {} evaluations. {go}",
         setting.n,
         brief(255.0 * row.error_max),
         brief(255.0 * row.error_p99),
+        brief(255.0 * row.error_rms_shown),
         row.outline_pixels,
         row.evaluations
     );

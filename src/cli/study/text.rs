@@ -7,17 +7,20 @@ use std::fmt::Write;
 /// A row for each setting.
 pub fn csv(found: &Study) -> String {
     let mut text = "method,segments,rings,interpolation,n,spacing,error_rms,error_max,error_p99,interior_pixels,\
-                    outline_pixels,outline_rms,time_ms,spread_ms,samples,evaluations,pareto,scalar\n"
+                    outline_pixels,outline_rms,time_ms,spread_ms,samples,evaluations,pareto,scalar,error_rms_shown,\
+                    error_max_shown\n"
         .to_owned();
     for row in &found.rows {
         let StudyRow { setting, spacing, error_rms, error_max, error_p99, interior_pixels, .. } = row;
         let StudyRow { outline_pixels, outline_rms, time_ms, spread_ms, samples, evaluations, .. } = row;
+        let StudyRow { pareto, scalar, error_rms_shown, error_max_shown, .. } = row;
         let (method, how, n) = (setting.method.name(), word(setting.interpolation), setting.n);
         let _ = writeln!(
             text,
             "{method},{},{},{how},{n},{spacing},{error_rms},{error_max},{error_p99},{interior_pixels},\
-             {outline_pixels},{outline_rms},{time_ms},{spread_ms},{samples},{evaluations},{},{}",
-            setting.segments, setting.rings, row.pareto, row.scalar
+             {outline_pixels},{outline_rms},{time_ms},{spread_ms},{samples},{evaluations},{pareto},{scalar},\
+             {error_rms_shown},{error_max_shown}",
+            setting.segments, setting.rings
         );
     }
     text
@@ -37,13 +40,26 @@ pub fn table(found: &Study, name: &str, scene: &Scene, threads: usize) -> String
     let [width, height] = scene.image.size;
     let mut text = format!(
         "{name}: {width}×{height}, {threads} threads; errors inside (N·V ≥ 0.2) against the exact picture in code values, \
-         1/255 of linear intensity; * on the front of Pareto\n\n\
-         {:19} {:12} {:>7} {:>10} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>11}\n",
-        "method", "interpolated", "n", "polygons", "RMS", "99 %", "greatest", "outline", "ms", "IQR ms", "evaluations"
+         1/255 of linear intensity, before the display: values above 1 count in full; “shown” with them clamped to 1 where the \
+         display clamps, as compare has it; * on the front of Pareto\n\n\
+         {:19} {:12} {:>7} {:>10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>11}\n",
+        "method",
+        "interpolated",
+        "n",
+        "polygons",
+        "RMS",
+        "99 %",
+        "greatest",
+        "shown",
+        "outline",
+        "ms",
+        "IQR ms",
+        "evaluations"
     );
     for row in &found.rows {
         let setting = &row.setting;
-        let codes = [row.error_rms, row.error_p99, row.error_max].map(|error| format!("{:8.3}", 255.0 * error));
+        let codes = [row.error_rms, row.error_p99, row.error_max, row.error_rms_shown]
+            .map(|error| format!("{:8.3}", 255.0 * error));
         let _ = writeln!(
             text,
             "{:19} {:12} {:>7} {:>10} {} {:>8} {:9.3} {:8.3} {:>11}{}",
