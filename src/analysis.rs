@@ -25,7 +25,7 @@ pub use lobe::{ReflectionLobe, Response};
 pub use normals::{NormalField, SeenNormal, SeenNormals, VertexFace, VertexNormal};
 pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture};
 pub use plot::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
-pub use probe::{CueTerms, LightTerms, Probe, ProbeHit, probe};
+pub use probe::{CueTerms, LightTerms, Probe, ProbeHit, ZeroCause, ZeroCauses, probe};
 pub use profile::{
     Border, Corner, PERCEIVED_WIDTH, Profile, ProfileError, ProfileRequest, Sample, Trace, luminance,
     perceived_picture, profile, profile_plots,

@@ -354,6 +354,32 @@ fn a_probe_adds_up_to_its_pixel() {
 }
 
 #[test]
+fn a_light_that_adds_nothing_says_why() {
+    let folder = Folder::new("probe-why");
+    let at = |pixel: &str, sets: &[&str]| {
+        let mut arguments = vec!["probe", "sphere", "--pixel", pixel];
+        sets.iter().for_each(|set| arguments.extend(["--set", set]));
+        let words = folder.prints(&arguments);
+        arguments.push("--json");
+        (words, folder.json(&arguments)["lights"][0].clone())
+    };
+    let black = ["material.kd=0", "material.ks=0"];
+    let (words, light) = at("384,384", &black);
+    assert!(words.contains("adds nothing: Kd·Od is 0, and Ks·Os is 0") && !words.contains("in shadow"), "{words}");
+    assert_eq!(light["diffuse_zero"], serde_json::json!(["coefficient"]));
+    assert_eq!(light["reached"], 1.0);
+    let (words, light) = at("384,384", &["light.0.position=[0,0,-5]", "shading.shadows=true"]);
+    assert!(words.contains("adds nothing: the light is behind the surface, N·L ≤ 0"), "{words}");
+    assert_eq!(light["specular_zero"], serde_json::json!(["faces-away"]));
+    let (words, light) = at("384,384", &["material.ks=0"]);
+    assert!(words.contains("specular adds nothing: Ks·Os is 0") && words.contains("N·L\n"), "{words}");
+    assert_eq!(
+        (&light["diffuse_zero"], &light["specular_zero"]),
+        (&serde_json::json!([]), &serde_json::json!(["coefficient"]))
+    );
+}
+
+#[test]
 fn a_probe_in_words_has_the_numbers_of_the_probe_in_json() {
     let folder = Folder::new("probe-text");
     for scene in ["sphere", "blinn", "infinite", "attenuation", "highlight", "flat-facets"] {

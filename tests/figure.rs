@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
-use shading_lab::analysis::{LightTerms, Probe, ProbeHit};
+use shading_lab::analysis::{LightTerms, Probe, ProbeHit, ZeroCauses};
 use shading_lab::figure::{Angle, Area, ArrowHead, Halo, Overlay, OverlayLayer, OverlayOptions, draw_overlay, palette};
 use shading_lab::scene::{Light, LightKind, Projection, ReflectionModel, Rgb, Scene, View, Viewer};
 use tiny_skia::Pixmap;
@@ -41,6 +41,8 @@ fn terms(scene: &Scene, light: &Light, position: DVec3, n: DVec3, v: DVec3) -> L
         reached: 1.0,
         diffuse,
         specular,
+        diffuse_zero: ZeroCauses::default(),
+        specular_zero: ZeroCauses::default(),
     }
 }
 

@@ -204,5 +204,26 @@ fn an_area_light_counts_each_of_its_samples_and_gouraud_its_vertices() {
     let diffuse = find(&renderer.terms(), "light 1: diffuse").clone();
     assert_eq!((diffuse.per, diffuse.evaluations), (Per::Vertex, 7 * vertices));
     scene.lights.clear();
-    assert!(terms(&scene).iter().any(|term| term.name == "V" && term.omitted == Some("no light shines")));
+    assert!(terms(&scene).iter().any(|term| term.name == "V" && term.omitted == Some("no light adds anything")));
+}
+
+/// A coefficient is said to be 0 only if it is.
+#[test]
+fn what_is_left_out_is_not_laid_on_a_coefficient_that_is_not_zero() {
+    let mut scene = Scene::default();
+    scene.image.size = [32, 32];
+    scene.lights[0].color = Rgb::new(1.0, 0.0, 0.0);
+    scene.material.specular_color = Rgb::new(0.0, 1.0, 0.0);
+    let why = |scene: &Scene, name: &str| find(&terms(scene), name).omitted;
+    assert_eq!(why(&scene, "light 1: specular"), Some("no light has a colour that Ks·Os reflects"));
+    assert_eq!(why(&scene, "light 1: cone"), Some("it is no spot light"));
+    scene.material.specular_color = Rgb::ZERO;
+    assert_eq!(why(&scene, "light 1: specular"), Some("Ks·Os is 0"));
+    scene.material.specular_color = Rgb::ONE;
+    scene.material.color = Rgb::ZERO;
+    assert_eq!(why(&scene, "light 1: diffuse"), Some("Kd·Od is 0"));
+    assert_eq!(why(&scene, "ambient"), Some("Ka·Od·Ia is 0"));
+    scene.material.ks = Rgb::ZERO;
+    assert_eq!((why(&scene, "V"), why(&scene, "shadows")), (Some("no light adds anything"), Some("switched off")));
+    assert_eq!(why(&scene, "light 1: specular"), Some("the material takes no part of it"));
 }

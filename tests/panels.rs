@@ -228,7 +228,7 @@ fn a_silent_light_is_named_with_the_reason() {
     assert!(says(&harness, "1").ends_with("blue"));
     press(&mut harness, "Light 1 mute");
     assert_eq!(says(&harness, "1"), "muted");
-    assert!(harness.query_by_label_contains("It is muted: it adds nothing").is_some(), "the chosen light is unfolded");
+    assert!(harness.query_by_label_contains("It adds nothing: it is muted").is_some(), "the chosen light is unfolded");
     press(&mut harness, "Light 2");
     press(&mut harness, "Light 2 solo");
     assert_eq!((says(&harness, "1"), says(&harness, "3")), ("muted".into(), "another is soloed".into()));

@@ -1,9 +1,14 @@
 //! The pixel probe: the equation at one pixel, in double precision.
 
+mod zero;
+
+pub use zero::{ZeroCause, ZeroCauses};
+
 use crate::illumination::Equation;
 use crate::render::{Evaluation, Renderer, Transmission};
 use crate::scene::{LightKind, ReflectionModel, Rgb, Scene};
 use glam::DVec3;
+use zero::zero_causes;
 
 /// The equation at one pixel.
 #[derive(Clone, Debug)]
@@ -48,7 +53,7 @@ pub struct ProbeHit {
     pub sum: Rgb,
     /// What the display divides the intensity by; 1 unless it scales the picture.
     pub divisor: f64,
-    /// The stored value of the pixel.
+    /// The stored value of the pixel in the scene's own picture, without the panes of a comparison.
     pub stored: [u8; 3],
 }
 
@@ -88,12 +93,18 @@ pub struct LightTerms {
     /// The angle of incidence that W depends on, radians: between L and N, or between L and H for the models that mirror
     /// at H.
     pub incidence: f64,
-    /// The part of the light that is not in shadow: of an area light's samples, and of the places of evaluation.
+    /// The part of the light that is not in shadow: of an area light's samples, and of the places of evaluation. Where no ray
+    /// is followed, nothing is known to stand before it: with shadows switched off, where the surface is turned away from
+    /// the light, and where the light adds nothing to the whole picture.
     pub reached: f64,
     /// `f·Ip·kd·color·(N·L)` as it enters the sum.
     pub diffuse: Rgb,
     /// `f·Ip·ks·W·S` as it enters the sum.
     pub specular: Rgb,
+    /// Why `diffuse` is 0, if it is.
+    pub diffuse_zero: ZeroCauses,
+    /// Why `specular` is 0, if it is.
+    pub specular_zero: ZeroCauses,
 }
 
 /// Evaluates the equation at pixel (`x`, `y`) of `scene`, drawing it first if it is not the picture last drawn.
@@ -172,6 +183,8 @@ fn light_terms(
         specular += site.weight * response.specular;
         reached += site.weight * response.reached;
     }
+    let left_out = shining.sources_of(light).is_empty();
+    let [diffuse_zero, specular_zero] = zero_causes(scene, [equation, shining], evaluation, light, [diffuse, specular]);
     let phi = match scene.reflection.model {
         ReflectionModel::Phong => angle(here.r, here.v),
         ReflectionModel::Blinn | ReflectionModel::CookTorrance => angle(evaluation.normal, here.h),
@@ -188,9 +201,11 @@ fn light_terms(
         spot: here.spot,
         reflectance: here.reflectance,
         incidence: here.incidence,
-        reached,
+        reached: if left_out { 1.0 } else { reached },
         diffuse,
         specular,
+        diffuse_zero,
+        specular_zero,
     }
 }
 

@@ -74,6 +74,7 @@ fn missing_ui(ui: &mut Ui, engine: &Engine, light: usize) {
     let text = match &probe.hit {
         None => "The probe sees the background. Double-click the object, or drag the ring onto it.".to_owned(),
         Some(hit) if hit.lights.is_empty() => "There is no light to be reflected.".to_owned(),
+        Some(hit) if hit.normal == glam::DVec3::ZERO => "The normal has no direction here.".to_owned(),
         Some(_) => format!("Light {} is behind the surface here: nothing is reflected.", light + 1),
     };
     ui.label(text);

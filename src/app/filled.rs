@@ -18,7 +18,7 @@ use super::palette::Term;
 use super::state::AppState;
 use super::symbol::Symbol;
 use super::typeset::{Piece, Place};
-use crate::analysis::ProbeHit;
+use crate::analysis::{LightTerms, ProbeHit};
 use crate::scene::Scene;
 use eframe::egui::{RichText, Ui, vec2};
 use glam::DVec3;
@@ -106,11 +106,11 @@ fn sum_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Notation
     letters_ui(ui, state, &line("I", here.hit.sum), &[letter]);
 }
 
-/// How much of a light reaches the point, in words; nothing where no shadows are drawn.
-pub fn shadow_words(scene: &Scene, reached: f64) -> Option<String> {
-    scene.shading.shadows.then(|| match reached {
-        0.0 => "in shadow".to_owned(),
-        part if part < 1.0 => format!("{:.1} % in light", 100.0 * part),
-        _ => "in light".to_owned(),
-    })
+/// How much of a light arrives, in words; nothing where it adds something and no shadows are drawn.
+pub fn arriving_words(scene: &Scene, terms: &LightTerms) -> Option<String> {
+    if let Some(why) = terms.why_nothing_in_short() {
+        return Some(why.to_owned());
+    }
+    let hidden = 100.0 * (1.0 - terms.reached);
+    scene.shading.shadows.then(|| if hidden > 0.0 { format!("{hidden:.1} % in shadow") } else { "in light".to_owned() })
 }

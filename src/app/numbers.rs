@@ -4,7 +4,7 @@ use super::compare::compare_ui;
 use super::curves::{Curves, curves_ui};
 use super::defects::defects_ui;
 use super::engine::Engine;
-use super::filled::{filled_ui, shadow_words, to_line};
+use super::filled::{arriving_words, filled_ui, to_line};
 use super::palette::vector_text;
 use super::plan::plan_ui;
 use super::profile::profile_ui;
@@ -198,7 +198,7 @@ fn angles_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit, terms: &LightTerms) {
         if let Some(t) = transmitted(hit) {
             line("θt, T to −N", format!("{:.2}°", to_line(hit.normal, t).to_degrees()));
         }
-        if let Some(words) = shadow_words(scene, terms.reached) {
+        if let Some(words) = arriving_words(scene, terms) {
             line("light", words);
         }
     });

@@ -8,7 +8,9 @@ use super::output::{print, print_json};
 use clap::Args;
 use glam::DVec3;
 use serde::Serialize;
-use shading_lab::analysis::{CueTerms, LightTerms, Probe, ProbeHit, SamplingError, probe, sampling_error_with};
+use shading_lab::analysis::{
+    CueTerms, LightTerms, Probe, ProbeHit, SamplingError, ZeroCauses, probe, sampling_error_with,
+};
 use shading_lab::render::{Renderer, Transmission};
 use shading_lab::scene::{LightKind, Rgb};
 
@@ -76,6 +78,7 @@ struct PrintedHit {
     sum: Rgb,
     /// What the display divides the sum by.
     divisor: f64,
+    /// The pixel of the scene's own picture, which panes beside it do not make smaller.
     stored: [u8; 3],
 }
 
@@ -126,6 +129,9 @@ struct PrintedLight {
     reached: f64,
     diffuse: Rgb,
     specular: Rgb,
+    /// Why the term is 0: no cause where it adds something, several where one holds here and another there.
+    diffuse_zero: ZeroCauses,
+    specular_zero: ZeroCauses,
     /// The error of an area light's samples over the picture.
     #[serde(skip_serializing_if = "Option::is_none")]
     sampling: Option<PrintedSampling>,
@@ -193,7 +199,7 @@ impl From<LightTerms> for PrintedLight {
         let LightTerms { kind, l, r, h, n_dot_l, theta, phi, attenuation, spot, reached, diffuse, specular, .. } =
             terms;
         let (theta, phi, incidence) = (theta.to_degrees(), phi.to_degrees(), terms.incidence.to_degrees());
-        let w = terms.reflectance;
+        let (w, diffuse_zero, specular_zero) = (terms.reflectance, terms.diffuse_zero, terms.specular_zero);
         Self {
             kind,
             l,
@@ -209,6 +215,8 @@ impl From<LightTerms> for PrintedLight {
             reached,
             diffuse,
             specular,
+            diffuse_zero,
+            specular_zero,
             sampling: None,
         }
     }

@@ -58,6 +58,11 @@ impl Reached<'_> {
         Self { first, ..self }
     }
 
+    /// Whether `source` reaches the first site.
+    pub(crate) fn holds(self, source: usize) -> bool {
+        self.bits(source) & 1 == 1
+    }
+
     /// The bits of `source`, the lowest that of the first lane's site.
     #[inline(always)]
     fn bits(&self, source: usize) -> u64 {
@@ -464,7 +469,7 @@ impl Equation<f64> {
         for index in range {
             let source = &self.sources[index];
             let response = self.form.dispatch(Respond { equation: self, source, site: &site });
-            let lit = if reached.is_none_or(|reached| reached.bits(index) & 1 == 1) { 1.0 } else { 0.0 };
+            let lit = if reached.is_none_or(|reached| reached.holds(index)) { 1.0 } else { 0.0 };
             let reflectance = self.reflectance(response.incidence);
             sum.l += DVec3::from(response.l);
             sum.attenuation += share * response.attenuation;

@@ -54,13 +54,19 @@ impl<T: Scalar> Cone<T> {
         })
     }
 
+    /// `1 − cos` of the angle between the axis and −`l`.
+    #[inline(always)]
+    fn gap<R: Real<Scalar = T>>(&self, l: V3<R>) -> R {
+        let chord = l + V3::constant(l.x, self.axis);
+        chord.dot(chord) * T::from_f64(0.5)
+    }
+
     /// The part of the intensity that is sent in the direction −`l`.
     #[inline(always)]
     fn factor<R: Real<Scalar = T>>(&self, l: V3<R>) -> R {
         let (zero, one) = (l.x.constant(T::default()), l.x.constant(T::from_f64(1.0)));
         let tiny = l.x.constant(T::from_f64(f64::from(f32::MIN_POSITIVE)));
-        let chord = l + V3::constant(l.x, self.axis);
-        let gap = chord.dot(chord) * T::from_f64(0.5);
+        let gap = self.gap(l);
         let power = ((one - gap).max(tiny).log2() * self.exponent).exp2();
         let inside = ((l.x.constant(self.edge) - gap) * self.inverse_fade).max(zero).min(one);
         // Hermite's cubic: level at both ends of the edge.
@@ -204,6 +210,14 @@ impl<T: Scalar> Source<T> {
             None => l.x.constant(T::from_f64(1.0)),
             Some(cone) => cone.factor(l),
         }
+    }
+
+    /// Whether −`l` lies outside a spot light's cone, which sends nothing there.
+    pub fn is_outside_cone(&self, l: V3<T>) -> bool
+    where
+        T: Real<Scalar = T>,
+    {
+        self.cone.as_ref().is_some_and(|cone| cone.gap(l) >= cone.edge)
     }
 
     /// The direction to the source from `position`, and how many times its length the source is away.

@@ -6,7 +6,8 @@ use super::frame::{Report, Stage};
 use super::plan::{Cued, Facts, Per, Plan, casts_shadows, not_cued, silences, stiff};
 use crate::illumination::{Equation, SpecularForm};
 use crate::scene::{
-    AmbientSource, Backfacing, Encoding, LightKind, ObjectKind, Overflow, PatternKind, Reflectance, Rgb, Scene, Viewer,
+    AmbientSource, Backfacing, Encoding, LightKind, Material, ObjectKind, Overflow, PatternKind, Reflectance, Rgb,
+    Scene, Viewer,
 };
 use serde::Serialize;
 
@@ -41,6 +42,20 @@ pub(super) struct Account<'a> {
     pub backs: u64,
     /// Colours that flat shading makes ready: one for each triangle's runs that follow each other.
     pub inks: u64,
+}
+
+/// Why nothing is done that lights are needed for.
+pub(super) const NO_LIGHT: &str = "no light adds anything";
+
+/// Why no light is reflected specularly.
+fn no_specular(material: &Material) -> &'static str {
+    if material.ks == Rgb::ZERO {
+        "Ks is 0"
+    } else if material.ks * material.specular_color == Rgb::ZERO {
+        "Ks·Os is 0"
+    } else {
+        "no light has a colour that Ks·Os reflects"
+    }
 }
 
 const SURFACE: &str = "rays meet the true surface";
@@ -127,9 +142,9 @@ impl Account<'_> {
         let stage = self.stage();
         let count = self.sites();
         let term = |name: &str, count, omitted| self.term(stage, name, count, omitted);
-        let dark = (!self.plan.lights.contains(&true)).then_some("no light shines");
+        let dark = (!self.plan.lights.contains(&true)).then_some(NO_LIGHT);
         let equation = self.prepared();
-        let no_specular = (equation.form() == SpecularForm::None && !kept).then_some("Ks is 0");
+        let no_specular = (equation.form() == SpecularForm::None && !kept).then(|| no_specular(&scene.material));
         let infinite = scene.camera.viewer == Viewer::Infinite;
         let constant = (scene.pattern.kind == PatternKind::None).then_some("one colour everywhere");
         let clamped = (scene.reflection.backfacing == Backfacing::Clamp).then_some("surfaces turned away get none");
@@ -149,7 +164,7 @@ impl Account<'_> {
             terms[0] = terms[0].clone().noted("of unit length but for a rounding, which could turn a code value");
         }
         if constant.is_some() && scene.material.ka * scene.material.color * scene.ambient.color == Rgb::ZERO {
-            terms[4] = term("ambient", count, Some("Ka·Ia is 0"));
+            terms[4] = term("ambient", count, Some("Ka·Od·Ia is 0"));
         }
         let enough = (!self.plan.double).then_some("single precision does");
         let stiff = stiff(scene, self.facts).unwrap_or("polygons are all there is of the object: shown exactly");
@@ -183,14 +198,15 @@ impl Account<'_> {
         let attenuates = kept || sources.iter().any(crate::illumination::Source::attenuates);
         let colour = if scene.pattern.kind == PatternKind::None { Rgb::ZERO } else { scene.pattern.color };
         let matt = scene.material.kd * (scene.material.color + colour) == Rgb::ZERO && !kept;
-        let spot = (light.kind != LightKind::Spot).then_some("it shines to all sides");
+        let matt = matt.then_some(if scene.material.kd == Rgb::ZERO { "Kd is 0" } else { "Kd·Od is 0" });
+        let spot = (light.kind != LightKind::Spot).then_some("it is no spot light");
         let law = (scene.material.reflectance == Reflectance::Constant).then_some("it is constant");
         vec![
             term("L", if parallel { (Per::Frame, times) } else { each }, None),
             term("attenuation", each, (!attenuates).then_some("f is the same everywhere")),
             term("cone", each, spot),
             term("N·L", each, None).noted("evaluated also where the light is behind: its sign tells"),
-            term("diffuse", each, matt.then_some("Kd is 0")),
+            term("diffuse", each, matt),
             term("specular", each, no_specular).noted(
                 "skipped where N·L ≤ 0 in a whole vector of points, and the power where it changes no sum in single \
                  precision; what is less than half a code value is kept, since it could turn one",

@@ -3,6 +3,7 @@
 //! Leaving out never changes a stored pixel (`tests/omissions.rs`). The renderer executes the plan; `account.rs` tells it to
 //! the reader, term by term.
 
+use super::account::NO_LIGHT;
 use super::surroundings::Surroundings;
 use crate::illumination::SpecularForm;
 use crate::scene::{
@@ -269,7 +270,7 @@ pub(super) fn casts_shadows(scene: &Scene, facts: &Facts, lights: &[bool]) -> Op
         return Some("switched off");
     }
     if !lights.contains(&true) {
-        return Some("no light shines");
+        return Some(NO_LIGHT);
     }
     // Where surfaces turned away are lit all the same, the solid stands between them and the light.
     let clamped = scene.reflection.backfacing == Backfacing::Clamp;

@@ -1,16 +1,16 @@
 //! One light's two terms: how strongly it arrives, and what the surface makes of it.
 
-use super::figure::Figure;
 use super::notation::{Notation, Vectors};
 use super::outline::{AT_PROBE, Line, Opening, Says, fold_ui};
 use super::share::{Share, percent};
 use super::table::{LEAST_SCALE, Table};
 use super::terms::{LightHere, Product};
 use super::working::working;
+use crate::analysis::ZeroCause;
 use crate::app::palette::Term;
 use crate::app::state::AppState;
 use crate::app::typeset::{Piece, Place, Run, run_ui, spoken};
-use crate::scene::{LightKind, Rgb};
+use crate::scene::LightKind;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Layout, RichText, Ui, WidgetInfo};
 
@@ -29,15 +29,15 @@ impl Part<'_> {
     /// The light's line, which unfolds to its terms.
     pub fn ui(&self, ui: &mut Ui, state: &mut AppState, opening: Opening) {
         let terms = self.light.terms;
-        let silent = self.light.silence();
+        let silent = terms.why_nothing_in_short();
         let says = silent.map_or_else(|| Says::sum(terms.diffuse + terms.specular), |why| Says::Words(why.to_owned()));
         let colour = if silent.is_some() { self.notation.weak() } else { self.notation.strong() };
         let name = self.name();
         let line = Line { sign: "+", name: &name, says, colour, flat: false, lettered: false };
         let sought = state.lit.seek;
-        fold_ui(ui, &format!("light {}", self.index), &line, opening, |ui| match silent {
-            Some(_) => {
-                ui.label(RichText::new(self.why()).weak());
+        fold_ui(ui, &format!("light {}", self.index), &line, opening, |ui| match terms.why_nothing() {
+            Some(why) => {
+                ui.label(RichText::new(format!("It adds nothing: {why}.")).weak());
             }
             None => self.terms_ui(ui, state),
         });
@@ -52,24 +52,6 @@ impl Part<'_> {
         if name.is_empty() { format!("light {number}") } else { format!("{number} {name}") }
     }
 
-    /// Why the light adds nothing, in a sentence.
-    fn why(&self) -> String {
-        let terms = self.light.terms;
-        match self.light.silence() {
-            Some("muted") => "It is muted: it adds nothing.".to_owned(),
-            Some("another is soloed") => "Another light is soloed: this one adds nothing.".to_owned(),
-            Some("black") => "Its Ip is black: it adds nothing.".to_owned(),
-            Some("in shadow") => "Something stands before it: none of it reaches the point.".to_owned(),
-            Some("behind the surface") => {
-                let [angle, cosine] = [terms.theta.to_degrees(), terms.n_dot_l];
-                let cosine = Figure::new(cosine).text();
-                format!("N·L = cos {angle:.2}° = {cosine}: the light is behind the surface and adds nothing.")
-            }
-            Some("outside its cone") => "The point lies outside its cone: none of its light goes there.".to_owned(),
-            _ => "Its terms are 0 here.".to_owned(),
-        }
-    }
-
     fn terms_ui(&self, ui: &mut Ui, state: &mut AppState) {
         let vectors = self.vectors();
         let id = ui.scope_id().with(("light at the probe", self.index));
@@ -78,25 +60,20 @@ impl Part<'_> {
         }
         let lines = working(self.light, &vectors, self.notation);
         working_ui(ui, state, &lines.arriving, Place { id: id.with("arriving"), name: AT_PROBE });
-        let material = &self.light.here.scene.material;
-        let diffuse = (Term::Diffuse, "diffuse", "Kd·Od", material.kd * material.color == Rgb::ZERO);
-        let specular = (Term::Specular, "specular", "Ks", material.ks * material.specular_color == Rgb::ZERO);
-        for (term, name, coefficient, none) in [diffuse, specular] {
+        let terms = self.light.terms;
+        let told_by_cosine = terms.specular_zero == ZeroCause::MissesViewer.into();
+        let diffuse = (Term::Diffuse, "diffuse", terms.why_no_diffuse(), lines.diffuse, self.light.diffuse());
+        let specular = (Term::Specular, "specular", terms.why_no_specular(), lines.specular, self.light.specular());
+        for (term, name, zero, lines, product) in [diffuse, specular] {
             let place = Place { id: id.with(name), name: AT_PROBE };
             self.title_ui(ui, term, name);
-            if none {
-                ui.label(RichText::new(format!("{coefficient} is 0.")).weak());
-                continue;
+            if zero.is_none() || told_by_cosine {
+                working_ui(ui, state, &lines, Place { id: place.id.with("working"), ..place });
             }
-            let (lines, product) = match term {
-                Term::Specular => (&lines.specular, self.light.specular()),
-                _ => (&lines.diffuse, self.light.diffuse()),
-            };
-            working_ui(ui, state, lines, Place { id: place.id.with("working"), ..place });
-            if term == Term::Specular && self.light.misses_the_viewer() {
-                continue;
+            match zero {
+                Some(why) => _ = ui.label(RichText::new(format!("0: {why}.")).weak()),
+                None => self.table_ui(ui, state, term, &product, &vectors, place),
             }
-            self.table_ui(ui, state, term, &product, &vectors, place);
         }
     }
 

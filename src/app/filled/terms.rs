@@ -264,38 +264,9 @@ impl LightHere<'_> {
         }
     }
 
-    /// Whether the highlight points away from the viewer, so that the line about its cosine says all.
-    pub fn misses_the_viewer(self) -> bool {
-        let turned_away =
-            self.here.scene.reflection.model != ReflectionModel::CookTorrance && self.lobe_cosine() <= 0.0;
-        self.is_one_product() && turned_away && self.terms.specular == Rgb::ZERO
-    }
-
     /// Whether N has been turned about towards the light.
     pub fn turned(self) -> bool {
         self.terms.n_dot_l < 0.0 && self.here.scene.reflection.backfacing == Backfacing::Flip
-    }
-
-    /// Why the light adds nothing, in a few words; none where it does add something.
-    pub fn silence(self) -> Option<&'static str> {
-        let scene = self.here.scene;
-        if self.source.mute {
-            Some("muted")
-        } else if !self.source.shines(scene.soloing()) {
-            Some("another is soloed")
-        } else if self.terms.diffuse != Rgb::ZERO || self.terms.specular != Rgb::ZERO {
-            None
-        } else if self.source.color == Rgb::ZERO {
-            Some("black")
-        } else if self.terms.reached == 0.0 {
-            Some("in shadow")
-        } else if self.here.at_pixel() && self.facing() <= 0.0 {
-            Some("behind the surface")
-        } else if self.source.kind == LightKind::Spot && self.terms.spot == 0.0 {
-            Some("outside its cone")
-        } else {
-            Some("adds nothing")
-        }
     }
 }
 
@@ -359,7 +330,7 @@ mod tests {
         assert_makes_its_value(&here.ambient(), &format!("{what} ambient"));
         let mut sum = here.hit.ambient;
         for light in here.lights() {
-            if light.silence().is_none() {
+            if light.terms.why_nothing().is_none() {
                 assert_makes_its_value(&light.diffuse(), &format!("{what} diffuse"));
                 assert_makes_its_value(&light.specular(), &format!("{what} specular"));
             }
@@ -384,17 +355,5 @@ mod tests {
         let factors = |product: Product| product.columns.into_iter().flat_map(|c| c.factors).collect::<Vec<_>>();
         assert_eq!(factors(light.diffuse()), [Factor::Ip, Factor::Kd, Factor::Od, Factor::Facing]);
         assert_eq!(factors(light.specular()), [Factor::Ip, Factor::Ks, Factor::Lobe]);
-    }
-
-    #[test]
-    fn a_silent_light_says_why() {
-        let mut scene = Scene::default();
-        scene.image.size = [32, 32];
-        scene.lights.push(Light { solo: true, ..Light::default() });
-        let hit = probe(&mut Renderer::default(), &scene, 16, 16).hit.expect("the sphere");
-        let says = |scene: &Scene| Here { scene, hit: &hit }.lights().map(LightHere::silence).collect::<Vec<_>>();
-        assert_eq!(says(&scene), [Some("another is soloed"), None]);
-        scene.lights[1].mute = true;
-        assert_eq!(says(&scene)[1], Some("muted"));
     }
 }

@@ -110,13 +110,14 @@ fn describe_light(text: &mut String, scene: &Scene, index: usize, light: &LightT
     };
     let name = if source.name.is_empty() { String::new() } else { format!(" “{}”", source.name) };
     let _ = writeln!(text, "\nlight {index}{name}, {kind}, f = {f}");
-    if !source.shines(scene.soloing()) {
-        let why = if source.mute { "muted" } else { "another light is soloed" };
-        let _ = writeln!(text, "  {why}: it adds nothing");
+    if source.shines(scene.soloing()) {
+        vectors(text, &[("L  to the light", light.l), ("R  L mirrored", light.r), ("H  half-way", light.h)]);
+        angles(text, scene, light);
+    }
+    if let Some(why) = light.why_nothing() {
+        let _ = writeln!(text, "  adds nothing: {why}");
         return;
     }
-    vectors(text, &[("L  to the light", light.l), ("R  L mirrored", light.r), ("H  half-way", light.h)]);
-    angles(text, scene, light);
     // The sum over an area light's samples is no product of mean factors.
     let at_pixel = matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact);
     if at_pixel && source.kind != LightKind::Area {
@@ -130,6 +131,11 @@ fn describe_light(text: &mut String, scene: &Scene, index: usize, light: &LightT
     for (c, name) in CHANNELS.iter().enumerate() {
         let terms = format!("{} + {}", number(light.diffuse[c]), number(light.specular[c]));
         row(text, name, &terms, light.diffuse[c] + light.specular[c]);
+    }
+    for (term, why) in [("diffuse", light.why_no_diffuse()), ("specular", light.why_no_specular())] {
+        if let Some(why) = why {
+            let _ = writeln!(text, "  the {term} term is 0: {why}");
+        }
     }
 }
 
@@ -163,20 +169,51 @@ fn products(text: &mut String, scene: &Scene, source: &Light, light: &LightTerms
         Backfacing::Clamp => light.n_dot_l.max(0.0),
         Backfacing::Flip => light.n_dot_l.abs(),
     };
-    let f = light.attenuation * light.spot * light.reached;
+    let arriving = Arriving::of(light);
+    let f = arriving.product();
     let reflected = color * m.ks * m.specular_color * light.reflectance;
     let power = ratio(light.specular, reflected * f);
-    text.push_str("diffuse           f ·         Ip ·         kd ·         Od ·        N·L\n");
-    for (c, name) in CHANNELS.iter().enumerate() {
+    let [head, factors] = arriving.columns();
+    let mut term = |name: &str, columns: &str, why: Option<String>, row_of: &dyn Fn(usize) -> ([f64; 4], f64)| {
+        if let Some(why) = why {
+            let _ = writeln!(text, "{name} adds nothing: {why}");
+            return;
+        }
+        let _ = writeln!(text, "{name:8}{head} ·{columns}");
+        for (c, channel) in CHANNELS.iter().enumerate() {
+            let (others, result) = row_of(c);
+            row(text, channel, &format!("{factors} · {}", others.map(number).join(" · ")), result);
+        }
+    };
+    term("diffuse", "         Ip ·         kd ·         Od ·        N·L", light.why_no_diffuse(), &|c| {
         let od = surface_color(scene, c, light.diffuse[c], f * color[c] * m.kd[c] * facing);
-        let factors = [f, color[c], m.kd[c], od, facing].map(number).join(" · ");
-        row(text, name, &factors, light.diffuse[c]);
+        ([color[c], m.kd[c], od, facing], light.diffuse[c])
+    });
+    term("specular", "         Ip ·      ks·Os ·          W ·          S", light.why_no_specular(), &|c| {
+        ([color[c], m.ks[c] * m.specular_color[c], light.reflectance[c], power], light.specular[c])
+    });
+}
+
+/// How much of a light arrives: f, with a spot's part and what is not in shadow where they are not 1.
+struct Arriving(Vec<(&'static str, f64)>);
+
+impl Arriving {
+    fn of(light: &LightTerms) -> Self {
+        let mut factors = vec![("f", light.attenuation)];
+        factors.extend((light.kind == LightKind::Spot).then_some(("s", light.spot)));
+        factors.extend((light.reached < 1.0).then_some(("lit", light.reached)));
+        Self(factors)
     }
-    text.push_str("specular          f ·         Ip ·      ks·Os ·          W ·          S\n");
-    for (c, name) in CHANNELS.iter().enumerate() {
-        let ks = m.ks[c] * m.specular_color[c];
-        let factors = [f, color[c], ks, light.reflectance[c], power].map(number).join(" · ");
-        row(text, name, &factors, light.specular[c]);
+
+    fn product(&self) -> f64 {
+        self.0.iter().map(|(_, value)| value).product()
+    }
+
+    /// Their letters, and their numbers below them.
+    fn columns(&self) -> [String; 2] {
+        let letters: Vec<_> = self.0.iter().map(|(letter, _)| format!("{letter:>WIDTH$}")).collect();
+        let numbers: Vec<_> = self.0.iter().map(|(_, value)| number(*value)).collect();
+        [letters, numbers].map(|column| column.join(" · "))
     }
 }
 
