@@ -12,8 +12,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 use reasons::Judge;
 use shading_lab::analysis::{ZeroCause, probe};
+use shading_lab::geometry::tessellate;
 use shading_lab::render::Renderer;
-use shading_lab::scene::{Interpolation, NormalSource, ObjectKind, Overflow, Scene, ShadingMode, presets};
+use shading_lab::scene::{FlatAt, Interpolation, NormalSource, ObjectKind, Overflow, Rgb, Scene, ShadingMode, presets};
 use textbook::{Dice, field_edge, meet, random_scene, steps, textbook};
 
 /// The greatest difference in code values over the pixels at least 1.5 pixels inside the outline, but for those that
@@ -98,6 +99,39 @@ fn the_probe_adds_up_to_the_stored_pixel() {
             }
         }
         assert!(seen >= 5, "the object is in the picture");
+    }
+}
+
+/// Which normal each way of flat shading takes: that of the highlight's terms at its places, worked out apart.
+#[test]
+fn flat_shading_takes_the_normals_that_are_documented() {
+    let mut scene = Scene::default();
+    scene.image.size = [64, 64];
+    (scene.object.segments, scene.object.rings) = (9, 6);
+    scene.material.ks = Rgb::ZERO;
+    let mut renderer = Renderer::default();
+    let mesh = tessellate(&scene.object);
+    let (own, light) =
+        (mesh.with_vertex_normals(scene.object.normals, scene.object.weighting), scene.lights[0].position);
+    let lambert = |p: DVec3, n: DVec3| n.dot((light - p).normalize()).max(0.0);
+    for (mode, flat_at) in [
+        (ShadingMode::Flat, FlatAt::Centre),
+        (ShadingMode::Flat, FlatAt::VertexMean),
+        (ShadingMode::Flat, FlatAt::ProvokingVertex),
+    ] {
+        (scene.shading.mode, scene.shading.flat_at) = (mode, flat_at);
+        let hit = probe(&mut renderer, &scene, 36, 28).hit.expect("the sphere");
+        let face = hit.face.expect("a polygon") as usize;
+        let corners = own.face(face).iter().map(|&v| v as usize);
+        let shades: Vec<f64> =
+            corners.map(|v| lambert(own.positions[v].as_dvec3(), own.normals[v].as_dvec3())).collect();
+        let expected = match flat_at {
+            FlatAt::Centre => lambert(mesh.face_centre(face), mesh.face_normal(face)),
+            FlatAt::VertexMean => shades.iter().sum::<f64>() / shades.len() as f64,
+            FlatAt::ProvokingVertex => shades[0],
+        };
+        let found = hit.lights[0].diffuse / (scene.material.kd * scene.material.color);
+        assert!((found.x - expected).abs() < 1e-6, "{flat_at:?}: {found} and {expected}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
 
-use shading_lab::analysis::{ErrorFigures, luminance};
+use shading_lab::analysis::{ErrorFigures, luminance, probe};
 use shading_lab::figure::{DrawnPane, comparison_sheet, draw_panes, pane_figures, panes_on_sheet};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Compare, CompareView, DifferenceKind, Pane, Rgb, Scene, ShadingMode, presets};
@@ -30,6 +30,17 @@ fn a_pane_is_the_scene_with_its_own_settings() {
         alone.shading.mode = mode;
         assert_eq!(Renderer::default().render(&alone).pixels, pane.frame.pixels, "{mode:?}");
     }
+}
+
+/// The probe knows no panes: it reads the scene's own picture, as large as the whole sheet.
+#[test]
+fn what_the_probe_calls_stored_is_the_scenes_own_picture() {
+    let with = scene(CompareView::Panes);
+    let without = Scene { compare: Compare::default(), ..with.clone() };
+    let stored = |scene: &Scene| probe(&mut Renderer::default(), scene, 40, 30).hit.map(|hit| hit.stored);
+    assert!(stored(&with).is_some() && stored(&with) == stored(&without));
+    let frame = Renderer::default().render(&without).clone();
+    assert_eq!(frame.pixel(40, 30), stored(&with));
 }
 
 #[test]

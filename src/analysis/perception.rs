@@ -56,7 +56,8 @@ pub enum ResponseModel {
     /// Response normalisation, after Kingdom (2014): channels an octave apart, the gain of each lowered where it responds
     /// strongly nearby, so that their responses become more equal.
     ///
-    /// `R = I + w·Σ ρ·Eₖ/(ρ + √(G(2σₖ)∗Eₖ²))` with `Eₖ = G(σₖ)∗I − G(2σₖ)∗I` and `σₖ = 2ᵏ·σc` as far as σs.
+    /// `R = I + w·Σ ρ·Eₖ/(ρ + √(G(2σₖ)∗Eₖ²))` with `Eₖ = G(σₖ)∗I − G(2σₖ)∗I` and `σₖ = 2ᵏ·σc`, up to the first k whose
+    /// `2σₖ·√2 ≥ σs`.
     ///
     /// A simple form of that idea, not the published model with its fitted constants. Weak responses are those of lateral
     /// inhibition; a step saturates its channels and gains less than a corner.

@@ -162,7 +162,9 @@ impl Mesh {
     }
 }
 
-/// The angle inside a polygon at `corner`, 0 to 2π, for a polygon with unit normal `normal`.
+/// The angle inside a polygon at `corner`, 0 to 2π, for a polygon with unit normal `normal`: that between the edges where the
+/// polygon is plane. Where the corner's own plane is tilted by δ against the normal, as on a warped polygon, an angle a
+/// between the edges counts as `atan2(cos δ·sin a, cos a)`.
 fn interior_angle(previous: DVec3, corner: DVec3, next: DVec3, normal: DVec3) -> f64 {
     let (out, back) = (next - corner, previous - corner);
     let angle = normal.dot(out.cross(back)).atan2(out.dot(back));
@@ -215,5 +217,25 @@ impl CornersByPoint {
     fn at_mut(&mut self, point: usize) -> &mut [u32] {
         let begin = if point == 0 { 0 } else { self.ends[point - 1] };
         &mut self.corners[begin as usize..self.ends[point] as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
+
+    #[test]
+    fn the_angle_of_a_tilted_corner_is_seen_along_the_polygons_normal_in_its_sine() {
+        let at = |degrees: f64| DVec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
+        let angle = |a: f64, normal: DVec3| interior_angle(at(a), DVec3::ZERO, at(0.0), normal);
+        assert!((angle(60.0, DVec3::Z) - FRAC_PI_3).abs() < 1e-12);
+        assert!((angle(270.0, DVec3::Z) - 3.0 * FRAC_PI_2).abs() < 1e-12, "concave");
+        for tilt in [10.0_f64, 40.0, 70.0] {
+            let normal = DVec3::new(0.0, tilt.to_radians().sin(), tilt.to_radians().cos());
+            let expected = (normal.z * 60_f64.to_radians().sin()).atan2(60_f64.to_radians().cos());
+            assert!((angle(60.0, normal) - expected).abs() < 1e-12, "{tilt}");
+            assert!((angle(90.0, normal) - FRAC_PI_2).abs() < 1e-12, "a right angle stays one");
+        }
     }
 }

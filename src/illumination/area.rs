@@ -12,7 +12,8 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 ///
 /// The unit square is cut into about √N rows whose heights are as their numbers of cells, so that N cells of any number
 /// have equal areas; the square is then laid over the rectangle, or over the sphere by Archimedes' projection. The
-/// midpoint rule's error falls as 1/N for an integrand that is smooth over the light.
+/// midpoint rule's error falls as 1/N for an integrand that is smooth over the light. The middle of a sphere that is one
+/// cell is its centre: any one point of the surface would light the scene from that side alone.
 pub fn area_samples(light: &Light) -> Vec<DVec3> {
     let middles = strata(light.samples);
     match light.shape {
@@ -21,6 +22,7 @@ pub fn area_samples(light: &Light) -> Vec<DVec3> {
             let at = |[u, v]: [f64; 2], _: usize| light.position + across * (u - 0.5) + up * (v - 0.5);
             middles.into_iter().map(|(place, row)| at(place, row)).collect()
         }
+        AreaShape::Sphere if light.samples == 1 => vec![light.position],
         AreaShape::Sphere => {
             let at = |[u, v]: [f64; 2], row: usize| {
                 let height = 1.0 - 2.0 * v;
@@ -90,6 +92,18 @@ mod tests {
             for sum in mean {
                 assert!((sum / f64::from(count) - 0.5).abs() < 1e-12, "{count}");
             }
+        }
+    }
+
+    /// So a light of one point is what a point light is, whatever its shape.
+    #[test]
+    fn one_sample_is_the_middle() {
+        for shape in [AreaShape::Rectangle, AreaShape::Sphere] {
+            let light =
+                Light { position: DVec3::new(1.0, 2.0, 3.0), radius: 0.7, shape, samples: 1, ..Light::default() };
+            assert_eq!(area_samples(&light), [light.position], "{shape:?}");
+            let two = area_samples(&Light { samples: 2, ..light.clone() });
+            assert!(((two[0] + two[1]) / 2.0 - light.position).length() < 1e-12, "{shape:?}: {two:?}");
         }
     }
 

@@ -55,8 +55,9 @@ pub(super) fn geometric_over_view<R: Real>(n_dot_h: R, n_dot_l: R, n_dot_v: R, v
     inverse_view.min(cavity).min(cavity * n_dot_l * inverse_view)
 }
 
-/// 1 where the surface faces the viewer. At the outline of a coarse mesh the interpolated normal turns away from the viewer
-/// by some degrees; there the limit at N·V = 0 is kept and fades, until it is gone at N·V = −¼.
+/// `min(1, max(0, 1 + 4·N·V))`: 1 where the surface faces the viewer. At the outline of a coarse mesh the interpolated normal turns away from the viewer
+/// by some degrees; there the limit of `G/(N·V)` at N·V = 0 is kept and fades, until it is gone at N·V = −¼. A choice of this program: the
+/// published models end at N·V = 0, which would break the rim off.
 #[inline(always)]
 pub(super) fn seen<R: Real>(n_dot_v: R) -> R {
     let (zero, one) = (n_dot_v.constant(R::Scalar::default()), n_dot_v.constant(R::Scalar::from_f64(1.0)));
@@ -79,4 +80,42 @@ fn smith_divisor<R: Real>(x: R, lobe: &Lobe<R::Scalar>) -> R {
     let one = x.constant(R::Scalar::from_f64(1.0));
     let squared = x.constant(lobe.roughness_squared);
     x + (one - squared).mul_add(x * x, squared).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::illumination::Equation;
+    use crate::scene::{Camera, Distribution, Light, LightKind, ReflectionModel, Scene, Viewer};
+    use glam::DVec3;
+
+    /// S of a surface with normal `n` that the viewer sees along −z, under light from half-way between +x and +z.
+    fn specular(distribution: Distribution, n: DVec3) -> f64 {
+        let mut scene = Scene {
+            camera: Camera { viewer: Viewer::Infinite, ..Camera::default() },
+            lights: vec![Light {
+                kind: LightKind::Directional,
+                direction: DVec3::new(-1.0, 0.0, -1.0),
+                ..Light::default()
+            }],
+            ..Scene::default()
+        };
+        scene.material.roughness = 1.0;
+        (scene.reflection.model, scene.reflection.distribution) = (ReflectionModel::CookTorrance, distribution);
+        Equation::<f64>::new(&scene).respond_world(0, DVec3::ZERO, n, None).specular_factor
+    }
+
+    #[test]
+    fn the_lobe_is_continued_past_the_outline_and_fades() {
+        for distribution in [Distribution::Beckmann, Distribution::Ggx] {
+            let at = |n_dot_v: f64| {
+                let n = DVec3::new((1.0 - n_dot_v * n_dot_v).sqrt(), 0.0, n_dot_v);
+                specular(distribution, n)
+            };
+            assert!(at(-0.01) > 0.5 * at(0.0) && at(-0.1) > 0.0, "{distribution:?}: nothing breaks off");
+            assert_eq!((at(-0.25), at(-0.5)), (0.0, 0.0));
+        }
+        let faded = [1.0, 1e-3, 0.0, -0.125, -0.25, -0.9].map(seen::<f64>);
+        assert_eq!(faded, [1.0, 1.0, 1.0, 0.5, 0.0, 0.0]);
+    }
 }
