@@ -2,15 +2,18 @@
 
 #[path = "common/any_scene.rs"]
 mod any_scene;
+#[path = "common/reasons.rs"]
+mod reasons;
 
 use any_scene::{AnyScene, any_scene};
 use glam::DVec3;
 use rayon::prelude::*;
-use shading_lab::analysis::{Probe, probe};
+use reasons::Judge;
+use shading_lab::analysis::{Probe, ZeroCause, probe};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Attenuation, Encoding, GREATEST_INTENSITY, Light, Material, ObjectKind, Overflow, PatternKind, Projection,
-    ReflectionModel, Rgb, Scene, ShadingMode,
+    Attenuation, Encoding, GREATEST_INTENSITY, Interpolation, Light, Material, ObjectKind, Overflow, PatternKind,
+    Projection, ReflectionModel, Rgb, Scene, ShadingMode,
 };
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -207,4 +210,60 @@ fn a_million_scenes() {
         [from, to].map(|number| number.parse().expect("FROM..TO in whole numbers"))
     });
     examine_all(seeds[0]..seeds[1]);
+}
+
+/// Probes a scene at some pixels and checks why each light adds nothing where it does not: the causes met.
+fn check_reasons(seed: u64) -> Result<Vec<ZeroCause>, String> {
+    let AnyScene { mut scene, model } = any_scene(seed);
+    // What carries intensities along a scan line takes them from other corners than a triangle's.
+    scene.shading.interpolation = Interpolation::Perspective;
+    scene.shading.shadows |= seed.is_multiple_of(2);
+    let Ok(model) = model else { return Ok(Vec::new()) };
+    if scene.validate().is_err() || scene.lights.len() > 10 {
+        return Ok(Vec::new());
+    }
+    let mut renderer = Renderer::default();
+    renderer.set_model(model.clone());
+    let judge = Judge::new(&scene, model.as_deref());
+    let [width, height] = scene.image.size;
+    let mut met = Vec::new();
+    for (x, y) in (0..height).step_by(5).flat_map(|y| (0..width).step_by(3).map(move |x| (x, y))) {
+        let Some(hit) = probe(&mut renderer, &scene, x, y).hit else { continue };
+        for (index, (light, terms)) in scene.lights.iter().zip(&hit.lights).enumerate() {
+            let checked = judge.check(&hit, light, terms);
+            met.extend(checked.map_err(|what| {
+                format!(
+                    "scene {seed}, {x},{y}, light {index}: {what}\n{terms:?}\n{:?} {:?}\n{}",
+                    hit.position,
+                    hit.normal,
+                    scene.to_toml()
+                )
+            })?);
+        }
+    }
+    Ok(met)
+}
+
+/// Of a thousand random scenes that show their object: every reason that the probe gives for a light that adds nothing is
+/// the real one.
+#[test]
+fn every_reason_for_a_light_that_adds_nothing_is_the_real_one() {
+    let outcomes: Vec<_> = (0..6000).into_par_iter().map(check_reasons).collect();
+    let wrong: Vec<_> = outcomes.iter().filter_map(|outcome| outcome.as_ref().err()).collect();
+    assert!(wrong.is_empty(), "{} scenes, the first: {}", wrong.len(), wrong[0]);
+    let met: Vec<_> = outcomes.into_iter().flatten().filter(|met| !met.is_empty()).collect();
+    let scenes = met.len();
+    let count = |cause| met.iter().flatten().filter(|met| **met == cause).count();
+    let counts = [
+        ZeroCause::Muted,
+        ZeroCause::NotSoloed,
+        ZeroCause::Black,
+        ZeroCause::Coefficient,
+        ZeroCause::FacesAway,
+        ZeroCause::OutsideCone,
+        ZeroCause::InShadow,
+        ZeroCause::MissesViewer,
+    ]
+    .map(|cause| (cause, count(cause)));
+    assert!(scenes >= 1000 && counts.iter().all(|(_, count)| *count >= 100), "{scenes} scenes, {counts:?}");
 }
