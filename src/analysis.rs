@@ -19,7 +19,7 @@ pub use comparison::{
 };
 pub use defects::{
     Defects, Finding, Orientation, PerspectiveDistortion, SharedVertices, Silhouette, VertexNormals, defect_plots,
-    defects,
+    defects, defects_with_progress,
 };
 pub use lobe::{ReflectionLobe, Response};
 pub use normals::{NormalField, SeenNormal, SeenNormals, VertexFace, VertexNormal};

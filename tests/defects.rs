@@ -1,11 +1,12 @@
 //! The five defects of interpolated shading: the figures beside what geometry says they are.
 
 use glam::DVec3;
-use shading_lab::analysis::{Defects, defect_plots, defects};
+use shading_lab::analysis::{Defects, defect_plots, defects, defects_with_progress};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Camera, Interpolation, NormalSource, Object, ObjectKind, Projection, Scene, Shading, ShadingMode, Viewer, presets,
 };
+use std::sync::atomic::{AtomicBool, Ordering};
 
 fn measured(scene: &Scene) -> Defects {
     let pixel = scene.image.size.map(|side| side / 2);
@@ -49,6 +50,73 @@ fn the_silhouette_of_a_circle_of_segments_is_off_by_its_sagitta() {
             assert!(off < 0.02 + 0.5 / 256.0, "{segments} at {size:?}: {} for {expected}", silhouette.greatest);
         }
     }
+}
+
+/// A sphere from above: a circle of radius 1 beside a polygon inscribed in it.
+#[test]
+fn the_silhouette_of_few_segments_is_their_sagitta_at_any_size() {
+    for (size, height) in [(768, 2.2), (768, 2.4), (768, 1.3), (512, 2.05), (300, 3.7), (200, 9.0)] {
+        for segments in [3, 4, 5, 7, 12] {
+            let mut scene = disc(segments, [size, size]);
+            scene.camera.height = height;
+            scene.object = Object { kind: ObjectKind::Sphere, segments, rings: 16, ..Object::default() };
+            let radius = f64::from(size) / height;
+            let sagitta = radius * (1.0 - (std::f64::consts::PI / f64::from(segments)).cos());
+            // The middles of the sides are in the picture.
+            if radius - sagitta < 0.5 * f64::from(size) - 2.0 {
+                let found = measured(&scene).silhouette.expect("a circle").greatest;
+                assert!((found - sagitta).abs() < 0.03, "{segments} at {size}, {height}: {found} for {sagitta}");
+            }
+        }
+    }
+}
+
+#[test]
+fn measuring_tells_how_far_it_is_and_can_be_stopped() {
+    let scene = preset("shared-vertices", [100, 100]);
+    let mut told = Vec::new();
+    let never = AtomicBool::new(false);
+    let watched =
+        defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &mut |share| told.push(share), &never);
+    assert_eq!(watched, measured(&scene));
+    assert!(told.is_sorted() && told.len() > 4 && told.last() == Some(&1.0), "{told:?}");
+    let stop = AtomicBool::new(false);
+    let mut after_first = |_| stop.store(true, Ordering::Relaxed);
+    let stopped = defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &mut after_first, &stop);
+    assert_eq!(stopped.silhouette, watched.silhouette);
+    assert_eq!(stopped.vertex_normals.map(|_| ()), Err("stopped"));
+}
+
+/// Many edges with many vertices on them: each is found, an even choice of them is measured.
+#[test]
+fn many_unshared_vertices_are_measured_in_bounded_time() {
+    // Triangles that each have the same long edge for themselves, and triangles with a corner on it.
+    let count = 100;
+    let mut vertices = Vec::new();
+    let mut faces = Vec::new();
+    for k in 0..count {
+        let share = f64::from(k) / f64::from(count);
+        let y = 1.9 * share - 0.95;
+        let own =
+            [DVec3::new(0.0, -1.0, 0.0), DVec3::new(0.5 + 0.4 * share, 0.0, 0.1 * share), DVec3::new(0.0, 1.0, 0.0)];
+        let beside = [DVec3::new(0.0, y, 0.0), DVec3::new(-0.9, y + 0.004, 0.0), DVec3::new(-0.9, y - 0.004, 0.0)];
+        for corners in [own, beside] {
+            let first = vertices.len() as u32;
+            vertices.extend(corners);
+            faces.push(vec![first, first + 1, first + 2].into());
+        }
+    }
+    let mut scene = preset("shared-vertices", [64, 64]);
+    scene.object =
+        Object { kind: ObjectKind::Polygons, vertices: vertices.into(), faces: faces.into(), ..Object::default() };
+    assert_eq!(scene.validate(), Ok(()));
+    let mut steps = 0;
+    let never = AtomicBool::new(false);
+    let mut count_steps = |_| steps += 1;
+    let found = defects_with_progress(&mut Renderer::default(), &scene, [40, 32], &mut count_steps, &never);
+    let shared = found.shared_vertices.expect("edges with unshared vertices");
+    assert!(shared.measured < 5000 && 2 * shared.measured <= shared.edges, "{} of {}", shared.measured, shared.edges);
+    assert!(steps < 2 * shared.measured, "{steps} steps for {} edges", shared.measured);
 }
 
 #[test]

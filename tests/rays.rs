@@ -301,6 +301,145 @@ fn what_passes_and_what_is_reflected_are_mixed_by_kt() {
     }
 }
 
+/// What a ray meets first of the ground, the wall and nothing, each of a colour of its own; none where that is a close thing.
+fn nearest(scene: &Scene, origin: DVec3, direction: DVec3) -> Option<Rgb> {
+    let forward = (scene.camera.target - scene.camera.eye).normalize();
+    let right = forward.cross(scene.camera.up).normalize();
+    let up = right.cross(forward);
+    let centre = scene.camera.target + forward * scene.backdrop.distance;
+    let to_wall = (centre - origin).dot(forward) / direction.dot(forward);
+    let to_floor = (scene.ground.height - origin.y) / direction.y;
+    let floor = direction.y < 0.0 && to_floor > 0.0;
+    if direction.dot(forward).abs() < 1e-4 || direction.y.abs() < 1e-4 || (to_wall / to_floor - 1.0).abs() < 1e-3 {
+        return None;
+    }
+    if to_wall < 0.0 || (floor && to_floor < to_wall) {
+        return Some(if floor { scene.ground.color } else { scene.image.background });
+    }
+    let place = (origin + direction * to_wall - centre) / scene.backdrop.scale;
+    let (x, y) = (place.dot(right), place.dot(up));
+    let near_edge = |x: f64| ((x - 0.5).rem_euclid(1.0) - 0.5).abs() > 0.48;
+    let odd = (x.round() + y.round()).rem_euclid(2.0) == 1.0;
+    let color = if odd { scene.backdrop.color } else { scene.image.background };
+    (!near_edge(x) && !near_edge(y)).then_some(color)
+}
+
+/// A pane in the plane z = 0, through or at which every third picture looks.
+#[test]
+fn of_the_ground_and_the_wall_a_ray_sees_the_nearer() {
+    let mut renderer = Renderer::default();
+    let mut seed = 7_u64;
+    let mut number = |from: f64, to: f64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        from + (to - from) * (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut direct, mut through, mut mirrored) = ([0; 3], [0; 3], [0; 3]);
+    for case in 0..150 {
+        let mut scene = before_wall(number(0.6, 1.8), Through::Surface);
+        scene.image.size = [40, 30];
+        scene.object.kind = ObjectKind::Plane;
+        (scene.object.segments, scene.object.rings) = (1, 1);
+        scene.camera.eye = DVec3::new(number(-1.5, 1.5), number(-0.5, 2.0), number(1.0, 5.0));
+        scene.camera.target = DVec3::new(number(-1.0, 1.0), number(-1.0, 1.0), number(-0.5, 0.5));
+        if case % 3 == 0 {
+            scene.object.kind = ObjectKind::Sphere;
+            // Out of the picture.
+            scene.camera.eye.z += 3.0;
+            scene.camera.target.x += 40.0;
+        }
+        scene.backdrop.distance = number(0.5, 8.0);
+        scene.backdrop.scale = number(0.2, 0.8);
+        scene.ground =
+            Ground { visible: true, height: number(-2.0, -0.2), ka: 1.0, kd: 0.0, color: Rgb::new(0.1, 0.6, 0.3) };
+        scene.lights.clear();
+        let frame = renderer.render(&scene).clone();
+        for (x, y) in (0..30).flat_map(|y| (0..40).map(move |x| (x, y))) {
+            let (origin, direction) = eye_ray(&scene, x, y);
+            let t = -origin.z / direction.z;
+            let p = origin + direction * t;
+            let pane = scene.object.kind == ObjectKind::Plane && t > 0.0;
+            let rim = p.x.abs().max(p.y.abs());
+            if pane && (rim - 1.0).abs() < 0.02 {
+                continue;
+            }
+            let (seen, count) = if pane && rim < 1.0 {
+                let n = DVec3::Z * -direction.z.signum();
+                match refract(direction, n, scene.transparency.ior) {
+                    Some(on) => (nearest(&scene, p, on), &mut through),
+                    None => (nearest(&scene, p, direction - n * (2.0 * n.dot(direction))), &mut mirrored),
+                }
+            } else {
+                (nearest(&scene, origin, direction), &mut direct)
+            };
+            let Some(seen) = seen else { continue };
+            let which = if seen == scene.ground.color { 0 } else { 1 + usize::from(seen == scene.backdrop.color) };
+            count[which] += 1;
+            let stored = frame.pixel(x, y).expect("inside");
+            let off = (0..3).map(|c| (seen[c] * 255.0 - f64::from(stored[c])).abs()).fold(0.0, f64::max);
+            assert!(off <= 1.0, "case {case} at {x},{y}: {stored:?} for {seen}");
+        }
+    }
+    assert!([direct, through].as_flattened().iter().all(|count| *count > 5000), "{direct:?} {through:?}");
+    assert!(mirrored.iter().sum::<i32>() > 500, "{mirrored:?}");
+}
+
+/// Light from other surfaces takes the place of Ia, so that Ia makes no difference; the ground is hidden by the wall there too.
+#[test]
+fn a_bounce_does_not_depend_on_the_constant_that_it_takes_the_place_of() {
+    let mut renderer = Renderer::default();
+    for mode in [ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact] {
+        let mut scene = (presets::find("one-bounce").expect("a scene").build)();
+        scene.image.size = [90, 80];
+        scene.shading.mode = mode;
+        scene.ambient.source = AmbientSource::Bounce;
+        let own = renderer.render(&scene).clone();
+        assert!(own.pixels.iter().filter(|pixel| pixel[0] > 20).count() > 2000);
+        for ia in [0.0, 1.0, 1e7, 1e12, 1e30] {
+            scene.ambient.color = Rgb::splat(ia);
+            let same = renderer.render(&scene).pixels == own.pixels;
+            assert!(same, "{mode:?}, Ia {ia}");
+            let hit = probe(&mut renderer, &scene, 45, 30).hit.expect("the ball");
+            assert!(
+                (0..3).all(|c| (hit.sum[c].min(1.0) * 255.0 - f64::from(hit.stored[c])).abs() <= 1.0),
+                "{mode:?} {ia}"
+            );
+        }
+        scene.ambient.source = AmbientSource::Split;
+        let refused = scene.validate().expect_err("white beside a bounce").to_string();
+        assert!(refused.contains("ambient.color") && refused.contains("10000"), "{refused}");
+    }
+}
+
+/// However near the eye is to its target: it is the direction alone that counts, in every mode, for picture and probe.
+#[test]
+fn an_eye_next_to_its_target_sees_what_one_a_little_farther_sees() {
+    let modes =
+        [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+    let mut renderer = Renderer::default();
+    for mode in modes {
+        let mut scene = Scene::default();
+        scene.image.size = [48, 48];
+        scene.object.kind = ObjectKind::Torus;
+        scene.shading.mode = mode;
+        scene.camera.eye = DVec3::new(0.0, 0.0, 1e-6);
+        let expected = renderer.render(&scene).clone();
+        assert!(expected.pixels.iter().any(|pixel| pixel[0] > 150), "{mode:?}");
+        for distance in [1e-9, 1e-12, 1e-14, 1e-18, 1e-22, 1e-29] {
+            scene.camera.eye.z = distance;
+            assert_eq!(scene.validate(), Ok(()));
+            let found = renderer.render(&scene).clone();
+            let pairs = found.pixels.iter().zip(&expected.pixels);
+            let off = pairs.filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 2)).count();
+            assert!(off <= 24, "{mode:?} at {distance:e}: {off} pixels");
+            let hit = probe(&mut renderer, &scene, 10, 20).hit.expect("the torus");
+            assert!(
+                (0..3).all(|c| (hit.sum[c] * 255.0 - f64::from(hit.stored[c])).abs() <= 1.0),
+                "{mode:?} {distance:e}"
+            );
+        }
+    }
+}
+
 /// Far above an evenly lit floor, a surface whose normal is tilted by β from straight down sees the floor in the share
 /// (1 + cos β)/2 of what arrives (the view factor of an infinite plane).
 #[test]

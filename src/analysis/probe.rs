@@ -117,11 +117,7 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
     let frame = renderer.render(scene);
     let stored = frame.pixel(x, y);
     let hit = stored.zip(renderer.evaluation(x, y)).map(|(stored, evaluation)| {
-        let equation = Equation::<f64>::new(scene);
-        let mut shining = equation.clone();
-        if let Some(plan) = renderer.plan() {
-            shining.retain_lights(|light| plan.lights[light]);
-        }
+        let (equation, shining) = (renderer.equation(scene), renderer.shining_equation(scene));
         let equations = [&equation, &shining];
         let lights = (0..scene.lights.len()).map(|light| light_terms(scene, equations, &evaluation, light)).collect();
         let mixture = renderer.mixture(x, y);

@@ -12,24 +12,34 @@ use super::engine::Engine;
 use super::errand::Errand;
 use super::state::{AppState, NumbersTab};
 use super::theme::TEXT;
-use crate::analysis::{Defects, Plot, PlotKind, defect_plots, defects};
+use crate::analysis::{Defects, Plot, PlotKind, defect_plots, defects_with_progress};
 use crate::figure::{Drawing, PlotStyle, lay_out};
 use crate::geometry::Mesh;
 use crate::render::Renderer;
 use crate::scene::Scene;
-use eframe::egui::{Context, RichText, Ui};
+use eframe::egui::{Button, Context, ProgressBar, RichText, Ui};
 use glam::DVec2;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use words::{EACH, Entry};
 
 /// What was last measured, and what is being measured.
 #[derive(Debug, Default)]
 pub struct Measured {
     known: Option<(Question, Option<Defects>)>,
-    work: Option<Errand<Question, Defects>>,
+    work: Option<Errand<Question, Option<Defects>>>,
+    shared: Arc<Shared>,
     plots: Vec<Plot>,
     drawings: Vec<Drawing>,
     style: Option<(PlotStyle, f32)>,
+}
+
+/// Between the window and the work.
+#[derive(Debug, Default)]
+struct Shared {
+    cancel: AtomicBool,
+    /// How far the work is, in percent.
+    percent: AtomicU32,
 }
 
 #[derive(Clone, Debug)]
@@ -47,12 +57,17 @@ impl Question {
             && self.scene == document.scene
     }
 
-    fn answer(&self) -> Defects {
+    fn answer(&self, ctx: &Context, shared: &Shared) -> Option<Defects> {
         let mut scene = self.scene.clone();
         scene.image.size = self.size;
         let mut renderer = Renderer::default();
         renderer.set_model(self.model.clone());
-        defects(&mut renderer, &scene, self.pixel)
+        let mut progress = |share: f32| {
+            shared.percent.store((100.0 * share) as u32, Ordering::Relaxed);
+            ctx.request_repaint();
+        };
+        let measured = defects_with_progress(&mut renderer, &scene, self.pixel, &mut progress, &shared.cancel);
+        (!shared.cancel.load(Ordering::Relaxed)).then_some(measured)
     }
 }
 
@@ -60,6 +75,7 @@ impl Measured {
     /// Sees to it that the scene is measured, beside the window; until then the last figures are shown.
     fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], pixel: [u32; 2]) {
         if let Some((question, answer)) = Errand::take(&mut self.work) {
+            let answer = answer.flatten();
             self.plots = answer.as_ref().map(defect_plots).unwrap_or_default();
             self.style = None;
             self.known = Some((question, answer));
@@ -67,8 +83,26 @@ impl Measured {
         let known = self.known.as_ref().is_some_and(|(known, _)| known.is(document, size, pixel));
         if !known && self.work.is_none() {
             let question = Question { scene: document.scene.clone(), model: document.model.clone(), size, pixel };
-            self.work = Some(Errand::new(ctx, question.clone(), move || question.answer()));
+            let (shared, repaint) = (Arc::new(Shared::default()), ctx.clone());
+            self.shared = Arc::clone(&shared);
+            self.work = Some(Errand::new(ctx, question.clone(), move || question.answer(&repaint, &shared)));
         }
+    }
+
+    /// How far the measuring is, from 0 to 1, while it runs.
+    #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
+    fn progress(&self) -> Option<f32> {
+        self.work.as_ref().map(|_| self.shared.percent.load(Ordering::Relaxed) as f32 / 100.0)
+    }
+
+    /// Ends the work; the scene is not measured before it changes.
+    fn stop(&self) {
+        self.shared.cancel.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether what was last asked for was stopped.
+    fn stopped(&self) -> bool {
+        self.work.is_none() && self.known.as_ref().is_some_and(|(_, answer)| answer.is_none())
     }
 
     /// The figures last measured.
@@ -106,12 +140,27 @@ pub fn defects_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
     measured.lay_out(style, ui.available_width());
     ui.label("Five things that interpolation gets wrong, measured in the active picture.");
+    progress_ui(ui, &state.measured);
     ui.add_space(4.0);
     // What the scene is about comes first.
     let about = EACH.iter().filter(|entry| is_open(state, entry));
     let order: Vec<&Entry> = about.chain(EACH.iter().filter(|entry| !is_open(state, entry))).collect();
     for entry in order {
         entry_ui(ui, state, entry, &style);
+    }
+}
+
+/// How far the measuring is, and a way to stop it.
+fn progress_ui(ui: &mut Ui, measured: &Measured) {
+    if let Some(share) = measured.progress() {
+        ui.horizontal(|ui| {
+            if ui.add(Button::new("Stop")).on_hover_text("Nothing is measured until the scene changes").clicked() {
+                measured.stop();
+            }
+            ui.add(ProgressBar::new(share).show_percentage().desired_width(ui.available_width()));
+        });
+    } else if measured.stopped() {
+        ui.label(RichText::new("Stopped. Measured again when the scene changes.").weak());
     }
 }
 

@@ -2,16 +2,17 @@
 
 use super::failure::Failure;
 use super::input::{SceneArguments, inside_picture, parse_pixel, parse_size};
-use super::output::{print, print_json};
+use super::output::{print, print_json, progress_bar};
 use super::sheet::{ending, parse_target, write_plots, write_text};
 use super::telling::telling_pixel;
 use clap::Args;
 use serde_json::json;
-use shading_lab::analysis::{Defects, Finding, defect_plots, defects};
+use shading_lab::analysis::{Defects, Finding, defect_plots, defects_with_progress};
 use shading_lab::render::Renderer;
-use shading_lab::scene::Interpolation;
+use shading_lab::scene::{Interpolation, Scene};
 use std::fmt::Write;
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 
 #[derive(Args)]
 pub struct DefectsCommand {
@@ -51,7 +52,7 @@ impl DefectsCommand {
             renderer.render(scene);
             telling_pixel(&mut renderer, scene).pixel
         });
-        let measured = defects(&mut renderer, scene, pixel);
+        let measured = measured(&mut renderer, scene, pixel);
         if let Some(path) = &self.output {
             if ending(path) == "csv" {
                 write_text(path, &csv(&measured))?;
@@ -70,6 +71,16 @@ impl DefectsCommand {
         }
         if self.output.is_some() { Ok(()) } else { print(&text(&loaded.name, scene.image.size, &measured)) }
     }
+}
+
+/// Measures, with a bar for how far it is.
+fn measured(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -> Defects {
+    let bar = progress_bar(100, "measuring");
+    let mut progress = |share: f32| bar.set_position((100.0 * share) as u64);
+    let never = AtomicBool::new(false);
+    let measured = defects_with_progress(renderer, scene, pixel, &mut progress, &never);
+    bar.finish_and_clear();
+    measured
 }
 
 /// The samples of the curves, one table after the other in columns of their own.

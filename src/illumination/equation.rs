@@ -121,8 +121,12 @@ impl<T: Scalar> Patterned<T> {
 impl<T: Scalar> Equation<T> {
     /// Prepares the equation of `scene`.
     pub fn new(scene: &Scene) -> Self {
+        Self::in_units(scene, scene.camera.distance())
+    }
+
+    /// The same with `unit` world units to one camera distance.
+    pub(crate) fn in_units(scene: &Scene, unit: f64) -> Self {
         let camera = &scene.camera;
-        let unit = camera.distance();
         let material = &scene.material;
         let axis = if scene.object.kind.faces_viewer() { 2 } else { 1 };
         let pattern = Fields::new(scene.pattern.kind, scene.pattern.scale, axis, camera.eye, unit).map(|fields| {
@@ -150,7 +154,7 @@ impl<T: Scalar> Equation<T> {
         let zero = [T::default(); 3];
         Self {
             diffuses: sources.iter().any(|source| source.diffuse != zero),
-            ambient: (material.ka * color * scene.ambient.color)
+            ambient: (material.ka * color * scene.ambient.constant())
                 .min(Rgb::splat(BRIGHTEST / tint))
                 .to_array()
                 .map(T::from_f64),
@@ -160,7 +164,7 @@ impl<T: Scalar> Equation<T> {
             fresnel: Index::of(material).map(Fresnel::new),
             pattern,
             backfacing: scene.reflection.backfacing,
-            grazing: grazing(scene, T::ROUNDING, T::GRID).map(T::from_f64),
+            grazing: grazing(scene, unit, T::ROUNDING, T::GRID).map(T::from_f64),
             infinite_view: (camera.viewer == Viewer::Infinite).then(|| backwards.to_array().map(T::from_f64)),
             form: SpecularForm::of(scene),
             eye: camera.eye,
@@ -362,14 +366,14 @@ impl Equation<f32> {
 /// From which height over the tangent plane in camera distances, and from which N·L, a light counts; places and directions are
 /// rounded to `rounding`, and vertices to `grid` pixels in the picture. Surfaces lit from both sides have no step there, and a
 /// true surface no vertices.
-fn grazing(scene: &Scene, rounding: f64, grid: f64) -> [f64; 2] {
+fn grazing(scene: &Scene, unit: f64, rounding: f64, grid: f64) -> [f64; 2] {
     if scene.reflection.backfacing == Backfacing::Flip {
         return [0.0; 2];
     }
     let scale = View::new(&scene.camera, scene.image.size).scale;
     let pixels = match scene.camera.projection {
         Projection::Perspective => scale,
-        Projection::Orthographic => scale * scene.camera.distance(),
+        Projection::Orthographic => scale * unit,
     };
     [rounding + if scene.shading.mode == ShadingMode::Exact { 0.0 } else { grid / pixels }, rounding]
 }

@@ -6,8 +6,9 @@ use crate::scene::{Attenuation, Light, LightKind, Rgb};
 use glam::DVec3;
 
 /// A light that is farther away than this many camera distances shines in parallel: over an object of the camera
-/// distance's size the direction turns by less than 10⁻⁹, well under single precision.
-const PARALLEL_BEYOND: f64 = 1e9;
+/// distance's size the direction turns by less than 10⁻¹², and over one of 10⁸ camera distances, which is the greatest, by less
+/// than can be seen.
+const PARALLEL_BEYOND: f64 = 1e12;
 
 /// Greatest intensity that a surface sends out: what the lights that reach it add up to, or the ambient light. It is beyond any
 /// that a scene's numbers are meant for, and leaves single precision room for what pictures do with intensities: to carry

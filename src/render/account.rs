@@ -166,6 +166,9 @@ impl Account<'_> {
         if constant.is_some() && scene.material.ka * scene.material.color * scene.ambient.color == Rgb::ZERO {
             terms[4] = term("ambient", count, Some("Ka·Od·Ia is 0"));
         }
+        if scene.ambient.source == AmbientSource::Bounce {
+            terms[4] = term("ambient", count, Some("one bounce takes its place"));
+        }
         let enough = (!self.plan.double).then_some("single precision does");
         let stiff = stiff(scene, self.facts).unwrap_or("polygons are all there is of the object: shown exactly");
         terms.push(term("double precision", count, enough).noted(stiff));

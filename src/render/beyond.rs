@@ -168,7 +168,8 @@ pub(super) fn seen_beyond(level: Level, bands: &Bands, size: [u32; 2], prospect:
 /// Light that arrives at the pixels from other surfaces, and the constant that stands for it best.
 #[derive(Default)]
 pub(super) struct Bounced {
-    /// The mean intensity that arrives, times what the surface scatters of it, less the constant ambient term.
+    /// The mean intensity that arrives, times what the surface scatters of it, less the constant ambient term as far as the
+    /// equation has it.
     pub difference: Vec<Vec3>,
     /// The Ia whose constant term differs least from it: least squares over all pixels that see a surface.
     pub fit: Option<Rgb>,
@@ -237,7 +238,7 @@ pub(super) fn bounce(
                 let arrived = light.as_dvec3() * scattered;
                 products += constant * arrived;
                 squares += constant * constant;
-                *light = in_range(arrived - constant * scene.ambient.color);
+                *light = in_range(arrived - constant * scene.ambient.constant());
             }
             [products, squares]
         })

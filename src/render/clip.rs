@@ -139,7 +139,7 @@ mod tests {
         /// A kept corner lies before the near plane, inside the guard band, where its weights say.
         #[test]
         fn corners_are_where_their_weights_say(c in prop::array::uniform9(-5.0..5.0f64)) {
-            let lens = Lens::new(&Camera::default(), [640, 480], DVec2::ZERO);
+            let lens = Lens::new(&Camera::default(), [640, 480], DVec2::ZERO, 4.0);
             let views = [DVec3::new(c[0], c[1], c[2]), DVec3::new(c[3], c[4], c[5]), DVec3::new(c[6], c[7], c[8])];
             for corner in clip(&lens, views) {
                 prop_assert!(corner.view.z >= NEAR * (1.0 - 1e-9));

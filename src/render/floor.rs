@@ -15,6 +15,8 @@ const EIGHT: usize = 8;
 pub(super) struct FloorView<'a> {
     pub lens: &'a Lens,
     pub height: f64,
+    /// How far along the viewing direction a wall hides it.
+    pub wall_depth: f64,
     /// The floor's own equation: it reflects diffusely.
     pub equation: Equation<f32>,
     /// The object's shadow.
@@ -111,8 +113,11 @@ impl FloorView<'_> {
         let px = t * (along * right.x + direction.x) + (from * right.x + point.x);
         let pz = t * (along * right.z + direction.z) + (from * right.z + point.z);
         let near = splat(FARTHEST);
-        let seen =
-            along_y.simd_lt(splat(0.0)) & from_y.simd_gt(splat(drop)) & px.abs().simd_lt(near) & pz.abs().simd_lt(near);
+        let seen = along_y.simd_lt(splat(0.0))
+            & from_y.simd_gt(splat(drop))
+            & px.abs().simd_lt(near)
+            & pz.abs().simd_lt(near)
+            & t.simd_le(splat(self.wall_depth));
         let seen = seen.to_bitmask() as u32 & wanted;
         if seen == 0 || drop.abs() >= FARTHEST {
             return false;

@@ -10,6 +10,16 @@ pub(super) const NEAR: f64 = 1e-3;
 /// apart, and squares of distances stay within single precision.
 pub(super) const FARTHEST: f64 = 1e12;
 
+/// The object reaches no farther from the eye than this many camera distances: where eye and target are so near to each other
+/// that it would, a camera distance is longer than from one to the other. Lights beside it are then still told from lights at
+/// infinity, and what is nearer than [`NEAR`] is less than single precision resolves of the object.
+const DEEPEST: f64 = 1e8;
+
+/// World units to one camera distance, for an object that reaches as far as `farthest` from the eye.
+pub(super) fn camera_unit(camera: &Camera, farthest: f64) -> f64 {
+    camera.distance().max(farthest / DEEPEST)
+}
+
 /// Projection of one picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lens {
@@ -28,10 +38,10 @@ pub(super) struct Lens {
 }
 
 impl Lens {
-    /// The lens of `camera` for a picture of `size` pixels whose samples lie `offset` pixels from the centres.
-    pub fn new(camera: &Camera, size: [u32; 2], offset: DVec2) -> Self {
+    /// The lens of `camera` for a picture of `size` pixels whose samples lie `offset` pixels from the centres, with `unit` world
+    /// units to one camera distance.
+    pub fn new(camera: &Camera, size: [u32; 2], offset: DVec2, unit: f64) -> Self {
         let View { eye, right, up, forward, centre, scale, projection } = View::new(camera, size);
-        let unit = camera.distance();
         let perspective = projection == Projection::Perspective;
         let focal = if perspective { scale } else { scale * unit };
         Self { eye, unit, right, up, forward, perspective, focal, middle: centre - offset }

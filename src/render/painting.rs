@@ -541,7 +541,7 @@ impl Painting<'_> {
         fragments: &[Block],
         mut target: impl Target,
     ) -> u64 {
-        let mut equation = Equation::<f64>::new(self.scene);
+        let mut equation = Equation::<f64>::in_units(self.scene, self.lens.unit);
         equation.retain_lights(|light| self.plan.lights[light]);
         let Self { scene, plan, lens, .. } = *self;
         let Sources { model, clipped, .. } = self.sources;

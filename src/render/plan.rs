@@ -4,6 +4,7 @@
 //! the reader, term by term.
 
 use super::account::NO_LIGHT;
+use super::lens::{NEAR, camera_unit};
 use super::surroundings::Surroundings;
 use crate::illumination::SpecularForm;
 use crate::scene::{
@@ -46,6 +47,13 @@ pub struct Facts {
     /// A ball that holds the model, world.
     pub centre: DVec3,
     pub radius: f64,
+}
+
+impl Facts {
+    /// World units to one camera distance.
+    pub(super) fn unit(&self, camera: &Camera) -> f64 {
+        camera_unit(camera, (self.centre - camera.eye).length() + self.radius)
+    }
 }
 
 /// The plan of a frame.
@@ -195,7 +203,7 @@ pub(super) fn stiff(scene: &Scene, facts: &Facts) -> Option<&'static str> {
 
 /// The eye may be inside the model, or so near that the near plane opens it.
 fn sees_inside(camera: &Camera, facts: &Facts) -> bool {
-    let reach = facts.radius * (1.0 + 1e-5) + super::lens::NEAR * camera.distance() * 2.0;
+    let reach = facts.radius * (1.0 + 1e-5) + NEAR * facts.unit(camera) * 2.0;
     (camera.eye - facts.centre).length() <= reach
 }
 

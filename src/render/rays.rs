@@ -20,7 +20,9 @@ use super::surroundings::{Surroundings, any_light, diffuse_scene, ground_equatio
 use super::transmission::{Glass, Transmission};
 use crate::geometry::Surface;
 use crate::illumination::Equation;
-use crate::scene::{Ambient, AmbientSource, Backdrop, Ground, Light, Pattern, Rgb, Scene, ShadingMode, Transparency};
+use crate::scene::{
+    Ambient, AmbientSource, Backdrop, Ground, Light, Pattern, PatternKind, Rgb, Scene, ShadingMode, Transparency,
+};
 use fearless_simd::Level;
 use glam::{DVec2, DVec3, Vec3};
 
@@ -82,6 +84,9 @@ struct BouncedInputs {
     smooth: bool,
     lens: Lens,
     ground: Ground,
+    /// Where a wall hides the ground.
+    wall: Option<f64>,
+    /// Ia, as far as the equation has it.
     ambient: Rgb,
     lights: Vec<Light>,
     /// ka, kd and Od of the object: highlights are not scattered on.
@@ -119,7 +124,7 @@ impl<'a> RayInputs<'a> {
 
     /// The equation in double precision with the sources that the picture is shaded with.
     fn equation(&self) -> Equation<f64> {
-        let mut equation = Equation::new(self.scene);
+        let mut equation = Equation::in_units(self.scene, self.lens.unit);
         equation.retain_lights(|light| self.plan.lights[light]);
         equation
     }
@@ -241,7 +246,7 @@ impl RayStages {
             let scenery = Scenery::new(inputs, &bvh.output);
             let surroundings = scenery.surroundings(keys.shadows);
             let glass = keys.glass.as_ref().map(|glass| scenery.glass(glass, &surroundings));
-            let floor = scenery.floor_view(keys.shadows);
+            let floor = scenery.floor_view(&surroundings, keys.shadows);
             let prospect = Prospect {
                 sights: &scenery.sights,
                 surroundings: &surroundings,
@@ -260,7 +265,8 @@ impl RayStages {
             smooth: inputs.smooth(),
             lens: *inputs.lens,
             ground: scene.ground.clone(),
-            ambient: scene.ambient.color,
+            wall: (scene.backdrop.pattern != PatternKind::None).then_some(scene.backdrop.distance),
+            ambient: scene.ambient.constant(),
             lights: scene.lights.clone(),
             surface: [scene.material.ka, scene.material.kd, scene.material.color],
             pattern: scene.pattern.clone(),
@@ -274,8 +280,9 @@ impl RayStages {
             let matt = diffuse_scene(scene, Rgb::ZERO, material.kd, material.color);
             let matt = Scene { pattern: scene.pattern.clone(), ..matt };
             let dark = Scene { ground: Ground { ka: 0.0, ..scene.ground.clone() }, ..scene.clone() };
-            let (object, floor) = (Equation::new(&matt), ground_equation(&dark));
-            let floor_view = scenery.floor_view(false);
+            let (object, floor) =
+                (Equation::in_units(&matt, inputs.lens.unit), ground_equation(&dark, inputs.lens.unit));
+            let floor_view = scenery.floor_view(&surroundings, false);
             let gathering = Gathering {
                 floor_view: floor_view.as_ref(),
                 shadows: Shadows::new(scene, scenery.sights.solid, &scenery.floor),
@@ -348,7 +355,7 @@ pub(super) struct Scenery<'a> {
 
 impl<'a> Scenery<'a> {
     pub fn new(inputs: &RayInputs<'a>, bvh: &'a Bvh) -> Self {
-        Self { inputs: *inputs, floor: ground_equation(inputs.scene), sights: inputs.sights(bvh) }
+        Self { inputs: *inputs, floor: ground_equation(inputs.scene, inputs.lens.unit), sights: inputs.sights(bvh) }
     }
 
     /// The surroundings, with the object's shadow on them.
@@ -359,11 +366,18 @@ impl<'a> Scenery<'a> {
     }
 
     /// The floor, if there is one, as rows of pixels see it.
-    fn floor_view(&self, shadows: bool) -> Option<FloorView<'_>> {
+    fn floor_view(&self, surroundings: &Surroundings<'_>, shadows: bool) -> Option<FloorView<'_>> {
         let RayInputs { scene, lens, .. } = self.inputs;
         let cast = shadows.then(|| Cast::new(Shadows::new(scene, self.sights.solid, &self.floor), false));
         let (middle, _) = self.sights.solid.ball();
-        let view = || FloorView { lens, height: scene.ground.height, equation: ground_equation(scene), cast, middle };
+        let view = || FloorView {
+            lens,
+            height: scene.ground.height,
+            wall_depth: surroundings.wall_depth(lens),
+            equation: ground_equation(scene, lens.unit),
+            cast,
+            middle,
+        };
         scene.ground.visible.then(view)
     }
 

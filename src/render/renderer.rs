@@ -220,6 +220,20 @@ impl Renderer {
         self.drawn.as_ref().map(|drawn| &drawn.plan)
     }
 
+    /// The equation of `scene`, whose picture is the last one, in double precision.
+    pub(crate) fn equation(&self, scene: &Scene) -> Equation<f64> {
+        Equation::in_units(scene, self.facts().unit(&scene.camera))
+    }
+
+    /// The same with the lights that the picture is shaded with.
+    pub(crate) fn shining_equation(&self, scene: &Scene) -> Equation<f64> {
+        let mut equation = self.equation(scene);
+        if let Some(plan) = self.plan() {
+            equation.retain_lights(|light| plan.lights[light]);
+        }
+        equation
+    }
+
     /// Where the equation is evaluated for a pixel of the last picture; nothing where the background is seen.
     pub(crate) fn evaluation(&self, x: u32, y: u32) -> Option<Evaluation<'_>> {
         let reference = self.reference()?;
@@ -238,6 +252,25 @@ impl Renderer {
             return reference.of_surface(place);
         }
         Some(reference.of_triangle(self.bands.triangle_at(place.x as u32, place.y as u32)?, place))
+    }
+
+    /// The model's triangle that a pixel of the last picture sees.
+    pub(crate) fn triangle_at(&self, [x, y]: [u32; 2]) -> Option<u32> {
+        let triangle = self.bands.triangle_at(x, y)?;
+        let piece = (triangle as usize).checked_sub(self.model.output.triangles.len());
+        Some(piece.map_or(triangle, |piece| self.placed.output.1.parents[piece]))
+    }
+
+    /// I where `triangle` is seen at `place` in the picture of `scene`, which casts no shadows and has the last picture's model:
+    /// nothing has to be drawn for it.
+    pub(crate) fn intensity_turned(&self, scene: &Scene, equation: &Equation<f64>, triangle: u32, place: DVec2) -> Rgb {
+        let facts = self.facts();
+        let (plan, model) = (Plan::of(scene, &facts), &self.model.output);
+        let lens = Lens::new(&scene.camera, scene.image.size, DVec2::ZERO, facts.unit(&scene.camera));
+        let clipped = &self.placed.output.1;
+        let drawn =
+            Reference { scene, plan: &plan, lens: &lens, model, clipped, surface: None, reach: None, cue: None };
+        drawn.of_triangle(triangle, place).intensity(equation)
     }
 
     /// The polygons of the last picture, before they were given vertex normals.
@@ -390,8 +423,8 @@ impl Renderer {
     /// Runs the stages from the transform on.
     fn draw(&mut self, scene: &Scene, plan: Plan, offset: DVec2) {
         let size = scene.image.size;
-        let lens = Lens::new(&scene.camera, size, offset);
-        let mut equation = Equation::<f32>::new(scene);
+        let lens = Lens::new(&scene.camera, size, offset, self.facts().unit(&scene.camera));
+        let mut equation = Equation::<f32>::in_units(scene, lens.unit);
         equation.retain_lights(|light| plan.lights[light]);
         if plan.leaves_out {
             equation.leave_out_faint();

@@ -11,9 +11,9 @@ use std::ops::Range;
 /// The scene's floor as a surface of its own: it reflects diffusely and lies under the same lights.
 ///
 /// Its equation takes the object's place in everything but the material. Sources that cannot light the object are kept.
-pub(super) fn ground_equation<T: Scalar>(scene: &Scene) -> Equation<T> {
+pub(super) fn ground_equation<T: Scalar>(scene: &Scene, unit: f64) -> Equation<T> {
     let Ground { ka, kd, color, .. } = scene.ground;
-    Equation::new(&diffuse_scene(scene, Rgb::splat(ka), Rgb::splat(kd), color))
+    Equation::in_units(&diffuse_scene(scene, Rgb::splat(ka), Rgb::splat(kd), color), unit)
 }
 
 /// The scene with a plain diffuse material.
@@ -74,23 +74,26 @@ impl<'a> Surroundings<'a> {
         }
     }
 
+    /// How far along the viewing direction the wall stands before the eye, camera distances; without an end where there is
+    /// none.
+    pub fn wall_depth(&self, lens: &Lens) -> f64 {
+        let depth = |wall: &Wall| (wall.centre - lens.eye).dot(lens.forward) / lens.unit;
+        self.wall.as_ref().map(depth).filter(|depth| *depth > 0.0).unwrap_or(f64::INFINITY)
+    }
+
     /// Whether anything but the plain background is there.
     pub fn any(scene: &Scene) -> bool {
         scene.ground.visible || scene.backdrop.pattern != PatternKind::None
     }
 
-    /// What the ray meets.
+    /// What the ray meets first: the floor, the wall, or nothing.
     pub fn meet(&self, origin: DVec3, direction: DVec3) -> Beyond {
-        if let Some(floor) = &self.ground
-            && direction.y < 0.0
-            && origin.y > floor.height
-        {
-            let point = origin + direction * ((floor.height - origin.y) / direction.y);
-            if point.is_finite() {
-                return Beyond::Floor(DVec3 { y: floor.height, ..point });
-            }
+        let floor = self.ground.as_ref().and_then(|floor| floor.met(origin, direction));
+        let wall = self.wall.as_ref().and_then(|wall| wall.met(origin, direction));
+        match (floor, wall) {
+            (Some((t, point)), wall) if wall.is_none_or(|(nearest, _)| t <= nearest) => Beyond::Floor(point),
+            (_, wall) => Beyond::Elsewhere(wall.and_then(|(_, color)| color).unwrap_or(self.background)),
         }
-        Beyond::Elsewhere(self.wall.as_ref().and_then(|wall| wall.met(origin, direction)).unwrap_or(self.background))
     }
 
     /// Fills the pixels of row `y` that are not numbers yet with what lies behind everything; not where there is a floor,
@@ -103,12 +106,11 @@ impl<'a> Surroundings<'a> {
             return;
         }
         let background = in_range(self.background);
-        let wall = self.wall.as_ref().filter(|wall| (wall.centre - lens.eye).dot(lens.forward) > 0.0);
-        let Some(wall) = wall else {
+        let depth = self.wall_depth(lens);
+        let Some(wall) = self.wall.as_ref().filter(|_| depth.is_finite()) else {
             line.iter_mut().filter(|pixel| pixel.is_nan()).for_each(|pixel| *pixel = background);
             return;
         };
-        let depth = (wall.centre - lens.eye).dot(lens.forward) / lens.unit;
         let at = |x: f64| {
             let (point, direction) = lens.ray(DVec2::new(x, y as f64 + 0.5));
             let place = lens.world(point + direction * depth) - wall.centre;
@@ -132,6 +134,13 @@ impl<'a> Surroundings<'a> {
 }
 
 impl Floor<'_> {
+    /// Where the ray meets the floor from above: how many times its length away, and the point.
+    fn met(&self, origin: DVec3, direction: DVec3) -> Option<(f64, DVec3)> {
+        let t = (self.height - origin.y) / direction.y;
+        let point = DVec3 { y: self.height, ..origin + direction * t };
+        (direction.y < 0.0 && origin.y > self.height && point.is_finite()).then_some((t, point))
+    }
+
     /// I at a point of the floor.
     fn intensity(&self, point: DVec3, scratch: &mut Vec<u64>) -> Rgb {
         lit(self.equation, self.shadows.as_ref(), point, DVec3::Y, scratch)
@@ -183,14 +192,12 @@ fn hidden_in_row(row: Range<usize>, open: impl Fn(usize) -> bool) -> Range<usize
 }
 
 impl Wall {
-    fn met(&self, origin: DVec3, direction: DVec3) -> Option<Rgb> {
+    /// Where the ray meets the wall: how many times its length away, and the colour of the field there, if there is one.
+    fn met(&self, origin: DVec3, direction: DVec3) -> Option<(f64, Option<Rgb>)> {
         let t = (self.centre - origin).dot(self.forward) / direction.dot(self.forward);
         let place = origin + direction * t - self.centre;
-        if !(t > 0.0 && place.is_finite()) {
-            return None;
-        }
         let flat = V3::new(place.dot(self.right), place.dot(self.up), 0.0);
-        self.fields.lie_on(flat).then_some(self.color)
+        (t > 0.0 && place.is_finite()).then(|| (t, self.fields.lie_on(flat).then_some(self.color)))
     }
 }
 

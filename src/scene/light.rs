@@ -13,6 +13,13 @@ pub struct Ambient {
     pub source: AmbientSource,
 }
 
+impl Ambient {
+    /// Ia as the equation has it: nothing where light from other surfaces takes its place in the whole picture.
+    pub fn constant(&self) -> Rgb {
+        if self.source == AmbientSource::Bounce { Rgb::ZERO } else { self.color }
+    }
+}
+
 impl Default for Ambient {
     fn default() -> Self {
         Self { color: Rgb::ONE, source: AmbientSource::Constant }

@@ -60,7 +60,8 @@ pub enum Through {
     Solid,
 }
 
-/// A level floor that receives light and shadows and hides nothing: it is seen from above, and behind the object.
+/// A level floor that receives light and shadows: it is seen from above, behind the object, and before what of the wall is
+/// farther away.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Ground {
@@ -81,7 +82,8 @@ impl Default for Ground {
     }
 }
 
-/// A patterned wall behind the object, upright to the viewing direction. Between the pattern the background is seen.
+/// A patterned wall behind the object, upright to the viewing direction, without end. Between the pattern it has the
+/// background's colour; it hides what of the ground lies beyond it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Backdrop {

@@ -3,8 +3,8 @@
 use super::compare;
 use super::problem::{Cause, Place, Problem, SceneError};
 use super::{
-    Ambient, Attenuation, Backdrop, Camera, Compare, DepthCueing, Ground, Image, Light, Material, Object, ObjectKind,
-    Pattern, Rgb, Scene, Transparency,
+    AmbientSource, Attenuation, Backdrop, Camera, Compare, DepthCueing, Ground, Image, Light, Material, Object,
+    ObjectKind, Pattern, PatternKind, Rgb, Scene, Transparency,
 };
 use glam::DVec3;
 use std::ops::RangeInclusive;
@@ -18,6 +18,10 @@ pub const LEAST_LENGTH: f64 = 1e-30;
 
 /// Greatest intensity of a light or of the background, in units of the display's white.
 pub const GREATEST_INTENSITY: f64 = 1e30;
+
+/// Greatest ambient term in a picture that shows one bounce in its right half in place of it: the bounce is added as a difference,
+/// in single precision.
+const GREATEST_SPLIT: f64 = 1e4;
 
 /// Eye and target are two points when they are further apart than this part of their distance from the origin: of the
 /// 16 digits of an `f64`, 6 are left for the viewing direction.
@@ -66,8 +70,12 @@ impl Scene {
         self.ground.check(&mut checks);
         self.backdrop.check(&mut checks);
         self.depth_cueing.check(&mut checks);
-        let Ambient { color, source: _ } = self.ambient;
-        checks.colour("ambient.color", color, GREATEST_INTENSITY);
+        checks.colour("ambient.color", self.ambient.color, GREATEST_INTENSITY);
+        if self.ambient.source == AmbientSource::Split && self.greatest_ambient() > GREATEST_SPLIT {
+            let is = "is so bright that beside the ambient term one bounce is lost to rounding";
+            let expected = "an ambient term of at most 10000, or `ambient.source` \"constant\" or \"bounce\"";
+            checks.found("ambient.color", Cause::Conflict { is, expected });
+        }
         if self.lights.len() > Self::MAX_LIGHTS {
             checks.value("light", format!("a list of {}", self.lights.len()), format!("at most {}", Self::MAX_LIGHTS));
         }
@@ -92,6 +100,15 @@ impl Scene {
             checks.problems = compare::problems(self);
         }
         checks.problems
+    }
+
+    /// The greatest constant ambient term of the object and the ground, in any channel.
+    fn greatest_ambient(&self) -> f64 {
+        let Self { material, pattern, ground, ambient, .. } = self;
+        let patterned = if pattern.kind == PatternKind::None { Rgb::ZERO } else { pattern.color };
+        let object = material.ka * material.color.max(patterned);
+        let floor = if ground.visible { ground.color * ground.ka } else { Rgb::ZERO };
+        (object.max(floor) * ambient.color).max_element()
     }
 }
 

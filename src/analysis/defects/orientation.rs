@@ -41,12 +41,24 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -
     if let Some(why) = nothing_interpolated(scene) {
         return Err(why);
     }
-    let seen = probe(renderer, scene, pixel[0], pixel[1]).hit.ok_or("the probe sees the background")?;
+    let missed = "the probe sees the background";
+    let point = probe(renderer, scene, pixel[0], pixel[1]).hit.ok_or(missed)?.position;
+    let triangle = renderer.triangle_at(pixel).ok_or(missed)?;
+    let renderer = &*renderer;
+    let mut turned = scene.clone();
+    turned.image.size = [SIDE; 2];
+    // Shadows would be those of the small picture's pixels.
+    turned.shading.shadows = false;
+    let equation = renderer.shining_equation(&turned);
     let samples: Vec<Turned> = (0..=360 / STEP)
         .map(|step| {
-            let angle = f64::from(step * STEP);
-            let mut at = |interpolation| value(renderer, scene, angle, interpolation, seen.position);
-            Turned { angle, scanline: at(Interpolation::Scanline), barycentric: at(Interpolation::Affine) }
+            turned.camera.roll = f64::from(step * STEP);
+            let mut at = |interpolation| {
+                turned.shading.interpolation = interpolation;
+                value(renderer, &turned, &equation, triangle, point)
+            };
+            let (scanline, barycentric) = (at(Interpolation::Scanline), at(Interpolation::Affine));
+            Turned { angle: f64::from(step * STEP), scanline, barycentric }
         })
         .collect();
     let spread = |of: fn(&Turned) -> Option<f64>| {
@@ -55,30 +67,13 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -
         (high - low).max(0.0)
     };
     let spread = [spread(|turned| turned.scanline), spread(|turned| turned.barycentric)];
-    Ok(Orientation { point: seen.position, roll: scene.camera.roll.rem_euclid(360.0), samples, spread })
+    Ok(Orientation { point, roll: scene.camera.roll.rem_euclid(360.0), samples, spread })
 }
 
-/// The luminance of `point` in the picture rolled by `angle`.
-fn value(
-    renderer: &mut Renderer,
-    scene: &Scene,
-    angle: f64,
-    interpolation: Interpolation,
-    point: DVec3,
-) -> Option<f64> {
-    let mut turned = scene.clone();
-    turned.camera.roll = angle;
-    turned.image.size = [SIDE; 2];
-    turned.shading.interpolation = interpolation;
-    // Shadows would be those of the small picture's pixels.
-    turned.shading.shadows = false;
-    renderer.render(&turned);
+/// The luminance of `point`, which lies on `triangle`, in a turned picture. The triangle that is seen there is the same in all.
+fn value(renderer: &Renderer, turned: &Scene, equation: &Equation<f64>, triangle: u32, point: DVec3) -> Option<f64> {
     let (place, _) = View::new(&turned.camera, turned.image.size).project(point)?;
     let inside = place.cmpge(DVec2::ZERO).all() && place.max_element() < f64::from(SIDE);
-    let evaluation = renderer.evaluation_seen(place).filter(|_| inside)?;
-    let mut equation = Equation::<f64>::new(&turned);
-    if let Some(plan) = renderer.plan() {
-        equation.retain_lights(|light| plan.lights[light]);
-    }
-    Some(luminance(evaluation.intensity(&equation).max(Rgb::ZERO)))
+    let intensity = || renderer.intensity_turned(turned, equation, triangle, place);
+    inside.then(|| luminance(intensity().max(Rgb::ZERO)))
 }

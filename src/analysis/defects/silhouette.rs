@@ -1,20 +1,23 @@
 //! How far the polygons' outline is from the true surface's.
 
-use super::Finding;
+use super::{Finding, STOPPED, edges_of_one};
 use crate::geometry::Mesh;
 use crate::render::Renderer;
 use crate::scene::{Projection, Scene, ShadingMode, View};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use serde::Serialize;
-use std::collections::HashMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Samples along an edge of the outline, its middle among them.
 const SAMPLES: u32 = 7;
 /// An outline has the background this far outside and the object this far inside, pixels.
 const BESIDE: f64 = 1.5;
-/// The first step across an edge in search of the true outline, pixels.
-const STEP: f64 = 0.25;
+/// The first step across an edge in search of the true outline, and the greatest, pixels: no part of the object that is as wide
+/// as a pixel is stepped over.
+const STEPS: [f64; 2] = [0.25, 1.0];
+/// Most edges of the outline that are looked at: of more, every second, every third and so on.
+const MOST_EDGES: usize = 2048;
 /// To what the place of the true outline is found, pixels.
 const PRECISION: f64 = 1e-3;
 
@@ -34,23 +37,16 @@ pub struct Silhouette {
 /// Edges of the mesh that are seen with a front face on one side only, as pairs of points in the picture.
 fn outline(mesh: &Mesh, scene: &Scene, view: &View) -> Vec<[DVec2; 2]> {
     let world = |point: u32| mesh.origin + mesh.positions[point as usize].as_dvec3();
-    let mut fronts: HashMap<(u32, u32), i32> = HashMap::new();
-    for f in 0..mesh.face_count() {
+    let front = |f: usize| {
         let towards = match scene.camera.projection {
             Projection::Perspective => view.eye - mesh.face_centre(f),
             Projection::Orthographic => -view.forward,
         };
-        let front = i32::from(mesh.face_normal(f).dot(towards) > 0.0);
-        let face = mesh.face(f);
-        for (a, b) in face.iter().zip(face.iter().cycle().skip(1)) {
-            let key = (a.position.min(b.position), a.position.max(b.position));
-            *fronts.entry(key).or_default() += front;
-        }
-    }
+        mesh.face_normal(f).dot(towards) > 0.0
+    };
     let place = |point: DVec3| view.project(point).map(|(pixel, _)| pixel);
-    let mut edges: Vec<_> = fronts.into_iter().filter(|(_, fronts)| *fronts == 1).map(|(key, _)| key).collect();
-    edges.sort_unstable();
-    edges.into_iter().filter_map(|(a, b)| Some([place(world(a))?, place(world(b))?])).collect()
+    let edges = edges_of_one(mesh, front);
+    edges.into_iter().filter_map(|[a, b]| Some([place(world(a))?, place(world(b))?])).collect()
 }
 
 /// What of a picture shows the object.
@@ -68,7 +64,7 @@ impl Mask {
     }
 }
 
-pub(super) fn measure(renderer: &mut Renderer, scene: &Scene) -> Finding<Silhouette> {
+pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, cancel: &AtomicBool) -> Finding<Silhouette> {
     let mut polygons = scene.clone();
     polygons.shading.mode = ShadingMode::Flat;
     renderer.keep_linear(true);
@@ -76,7 +72,9 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene) -> Finding<Silhoue
     renderer.keep_linear(false);
     let mask = Mask { seen: renderer.linear().iter().map(|p| p[3] > 0.0).collect(), size: scene.image.size };
     let view = View::new(&scene.camera, scene.image.size);
-    let edges = outline(renderer.mesh(), scene, &view);
+    let mut edges = outline(renderer.mesh(), scene, &view);
+    let every = edges.len().div_ceil(MOST_EDGES).max(1);
+    edges = edges.into_iter().step_by(every).collect();
     let mut exact = scene.clone();
     exact.shading.mode = ShadingMode::Exact;
     if !renderer.shows_surface(&exact) {
@@ -85,6 +83,9 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene) -> Finding<Silhoue
     let renderer = &*renderer;
     let sees = |place: DVec2| renderer.evaluation_at(place, None).is_some();
     let of_edge = |&[a, b]: &[DVec2; 2]| {
+        if cancel.load(Ordering::Relaxed) {
+            return None;
+        }
         let along = b - a;
         let across = along.perp().try_normalize()?;
         let samples = (1..=SAMPLES).map(|i| a + along * (f64::from(i) / f64::from(SAMPLES + 1)));
@@ -94,34 +95,45 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene) -> Finding<Silhoue
                 (true, false) => -across,
                 _ => return None,
             };
-            let reach = 0.25 * f64::from(scene.image.size[0].min(scene.image.size[1]));
-            Some((distance(place, outwards, reach, sees)?, place, outwards))
+            let reach = DVec2::from_array(scene.image.size.map(f64::from)).length();
+            Some((distance(place, outwards, reach, |place| mask.at(place), sees)?, place, outwards))
         });
         found.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))
     };
     let found: Vec<(f64, DVec2, DVec2)> = edges.par_iter().filter_map(of_edge).collect();
+    if cancel.load(Ordering::Relaxed) {
+        return Err(STOPPED);
+    }
     let edges = found.len();
     let greatest = found.into_iter().reduce(|a, b| if b.0.abs() > a.0.abs() { b } else { a });
     let (distance, polygon, outwards) = greatest.ok_or("no outline of the object is in the picture")?;
     Ok(Silhouette { greatest: distance.abs(), polygon, surface: polygon + distance * outwards, edges })
 }
 
-/// How far the true outline is from `place` along `outwards`; negative inside. Nothing where there is none within `reach`.
-fn distance(place: DVec2, outwards: DVec2, reach: f64, sees: impl Fn(DVec2) -> bool) -> Option<f64> {
+/// How far the true outline is from `place` along `outwards`; negative inside. Nothing where there is none within `reach`, or none
+/// before the polygons' outline on the other side, that of another part of the object: `shown` tells where the polygons are.
+fn distance(
+    place: DVec2,
+    outwards: DVec2,
+    reach: f64,
+    shown: impl Fn(DVec2) -> Option<bool>,
+    sees: impl Fn(DVec2) -> bool,
+) -> Option<f64> {
     let inside = sees(place);
     let way = if inside { 1.0 } else { -1.0 };
-    let at = |t: f64| sees(place + way * t * outwards);
-    let (mut near, mut far) = (0.0, STEP);
-    while at(far) == inside {
-        near = far;
-        far *= 1.5;
-        if far > reach {
+    let at = |t: f64| place + way * t * outwards;
+    let [first, longest] = STEPS;
+    let (mut near, mut far) = (0.0, first);
+    while sees(at(far)) == inside {
+        if far > reach || (far > BESIDE && shown(at(far)) == Some(inside)) {
             return None;
         }
+        near = far;
+        far += (0.5 * far).min(longest);
     }
     while far - near > PRECISION {
         let middle = 0.5 * (near + far);
-        if at(middle) == inside {
+        if sees(at(middle)) == inside {
             near = middle;
         } else {
             far = middle;

@@ -4,7 +4,11 @@ use super::Finding;
 use crate::analysis::luminance;
 use crate::render::Renderer;
 use crate::scene::{NormalSource, Rgb, Scene, ShadingMode};
+use rayon::prelude::*;
 use serde::Serialize;
+
+/// Faces that one task looks at.
+const CHUNK: usize = 4096;
 
 /// What unrepresentative vertex normals do.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -28,18 +32,22 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexN
     let contrast = contrast(renderer, scene).ok_or("the object is not in the picture")?;
     let mesh = renderer.mesh();
     let vertices = mesh.with_vertex_normals(scene.object.normals, scene.object.weighting);
-    let (mut greatest, mut sum, mut count) = (0.0f64, 0.0, 0u32);
-    for f in 0..mesh.face_count() {
+    let normals = &vertices.normals;
+    let of_face = |f: usize| {
         let face = mesh.face_normal(f);
-        let range = vertices.starts[f] as usize..vertices.starts[f + 1] as usize;
-        for &vertex in vertices.indices[range].iter().filter(|_| face.length_squared() > 0.0) {
-            let normal = vertices.normals[vertex as usize].as_dvec3();
-            let angle = face.cross(normal).length().atan2(face.dot(normal)).to_degrees();
-            greatest = greatest.max(angle);
-            sum += angle;
-            count += 1;
-        }
-    }
+        vertices.face(f).iter().filter(move |_| face.length_squared() > 0.0).map(move |&vertex| {
+            let normal = normals[vertex as usize].as_dvec3();
+            face.cross(normal).length().atan2(face.dot(normal)).to_degrees()
+        })
+    };
+    let chunks = (0..mesh.face_count()).into_par_iter().step_by(CHUNK).map(|first| {
+        let angles = (first..(first + CHUNK).min(mesh.face_count())).flat_map(of_face);
+        angles.fold((0.0f64, 0.0, 0u32), |(most, sum, count), angle| (most.max(angle), sum + angle, count + 1))
+    });
+    // Added in the order of the faces, whichever was done first.
+    let chunks: Vec<(f64, f64, u32)> = chunks.collect();
+    let add = |a: (f64, f64, u32), b: &(f64, f64, u32)| (a.0.max(b.0), a.1 + b.1, a.2 + b.2);
+    let (greatest, sum, count) = chunks.iter().fold((0.0, 0.0, 0), add);
     let mut truth = scene.clone();
     truth.shading.mode = ShadingMode::Exact;
     if !renderer.shows_surface(&truth) {

@@ -36,11 +36,8 @@ impl<'a> Source<'a> {
             linear.iter().map(|[r, g, b, _]| luminance(Rgb::new((*r).into(), (*g).into(), (*b).into()))).collect()
         });
         let renderer = &*renderer;
-        let mut equation = Equation::<f64>::new(scene);
+        let equation = renderer.shining_equation(scene);
         let plan = renderer.plan();
-        if let Some(plan) = plan {
-            equation.retain_lights(|light| plan.lights[light]);
-        }
         let [from, to] = line.extent();
         Self {
             renderer,

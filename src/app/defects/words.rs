@@ -99,7 +99,7 @@ fn orientation(defects: &Defects) -> Finding<Vec<Figure>> {
 
 fn shared(defects: &Defects) -> Finding<Vec<Figure>> {
     let measured = defects.shared_vertices.as_ref().map_err(|why| *why)?;
-    let edges = if measured.edges == 1 { "1 such edge".to_owned() } else { format!("{} such edges", measured.edges) };
+    let edges = measured.edges_in_words();
     Ok(vec![figure(format!("{:.4}", measured.greatest), format!("greatest jump of the intensity; {edges}"))])
 }
 

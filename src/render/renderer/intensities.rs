@@ -64,7 +64,7 @@ impl Renderer {
                 reach: bits,
             };
             if plan.double {
-                let mut equation = Equation::<f64>::new(scene);
+                let mut equation = Equation::<f64>::in_units(scene, lens.unit);
                 equation.retain_lights(|light| plan.lights[light]);
                 shading.run_in_double(&equation);
             } else {
