@@ -30,6 +30,7 @@ mod polygon;
 mod rays;
 mod reference;
 mod renderer;
+mod scan_line;
 mod section;
 mod shade;
 mod shadow;

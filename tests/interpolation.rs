@@ -6,10 +6,12 @@
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use shading_lab::analysis::probe;
+use shading_lab::analysis::{ProfileRequest, probe, profile};
+use shading_lab::geometry::read_obj;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, Rgb, Scene, ShadingMode, View,
+    Backfacing, Interpolation, Light, LightKind, NormalSource, ObjectKind, PatternKind, Projection, Rgb, Scene,
+    ShadingMode, View, presets,
 };
 
 /// An odd side, so that a pixel's centre is the picture's middle.
@@ -246,6 +248,138 @@ fn half_way_in_the_picture_weighs_by_the_other_ends_depth() {
             assert!((found - expected).abs() < SINGLE, "{rule:?} from {z1} to {z2}: {found}, expected {expected}");
             let stored = f64::from(Renderer::default().render(&scene).pixel(SIDE / 2, SIDE / 2).expect("inside")[0]);
             assert!((stored - 255.0 * expected).abs() < 2.0, "{rule:?}: {stored}");
+        }
+    }
+}
+
+/// The probe's greatest difference from the stored pixels, in code values, and the brightest stored value.
+fn off_the_picture(scene: &Scene) -> (f64, u8) {
+    assert_eq!(scene.validate(), Ok(()));
+    let mut renderer = Renderer::default();
+    let (mut worst, mut brightest) = (0.0_f64, 0);
+    let [width, height] = scene.image.size;
+    for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+        let Some(hit) = probe(&mut renderer, scene, x, y).hit else { continue };
+        for k in 0..3 {
+            worst = worst.max((hit.sum[k].clamp(0.0, 1.0) * 255.0 - f64::from(hit.stored[k])).abs());
+            brightest = brightest.max(hit.stored[k]);
+        }
+    }
+    (worst, brightest)
+}
+
+/// A face that is far from plane, folded over itself where it is seen.
+fn warped() -> Scene {
+    let mut scene = Scene::default();
+    scene.image.size = [96, 96];
+    scene.object.kind = ObjectKind::Polygons;
+    let corners = [[-1.0, -1.0, -1.0], [1.0, -1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 2.0]];
+    scene.object.vertices = corners.map(DVec3::from_array).into_iter().collect();
+    scene.object.faces = vec![(0..4).collect()].into();
+    scene.reflection.backfacing = Backfacing::Flip;
+    scene
+}
+
+#[test]
+fn on_a_warped_face_picture_and_probe_are_the_same() {
+    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
+            let mut scene = warped();
+            (scene.shading.mode, scene.shading.interpolation) = (mode, interpolation);
+            let (off, _) = off_the_picture(&scene);
+            assert!(off <= 1.0, "{mode:?} {interpolation:?}: {off}");
+        }
+    }
+}
+
+#[test]
+fn clipped_polygons_are_probed_as_they_are_drawn() {
+    let preset = presets::find("perspective-distortion").expect("a built-in scene");
+    let mut near = (preset.build)();
+    (near.camera.eye, near.image.size) = (DVec3::new(0.0, -0.2, 0.5), [64; 2]);
+    let mut narrow = Scene::default();
+    (narrow.camera.fov_y, narrow.image.size) = (0.01, [64; 2]);
+    narrow.camera.target = DVec3::new(0.3, 0.2, 0.0);
+    for mut scene in [near, narrow] {
+        for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
+            for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+                (scene.shading.interpolation, scene.shading.mode) = (interpolation, mode);
+                let (off, brightest) = off_the_picture(&scene);
+                assert!(off <= 1.0 && brightest > 30, "{interpolation:?} {mode:?}: {off}, {brightest}");
+            }
+        }
+    }
+}
+
+/// The plane's vertices lie on the borders of the fields.
+#[test]
+fn vertices_on_the_borders_of_fields_are_in_one_field_for_picture_and_probe() {
+    let mut scene = (presets::find("plane").expect("a built-in scene").build)();
+    scene.image.size = [96; 2];
+    for kind in [PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings] {
+        for scale in [0.25, 0.125, 0.1] {
+            (scene.pattern.kind, scene.pattern.scale) = (kind, scale);
+            for mode in [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong] {
+                scene.shading.mode = mode;
+                let (off, _) = off_the_picture(&scene);
+                assert!(off <= 1.0, "{kind:?} {scale} {mode:?}: {off}");
+            }
+        }
+    }
+}
+
+/// A bowl's rim of very many corners: what a row costs does not grow with the polygon, nor what a sample of the profile does
+/// by much. The bound is some hundred times what is needed.
+#[test]
+fn a_polygon_of_twenty_thousand_corners_is_drawn_and_read_along_a_line() {
+    let corners = 20_000_u32;
+    let angle = |k: u32| f64::from(k) / f64::from(corners) * std::f64::consts::TAU;
+    let vertex = |k: u32| format!("v {} {} {}\n", angle(k).cos(), angle(k).sin(), 0.1 * (5.0 * angle(k)).sin());
+    let mut text: String = (0..corners).map(vertex).collect();
+    text.push('f');
+    (1..=corners).for_each(|k| text.push_str(&format!(" {k}")));
+    let model = read_obj(std::io::Cursor::new(text), &mut |_| {}).expect("a model");
+    assert_eq!(model.face_count(), 1, "a convex polygon stays one");
+    let mut scene = Scene::default();
+    scene.image.size = [128; 2];
+    (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("rim.obj".into()));
+    (scene.shading.mode, scene.shading.interpolation) = (ShadingMode::Gouraud, Interpolation::Scanline);
+    let mut renderer = Renderer::default();
+    renderer.set_model(Some(std::sync::Arc::new(model)));
+    let began = std::time::Instant::now();
+    renderer.render(&scene);
+    assert!(renderer.report().covered > 2000);
+    let modes = vec![ShadingMode::Gouraud];
+    let line = ProfileRequest { modes, ..ProfileRequest::new(DVec2::new(60.0, 60.0), DVec2::new(80.0, 70.0)) };
+    let profile = profile(&mut renderer, &scene, &line).expect("a line in the picture");
+    assert!(profile.traces.iter().all(|trace| trace.intensity.iter().all(|value| value.is_finite())));
+    assert!(began.elapsed().as_secs() < 100, "{:?}", began.elapsed());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, rng_seed: RngSeed::Fixed(1971), ..ProptestConfig::default() })]
+
+    /// Any quadrilateral or larger polygon: warped, concave, crossing itself where it is seen, clipped, foreshortened.
+    #[test]
+    fn no_value_leaves_the_range_of_the_corners(
+        corners in prop::collection::vec(((-1.5..1.5f64, -1.5..1.5f64, -1.5..4.5f64), intensity()), 4..9),
+        perspective in any::<bool>(),
+        flat in any::<bool>(),
+    ) {
+        let corners: Vec<_> = corners.into_iter().map(|((x, y, z), i)| (DVec3::new(x, y, if flat { z * 0.02 } else { z }), i)).collect();
+        let mut scene = polygon(&corners, Interpolation::Scanline);
+        (scene.camera.eye, scene.camera.height) = (DVec3::new(0.3, 0.2, 4.0), 3.0);
+        if perspective {
+            scene.camera.projection = Projection::Perspective;
+        }
+        prop_assume!(scene.validate().is_ok());
+        let (low, high) = corners.iter().fold((1.0f64, 0.0f64), |(low, high), c| (low.min(c.1), high.max(c.1)));
+        let mut renderer = Renderer::default();
+        renderer.keep_linear(true);
+        renderer.render(&scene);
+        for [r, g, b, _] in renderer.linear().iter().filter(|pixel| pixel[3] > 0.0) {
+            let inside = |v: f32| (low - SINGLE..=high + SINGLE).contains(&f64::from(v));
+            prop_assert!(inside(*r) && inside(*g) && inside(*b), "{r}, expected {low} to {high}");
         }
     }
 }

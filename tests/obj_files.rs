@@ -1,9 +1,10 @@
 //! Wavefront OBJ: what real files contain is read, what is wrong is named with its line.
 
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Mesh, NO_NORMAL, ObjError, read_obj};
-use shading_lab::scene::{NormalSource, Weighting};
+use shading_lab::render::Renderer;
+use shading_lab::scene::{NormalSource, ObjectKind, Projection, Scene, Weighting};
 use std::io::{BufReader, Cursor};
 
 fn read(file: impl AsRef<[u8]>) -> Result<Mesh, ObjError> {
@@ -151,6 +152,105 @@ fn concave_polygons_are_covered_by_their_fans() {
     // A corner on a straight edge is no reason to change a polygon.
     let straight = good("v 0 0 0\nv 0.1 0.1 0\nv 0.3 0.3 0\nv 0 1 0\nf 1 2 3 4\n");
     assert_eq!((arities(&straight), straight.corners[0].position), (vec![4], 0));
+}
+
+/// A model of one polygon.
+fn one_polygon(points: &[DVec2]) -> Mesh {
+    let mut text: String = points.iter().map(|p| format!("v {} {} 0\n", p.x, p.y)).collect();
+    text.push('f');
+    (1..=points.len()).for_each(|k| text.push_str(&format!(" {k}")));
+    good(text)
+}
+
+/// Whether a place is inside a polygon, by the crossings of a ray; nothing where it is next to an edge.
+fn is_inside(points: &[DVec2], at: DVec2, near: f64) -> Option<bool> {
+    let mut inside = false;
+    for (k, &a) in points.iter().enumerate() {
+        let b = points[(k + 1) % points.len()];
+        let t = ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+        if at.distance(a.lerp(b, t)) < near {
+            return None;
+        }
+        let crosses = (a.y > at.y) != (b.y > at.y);
+        inside ^= crosses && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x);
+    }
+    Some(inside)
+}
+
+/// A bar from x = −1 to 1 with pointed teeth, or with square ones that have a corner in the middle of each straight edge.
+fn comb(teeth: u32, square: bool) -> Vec<DVec2> {
+    let width = 2.0 / f64::from(teeth);
+    let mut points = vec![DVec2::new(-1.0, -0.9), DVec2::new(1.0, -0.9)];
+    for k in (0..teeth).rev() {
+        let at = |x: f64, y: f64| DVec2::new(-1.0 + (f64::from(k) + x) * width, y);
+        if square {
+            points.extend([
+                at(1.0, 0.0),
+                at(1.0, 0.4),
+                at(1.0, 0.8),
+                at(0.7, 0.8),
+                at(0.4, 0.8),
+                at(0.4, 0.4),
+                at(0.4, 0.0),
+                at(0.2, 0.0),
+            ]);
+        } else {
+            points.extend([at(1.0, -0.7), at(0.5, 0.9)]);
+        }
+    }
+    if !square {
+        points.push(DVec2::new(-1.0, -0.7));
+    }
+    points
+}
+
+#[test]
+fn a_comb_of_any_number_of_corners_is_filled_as_a_comb() {
+    const SIDE: u32 = 200;
+    for (points, corners) in [(comb(200, false), 403), (comb(60, true), 482), (comb(700, false), 1403)] {
+        assert_eq!(points.len(), corners);
+        let mesh = one_polygon(&points);
+        let area: f64 = (0..mesh.face_count()).map(|f| doubled_area(&face_points(&mesh, f))).sum();
+        let expected = points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.perp_dot(*b)).sum::<f64>();
+        assert!((area - expected).abs() < 1e-5 * expected, "{corners}: {area}, expected {expected}");
+        let used: std::collections::HashSet<u32> = mesh.corners.iter().map(|corner| corner.position).collect();
+        assert_eq!(used.len(), corners, "each corner belongs to a triangle");
+        let mut scene = Scene::default();
+        (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("comb.obj".into()));
+        (scene.camera.projection, scene.camera.height) = (Projection::Orthographic, 2.2);
+        scene.image.size = [SIDE; 2];
+        let mut renderer = Renderer::default();
+        renderer.set_model(Some(std::sync::Arc::new(mesh)));
+        renderer.keep_linear(true);
+        renderer.render(&scene);
+        let pixel = 2.2 / f64::from(SIDE);
+        let mut compared = 0;
+        for (k, [_, _, _, covered]) in (0..).zip(renderer.linear()) {
+            let centre = DVec2::new(f64::from(k % SIDE) + 0.5, f64::from(SIDE - k / SIDE) - 0.5) * pixel - 1.1;
+            let Some(inside) = is_inside(&points, centre, pixel / 64.0) else { continue };
+            compared += 1;
+            assert_eq!(*covered > 0.0, inside, "{corners} corners, {centre}");
+        }
+        assert!(compared > SIDE * SIDE / 2, "{compared} pixels");
+    }
+}
+
+fn face_points(mesh: &Mesh, f: usize) -> Vec<DVec3> {
+    mesh.face(f).iter().map(|corner| mesh.positions[corner.position as usize].as_dvec3()).collect()
+}
+
+/// Twice the area of a plane face's fan.
+fn doubled_area(points: &[DVec3]) -> f64 {
+    points[1..].windows(2).map(|pair| (pair[0] - points[0]).cross(pair[1] - points[0]).z).sum()
+}
+
+/// Polygons that cross themselves have no right cut; they come to an end all the same.
+#[test]
+fn a_tangle_of_many_corners_is_read() {
+    let golden = |k: u32, part: f64| (f64::from(k) * part).fract() * 2.0 - 1.0;
+    let points: Vec<DVec2> =
+        (0..5000).map(|k| DVec2::new(golden(k, 0.618_033_988), golden(k, 0.414_213_562))).collect();
+    assert!(one_polygon(&points).face_count() > 0);
 }
 
 #[test]

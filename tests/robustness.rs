@@ -4,18 +4,21 @@
 mod any_scene;
 #[path = "common/reasons.rs"]
 mod reasons;
+#[path = "common/textbook.rs"]
+mod textbook;
 
-use any_scene::{AnyScene, any_scene};
-use glam::DVec3;
+use any_scene::{AnyScene, any_scene, everyday_scene};
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use reasons::Judge;
-use shading_lab::analysis::{Probe, ZeroCause, probe};
-use shading_lab::render::Renderer;
+use shading_lab::analysis::{Probe, ProfileRequest, ZeroCause, luminance, probe, profile};
+use shading_lab::render::{Renderer, srgb};
 use shading_lab::scene::{
     Attenuation, Encoding, GREATEST_INTENSITY, Interpolation, Light, Material, ObjectKind, Overflow, PatternKind,
     Projection, ReflectionModel, Rgb, Scene, ShadingMode,
 };
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use textbook::field_edge;
 
 /// What became of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -205,11 +208,113 @@ fn a_scene_is_refused_with_a_reason_or_drawn_in_finite_numbers() {
 #[test]
 #[ignore = "takes minutes"]
 fn a_million_scenes() {
-    let named = std::env::var("ROBUSTNESS_SEEDS").ok();
-    let seeds = named.as_deref().and_then(|text| text.split_once("..")).map_or([0, 1_000_000], |(from, to)| {
-        [from, to].map(|number| number.parse().expect("FROM..TO in whole numbers"))
+    examine_all(seeds(0..1_000_000));
+}
+
+/// Compares the probe with the stored pixels of an everyday scene: how many were compared, and what is wrong.
+fn compare(seed: u64) -> (u32, Option<String>) {
+    let AnyScene { scene, model } = everyday_scene(seed);
+    let Ok(model) = model else { return (0, None) };
+    if scene.validate().is_err() {
+        return (0, None);
+    }
+    let mut renderer = Renderer::default();
+    renderer.set_model(model);
+    let [width, height] = scene.image.size;
+    let (mut compared, mut wrong) = (0, Vec::new());
+    for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+        let Some(hit) = probe(&mut renderer, &scene, x, y).hit else { continue };
+        // A hair beside the border between two fields any rounding changes the colour.
+        if field_edge(&scene, hit.position, 2e-3) {
+            continue;
+        }
+        compared += 1;
+        let shown = hit.sum / hit.divisor;
+        // What is marked has colours of its own.
+        if scene.display.overflow == Overflow::Mark && shown.max_element() > 1.0 - 1e-4 {
+            continue;
+        }
+        let code = |v: f64| if scene.display.encoding == Encoding::Srgb { srgb(v.clamp(0.0, 1.0)) } else { v };
+        let off = |k: usize| (255.0 * code(shown[k]).clamp(0.0, 1.0) - f64::from(hit.stored[k])).abs();
+        let off = (0..3).map(off).fold(0.0, f64::max);
+        if off > 1.0 {
+            wrong.push(format!("{x},{y}: off by {off:.2}, sum {}, stored {:?}", hit.sum, hit.stored));
+        }
+    }
+    let told = |wrong: Vec<String>| {
+        let what = (scene.object.kind, scene.shading.mode, scene.shading.interpolation, scene.camera.projection);
+        let more = (scene.pattern.kind, scene.shading.shadows, scene.transparency.kt, scene.material.n);
+        format!("scene {seed}, {what:?} {more:?}: {} of {compared}, {}", wrong.len(), wrong[0])
+    };
+    (compared, (!wrong.is_empty()).then(|| told(wrong)))
+}
+
+/// Compares the profile along the middle row with the picture before the display, at the pixels' centres.
+fn compare_profile(seed: u64) -> (u32, Option<String>) {
+    let AnyScene { scene, model } = everyday_scene(seed);
+    let Ok(model) = model else { return (0, None) };
+    let [width, height] = scene.image.size;
+    if scene.validate().is_err() || width < 2 {
+        return (0, None);
+    }
+    let mut renderer = Renderer::default();
+    renderer.set_model(model);
+    let at = |x: f64| DVec2::new(x, f64::from(height / 2) + 0.5);
+    let request =
+        ProfileRequest { modes: vec![scene.shading.mode], ..ProfileRequest::new(at(0.0), at(f64::from(width))) };
+    let taken = profile(&mut renderer, &scene, &request).expect("a line in the picture");
+    renderer.keep_linear(true);
+    renderer.render(&scene);
+    let row: Vec<Rgb> = renderer.linear().chunks(width as usize).nth(height as usize / 2).map_or(Vec::new(), |row| {
+        row.iter().map(|[r, g, b, _]| Rgb::new((*r).into(), (*g).into(), (*b).into())).collect()
     });
-    examine_all(seeds[0]..seeds[1]);
+    let centres = taken.samples.iter().zip(&taken.traces[0].intensity);
+    let centres = centres.filter(|(sample, _)| (sample.x.fract() - 0.5).abs() < 1e-9);
+    let (mut compared, mut wrong) = (0, None);
+    for (sample, value) in centres {
+        let hit = probe(&mut renderer, &scene, sample.x as u32, height / 2).hit;
+        if hit.is_some_and(|hit| field_edge(&scene, hit.position, 2e-3)) {
+            continue;
+        }
+        compared += 1;
+        let expected = luminance(row[sample.x as usize]);
+        if (value - expected).abs() > expected.max(1.0) / 255.0 {
+            let what = (scene.object.kind, scene.shading.mode, scene.shading.interpolation);
+            wrong = Some(format!("scene {seed}, {what:?}: {value} at {}, the picture has {expected}", sample.x));
+        }
+    }
+    (compared, wrong)
+}
+
+/// The pixels compared in the scenes of these numbers, and what is wrong in which.
+fn compare_all(
+    seeds: std::ops::Range<u64>,
+    compare: impl Fn(u64) -> (u32, Option<String>) + Sync + Send,
+) -> (u32, Vec<String>) {
+    let compared: Vec<_> = seeds.into_par_iter().map(compare).collect();
+    (compared.iter().map(|(count, _)| count).sum(), compared.into_iter().filter_map(|(_, wrong)| wrong).collect())
+}
+
+/// The seeds that the environment names, or these.
+fn seeds(usual: std::ops::Range<u64>) -> std::ops::Range<u64> {
+    let named = std::env::var("ROBUSTNESS_SEEDS").ok();
+    let named = named.as_deref().and_then(|text| text.split_once(".."));
+    named.map_or(usual, |(from, to)| {
+        let [from, to] = [from, to].map(|number| number.parse().expect("FROM..TO in whole numbers"));
+        from..to
+    })
+}
+
+#[test]
+fn the_probe_says_what_is_stored_in_any_scene() {
+    let (compared, wrong) = compare_all(seeds(0..400), compare);
+    assert!(compared > 10_000 && wrong.is_empty(), "{compared} pixels, {} scenes: {wrong:#?}", wrong.len());
+}
+
+#[test]
+fn the_profile_passes_through_the_pixels_of_any_scene() {
+    let (compared, wrong) = compare_all(seeds(0..400), compare_profile);
+    assert!(compared > 2000 && wrong.is_empty(), "{compared} pixels, {} scenes: {wrong:#?}", wrong.len());
 }
 
 /// Probes a scene at some pixels and checks why each light adds nothing where it does not: the causes met.

@@ -10,7 +10,13 @@ pub struct Fields<T> {
     layout: Layout,
     scale: T,
     offset: [T; 3],
+    /// Half a field and [`BORDER`].
+    half: T,
 }
+
+/// Borders lie so far off their places, beside the eye's distance from the origin and the camera's: more than single precision
+/// rounds positions by. So a point on a border's place, as vertices often are, is in the same field in every precision.
+const BORDER: f64 = 1.0 / (1 << 21) as f64;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Layout {
@@ -31,14 +37,15 @@ impl<T: Scalar> Fields<T> {
             PatternKind::Rings => Layout::Rings(axis),
         };
         let offset = (origin / width).to_array().map(T::from_f64);
-        Some(Self { layout, scale: T::from_f64(unit / width), offset })
+        let border = (BORDER * (unit + origin.abs().max_element()) / width).min(0.25);
+        Some(Self { layout, scale: T::from_f64(unit / width), offset, half: T::from_f64(0.5 + border) })
     }
 
     /// Whether the pattern lies on a point: its own colour is seen there.
     #[inline(always)]
     pub fn lie_on<R: Real<Scalar = T>>(&self, position: V3<R>) -> R::Mask {
         let like = position.x;
-        let half = like.constant(T::from_f64(0.5));
+        let half = like.constant(self.half);
         let p = position.scale_add(like.constant(self.scale), V3::constant(like, self.offset));
         let count = match self.layout {
             Layout::Checker => (p.x + half).floor() + (p.y + half).floor() + (p.z + half).floor(),
@@ -54,7 +61,7 @@ impl<T: Scalar> Fields<T> {
         };
         // Odd fields: count − 2⌊count/2⌋ is 1.
         let pairs = (count * T::from_f64(0.5)).floor();
-        (count - pairs - pairs).greater_than(half)
+        (count - pairs - pairs).greater_than(like.constant(T::from_f64(0.5)))
     }
 }
 

@@ -285,7 +285,8 @@ pub(super) fn compose(
             let mut color = if covered { Vec3::from_slice(&pixel[..3]) } else { beyond };
             let s0 = faded.filter(|_| covered).and_then(|faded| faded.get(index)).copied().unwrap_or(1.0);
             if let Some(difference) = bounced.get(index).filter(|_| bounces_at(side, x, width)) {
-                color = (color + s0 * *difference).max(Vec3::ZERO);
+                // What has faded holds its veil already, which no lack of light takes away.
+                color = (color + s0 * *difference).max((1.0 - s0) * veil);
             }
             if covered && kt > 0.0 {
                 color = color * (1.0 - kt) + (s0 * beyond + (1.0 - s0) * veil) * kt;

@@ -4,12 +4,13 @@
 //! For perspective-correct interpolation the three are multiplied by the key (1/depth), which makes them linear in the
 //! picture; the kernels that read the fragments divide again where it matters.
 
-use super::clip::Clipped;
-use super::cover::{Band, BandPlace, Run, Weights};
+use super::clip::{Clipped, Cut};
+use super::cover::{Band, BandPlace, Weights};
 use super::fragments::{self, Block, Fragment, join};
 use super::model::Model;
 use super::needed::Needed;
-use super::transform::{HALF, Place, Placed, SUBPIXELS, UNPLACED};
+use super::scan_line::{self, Crossing, Outlines};
+use super::transform::{HALF, Placed, SUBPIXELS};
 use crate::illumination::Lanes;
 use fearless_simd::{Level, dispatch, f32x4, prelude::*};
 use rayon::prelude::*;
@@ -103,6 +104,17 @@ impl Sources<'_> {
         }
     }
 
+    /// Whether a triangle is a piece that clipping made.
+    #[inline(always)]
+    pub fn is_piece(&self, triangle: u32) -> bool {
+        triangle as usize >= self.model.triangles.len()
+    }
+
+    /// What a vertex is made from that clipping made.
+    pub fn cut(&self, vertex: u32) -> Option<&Cut> {
+        self.clipped.cuts.get((vertex as usize).wrapping_sub(self.model.padded_len()))
+    }
+
     /// The model's triangle: that which a piece that clipping made is part of.
     #[inline(always)]
     fn whole(&self, triangle: u32) -> usize {
@@ -138,11 +150,6 @@ pub(super) enum Rule {
     Steps,
     /// The same by the weights of the triangle's vertices at each pixel.
     Weights,
-}
-
-/// How values run along a row inside a polygon: linearly, from `start` at the run's first pixel by `step` a pixel.
-trait Along<S: Simd> {
-    fn along(&mut self, simd: S, run: Run, y: i32) -> (f32x4<S>, f32x4<S>);
 }
 
 /// Linear over the triangle (of values that are linear there: affine ones, or perspective ones times the key).
@@ -195,82 +202,39 @@ pub(super) fn mix<S: Simd>(simd: S, [origin, d1, d2]: [f32x4<S>; 3], [w1, w2]: [
     d1.mul_add(f32x4::splat(simd, w1), d2.mul_add(f32x4::splat(simd, w2), origin))
 }
 
-impl<S: Simd> Along<S> for Barycentric<'_, S> {
-    #[inline(always)]
-    fn along(&mut self, simd: S, run: Run, y: i32) -> (f32x4<S>, f32x4<S>) {
-        self.take(simd, run.triangle);
-        let [s1, s2] = self.weights.step;
-        let start = self.at(simd, self.weights.at(i32::from(run.x0), y));
-        (start, self.d1.mul_add(s1, self.d2 * s2))
-    }
-}
-
 /// Linear along the polygon's edges to P and Q on the scan line, then linear from P to Q (Gouraud 1971).
-struct Scanline<'a> {
-    sources: Sources<'a>,
-    /// The triangle whose polygon is `corners`.
-    triangle: u32,
-    corners: Vec<(Place, Fragment)>,
-    /// Crossings of the polygon's edges with the scan line.
-    crossings: Vec<(f64, [f64; 4])>,
+struct Span {
+    /// Places of P and Q.
+    x: [f64; 2],
+    /// What they carry.
+    values: [[f64; 4]; 2],
 }
 
-impl Scanline<'_> {
-    fn load(&mut self, triangle: u32) {
-        self.triangle = triangle;
-        let sources = self.sources;
-        let own = sources.model.triangles.len();
-        let corner = |&v: &u32| (sources.placed.places[v as usize], sources.carried[v as usize]);
-        self.corners.clear();
-        if (triangle as usize) < own {
-            self.corners.extend(sources.model.face(sources.face(triangle)).iter().map(corner));
-        }
-        // A clipped polygon has lost corners; its pieces are interpolated as the triangles they are.
-        if self.corners.is_empty() || self.corners.iter().any(|(place, _)| place[0] == UNPLACED) {
-            self.corners.clear();
-            self.corners.extend(sources.vertices(triangle).iter().map(corner));
-        }
-    }
-
-    /// Finds P and Q, the crossings on either side of pixel `x` in row `y`.
-    fn cross(&mut self, x: f64, y: i32) -> Option<[(f64, [f64; 4]); 2]> {
-        let line = f64::from(y * SUBPIXELS + HALF);
-        self.crossings.clear();
-        for (i, a) in self.corners.iter().enumerate() {
-            let b = &self.corners[(i + 1) % self.corners.len()];
-            let (ya, yb) = (f64::from(a.0[1]), f64::from(b.0[1]));
-            if (ya <= line) == (yb <= line) {
-                continue;
-            }
-            let alpha = (line - ya) / (yb - ya);
-            let mix = |p: f64, q: f64| (1.0 - alpha) * p + alpha * q;
-            let value = [0, 1, 2, 3].map(|k| mix(f64::from(a.1[k]), f64::from(b.1[k])));
-            self.crossings.push((mix(f64::from(a.0[0]), f64::from(b.0[0])), value));
-        }
-        self.crossings.sort_unstable_by(|p, q| p.0.total_cmp(&q.0));
-        let outside = |pair: &[(f64, [f64; 4])]| (pair[0].0 - x).max(x - pair[1].0);
-        let best = self.crossings.chunks_exact(2).min_by(|p, q| outside(p).total_cmp(&outside(q)))?;
-        Some([best[0], best[1]])
-    }
-}
-
-impl<S: Simd> Along<S> for Scanline<'_> {
-    #[expect(clippy::cast_possible_truncation, reason = "fragments are single precision")]
-    fn along(&mut self, simd: S, run: Run, y: i32) -> (f32x4<S>, f32x4<S>) {
-        if run.triangle != self.triangle {
-            self.load(run.triangle);
-        }
-        let pixel = f64::from(SUBPIXELS);
-        let x = f64::from(run.x0) * pixel + f64::from(HALF);
-        let Some([(xp, p), (xq, q)]) = self.cross(x, y) else {
-            return (f32x4::simd_from(simd, self.corners[0].1), f32x4::splat(simd, 0.0));
+impl Span {
+    fn new([p, q]: [&Crossing; 2], carried: &[Fragment]) -> Self {
+        let value = |crossing: &Crossing| {
+            let [a, b] = crossing.ends.map(|v| carried[v as usize]);
+            [0, 1, 2, 3].map(|k| (1.0 - crossing.alpha) * f64::from(a[k]) + crossing.alpha * f64::from(b[k]))
         };
+        Self { x: [p.x, q.x], values: [value(p), value(q)] }
+    }
+
+    /// From the pixel in column `x` on: the value there, the step to the next pixel, and the column where they end to hold, at
+    /// most `end`. Beside P and Q a pixel has their value, so that none leaves the range between them.
+    #[expect(clippy::cast_possible_truncation, reason = "fragments are single precision; the guard band bounds places")]
+    fn from<S: Simd>(&self, simd: S, x: u16, end: u16) -> (f32x4<S>, f32x4<S>, u16) {
+        let ([xp, xq], [p, q]) = (self.x, self.values);
+        let pixel = f64::from(SUBPIXELS);
+        let centre = f64::from(x) * pixel + f64::from(HALF);
         // A span of no length has one value, P's.
         let per_unit = if xq > xp { 1.0 / (xq - xp) } else { 0.0 };
-        let t = ((x - xp) * per_unit).clamp(0.0, 1.0);
+        let t = ((centre - xp) * per_unit).clamp(0.0, 1.0);
         let start = [0, 1, 2, 3].map(|k| (p[k] + t * (q[k] - p[k])) as f32);
         let step = [0, 1, 2, 3].map(|k| (per_unit * pixel * (q[k] - p[k])) as f32);
-        (f32x4::simd_from(simd, start), f32x4::simd_from(simd, step))
+        let inside = centre >= xp;
+        let last = if inside { ((xq - f64::from(HALF)) / pixel).floor() as i32 } else { 0 };
+        let until = last.saturating_add(1).clamp(i32::from(x) + 1, i32::from(end)) as u16;
+        (f32x4::simd_from(simd, start), f32x4::simd_from(simd, step), until)
     }
 }
 
@@ -286,11 +250,8 @@ pub(super) fn interpolate<S: Simd>(
 ) {
     open_gaps(place, band, fragments);
     match rule {
-        Rule::Scanline => {
-            let along = Scanline { sources, triangle: u32::MAX, corners: Vec::new(), crossings: Vec::new() };
-            fill(simd, place, band, along, fragments);
-        }
-        Rule::Steps => fill(simd, place, band, Barycentric::new(simd, sources), fragments),
+        Rule::Scanline => fill_by_spans(simd, place, band, sources, fragments),
+        Rule::Steps => fill_by_steps(simd, place, band, sources, fragments),
         Rule::Weights => fill_by_weights(simd, place, band, sources, fragments),
     }
 }
@@ -313,13 +274,37 @@ fn open_gaps(place: BandPlace, band: &Band, fragments: &mut [Block]) {
 }
 
 #[inline(always)]
-fn fill<S: Simd>(simd: S, place: BandPlace, band: &Band, mut along: impl Along<S>, fragments: &mut [Block]) {
+fn fill_by_steps<S: Simd>(simd: S, place: BandPlace, band: &Band, sources: Sources<'_>, fragments: &mut [Block]) {
     let count = Block::count(place.width);
+    let mut rule = Barycentric::new(simd, sources);
     for run in &band.runs {
-        let (start, step) = along.along(simd, *run, place.y(*run));
+        rule.take(simd, run.triangle);
+        let [s1, s2] = rule.weights.step;
+        let start = rule.at(simd, rule.weights.at(i32::from(run.x0), place.y(*run)));
+        let step = rule.d1.mul_add(s1, rule.d2 * s2);
         let row = usize::from(run.row) * count;
         let line = &mut fragments[row..row + count];
         fragments::fill(simd, line, usize::from(run.x0)..usize::from(run.x1), start, step);
+    }
+}
+
+#[inline(always)]
+fn fill_by_spans<S: Simd>(simd: S, place: BandPlace, band: &Band, sources: Sources<'_>, fragments: &mut [Block]) {
+    let count = Block::count(place.width);
+    let mut outlines = Outlines::new(sources, place, band.sorted);
+    for run in &band.runs {
+        let row = usize::from(run.row) * count;
+        let line = &mut fragments[row..row + count];
+        let crossings = outlines.crossings(run.triangle, place.y(*run));
+        let mut x = run.x0;
+        while x < run.x1 {
+            let centre = f64::from(i32::from(x) * SUBPIXELS + HALF);
+            // A row that sees the polygon crosses its outline.
+            let Some(pair) = scan_line::span(crossings, centre) else { break };
+            let (start, step, end) = Span::new(pair, sources.carried).from(simd, x, run.x1);
+            fragments::fill(simd, line, usize::from(x)..usize::from(end), start, step);
+            x = end;
+        }
     }
 }
 

@@ -70,18 +70,6 @@ impl Lens {
         if self.perspective { 1.0 / key } else { -key }
     }
 
-    /// Weights of the second and third corner of a triangle, world, at the point of its plane that is seen at a place.
-    /// Seen exactly edge-on the plane has no single point there; its middle stands for it.
-    pub fn weights_in_space(&self, corners: [DVec3; 3], place: DVec2) -> [f64; 2] {
-        let (point, direction) = self.ray(place);
-        let [a, b, c] = corners.map(|corner| (corner - self.eye) / self.unit);
-        let (e1, e2, from) = (b - a, c - a, point - a);
-        let (p, q) = (direction.cross(e2), from.cross(e1));
-        let determinant = e1.dot(p);
-        let weights = [from.dot(p) / determinant, direction.dot(q) / determinant];
-        if weights.iter().all(|w| w.is_finite()) { weights } else { [1.0 / 3.0, 1.0 / 3.0] }
-    }
-
     /// The ray through a place in the picture: a point and a direction in camera distances relative to the eye, such
     /// that point + depth·direction lies at that depth.
     pub fn ray(&self, place: DVec2) -> (DVec3, DVec3) {

@@ -5,6 +5,7 @@
 
 use super::clip::Clipped;
 use super::model::Model;
+use super::scan_line::EdgeTable;
 use super::transform::Placed;
 use crate::geometry::Mesh;
 use std::iter::Sum;
@@ -92,7 +93,8 @@ impl Holds for Model {
 
 impl Holds for Placed {
     fn memory(&self) -> Memory {
-        Memory::of_vertices(room(&self.places) + room(&self.keys))
+        let edges = self.edges.get().map_or(0, EdgeTable::room);
+        Memory::of_vertices(room(&self.places) + room(&self.keys) + edges)
     }
 }
 

@@ -544,9 +544,8 @@ impl Painting<'_> {
         let mut equation = Equation::<f64>::in_units(self.scene, self.lens.unit);
         equation.retain_lights(|light| self.plan.lights[light]);
         let Self { scene, plan, lens, .. } = *self;
-        let Sources { model, clipped, .. } = self.sources;
         let reference =
-            Reference { scene, plan, lens, model, clipped, surface: self.surface, reach: self.reach, cue: None };
+            Reference { scene, plan, lens, sources: self.sources, surface: self.surface, reach: self.reach, cue: None };
         let width = place.width as usize;
         target.clear(0..place.rows as usize * width);
         let mut over = 0;

@@ -19,13 +19,13 @@ pub(crate) struct Polygon<'a> {
 impl Renderer {
     /// Polygons of the last picture's object.
     pub(crate) fn polygon_count(&self) -> usize {
-        self.reference().map_or(0, |reference| reference.model.face_count())
+        self.reference().map_or(0, |reference| reference.sources.model.face_count())
     }
 
     /// Face `face` of the last picture's object, if there is one of that index.
     pub(crate) fn polygon(&self, face: u32) -> Option<Polygon<'_>> {
         let reference = self.reference()?;
-        if face as usize >= reference.model.face_count() {
+        if face as usize >= reference.sources.model.face_count() {
             return None;
         }
         let corners = reference.corner_sites(face);
@@ -43,7 +43,7 @@ impl Renderer {
         }
         let place = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let (origin, along) = reference.lens.ray(place);
-        let (model, lens) = (reference.model, reference.lens);
+        let (model, lens) = (reference.sources.model, reference.lens);
         let distance = |vertices: &[u32; 3]| {
             let [a, b, c] = vertices.map(|v| (model.position(v) - lens.eye) / lens.unit);
             distance_to([a, b, c], origin, along).filter(|distance| *distance >= NEAR)

@@ -3,15 +3,16 @@
 //! The modes differ only in where the equation is evaluated; so a pixel's value is a weighted sum of the equation at a few
 //! sites, and [`Evaluation`] lists them: one at the face's centre, three at vertices, one at the pixel.
 
-use super::clip::Clipped;
 use super::cue::Cue;
 use super::exact::meet;
-use super::interpolate::SHORTEST_NORMAL;
+use super::interpolate::{SHORTEST_NORMAL, Sources};
 use super::lens::{Lens, NEAR};
 use super::model::Model;
 use super::plan::{Cued, Per, Plan};
 use super::points::CHUNK;
+use super::scan_line::{self, Crossing, Outline};
 use super::shadow::Reach;
+use super::transform::SUBPIXELS;
 use crate::geometry::Surface;
 use crate::illumination::{Equation, Reached};
 use crate::scene::{FlatAt, Rgb, Scene, ShadingMode};
@@ -80,8 +81,8 @@ pub(super) struct Reference<'a> {
     pub scene: &'a Scene,
     pub plan: &'a Plan,
     pub lens: &'a Lens,
-    pub model: &'a Model,
-    pub clipped: &'a Clipped,
+    /// The triangles where they lie in the picture; nothing is carried.
+    pub sources: Sources<'a>,
     pub surface: Option<&'a Surface>,
     /// Which sources reach which sites, where there are shadows: pixels, faces or vertices, as the plan has it.
     pub reach: Option<&'a Reach>,
@@ -100,21 +101,19 @@ impl<'a> Reference<'a> {
 
     /// The pixel whose sample lies at `place` sees `triangle`, one of the model's or of the clipper's.
     pub fn of_triangle(&self, triangle: u32, place: DVec2) -> Evaluation<'a> {
-        let own = self.model.triangles.len();
-        let triangle = self.clipped.parents.get((triangle as usize).wrapping_sub(own)).copied().unwrap_or(triangle);
-        let vertices = self.model.triangles[triangle as usize];
-        let face = self.model.faces[triangle as usize];
-        let in_space = self.weights_in_space(vertices, place);
-        let position = mix(&in_space, |v| self.model.position(v));
-        let carried = self.weights(face, &in_space, place);
+        let face = self.sources.face(triangle);
+        let (carried, key) = self.carried(triangle, place);
+        let depth = self.lens.depth_from_key(key);
+        let (point, direction) = self.lens.ray(place);
+        let position = self.lens.world(point + direction * depth);
+        let depth = depth * self.lens.unit;
         let normal = self.pixel_normal(face, &carried);
-        let depth = (position - self.lens.eye).dot(self.lens.forward);
         // s0 of the whole pixel, where it is not that of each point where the equation is evaluated.
         let whole = match self.plan.cued {
             Cued::Nowhere | Cued::AtPoints => None,
             Cued::AtPixels => Some(self.scale(position)),
             Cued::AtVertices => {
-                Some(carried.iter().map(|&(v, weight)| weight * self.scale(self.model.position(v))).sum())
+                Some(carried.iter().map(|&(v, weight)| weight * self.scale(self.model().position(v))).sum())
             }
         };
         let at_vertex = |v: u32, weight: f64| self.vertex_site(v, weight);
@@ -145,17 +144,17 @@ impl<'a> Reference<'a> {
 
     /// The corners of a face, each with the weight 1.
     pub fn corner_sites(&self, face: u32) -> Vec<WeightedSite<'a>> {
-        self.model.face(face).iter().map(|&v| self.vertex_site(v, 1.0)).collect()
+        self.model().face(face).iter().map(|&v| self.vertex_site(v, 1.0)).collect()
     }
 
     /// Where flat shading evaluates the equation for a face.
     pub fn flat_sites(&self, face: u32) -> Vec<WeightedSite<'a>> {
-        let corners = self.model.face(face);
+        let corners = self.model().face(face);
         #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
         let share = 1.0 / corners.len().max(1) as f64;
         match self.scene.shading.flat_at {
             FlatAt::Centre => {
-                let (point, normal) = (self.model.face_centre(face), self.model.face_normal(face));
+                let (point, normal) = (self.model().face_centre(face), self.model().face_normal(face));
                 vec![WeightedSite {
                     weight: 1.0,
                     point,
@@ -170,7 +169,7 @@ impl<'a> Reference<'a> {
     }
 
     fn vertex_site(&self, v: u32, weight: f64) -> WeightedSite<'a> {
-        let (point, normal) = (self.model.position(v), self.model.normal(v));
+        let (point, normal) = (self.model().position(v), self.model().normal(v));
         WeightedSite { weight, point, normal, scale: self.scale(point), reached: self.at_point(v) }
     }
 
@@ -188,57 +187,113 @@ impl<'a> Reference<'a> {
 
     fn pixel_normal(&self, face: u32, carried: &[(u32, f64)]) -> DVec3 {
         if matches!(self.scene.shading.mode, ShadingMode::Flat | ShadingMode::Interpolated) {
-            return self.model.face_normal(face);
+            return self.model().face_normal(face);
         }
-        let normal = mix(carried, |v| self.model.normal(v));
+        let normal = mix(carried, |v| self.model().normal(v));
         if self.plan.renormalise { normal / normal.length().max(SHORTEST_NORMAL) } else { normal }
     }
 
-    /// The weights by which values are carried to the pixel.
-    fn weights(&self, face: u32, in_space: &[(u32, f64)], place: DVec2) -> Vec<(u32, f64)> {
-        let lens = self.lens;
-        let before_the_eye = |v: u32| lens.view_from_world(self.model.position(v)).z >= NEAR;
-        let at = |v: u32| lens.picture_from_view(lens.view_from_world(self.model.position(v)));
-        if self.plan.scanline && self.model.face(face).iter().all(|&v| before_the_eye(v)) {
-            scanline_weights(self.model.face(face), at, place)
-        } else if lens.perspective && !self.plan.perspective && in_space.iter().all(|&(v, _)| before_the_eye(v)) {
-            let [a, b, c] = [0, 1, 2].map(|i: usize| at(in_space[i].0));
-            let area = (b - a).perp_dot(c - a);
-            let (w1, w2) = ((place - a).perp_dot(c - a) / area, (b - a).perp_dot(place - a) / area);
-            vec![(in_space[0].0, 1.0 - w1 - w2), (in_space[1].0, w1), (in_space[2].0, w2)]
-        } else {
-            in_space.to_vec()
+    /// The weights by which values are carried from the model's vertices to a place, and the depth key there.
+    ///
+    /// Corners are where they are, unless the picture's grid decides what the place shows, as in a polygon hardly wider than
+    /// the grid: there they are where the picture has them. Pixels that are evaluated here know no grid.
+    fn carried(&self, triangle: u32, place: DVec2) -> (Vec<(u32, f64)>, f64) {
+        /// The grid decides where it moves a weight by more than this, an eighth of a code value.
+        const MOVED: f64 = 1.0 / 2048.0;
+        let pair = self.plan.scanline.then(|| self.pair(triangle, place));
+        let by = |grid| match &pair {
+            Some(pair) => self.weights(&self.along_line(pair, place, grid)),
+            None => self.weights(&self.over_triangle(triangle, place, grid)),
+        };
+        let exact = by(false);
+        if self.plan.pixels_in_double() {
+            return exact;
         }
+        let grid = by(true);
+        let of = |weights: &[(u32, f64)], vertex| weights.iter().find(|(v, _)| *v == vertex).map_or(0.0, |(_, w)| *w);
+        let same = |&(v, _): &(u32, f64)| (of(&exact.0, v) - of(&grid.0, v)).abs() <= MOVED;
+        if exact.0.iter().chain(&grid.0).all(same) { exact } else { grid }
     }
 
-    /// Barycentric weights of the point of the triangle's plane that the pixel sees.
-    fn weights_in_space(&self, vertices: [u32; 3], place: DVec2) -> Vec<(u32, f64)> {
-        let [w1, w2] = self.lens.weights_in_space(vertices.map(|v| self.model.position(v)), place);
-        vec![(vertices[0], 1.0 - w1 - w2), (vertices[1], w1), (vertices[2], w2)]
+    /// P and Q on the picture's grid.
+    fn pair(&self, triangle: u32, place: DVec2) -> [Crossing; 2] {
+        let place = place * f64::from(SUBPIXELS);
+        let mut crossings = Vec::new();
+        Outline::of(&self.sources, triangle).cross(&self.sources.placed.places, place.y, &mut crossings);
+        let corner = Crossing { x: place.x, ends: [self.sources.vertices(triangle)[0]; 2], alpha: 0.0 };
+        scan_line::span(&crossings, place.x).map_or([corner; 2], |pair| pair.map(|crossing| *crossing))
     }
+
+    /// The ends of the edges that P and Q lie on, with their weights (Gouraud 1971).
+    fn along_line(&self, pair: &[Crossing; 2], place: DVec2, grid: bool) -> Vec<(Corner, f64)> {
+        let [p, q] = pair.map(|Crossing { ends, alpha, .. }| {
+            let [a, b] = ends.map(|v| self.corner(v, grid));
+            let exact = (place.y - a.place.y) / (b.place.y - a.place.y);
+            let alpha = if exact.is_finite() { exact.clamp(0.0, 1.0) } else { alpha };
+            (a.place.x + alpha * (b.place.x - a.place.x), [(a, 1.0 - alpha), (b, alpha)])
+        });
+        let t = if q.0 > p.0 { ((place.x - p.0) / (q.0 - p.0)).clamp(0.0, 1.0) } else { 0.0 };
+        let shared = |corners: [(Corner, f64); 2], share: f64| corners.map(|(corner, weight)| (corner, weight * share));
+        [shared(p.1, 1.0 - t), shared(q.1, t)].concat()
+    }
+
+    /// The corners of a triangle, with their weights in the picture. Seen exactly edge-on it has no single point at a place;
+    /// its middle stands for it.
+    fn over_triangle(&self, triangle: u32, place: DVec2, grid: bool) -> Vec<(Corner, f64)> {
+        let corners = self.sources.vertices(triangle).map(|v| self.corner(v, grid));
+        let [a, b, c] = corners.map(|corner| corner.place);
+        let area = (b - a).perp_dot(c - a);
+        let (w1, w2) = ((place - a).perp_dot(c - a) / area, (b - a).perp_dot(place - a) / area);
+        let sound = w1.is_finite() && w2.is_finite();
+        let weights = if sound { [1.0 - w1 - w2, w1, w2] } else { [1.0 / 3.0; 3] };
+        corners.into_iter().zip(weights).collect()
+    }
+
+    /// A vertex of the model or of the clipper.
+    fn corner(&self, vertex: u32, grid: bool) -> Corner {
+        let view = |v: u32| self.lens.view_from_world(self.model().position(v));
+        let view = match self.sources.cut(vertex) {
+            None => view(vertex),
+            Some(cut) => cut.vertices.iter().zip(cut.weights).map(|(&v, weight)| view(v) * weight).sum(),
+        };
+        let view = DVec3 { z: view.z.max(NEAR), ..view };
+        let on_grid = || DVec2::from_array(self.sources.placed.places[vertex as usize].map(f64::from));
+        let place = if grid { on_grid() / f64::from(SUBPIXELS) } else { self.lens.picture_from_view(view) };
+        Corner { vertex, place, key: self.lens.key_from_depth(view.z) }
+    }
+
+    /// Weights over the model's vertices, and the depth key, from weights in the picture.
+    fn weights(&self, seen: &[(Corner, f64)]) -> (Vec<(u32, f64)>, f64) {
+        let key: f64 = seen.iter().map(|(corner, weight)| weight * corner.key).sum();
+        let key = key.max(self.lens.least_key());
+        let mut weights: Vec<(u32, f64)> = Vec::with_capacity(4);
+        let mut add = |vertex: u32, weight: f64| match weights.iter_mut().find(|(v, _)| *v == vertex) {
+            Some((_, sum)) => *sum += weight,
+            None => weights.push((vertex, weight)),
+        };
+        for (corner, weight) in seen {
+            let weight = if self.plan.perspective { weight * corner.key / key } else { *weight };
+            match self.sources.cut(corner.vertex) {
+                None => add(corner.vertex, weight),
+                Some(cut) => cut.vertices.iter().zip(cut.weights).for_each(|(&v, part)| add(v, weight * part)),
+            }
+        }
+        (weights, key)
+    }
+
+    fn model(&self) -> &'a Model {
+        self.sources.model
+    }
+}
+
+/// A corner in the picture, pixels, with its depth key.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    vertex: u32,
+    place: DVec2,
+    key: f64,
 }
 
 fn mix(weights: &[(u32, f64)], value: impl Fn(u32) -> DVec3) -> DVec3 {
     weights.iter().map(|&(v, weight)| value(v) * weight).sum()
-}
-
-/// Weights over a polygon's vertices by the course's bilinear formula: α along two edges to P and Q, then along the span.
-fn scanline_weights(polygon: &[u32], at: impl Fn(u32) -> DVec2, place: DVec2) -> Vec<(u32, f64)> {
-    let mut crossings: Vec<(f64, u32, u32, f64)> = Vec::new();
-    for (i, &from) in polygon.iter().enumerate() {
-        let to = polygon[(i + 1) % polygon.len()];
-        let (a, b) = (at(from), at(to));
-        if (a.y <= place.y) != (b.y <= place.y) {
-            let alpha = (place.y - a.y) / (b.y - a.y);
-            crossings.push((a.x + alpha * (b.x - a.x), from, to, alpha));
-        }
-    }
-    crossings.sort_by(|p, q| p.0.total_cmp(&q.0));
-    let outside = |pair: &[(f64, u32, u32, f64)]| (pair[0].0 - place.x).max(place.x - pair[1].0);
-    let pair = crossings.chunks_exact(2).min_by(|p, q| outside(p).total_cmp(&outside(q)));
-    let Some(&[p, q]) = pair.and_then(|pair| pair.first_chunk()) else { return vec![(polygon[0], 1.0)] };
-    let t = if q.0 > p.0 { ((place.x - p.0) / (q.0 - p.0)).clamp(0.0, 1.0) } else { 0.0 };
-    let of =
-        |(_, from, to, alpha): (f64, u32, u32, f64), share: f64| [(from, (1.0 - alpha) * share), (to, alpha * share)];
-    [of(p, 1.0 - t), of(q, t)].concat()
 }

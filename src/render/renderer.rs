@@ -23,7 +23,7 @@ use super::points::Planes;
 use super::rays::{RayInputs, RayStages, SeenAt};
 use super::reference::{Evaluation, Reference};
 use super::stage::{Kept, Use};
-use super::transform::Placed;
+use super::transform::{Placed, UNPLACED};
 use super::transmission::Transmission;
 use super::{Frame, Report, Stage, StageRun};
 use crate::geometry::{Mesh, Surface};
@@ -261,16 +261,24 @@ impl Renderer {
         Some(piece.map_or(triangle, |piece| self.placed.output.1.parents[piece]))
     }
 
-    /// I where `triangle` is seen at `place` in the picture of `scene`, which casts no shadows and has the last picture's model:
-    /// nothing has to be drawn for it.
-    pub(crate) fn intensity_turned(&self, scene: &Scene, equation: &Equation<f64>, triangle: u32, place: DVec2) -> Rgb {
-        let facts = self.facts();
-        let (plan, model) = (Plan::of(scene, &facts), &self.model.output);
-        let lens = Lens::new(&scene.camera, scene.image.size, DVec2::ZERO, facts.unit(&scene.camera));
-        let clipped = &self.placed.output.1;
-        let drawn =
-            Reference { scene, plan: &plan, lens: &lens, model, clipped, surface: None, reach: None, cue: None };
-        drawn.of_triangle(triangle, place).intensity(equation)
+    /// I where `triangle` is seen at `place` in the picture of `scene`, which casts no shadows and has the last picture's
+    /// model: only its vertices are placed anew. Nothing where the triangle would have to be clipped.
+    pub(crate) fn intensity_turned(
+        &self,
+        scene: &Scene,
+        equation: &Equation<f64>,
+        triangle: u32,
+        place: DVec2,
+    ) -> Option<Rgb> {
+        let (facts, model, size) = (self.facts(), &self.model.output, scene.image.size);
+        let plan = Plan::of(scene, &facts);
+        let lens = Lens::new(&scene.camera, size, DVec2::ZERO, facts.unit(&scene.camera));
+        let (mut placed, clipped) = (Placed::default(), Clipped::default());
+        placed.run(self.level, &lens, model, size[1]);
+        let sources = Sources { model, clipped: &clipped, placed: &placed, carried: &[] };
+        let whole = sources.vertices(triangle).iter().all(|v| placed.places[*v as usize][0] != UNPLACED);
+        let drawn = Reference { scene, plan: &plan, lens: &lens, sources, surface: None, reach: None, cue: None };
+        whole.then(|| drawn.of_triangle(triangle, place).intensity(equation))
     }
 
     /// The polygons of the last picture, before they were given vertex normals.
@@ -292,12 +300,12 @@ impl Renderer {
     /// What evaluations of the last picture read.
     pub(super) fn reference(&self) -> Option<Reference<'_>> {
         let drawn = self.drawn.as_ref()?;
+        let (placed, clipped, _) = &self.placed.output;
         Some(Reference {
             scene: &drawn.scene,
             plan: &drawn.plan,
             lens: &drawn.lens,
-            model: &self.model.output,
-            clipped: &self.placed.output.1,
+            sources: Sources { model: &self.model.output, clipped, placed, carried: &[] },
             surface: self.surface.output.as_ref(),
             reach: self.rays.reach(&drawn.plan),
             cue: Cue::of(&drawn.scene, &drawn.plan, &drawn.lens),
@@ -446,7 +454,7 @@ impl Renderer {
             let model = &self.model.output;
             let level = self.level;
             ran = self.placed.update(inputs, |inputs, (placed, clipped, bins)| {
-                placed.run(level, &inputs.lens, model);
+                placed.run(level, &inputs.lens, model, size[1]);
                 bins.run(model, &inputs.lens, size, inputs.cull, placed, clipped);
             });
         }

@@ -5,9 +5,11 @@
 
 use super::lens::{Lens, NEAR};
 use super::model::Model;
+use super::scan_line::EdgeTable;
 use crate::illumination::{Lanes, Real, V3};
 use fearless_simd::{Level, dispatch, prelude::*};
 use rayon::prelude::*;
+use std::sync::OnceLock;
 
 /// Fractional bits of a place in the picture.
 pub(super) const SUBPIXEL_BITS: u32 = 8;
@@ -36,6 +38,10 @@ pub(super) struct Placed {
     pub places: Vec<Place>,
     /// The depth key of each, see [`Lens::key_from_depth`].
     pub keys: Vec<f32>,
+    /// Rows of the picture.
+    pub rows: u32,
+    /// What scan lines cross, once it is asked for.
+    pub edges: OnceLock<EdgeTable>,
 }
 
 impl Placed {
@@ -45,7 +51,8 @@ impl Placed {
         [self.places[a as usize], self.places[b as usize], self.places[c as usize]]
     }
 
-    pub fn run(&mut self, level: Level, lens: &Lens, model: &Model) {
+    pub fn run(&mut self, level: Level, lens: &Lens, model: &Model, height: u32) {
+        (self.rows, self.edges) = (height, OnceLock::new());
         let rows = Rows::new(lens, model);
         self.places.clear();
         self.places.resize(model.padded_len(), [UNPLACED; 2]);

@@ -74,6 +74,6 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -
 fn value(renderer: &Renderer, turned: &Scene, equation: &Equation<f64>, triangle: u32, point: DVec3) -> Option<f64> {
     let (place, _) = View::new(&turned.camera, turned.image.size).project(point)?;
     let inside = place.cmpge(DVec2::ZERO).all() && place.max_element() < f64::from(SIDE);
-    let intensity = || renderer.intensity_turned(turned, equation, triangle, place);
-    inside.then(|| luminance(intensity().max(Rgb::ZERO)))
+    let intensity = renderer.intensity_turned(turned, equation, triangle, place).filter(|_| inside)?;
+    Some(luminance(intensity.max(Rgb::ZERO)))
 }
