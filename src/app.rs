@@ -16,11 +16,13 @@ mod equation;
 mod errand;
 mod files;
 mod filled;
+mod focus;
 mod gallery;
 mod handles;
 mod history;
 mod keys;
 mod letter;
+mod lines;
 mod menus;
 mod numbers;
 mod orbit;
@@ -70,14 +72,18 @@ pub struct App {
     files: Files,
     room: Room,
     title: String,
+    /// Whether a dialog, or the progress of work on a file, stands in front of everything else: the keys are for that.
+    in_front: bool,
 }
 
 impl App {
     /// A window that shows `loaded`, looking as it did last time.
     pub fn new(cc: &eframe::CreationContext<'_>, loaded: Loaded) -> Self {
         theme::install(&cc.egui_ctx);
-        let mut state: AppState =
-            cc.storage.and_then(|storage| eframe::get_value(storage, STORAGE_KEY)).unwrap_or_default();
+        let stored: Option<AppState> = cc.storage.and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
+        let mut state = stored.map(AppState::sound).unwrap_or_default();
+        // The toolkit stores a scale of its own, which nobody has checked. Set in this way it holds from the first frame on.
+        cc.egui_ctx.options_mut(|options| options.zoom_factor = state.look.scale);
         state.open(Document::from(loaded));
         state.history = History::new(state.document.clone());
         Self {
@@ -87,6 +93,7 @@ impl App {
             files: Files::default(),
             room: Room { whole: [1, 1], pane: [1, 1] },
             title: String::new(),
+            in_front: false,
         }
     }
 
@@ -229,6 +236,15 @@ impl App {
         self.state.notice = Some("copied the picture".to_owned());
     }
 
+    /// Takes the focus from what a dialog has come to stand before.
+    fn keep_keys(&mut self, ctx: &Context) {
+        let in_front = self.state.dialog.is_some() || self.files.progress().is_some();
+        if in_front && !self.in_front {
+            ctx.memory_mut(|memory| memory.stop_text_input());
+        }
+        self.in_front = in_front;
+    }
+
     /// Takes what was dropped on the window.
     fn drops(&mut self, ctx: &Context) {
         for file in ctx.input(|input| input.raw.dropped_files.clone()) {
@@ -241,12 +257,16 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         self.drops(&ctx);
-        let focus = ctx.memory(|memory| memory.has_focus(picture::id()));
-        keys::listen(&ctx, &mut self.state, focus);
+        focus::listen(&ctx);
+        if !self.in_front {
+            keys::listen(&ctx, &mut self.state);
+        }
         self.panels(ui);
         self.files.poll(&ctx, &mut self.state);
         dialog::dialog_ui(&ctx, &mut self.state, &mut self.files);
         self.settle(&ctx);
+        self.keep_keys(&ctx);
+        focus::show(&ctx);
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {

@@ -5,6 +5,7 @@
 //! as pictures, as SVG text and in the window. Everything here is a pure function of its arguments, so the same scene gives the
 //! same pixels everywhere.
 
+mod clip;
 mod comparison;
 mod difference;
 mod ink;
@@ -15,6 +16,7 @@ mod scan;
 mod stability;
 mod text;
 
+pub(crate) use clip::{can_be_filled, clipped};
 pub use comparison::{
     DrawnPane, PaneArea, caption, comparison_sheet, draw_panes, pane_areas, pane_figures, panes_on_sheet,
 };

@@ -7,13 +7,17 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
+use glam::{DVec2, DVec3};
 use hands::{choose, drag, enter, picture, press, scene, undo, unfold, wait, window};
 use shading_lab::analysis::NormalField;
-use shading_lab::app::App;
+use shading_lab::app::{App, AppState, Look, NumbersTab, ProfileLook};
+use shading_lab::document::load;
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{
-    CompareView, Distribution, LightKind, Pane, PatternKind, ReflectionModel, Rgb, ShadingMode, View,
+    CompareView, Distribution, Light, LightKind, Pane, PatternKind, ReflectionModel, Rgb, Scene, ShadingMode, View,
 };
+use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::Arc;
 
 /// Sets a slider by its accessible name, sees the picture change, and takes it back.
@@ -523,7 +527,7 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     let lit = |harness: &Harness<'_, App>| harness.state().state().pointed.lit;
     let centre = harness.get_by_role(Role::Image).rect().center();
     let (rect, before) = (harness.get_by_role(Role::Image).rect(), picture(&harness));
-    let at = |harness: &Harness<'_, App>, point: glam::DVec3| {
+    let at = |harness: &Harness<'_, App>, point: DVec3| {
         let size = [rect.width() as u32, rect.height() as u32];
         let (pixel, _) = View::new(&scene(harness).camera, size).project(point).expect("before the eye");
         rect.min + vec2(pixel.x as f32, pixel.y as f32)
@@ -570,4 +574,107 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     undo(&mut harness);
     undo(&mut harness);
     assert!(picture(&harness) == before, "needles are no part of the picture");
+}
+
+#[test]
+fn a_new_light_goes_where_it_is_seen_and_no_other_is() {
+    for name in ["sphere", "spotlight"] {
+        let mut harness = window(name);
+        for count in scene(&harness).lights.len() + 1..14 {
+            press(&mut harness, if count < 8 { "Add a light" } else { "Duplicate this light" });
+            let Scene { lights, camera, .. } = scene(&harness);
+            assert_eq!(lights.len(), count);
+            let size = [harness.state().frame().width, harness.state().frame().height];
+            let at = |light: &Light| View::new(camera, size).project(light.position).map(|(pixel, _)| pixel);
+            let added = at(&lights[count - 1]).expect("before the eye");
+            let inside = added.cmpgt(DVec2::ZERO).all() && added.cmplt(DVec2::from_array(size.map(f64::from))).all();
+            assert!(inside, "light {count} is out of sight at {added} of {size:?}");
+            let nearest =
+                lights[..count - 1].iter().filter_map(at).map(|at| at.distance(added)).fold(f64::MAX, f64::min);
+            assert!(nearest > 16.0, "light {count} is {nearest} pixels from another");
+        }
+    }
+}
+
+#[test]
+fn a_light_from_afar_is_doubled_to_another_direction() {
+    let mut harness = window("sun");
+    for _ in 0..12 {
+        press(&mut harness, "Duplicate this light");
+    }
+    let directions: Vec<DVec3> = scene(&harness).lights.iter().map(|light| light.direction.normalize()).collect();
+    let close = |i: usize, j: usize| directions[i].dot(directions[j]) > 0.9999;
+    assert!((0..directions.len()).all(|i| (0..i).all(|j| !close(i, j))), "{directions:?}");
+}
+
+/// What is stored between two sessions, in memory.
+#[derive(Default)]
+struct Stored(BTreeMap<String, String>);
+
+impl eframe::Storage for Stored {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+
+    fn set_string(&mut self, key: &str, value: String) {
+        self.0.insert(key.to_owned(), value);
+    }
+
+    fn remove_string(&mut self, key: &str) {
+        self.0.remove(key);
+    }
+
+    fn flush(&mut self) {}
+}
+
+/// The look of a window that finds this one stored.
+fn look_from(stored: &Look) -> Look {
+    let mut storage = Stored::default();
+    eframe::set_value(&mut storage, "look", &AppState { look: stored.clone(), ..AppState::default() });
+    let loaded = load(Path::new("sphere")).expect("a built-in scene");
+    let mut harness = Harness::builder().with_size([900.0, 600.0]).build_eframe(|cc| {
+        cc.storage = Some(&storage);
+        App::new(cc, loaded)
+    });
+    harness.run();
+    harness.state().state().look.clone()
+}
+
+#[test]
+fn what_was_stored_is_put_right_field_by_field() {
+    let usual = Look { tab: NumbersTab::Profile, stages: false, ..Look::default() };
+    for scale in [0.0, -3.0, 0.01, 3.0, 1e30, f32::INFINITY, f32::NAN] {
+        assert_eq!(look_from(&Look { scale, ..usual.clone() }), usual, "{scale}");
+    }
+    for wrong in [0.0, -1.0, 1e300, f64::INFINITY, f64::NAN] {
+        let mut stored = Look { scale: 1.25, ..usual.clone() };
+        let profile = &mut stored.profile;
+        profile.modes = [ShadingMode::Phong, ShadingMode::Gouraud].repeat(20);
+        (profile.viewing.distance, profile.viewing.density) = (wrong, wrong);
+        let perception = &mut profile.perception;
+        (perception.centre, perception.surround, perception.saturation) = (wrong, wrong, wrong);
+        perception.weight = if wrong == 0.0 { f64::NAN } else { wrong };
+        assert_eq!(look_from(&stored), Look { scale: 1.25, ..usual.clone() }, "{wrong}");
+    }
+    let sound = Look { scale: 2.5, profile: ProfileLook { perceived: true, ..ProfileLook::default() }, ..usual };
+    assert_eq!(look_from(&sound), sound, "what is within bounds stays");
+}
+
+#[test]
+fn what_a_screen_reader_sends_is_kept_within_bounds() {
+    let mut harness = window("sphere");
+    let before = scene(&harness).clone();
+    for role in [Role::Slider, Role::SpinButton] {
+        for name in ["Kd", "n", "Segments"] {
+            harness.get_by_role_and_label(role, name).set_value_accesskit(f64::NAN);
+            harness.run();
+            assert_eq!(*scene(&harness), before, "{name}");
+        }
+    }
+    harness.get_by_role_and_label(Role::SpinButton, "Roll").set_value_accesskit(f64::NEG_INFINITY);
+    harness.get_by_role_and_label(Role::Tab, "Defects").click_accesskit();
+    harness.run();
+    assert_eq!(scene(&harness).validate(), Ok(()));
+    let nowhere = |shape: &eframe::egui::Shape| shape.visual_bounding_rect().any_nan();
+    assert!(!harness.output().shapes.iter().any(|clipped| nowhere(&clipped.shape)), "the ring's knob is somewhere");
 }

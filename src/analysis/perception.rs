@@ -28,6 +28,15 @@ impl Viewing {
     pub const DISTANCE: [f64; 2] = [100.0, 5000.0];
     pub const DENSITY: [f64; 2] = [0.5, 40.0];
 
+    /// The same with what is out of bounds, or no number, put back to its default.
+    pub fn sound(self) -> Self {
+        let usual = Self::default();
+        Self {
+            distance: bounded(self.distance, Self::DISTANCE, usual.distance),
+            density: bounded(self.density, Self::DENSITY, usual.density),
+        }
+    }
+
     /// Pixels to a degree of visual angle, about the point that is looked at: `d·tan 1°·density`.
     pub fn pixels_per_degree(&self) -> f64 {
         self.distance * 1f64.to_radians().tan() * self.density
@@ -39,6 +48,10 @@ impl Default for Viewing {
     fn default() -> Self {
         Self { distance: 600.0, density: 3.78 }
     }
+}
+
+fn bounded(value: f64, [least, most]: [f64; 2], usual: f64) -> f64 {
+    if (least..=most).contains(&value) { value } else { usual }
 }
 
 /// A model of the response.
@@ -97,6 +110,18 @@ impl Perception {
     pub const WEIGHT: [f64; 2] = [0.0, 10.0];
     pub const SATURATION: [f64; 2] = [1e-4, 10.0];
 
+    /// The same with what is out of bounds, or no number, put back to its default.
+    pub fn sound(self) -> Self {
+        let usual = Self::default();
+        Self {
+            model: self.model,
+            centre: bounded(self.centre, Self::WIDTH, usual.centre),
+            surround: bounded(self.surround, Self::WIDTH, usual.surround),
+            weight: bounded(self.weight, Self::WEIGHT, usual.weight),
+            saturation: bounded(self.saturation, Self::SATURATION, usual.saturation),
+        }
+    }
+
     /// σc and σs in units of which there are `per_degree` in a degree.
     pub fn widths(&self, per_degree: f64) -> [f64; 2] {
         [self.centre * per_degree, self.surround * per_degree]
@@ -135,8 +160,9 @@ impl Perception {
                 *response += self.weight * self.saturation * e / (self.saturation + energy.max(0.0).sqrt());
             }
             width *= 2.0;
-            // The last channel is the one whose wider Gaussian is nearest to σs.
-            if width * std::f64::consts::SQRT_2 >= surround {
+            // The last channel is the one whose wider Gaussian is nearest to σs. A width of 0 would never come near.
+            let goes_on = width > 0.0 && width * std::f64::consts::SQRT_2 < surround;
+            if !goes_on {
                 return response;
             }
             near = wide;

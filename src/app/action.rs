@@ -1,11 +1,12 @@
 //! What can be asked of the window. Menus, buttons and keys all ask here, so that each does the same by every way.
 
 use super::document::Document;
+use super::handles;
 use super::orbit;
 use super::scan::Walk;
 use super::state::{AppState, NumbersTab};
 use super::theme::{PROJECTOR_TEXT, SCALES, TEXT, ThemeChoice};
-use crate::scene::{Camera, CompareView, Light, ShadingMode};
+use crate::scene::{Camera, CompareView, Light, Scene, ShadingMode};
 use std::path::PathBuf;
 
 /// Something to do.
@@ -119,10 +120,10 @@ impl AppState {
                 let place = shown.iter().position(|pane| *pane == self.panes.active).unwrap_or(0);
                 self.activate(shown[(place + 1) % shown.len()]);
             }
-            Action::AddLight => self.add_light(Light::default()),
+            Action::AddLight => self.add_light(Light::default(), size),
             Action::DuplicateLight(index) => {
                 if let Some(light) = self.document.scene.lights.get(index).cloned() {
-                    self.add_light(light);
+                    self.add_light(light, size);
                 }
             }
             Action::RemoveLight(index) => self.remove_light(index),
@@ -204,13 +205,14 @@ impl AppState {
         (camera.fov_y, camera.height) = (fov_y, height);
     }
 
-    fn add_light(&mut self, mut light: Light) {
-        let lights = &mut self.document.scene.lights;
-        // A light upon another looks like none was added.
-        while lights.iter().any(|other| other.position == light.position && other.direction == light.direction) {
-            light.position.x = -light.position.x - 0.5 * f64::from(u8::from(light.position.x <= 0.0));
-            light.direction.x = -light.direction.x + 0.5 * f64::from(u8::from(light.direction.x >= 0.0));
+    /// Adds a light like this one where it is seen and no other is.
+    fn add_light(&mut self, light: Light, size: [u32; 2]) {
+        let Scene { lights, camera, .. } = &mut self.document.scene;
+        if lights.len() >= Scene::MAX_LIGHTS {
+            self.notice = Some(format!("a scene has at most {} lights", Scene::MAX_LIGHTS));
+            return;
         }
+        let light = handles::apart(light, lights, camera, size);
         lights.push(light);
         self.light = lights.len() - 1;
     }

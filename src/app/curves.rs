@@ -4,10 +4,11 @@
 //! the theme has; a frame in which nothing has changed only paints them.
 
 use super::engine::Engine;
+use super::lines;
 use super::state::AppState;
 use super::theme::TEXT;
 use crate::analysis::{Plot, PlotKind, curves};
-use crate::figure::{Drawing, Paper, PlotStyle, Set, Shape as Line, Text, lay_out};
+use crate::figure::{Drawing, Paper, PlotStyle, Set, Shape as Line, Text, can_be_filled, lay_out};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, RichText, Sense, Shape, Stroke, StrokeKind, Ui, Vec2,
@@ -136,22 +137,22 @@ fn colour_of([r, g, b]: [u8; 3], opacity: f64) -> Color32 {
 }
 
 pub fn paint_shape(painter: &Painter, line: &Line, origin: Pos2) {
-    let points: Vec<Pos2> = line.points.iter().map(|point| place(*point, origin)).collect();
     let colour = colour_of(line.colour, line.opacity);
     let stroke = Stroke::new(line.width as f32, colour);
+    let places = line.points.iter().map(|point| lines::exact(origin) + *point);
     if line.fill {
+        let points: Vec<Pos2> = line.points.iter().map(|point| place(*point, origin)).collect();
+        if !can_be_filled(&places.collect::<Vec<_>>(), &lines::window(painter)) {
+            return;
+        }
         if line.opacity < 1.0 {
             painter.add(Shape::mesh(fan(&points, colour)));
         } else {
             painter.add(Shape::convex_polygon(points, colour, Stroke::NONE));
         }
-    } else if line.dashes.is_empty() {
-        painter.add(Shape::line(points, stroke));
     } else {
-        let every_other = |from: usize| -> Vec<f32> {
-            line.dashes.iter().skip(from).step_by(2).map(|dash| dash * stroke.width).collect()
-        };
-        painter.extend(Shape::dashed_line_with_offset(&points, stroke, &every_other(0), &every_other(1), 0.0));
+        let dashes: Vec<f32> = line.dashes.iter().map(|dash| dash * stroke.width).collect();
+        lines::line(painter, places, stroke, &dashes);
     }
 }
 
@@ -208,7 +209,8 @@ fn reading(
 ) {
     let visuals = ui.visuals();
     let Some((_, ends)) = drawing.place([x, 0.0]) else { return };
-    painter.line_segment(ends.map(|end| place(end, rect.min)), Stroke::new(1.0, visuals.text_color()));
+    let ends = ends.map(|end| lines::exact(rect.min) + end);
+    lines::line(painter, ends, Stroke::new(1.0, visuals.text_color()), &[]);
     let unit = if plot.x.degrees { "°" } else { "" };
     let symbol = plot.x.name.split(',').next().unwrap_or_default();
     let line = |text: String, colour| Text::new(text, DVec2::ZERO, style.text, colour);
@@ -216,8 +218,9 @@ fn reading(
     for curve in &plot.curves {
         let Some(y) = curve.at(x) else { continue };
         lines.push(line(format!("{}: {}", curve.name, curves::short(y)), style.paper.letters(curve.ink)));
-        if let Some((at, _)) = drawing.place([x, y]).filter(|_| y <= plot.y.high) {
-            painter.circle_filled(place(at, rect.min), 3.0, colour_of(style.paper.line(curve.ink), 1.0));
+        let at = drawing.place([x, y]).map(|(at, _)| place(at, rect.min));
+        if let Some(at) = at.filter(|at| y <= plot.y.high && rect.contains(*at)) {
+            painter.circle_filled(at, 3.0, colour_of(style.paper.line(curve.ink), 1.0));
         }
     }
     boxed(ui, painter, &lines, (rect, pointer));

@@ -80,7 +80,8 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
             ui.add_space(6.0);
             ui.button("Cancel").clicked()
         });
-        if shown.inner {
+        let escape = !browsing && ctx.input(|input| input.key_pressed(Key::Escape));
+        if shown.inner || escape {
             files.cancel();
         }
         if !browsing {

@@ -20,9 +20,9 @@ use super::picture::Place;
 use super::row::swatch;
 use super::state::AppState;
 use crate::figure::palette::Vector;
-use crate::scene::{Light, LightKind, Rgb, View};
+use crate::scene::{Camera, Light, LightKind, Rgb, View};
 use beam::Beam;
-use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Vec2, vec2};
+use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 use glam::{DVec2, DVec3};
 
 /// Radius of the sphere that directional lights' handles slide on, in heights of the picture at the target's depth.
@@ -89,6 +89,35 @@ fn place_one(index: usize, light: &Light, view: &View, target: DVec3, place: Pla
         (None, _) => at_edge(world, view, place),
     };
     Placed { index, at, handle, colour: light.color }
+}
+
+/// `light` moved, or turned if it is directional, to where its handle is as far as can be from those of `lights`: in the
+/// upper part of the picture and halfway between the viewer and what is looked at, so that this is lit.
+pub fn apart(light: Light, lights: &[Light], camera: &Camera, size: [u32; 2]) -> Light {
+    let view = View::new(camera, size);
+    let [width, height] = size.map(f64::from);
+    let rect = Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32));
+    let place = Place { rect, size, pixels_per_point: 1.0 };
+    let handle = |light: &Light| place_one(0, light, &view, camera.target, place).at;
+    let taken: Vec<Pos2> = lights.iter().map(handle).collect();
+    let depth = 0.5 * camera.distance();
+    let unit = view.world_per_pixel(depth);
+    let moved = |pixel: DVec2| {
+        let position = tidy(view.unproject(pixel, depth), unit);
+        match light.kind {
+            LightKind::Directional => Light { direction: camera.target - position, ..light.clone() },
+            LightKind::Point | LightKind::Spot | LightKind::Area => Light { position, ..light.clone() },
+        }
+    };
+    // More places than lights: not all of them are taken.
+    let count = 4 + (f64::from(u32::try_from(lights.len()).unwrap_or(u32::MAX))).sqrt() as u32;
+    let share = |index: u32| (f64::from(index) + 0.5) / f64::from(count);
+    let places = (0..count * count).map(|index| {
+        DVec2::new(width * (0.1 + 0.8 * share(index % count)), height * (0.1 + 0.5 * share(index / count)))
+    });
+    let room = |light: &Light| taken.iter().map(|at| at.distance(handle(light))).fold(f32::INFINITY, f32::min);
+    let found = places.map(moved).min_by(|a, b| room(b).total_cmp(&room(a)));
+    found.filter(|light| light.position.is_finite() && light.direction.is_finite()).unwrap_or(light.clone())
 }
 
 /// Where a directional light's handle is in the world.

@@ -1,6 +1,7 @@
 //! The keys, in one table: what the window does on them is what Help shows.
 
 use super::action::{Action, Shown};
+use super::picture;
 use super::scan::{self, Walk};
 use super::state::AppState;
 use crate::analysis::ScanLevel;
@@ -286,6 +287,7 @@ pub const BINDINGS: &[Binding] = &[
         on: &[(CTRL, Key::U, Action::Code)],
     },
     Binding { section: "Help", keys: "F1", does: "this table", on: &[(PLAIN, Key::F1, Action::Keys)] },
+    Binding { section: "Edit", keys: "Tab", does: "goes to the next field, with Shift to the one before", on: &[] },
     Binding { section: "Help", keys: "Esc", does: "leaves a dialog, a field or the picture alone", on: &[] },
 ];
 
@@ -295,15 +297,12 @@ pub fn of(action: &Action) -> &'static str {
     single.map_or("", |binding| binding.keys)
 }
 
-/// Turns the keys pressed in this frame into actions. A field being edited keeps its keys, a control with the focus its
-/// arrows, and a dialog everything.
-pub fn listen(ctx: &Context, state: &mut AppState, picture_has_focus: bool) {
-    if state.dialog.is_some() {
-        return;
-    }
-    let focused = ctx.memory(|memory| memory.focused().is_some());
+/// Turns the keys pressed in this frame into actions. What has the focus keeps its keys, digits as well, unless it is the
+/// picture: they may be meant for a field. Function keys and those with Ctrl are always the window's, but for those that
+/// fields know too.
+pub fn listen(ctx: &Context, state: &mut AppState) {
+    let free = ctx.memory(|memory| memory.focused().is_none_or(|focused| focused == picture::id()));
     let editing = ctx.text_edit_focused();
-    let free = !focused || picture_has_focus;
     let scanning = scan::shown(state);
     let mut asked = Vec::new();
     ctx.input_mut(|input| {
@@ -344,11 +343,7 @@ fn find(key: Key, modifiers: Modifiers) -> Option<Action> {
 fn allowed(key: Key, modifiers: Modifiers, free: bool, editing: bool) -> bool {
     let function = matches!(key, Key::F1 | Key::F4 | Key::F5 | Key::F6 | Key::F9 | Key::F11);
     let field_wants = editing && matches!(key, Key::Z | Key::Y | Key::C | Key::U);
-    function || (modifiers.command && !field_wants) || (free && !editing) || (!editing && is_digit(key))
-}
-
-fn is_digit(key: Key) -> bool {
-    matches!(key, Key::Num0 | Key::Num1 | Key::Num2 | Key::Num3 | Key::Num4 | Key::Num5 | Key::Num6)
+    function || (modifiers.command && !field_wants) || free
 }
 
 #[cfg(test)]
@@ -365,10 +360,11 @@ mod tests {
     }
 
     #[test]
-    fn a_field_keeps_its_letters_and_a_slider_its_arrows() {
-        assert!(!allowed(Key::V, PLAIN, true, true));
-        assert!(!allowed(Key::ArrowLeft, PLAIN, false, false));
-        assert!(allowed(Key::Num3, PLAIN, false, false));
+    fn what_has_the_focus_keeps_its_keys() {
+        assert!(allowed(Key::Num3, PLAIN, true, false));
+        for (key, editing) in [(Key::V, true), (Key::ArrowLeft, false), (Key::Num3, false), (Key::Num3, true)] {
+            assert!(!allowed(key, PLAIN, false, editing), "{key:?}");
+        }
         assert!(allowed(Key::F11, PLAIN, false, true));
         assert!(!allowed(Key::Z, CTRL, false, true));
     }

@@ -4,6 +4,7 @@ use super::action::Action;
 use super::defects;
 use super::engine::Engine;
 use super::handles::{self, Handle, Placed};
+use super::lines;
 use super::orbit;
 use super::panes::{self, PanePlace};
 use super::profile;
@@ -56,6 +57,11 @@ impl Place {
     /// A point of the picture, in pixels, on the screen.
     pub fn point(&self, pixel: DVec2) -> eframe::egui::Pos2 {
         self.rect.min + vec2(pixel.x as f32, pixel.y as f32) / self.pixels_per_point
+    }
+
+    /// The same in double precision, for lines that may reach far out of sight.
+    pub fn exact_point(&self, pixel: DVec2) -> DVec2 {
+        lines::exact(self.rect.min) + pixel / f64::from(self.pixels_per_point)
     }
 }
 

@@ -18,6 +18,15 @@ use eframe::egui::{Button, RichText, Ui};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
+/// The modes to choose from, in the order in which they are shown.
+const MODES: [(ShadingMode, &str); 5] = [
+    (ShadingMode::Flat, "Flat"),
+    (ShadingMode::Interpolated, "Interp."),
+    (ShadingMode::Gouraud, "Gouraud"),
+    (ShadingMode::Phong, "Phong"),
+    (ShadingMode::Exact, "Exact"),
+];
+
 /// What is compared and how it is looked at.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -37,6 +46,13 @@ impl Default for ProfileLook {
 }
 
 impl ProfileLook {
+    /// The same with what is out of bounds put back to its default, each mode at most once.
+    pub fn sound(self) -> Self {
+        let Self { modes, viewing, perception, perceived } = self;
+        let modes = MODES.into_iter().map(|(mode, _)| mode).filter(|mode| modes.contains(mode)).collect();
+        Self { modes, viewing: viewing.sound(), perception: perception.sound(), perceived }
+    }
+
     /// The profile between two places.
     pub fn request(&self, [from, to]: [DVec2; 2]) -> ProfileRequest {
         let Self { modes, viewing, perception, perceived: _ } = self.clone();
@@ -76,15 +92,13 @@ pub fn profile_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
 }
 
 fn modes_ui(ui: &mut Ui, modes: &mut Vec<ShadingMode>) {
-    use ShadingMode::{Exact, Flat, Gouraud, Interpolated, Phong};
-    let all = [(Flat, "Flat"), (Interpolated, "Interp."), (Gouraud, "Gouraud"), (Phong, "Phong"), (Exact, "Exact")];
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        for (mode, name) in all {
+        for (mode, name) in MODES {
             let shown = modes.contains(&mode);
             if ui.add(Button::selectable(shown, name)).on_hover_text("Shows the profile of this shading").clicked() {
                 let kept = |other: ShadingMode| if other == mode { !shown } else { modes.contains(&other) };
-                *modes = all.iter().map(|(mode, _)| *mode).filter(|other| kept(*other)).collect();
+                *modes = MODES.into_iter().map(|(mode, _)| mode).filter(|other| kept(*other)).collect();
             }
         }
     });

@@ -123,7 +123,8 @@ fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
 fn reset(ui: &mut Ui, about: &About<'_>, rect: Rect) -> bool {
     let mut child = part(ui, (about.name(), "reset"), rect, Layout::right_to_left(Align::Center));
     let weak = child.visuals().weak_text_color();
-    let button = eframe::egui::Button::new(RichText::new("↺").color(weak)).frame(false);
+    // For the pointer and for screen readers: Tab would stop at it between two fields.
+    let button = eframe::egui::Button::new(RichText::new("↺").color(weak)).frame(false).sense(Sense::CLICK);
     let response = child.add(button).on_hover_text("Back to the default");
     let name = format!("Reset {}", about.name());
     response.widget_info(|| {

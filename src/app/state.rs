@@ -16,7 +16,7 @@ use super::scan::ScanView;
 use super::stability::StabilityView;
 use super::study::StudyView;
 use super::symbol::Lit;
-use super::theme::ThemeChoice;
+use super::theme::{SCALES, ThemeChoice};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -93,6 +93,11 @@ pub struct AppState {
 }
 
 impl AppState {
+    /// What was stored, as far as it is within bounds: anybody may have written it.
+    pub fn sound(self) -> Self {
+        Self { look: self.look.sound(), ..self }
+    }
+
     /// Asks for an action, done at the end of the frame.
     pub fn ask(&mut self, action: Action) {
         self.asked.push(action);
@@ -133,6 +138,15 @@ pub struct Look {
     pub tab: NumbersTab,
     pub overlay: OverlayLook,
     pub profile: ProfileLook,
+}
+
+impl Look {
+    /// The same with what is out of bounds put back to its default.
+    fn sound(self) -> Self {
+        let sizes = SCALES[0]..=SCALES[SCALES.len() - 1];
+        let scale = if sizes.contains(&self.scale) { self.scale } else { Self::default().scale };
+        Self { scale, profile: self.profile.sound(), ..self }
+    }
 }
 
 impl Default for Look {

@@ -2,6 +2,8 @@
 //!
 //! All halos are laid down before any colour, so that lines that meet grow together instead of cutting one another.
 
+use super::Area;
+use super::clip::{Run, can_be_filled, clipped};
 use super::palette::Rgb8;
 use super::text::Lettering;
 use glam::DVec2;
@@ -122,77 +124,30 @@ impl Ink<'_, '_> {
             }
             return;
         }
-        let mut travelled = 0.0;
-        let mut run = Vec::new();
-        let mut run_start = 0.0;
-        for ends in mark.points.windows(2) {
-            let &[a, b] = ends else { continue };
-            if let Some((from, to)) = self.visible(a, b, mark.width) {
-                if run.last() != Some(&from) {
-                    self.run(&run, run_start, mark, &paint);
-                    run = vec![from];
-                    run_start = travelled + (from - a).length();
-                }
-                run.push(to);
-            }
-            travelled += (b - a).length();
+        for run in clipped(mark.points.iter().copied(), &self.window(mark.width)) {
+            self.run(&run, mark, &paint);
         }
-        self.run(&run, run_start, mark, &paint);
     }
 
-    /// Strokes a connected visible part of a line that begins `start` pixels along it.
-    fn run(&mut self, points: &[DVec2], start: f64, mark: &Mark, paint: &Paint<'_>) {
-        let Some(path) = polyline(points, false) else { return };
+    fn run(&mut self, run: &Run, mark: &Mark, paint: &Paint<'_>) {
+        let Some(path) = polyline(&run.points, false) else { return };
         let lengths: Vec<f32> = mark.dashes.iter().map(|dash| dash * mark.width as f32).collect();
         let period = f64::from(lengths.iter().sum::<f32>());
-        let offset = if period > 0.0 { start.rem_euclid(period) } else { 0.0 };
+        let offset = if period > 0.0 { run.start.rem_euclid(period) } else { 0.0 };
         let dash = StrokeDash::new(lengths, offset as f32);
         self.pixmap.stroke_path(&path, paint, &stroke(mark.width, dash), Transform::identity(), None);
     }
 
     /// The path of a closed mark, if any of it can be seen.
     fn outline(&self, mark: &Mark) -> Option<Path> {
-        let (low, high) = self.window(mark.width);
-        let min = mark.points.iter().copied().reduce(DVec2::min)?;
-        let max = mark.points.iter().copied().reduce(DVec2::max)?;
-        let seen = min.cmple(high).all() && max.cmpge(low).all();
-        // An area that dwarfs the picture is one that perspective blew up beyond meaning.
-        let sane = (max - min).cmple((high - low) * 4.0).all();
-        if seen && sane { polyline(&mark.points, true) } else { None }
-    }
-
-    /// The part of the segment from `a` to `b` that a line of `width` may show (Liang and Barsky 1984).
-    fn visible(&self, a: DVec2, b: DVec2, width: f64) -> Option<(DVec2, DVec2)> {
-        let (low, high) = self.window(width);
-        let along = b - a;
-        let (mut enter, mut leave) = (0.0f64, 1.0f64);
-        for axis in 0..2 {
-            if along[axis] == 0.0 {
-                if a[axis] < low[axis] || a[axis] > high[axis] {
-                    return None;
-                }
-                continue;
-            }
-            let (t, u) = ((low[axis] - a[axis]) / along[axis], (high[axis] - a[axis]) / along[axis]);
-            enter = enter.max(t.min(u));
-            leave = leave.min(t.max(u));
-        }
-        let at = |t: f64| {
-            if t <= 0.0 {
-                a
-            } else if t >= 1.0 {
-                b
-            } else {
-                a + along * t
-            }
-        };
-        (enter <= leave && along.is_finite()).then(|| (at(enter), at(leave)))
+        if can_be_filled(&mark.points, &self.window(mark.width)) { polyline(&mark.points, true) } else { None }
     }
 
     /// The picture with room for a line of `width` whose middle runs outside.
-    fn window(&self, width: f64) -> (DVec2, DVec2) {
+    fn window(&self, width: f64) -> Area {
         let margin = DVec2::splat(2.0 * width + 2.0);
-        (-margin, DVec2::new(f64::from(self.pixmap.width()), f64::from(self.pixmap.height())) + margin)
+        let size = DVec2::new(f64::from(self.pixmap.width()), f64::from(self.pixmap.height()));
+        Area { min: -margin, max: size + margin }
     }
 }
 

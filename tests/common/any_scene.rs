@@ -1,7 +1,7 @@
 //! Any scene at all: its numbers are everyday ones, the ends of what is allowed, or none that a scene may hold.
 
 #[path = "dice.rs"]
-mod dice;
+pub mod dice;
 #[path = "any_model.rs"]
 mod model;
 

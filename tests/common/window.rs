@@ -7,7 +7,7 @@ use eframe::egui::{Key, Modifiers, Pos2, TexturesDelta};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, TestRenderer};
 use shading_lab::app::App;
-use shading_lab::document::load;
+use shading_lab::document::{Loaded, load};
 use shading_lab::scene::Scene;
 use std::path::Path;
 
@@ -17,7 +17,15 @@ pub fn window(scene: &str) -> Harness<'static, App> {
 
 /// A window whose textures go to `card`.
 pub fn window_on(scene: &str, card: impl TestRenderer + 'static) -> Harness<'static, App> {
-    let loaded = load(Path::new(scene)).expect("a built-in scene");
+    window_with(load(Path::new(scene)).expect("a built-in scene"), card)
+}
+
+/// A window on any scene.
+pub fn window_of(loaded: Loaded) -> Harness<'static, App> {
+    window_with(loaded, Nowhere)
+}
+
+fn window_with(loaded: Loaded, card: impl TestRenderer + 'static) -> Harness<'static, App> {
     let builder = Harness::builder().with_size([1280.0, 800.0]).with_max_steps(40).renderer(card);
     let mut harness = builder.build_eframe(|cc| App::new(cc, loaded));
     harness.run();
@@ -25,7 +33,7 @@ pub fn window_on(scene: &str, card: impl TestRenderer + 'static) -> Harness<'sta
 }
 
 /// A graphics card that takes textures and lets them go, as one does that has copied them.
-struct Nowhere;
+pub struct Nowhere;
 
 impl TestRenderer for Nowhere {
     fn handle_delta(&mut self, delta: &mut TexturesDelta) {

@@ -1,6 +1,7 @@
 //! Where the defects are in the picture.
 
 use super::super::letter::letter;
+use super::super::lines;
 use super::super::picture::Place;
 use super::super::state::AppState;
 use super::shown;
@@ -14,7 +15,7 @@ pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
     for mark in defect_marks(defects) {
         for stroke in [Stroke::new(4.0, Color32::from_black_alpha(160)), Stroke::new(1.8, Color32::WHITE)] {
             for line in mark.lines(em) {
-                painter.line_segment(line.map(|end| place.point(end)), stroke);
+                lines::line(painter, line.map(|end| place.exact_point(end)), stroke, &[]);
             }
             if let Some(radius) = mark.ring(em) {
                 painter.circle_stroke(place.point(mark.ends[0]), radius as f32 / place.pixels_per_point, stroke);

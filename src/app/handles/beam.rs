@@ -6,13 +6,14 @@
 //! side.
 
 use super::{Handle, MARGIN};
+use crate::app::lines::{line, outline};
 use crate::app::palette;
 use crate::app::picture::Place;
 use crate::app::state::AppState;
 use crate::figure::palette::Vector;
 use crate::illumination::rectangle_axes;
 use crate::scene::{AreaShape, Light, LightKind, View};
-use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke, Vec2};
+use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -78,24 +79,24 @@ impl<'a> Beam<'a> {
 
     /// Draws the axis, and faintly what it is the axis of.
     fn paint(&self, painter: &Painter, view: &View, place: Place) {
-        let seen = |world: DVec3| view.project(world).map(|(pixel, _)| place.point(pixel));
+        let seen = |world: DVec3| view.project(world).map(|(pixel, _)| place.exact_point(pixel));
         let orange = palette::vector(Vector::L);
         if let (Some(from), Some(to)) = (seen(self.light.position), seen(self.head())) {
-            let way = (to - from).normalized();
-            let line = [from + way * 9.0, to - way * 6.0];
-            painter.line_segment(line, Stroke::new(3.5, Color32::from_black_alpha(110)));
-            painter.line_segment(line, Stroke::new(1.5, orange));
-            let side = way.rot90();
-            let barb = |side: Vec2| [to - way * 6.0, to - way * 15.0 + side * 5.0];
-            painter.line_segment(barb(side), Stroke::new(1.5, orange));
-            painter.line_segment(barb(-side), Stroke::new(1.5, orange));
+            let way = (to - from).normalize_or_zero();
+            let shaft = [from + way * 9.0, to - way * 6.0];
+            line(painter, shaft, Stroke::new(3.5, Color32::from_black_alpha(110)), &[]);
+            line(painter, shaft, Stroke::new(1.5, orange), &[]);
+            for side in [way.perp(), -way.perp()] {
+                let barb = [to - way * 6.0, to - way * 15.0 + side * 5.0];
+                line(painter, barb, Stroke::new(1.5, orange), &[]);
+            }
         }
         if self.light.kind == LightKind::Spot {
             let faint = Stroke::new(1.0, orange.gamma_multiply(0.65));
-            outline(painter, ROUND, faint, |part| seen(self.edge(part * TAU)));
+            closed(painter, ROUND, faint, |part| seen(self.edge(part * TAU)));
             for turn in [0.0, 0.5 * TAU] {
                 if let (Some(from), Some(to)) = (seen(self.light.position), seen(self.edge(turn))) {
-                    painter.line_segment([from, to], faint);
+                    line(painter, [from, to], faint, &[]);
                 }
             }
         }
@@ -119,18 +120,18 @@ pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
 }
 
 fn area(painter: &Painter, light: &Light, view: &View, place: Place, stroke: Stroke) {
-    let seen = |world: DVec3| view.project(world).map(|(pixel, _)| place.point(pixel));
+    let seen = |world: DVec3| view.project(world).map(|(pixel, _)| place.exact_point(pixel));
     match light.shape {
         AreaShape::Rectangle => {
             let [across, up] = rectangle_axes(light);
             let corners = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
             let corner = |part: f64| corners[(part * 4.0) as usize % 4];
-            outline(painter, 4, stroke, |part| {
+            closed(painter, 4, stroke, |part| {
                 let [u, v] = corner(part);
                 seen(light.position + across * u + up * v)
             });
         }
-        AreaShape::Sphere => outline(painter, ROUND, stroke, |part| {
+        AreaShape::Sphere => closed(painter, ROUND, stroke, |part| {
             let (sine, cosine) = (part * TAU).sin_cos();
             seen(light.position + (view.right * cosine + view.up * sine) * light.radius)
         }),
@@ -138,12 +139,12 @@ fn area(painter: &Painter, light: &Light, view: &View, place: Place, stroke: Str
 }
 
 /// A closed line through `count` points, if all of them can be seen; `at` takes the part of the way round.
-fn outline(painter: &Painter, count: u32, stroke: Stroke, at: impl Fn(f64) -> Option<Pos2>) {
-    let points: Option<Vec<Pos2>> = (0..count).map(|k| at(f64::from(k) / f64::from(count))).collect();
+fn closed(painter: &Painter, count: u32, stroke: Stroke, at: impl Fn(f64) -> Option<DVec2>) {
+    let points: Option<Vec<DVec2>> = (0..count).map(|k| at(f64::from(k) / f64::from(count))).collect();
     if let Some(points) = points {
         let halo = Stroke::new(stroke.width + 2.0, Color32::from_black_alpha(110));
-        painter.add(Shape::closed_line(points.clone(), halo));
-        painter.add(Shape::closed_line(points, stroke));
+        outline(painter, &points, halo);
+        outline(painter, &points, stroke);
     }
 }
 

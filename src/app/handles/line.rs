@@ -1,10 +1,11 @@
 //! The profile's line in the picture, with its two ends to drag. It shows while the profile's tab is open.
 
+use super::super::lines::line;
 use super::super::picture::Place;
 use super::super::state::{AppState, NumbersTab};
 use super::super::theme::TEXT;
 use crate::figure::{CURVE, lay_out_profile};
-use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke};
+use eframe::egui::{Color32, Painter, Pos2, Stroke};
 use glam::DVec2;
 
 /// Radius of an end, points.
@@ -56,18 +57,19 @@ fn curves(painter: &Painter, state: &AppState, place: Place) {
     let side = f64::from(place.size[0].min(place.size[1]));
     let em = f64::from(TEXT * place.pixels_per_point);
     let Some(curves) = lay_out_profile(taken, trace, side, em) else { return };
-    let points = |points: &[DVec2]| -> Vec<Pos2> { points.iter().map(|point| place.point(*point)).collect() };
+    let draw = |points: &[DVec2], stroke: Stroke, dashes: &[f32]| {
+        line(painter, points.iter().map(|point| place.exact_point(*point)), stroke, dashes);
+    };
     let dark = Stroke::new(4.0, Color32::from_black_alpha(140));
     for tick in &curves.ticks {
-        painter.line_segment([place.point(tick[0]), place.point(tick[1])], dark);
-        painter.line_segment([place.point(tick[0]), place.point(tick[1])], Stroke::new(1.5, Color32::WHITE));
+        draw(tick, dark, &[]);
+        draw(tick, Stroke::new(1.5, Color32::WHITE), &[]);
     }
-    let (there, seen) = (points(&curves.intensity), points(&curves.perceived));
-    painter.add(Shape::line(seen.clone(), dark));
-    painter.extend(Shape::dashed_line(&seen, Stroke::new(1.6, Color32::WHITE), 6.0, 4.0));
-    painter.add(Shape::line(there.clone(), dark));
+    draw(&curves.perceived, dark, &[]);
+    draw(&curves.perceived, Stroke::new(1.6, Color32::WHITE), &[6.0, 4.0]);
+    draw(&curves.intensity, dark, &[]);
     let [r, g, b] = CURVE;
-    painter.add(Shape::line(there, Stroke::new(2.0, Color32::from_rgb(r, g, b))));
+    draw(&curves.intensity, Stroke::new(2.0, Color32::from_rgb(r, g, b)), &[]);
 }
 
 /// Draws the line white on dark, so that it shows on any picture, and the profile above it.

@@ -19,7 +19,8 @@ fn radius(place: Place) -> f32 {
 
 /// Where the knob is: at the right without roll, counter-clockwise with it.
 fn knob(state: &AppState, place: Place) -> Pos2 {
-    let angle = state.document.scene.camera.roll.to_radians() as f32;
+    // Any number of turns is one of 360 degrees; single precision would not know where it ends.
+    let angle = state.document.scene.camera.roll.rem_euclid(360.0).to_radians() as f32;
     place.rect.center() + radius(place) * vec2(angle.cos(), -angle.sin())
 }
 

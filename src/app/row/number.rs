@@ -1,6 +1,7 @@
 //! Rows with a slider and a field for a number.
 
 use super::{About, FIELD, row};
+use crate::app::focus;
 use crate::app::symbol::Lit;
 use crate::scene::Rgb;
 use eframe::egui::accesskit::Role;
@@ -137,7 +138,7 @@ fn infinity_switch(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
 }
 
 fn slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) -> Response {
-    let rail = &spec.rail;
+    let (rail, before) = (&spec.rail, *value);
     let mut slider = Slider::new(value, rail.span.clone())
         .show_value(false)
         .clamping(SliderClamping::Edits)
@@ -147,6 +148,10 @@ fn slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) -> Response {
         slider = slider.integer();
     }
     let response = ui.add(slider);
+    if value.is_nan() {
+        // A screen reader may send anything.
+        *value = before;
+    }
     let (enabled, shown) = (ui.is_enabled(), *value);
     response.widget_info(|| WidgetInfo::slider(enabled, shown, spec.about.name()));
     response
@@ -155,7 +160,7 @@ fn slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) -> Response {
 /// A field for one number, which takes its limits, `inf` and `∞`.
 pub fn field(ui: &mut Ui, name: &str, value: &mut f64, rail: &Rail, width: f32) -> Response {
     let size = vec2(width, ui.spacing().interact_size.y);
-    let decimals = rail.decimals;
+    let (decimals, before) = (rail.decimals, *value);
     let speed =
         if rail.logarithmic { value.abs().max(1e-3) * 0.01 } else { (rail.span.end() - rail.span.start()) * 0.002 };
     let widget = DragValue::new(value)
@@ -167,9 +172,11 @@ pub fn field(ui: &mut Ui, name: &str, value: &mut f64, rail: &Rail, width: f32) 
         .custom_formatter(move |value, _| display(value, decimals))
         .custom_parser(parse);
     let response = ui.add_sized(size, widget);
+    focus::register(&response);
     if response.changed() {
         // A screen reader's number comes past the widget's own range.
-        *value = value.clamp(*rail.limits.start(), *rail.limits.end());
+        let sent = if value.is_nan() { before } else { *value };
+        *value = sent.clamp(*rail.limits.start(), *rail.limits.end());
     }
     let (enabled, shown) = (ui.is_enabled(), *value);
     response.widget_info(|| WidgetInfo { label: Some(name.to_owned()), ..WidgetInfo::drag_value(enabled, shown) });

@@ -1,6 +1,7 @@
 //! Rows for words, and for several switches in one.
 
 use super::{About, row};
+use crate::app::focus;
 use crate::app::symbol::Lit;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, TextEdit, Ui, WidgetInfo};
@@ -10,6 +11,7 @@ pub fn text(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, most: usize, hint: &'
     let reset = row(ui, lit, about, !value.is_empty(), |ui| {
         let field = TextEdit::singleline(value).char_limit(most).hint_text(hint).desired_width(ui.available_width());
         let response = ui.add(field);
+        focus::register(&response);
         let (enabled, shown) = (ui.is_enabled(), value.clone());
         response.widget_info(|| WidgetInfo {
             current_text_value: Some(shown.clone()),

@@ -1,23 +1,24 @@
 //! The polygon in question, outlined in the picture, with the part of it that the scan line has reached.
 
+use super::super::lines::{line, outline};
 use super::super::picture::Place;
 use super::super::state::AppState;
 use super::shown;
-use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke};
+use eframe::egui::{Color32, Painter, Stroke};
 use glam::DVec2;
 
 /// Draws the outline white on dark, so that it shows on any picture.
 pub fn paint(painter: &Painter, state: &AppState, place: Place) {
     let Some(scan) = state.scan.ready().filter(|_| shown(state)) else { return };
-    let at = |grid: DVec2| place.point(scan.grid.to_picture(grid));
-    let outline: Vec<Pos2> = scan.corners.iter().map(|corner| at(corner.place)).collect();
+    let at = |grid: DVec2| place.exact_point(scan.grid.to_picture(grid));
+    let corners: Vec<DVec2> = scan.corners.iter().map(|corner| at(corner.place)).collect();
     for stroke in [Stroke::new(4.0, Color32::from_black_alpha(150)), Stroke::new(1.75, Color32::WHITE)] {
-        painter.add(Shape::closed_line(outline.clone(), stroke));
+        outline(painter, &corners, stroke);
     }
     let point = scan.at(state.scan.step());
     if let Some(span) = point.span {
         let ends = [span.p.x, span.q.x].map(|x| at(DVec2::new(x, point.line.at())));
-        painter.line_segment(ends, Stroke::new(3.0, Color32::from_black_alpha(150)));
-        painter.line_segment(ends, Stroke::new(1.25, Color32::WHITE));
+        line(painter, ends, Stroke::new(3.0, Color32::from_black_alpha(150)), &[]);
+        line(painter, ends, Stroke::new(1.25, Color32::WHITE), &[]);
     }
 }

@@ -6,6 +6,7 @@ use super::drawing::{Drawing, Frame, Shape, Text, width_of};
 use super::{PlotStyle, dashes, ticks};
 use crate::analysis::{Axis, Curve, Mark, Plot};
 use crate::figure::Area;
+use crate::figure::clip::clipped;
 use glam::DVec2;
 use points::points;
 
@@ -144,7 +145,7 @@ fn mark_line(drawing: &mut Drawing, mark: &Mark, label: DVec2, foot: DVec2, styl
 fn draw_curve(drawing: &mut Drawing, curve: &Curve, frame: &Frame, area: &Area, style: &PlotStyle) {
     let colour = style.paper.line(curve.ink);
     for run in clipped(curve.points.iter().map(|point| frame.place(*point)), area) {
-        let line = Shape::line(thinned(&run), style.curve(curve.emphasised), colour);
+        let line = Shape::line(thinned(&run.points), style.curve(curve.emphasised), colour);
         drawing.shapes.push(line.dashed(dashes(curve.dash)));
     }
     let roomy = area.max.x - area.min.x >= TAGGED * style.text;
@@ -165,36 +166,6 @@ fn dots(drawing: &mut Drawing, plot: &Plot, mark: &Mark, frame: &Frame, area: &A
     }
 }
 
-/// The connected parts of a line that lie within `area` (Liang and Barsky 1984).
-fn clipped(points: impl Iterator<Item = DVec2>, area: &Area) -> Vec<Vec<DVec2>> {
-    let mut runs: Vec<Vec<DVec2>> = Vec::new();
-    let mut last: Option<DVec2> = None;
-    for point in points {
-        let segment = last.filter(|last| last.is_finite() && point.is_finite()).and_then(|last| {
-            let along = point - last;
-            let (mut enter, mut leave) = (0.0f64, 1.0f64);
-            for axis in 0..2 {
-                let (low, high) = (area.min[axis] - last[axis], area.max[axis] - last[axis]);
-                if along[axis] == 0.0 {
-                    (enter, leave) = if low > 0.0 || high < 0.0 { (1.0, 0.0) } else { (enter, leave) };
-                    continue;
-                }
-                let (t, u) = (low / along[axis], high / along[axis]);
-                (enter, leave) = (enter.max(t.min(u)), leave.min(t.max(u)));
-            }
-            (enter <= leave).then(|| (last + along * enter, last + along * leave))
-        });
-        if let Some((from, to)) = segment {
-            match runs.last_mut().filter(|run| run.last().is_some_and(|end| end.distance(from) < 1e-6)) {
-                Some(run) => run.push(to),
-                None => runs.push(vec![from, to]),
-            }
-        }
-        last = Some(point);
-    }
-    runs
-}
-
 /// A line without the points that nobody could see.
 pub(super) fn thinned(points: &[DVec2]) -> Vec<DVec2> {
     let mut kept: Vec<DVec2> = Vec::new();
@@ -205,21 +176,4 @@ pub(super) fn thinned(points: &[DVec2]) -> Vec<DVec2> {
         }
     }
     kept
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_line_that_leaves_and_returns_is_two_lines() {
-        let area = Area { min: DVec2::ZERO, max: DVec2::splat(10.0) };
-        let line = [(0.0, 5.0), (4.0, -5.0), (8.0, 5.0), (9.0, 5.0)].map(|(x, y)| DVec2::new(x, y));
-        let runs = clipped(line.into_iter(), &area);
-        assert_eq!(runs.len(), 2, "{runs:?}");
-        assert_eq!((runs[0][1], runs[1][0]), (DVec2::new(2.0, 0.0), DVec2::new(6.0, 0.0)));
-        assert_eq!(runs[1].len(), 3);
-        let steep = [(0.0, 1e18), (1.0, 5.0)].map(|(x, y)| DVec2::new(x, y));
-        assert!(clipped(steep.into_iter(), &area).iter().flatten().all(|p| area.holds(&Area { min: *p, max: *p })));
-    }
 }

@@ -45,7 +45,9 @@ pub fn thinned(
         seen.iter().filter(|one| scattered(one.index).is_multiple_of(one_in)).copied().collect();
     loop {
         let (shown, dropped) = kept_apart(&looked_at, apart, others, &hidden);
-        if shown.len() <= MOST || !apart.is_finite() {
+        // Where a letter has no size either, no distance would ever be enough.
+        let grows = apart.is_finite() && (apart > 0.0 || letter > 0.0);
+        if shown.len() <= MOST || !grows {
             let apart = if crowded { apart } else { 0.0 };
             return Choice { shown, apart, thinned: dropped || one_in > 1 };
         }

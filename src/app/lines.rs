@@ -1,0 +1,101 @@
+//! Lines in the window, clipped to what the painter shows before they are dashed or sent to the graphics card.
+
+use crate::figure::{Area, clipped};
+use eframe::egui::{Painter, Pos2, Shape, Stroke, pos2};
+use glam::DVec2;
+
+/// A point of the screen in double precision, in which lines may reach far out of sight.
+pub fn exact(at: Pos2) -> DVec2 {
+    DVec2::new(at.x.into(), at.y.into())
+}
+
+fn rounded(at: &DVec2) -> Pos2 {
+    pos2(at.x as f32, at.y as f32)
+}
+
+/// What the painter shows, with room for a stroke of `width`; points.
+pub fn sight(painter: &Painter, width: f32) -> Area {
+    let rect = painter.clip_rect().expand(2.0 * width);
+    Area { min: exact(rect.min), max: exact(rect.max) }
+}
+
+/// The whole window; points.
+pub fn window(painter: &Painter) -> Area {
+    let rect = painter.ctx().content_rect();
+    Area { min: exact(rect.min), max: exact(rect.max) }
+}
+
+/// Draws a line through points of the screen; `dashes` are lengths of dashes and gaps in turn, none for a solid line.
+pub fn line(painter: &Painter, points: impl IntoIterator<Item = DVec2>, stroke: Stroke, dashes: &[f32]) {
+    let every_other = |from: usize| -> Vec<f32> { dashes.iter().skip(from).step_by(2).copied().collect() };
+    let period = f64::from(dashes.iter().sum::<f32>());
+    for run in clipped(points, &sight(painter, stroke.width)) {
+        let mut points: Vec<Pos2> = run.points.iter().map(rounded).collect();
+        // A segment without a length has no direction for its dashes.
+        points.dedup();
+        if points.len() < 2 {
+            continue;
+        }
+        if period > 0.0 {
+            // What is clipped away has had its dashes too.
+            let offset = -run.start.rem_euclid(period) as f32;
+            painter.extend(Shape::dashed_line_with_offset(&points, stroke, &every_other(0), &every_other(1), offset));
+        } else {
+            painter.add(Shape::line(points, stroke));
+        }
+    }
+}
+
+/// Draws a closed line through points of the screen.
+pub fn outline(painter: &Painter, points: &[DVec2], stroke: Stroke) {
+    let sight = sight(painter, stroke.width);
+    if points.iter().all(|at| sight.holds(&Area { min: *at, max: *at })) {
+        painter.add(Shape::closed_line(points.iter().map(rounded).collect(), stroke));
+    } else {
+        line(painter, points.iter().chain(points.first()).copied(), stroke, &[]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::{Color32, Context, LayerId, Rect};
+
+    fn drawn(points: &[DVec2], dashes: &[f32]) -> Vec<Shape> {
+        let ctx = Context::default();
+        let mut output = ctx.run_ui(Default::default(), |ui| {
+            let rect = Rect::from_min_max(pos2(0.0, 0.0), pos2(100.0, 100.0));
+            let painter = Painter::new(ui.ctx().clone(), LayerId::background(), rect);
+            line(&painter, points.iter().copied(), Stroke::new(2.0, Color32::WHITE), dashes);
+        });
+        output.textures_delta.clear();
+        std::mem::take(&mut output.shapes).into_iter().map(|clipped| clipped.shape).collect()
+    }
+
+    #[test]
+    fn a_dashed_line_that_touches_the_border_in_a_point_is_not_drawn() {
+        let points = [DVec2::new(-10.0, 50.0), DVec2::new(-4.0, 50.0), DVec2::new(-10.0, 60.0)];
+        assert_eq!(drawn(&points, &[6.0, 4.0]), []);
+        let points =
+            [DVec2::new(-30.0, 50.0), DVec2::new(10.0, 50.0), DVec2::new(10.0 + 1e-12, 50.0), DVec2::new(40.0, 50.0)];
+        let shapes = drawn(&points, &[6.0, 4.0]);
+        assert!(
+            !shapes.is_empty() && shapes.iter().all(|shape| shape.visual_bounding_rect().is_finite()),
+            "{shapes:?}"
+        );
+    }
+
+    #[test]
+    fn a_line_out_of_all_proportion_has_as_many_dashes_as_are_seen() {
+        for far in [1e6, 1e12, 1e30, f64::MAX, f64::INFINITY, f64::NAN] {
+            let points =
+                [DVec2::new(10.0, 50.0), DVec2::new(50.0, far), DVec2::new(50.0, -far), DVec2::new(90.0, 50.0)];
+            for dashes in [&[][..], &[6.0, 4.0]] {
+                let shapes = drawn(&points, dashes);
+                assert!(shapes.len() <= 40, "{far}: {} shapes", shapes.len());
+                let near = Rect::from_min_max(pos2(-20.0, -20.0), pos2(120.0, 120.0));
+                assert!(shapes.iter().all(|shape| near.contains_rect(shape.visual_bounding_rect())), "{far}");
+            }
+        }
+    }
+}
