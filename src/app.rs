@@ -31,6 +31,7 @@ mod panes;
 mod picture;
 mod plan;
 mod profile;
+mod recovery;
 mod row;
 mod sampling;
 mod scan;
@@ -60,6 +61,9 @@ use engine::Engine;
 use files::Files;
 use history::History;
 use picture::Room;
+use recovery::Recovery;
+use state::Leaving;
+use std::path::Path;
 
 /// Where the window's look is kept between two sessions.
 const STORAGE_KEY: &str = "look";
@@ -74,6 +78,7 @@ pub struct App {
     title: String,
     /// Whether a dialog, or the progress of work on a file, stands in front of everything else: the keys are for that.
     in_front: bool,
+    recovery: Option<Recovery>,
 }
 
 impl App {
@@ -94,7 +99,18 @@ impl App {
             room: Room { whole: [1, 1], pane: [1, 1] },
             title: String::new(),
             in_front: false,
+            recovery: None,
         }
+    }
+
+    /// The same window, which keeps its unsaved work in a file in `folder` and offers what another left there.
+    #[must_use]
+    pub fn with_recovery(mut self, folder: &Path) -> Self {
+        self.recovery = Recovery::new(folder);
+        if let Some((_, name)) = self.recovery.as_ref().and_then(Recovery::left) {
+            self.state.dialog = Some(Dialog::Restore { name });
+        }
+        self
     }
 
     /// The picture as last drawn.
@@ -160,6 +176,26 @@ impl App {
             ctx.request_repaint();
         }
         self.show_look(ctx);
+        if let Some(recovery) = &mut self.recovery {
+            recovery.keep(ctx, &mut self.state);
+        }
+    }
+
+    /// Whether the window may close now; asks otherwise.
+    fn may_close(&mut self) -> bool {
+        let may = self.state.leaving == Leaving::Now || !self.state.modified();
+        if !may {
+            self.state.dialog = Some(Dialog::Unsaved);
+        } else if let Some(recovery) = &mut self.recovery {
+            recovery.forget();
+        }
+        may
+    }
+
+    /// Closes the window, whatever is unsaved.
+    fn close(&mut self, ctx: &Context) {
+        self.state.leaving = Leaving::Now;
+        ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 
     fn show_look(&mut self, ctx: &Context) {
@@ -180,18 +216,26 @@ impl App {
             Action::OpenFile(path) => self.files.open(ctx, path),
             Action::OpenBuiltIn(name) => self.open_built_in(&name),
             Action::Save => match self.state.document.scene_file() {
-                Some(path) => self.save(path),
+                Some(path) => self.save(ctx, path),
                 None => self.state.dialog = Some(Dialog::Save { path: self.state.document.suggested("toml") }),
             },
             Action::SaveAs => self.state.dialog = Some(Dialog::Save { path: self.state.document.suggested("toml") }),
-            Action::SaveTo(path) => self.save(path),
+            Action::SaveTo(path) => self.save(ctx, path),
             Action::Export => self.state.dialog = Some(Dialog::Export(self.export_form())),
             Action::CopyPicture => self.copy_picture(ctx),
             Action::SaveProfile(ending) => self.state.dialog = Some(profile::save_dialog(ending)),
             Action::Code => self.state.dialog = Some(Dialog::Code(code::CodeForm::default())),
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),
-            Action::Quit => ctx.send_viewport_cmd(ViewportCommand::Close),
+            Action::Quit if self.may_close() => self.close(ctx),
+            Action::CloseUnsaved => self.close(ctx),
+            Action::Restore => {
+                if let Some((path, _)) = self.recovery.as_ref().and_then(Recovery::left) {
+                    self.files.restore(ctx, path.to_owned());
+                }
+            }
+            Action::AdoptRestored => self.recovery.iter_mut().for_each(Recovery::adopt),
+            Action::DeleteLeft => self.recovery.iter_mut().for_each(Recovery::delete),
             // What is left concerns the state alone and has been done.
             _ => {}
         }
@@ -204,7 +248,8 @@ impl App {
         }
     }
 
-    fn save(&mut self, path: std::path::PathBuf) {
+    fn save(&mut self, ctx: &Context, path: std::path::PathBuf) {
+        let leaving = std::mem::take(&mut self.state.leaving);
         if let Err(error) = self.state.document.scene.validate() {
             self.state.dialog = Some(Dialog::message("This scene could not be opened again", error.to_string()));
             return;
@@ -214,6 +259,9 @@ impl App {
                 self.state.notice = Some(format!("saved {}", path.display()));
                 self.state.document.origin = Origin::File(path);
                 self.state.saved = self.state.document.clone();
+                if leaving == Leaving::OnceSaved {
+                    self.close(ctx);
+                }
             }
             Err(error) => self.state.dialog = Some(Dialog::message("The scene was not saved", error.to_string())),
         }
@@ -254,6 +302,15 @@ impl App {
 }
 
 impl eframe::App for App {
+    fn logic(&mut self, ctx: &Context, _: &mut eframe::Frame) {
+        if ctx.input(|input| input.viewport().close_requested()) && !self.may_close() {
+            // A window that is hidden has to come up to ask.
+            for command in [ViewportCommand::CancelClose, ViewportCommand::Minimized(false), ViewportCommand::Focus] {
+                ctx.send_viewport_cmd(command);
+            }
+        }
+    }
+
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         self.drops(&ctx);

@@ -34,3 +34,4 @@ pub mod illumination;
 pub mod picture;
 pub mod render;
 pub mod scene;
+pub mod table;

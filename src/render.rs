@@ -51,6 +51,6 @@ pub use memory::Memory;
 pub use plan::{Cued, Facts, Per, Plan};
 pub(crate) use polygon::Polygon;
 pub(crate) use reference::{Evaluation, WeightedSite};
-pub use renderer::Renderer;
+pub use renderer::{Renderer, TooLarge, check_memory};
 pub(crate) use section::{Piece, displayed};
 pub use transmission::Transmission;

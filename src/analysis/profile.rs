@@ -19,11 +19,12 @@ pub use plots::profile_plots;
 use super::perception::{Perception, Viewing, blur_line};
 use crate::render::{Piece, Renderer};
 use crate::scene::{Rgb, Scene, ShadingMode};
+use crate::table::Table;
 use glam::DVec2;
 use line::Line;
 use serde::Serialize;
 use source::Source;
-use std::fmt::Write;
+use std::fmt::Display;
 use thiserror::Error;
 
 /// What the profile is taken of.
@@ -133,18 +134,17 @@ impl Trace {
 impl Profile {
     /// The samples as text: a row each under a row of names, values separated by commas.
     pub fn to_csv(&self) -> String {
-        let mut text = "x,y,t".to_owned();
-        for trace in &self.traces {
-            let mode = trace.word();
-            let _ = write!(text, ",{mode},{mode}_slope,{mode}_perceived");
-        }
+        let modes = self.traces.iter().map(Trace::word);
+        let columns: String = modes.map(|mode| format!(",{mode},{mode}_slope,{mode}_perceived")).collect();
+        let mut table = Table::new(&format!("x,y,t{columns}"));
         for (i, sample) in self.samples.iter().enumerate() {
-            let _ = write!(text, "\n{},{},{}", sample.x, sample.y, sample.t);
+            let mut row: Vec<&dyn Display> = vec![&sample.x, &sample.y, &sample.t];
             for trace in &self.traces {
-                let _ = write!(text, ",{},{},{}", trace.intensity[i], trace.slope[i], trace.perceived[i]);
+                row.extend([&trace.intensity[i] as &dyn Display, &trace.slope[i], &trace.perceived[i]]);
             }
+            table.row(&row);
         }
-        text + "\n"
+        table.into_csv()
     }
 }
 

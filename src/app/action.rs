@@ -70,7 +70,16 @@ pub enum Action {
     Projector,
     Keys,
     About,
+    /// Closes the window; asks first where there are unsaved changes.
     Quit,
+    /// Closes the window and drops unsaved changes.
+    CloseUnsaved,
+    /// Opens the unsaved work that a window left behind.
+    Restore,
+    /// Goes on with that work as this window's own.
+    AdoptRestored,
+    /// Removes that work.
+    DeleteLeft,
 }
 
 /// What can be shown and hidden.

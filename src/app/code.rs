@@ -4,7 +4,7 @@ mod writer;
 
 pub use writer::{Language, Writer};
 
-use super::dialog::{Choice, Dialog, path_field};
+use super::dialog::{Choice, Dialog, complete, path_field};
 use super::document::Document;
 use super::files::Pick;
 use super::state::AppState;
@@ -45,6 +45,14 @@ impl CodeForm {
     pub fn step_back(&mut self) -> bool {
         self.path.take().is_some()
     }
+
+    /// Gives a file without an ending the usual one.
+    pub fn complete(&mut self) {
+        if let Some(path) = self.path.as_mut().filter(|path| Path::new(path.trim()).extension().is_none()) {
+            let usual = Path::new(self.language.suggestion()).extension().unwrap_or_default();
+            complete(path, &usual.to_string_lossy(), &[]);
+        }
+    }
 }
 
 /// The width of the dialog, points.
@@ -68,9 +76,20 @@ pub fn save(state: &mut AppState, mut form: CodeForm) {
 }
 
 /// The files that are written for `target`.
+fn paths(target: &Path, written: &Written) -> Vec<PathBuf> {
+    written.export.parts.iter().map(|part| written.export.path_of(part, target)).collect()
+}
+
 fn names(target: &Path, written: &Written) -> String {
-    let paths = written.export.parts.iter().map(|part| written.export.path_of(part, target));
-    paths.map(|path| path.display().to_string()).collect::<Vec<_>>().join(" and ")
+    paths(target, written).iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(" and ")
+}
+
+/// The files that the form asks for.
+pub fn targets(state: &AppState, form: &CodeForm) -> Vec<PathBuf> {
+    match (&form.path, state.code.known()) {
+        (Some(path), Some(Ok(written))) => paths(Path::new(path.trim()), written),
+        _ => vec![],
+    }
 }
 
 /// What the dialog shows.

@@ -5,7 +5,7 @@ use super::code::{self, CodeForm, code_ui};
 use super::files::{Files, Pick};
 use super::keys::BINDINGS;
 use super::profile;
-use super::state::AppState;
+use super::state::{AppState, Leaving};
 use crate::scene::Image;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -16,12 +16,33 @@ use std::path::{Path, PathBuf};
 /// A dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
-    Message { title: String, text: String },
-    Open { path: String },
-    Save { path: String },
+    Message {
+        title: String,
+        text: String,
+    },
+    Open {
+        path: String,
+    },
+    Save {
+        path: String,
+    },
     Export(ExportForm),
     Code(CodeForm),
-    SaveProfile { path: String },
+    SaveProfile {
+        path: String,
+        ending: &'static str,
+    },
+    /// Whether to replace files that exist, before what another dialog asks for is done.
+    Replace {
+        names: String,
+        then: Box<Self>,
+    },
+    /// Whether to save before the window closes.
+    Unsaved,
+    /// Whether to restore unsaved work that was left behind.
+    Restore {
+        name: String,
+    },
     Keys,
     About,
 }
@@ -37,11 +58,16 @@ pub struct ExportForm {
 }
 
 /// What the user has decided.
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Choice {
     Stay,
     Leave,
     Accept,
     Browse(Pick),
+    /// To the question before.
+    Back,
+    /// Leave, and let go of what the question is about.
+    Discard,
 }
 
 impl Dialog {
@@ -54,7 +80,7 @@ impl Dialog {
     pub fn take_path(&mut self, picked: String) {
         if let Self::Open { path }
         | Self::Save { path }
-        | Self::SaveProfile { path }
+        | Self::SaveProfile { path, .. }
         | Self::Export(ExportForm { path, .. }) = self
         {
             *path = picked;
@@ -65,8 +91,47 @@ impl Dialog {
 
     /// Leaves a question within the dialog; tells whether there was one.
     fn step_back(&mut self) -> bool {
-        if let Self::Code(form) = self { form.step_back() } else { false }
+        match self {
+            Self::Code(form) => form.step_back(),
+            Self::Replace { then, .. } => {
+                *self = std::mem::replace(&mut **then, Self::About);
+                true
+            }
+            _ => false,
+        }
     }
+
+    /// Gives the file that is to be written an ending that the program reads, where its name has none.
+    fn complete(&mut self) {
+        match self {
+            Self::Save { path } => complete(path, "toml", &[]),
+            Self::Export(form) => complete(&mut form.path, "png", &[]),
+            Self::SaveProfile { path, ending } => complete(path, ending, &["csv", "png", "svg"]),
+            Self::Code(form) => form.complete(),
+            _ => {}
+        }
+    }
+
+    /// The files that accepting it writes.
+    fn targets(&self, state: &AppState) -> Vec<PathBuf> {
+        match self {
+            Self::Save { path } | Self::Export(ExportForm { path, .. }) | Self::SaveProfile { path, .. } => {
+                vec![PathBuf::from(path)]
+            }
+            Self::Code(form) => code::targets(state, form),
+            _ => vec![],
+        }
+    }
+}
+
+/// Gives a path that ends neither in `usual` nor in one of `others` the usual ending.
+pub fn complete(path: &mut String, usual: &str, others: &[&str]) {
+    let trimmed = path.trim();
+    let known = Path::new(trimmed)
+        .extension()
+        .is_some_and(|ending| [usual].iter().chain(others).any(|known| ending.eq_ignore_ascii_case(known)));
+    let folder = trimmed.ends_with(std::path::is_separator);
+    *path = if known || folder { trimmed.to_owned() } else { format!("{trimmed}.{usual}") };
 }
 
 /// Shows the dialog, if any, and how far work on a file has come.
@@ -104,28 +169,53 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
             state.dialog = Some(dialog);
         }
         Choice::Accept => accept(ctx, state, files, dialog),
+        Choice::Back => {
+            dialog.step_back();
+            state.dialog = Some(dialog);
+        }
         Choice::Stay if !leave || dialog.step_back() => state.dialog = Some(dialog),
-        Choice::Stay | Choice::Leave => {
+        Choice::Stay | Choice::Leave | Choice::Discard => {
             state.code.forget();
+            state.leaving = Leaving::No;
             ctx.request_repaint();
         }
     }
 }
 
-fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog) {
+/// Does what a dialog asks for, once it is clear that no file is lost by it.
+fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Dialog) {
+    dialog.complete();
+    let agreed = files.take_agreed();
+    let lost = |path: &PathBuf| path.is_file() && !state.document.is_from(path) && agreed.as_ref() != Some(path);
+    let names: Vec<String> =
+        dialog.targets(state).iter().filter(|path| lost(path)).map(|path| path.display().to_string()).collect();
+    if names.is_empty() {
+        perform(ctx, state, files, dialog);
+    } else {
+        state.dialog = Some(Dialog::Replace { names: names.join(" and "), then: Box::new(dialog) });
+    }
+    ctx.request_repaint();
+}
+
+fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog) {
     match dialog {
         Dialog::Open { path } => state.ask(Action::OpenFile(PathBuf::from(path.trim()))),
         Dialog::Save { path } => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
         Dialog::Export(form) => files.export(ctx, state, &form),
         Dialog::Code(form) => code::save(state, form),
-        Dialog::SaveProfile { path } => {
+        Dialog::SaveProfile { path, .. } => {
             if let Err(text) = profile::save(state, Path::new(path.trim())) {
                 state.dialog = Some(Dialog::message("The profile was not saved", text));
             }
         }
+        Dialog::Replace { then, .. } => perform(ctx, state, files, *then),
+        Dialog::Unsaved => {
+            state.leaving = Leaving::OnceSaved;
+            state.ask(Action::Save);
+        }
+        Dialog::Restore { .. } => state.ask(Action::Restore),
         Dialog::Message { .. } | Dialog::Keys | Dialog::About => {}
     }
-    ctx.request_repaint();
 }
 
 fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice {
@@ -136,11 +226,17 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             path_ui(ui, "Open a scene, a model or an exported picture", "Open", path, hint, Pick::Open)
         }
         Dialog::Save { path } => path_ui(ui, "Save the scene", "Save", path, "scene.toml", Pick::SaveScene),
-        Dialog::SaveProfile { path } => {
+        Dialog::SaveProfile { path, .. } => {
             path_ui(ui, "Save the profile", "Save", path, "profile.csv, .png or .svg", Pick::SaveProfile)
         }
         Dialog::Export(form) => export_ui(ui, form),
         Dialog::Code(form) => code_ui(ui, form, &mut state.code, &state.document),
+        Dialog::Replace { names, .. } => {
+            let text = format!("{names} exists already. What is in it will be lost.");
+            question_ui(ui, "Replace the file?", &text, &[("Replace", Choice::Accept), ("Back", Choice::Back)])
+        }
+        Dialog::Unsaved => unsaved_ui(ui, state),
+        Dialog::Restore { name } => restore_ui(ui, name, state),
         Dialog::Keys => keys_ui(ui),
         Dialog::About => message_ui(
             ui,
@@ -149,6 +245,44 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
              and what both mean in numbers.",
         ),
     }
+}
+
+/// A question with an answer a button.
+fn question_ui(ui: &mut Ui, title: &str, text: &str, answers: &[(&str, Choice)]) -> Choice {
+    ui.heading(title);
+    ui.add_space(8.0);
+    ui.label(text);
+    ui.add_space(12.0);
+    ui.horizontal(|ui| {
+        let mut choice = Choice::Stay;
+        for (answer, meaning) in answers {
+            if ui.button(*answer).clicked() {
+                choice = *meaning;
+            }
+        }
+        choice
+    })
+    .inner
+}
+
+fn unsaved_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
+    let title = format!("Save the changes to {}?", state.document.name());
+    let answers = [("Save", Choice::Accept), ("Close without saving", Choice::Discard), ("Cancel", Choice::Leave)];
+    let choice = question_ui(ui, &title, "They are lost if the window closes without saving.", &answers);
+    if choice == Choice::Discard {
+        state.ask(Action::CloseUnsaved);
+    }
+    choice
+}
+
+fn restore_ui(ui: &mut Ui, name: &str, state: &mut AppState) -> Choice {
+    let text = format!("The last window ended without closing. Unsaved changes to {name} have been kept.");
+    let answers = [("Restore", Choice::Accept), ("Delete", Choice::Discard), ("Later", Choice::Leave)];
+    let choice = question_ui(ui, "Restore unsaved work?", &text, &answers);
+    if choice == Choice::Discard {
+        state.ask(Action::DeleteLeft);
+    }
+    choice
 }
 
 fn message_ui(ui: &mut Ui, title: &str, text: &str) -> Choice {

@@ -3,7 +3,8 @@
 use crate::document::Loaded;
 use crate::geometry::Mesh;
 use crate::scene::Scene;
-use std::path::PathBuf;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A scene with its model.
@@ -16,7 +17,7 @@ pub struct Document {
 }
 
 /// Where a document came from.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Origin {
     /// The scene that the program starts with.
     #[default]
@@ -58,10 +59,22 @@ impl Document {
 
     /// What the title bar calls it.
     pub fn name(&self) -> String {
-        match &self.origin {
-            Origin::New => "untitled".to_owned(),
-            Origin::BuiltIn(name) => name.clone(),
-            Origin::File(path) => {
+        self.origin.name()
+    }
+
+    /// Whether it came from this file.
+    pub fn is_from(&self, file: &Path) -> bool {
+        let absolute = |path: &Path| std::path::absolute(path).ok();
+        matches!(&self.origin, Origin::File(path) if absolute(path) == absolute(file))
+    }
+}
+
+impl Origin {
+    pub fn name(&self) -> String {
+        match self {
+            Self::New => "untitled".to_owned(),
+            Self::BuiltIn(name) => name.clone(),
+            Self::File(path) => {
                 path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
             }
         }

@@ -1,5 +1,6 @@
 //! Files, on threads of their own: the window stays alive while a model is read or a picture is drawn.
 
+use super::action::Action;
 use super::code::Language;
 use super::dialog::{Dialog, ExportForm};
 use super::document::Document;
@@ -7,11 +8,12 @@ use super::engine::overlay_options;
 use super::handles;
 use super::handles::line::ProfileLine;
 use super::profile::ProfileLook;
+use super::recovery;
 use super::state::{AppState, OverlayLook, ProbePoint};
 use crate::analysis::{ProfileRequest, probe, profile};
 use crate::document::{Loaded, load_with, save_picture};
 use crate::figure::{comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet};
-use crate::render::{Frame, Renderer};
+use crate::render::{Frame, Renderer, check_memory};
 use crate::scene::Scene;
 use eframe::egui::Context;
 use std::convert::Infallible;
@@ -24,6 +26,8 @@ use std::thread;
 /// What comes back from a thread.
 enum Outcome {
     Loaded(Box<Result<Loaded, String>>),
+    /// Unsaved work with what it was made from.
+    Restored(Box<Result<(Document, Document), String>>),
     Exported(Result<PathBuf, String>),
     /// A path picked in the desktop's own dialog; none where it was left or there is no such dialog.
     Picked(Option<PathBuf>),
@@ -41,6 +45,8 @@ struct Work {
 #[derive(Default)]
 pub struct Files {
     work: Option<Work>,
+    /// The path that the desktop's own dialog gave, which has asked whether to replace the file.
+    agreed: Option<PathBuf>,
 }
 
 /// Which dialog of the desktop's is asked for.
@@ -157,6 +163,18 @@ impl Files {
         });
     }
 
+    /// Opens unsaved work that was left in a file.
+    pub fn restore(&mut self, ctx: &Context, path: PathBuf) {
+        self.start(ctx, "Restoring unsaved work".to_owned(), move |_| {
+            Outcome::Restored(Box::new(recovery::restore(&path)))
+        });
+    }
+
+    /// Takes the path that may be replaced without another question, if any.
+    pub fn take_agreed(&mut self) -> Option<PathBuf> {
+        self.agreed.take()
+    }
+
     /// Draws and writes a picture of `document`.
     pub fn export(&mut self, ctx: &Context, state: &AppState, form: &ExportForm) {
         let (document, form) = (state.document.clone(), form.clone());
@@ -167,10 +185,12 @@ impl Files {
             let total = u64::from(form.samples) * scene.shown_panes().len() as u64;
             let mut renderer = Renderer::default();
             renderer.set_model(document.model);
-            let frame = picture(&mut renderer, &scene, form.samples, over.as_ref(), &mut |n| tell(n.into(), total));
             let path = PathBuf::from(&form.path);
-            let saved = save_picture(&path, &frame, &scene);
-            Outcome::Exported(saved.map(|()| path).map_err(|error| error.to_string()))
+            let mut draw =
+                || picture(&mut renderer, &scene, form.samples, over.as_ref(), &mut |n| tell(n.into(), total));
+            let drawn = check_memory(&scene).map_err(|error| error.to_string()).map(|()| draw());
+            let saved = drawn.and_then(|frame| save_picture(&path, &frame, &scene).map_err(|error| error.to_string()));
+            Outcome::Exported(saved.map(|()| path))
         });
     }
 
@@ -206,6 +226,14 @@ impl Files {
                 Ok(loaded) => state.open(Document::from(loaded)),
                 Err(text) => state.dialog = Some(Dialog::message("The file was not opened", text)),
             },
+            Some(Outcome::Restored(restored)) => match *restored {
+                Ok((document, original)) => {
+                    state.open(original);
+                    state.document = document;
+                    state.ask(Action::AdoptRestored);
+                }
+                Err(text) => state.dialog = Some(Dialog::message("The unsaved work was not restored", text)),
+            },
             Some(Outcome::Exported(Ok(path))) => state.notice = Some(format!("exported {}", path.display())),
             Some(Outcome::Exported(Err(text))) => {
                 state.dialog = Some(Dialog::message("The picture was not exported", text));
@@ -213,6 +241,7 @@ impl Files {
             Some(Outcome::Picked(path)) => {
                 if let (Some(path), Some(dialog)) = (path, &mut state.dialog) {
                     dialog.take_path(path.display().to_string());
+                    self.agreed = Some(path);
                 }
             }
         }

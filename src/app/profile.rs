@@ -160,8 +160,8 @@ pub fn shows_perceived(state: &AppState) -> bool {
 }
 
 /// The dialog that asks where to.
-pub fn save_dialog(ending: &str) -> Dialog {
-    Dialog::SaveProfile { path: format!("profile.{ending}") }
+pub fn save_dialog(ending: &'static str) -> Dialog {
+    Dialog::SaveProfile { path: format!("profile.{ending}"), ending }
 }
 
 fn plots_ui(ui: &mut Ui, profiles: &mut Profiles) {

@@ -43,7 +43,15 @@ pub fn run(loaded: Loaded) -> Result<(), AppError> {
         .with_inner_size([1280.0, 800.0])
         .with_min_inner_size([720.0, 480.0]);
     let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
-    eframe::run_native("shading-lab", options, Box::new(|cc| Ok(Box::new(App::new(cc, loaded))))).map_err(|error| {
+    let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
+        let app = App::new(cc, loaded);
+        let folder = eframe::storage_dir("shading-lab").map(|folder| folder.join("recovery"));
+        Box::new(match folder {
+            Some(folder) => app.with_recovery(&folder),
+            None => app,
+        })
+    };
+    eframe::run_native("shading-lab", options, Box::new(|cc| Ok(open(cc)))).map_err(|error| {
         let text = error.to_string();
         match error {
             eframe::Error::NoGlutinConfigs(..) | eframe::Error::Glutin(_) | eframe::Error::OpenGL(_) => {

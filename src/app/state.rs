@@ -81,6 +81,8 @@ pub struct AppState {
     pub picture_alone: bool,
     #[serde(skip)]
     pub dialog: Option<Dialog>,
+    #[serde(skip)]
+    pub leaving: Leaving,
     /// The scene as code, while its dialog is open.
     #[serde(skip)]
     pub code: code::Writer,
@@ -117,6 +119,16 @@ impl AppState {
         let Document { scene, origin, .. } = &self.saved;
         *self.shared_scene() != *scene || self.document.origin != *origin || self.document.model_differs(&self.saved)
     }
+}
+
+/// Whether the window is to close.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Leaving {
+    #[default]
+    No,
+    OnceSaved,
+    /// Whatever is unsaved.
+    Now,
 }
 
 /// How the window looks.

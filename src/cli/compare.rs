@@ -10,7 +10,8 @@ use shading_lab::analysis::PaneFigures;
 use shading_lab::figure::{draw_panes, pane_figures};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{CompareView, Pane, Scene};
-use std::fmt::Write;
+use shading_lab::table::Table;
+use std::fmt::{Display, Write};
 use std::path::PathBuf;
 
 /// Which panes there are beside the scene itself.
@@ -113,19 +114,15 @@ impl CompareCommand {
 
 /// A row for each pane; what a pane has not is left empty.
 fn csv(figures: &[PaneFigures]) -> String {
-    let mut text = "pane,brightest,brightest_x,brightest_y,pixels,mean,rms,greatest,x,y\n".to_owned();
+    let mut table = Table::new("pane,brightest,brightest_x,brightest_y,pixels,mean,rms,greatest,x,y");
     for PaneFigures { name, brightest, error } in figures {
-        let bright = brightest.map_or_else(|| ",,".to_owned(), |b| format!("{},{},{}", b.value, b.at[0], b.at[1]));
-        let error = error.map_or_else(
-            || ",,,,,".to_owned(),
-            |e| {
-                let at = e.at.map_or_else(|| ",".to_owned(), |[x, y]| format!("{x},{y}"));
-                format!("{},{},{},{},{at}", e.pixels, e.mean, e.rms, e.greatest)
-            },
-        );
-        let _ = writeln!(text, "\"{}\",{bright},{error}", name.replace('"', "\"\""));
+        let none: &dyn Display = &"";
+        let bright = brightest.as_ref().map_or([none; 3], |b| [&b.value, &b.at[0], &b.at[1]]);
+        let figures = error.as_ref().map_or([none; 4], |e| [&e.pixels, &e.mean, &e.rms, &e.greatest]);
+        let at = error.as_ref().and_then(|e| e.at.as_ref()).map_or([none; 2], |[x, y]| [x, y]);
+        table.row(&[&[name as &dyn Display][..], &bright, &figures, &at].concat());
     }
-    text
+    table.into_csv()
 }
 
 fn text(name: &str, [width, height]: [u32; 2], figures: &[PaneFigures]) -> String {

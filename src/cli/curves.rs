@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::input::{SceneArguments, inside_picture, parse_pixel, parse_size};
 use super::output::{print, print_json};
-use super::sheet::{ending, parse_target, write_plots, write_text};
+use super::sheet::{ending, figure_name, write_plots, write_text};
 use super::telling::telling_pixel;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
@@ -11,6 +11,7 @@ use shading_lab::analysis::{Plot, PlotKind, Probe, curves, probe};
 use shading_lab::document::check_target;
 use shading_lab::render::Renderer;
 use shading_lab::scene::Scene;
+use shading_lab::table::Table;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -31,7 +32,7 @@ pub struct Curves {
     #[arg(long, value_name = "I")]
     light: Option<usize>,
     /// The figure, or the samples as .csv
-    #[arg(short, long, value_name = "FILE.png|.svg|.csv", value_parser = parse_target)]
+    #[arg(short, long, value_name = "FILE.png|.svg|.csv", value_parser = figure_name())]
     output: Option<PathBuf>,
     /// The samples, a row each
     #[arg(long, value_name = "FILE.csv")]
@@ -148,17 +149,17 @@ impl Curves {
 
 /// A row for each sample of each curve.
 fn rows(plots: &[Plot]) -> String {
-    let mut text = "plot,curve,x,y\n".to_owned();
+    let mut table = Table::new("plot,curve,x,y");
     for plot in plots {
         let kind = word(plot.kind);
         for curve in &plot.curves {
             let name = curve.name.replace(", now", "");
             for [x, y] in &curve.points {
-                let _ = writeln!(text, "{kind},{name},{x},{y}");
+                table.row(&[&kind, &name, x, y]);
             }
         }
     }
-    text
+    table.into_csv()
 }
 
 fn word(kind: PlotKind) -> String {

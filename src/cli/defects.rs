@@ -3,13 +3,14 @@
 use super::failure::Failure;
 use super::input::{SceneArguments, inside_picture, parse_pixel, parse_size};
 use super::output::{print, print_json, progress_bar};
-use super::sheet::{ending, parse_target, write_plots, write_text};
+use super::sheet::{ending, figure_name, write_plots, write_text};
 use super::telling::telling_pixel;
 use clap::Args;
 use serde_json::json;
 use shading_lab::analysis::{Defects, Finding, defect_plots, defects_with_progress};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Interpolation, Scene};
+use shading_lab::table::Table;
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -25,7 +26,7 @@ pub struct DefectsCommand {
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
     /// The curves (the point while the picture turns, both sides of the edge) as a plot, or as a table
-    #[arg(short, long, value_name = "FILE.png|.svg|.csv", value_parser = parse_target)]
+    #[arg(short, long, value_name = "FILE.png|.svg|.csv", value_parser = figure_name())]
     output: Option<PathBuf>,
     /// Light lines on a dark ground
     #[arg(long)]
@@ -85,20 +86,20 @@ fn measured(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -> Defects 
 
 /// The samples of the curves, one table after the other in columns of their own.
 fn csv(measured: &Defects) -> String {
-    let mut text = "curve,x,first,second\n".to_owned();
+    let mut table = Table::new("curve,x,first,second");
     if let Ok(orientation) = &measured.orientation {
         for turned in &orientation.samples {
             let value = |value: Option<f64>| value.map_or_else(String::new, |v| v.to_string());
             let (along, across) = (value(turned.scanline), value(turned.barycentric));
-            let _ = writeln!(text, "orientation,{},{along},{across}", turned.angle);
+            table.row(&[&"orientation", &turned.angle, &along, &across]);
         }
     }
     if let Ok(shared) = &measured.shared_vertices {
         for [place, without, with] in &shared.samples {
-            let _ = writeln!(text, "shared-vertices,{place},{without},{with}");
+            table.row(&[&"shared-vertices", place, without, with]);
         }
     }
-    text
+    table.into_csv()
 }
 
 fn text(name: &str, [width, height]: [u32; 2], measured: &Defects) -> String {
@@ -136,7 +137,7 @@ fn text(name: &str, [width, height]: [u32; 2], measured: &Defects) -> String {
     line(
         "vertices that are not shared",
         said(&measured.shared_vertices, |s| {
-            let edges = if s.edges == 1 { "1 edge".to_owned() } else { format!("{} edges", s.edges) };
+            let edges = s.edges_in_words();
             format!("{edges}; greatest jump {:.5}, at {:.0},{:.0}", s.greatest, s.at.x, s.at.y)
         }),
     );

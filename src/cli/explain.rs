@@ -9,6 +9,7 @@ use clap::Args;
 use serde_json::{Map, Value, json};
 use shading_lab::document::Loaded;
 use shading_lab::render::{Renderer, Stage, Term};
+use shading_lab::table::Table;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -134,13 +135,13 @@ impl Told {
     }
 
     fn csv(&self) -> String {
-        let mut text = "stage,name,per,evaluations,omitted,note\n".to_owned();
+        let mut table = Table::new("stage,name,per,evaluations,omitted,note");
         for Term { stage, name, per, evaluations, omitted, note } in &self.terms {
             let per = format!("{per:?}").to_lowercase();
             let [omitted, note] = [omitted, note].map(|words| words.unwrap_or_default());
-            let _ = writeln!(text, "{},\"{name}\",{per},{evaluations},\"{omitted}\",\"{note}\"", stage_name(*stage));
+            table.row(&[&stage_name(*stage), name, &per, evaluations, &omitted, &note]);
         }
-        text
+        table.into_csv()
     }
 
     fn text(&self, loaded: &Loaded, frames: u32) -> String {

@@ -54,6 +54,9 @@ impl From<SceneError> for Failure {
 
 impl From<SaveError> for Failure {
     fn from(error: SaveError) -> Self {
-        Self::work(error)
+        match &error {
+            SaveError::Unwritable { source, .. } if source.kind() == io::ErrorKind::BrokenPipe => Self::Closed,
+            _ => Self::work(error),
+        }
     }
 }

@@ -12,6 +12,7 @@ use shading_lab::analysis::{NormalField, VertexNormal};
 use shading_lab::geometry::NormalOrigin;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{NormalSource, Scene, View, Weighting};
+use shading_lab::table::Table;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -98,12 +99,12 @@ fn unit(field: &NormalField, vertex: &VertexNormal) -> Option<&'static str> {
 }
 
 fn csv(vertex: &VertexNormal) -> String {
-    let mut text = "face,share,weight,angle,nx,ny,nz\n".to_owned();
+    let mut table = Table::new("face,share,weight,angle,nx,ny,nz");
     for face in &vertex.faces {
         let DVec3 { x, y, z } = face.normal;
-        let _ = writeln!(text, "{},{},{},{},{x},{y},{z}", face.face, face.share, face.weight, face.angle);
+        table.row(&[&face.face, &face.share, &face.weight, &face.angle, &x, &y, &z]);
     }
-    text
+    table.into_csv()
 }
 
 fn text(name: &str, field: &NormalField, vertex: &VertexNormal) -> String {

@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::input::SceneArguments;
 use super::output::{print, print_json};
-use super::sheet::{ending, parse_target, write_plots, write_text};
+use super::sheet::{ending, figure_name, picture_name, write_plots, write_text};
 use clap::{Args, ValueEnum};
 use glam::DVec2;
 use serde::Deserialize;
@@ -33,7 +33,7 @@ pub struct ProfileCommand {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_mode, default_value = "flat,gouraud,phong,exact")]
     modes: Vec<ShadingMode>,
     /// The plot, or the samples as .csv
-    #[arg(short, long, value_name = "FILE.png|.svg|.csv", value_parser = parse_target)]
+    #[arg(short, long, value_name = "FILE.png|.svg|.csv", value_parser = figure_name())]
     output: Option<PathBuf>,
     /// The samples, a row each
     #[arg(long, value_name = "FILE.csv")]
@@ -42,7 +42,7 @@ pub struct ProfileCommand {
     #[arg(long)]
     json: bool,
     /// The whole picture as it is perceived, in the scene's own shading
-    #[arg(long, value_name = "FILE.png", value_parser = parse_picture)]
+    #[arg(long, value_name = "FILE.png", value_parser = picture_name())]
     picture: Option<PathBuf>,
     #[command(flatten)]
     eye: Eye,
@@ -213,9 +213,4 @@ pub fn parse_place(text: &str) -> Result<DVec2, String> {
 fn parse_mode(text: &str) -> Result<ShadingMode, String> {
     let word: StrDeserializer<'_, Error> = text.trim().into_deserializer();
     ShadingMode::deserialize(word).map_err(|_| "expected flat, interpolated, gouraud, phong or exact".to_owned())
-}
-
-fn parse_picture(text: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(text);
-    if ending(&path) == "png" { Ok(path) } else { Err("expected a name that ends in .png".to_owned()) }
 }

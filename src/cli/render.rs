@@ -6,13 +6,14 @@ use super::input::{SceneArguments, parse_size};
 use super::output::progress_bar;
 use super::overlay::{OverlayList, parse_vertex};
 use super::profile::parse_place;
+use super::sheet::picture_name;
 use clap::Args;
 use glam::DVec2;
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::figure::{comparison_sheet, draw_panes, panes_on_sheet};
-use shading_lab::render::{Frame, Renderer};
+use shading_lab::render::{Frame, Renderer, check_memory};
 use shading_lab::scene::{CompareView, Scene};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Most samples a pixel: beyond, 8 bits show no difference.
 const MAX_SAMPLES: u32 = 4096;
@@ -22,7 +23,7 @@ pub struct Render {
     #[command(flatten)]
     scene: SceneArguments,
     /// The picture to write; the scene goes with it and comes back when it is opened
-    #[arg(short, long, value_name = "FILE.png", value_parser = parse_target)]
+    #[arg(short, long, value_name = "FILE.png", value_parser = picture_name())]
     output: PathBuf,
     /// Width and height in pixels, instead of the scene's
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
@@ -67,6 +68,7 @@ impl Render {
             overlay.set_vertex(self.vertex)?;
             overlay.check(which.first().map_or(scene.image.size, |(_, size)| *size))?;
         }
+        check_memory(scene).map_err(Failure::work)?;
         let mut renderer = Renderer::default();
         renderer.set_model(loaded.model);
         let bar = progress_bar(u64::from(self.samples) * which.len() as u64, "drawing");
@@ -86,12 +88,4 @@ impl Render {
         bar.finish_and_clear();
         Ok(save_picture(&self.output, &frame, scene)?)
     }
-}
-
-/// A path whose ending says PNG, or a device.
-fn parse_target(text: &str) -> Result<PathBuf, String> {
-    let path = Path::new(text);
-    let png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
-    let device = path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir());
-    if png || device { Ok(path.to_owned()) } else { Err("expected a name that ends in .png".to_owned()) }
 }

@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::input::{SceneArguments, inside_picture, parse_pixel, parse_size};
 use super::output::{print, print_json};
-use super::sheet::{ending, parse_target, write_drawing, write_text};
+use super::sheet::{ending, figure_name, write_drawing, write_text};
 use super::telling::telling_pixel;
 use clap::Args;
 use glam::DVec2;
@@ -40,7 +40,7 @@ pub struct Scanline {
     #[arg(long, value_name = "Y|last", value_parser = parse_count)]
     line: Option<Count>,
     /// The figure, or the pixels as .csv
-    #[arg(short, long, value_name = "FILE.png|.svg|.csv", value_parser = parse_target)]
+    #[arg(short, long, value_name = "FILE.png|.svg|.csv", value_parser = figure_name())]
     output: Option<PathBuf>,
     /// The pixels, a row each
     #[arg(long, value_name = "FILE.csv")]

@@ -1,6 +1,7 @@
 //! Plots and tables as files.
 
 use super::failure::Failure;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use glam::DVec2;
 use shading_lab::analysis::Plot;
 use shading_lab::document::{SaveError, WriteError, save_picture, write_whole};
@@ -39,11 +40,18 @@ pub fn ending(path: &Path) -> String {
     path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default()
 }
 
-/// A figure's or a table's name.
-pub fn parse_target(text: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(text);
-    match ending(&path).as_str() {
+/// The argument that names a figure or a table.
+pub fn figure_name() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| match ending(&path).as_str() {
         "png" | "svg" | "csv" => Ok(path),
-        _ => Err("expected a name that ends in .png, .svg or .csv".to_owned()),
-    }
+        _ => Err("expected a name that ends in .png, .svg or .csv"),
+    })
+}
+
+/// The argument that names a picture: its ending says PNG, or it is a device or a pipe.
+pub fn picture_name() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| {
+        let device = path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir());
+        if device || ending(&path) == "png" { Ok(path) } else { Err("expected a name that ends in .png") }
+    })
 }

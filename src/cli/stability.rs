@@ -2,13 +2,14 @@
 
 use super::failure::Failure;
 use super::output::{print, print_json, progress_bar};
-use super::sheet::{ending, write_text};
+use super::sheet::{picture_name, write_text};
 use clap::Args;
 use serde_json::json;
 use shading_lab::analysis::{Case, CaseResult, Verdict, stability, stability_cases};
 use shading_lab::document::{save_frame, save_picture};
 use shading_lab::figure::stability_sheet;
 use shading_lab::render::Renderer;
+use shading_lab::table::Table;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -21,7 +22,7 @@ pub struct StabilityCommand {
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
     /// The pictures: each case as the textbook, the engine and the reference draw it
-    #[arg(short, long, value_name = "FILE.png", value_parser = parse_picture)]
+    #[arg(short, long, value_name = "FILE.png", value_parser = picture_name())]
     output: Option<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
@@ -31,11 +32,6 @@ pub struct StabilityCommand {
 fn parse_case(text: &str) -> Result<&'static Case, String> {
     let names = || stability_cases().map(|case| case.name).collect::<Vec<_>>().join(", ");
     stability_cases().find(|case| case.name == text.trim()).ok_or_else(|| format!("expected one of {}", names()))
-}
-
-fn parse_picture(text: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(text);
-    if ending(&path) == "png" { Ok(path) } else { Err("expected a name that ends in .png".to_owned()) }
 }
 
 impl StabilityCommand {
@@ -73,20 +69,26 @@ impl StabilityCommand {
 }
 
 fn csv(results: &[CaseResult]) -> String {
-    let mut text =
-        "name,topic,condition,naive_error,robust_error,verdict,pixels,naive_off,naive_not_finite\n".to_owned();
+    let mut table = Table::new(
+        "name,topic,condition,naive_error,robust_error,verdict,pixels,naive_off,\
+         naive_not_finite",
+    );
     for result in results {
         let CaseResult { case, naive_error, robust_error, pixels, naive_off, naive_not_finite, .. } = result;
         let condition = result.case.condition.map_or_else(String::new, |condition| condition.value.to_string());
-        let _ = writeln!(
-            text,
-            "{},{},{condition},{naive_error},{robust_error},{},{pixels},{naive_off},{naive_not_finite}",
-            case.name,
-            case.topic.title(),
-            result.verdict.words()
-        );
+        table.row(&[
+            &case.name,
+            &case.topic.title(),
+            &condition,
+            naive_error,
+            robust_error,
+            &result.verdict.words(),
+            pixels,
+            naive_off,
+            naive_not_finite,
+        ]);
     }
-    text
+    table.into_csv()
 }
 
 /// A table by topic; of a single case also what is said of it.

@@ -5,7 +5,7 @@ mod text;
 use super::failure::Failure;
 use super::input::{SceneArguments, nanoseconds, parse_size};
 use super::output::{print, print_json, progress_bar};
-use super::sheet::{ending, parse_target, write_drawing, write_text};
+use super::sheet::{ending, figure_name, write_drawing, write_text};
 use clap::{Args, ValueEnum};
 use glam::DVec2;
 use serde_json::{Map, Value, json};
@@ -72,7 +72,7 @@ pub struct StudyCommand {
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
     /// The plot: error over time, both logarithmic, with the front of Pareto
-    #[arg(short, long, value_name = "FILE.png|.svg", value_parser = parse_target)]
+    #[arg(short, long, value_name = "FILE.png|.svg", value_parser = figure_name())]
     output: Option<PathBuf>,
     /// Light lines on a dark ground
     #[arg(long)]

@@ -1,15 +1,16 @@
-//! Files written whole: beside their target first, then renamed to it.
+//! Files written whole: without a name or beside their target first, then in its place.
 
 use crate::export::Export;
 use crate::picture::{PictureError, write_png};
 use crate::render::Frame;
 use crate::scene::Scene;
-use std::ffi::OsString;
-use std::fs::{self, File, OpenOptions};
+use atomic_write_file::AtomicWriteFile;
+use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::process;
-use std::sync::atomic::{AtomicU32, Ordering};
+
+/// Links that are followed one after the other, as many as Linux follows.
+const MOST_LINKS: usize = 40;
 
 /// Why a file could not be written. The target is then as it was before.
 #[derive(Debug, thiserror::Error)]
@@ -87,8 +88,8 @@ impl WriteError {
     }
 }
 
-/// Writes a file by `content`: under another name in the same folder, which then takes the place of `path` at once. A
-/// link is followed; a device or a pipe is written to directly.
+/// Writes a file by `content`: the old one stays as it is until the new one is whole and on the disk, and passes its mode
+/// on. A link is followed; a device or a pipe is written to directly.
 ///
 /// # Errors
 /// A target that cannot be written, or what `content` reports; nothing is left behind then.
@@ -97,41 +98,43 @@ pub fn write_whole(
     content: impl FnOnce(&mut dyn Write) -> Result<(), WriteError>,
 ) -> Result<(), SaveError> {
     check_target(path)?;
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let failed = |error: WriteError| error.of(path);
-    if fs::metadata(&target).is_ok_and(|metadata| !metadata.is_file()) {
-        let file = OpenOptions::new().write(true).open(&target).map_err(WriteError::Io).map_err(failed)?;
-        return fill(file, content).map_err(failed);
-    }
-    let (file, beside) = create_beside(&target).map_err(WriteError::Io).map_err(failed)?;
-    let written = fill(file, content).and_then(|()| fs::rename(&beside, &target).map_err(WriteError::Io));
-    if written.is_err() {
-        // The error at hand is the one to report.
-        let _ = fs::remove_file(&beside);
-    }
-    written.map_err(failed)
+    let written = if is_stdout(path) {
+        fill(io::stdout().lock(), content)
+    } else if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+        let device = OpenOptions::new().write(true).open(path).map_err(WriteError::Io);
+        device.and_then(|device| fill(device, content))
+    } else {
+        replace(&behind_links(path), content)
+    };
+    written.map_err(|error| error.of(path))
 }
 
-fn fill(file: File, content: impl FnOnce(&mut dyn Write) -> Result<(), WriteError>) -> Result<(), WriteError> {
-    let mut out = BufWriter::new(file);
+/// Where Linux and the BSDs keep the standard output. It may be a file that others write to as well, which must not be
+/// replaced, or a socket, which cannot be opened.
+fn is_stdout(path: &Path) -> bool {
+    cfg!(unix) && path == Path::new("/dev/stdout")
+}
+
+fn replace(target: &Path, content: impl FnOnce(&mut dyn Write) -> Result<(), WriteError>) -> Result<(), WriteError> {
+    let mut file = AtomicWriteFile::open(target).map_err(WriteError::Io)?;
+    fill(&mut file, content)?;
+    file.commit().map_err(WriteError::Io)
+}
+
+fn fill(target: impl Write, content: impl FnOnce(&mut dyn Write) -> Result<(), WriteError>) -> Result<(), WriteError> {
+    let mut out = BufWriter::new(target);
     content(&mut out)?;
     out.flush().map_err(WriteError::Io)
 }
 
-/// A new file in the target's folder, hidden and with a name of its own.
-fn create_beside(target: &Path) -> io::Result<(File, PathBuf)> {
-    static COUNT: AtomicU32 = AtomicU32::new(0);
-    let name = target.file_name().ok_or(io::ErrorKind::InvalidInput)?;
-    loop {
-        let mut hidden = OsString::from(".");
-        hidden.push(name);
-        hidden.push(format!(".{}-{}.part", process::id(), COUNT.fetch_add(1, Ordering::Relaxed)));
-        let beside = target.with_file_name(hidden);
-        match OpenOptions::new().write(true).create_new(true).open(&beside) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            result => return result.map(|file| (file, beside)),
-        }
+/// The file that a link leads to, which need not exist.
+fn behind_links(path: &Path) -> PathBuf {
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = fs::read_link(&target) else { break };
+        target = target.parent().unwrap_or(Path::new("")).join(next);
     }
+    target
 }
 
 /// Whether `path` can be written at all, as far as can be told without writing: worth asking before long work.
@@ -140,26 +143,34 @@ fn create_beside(target: &Path) -> io::Result<(File, PathBuf)> {
 /// A folder that does not exist, a target that is a folder or is write-protected.
 pub fn check_target(path: &Path) -> Result<(), SaveError> {
     let refused = |what, expected| Err(SaveError::Target { path: path.to_owned(), what, expected });
-    match fs::metadata(path) {
+    if is_stdout(path) {
+        return Ok(());
+    }
+    let error = match fs::metadata(path) {
         Ok(metadata) if metadata.is_dir() => return refused("a directory", "a file to write"),
         Ok(metadata) if metadata.permissions().readonly() => return refused("write-protected", "a file to write"),
         Ok(_) => return Ok(()),
-        Err(_) => {}
-    }
-    if path.file_name().is_none() {
+        Err(error) => error,
+    };
+    let target = behind_links(path);
+    if target.file_name().is_none() {
         return refused("not the name of a file", "a file to write");
     }
-    match path.parent() {
+    match target.parent() {
         Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
             refused("its folder does not exist", "a file in an existing folder")
         }
-        _ => Ok(()),
+        _ if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        // Links in a circle, for example, or a name that is too long.
+        _ => Err(SaveError::Unwritable { path: path.to_owned(), source: error }),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::ffi::OsString;
+    use std::process;
 
     /// A folder of a test's own, removed at its end.
     struct Folder(PathBuf);
@@ -228,6 +239,14 @@ mod tests {
         write_whole(&link, |out| out.write_all(b"new").map_err(WriteError::Io)).expect("written");
         assert_eq!(fs::read_to_string(&target).expect("a text"), "new");
         assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
+        fs::remove_file(&target).expect("a file");
+        write_whole(&link, |out| out.write_all(b"anew").map_err(WriteError::Io)).expect("written");
+        assert_eq!(fs::read_to_string(&target).expect("a text"), "anew", "a link may lead to what is not there yet");
+        assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
+        let round = folder.0.join("round.txt");
+        std::os::unix::fs::symlink("round.txt", &round).expect("a link");
+        let error = write_whole(&round, |_| unreachable!("a link to itself leads nowhere"));
+        assert!(matches!(error, Err(SaveError::Unwritable { .. })), "{error:?}");
         write_whole(Path::new("/dev/null"), |out| out.write_all(b"x").map_err(WriteError::Io)).expect("swallowed");
         assert!(!fs::metadata("/dev/null").expect("a device").is_file());
     }

@@ -55,7 +55,7 @@ pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
 #[derive(Clone, Debug)]
 pub struct DrawnPane {
     pub frame: Frame,
-    /// Before the display.
+    /// Before the display; empty where nothing is compared.
     pub linear: Vec<[f32; 4]>,
     pub clamps: bool,
     pub name: String,
@@ -118,8 +118,8 @@ pub fn draw_panes<E>(
     for (&(index, size), done) in which.iter().zip(0..) {
         let mut shown = scene.pane(index).unwrap_or_else(|_| scene.clone());
         shown.image.size = size;
-        // What is drawn over a pane may have asked for something else.
-        renderer.keep_linear(true);
+        // What is drawn over a pane may have asked for something else; one picture is compared with nothing.
+        renderer.keep_linear(scene.compare.view != CompareView::Single || which.len() > 1);
         let mut frame = renderer.render_supersampled(&shown, samples, &mut |n| progress(done * samples + n));
         let linear = renderer.linear().to_vec();
         over(&mut frame, renderer, &shown)?;

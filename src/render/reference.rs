@@ -198,8 +198,8 @@ impl<'a> Reference<'a> {
     /// Corners are where they are, unless the picture's grid decides what the place shows, as in a polygon hardly wider than
     /// the grid: there they are where the picture has them. Pixels that are evaluated here know no grid.
     fn carried(&self, triangle: u32, place: DVec2) -> (Vec<(u32, f64)>, f64) {
-        /// The grid decides where it moves a weight by more than this, an eighth of a code value.
-        const MOVED: f64 = 1.0 / 2048.0;
+        /// The grid decides where it moves a weight by more than this, a quarter of a code value.
+        const MOVED: f64 = 1.0 / 1024.0;
         let pair = self.plan.scanline.then(|| self.pair(triangle, place));
         let by = |grid| match &pair {
             Some(pair) => self.weights(&self.along_line(pair, place, grid)),

@@ -3,6 +3,9 @@
 mod held;
 mod inputs;
 mod intensities;
+mod samples;
+
+pub use self::samples::{TooLarge, check_memory};
 
 use self::inputs::{CanvasInputs, IntensityInputs, MeshInputs, ModelInputs, NeededInputs, PlacedInputs};
 use super::account::{Account, Term};
@@ -28,7 +31,7 @@ use super::transmission::Transmission;
 use super::{Frame, Report, Stage, StageRun};
 use crate::geometry::{Mesh, Surface};
 use crate::illumination::Equation;
-use crate::scene::{AmbientSource, NormalSource, Object, ObjectKind, Overflow, Rgb, Scene, Weighting};
+use crate::scene::{AmbientSource, NormalSource, Object, ObjectKind, Rgb, Scene, Weighting};
 use fearless_simd::Level;
 use glam::DVec2;
 use std::ops::Range;
@@ -158,40 +161,9 @@ impl Renderer {
         let began = (self.clock)();
         self.report.stages.clear();
         let plan = self.plan_of(scene);
-        self.draw(scene, plan, DVec2::ZERO);
+        self.draw(scene, plan, scene.image.size, DVec2::ZERO);
         self.report.nanoseconds = (self.clock)().saturating_sub(began);
         &self.frame
-    }
-
-    /// Draws with `samples` samples a pixel: the mean of their intensities, each clamped first where the display clamps.
-    pub fn render_supersampled(&mut self, scene: &Scene, samples: u32, progress: &mut dyn FnMut(u32)) -> Frame {
-        let samples = samples.max(1);
-        if samples == 1 {
-            return self.render(scene).clone();
-        }
-        let clamp = scene.display.overflow == Overflow::Clamp;
-        let mut sum: Vec<Linear> = Vec::new();
-        for sample in 0..samples {
-            let mut plan = self.plan_of(scene);
-            plan.whole_picture = true;
-            self.report.stages.clear();
-            self.draw(scene, plan, sample_offset(sample, samples));
-            sum.resize(self.linear.len(), [0.0; 4]);
-            for (total, pixel) in sum.iter_mut().zip(&self.linear) {
-                for (total, value) in total.iter_mut().zip(pixel) {
-                    *total += if clamp { value.min(1.0) } else { *value };
-                }
-            }
-            progress(sample + 1);
-        }
-        #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2²⁴")]
-        let factor = 1.0 / samples as f32;
-        sum.iter_mut().flatten().for_each(|value| *value *= factor);
-        let mut frame = self.frame.clone();
-        display(self.level, &sum, frame.width as usize, &scene.display, &mut frame.pixels);
-        self.linear = sum;
-        self.redraw();
-        frame
     }
 
     /// The last picture.
@@ -324,7 +296,7 @@ impl Renderer {
         let mut plan = self.plan_of(scene);
         plan.whole_picture = true;
         self.report.stages.clear();
-        self.draw(scene, plan, DVec2::ZERO);
+        self.draw(scene, plan, scene.image.size, DVec2::ZERO);
         self.linear.clone()
     }
 
@@ -429,8 +401,9 @@ impl Renderer {
     }
 
     /// Runs the stages from the transform on.
-    fn draw(&mut self, scene: &Scene, plan: Plan, offset: DVec2) {
-        let size = scene.image.size;
+    ///
+    /// The picture's samples lie `offset` pixels from the centres of a picture of `size` pixels, of which it may be a part.
+    fn draw(&mut self, scene: &Scene, plan: Plan, size: [u32; 2], offset: DVec2) {
         let lens = Lens::new(&scene.camera, size, offset, self.facts().unit(&scene.camera));
         let mut equation = Equation::<f32>::in_units(scene, lens.unit);
         equation.retain_lights(|light| plan.lights[light]);
@@ -439,7 +412,7 @@ impl Renderer {
         } else {
             equation.leave_nothing_out(scene);
         }
-        self.place(&plan, &lens, size);
+        self.place(&plan, &lens, scene.image.size);
         self.shade_points(scene, &plan, &lens, &equation);
         self.paint(scene, &plan, &lens, equation);
         let facts = self.facts();

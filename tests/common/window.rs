@@ -12,22 +12,27 @@ use shading_lab::scene::Scene;
 use std::path::Path;
 
 pub fn window(scene: &str) -> Harness<'static, App> {
-    window_on(scene, Nowhere)
+    window_with(scene, |app| app)
+}
+
+/// A window on a file or a built-in scene that is set up before its first frame.
+pub fn window_with(scene: &str, set_up: impl FnOnce(App) -> App) -> Harness<'static, App> {
+    opened(load(Path::new(scene)).expect("a scene"), Nowhere, set_up)
 }
 
 /// A window whose textures go to `card`.
 pub fn window_on(scene: &str, card: impl TestRenderer + 'static) -> Harness<'static, App> {
-    window_with(load(Path::new(scene)).expect("a built-in scene"), card)
+    opened(load(Path::new(scene)).expect("a built-in scene"), card, |app| app)
 }
 
 /// A window on any scene.
 pub fn window_of(loaded: Loaded) -> Harness<'static, App> {
-    window_with(loaded, Nowhere)
+    opened(loaded, Nowhere, |app| app)
 }
 
-fn window_with(loaded: Loaded, card: impl TestRenderer + 'static) -> Harness<'static, App> {
+fn opened(loaded: Loaded, card: impl TestRenderer + 'static, set_up: impl FnOnce(App) -> App) -> Harness<'static, App> {
     let builder = Harness::builder().with_size([1280.0, 800.0]).with_max_steps(40).renderer(card);
-    let mut harness = builder.build_eframe(|cc| App::new(cc, loaded));
+    let mut harness = builder.build_eframe(|cc| set_up(App::new(cc, loaded)));
     harness.run();
     harness
 }

@@ -1,8 +1,9 @@
 //! The scan in words and numbers: formulas filled in, a line as text, all pixels as a table.
 
 use super::{Carried, Crossing, Rule, Scan, ScanLevel, ScanLine, ScanPixel, ScanSpan};
+use crate::table::Table;
 use glam::DVec3;
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 /// One linear interpolation, with its numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -163,22 +164,20 @@ impl Scan {
 
     /// A row for each pixel, values separated by commas.
     pub fn to_csv(&self) -> String {
-        let mut text = "y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,".to_owned()
-            + "barycentric_r,barycentric_g,barycentric_b\n";
+        let mut table = Table::new(
+            "y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,barycentric_r,barycentric_g,barycentric_b",
+        );
         for line in &self.lines {
-            for span in &line.spans {
-                let ScanSpan { p, q, pixels } = span;
+            for ScanSpan { p, q, pixels } in &line.spans {
                 for pixel in pixels {
-                    let _ = write!(text, "{},{},{},{},{},{}", line.y, pixel.x, p.x, q.x, p.alpha, q.alpha);
-                    let _ = write!(text, ",{}", pixel.alpha);
-                    for value in pixel.intensity.to_array().into_iter().chain(pixel.barycentric.to_array()) {
-                        let _ = write!(text, ",{value}");
-                    }
-                    text.push('\n');
+                    let places: [&dyn Display; 7] = [&line.y, &pixel.x, &p.x, &q.x, &p.alpha, &q.alpha, &pixel.alpha];
+                    let [values, barycentric] = [&pixel.intensity, &pixel.barycentric]
+                        .map(|color| [&color.x as &dyn Display, &color.y, &color.z]);
+                    table.row(&[&places[..], &values, &barycentric].concat());
                 }
             }
         }
-        text
+        table.into_csv()
     }
 
     /// What is carried along, in words.

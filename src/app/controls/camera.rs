@@ -37,7 +37,7 @@ pub fn camera_ui(ui: &mut Ui, state: &mut AppState) {
     }
     let tip = "Turns what is seen about the picture's middle, counter-clockwise; degrees.";
     let about = About { label: "Roll", tip, ..About::default() };
-    let rail = Rail { limits: f64::MIN..=f64::MAX, decimals: 1, suffix: "°", ..Rail::linear(-180.0..=180.0) };
+    let rail = Rail { limits: -1e6..=1e6, decimals: 1, suffix: "°", ..Rail::linear(-180.0..=180.0) };
     number(ui, lit, &NumberRow { about, rail, default: default.roll }, &mut camera.roll);
     let about = About { label: "Eye", tip: "Where the picture is seen from; world units.", ..About::default() };
     vector(ui, lit, &about, default.eye, &mut camera.eye);

@@ -2,28 +2,29 @@
 
 use shading_lab::analysis::{Fit, Study, StudyRow};
 use shading_lab::scene::{Interpolation, Scene};
-use std::fmt::Write;
+use shading_lab::table::Table;
+use std::fmt::{Display, Write};
 
 /// A row for each setting.
 pub fn csv(found: &Study) -> String {
-    let mut text = "method,segments,rings,interpolation,n,spacing,error_rms,error_max,error_p99,interior_pixels,\
-                    outline_pixels,outline_rms,time_ms,spread_ms,samples,evaluations,pareto,scalar,error_rms_shown,\
-                    error_max_shown\n"
-        .to_owned();
+    let mut table = Table::new(
+        "method,segments,rings,interpolation,n,spacing,error_rms,error_max,error_p99,interior_pixels,\
+         outline_pixels,outline_rms,time_ms,spread_ms,samples,evaluations,pareto,scalar,error_rms_shown,\
+         error_max_shown",
+    );
     for row in &found.rows {
         let StudyRow { setting, spacing, error_rms, error_max, error_p99, interior_pixels, .. } = row;
         let StudyRow { outline_pixels, outline_rms, time_ms, spread_ms, samples, evaluations, .. } = row;
         let StudyRow { pareto, scalar, error_rms_shown, error_max_shown, .. } = row;
         let (method, how, n) = (setting.method.name(), word(setting.interpolation), setting.n);
-        let _ = writeln!(
-            text,
-            "{method},{},{},{how},{n},{spacing},{error_rms},{error_max},{error_p99},{interior_pixels},\
-             {outline_pixels},{outline_rms},{time_ms},{spread_ms},{samples},{evaluations},{pareto},{scalar},\
-             {error_rms_shown},{error_max_shown}",
-            setting.segments, setting.rings
-        );
+        let (segments, rings) = (&setting.segments, &setting.rings);
+        let errors: [&dyn Display; 6] = [&how, &n, spacing, error_rms, error_max, error_p99];
+        let outline: [&dyn Display; 3] = [interior_pixels, outline_pixels, outline_rms];
+        let work: [&dyn Display; 6] = [time_ms, spread_ms, samples, evaluations, pareto, scalar];
+        let shown: [&dyn Display; 2] = [error_rms_shown, error_max_shown];
+        table.row(&[&[&method as &dyn Display, segments, rings][..], &errors, &outline, &work, &shown].concat());
     }
-    text
+    table.into_csv()
 }
 
 fn word(interpolation: Option<Interpolation>) -> &'static str {

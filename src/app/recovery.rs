@@ -1,0 +1,159 @@
+//! Unsaved work outlives the window: kept in a file while there is some, offered at the next start.
+//!
+//! Each window holds the lock of a numbered file of its own, which the system releases when the process ends, however it
+//! ends. A kept scene whose lock is free was left behind.
+
+use super::document::{Document, Origin};
+use super::state::{AppState, Leaving};
+use crate::document::{SaveError, WriteError, load, write_whole};
+use crate::scene::presets;
+use eframe::egui::Context;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+/// A change is kept after so many seconds, together with those that follow it in that time.
+const PAUSE: f64 = 3.0;
+/// Most windows at a time that keep their work.
+const MOST: usize = 100;
+/// The first line of a kept scene begins with this; what follows says where the scene came from.
+const HEAD: &str = "# Unsaved work of shading-lab, from ";
+
+/// The work of this window, and what another one left behind.
+pub struct Recovery {
+    own: Slot,
+    left: Option<Slot>,
+    /// The document as last kept.
+    kept: Option<Document>,
+    /// When the next change is to be kept, seconds.
+    due: Option<f64>,
+    /// Whether there may be a file of this window's.
+    written: bool,
+    writing: Option<JoinHandle<Result<(), SaveError>>>,
+}
+
+/// A file for kept work, which is this process's alone.
+struct Slot {
+    path: PathBuf,
+    _lock: File,
+}
+
+impl Slot {
+    /// Nothing where another process has it.
+    fn lock(path: PathBuf) -> Option<Self> {
+        let lock = File::options().create(true).append(true).open(path.with_extension("lock")).ok()?;
+        lock.try_lock().ok()?;
+        Some(Self { path, _lock: lock })
+    }
+}
+
+impl Recovery {
+    /// Takes a free file in `folder`, and the latest of those left behind. Nothing where no file can be made there.
+    pub fn new(folder: &Path) -> Option<Self> {
+        fs::create_dir_all(folder).ok()?;
+        let (mut own, mut left) = (None, None);
+        for path in (0..MOST).map(|number| folder.join(format!("{number}.toml"))) {
+            let when = fs::metadata(&path).and_then(|metadata| metadata.modified()).ok();
+            if when.is_none() && own.is_none() {
+                own = Slot::lock(path);
+            } else if let Some(when) = when.filter(|when| left.as_ref().is_none_or(|(latest, _)| when > latest)) {
+                left = Slot::lock(path).map(|slot| (when, slot)).or(left);
+            }
+        }
+        let left = left.map(|(_, slot)| slot);
+        Some(Self { own: own?, left, kept: None, due: None, written: false, writing: None })
+    }
+
+    /// The file that was left behind, and the name of what is in it.
+    pub fn left(&self) -> Option<(&Path, String)> {
+        self.left.as_ref().map(|slot| (&*slot.path, origin(&slot.path).name()))
+    }
+
+    /// Makes what was left behind this window's work.
+    pub fn adopt(&mut self) {
+        if let Some(slot) = self.left.take() {
+            self.forget();
+            self.own = slot;
+            self.written = true;
+        }
+    }
+
+    /// Removes what was left behind.
+    pub fn delete(&mut self) {
+        if let Some(slot) = self.left.take() {
+            // What cannot be removed is offered again.
+            let _ = fs::remove_file(slot.path);
+        }
+    }
+
+    /// Keeps the document a while after it has changed, and nothing once it is saved. Nothing runs in between.
+    pub fn keep(&mut self, ctx: &Context, state: &mut AppState) {
+        if let Some(Err(error)) =
+            self.writing.take_if(|writing| writing.is_finished()).and_then(|done| done.join().ok())
+        {
+            state.notice = Some(format!("unsaved changes are not kept: {error}"));
+        }
+        if !state.modified() {
+            self.forget();
+        } else if self.kept.as_ref() != Some(&state.document) && state.leaving != Leaving::Now {
+            let time = ctx.input(|input| input.time);
+            let due = *self.due.get_or_insert(time + PAUSE);
+            if time < due || self.writing.is_some() {
+                ctx.request_repaint_after(Duration::from_secs_f64((due - time).max(0.1)));
+            } else {
+                self.write(&state.document);
+            }
+        }
+    }
+
+    fn write(&mut self, document: &Document) {
+        self.due = None;
+        self.kept = Some(document.clone());
+        // What could not be opened again is of no use; the last sound scene stays.
+        if document.scene.validate().is_err() {
+            return;
+        }
+        self.written = true;
+        let (path, scene, origin) = (self.own.path.clone(), document.scene.clone(), document.origin.clone());
+        self.writing = Some(thread::spawn(move || {
+            let origin = serde_json::to_string(&origin).unwrap_or_default();
+            let text = format!("{HEAD}{origin}\n{}", scene.to_toml());
+            write_whole(&path, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io))
+        }));
+    }
+
+    /// Removes what is kept of this window's work.
+    pub fn forget(&mut self) {
+        (self.kept, self.due) = (None, None);
+        if std::mem::take(&mut self.written) {
+            if let Some(writing) = self.writing.take() {
+                // Whether it was written matters no more.
+                let _ = writing.join();
+            }
+            // At worst it is offered once too often.
+            let _ = fs::remove_file(&self.own.path);
+        }
+    }
+}
+
+/// Where the scene in a file of kept work came from.
+fn origin(path: &Path) -> Origin {
+    let text = fs::read_to_string(path).unwrap_or_default();
+    let origin = text.lines().next().and_then(|line| line.strip_prefix(HEAD));
+    origin.and_then(|origin| serde_json::from_str(origin).ok()).unwrap_or_default()
+}
+
+/// The document in a file of kept work, and the one that it was made from.
+pub fn restore(path: &Path) -> Result<(Document, Document), String> {
+    let loaded = load(path).map_err(|error| format!("{error}\n\nThe work stays in {}", path.display()))?;
+    let origin = origin(path);
+    let original = match &origin {
+        Origin::New => None,
+        Origin::BuiltIn(name) => {
+            presets::find(name).map(|preset| Document { scene: (preset.build)(), model: None, origin: origin.clone() })
+        }
+        Origin::File(path) => load(path).ok().map(Document::from),
+    };
+    Ok((Document { scene: loaded.scene, model: loaded.model, origin }, original.unwrap_or_default()))
+}

@@ -1,0 +1,155 @@
+//! Pictures of several samples a pixel, and pictures too large to be drawn at once.
+
+use super::super::Frame;
+use super::super::display::{Linear, display};
+use super::{Renderer, sample_offset};
+use crate::scene::{AmbientSource, CompareView, Overflow, Scene};
+use glam::DVec2;
+
+/// A picture of more pixels than this is drawn in strips of at most so many: 3840 × 2160 is drawn at once.
+const MOST_AT_ONCE: u64 = 1 << 23;
+/// Rows of a strip are a multiple of these: the bands' 16, and the 6 after which the marks of overflow repeat.
+const STRIDE: u32 = 48;
+/// Bytes that drawing several samples takes for each pixel that is drawn at once, the stored picture aside; rays take the most.
+const BYTES_AT_ONCE: u64 = 96;
+/// Bytes for everything else in a process that draws a large picture.
+const BYTES_BESIDES: u64 = 1 << 28;
+
+/// A picture whose memory cannot be had.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{width}×{height} pixels need about {megabytes} MB of memory, which cannot be had, expected a smaller picture")]
+pub struct TooLarge {
+    width: u32,
+    height: u32,
+    megabytes: u64,
+}
+
+/// Rows that are drawn at a time: all of them where the picture is small, or where a pixel depends on all others.
+fn rows_at_once(scene: &Scene) -> u32 {
+    let [width, height] = scene.image.size;
+    let alone = scene.display.overflow != Overflow::Scale && scene.ambient.source == AmbientSource::Constant;
+    if !alone || u64::from(width) * u64::from(height) <= MOST_AT_ONCE {
+        return height;
+    }
+    let rows = u32::try_from(MOST_AT_ONCE / u64::from(width)).unwrap_or(height);
+    (rows / STRIDE * STRIDE).clamp(STRIDE, height.max(STRIDE))
+}
+
+/// Whether the memory to draw a sound scene can be had: to be asked before, since running out of it ends the process.
+///
+/// # Errors
+/// It cannot.
+pub fn check_memory(scene: &Scene) -> Result<(), TooLarge> {
+    let [width, height] = scene.image.size;
+    let row = u64::from(width);
+    // Panes are compared before the display, all of their pixels.
+    let rows = if scene.compare.view == CompareView::Single { rows_at_once(scene) } else { height };
+    let stored = row * u64::from(height) * size_of::<[u8; 4]>() as u64;
+    let bytes = stored + row * u64::from(rows) * BYTES_AT_ONCE + BYTES_BESIDES;
+    let small = row * u64::from(height) <= MOST_AT_ONCE;
+    let there = usize::try_from(bytes).is_ok_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok());
+    if small || there { Ok(()) } else { Err(TooLarge { width, height, megabytes: bytes >> 20 }) }
+}
+
+impl Renderer {
+    /// Draws with `samples` samples a pixel: the mean of their intensities, each clamped first where the display clamps. What
+    /// a large picture takes besides its stored pixels is bounded, unless [`Renderer::keep_linear`] asks for all of it.
+    pub fn render_supersampled(&mut self, scene: &Scene, samples: u32, progress: &mut dyn FnMut(u32)) -> Frame {
+        let samples = samples.max(1);
+        let rows = if self.keeps_linear { scene.image.size[1] } else { rows_at_once(scene) };
+        if samples == 1 && rows >= scene.image.size[1] {
+            return self.render(scene).clone();
+        }
+        self.render_in_strips(scene, samples, rows, progress)
+    }
+
+    fn render_in_strips(&mut self, scene: &Scene, samples: u32, rows: u32, progress: &mut dyn FnMut(u32)) -> Frame {
+        let [width, height] = scene.image.size;
+        let mut pixels = Vec::with_capacity(width as usize * height as usize);
+        let strips = height.div_ceil(rows);
+        let mut strip = scene.clone();
+        for (index, first) in (0..height).step_by(rows as usize).enumerate() {
+            strip.image.size = [width, rows.min(height - first)];
+            let mut done = |sample| progress((index as u32 * samples + sample) / strips);
+            self.draw_samples(&strip, samples, [first, height], &mut done);
+            pixels.extend_from_slice(&self.frame.pixels);
+        }
+        self.redraw();
+        Frame { width, height, pixels }
+    }
+
+    /// Draws the mean of samples into the frame and the linear picture: the rows from `first` on of a picture of `height` rows.
+    fn draw_samples(
+        &mut self,
+        scene: &Scene,
+        samples: u32,
+        [first, height]: [u32; 2],
+        progress: &mut dyn FnMut(u32),
+    ) {
+        let size = [scene.image.size[0], height];
+        let clamp = scene.display.overflow == Overflow::Clamp;
+        let mut sum: Vec<Linear> = Vec::new();
+        for sample in 0..samples {
+            let mut plan = self.plan_of(scene);
+            plan.whole_picture |= samples > 1;
+            self.report.stages.clear();
+            let offset = sample_offset(sample, samples) + DVec2::new(0.0, f64::from(first));
+            self.draw(scene, plan, size, offset);
+            progress(sample + 1);
+            if samples == 1 {
+                return;
+            }
+            sum.resize(self.linear.len(), [0.0; 4]);
+            for (total, pixel) in sum.iter_mut().zip(&self.linear) {
+                for (total, value) in total.iter_mut().zip(pixel) {
+                    *total += if clamp { value.min(1.0) } else { *value };
+                }
+            }
+        }
+        #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2²⁴")]
+        let factor = 1.0 / samples as f32;
+        sum.iter_mut().flatten().for_each(|value| *value *= factor);
+        display(self.level, &sum, self.frame.width as usize, &scene.display, &mut self.frame.pixels);
+        self.linear = sum;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    #[test]
+    fn strips_are_the_picture_that_is_drawn_at_once() {
+        for name in ["sphere", "teapot", "overflow", "glass-ball", "shadows", "depth-cueing", "silhouette"] {
+            let mut scene = (presets::find(name).expect("a scene").build)();
+            scene.image.size = [160, 150];
+            for (samples, overflow) in [(1, Overflow::Clamp), (3, Overflow::Mark)] {
+                scene.display.overflow = overflow;
+                let whole = Renderer::default().render_supersampled(&scene, samples, &mut |_| {});
+                let mut told = 0;
+                let strips =
+                    Renderer::default().render_in_strips(&scene, samples, STRIDE, &mut |done| told = told.max(done));
+                assert_eq!((strips.width, strips.height, told), (160, 150, samples));
+                // Places in the picture are rounded to 1/256 pixel in single precision, which may fall to either side.
+                let far = |(a, b): &(&[u8; 4], &[u8; 4])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2);
+                let differ = strips.pixels.iter().zip(&whole.pixels).filter(far).count();
+                assert!(differ <= 12, "{name}: {differ} of {} pixels", whole.pixels.len());
+            }
+        }
+    }
+
+    #[test]
+    fn a_strip_is_bounded_and_a_picture_that_needs_all_of_itself_is_not_cut() {
+        let mut scene = Scene::default();
+        scene.image.size = [3840, 2160];
+        assert_eq!(rows_at_once(&scene), 2160);
+        for size in [[16_384, 8192], [8192, 16_384], [16_384, 513]] {
+            scene.image.size = size;
+            let rows = rows_at_once(&scene);
+            assert!(rows.is_multiple_of(STRIDE) && u64::from(rows) * u64::from(size[0]) <= MOST_AT_ONCE, "{size:?}");
+        }
+        scene.display.overflow = Overflow::Scale;
+        assert_eq!(rows_at_once(&scene), scene.image.size[1]);
+    }
+}

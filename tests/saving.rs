@@ -1,0 +1,262 @@
+//! What is saved and what is not lost: questions before files are replaced and before a changed scene is closed, and work
+//! that is kept for the next start.
+
+#[path = "common/window.rs"]
+mod hands;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use hands::{press, scene, wait, window, window_with};
+use shading_lab::app::{App, Origin};
+use shading_lab::document::load;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+type Window = Harness<'static, App>;
+
+/// A folder of a test's own, removed at its end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("saving-{name}"));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).expect("a folder");
+        Self(path)
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.0.join(name).display().to_string()
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).expect("a folder").map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn change(window: &mut Window, n: f64) {
+    window.get_by_role_and_label(Role::Slider, "n").set_value_accesskit(n);
+    window.run();
+}
+
+/// Opens a dialog by its keys, puts a path in its field and presses its button.
+fn save_as(window: &mut Window, (modifiers, key): (Modifiers, Key), path: &str, button: &str) {
+    window.key_press_modifiers(modifiers, key);
+    window.run();
+    fill_in(window, path, button);
+}
+
+fn fill_in(window: &mut Window, path: &str, button: &str) {
+    // What the field suggests goes.
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.run();
+    window.get_by_role_and_label(Role::TextInput, "File").type_text(path);
+    window.run();
+    press(window, button);
+}
+
+const SAVE_AS: (Modifiers, Key) = (Modifiers { shift: true, ..Modifiers::COMMAND }, Key::S);
+const EXPORT: (Modifiers, Key) = (Modifiers::COMMAND, Key::E);
+
+fn asks(window: &Harness<'_, App>, question: &str) -> bool {
+    window.query_by_label_contains(question).is_some()
+}
+
+#[test]
+fn a_name_without_an_ending_is_given_one_that_opens() {
+    let folder = Folder::new("ending");
+    let mut window = window("sphere");
+    save_as(&mut window, SAVE_AS, &folder.path("myscene"), "Save");
+    save_as(&mut window, SAVE_AS, &folder.path("version.2"), "Save");
+    save_as(&mut window, EXPORT, &folder.path("picture"), "Export");
+    assert!(wait(&mut window, |_| folder.names().len() == 3));
+    assert_eq!(folder.names(), ["myscene.toml", "picture.png", "version.2.toml"]);
+    for name in folder.names() {
+        assert_eq!(load(&folder.0.join(&name)).expect(&name).scene.material, scene(&window).material);
+    }
+    assert_eq!(window.state().state().document.origin, Origin::File(folder.0.join("version.2.toml")));
+}
+
+#[test]
+fn no_file_is_replaced_without_a_question() {
+    let folder = Folder::new("replace");
+    fs::write(folder.0.join("old.toml"), "old").expect("a file");
+    fs::write(folder.0.join("old.png"), "old").expect("a file");
+    let old = |name: &str| fs::read(folder.0.join(name)).expect("a file") == b"old";
+    let mut window = window("sphere");
+    save_as(&mut window, SAVE_AS, &folder.path("old"), "Save");
+    assert!(asks(&window, "Replace the file?") && old("old.toml"));
+    press(&mut window, "Back");
+    fill_in(&mut window, &folder.path("new.toml"), "Save");
+    assert!(old("old.toml") && folder.0.join("new.toml").is_file());
+    // The document's own file is no other one's.
+    save_as(&mut window, SAVE_AS, &folder.path("new.toml"), "Save");
+    assert!(!asks(&window, "Replace the file?"));
+    save_as(&mut window, EXPORT, &folder.path("old.png"), "Export");
+    assert!(asks(&window, "Replace the file?"));
+    press(&mut window, "Replace");
+    assert!(wait(&mut window, |_| !old("old.png")));
+    save_as(&mut window, SAVE_AS, &folder.path("old"), "Save");
+    press(&mut window, "Replace");
+    assert!(!old("old.toml"));
+    // Shaders go to two files; either may be there already.
+    fs::write(folder.0.join("old.frag"), "old").expect("a file");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::U);
+    window.run();
+    window.get_by_role_and_label(Role::Tab, "GLSL 330").click_accesskit();
+    window.run();
+    assert!(wait(&mut window, |window| asks(window, "lines")));
+    press(&mut window, "Save…");
+    fill_in(&mut window, &folder.path("old.vert"), "Save");
+    assert!(asks(&window, "old.frag exists already") && old("old.frag"));
+    press(&mut window, "Replace");
+    assert!(!old("old.frag"));
+}
+
+/// What the window does when its close button is pressed: whether it stays.
+fn stays_when_closed(window: &mut Window) -> bool {
+    let viewport = window.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+    viewport.events.push(ViewportEvent::Close);
+    window.step();
+    let stays = commands(window).contains(&ViewportCommand::CancelClose);
+    window.input_mut().viewports.entry(ViewportId::ROOT).or_default().events.clear();
+    window.run();
+    stays
+}
+
+fn commands(window: &Window) -> Vec<ViewportCommand> {
+    window.output().viewport_output[&ViewportId::ROOT].commands.clone()
+}
+
+/// Presses a button and looks whether the window closes for it.
+fn closes_by(window: &mut Window, button: &str) -> bool {
+    window.get_by_role_and_label(Role::Button, button).click_accesskit();
+    (0..4).any(|_| {
+        window.step();
+        commands(window).contains(&ViewportCommand::Close)
+    })
+}
+
+#[test]
+fn a_changed_scene_is_not_closed_without_a_question() {
+    let folder = Folder::new("close");
+    let mut window = window("sphere");
+    assert!(!stays_when_closed(&mut window), "nothing is lost by it");
+    change(&mut window, 7.0);
+    assert!(stays_when_closed(&mut window) && asks(&window, "Save the changes to sphere?"));
+    press(&mut window, "Cancel");
+    assert!(!asks(&window, "Save the changes") && scene(&window).material.n == 7.0);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Q);
+    window.run();
+    assert!(asks(&window, "Save the changes to sphere?"));
+    // Saving asks for a name; leaving that question stays, too.
+    press(&mut window, "Save");
+    press(&mut window, "Cancel");
+    save_as(&mut window, SAVE_AS, &folder.path("first"), "Save");
+    assert!(!commands(&window).contains(&ViewportCommand::Close), "saving alone does not close");
+    change(&mut window, 8.0);
+    assert!(stays_when_closed(&mut window));
+    assert!(closes_by(&mut window, "Save"), "it has a file by now");
+    assert_eq!(load(&folder.0.join("first.toml")).expect("a scene").scene.material.n, 8.0);
+    assert!(!stays_when_closed(&mut window));
+}
+
+#[test]
+fn a_changed_scene_can_be_closed_without_saving() {
+    let mut window = window("sphere");
+    change(&mut window, 7.0);
+    assert!(stays_when_closed(&mut window));
+    assert!(closes_by(&mut window, "Close without saving"));
+    assert!(!stays_when_closed(&mut window));
+}
+
+/// A window that keeps its work in `folder`.
+fn keeping(source: &str, folder: &Path) -> Window {
+    window_with(source, |app| app.with_recovery(folder))
+}
+
+/// The kept scenes, once none is being written.
+fn kept(window: &mut Window, folder: &Folder) -> Vec<String> {
+    // Five seconds of the window's time.
+    window.run_steps(20);
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    window.run();
+    folder.names().into_iter().filter(|name| name.ends_with(".toml")).collect()
+}
+
+#[test]
+fn work_is_offered_again_after_a_window_that_was_not_closed() {
+    let folder = Folder::new("crash");
+    let mut first = keeping("torus", &folder.0);
+    assert!(kept(&mut first, &folder).is_empty(), "nothing has changed");
+    change(&mut first, 7.0);
+    assert_eq!(kept(&mut first, &folder), ["0.toml"]);
+    // Another window has its own file and leaves this one's alone.
+    let mut second = keeping("sphere", &folder.0);
+    assert!(!asks(&second, "Restore unsaved work?"));
+    change(&mut second, 9.0);
+    assert_eq!(kept(&mut second, &folder), ["0.toml", "1.toml"]);
+    drop(first);
+    let mut third = keeping("cube", &folder.0);
+    assert!(asks(&third, "Unsaved changes to torus"));
+    press(&mut third, "Restore");
+    assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
+    let state = third.state().state();
+    assert!(state.modified() && state.document.origin == Origin::BuiltIn("torus".to_owned()));
+    assert_eq!(kept(&mut third, &folder), ["0.toml", "1.toml"], "what is restored is as unsaved as before");
+    assert!(stays_when_closed(&mut third) && closes_by(&mut third, "Close without saving"));
+    assert!(!stays_when_closed(&mut third));
+    assert_eq!(kept(&mut third, &folder), ["1.toml"], "who closes does not want it back");
+    drop((second, third));
+    let mut fourth = keeping("cube", &folder.0);
+    press(&mut fourth, "Later");
+    drop(fourth);
+    let mut fifth = keeping("cube", &folder.0);
+    press(&mut fifth, "Delete");
+    assert!(kept(&mut fifth, &folder).is_empty());
+}
+
+#[test]
+fn what_is_saved_is_not_kept_and_rest_costs_nothing() {
+    let folder = Folder::new("rest");
+    let mut window = keeping("sphere", &folder.0);
+    change(&mut window, 7.0);
+    assert_eq!(kept(&mut window, &folder), ["0.toml"]);
+    let waits = |window: &Window| window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
+    assert!(waits(&window).as_secs() > 60, "no frame is asked for once it is kept: {:?}", waits(&window));
+    save_as(&mut window, SAVE_AS, &folder.path("saved"), "Save");
+    assert_eq!(kept(&mut window, &folder), ["saved.toml"]);
+}
+
+#[test]
+fn a_model_is_restored_from_its_place_or_named_as_missing() {
+    let folder = Folder::new("model");
+    let model = folder.0.join("triangle.obj");
+    fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("a model");
+    let mut first = keeping(&folder.path("triangle.obj"), &folder.0);
+    change(&mut first, 7.0);
+    assert_eq!(kept(&mut first, &folder), ["0.toml"]);
+    drop(first);
+    fs::rename(&model, folder.0.join("elsewhere.obj")).expect("renamed");
+    let mut second = keeping("sphere", &folder.0);
+    press(&mut second, "Restore");
+    assert!(wait(&mut second, |window| asks(window, "triangle.obj: no such file")));
+    assert_eq!(kept(&mut second, &folder), ["0.toml"], "it stays where it is");
+    drop(second);
+    fs::rename(folder.0.join("elsewhere.obj"), &model).expect("renamed");
+    let mut third = keeping("sphere", &folder.0);
+    press(&mut third, "Restore");
+    assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
+    assert!(third.state().state().document.model.is_some());
+}
