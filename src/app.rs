@@ -139,6 +139,8 @@ impl App {
             if state.look.controls {
                 let panel = Panel::left("controls").resizable(true).default_size(344.0).min_size(300.0);
                 panel.show(ui, |ui| controls::controls_ui(ui, state, engine));
+                // Nothing is drawn of a scene that a scene file would refuse.
+                state.commit_pane();
             }
             if state.look.numbers {
                 let panel = Panel::right("numbers").resizable(true).default_size(322.0).min_size(280.0);

@@ -16,6 +16,7 @@ mod materials;
 mod normals;
 mod output;
 mod overlay;
+mod parameters;
 mod probe;
 mod profile;
 mod render;
@@ -94,6 +95,8 @@ enum Command {
     Scenes(scenes::Scenes),
     /// List the named materials of the OpenGL tradition, for --material.
     Materials(materials::Materials),
+    /// List every key of the scene file with its default, limits and meaning.
+    Parameters(parameters::Parameters),
     /// Read a scene, a model or a picture, and say what is wrong with it.
     Check(check::Check),
     /// Measure the time of a frame, of its stages, and of a frame in which one thing changed.
@@ -102,6 +105,19 @@ enum Command {
     /// keeps it in its buffers. In a frame of `changes` one thing differs from the frame before: the place of the first
     /// light, n, ka, the eye on an orbit, or the number of segments.
     Bench(bench::Bench),
+}
+
+impl Command {
+    /// The name of a command that takes no scene.
+    fn without_scene(&self) -> Option<&'static str> {
+        match self {
+            Self::Scenes(_) => Some("scenes"),
+            Self::Materials(_) => Some("materials"),
+            Self::Parameters(_) => Some("parameters"),
+            Self::Stability(_) => Some("stability"),
+            _ => None,
+        }
+    }
 }
 
 /// Does what the command line asks for, reports what goes wrong, and says how the process should end.
@@ -115,6 +131,9 @@ pub fn run() -> ExitCode {
 fn perform(arguments: Arguments) -> Result<(), Failure> {
     let Arguments { scene, command } = arguments;
     let earlier = scene.overrides();
+    if let Some(name) = command.as_ref().and_then(Command::without_scene).filter(|_| !earlier.is_empty()) {
+        return Err(Failure::input(format!("--set without a scene, expected `{name}` alone")));
+    }
     match command {
         None => window::open(&scene),
         Some(_) if scene.source.is_some() => {
@@ -133,17 +152,9 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Check(check)) => check.run(&earlier),
         Some(Command::Bench(bench)) => bench.run(&earlier),
         Some(Command::Study(study)) => study.run(&earlier),
-        Some(Command::Scenes(_)) if !earlier.is_empty() => {
-            Err(Failure::input("--set without a scene, expected `scenes` alone"))
-        }
-        Some(Command::Stability(_)) if !earlier.is_empty() => {
-            Err(Failure::input("--set without a scene, expected `stability` alone"))
-        }
-        Some(Command::Materials(_)) if !earlier.is_empty() => {
-            Err(Failure::input("--set without a scene, expected `materials` alone"))
-        }
         Some(Command::Scenes(scenes)) => scenes.run(),
         Some(Command::Materials(materials)) => materials.run(),
+        Some(Command::Parameters(parameters)) => parameters.run(),
         Some(Command::Stability(stability)) => stability.run(),
     }
 }

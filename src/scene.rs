@@ -14,6 +14,7 @@ pub mod materials;
 mod nearest;
 mod object;
 mod overrides;
+pub mod parameter;
 mod polygons;
 pub mod presets;
 mod problem;

@@ -39,7 +39,7 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
     };
     let before = described(&harness);
     assert!(before.contains("probe: φ ="), "{before}");
-    harness.get_by_role_and_label(Role::Slider, "n").set_value_accesskit(3.0);
+    harness.get_by_role_and_label(Role::Slider, "n specular exponent").set_value_accesskit(3.0);
     harness.run();
     assert!(described(&harness) != before, "the probe's value follows n");
     harness.key_press(Key::C);
@@ -92,7 +92,7 @@ fn the_plan_has_a_tab_that_the_bar_opens() {
     assert!(says(&harness, "back faces — a closed solid hides them"));
     assert!(says(&harness, "side view — off"));
     assert!(says(&harness, "light 1: specular"));
-    harness.get_by_role_and_label(Role::Slider, "n").set_value_accesskit(3.0);
+    harness.get_by_role_and_label(Role::Slider, "n specular exponent").set_value_accesskit(3.0);
     harness.run();
     assert!(says(&harness, "□ coverage") && says(&harness, "kept") && says(&harness, "■ pixels"));
 }
@@ -424,7 +424,7 @@ fn the_camera_is_rolled_and_put_back() {
         turned.eye.y > before.camera.eye.y + 0.1 && turned.eye.xz().angle_to(before.camera.eye.xz()).abs() < 0.05,
         "{turned:?}"
     );
-    press(&mut harness, "Put the camera back");
+    press(&mut harness, "Reset camera");
     assert_eq!(scene(&harness).camera, before.camera);
 }
 
@@ -524,26 +524,32 @@ fn type_keys(harness: &mut Harness<'_, App>, text: &str) {
 fn tab_goes_from_field_to_field_and_the_keys_with_it() {
     let mut harness = window("sphere");
     let before = scene(&harness).clone();
-    harness.get_by_role_and_label(Role::SpinButton, "Kd").focus();
+    harness.get_by_role_and_label(Role::SpinButton, "Kd diffuse coefficient").focus();
     harness.run();
     type_keys(&mut harness, "0.3");
     harness.key_press(Key::Tab);
     harness.run();
-    assert!(harness.query_by_role_and_label(Role::Button, "Reset Kd").is_some(), "it has come to stand between");
-    assert!(harness.get_by_role_and_label(Role::SpinButton, "Ks").is_focused());
+    assert!(
+        harness.query_by_role_and_label(Role::Button, "Reset Kd diffuse coefficient").is_some(),
+        "it has come to stand between"
+    );
+    assert!(harness.get_by_role_and_label(Role::SpinButton, "Ks specular coefficient").is_focused());
     type_keys(&mut harness, "0.6");
     harness.key_press(Key::Tab);
     harness.run();
     type_keys(&mut harness, "5");
     harness.key_press_modifiers(Modifiers::SHIFT, Key::Tab);
     harness.run();
-    assert!(harness.get_by_role_and_label(Role::SpinButton, "Ks").is_focused(), "Shift leads back");
+    assert!(
+        harness.get_by_role_and_label(Role::SpinButton, "Ks specular coefficient").is_focused(),
+        "Shift leads back"
+    );
     harness.key_press(Key::Enter);
     harness.run();
     let mut expected = before;
     (expected.material.kd, expected.material.ks, expected.material.n) = (Rgb::splat(0.3), Rgb::splat(0.6), 5.0);
     assert_eq!(*scene(&harness), expected, "what was typed is in its fields and nowhere else");
-    press(&mut harness, "Reset Kd");
+    press(&mut harness, "Reset Kd diffuse coefficient");
     assert_eq!(scene(&harness).material.kd, Material::default().kd, "a screen reader still reaches it");
 }
 
@@ -579,7 +585,7 @@ fn what_has_the_focus_is_plain_to_see_and_keeps_its_keys() {
 fn keys_go_to_what_stands_in_front() {
     let mut harness = window("sphere");
     let before = scene(&harness).clone();
-    harness.get_by_role_and_label(Role::SpinButton, "Kd").focus();
+    harness.get_by_role_and_label(Role::SpinButton, "Kd diffuse coefficient").focus();
     harness.run();
     // A dialog takes the keys from the field behind it.
     harness.key_press_modifiers(Modifiers::COMMAND, Key::O);

@@ -46,7 +46,7 @@ impl Drop for Folder {
 }
 
 fn change(window: &mut Window, n: f64) {
-    window.get_by_role_and_label(Role::Slider, "n").set_value_accesskit(n);
+    window.get_by_role_and_label(Role::Slider, "n specular exponent").set_value_accesskit(n);
     window.run();
 }
 

@@ -163,7 +163,7 @@ c3 = 0
             "s.toml:8: `object.segments` is 2, expected 3 to 4096",
             "s.toml:9: `object.rings` is 5000, expected 2 to 4096",
             "s.toml:11: `material.ks` is [0.1, 0.2, -0.3], expected 0 to 1000000 in each channel",
-            "s.toml:12: `material.n` is -1, expected 0 or more (inf: a mirror)",
+            "s.toml:12: `material.n` is -1, expected 0 to inf",
             "s.toml:14: `light.0.color` is [1e31, 0, 0], expected 0 to 1e30 in each channel",
             "s.toml:15: `light.0.k` is nan, expected 0 to 1e30",
             "s.toml:18: `light.1.direction` is [0, 0, 0], expected a direction, of length 1e-30 or more",
@@ -210,7 +210,7 @@ fn values_that_contradict_each_other_are_named() {
 fn a_pane_at_fault_is_named_with_its_setting() {
     assert_objections(
         "[[compare.pane]]\nname = 'a'\nset = [\n'shading.mode=exact',\n'material.n=-1',\n]\n",
-        &["s.toml:5: `compare.pane.0.set.1`: `material.n` is -1, expected 0 or more (inf: a mirror)"],
+        &["s.toml:5: `compare.pane.0.set.1`: `material.n` is -1, expected 0 to inf"],
     );
     assert_objections(
         "[compare]\nview = 'wipe'\n",
@@ -291,7 +291,7 @@ fn an_override_at_fault_is_named() {
     let scene = Scene::default();
     for (assignments, expected) in [
         (&["material.n=abc"][..], "--set material.n=abc: `material.n` is \"abc\", expected a number"),
-        (&["material.n=-1"], "--set material.n=-1: `material.n` is -1, expected 0 or more (inf: a mirror)"),
+        (&["material.n=-1"], "--set material.n=-1: `material.n` is -1, expected 0 to inf"),
         (&["material.n"], "--set material.n: no `=` after a key, expected KEY=VALUE, for example material.n=50"),
         (&["=3"], "--set =3: no `=` after a key, expected KEY=VALUE, for example material.n=50"),
         (
@@ -484,58 +484,6 @@ fn the_documented_scenes_are_sound() {
 /// The words between backquotes.
 fn quoted(cell: &str) -> Vec<&str> {
     cell.split('`').skip(1).step_by(2).collect()
-}
-
-/// The keys of the documentation's tables with their defaults, a light's as those of the first.
-fn documented() -> Vec<(String, String)> {
-    let mut found = Vec::new();
-    for row in DOCUMENTATION.lines().filter(|line| line.starts_with("| `")) {
-        let cells: Vec<&str> = row.trim_matches('|').split('|').collect();
-        let [keys, defaults, _, _] = cells[..] else { continue };
-        let (keys, defaults) = (quoted(keys), quoted(defaults));
-        let table = keys[0].split_once('.').map(|(table, _)| table);
-        assert!(defaults.len() == keys.len() || keys == ["object.path"], "{row}");
-        for (key, default) in keys.iter().zip(defaults.iter().chain(["\"\""].iter())) {
-            let key = match table {
-                Some(table) if key.starts_with('.') => format!("{table}{key}"),
-                None if *key != "version" => format!("light.0.{key}"),
-                _ => (*key).to_owned(),
-            };
-            found.push((key, (*default).to_owned()));
-        }
-    }
-    found
-}
-
-#[test]
-fn the_documented_defaults_are_the_defaults() {
-    for (key, default) in documented().iter().filter(|(key, _)| key != "object.path") {
-        let scene = Scene::default().with_overrides(&[format!("{key}={default}")]);
-        assert_eq!(scene, Ok(Scene::default()), "{key} = {default}");
-    }
-}
-
-#[test]
-fn every_key_is_documented() {
-    let mut scene = Scene::default();
-    scene.object.path = Some("model.obj".into());
-    scene.object.own_polygons();
-    scene.object.vertex_normals = scene.object.vertices.clone();
-    scene.lights[0].name = "lamp".to_owned();
-    let documented = documented();
-    let mut keys = Vec::new();
-    let value = serde_json::to_value(&scene).expect("plain data");
-    for (table, inner) in value.as_object().expect("tables") {
-        let (prefix, inner) = inner.get(0).map_or((table.clone(), inner), |first| (format!("{table}.0"), first));
-        match inner.as_object() {
-            Some(inner) => keys.extend(inner.keys().map(|key| format!("{prefix}.{key}"))),
-            None => keys.push(prefix),
-        }
-    }
-    assert!(keys.len() > 60, "{keys:?}");
-    for key in keys {
-        assert!(documented.iter().any(|(name, _)| *name == key), "{key} is not documented");
-    }
 }
 
 #[test]

@@ -29,7 +29,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 #[test]
 #[ignore = "measures times"]
 fn a_slider_costs_little_more_than_its_picture() {
-    for (name, start, step) in [("Ka", 0.2, 0.001), ("n", 20.0, 0.1)] {
+    for (name, start, step) in [("Ka ambient coefficient", 0.2, 0.001), ("n specular exponent", 20.0, 0.1)] {
         let mut harness = window("sphere");
         let mut renderer = Renderer::default();
         let (mut changed, mut unchanged, mut engine, mut alone) = (vec![], vec![], vec![], vec![]);

@@ -64,22 +64,22 @@ fn slide(harness: &mut Harness<'_, App>, name: &str, value: f64) {
 fn the_window_shows_what_was_drawn() {
     const LARGE: Vec2 = vec2(1400.0, 900.0);
     let changes: [Change; 14] = [
-        ("n", |h| slide(h, "n", 12.0)),
-        ("Ka", |h| slide(h, "Ka", 0.3)),
-        ("Ka again", |h| slide(h, "Ka", 0.4)),
+        ("n", |h| slide(h, "n specular exponent", 12.0)),
+        ("Ka", |h| slide(h, "Ka ambient coefficient", 0.3)),
+        ("Ka again", |h| slide(h, "Ka ambient coefficient", 0.4)),
         ("flat shading", |h| h.key_press(Key::Num1)),
-        ("Kd", |h| slide(h, "Kd", 0.5)),
+        ("Kd", |h| slide(h, "Kd diffuse coefficient", 0.5)),
         ("exact shading", |h| h.key_press(Key::Num5)),
-        ("Ks", |h| slide(h, "Ks", 0.65)),
+        ("Ks", |h| slide(h, "Ks specular coefficient", 0.65)),
         ("Gouraud shading", |h| h.key_press(Key::Num3)),
-        ("n in Gouraud shading", |h| slide(h, "n", 30.0)),
+        ("n in Gouraud shading", |h| slide(h, "n specular exponent", 30.0)),
         ("a larger window", |h| {
             h.set_size(LARGE);
         }),
-        ("n in it", |h| slide(h, "n", 80.0)),
+        ("n in it", |h| slide(h, "n specular exponent", 80.0)),
         ("the camera", |h| h.key_press(Key::Plus)),
-        ("n once more", |h| slide(h, "n", 9.0)),
-        ("n and again", |h| slide(h, "n", 8.0)),
+        ("n once more", |h| slide(h, "n specular exponent", 9.0)),
+        ("n and again", |h| slide(h, "n specular exponent", 8.0)),
     ];
     for (scene, keeps) in [("sphere", false), ("sphere", true), ("teapot", false), ("shadows", true)] {
         let card = Card { keeps, ..Card::default() };

@@ -34,7 +34,12 @@ fn slider_changes_the_picture(scene: &str, name: &str, value: f64) {
 
 #[test]
 fn every_slider_of_the_material_changes_the_picture() {
-    for (name, value) in [("Ka", 0.6), ("Kd", 0.2), ("Ks", 0.0), ("n", 3.0)] {
+    for (name, value) in [
+        ("Ka ambient coefficient", 0.6),
+        ("Kd diffuse coefficient", 0.2),
+        ("Ks specular coefficient", 0.0),
+        ("n specular exponent", 3.0),
+    ] {
         slider_changes_the_picture("sphere", name, value);
     }
 }
@@ -72,7 +77,7 @@ fn keys_choose_the_shading_mode() {
 fn a_number_can_be_infinite() {
     let mut harness = window("sphere");
     let before = picture(&harness);
-    harness.get_by_role_and_label(Role::Button, "n infinite").click_accesskit();
+    harness.get_by_role_and_label(Role::Button, "n specular exponent infinite").click_accesskit();
     harness.run();
     assert_eq!(scene(&harness).material.n, f64::INFINITY);
     assert!(picture(&harness) != before);
@@ -95,9 +100,9 @@ fn lights_are_added_and_removed() {
 #[test]
 fn a_control_without_effect_is_disabled() {
     let mut harness = window("sphere");
-    harness.get_by_role_and_label(Role::Slider, "Ks").set_value_accesskit(0.0);
+    harness.get_by_role_and_label(Role::Slider, "Ks specular coefficient").set_value_accesskit(0.0);
     harness.run();
-    let n = harness.get_by_role_and_label(Role::Slider, "n");
+    let n = harness.get_by_role_and_label(Role::Slider, "n specular exponent");
     assert!(n.accesskit_node().is_disabled(), "n has no effect without Ks");
 }
 
@@ -179,18 +184,18 @@ fn controls_appear_where_they_have_an_effect() {
 fn every_choice_changes_the_picture() {
     let choices: [(&str, &[Key], &str, &str); 15] = [
         ("sphere", &[], "Reflection model", "Blinn  (N·H)^n"),
-        ("sphere", &[], "Back-facing policy", "turn N about"),
+        ("sphere", &[], "Back side", "flip N"),
         ("sphere", &[], "Light 1 kind", "directional"),
         ("sphere", &[], "Light 1 attenuation", "1/d²"),
         ("sphere", &[], "Object kind", "torus"),
         ("cylinder", &[], "Vertex normals", "each polygon's own"),
         ("cone", &[], "Vertex normals", "averaged"),
         ("sphere", &[], "Projection", "orthographic"),
-        ("sphere", &[], "Viewer", "at infinity"),
-        ("sphere", &[], "Overflow", "hatched"),
+        ("sphere", &[], "V viewer", "at infinity"),
+        ("sphere", &[], "Overflow", "mark"),
         ("sphere", &[], "Overflow", "scale the picture"),
-        ("sphere", &[], "Encoding", "sRGB"),
-        ("attenuation", &[Key::Num1], "Flat at", "at the first corner"),
+        ("sphere", &[], "I encoding", "sRGB"),
+        ("attenuation", &[Key::Num1], "Flat at", "the first vertex"),
         ("highlight", &[Key::Num3], "Interpolation", "affine"),
         ("torus", &[Key::Num3], "Interpolation", "scan line"),
     ];
@@ -206,7 +211,7 @@ fn typed_numbers_change_the_picture() {
         ("Od surface colour red", 0.1),
         ("Ia ambient light red", 0.0),
         ("Light 1 position x", -3.0),
-        ("Light 1 Ip green", 0.2),
+        ("Light 1 intensity green", 0.2),
         ("Field of view", 70.0),
         ("Eye x", 3.0),
         ("Target y", 0.4),
@@ -238,7 +243,13 @@ fn a_spot_lights_cone_is_typed() {
     }
     assert_eq!((scene(&harness).lights[0].kind, scene(&harness).lights[0].cone), (LightKind::Spot, 6.0));
     enter(&mut harness, "Light 1 cone", 500.0);
-    assert_eq!(scene(&harness).lights[0].cone, 90.0, "a cone is at most a half-space");
+    assert_eq!(scene(&harness).lights[0].cone, 6.0, "a cone is at most a half-space, so this is refused");
+    let reason = harness.state().state().notice.as_deref();
+    assert_eq!(reason, Some("`light.0.cone` is 500, expected 0.1 to 90 degrees"), "as a scene file would be");
+    // What would take all memory is refused before it is drawn.
+    let before = scene(&harness).clone();
+    enter(&mut harness, "Segments", 4e9);
+    assert_eq!(*scene(&harness), before);
 }
 
 #[test]
@@ -287,7 +298,10 @@ fn an_area_lights_points_and_their_error_are_shown() {
     assert!(picture(&harness) != before);
     assert!(wait(&mut harness, shown("N = 1: error ")), "the error of one point");
     choose(&mut harness, "Light 1 shape", "sphere");
-    assert!(harness.query_by_role_and_label(Role::SpinButton, "Light 1 width").is_none(), "a sphere has no width");
+    assert!(
+        harness.query_by_role_and_label(Role::SpinButton, "Light 1 extent width").is_none(),
+        "a sphere has no width"
+    );
     enter(&mut harness, "Light 1 radius", 1.5);
     assert_eq!(scene(&harness).lights[0].radius, 1.5);
     press(&mut harness, "Light 1 mute");
@@ -298,14 +312,14 @@ fn an_area_lights_points_and_their_error_are_shown() {
 fn microfacets_have_a_roughness_instead_of_n() {
     let mut harness = window("sphere");
     let is_there = |harness: &Harness<'_, App>, name| harness.query_by_role_and_label(Role::Slider, name).is_some();
-    assert!(is_there(&harness, "n") && !is_there(&harness, "m roughness"));
+    assert!(is_there(&harness, "n specular exponent") && !is_there(&harness, "m roughness"));
     choose(&mut harness, "Reflection model", "Cook–Torrance  D·G");
-    assert!(!is_there(&harness, "n") && is_there(&harness, "m roughness"));
+    assert!(!is_there(&harness, "n specular exponent") && is_there(&harness, "m roughness"));
     let before = picture(&harness);
     enter(&mut harness, "m roughness", 0.5);
     let rough = picture(&harness);
     assert!(rough != before);
-    choose(&mut harness, "Microfacet distribution", "GGX");
+    choose(&mut harness, "D microfacet distribution", "GGX");
     assert_eq!(scene(&harness).reflection.distribution, Distribution::Ggx);
     assert!(picture(&harness) != rough);
 }
@@ -326,11 +340,11 @@ fn another_model_with_an_equally_wide_highlight_is_one_step() {
 #[test]
 fn the_reflectance_of_a_metal_changes_the_picture() {
     for entry in ["glass", "silver", "gold"] {
-        choice_changes_the_picture("sphere", &[], "W(θ) reflectance", entry);
+        choice_changes_the_picture("sphere", &[], "W reflectance by angle", entry);
     }
     let mut harness = window("sphere");
     assert!(harness.query_by_role_and_label(Role::SpinButton, "k extinction red").is_none());
-    choose(&mut harness, "W(θ) reflectance", "of η and k");
+    choose(&mut harness, "W reflectance by angle", "custom η and k");
     let before = picture(&harness);
     enter(&mut harness, "k extinction red", 4.0);
     assert!(picture(&harness) != before);
@@ -354,11 +368,14 @@ fn a_pattern_and_a_highlight_colour_change_the_picture() {
 #[test]
 fn transparency_and_surroundings_unfold() {
     let mut harness = window("sphere");
-    assert!(harness.query_by_role_and_label(Role::SpinButton, "Kt").is_none(), "the section is folded at first");
+    assert!(
+        harness.query_by_role_and_label(Role::SpinButton, "Kt transparency").is_none(),
+        "the section is folded at first"
+    );
     unfold(&mut harness, "Transparency");
     let index = harness.get_by_role_and_label(Role::SpinButton, "η relative index");
     assert!(index.accesskit_node().is_disabled(), "nothing is transmitted");
-    enter(&mut harness, "Kt", 0.5);
+    enter(&mut harness, "Kt transparency", 0.5);
     enter(&mut harness, "η relative index", 1.33);
     assert_eq!((scene(&harness).transparency.kt, scene(&harness).transparency.ior), (0.5, 1.33));
     assert!(harness.query_by_role_and_label(Role::Button, "Transmitted in the equation").is_some());
@@ -368,7 +385,7 @@ fn transparency_and_surroundings_unfold() {
     enter(&mut harness, "Ground height", -0.5);
     choose(&mut harness, "Backdrop", "stripes");
     enter(&mut harness, "Backdrop distance", 3.0);
-    choose(&mut harness, "Ambient source", "one bounce");
+    choose(&mut harness, "Ia ambient source", "one bounce");
     let scene = scene(&harness);
     assert!(scene.shading.shadows && scene.ground.visible);
     assert_eq!((scene.ground.height, scene.backdrop.distance), (-0.5, 3.0));
@@ -391,9 +408,9 @@ fn a_named_material_is_one_step() {
 #[test]
 fn the_pixels_above_one_are_counted() {
     let mut harness = window("flat-facets");
-    enter(&mut harness, "Light 1 Ip red", 0.5);
+    enter(&mut harness, "Light 1 intensity red", 0.5);
     assert!(harness.query_by_label("No pixel is above 1").is_some());
-    enter(&mut harness, "Light 1 Ip red", 3.0);
+    enter(&mut harness, "Light 1 intensity red", 3.0);
     assert!(harness.query_by_label_contains("pixels are above 1").is_some());
 }
 
@@ -436,7 +453,7 @@ fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_thei
     harness.run();
     assert_eq!(scene(&harness).compare.panes, [Pane::of(&["shading.mode=gouraud"])]);
     assert_eq!(scene(&harness).shading.mode, ShadingMode::Phong);
-    harness.get_by_role_and_label(Role::Slider, "Kd").set_value_accesskit(0.25);
+    harness.get_by_role_and_label(Role::Slider, "Kd diffuse coefficient").set_value_accesskit(0.25);
     harness.run();
     assert_eq!(scene(&harness).material.kd, Rgb::splat(0.25));
     press(&mut harness, "shading.mode=gouraud  ×");
@@ -483,19 +500,19 @@ fn depth_cueing_unfolds_and_keeps_its_depths_in_order() {
     let mut harness = window("sphere");
     let plain = picture(&harness);
     let front =
-        |harness: &Harness<'_, App>| harness.query_by_role_and_label(Role::SpinButton, "Mist begins at").is_some();
+        |harness: &Harness<'_, App>| harness.query_by_role_and_label(Role::SpinButton, "z start of fading").is_some();
     assert!(!front(&harness), "it is off");
     choose(&mut harness, "Depth cueing", "at pixels");
     assert!(front(&harness) && picture(&harness) != plain);
     assert!(harness.query_all_by_label("Depth in the equation").count() > 0);
-    enter(&mut harness, "Mist begins at", 6.0);
+    enter(&mut harness, "z start of fading", 6.0);
     let cueing = scene(&harness).depth_cueing;
     assert!(cueing.front == 6.0 && cueing.back > 6.0, "the back is pushed: {cueing:?}");
-    enter(&mut harness, "Mist complete at", 4.5);
+    enter(&mut harness, "z end of fading", 4.5);
     let cueing = scene(&harness).depth_cueing;
     assert!(cueing.back == 4.5 && cueing.front < 4.5, "the front is pushed: {cueing:?}");
-    enter(&mut harness, "s0 at the back", 0.25);
-    enter(&mut harness, "Mist colour blue", 0.5);
+    enter(&mut harness, "s0 remaining intensity at the back", 0.25);
+    enter(&mut harness, "Idc fading colour blue", 0.5);
     assert_eq!(scene(&harness).validate(), Ok(()));
     // The probe says what is left.
     assert!(harness.query_by_label_contains("depth cueing at the probe").is_some());
@@ -664,7 +681,7 @@ fn what_was_stored_is_put_right_field_by_field() {
 fn what_a_screen_reader_sends_is_kept_within_bounds() {
     let mut harness = window("sphere");
     for role in [Role::Slider, Role::SpinButton] {
-        for name in ["Kd", "n", "Segments"] {
+        for name in ["Kd diffuse coefficient", "n specular exponent", "Segments"] {
             harness.get_by_role_and_label(role, name).set_value_accesskit(f64::NAN);
             harness.run();
             assert_eq!(scene(&harness).validate(), Ok(()), "{name}");

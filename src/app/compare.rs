@@ -2,10 +2,13 @@
 
 use super::action::Action;
 use super::engine::Engine;
-use super::row::{About, NumberRow, Rail, number};
+use super::row::parameter;
 use super::state::{AppState, ProbePoint};
 use crate::analysis::PaneFigures;
-use crate::scene::{Compare, CompareView, DifferenceKind, Interpolation, Object, Pane, Scene, ShadingMode};
+use crate::scene::parameter::ChoiceOption;
+use crate::scene::parameter::shading::{INTERPOLATION, MODE};
+use crate::scene::parameter::surroundings::{DIFFERENCE, GAIN};
+use crate::scene::{Compare, CompareView, Object, Pane, Scene, ShadingMode};
 use eframe::egui::{Align, Button, Grid, Layout, RichText, TextEdit, Ui};
 
 /// The views with their names.
@@ -66,20 +69,8 @@ fn view_ui(ui: &mut Ui, state: &mut AppState) {
 
 fn difference_ui(ui: &mut Ui, state: &mut AppState) {
     let AppState { document, lit, .. } = state;
-    let compare = &mut document.scene.compare;
-    ui.horizontal_wrapped(|ui| {
-        for (kind, name, tip) in [
-            (DifferenceKind::Signed, "Signed", "Blue where the first pane is darker, orange where it is brighter"),
-            (DifferenceKind::Absolute, "Absolute", "The size of each channel's difference"),
-            (DifferenceKind::FalseColor, "False colour", "The channel that differs most, from dark blue to yellow"),
-        ] {
-            ui.selectable_value(&mut compare.difference, kind, name).on_hover_text(tip);
-        }
-    });
-    let about = About { label: "gain", tip: "What the difference is multiplied by.", ..About::default() };
-    let rail = Rail::logarithmic(1.0..=Compare::MAX_GAIN);
-    let rail = Rail { limits: 1.0..=Compare::MAX_GAIN, ..rail };
-    number(ui, lit, &NumberRow { about, rail, default: Compare::default().gain }, &mut compare.gain);
+    parameter(ui, lit, &mut document.scene, &DIFFERENCE);
+    parameter(ui, lit, &mut document.scene, &GAIN);
 }
 
 /// A pane: its name, which makes it active, and what it has of its own.
@@ -134,18 +125,16 @@ fn add_ui(ui: &mut Ui, state: &mut AppState) {
     ui.set_min_width(250.0);
     let scene = &state.document.scene;
     let mut chosen = None;
-    for (mode, name, word) in MODES {
-        if *mode != scene.shading.mode && ui.button(*name).clicked() {
-            chosen = Some(vec![format!("shading.mode={word}")]);
+    for (parameter, what) in [(&MODE, "shading"), (&INTERPOLATION, "interpolation")] {
+        let present = parameter.value(scene, 0);
+        for ChoiceOption { word, label, .. } in parameter.options() {
+            let other = present.as_ref().and_then(toml::Value::as_str) != Some(word);
+            if other && ui.button(format!("{label} {what}")).clicked() {
+                chosen = Some(vec![format!("{}={word}", parameter.key)]);
+            }
         }
+        ui.separator();
     }
-    ui.separator();
-    for (interpolation, name, word) in INTERPOLATIONS {
-        if *interpolation != scene.shading.interpolation && ui.button(*name).clicked() {
-            chosen = Some(vec![format!("shading.interpolation={word}")]);
-        }
-    }
-    ui.separator();
     if finer(scene).is_some() && ui.button("Four times as many polygons each way").clicked() {
         chosen = finer(scene);
     }
@@ -178,20 +167,6 @@ fn add_ui(ui: &mut Ui, state: &mut AppState) {
         ui.close();
     }
 }
-
-const MODES: &[(ShadingMode, &str, &str)] = &[
-    (ShadingMode::Flat, "Flat shading", "flat"),
-    (ShadingMode::Interpolated, "Interpolated shading", "interpolated"),
-    (ShadingMode::Gouraud, "Gouraud shading", "gouraud"),
-    (ShadingMode::Phong, "Phong shading", "phong"),
-    (ShadingMode::Exact, "Exact shading", "exact"),
-];
-
-const INTERPOLATIONS: &[(Interpolation, &str, &str)] = &[
-    (Interpolation::Perspective, "Perspective-correct interpolation", "perspective"),
-    (Interpolation::Affine, "Affine interpolation", "affine"),
-    (Interpolation::Scanline, "Scan-line interpolation", "scanline"),
-];
 
 /// The same object of more polygons, where that is possible.
 fn finer(scene: &Scene) -> Option<Vec<String>> {

@@ -1,17 +1,15 @@
 //! The panel of controls, in the order of the equation.
 
 mod camera;
+mod depth_cueing;
 mod display;
 mod lights;
 mod material;
-mod mist;
 mod object;
 mod shading;
 mod surroundings;
 mod transparency;
 mod triangles;
-
-pub use shading::MODES;
 
 use super::engine::Engine;
 use super::equation::equation_ui;
@@ -37,7 +35,7 @@ pub fn controls_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         section(ui, state, "Camera", &[], camera::camera_ui);
         section(ui, state, "Display", &[], |ui, state| {
             display::display_ui(ui, state, engine);
-            mist::mist_ui(ui, state);
+            depth_cueing::depth_cueing_ui(ui, state);
         });
         ui.add_space(12.0);
     });

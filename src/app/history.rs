@@ -1,7 +1,7 @@
 //! Undo and redo: a bounded row of documents, one step a gesture.
 
 use super::document::Document;
-use crate::scene::Scene;
+use crate::scene::parameter::Parameter;
 use std::collections::VecDeque;
 
 /// How many steps can be undone.
@@ -16,14 +16,14 @@ pub struct History {
     past: VecDeque<Step>,
     future: Vec<Step>,
     settled: Document,
-    last: Option<(&'static str, f64)>,
+    last: Option<(String, f64)>,
 }
 
 /// A document and the name of the change that left it.
 #[derive(Debug)]
 struct Step {
     document: Document,
-    change: &'static str,
+    change: String,
 }
 
 impl History {
@@ -43,10 +43,10 @@ impl History {
             return;
         }
         let change = change(&self.settled, document);
-        let goes_on = self.last.is_some_and(|(name, when)| name == change && time - when < PAUSE);
+        let goes_on = self.last.as_ref().is_some_and(|(name, when)| *name == change && time - when < PAUSE);
         let before = std::mem::replace(&mut self.settled, document.clone());
         if !goes_on {
-            self.past.push_back(Step { document: before, change });
+            self.past.push_back(Step { document: before, change: change.clone() });
             if self.past.len() > DEPTH {
                 self.past.pop_front();
             }
@@ -78,59 +78,41 @@ impl History {
     }
 
     /// What undo would take back.
-    pub fn undoable(&self) -> Option<&'static str> {
-        self.past.back().map(|step| step.change)
+    pub fn undoable(&self) -> Option<&str> {
+        self.past.back().map(|step| step.change.as_str())
     }
 
     /// What redo would do again.
-    pub fn redoable(&self) -> Option<&'static str> {
-        self.future.last().map(|step| step.change)
+    pub fn redoable(&self) -> Option<&str> {
+        self.future.last().map(|step| step.change.as_str())
     }
 }
 
 /// The name of what differs between two documents.
-fn change(before: &Document, after: &Document) -> &'static str {
+fn change(before: &Document, after: &Document) -> String {
     if before.origin != after.origin || before.model_differs(after) {
-        return "opening";
+        return "opening".to_owned();
     }
-    let (a, b): (&Scene, &Scene) = (&before.scene, &after.scene);
-    let material = [
-        (a.material.ka != b.material.ka, "Ka"),
-        (a.material.kd != b.material.kd, "Kd"),
-        (a.material.ks != b.material.ks, "Ks"),
-        (a.material.n.to_bits() != b.material.n.to_bits(), "n"),
-        (a.material.roughness != b.material.roughness, "m"),
-        (a.material.color != b.material.color, "Od"),
-        (a.material.specular_color != b.material.specular_color, "Os"),
-        (a.material.reflectance != b.material.reflectance, "W"),
-        (a.material.ior != b.material.ior, "η"),
-        (a.material.extinction != b.material.extinction, "k"),
-    ];
-    let rest = [
-        (a.camera != b.camera, "camera"),
-        (a.object != b.object, "object"),
-        (a.pattern != b.pattern, "pattern"),
-        (a.transparency != b.transparency, "transparency"),
-        (a.reflection != b.reflection, "reflection"),
-        (a.shading != b.shading, "shading"),
-        (a.display != b.display || a.image != b.image, "display"),
-        (a.ground != b.ground, "ground"),
-        (a.backdrop != b.backdrop, "backdrop"),
-        (a.depth_cueing != b.depth_cueing, "depth cueing"),
-        (a.ambient != b.ambient, "Ia"),
-        (a.lights != b.lights, "lights"),
-        (a.compare != b.compare, "comparison"),
-    ];
-    let changed = |parts: &[(bool, &'static str)]| -> Vec<&'static str> {
-        parts.iter().filter(|(differs, _)| *differs).map(|(_, name)| *name).collect()
-    };
-    let mut names = changed(&material);
-    if names.len() > 1 {
-        // Several of its numbers at once are another material.
-        names = vec!["material"];
+    let (a, b) = (&before.scene, &after.scene);
+    if a.lights.len() != b.lights.len() {
+        return "lights".to_owned();
     }
-    names.extend(changed(&rest));
-    if let [name] = names[..] { name } else { "change" }
+    if a.compare.panes != b.compare.panes {
+        return "panes".to_owned();
+    }
+    let mut differing = Parameter::all().flat_map(|parameter| {
+        let count = if parameter.of_light() { a.lights.len() } else { 1 };
+        (0..count).filter(|index| !parameter.agrees(a, b, *index)).map(move |index| (parameter, index))
+    });
+    let Some((first, index)) = differing.next() else { return "change".to_owned() };
+    let mut others = differing.map(|(parameter, _)| parameter.section());
+    match others.next() {
+        None => first.full_name(index),
+        Some(section) if section == first.section() && others.all(|other| other == section) => {
+            section.replace('_', " ")
+        }
+        Some(_) => "several settings".to_owned(),
+    }
 }
 
 #[cfg(test)]
@@ -151,7 +133,7 @@ mod tests {
         }
         let mut document = with_n(49.0);
         history.observe(&document, false, 1.0);
-        assert_eq!(history.undoable(), Some("n"));
+        assert_eq!(history.undoable(), Some("n specular exponent"));
         history.undo(&mut document);
         assert_eq!(document, with_n(1.0));
         assert_eq!(history.undoable(), None);

@@ -123,12 +123,7 @@ pub const BINDINGS: &[Binding] = &[
             (PLAIN, Key::Minus, Action::Zoom(1.0 / NEARER)),
         ],
     },
-    Binding {
-        section: "Camera",
-        keys: "0",
-        does: "puts the camera back",
-        on: &[(PLAIN, Key::Num0, Action::ResetCamera)],
-    },
+    Binding { section: "Camera", keys: "0", does: "resets the camera", on: &[(PLAIN, Key::Num0, Action::ResetCamera)] },
     Binding {
         section: "Camera",
         keys: "Drag",

@@ -2,10 +2,10 @@
 
 use super::action::{Action, Shown};
 use super::compare::VIEWS;
-use super::controls::MODES;
 use super::keys;
 use super::state::{AppState, NumbersTab};
 use super::theme::ThemeChoice;
+use crate::scene::parameter::Options;
 use crate::scene::{ShadingMode, presets};
 use eframe::egui::{Align, Button, Layout, MenuBar, RichText, Ui};
 
@@ -73,13 +73,18 @@ fn file_ui(ui: &mut Ui, state: &mut AppState) {
 fn edit_ui(ui: &mut Ui, state: &mut AppState) {
     ui.set_min_width(240.0);
     let step = |verb: &str, what: Option<&str>| what.map_or_else(|| verb.to_owned(), |what| format!("{verb} {what}"));
-    let (undo, redo) = (state.history.undoable(), state.history.redoable());
-    ui.add_enabled_ui(undo.is_some(), |ui| item(ui, state, &step("Undo", undo), Action::Undo));
-    ui.add_enabled_ui(redo.is_some(), |ui| item(ui, state, &step("Redo", redo), Action::Redo));
+    let named = |verb, change: Option<&str>| (step(verb, change), change.is_some());
+    let steps = [
+        (named("Undo", state.history.undoable()), Action::Undo),
+        (named("Redo", state.history.redoable()), Action::Redo),
+    ];
+    for ((text, possible), action) in steps {
+        ui.add_enabled_ui(possible, |ui| item(ui, state, &text, action));
+    }
     ui.separator();
     item(ui, state, "Copy picture", Action::CopyPicture);
     item(ui, state, "Code…", Action::Code);
-    item(ui, state, "Put the camera back", Action::ResetCamera);
+    item(ui, state, "Reset camera", Action::ResetCamera);
 }
 
 fn view_ui(ui: &mut Ui, state: &mut AppState) {
@@ -137,7 +142,7 @@ fn compare_ui(ui: &mut Ui, state: &mut AppState) {
 fn modes_ui(ui: &mut Ui, state: &mut AppState) {
     let shading = &state.document.scene.shading;
     let (mode, renormalise) = (shading.mode, shading.renormalise);
-    for (index, (choice, name, what)) in MODES.iter().enumerate() {
+    for (index, (choice, name, what)) in ShadingMode::OPTIONS.iter().enumerate() {
         let on = mode == *choice && (mode != ShadingMode::Phong || renormalise);
         let text = format!("{} {name}", index + 1);
         if ui.add(Button::selectable(on, text)).on_hover_text(*what).clicked() {
@@ -145,8 +150,8 @@ fn modes_ui(ui: &mut Ui, state: &mut AppState) {
         }
     }
     let on = mode == ShadingMode::Phong && !renormalise;
-    let tip = "Phong shading that forgets to make the interpolated normals unit vectors again";
-    if ui.add(Button::selectable(on, "6 Phong, N short")).on_hover_text(tip).clicked() {
+    let tip = "Phong shading without renormalising the interpolated normals";
+    if ui.add(Button::selectable(on, "6 Phong, not renormalised")).on_hover_text(tip).clicked() {
         state.ask(Action::Shade { mode: ShadingMode::Phong, renormalise: false });
     }
 }

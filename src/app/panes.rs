@@ -17,7 +17,7 @@ pub use captions::paint;
 pub use place::{PanePlace, on_wipe, pane_at, places};
 
 use super::state::AppState;
-use crate::scene::{Compare, Pane, Scene};
+use crate::scene::{Compare, Pane, Scene, SceneError};
 use keys::{changes, replaced};
 
 /// Tables and keys in which panes do not differ.
@@ -64,18 +64,31 @@ impl AppState {
         self.panes.entered = Some(Entered { shared, before: scene });
     }
 
-    /// Gives the document its own scene back, with what has changed.
+    /// Gives the document its own scene back, with what has changed. What a scene file would refuse is not taken over, and the
+    /// notice says why in the same words.
     pub fn leave_pane(&mut self) {
-        let Some(Entered { mut shared, before }) = self.panes.entered.take() else { return };
-        let after = &self.document.scene;
-        if shared.compare.panes.is_empty() {
-            shared.clone_from(after);
-        } else if *after != before {
-            shared.compare = after.compare.clone();
-            distribute(&mut shared, &before, after, self.panes.active, self.panes.own);
-            mend(&mut shared);
+        let Some(Entered { shared, before }) = self.panes.entered.take() else { return };
+        let after = std::mem::replace(&mut self.document.scene, shared);
+        if after == before {
+            return;
         }
-        self.document.scene = shared;
+        match self.taken_over(&before, after) {
+            Ok(scene) => self.document.scene = scene,
+            Err(error) => self.notice = error.problems().first().map(ToString::to_string),
+        }
+    }
+
+    /// The document's scene with what has changed in the active pane's.
+    fn taken_over(&self, before: &Scene, after: Scene) -> Result<Scene, SceneError> {
+        let shared = &self.document.scene;
+        if shared.compare.panes.is_empty() {
+            return after.validate().map(|()| after);
+        }
+        Scene { compare: Compare::default(), ..after.clone() }.validate()?;
+        let mut changed = Scene { compare: after.compare.clone(), ..shared.clone() };
+        distribute(&mut changed, before, &after, self.panes.active, self.panes.own);
+        mend(&mut changed);
+        changed.validate().map(|()| changed)
     }
 
     /// Sends what has changed to where it belongs, so that every pane shows it.

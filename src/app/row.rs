@@ -6,11 +6,13 @@
 mod choice;
 mod colour;
 mod number;
+mod parameter;
 mod text;
 
-pub use choice::{Choice, choice, toggle};
+pub use choice::{choice_of, toggle};
 pub use colour::{colour, swatch, vector};
-pub use number::{NumberRow, Rail, coefficient, display, number, triple, whole};
+pub use number::{NumberRow, Rail, coefficient, display, field_pair, number, triple, whole};
+pub use parameter::{View, parameter, parameter_of, parameter_with, parameters};
 pub use text::{flags, text};
 
 use super::symbol::{Lit, Symbol};

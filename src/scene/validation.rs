@@ -1,12 +1,14 @@
-//! What a sound scene is: every number in its range, and no two that contradict each other.
+//! What a valid scene is: every value within the limits of its parameter, and no two that contradict each other.
 
 use super::compare;
+use super::parameter::{Kind, Limits, Parameter};
 use super::problem::{Cause, Place, Problem, SceneError};
 use super::{
-    AmbientSource, Attenuation, Backdrop, Camera, Compare, DepthCueing, Ground, Image, Light, Material, Object,
-    ObjectKind, Pattern, PatternKind, Rgb, Scene, Transparency,
+    AmbientSource, Attenuation, Camera, DepthCueing, Image, Light, Material, Object, ObjectKind, Pattern, PatternKind,
+    Rgb, Scene, Transparency,
 };
 use glam::DVec3;
+use std::fmt;
 use std::ops::RangeInclusive;
 
 /// Greatest coordinate and greatest length, world units: its square stays far below the greatest `f64`, and so do the
@@ -61,45 +63,44 @@ impl Scene {
         if self.version != Self::VERSION {
             checks.found("version", Cause::Version { found: self.version.to_string() });
         }
+        if self.lights.len() > Self::MAX_LIGHTS {
+            checks.value("light", format!("a list of {}", self.lights.len()), format!("at most {}", Self::MAX_LIGHTS));
+        }
+        for parameter in Parameter::all() {
+            let count = if parameter.of_light() { self.lights.len().min(Self::MAX_LIGHTS) } else { 1 };
+            (0..count).for_each(|index| checks.parameter(parameter, self, index));
+        }
         self.camera.check(&mut checks);
         self.image.check(&mut checks);
         self.object.check(&mut checks);
-        self.material.check(&mut checks);
-        self.pattern.check(&mut checks);
-        self.transparency.check(&mut checks);
-        self.ground.check(&mut checks);
-        self.backdrop.check(&mut checks);
         self.depth_cueing.check(&mut checks);
-        checks.colour("ambient.color", self.ambient.color, GREATEST_INTENSITY);
+        for (index, light) in self.lights.iter().take(Self::MAX_LIGHTS).enumerate() {
+            light.check(&mut checks, index);
+        }
         if self.ambient.source == AmbientSource::Split && self.greatest_ambient() > GREATEST_SPLIT {
             let is = "is so bright that beside the ambient term one bounce is lost to rounding";
             let expected = "an ambient term of at most 10000, or `ambient.source` \"constant\" or \"bounce\"";
             checks.found("ambient.color", Cause::Conflict { is, expected });
         }
-        if self.lights.len() > Self::MAX_LIGHTS {
-            checks.value("light", format!("a list of {}", self.lights.len()), format!("at most {}", Self::MAX_LIGHTS));
+        self.check_samples(&mut checks);
+        if checks.problems.is_empty() {
+            checks.problems = compare::problems(self);
         }
-        for (i, light) in self.lights.iter().take(Self::MAX_LIGHTS).enumerate() {
-            light.check(&mut checks, &format!("light.{i}"));
-        }
+        checks.problems
+    }
+
+    /// Whether area lights have not too many samples together, also for the bits of their shadows.
+    fn check_samples(&self, checks: &mut Checks) {
         let samples: u64 = self.lights.iter().map(|light| u64::from(light.sample_count())).sum();
         if samples > Self::MAX_LIGHT_SAMPLES {
             let expected = format!("at most {}", Self::MAX_LIGHT_SAMPLES);
             checks.value("light", format!("{samples} samples in all"), expected);
         }
         let pixels: u64 = self.image.size.iter().map(|side| u64::from(*side)).product();
-        let bits = samples.saturating_mul(pixels);
-        if self.shading.shadows && bits > Self::MAX_SHADOW_BITS {
+        if self.shading.shadows && samples.saturating_mul(pixels) > Self::MAX_SHADOW_BITS {
             let expected = "a smaller picture, fewer samples of area lights, or no shadows";
             checks.found("image.size", Cause::Conflict { is: "has too many pixels for so many shadows", expected });
         }
-        let &Compare { view: _, wipe, difference: _, gain, panes: _ } = &self.compare;
-        checks.number("compare.wipe", wipe, 0.0..=1.0, "");
-        checks.number("compare.gain", gain, 1.0..=Compare::MAX_GAIN, "");
-        if checks.problems.is_empty() {
-            checks.problems = compare::problems(self);
-        }
-        checks.problems
     }
 
     /// The greatest constant ambient term of the object and the ground, in any channel.
@@ -117,15 +118,8 @@ impl Camera {
     pub const FOV_Y: RangeInclusive<f64> = 1e-3..=179.0;
 
     fn check(&self, checks: &mut Checks) {
-        let &Self { eye, target, up, roll, projection: _, fov_y, height, viewer: _ } = self;
-        checks.number("camera.fov_y", fov_y, Self::FOV_Y, " degrees");
-        checks.number("camera.height", height, LEAST_LENGTH..=GREATEST_LENGTH, "");
-        if !roll.is_finite() {
-            checks.value("camera.roll", number(roll), "a finite number of degrees");
-        }
-        let points = checks.point("camera.eye", eye) & checks.point("camera.target", target);
-        let upright = checks.direction("camera.up", up);
-        if !points {
+        let &Self { eye, target, up, .. } = self;
+        if !checks.sound("camera.eye") || !checks.sound("camera.target") {
             return;
         }
         let scale = eye.length().max(target.length());
@@ -134,7 +128,7 @@ impl Camera {
             let cause =
                 Cause::Conflict { is: "is the same point as `camera.target`", expected: "two different points" };
             checks.found("camera.eye", cause);
-        } else if upright && forward.normalize().cross(up.normalize()).length() < LEAST_TILT {
+        } else if checks.sound("camera.up") && forward.normalize().cross(up.normalize()).length() < LEAST_TILT {
             let is = "is parallel to the viewing direction";
             checks.found("camera.up", Cause::Conflict { is, expected: "a direction across it" });
         }
@@ -146,8 +140,7 @@ impl Image {
     pub const MAX_PIXELS: u64 = 1 << 27;
 
     fn check(&self, checks: &mut Checks) {
-        let Self { size, background } = self;
-        let [width, height] = *size;
+        let [width, height] = self.size;
         if [width, height].iter().any(|side| !(1..=Self::MAX_SIDE).contains(side)) {
             let expected = format!("sides of 1 to {} pixels", Self::MAX_SIDE);
             checks.value("image.size", format!("[{width}, {height}]"), expected);
@@ -155,13 +148,12 @@ impl Image {
             let expected = format!("at most {} pixels in all", Self::MAX_PIXELS);
             checks.value("image.size", format!("[{width}, {height}]"), expected);
         }
-        checks.colour("image.background", *background, GREATEST_INTENSITY);
     }
 }
 
 impl Object {
-    /// Fewest polygons round the axis: fewer than three enclose nothing. A plane's are counted across it, and so are a corrugated sheet's slopes, at
-    /// least one up and one down.
+    /// Fewest polygons round the axis: fewer than three enclose nothing. A plane's are counted across it, and so are a
+    /// corrugated sheet's slopes, at least one up and one down.
     pub fn min_segments(&self) -> u32 {
         match self.kind {
             ObjectKind::Plane => 1,
@@ -180,16 +172,13 @@ impl Object {
     }
 
     fn check(&self, checks: &mut Checks) {
-        let Self { kind, segments, rings, path, .. } = self;
-        checks.count("object.segments", *segments, self.min_segments()..=Self::MAX_DIVISIONS);
-        checks.count("object.rings", *rings, self.min_rings()..=Self::MAX_DIVISIONS);
-        match path {
+        match &self.path {
             Some(path) if path.to_str().is_none() => {
                 let found = format!("{:?}", path.to_string_lossy());
                 checks.value("object.path", found, "a path in Unicode, as a scene file can hold it");
             }
             Some(path) if path.as_os_str().is_empty() => checks.value("object.path", "empty", "the path of a model"),
-            None if *kind == ObjectKind::Obj => {
+            None if self.kind == ObjectKind::Obj => {
                 let expected = "the path of a model since `object.kind` is \"obj\"";
                 checks.found("object.path", Cause::Conflict { is: "is missing", expected });
             }
@@ -209,28 +198,6 @@ impl Material {
 
     /// Indices of refraction: no material known lies outside.
     pub const IOR: RangeInclusive<f64> = 0.01..=100.0;
-
-    fn check(&self, checks: &mut Checks) {
-        let &Self { ka, kd, ks, n, roughness, color, specular_color, reflectance: _, ior, extinction } = self;
-        for (key, value) in [
-            ("material.ka", ka),
-            ("material.kd", kd),
-            ("material.ks", ks),
-            ("material.color", color),
-            ("material.specular_color", specular_color),
-        ] {
-            checks.colour(key, value, Self::MAX_COEFFICIENT);
-        }
-        checks.number("material.roughness", roughness, Self::ROUGHNESS, "");
-        if !ior.to_array().iter().all(|channel| Self::IOR.contains(channel)) {
-            let (least, greatest) = (number(*Self::IOR.start()), number(*Self::IOR.end()));
-            checks.value("material.ior", triple(ior), format!("{least} to {greatest} in each channel"));
-        }
-        checks.colour("material.extinction", extinction, *Self::IOR.end());
-        if n.is_nan() || n < 0.0 {
-            checks.value("material.n", number(n), "0 or more (inf: a mirror)");
-        }
-    }
 }
 
 impl Light {
@@ -243,47 +210,17 @@ impl Light {
     /// Most characters of a light's name.
     pub const MAX_NAME: usize = 64;
 
-    fn check(&self, checks: &mut Checks, key: &str) {
-        let &Self { position, direction, color, attenuation, k, c1, c2, c3, .. } = self;
-        let inside = |name: &str| format!("{key}.{name}");
-        checks.point(&inside("position"), position);
-        if self.name.chars().count() > Self::MAX_NAME || self.name.chars().any(char::is_control) {
-            let expected = format!("at most {} characters in one line", Self::MAX_NAME);
-            checks.value(&inside("name"), format!("{:?}", self.name.chars().take(20).collect::<String>()), expected);
-        }
-        checks.number(&inside("cone"), self.cone, Self::CONE, " degrees");
-        checks.number(&inside("exponent"), self.exponent, 0.0..=Self::MAX_EXPONENT, "");
-        checks.number(&inside("softness"), self.softness, 0.0..=1.0, "");
-        let [width, height] = self.extent;
-        for side in [width, height] {
-            checks.number(&inside("extent"), side, 0.0..=GREATEST_LENGTH, "");
-        }
-        checks.number(&inside("radius"), self.radius, 0.0..=GREATEST_LENGTH, "");
-        checks.count(&inside("samples"), self.samples, 1..=Self::MAX_SAMPLES);
-        if self.has_direction() {
-            checks.direction(&inside("direction"), direction);
-        } else {
-            checks.point(&inside("direction"), direction);
-        }
-        checks.colour(&inside("color"), color, GREATEST_INTENSITY);
-        let mut sound = true;
-        for (name, value) in [("k", k), ("c1", c1), ("c2", c2), ("c3", c3)] {
-            sound &= checks.number(&inside(name), value, 0.0..=GREATEST_LENGTH, "");
-        }
-        if sound && attenuation == Attenuation::Quadratic && c1 + c2 + c3 == 0.0 {
+    fn check(&self, checks: &mut Checks, index: usize) {
+        let key = |name: &str| format!("light.{index}.{name}");
+        let sound = ["c1", "c2", "c3"].iter().all(|name| checks.sound(&key(name)));
+        if sound && self.attenuation == Attenuation::Quadratic && self.c1 + self.c2 + self.c3 == 0.0 {
             let expected = "one of c1, c2, c3 above 0";
-            checks.found(&inside("c1"), Cause::Conflict { is: "is 0 like `c2` and `c3`", expected });
+            checks.found(&key("c1"), Cause::Conflict { is: "is 0 like `c2` and `c3`", expected });
         }
     }
 }
 
 impl Pattern {
-    fn check(&self, checks: &mut Checks) {
-        let &Self { kind: _, color, scale } = self;
-        checks.colour("pattern.color", color, Material::MAX_COEFFICIENT);
-        checks.number("pattern.scale", scale, Self::SCALE, "");
-    }
-
     /// World units. Fields narrower than the least are not told apart in single precision.
     pub const SCALE: RangeInclusive<f64> = 1e-4..=1e4;
 }
@@ -291,50 +228,19 @@ impl Pattern {
 impl Transparency {
     /// Indices of refraction, either way through the surface.
     pub const IOR: RangeInclusive<f64> = 0.1..=10.0;
-
-    fn check(&self, checks: &mut Checks) {
-        let &Self { kt, ior, through: _ } = self;
-        checks.number("transparency.kt", kt, 0.0..=1.0, "");
-        checks.number("transparency.ior", ior, Self::IOR, "");
-    }
-}
-
-impl Ground {
-    fn check(&self, checks: &mut Checks) {
-        let &Self { visible: _, height, ka, kd, color } = self;
-        checks.number("ground.height", height, -GREATEST_LENGTH..=GREATEST_LENGTH, "");
-        checks.number("ground.ka", ka, 0.0..=Material::MAX_COEFFICIENT, "");
-        checks.number("ground.kd", kd, 0.0..=Material::MAX_COEFFICIENT, "");
-        checks.colour("ground.color", color, Material::MAX_COEFFICIENT);
-    }
-}
-
-impl Backdrop {
-    fn check(&self, checks: &mut Checks) {
-        let &Self { pattern: _, color, scale, distance } = self;
-        checks.colour("backdrop.color", color, GREATEST_INTENSITY);
-        checks.number("backdrop.scale", scale, Pattern::SCALE, "");
-        checks.number("backdrop.distance", distance, -GREATEST_LENGTH..=GREATEST_LENGTH, "");
-    }
 }
 
 impl DepthCueing {
     fn check(&self, checks: &mut Checks) {
-        let &Self { by: _, front, back, front_scale, back_scale, color } = self;
-        let range = 0.0..=GREATEST_LENGTH;
-        let depths = checks.number("depth_cueing.front", front, range.clone(), "")
-            & checks.number("depth_cueing.back", back, range, "");
-        if depths && front >= back {
+        let sound = checks.sound("depth_cueing.front") && checks.sound("depth_cueing.back");
+        if sound && self.front >= self.back {
             let expected = "a greater one";
             checks.found("depth_cueing.back", Cause::Conflict { is: "is not beyond `depth_cueing.front`", expected });
         }
-        checks.number("depth_cueing.front_scale", front_scale, 0.0..=1.0, "");
-        checks.number("depth_cueing.back_scale", back_scale, 0.0..=1.0, "");
-        checks.colour("depth_cueing.color", color, GREATEST_INTENSITY);
     }
 }
 
-/// The problems found so far. The checks return whether they found none.
+/// The problems found so far.
 #[derive(Default)]
 pub(super) struct Checks {
     problems: Vec<(String, Cause)>,
@@ -349,41 +255,83 @@ impl Checks {
         self.found(key, Cause::Value { found: found.into(), expected: expected.into() });
     }
 
-    fn number(&mut self, key: &str, value: f64, range: RangeInclusive<f64>, unit: &str) -> bool {
-        let sound = range.contains(&value);
-        if !sound {
-            self.value(key, number(value), format!("{} to {}{unit}", number(*range.start()), number(*range.end())));
-        }
-        sound
+    /// Whether nothing has been found wrong with a key.
+    fn sound(&self, key: &str) -> bool {
+        self.problems.iter().all(|(found, _)| found != key)
     }
 
-    fn count(&mut self, key: &str, value: u32, range: RangeInclusive<u32>) {
-        if !range.contains(&value) {
-            self.value(key, value.to_string(), format!("{} to {}", range.start(), range.end()));
-        }
-    }
-
-    fn colour(&mut self, key: &str, value: Rgb, greatest: f64) {
-        if !value.to_array().iter().all(|channel| (0.0..=greatest).contains(channel)) {
-            self.value(key, triple(value), format!("0 to {} in each channel", number(greatest)));
+    /// Whether a parameter's value is within its limits.
+    fn parameter(&mut self, parameter: &Parameter, scene: &Scene, index: usize) {
+        if let Some((found, expected)) = parameter.outside(scene, index) {
+            self.value(&parameter.key(index), found, expected);
         }
     }
 
     pub(super) fn point(&mut self, key: &str, value: DVec3) -> bool {
-        let sound = value.to_array().iter().all(|x| x.abs() <= GREATEST_LENGTH);
-        if !sound {
-            self.value(key, triple(value), format!("coordinates up to {}", number(GREATEST_LENGTH)));
-        }
+        let outside = point_outside(value);
+        let sound = outside.is_none();
+        outside.into_iter().for_each(|(found, expected)| self.value(key, found, expected));
         sound
     }
 
     pub(super) fn direction(&mut self, key: &str, value: DVec3) -> bool {
-        let point = self.point(key, value);
-        let sound = point && value.length() >= LEAST_LENGTH;
-        if point && !sound {
-            self.value(key, triple(value), format!("a direction, of length {} or more", number(LEAST_LENGTH)));
-        }
+        let outside = direction_outside(value);
+        let sound = outside.is_none();
+        outside.into_iter().for_each(|(found, expected)| self.value(key, found, expected));
         sound
+    }
+}
+
+impl Parameter {
+    /// What its value is and what was expected instead, where it is outside its limits.
+    fn outside(&self, scene: &Scene, index: usize) -> Option<(String, String)> {
+        let unit = if self.unit == "degrees" { " degrees" } else { "" };
+        let channels = |value: Rgb, limits: Limits| {
+            let sound = value.to_array().iter().all(|channel| limits.contains(*channel));
+            (!sound).then(|| (triple(value), format!("{limits} in each channel")))
+        };
+        let one =
+            |value: f64, limits: Limits| (!limits.contains(value)).then(|| (number(value), format!("{limits}{unit}")));
+        match &self.kind {
+            Kind::Number { at, limits, .. } => one(*(at.get)(scene, index)?, *limits),
+            Kind::Whole { at, limits, .. } => {
+                let (value, limits) = (*(at.get)(scene, index)?, limits(scene));
+                (!limits.contains(value.into())).then(|| (value.to_string(), limits.to_string()))
+            }
+            Kind::Pair { at, limits, .. } => (at.get)(scene, index)?.iter().find_map(|&side| one(side, *limits)),
+            Kind::Coefficient { at, limits, .. } | Kind::Channels { at, limits, .. } | Kind::Colour { at, limits } => {
+                channels(*(at.get)(scene, index)?, *limits)
+            }
+            Kind::Point(at) => point_outside(*(at.get)(scene, index)?),
+            Kind::Direction { at, needed } if needed(scene, index) => direction_outside(*(at.get)(scene, index)?),
+            Kind::Direction { at, .. } => point_outside(*(at.get)(scene, index)?),
+            Kind::Text { at, longest } => {
+                let text = (at.get)(scene, index)?;
+                let sound = text.chars().count() <= *longest && !text.chars().any(char::is_control);
+                let found = || format!("{:?}", text.chars().take(20).collect::<String>());
+                (!sound).then(|| (found(), format!("at most {longest} characters in one line")))
+            }
+            Kind::Choice(_) | Kind::Switch(_) | Kind::Other { .. } => None,
+        }
+    }
+}
+
+fn point_outside(value: DVec3) -> Option<(String, String)> {
+    let sound = value.to_array().iter().all(|&x| Limits::COORDINATE.contains(x));
+    (!sound).then(|| (triple(value), format!("coordinates up to {}", number(GREATEST_LENGTH))))
+}
+
+fn direction_outside(value: DVec3) -> Option<(String, String)> {
+    let short = || (triple(value), format!("a direction, of length {} or more", number(LEAST_LENGTH)));
+    point_outside(value).or_else(|| (value.length() < LEAST_LENGTH).then(short))
+}
+
+impl fmt::Display for Limits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            &Self::FINITE => f.write_str("a finite number"),
+            Self { least, greatest } => write!(f, "{} to {}", number(*least), number(*greatest)),
+        }
     }
 }
 

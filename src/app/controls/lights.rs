@@ -1,15 +1,14 @@
 //! Ia, and the lights: which there are, and the one chosen.
 
 mod area;
-mod attenuation;
 mod chosen;
-mod spot;
 
 use crate::app::action::Action;
-use crate::app::row::{About, colour, swatch};
+use crate::app::row::{parameter, swatch};
 use crate::app::state::AppState;
 use crate::app::symbol::Symbol;
-use crate::scene::{Ambient, Light, Rgb};
+use crate::scene::Light;
+use crate::scene::parameter::material::AMBIENT_COLOR;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Atom, Button, IdSalt, RichText, Sense, Stroke, Ui, WidgetInfo, vec2};
 
@@ -17,17 +16,7 @@ use eframe::egui::{Atom, Button, IdSalt, RichText, Sense, Stroke, Ui, WidgetInfo
 const LONGEST: usize = 12;
 
 pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
-    let scene = &mut state.document.scene;
-    let about = About {
-        letter: "Ia",
-        label: "ambient",
-        name: "Ia ambient light",
-        tip: "Ia, the light that comes from everywhere alike: red, green and blue, linear, 1 is white.",
-        symbol: Some(Symbol::Ia),
-        idle: (scene.material.ka == Rgb::ZERO).then_some("Ka is 0: the surface returns no ambient light"),
-        ..About::default()
-    };
-    colour(ui, &mut state.lit, &about, Ambient::default().color, &mut scene.ambient.color);
+    parameter(ui, &mut state.lit, &mut state.document.scene, &AMBIENT_COLOR);
     chips_ui(ui, state);
     if state.light < state.document.scene.lights.len() {
         chosen::light_ui(ui, state);

@@ -1,6 +1,7 @@
 //! Which keys of a scene differ from another's.
 
-use crate::scene::{Compare, Scene};
+use crate::scene::Scene;
+use crate::scene::parameter::Parameter;
 use toml::Value;
 
 /// A key whose value has changed.
@@ -33,54 +34,21 @@ fn text(value: &Value) -> String {
     }
 }
 
-/// What a scene holds, but for what it compares and for lights that the other has not.
-fn value(scene: &Scene, lights: usize) -> Option<Value> {
-    let mut plain = Scene { compare: Compare::default(), ..scene.clone() };
-    plain.lights.truncate(lights);
-    Value::try_from(&plain).ok()
-}
-
-/// The keys whose values differ. Of lists of lights that are not as long as each other, those that both have.
+/// The keys whose values differ. Of lists of lights that are not as long as each other, none.
 pub fn changes(before: &Scene, after: &Scene) -> Vec<Change> {
     let lights = if before.lights.len() == after.lights.len() { before.lights.len() } else { 0 };
-    let mut found = Vec::new();
-    if let (Some(before), Some(after)) = (value(before, lights), value(after, lights)) {
-        collect(&before, &after, "", &mut found);
-    }
-    found
-}
-
-fn collect(before: &Value, after: &Value, key: &str, found: &mut Vec<Change>) {
-    let inside = |name: &str| if key.is_empty() { name.to_owned() } else { format!("{key}.{name}") };
-    match (before, after) {
-        (Value::Table(a), Value::Table(b)) => {
-            for (name, after) in b {
-                match a.get(name) {
-                    Some(before) => collect(before, after, &inside(name), found),
-                    None => {
-                        let (before, after) = (Value::String(String::new()), after.clone());
-                        found.push(Change { key: inside(name), before, after });
-                    }
-                }
-            }
-        }
-        (Value::Array(a), Value::Array(b)) if a.len() == b.len() && b.iter().all(Value::is_table) => {
-            for (index, (before, after)) in a.iter().zip(b).enumerate() {
-                collect(before, after, &inside(&index.to_string()), found);
-            }
-        }
-        (a, b) if same(a, b) => {}
-        (a, b) => found.push(Change { key: key.to_owned(), before: a.clone(), after: b.clone() }),
-    }
-}
-
-/// Whether two values are the same, bit for bit where they are numbers.
-fn same(a: &Value, b: &Value) -> bool {
-    match (a, b) {
-        (Value::Float(a), Value::Float(b)) => a.to_bits() == b.to_bits(),
-        (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b)),
-        (a, b) => a == b,
-    }
+    let of_scene = Parameter::all().filter(|parameter| !["version", "compare"].contains(&parameter.section()));
+    let change = |parameter: &Parameter, index: usize| {
+        let value = |scene| parameter.value(scene, index).unwrap_or_else(|| Value::String(String::new()));
+        Change { key: parameter.key(index), before: value(before), after: value(after) }
+    };
+    of_scene
+        .flat_map(|parameter| {
+            let count = if parameter.of_light() { lights } else { 1 };
+            let differs = move |index: &usize| !parameter.agrees(before, after, *index);
+            (0..count).filter(differs).map(move |index| change(parameter, index))
+        })
+        .collect()
 }
 
 /// `scene` with the changes made.

@@ -2,29 +2,28 @@
 
 use super::{About, row};
 use crate::app::symbol::Lit;
+use crate::scene::parameter::ChoiceOption;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, ComboBox, Ui, WidgetInfo};
 
-/// One of several: the value, what it is called, what it means.
-pub type Choice<T> = (T, &'static str, &'static str);
-
-/// One of several, from a list that opens.
-pub fn choice<T: PartialEq + Copy>(
+/// One of several options, each with its place, from a list that opens. Returns the place of another one chosen.
+pub fn choice_of(
     ui: &mut Ui,
     lit: &mut Lit,
     about: &About<'_>,
-    default: T,
-    choices: &[Choice<T>],
-    value: &mut T,
-) {
-    let reset = row(ui, lit, about, *value != default, |ui| {
-        let shown = choices.iter().find(|(candidate, ..)| candidate == value).map_or("", |(_, label, _)| *label);
+    default: usize,
+    options: &[(usize, &ChoiceOption)],
+    present: usize,
+) -> Option<usize> {
+    let mut chosen = present;
+    let reset = row(ui, lit, about, present != default, |ui| {
+        let shown = options.iter().find(|(place, _)| *place == present).map_or("", |(_, option)| option.label);
         let list = ComboBox::from_id_salt(about.name()).selected_text(shown).width(ui.available_width()).height(420.0);
         let response = list.show_ui(ui, |ui| {
-            for (candidate, label, tip) in choices {
-                let response = ui.selectable_value(value, *candidate, *label);
-                if !tip.is_empty() {
-                    response.on_hover_text(*tip);
+            for (place, option) in options {
+                let response = ui.selectable_value(&mut chosen, *place, option.label);
+                if !option.help.is_empty() {
+                    response.on_hover_text(option.help);
                 }
             }
         });
@@ -37,9 +36,8 @@ pub fn choice<T: PartialEq + Copy>(
             response.response.on_hover_text(about.tip);
         }
     });
-    if reset {
-        *value = default;
-    }
+    let wanted = if reset { default } else { chosen };
+    (wanted != present).then_some(wanted)
 }
 
 /// On or off.

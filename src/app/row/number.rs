@@ -18,6 +18,9 @@ pub struct Rail {
     pub span: RangeInclusive<f64>,
     /// What the field takes.
     pub limits: RangeInclusive<f64>,
+    /// Whether a number typed beyond the limits is left for the scene's own check to refuse, with its reason; otherwise
+    /// it becomes the nearest limit.
+    pub refuses: bool,
     pub logarithmic: bool,
     /// Digits after the point at most.
     pub decimals: usize,
@@ -27,7 +30,7 @@ pub struct Rail {
 impl Rail {
     /// A linear slider over `span`, with three decimals and no limit but to be finite and not negative.
     pub fn linear(span: RangeInclusive<f64>) -> Self {
-        Self { span, limits: 0.0..=f64::MAX, logarithmic: false, decimals: 3, suffix: "" }
+        Self { span, limits: 0.0..=f64::MAX, refuses: false, logarithmic: false, decimals: 3, suffix: "" }
     }
 
     /// The same, logarithmic.
@@ -98,6 +101,19 @@ pub fn triple(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, rail: &Rail, defaul
     }
 }
 
+/// Two numbers side by side.
+pub fn field_pair(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, rail: &Rail, default: [f64; 2], value: &mut [f64; 2]) {
+    let reset = row(ui, lit, about, *value != default, |ui| {
+        let width = (ui.available_width() - ui.spacing().item_spacing.x) / 2.0;
+        for (side, part) in ["width", "height"].into_iter().zip(value.iter_mut()) {
+            field(ui, &format!("{} {side}", about.name()), part, rail, width);
+        }
+    });
+    if reset {
+        *value = default;
+    }
+}
+
 fn fields(ui: &mut Ui, name: &str, rail: &Rail, value: &mut Rgb) {
     let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0;
     for (channel, part) in ["red", "green", "blue"].into_iter().zip(value.as_mut()) {
@@ -163,8 +179,9 @@ pub fn field(ui: &mut Ui, name: &str, value: &mut f64, rail: &Rail, width: f32) 
     let (decimals, before) = (rail.decimals, *value);
     let speed =
         if rail.logarithmic { value.abs().max(1e-3) * 0.01 } else { (rail.span.end() - rail.span.start()) * 0.002 };
+    let range = if rail.refuses { f64::MIN..=f64::INFINITY } else { rail.limits.clone() };
     let widget = DragValue::new(value)
-        .range(rail.limits.clone())
+        .range(range)
         .clamp_existing_to_range(false)
         .speed(if decimals == 0 { speed.max(0.1) } else { speed })
         .suffix(rail.suffix)
@@ -173,10 +190,12 @@ pub fn field(ui: &mut Ui, name: &str, value: &mut f64, rail: &Rail, width: f32) 
         .custom_parser(parse);
     let response = ui.add_sized(size, widget);
     focus::register(&response);
-    if response.changed() {
-        // A screen reader's number comes past the widget's own range.
-        let sent = if value.is_nan() { before } else { *value };
-        *value = sent.clamp(*rail.limits.start(), *rail.limits.end());
+    // A screen reader's number comes past the widget's own range, and may be none.
+    if value.is_nan() {
+        *value = before;
+    }
+    if response.changed() && (!rail.refuses || response.dragged()) {
+        *value = value.clamp(*rail.limits.start(), *rail.limits.end());
     }
     let (enabled, shown) = (ui.is_enabled(), *value);
     response.widget_info(|| WidgetInfo { label: Some(name.to_owned()), ..WidgetInfo::drag_value(enabled, shown) });

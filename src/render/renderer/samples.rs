@@ -79,13 +79,7 @@ impl Renderer {
     }
 
     /// Draws the mean of samples into the frame and the linear picture: the rows from `first` on of a picture of `height` rows.
-    fn draw_samples(
-        &mut self,
-        scene: &Scene,
-        samples: u32,
-        [first, height]: [u32; 2],
-        progress: &mut dyn FnMut(u32),
-    ) {
+    fn draw_samples(&mut self, scene: &Scene, samples: u32, [first, height]: [u32; 2], progress: &mut dyn FnMut(u32)) {
         let size = [scene.image.size[0], height];
         let clamp = scene.display.overflow == Overflow::Clamp;
         let mut sum: Vec<Linear> = Vec::new();

@@ -1,9 +1,9 @@
 //! The n or m of the other models that makes a highlight as wide as the present one.
 
-use super::no_highlight;
 use crate::app::row::{About, display, row};
 use crate::app::symbol::{Lit, Symbol};
 use crate::illumination::{blinn_from_phong, phong_from_blinn, roughness_from_exponent};
+use crate::scene::parameter::material::no_highlight;
 use crate::scene::{Distribution, Material, ReflectionModel, Scene};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Ui, WidgetInfo};
@@ -94,11 +94,11 @@ pub fn matching_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
         return;
     }
     let about = About {
-        label: "As wide as",
+        label: "Equivalent",
         name: "Matching highlights",
-        tip: "The other models' numbers that make the highlight as wide: to half its height in the plane of incidence. A click takes model and number together.",
+        tip: "The exponent or roughness of the other models that gives an equally wide highlight, to half its height in the plane of incidence. A click sets model and number together.",
         symbol: Some(Symbol::Reflected),
-        idle: no_highlight(scene),
+        idle: no_highlight(scene, 0),
         ..About::default()
     };
     let mut chosen = None;

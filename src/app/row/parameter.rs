@@ -1,0 +1,147 @@
+//! The row of a parameter: a control for its kind of value; all that it says comes from the parameter's description.
+
+use super::{
+    About, NumberRow, Rail, choice_of, coefficient, colour, field_pair, number, text, toggle, triple, vector, whole,
+};
+use crate::app::palette::{Term, term_text, vector_text};
+use crate::app::symbol::{Lit, Symbol};
+use crate::figure::palette::Vector;
+use crate::scene::Scene;
+use crate::scene::parameter::{ChoiceOption, Kind, Limits, Parameter, Slider, defaults};
+use eframe::egui::{Color32, Ui};
+
+/// A row for a parameter of the scene.
+pub fn parameter(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, parameter: &'static Parameter) {
+    parameter_of(ui, lit, scene, 0, parameter);
+}
+
+/// A row for each of several parameters.
+pub fn parameters(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, rows: &[&'static Parameter]) {
+    for row in rows {
+        parameter(ui, lit, scene, row);
+    }
+}
+
+/// A row for a parameter of the light of number `index`.
+pub fn parameter_of(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, index: usize, parameter: &'static Parameter) {
+    parameter_with(ui, lit, scene, index, parameter, &View::default());
+}
+
+/// What a row shows otherwise than its parameter's description has it.
+pub struct View {
+    /// Whether coefficients always have a field for each channel.
+    pub channels: bool,
+    pub slider: Option<Slider>,
+    /// The options that are offered; the present one always is.
+    pub offered: fn(&Scene, &ChoiceOption) -> bool,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { channels: false, slider: None, offered: |_, _| true }
+    }
+}
+
+/// A row for a parameter, shown in a particular way.
+pub fn parameter_with(
+    ui: &mut Ui,
+    lit: &mut Lit,
+    scene: &mut Scene,
+    index: usize,
+    parameter: &'static Parameter,
+    view: &View,
+) {
+    let (name, tip) = (parameter.full_name(index), tip(parameter, scene));
+    let about = About {
+        letter: parameter.letter,
+        tint: tint(ui, scene, parameter),
+        label: parameter.label,
+        name: &name,
+        tip: &tip,
+        symbol: parameter.symbol,
+        idle: (parameter.idle)(scene, index),
+    };
+    let rail = rail(scene, parameter, view);
+    match &parameter.kind {
+        Kind::Number { at, .. } => edit(at, scene, index, |value, default| {
+            number(ui, lit, &NumberRow { about, rail, default: *default }, value);
+        }),
+        Kind::Whole { at, .. } => edit(at, scene, index, |value, default| {
+            whole(ui, lit, &NumberRow { about, rail, default: f64::from(*default) }, value);
+        }),
+        Kind::Pair { at, .. } => {
+            edit(at, scene, index, |value, default| field_pair(ui, lit, &about, &rail, *default, value))
+        }
+        Kind::Coefficient { at, .. } => edit(at, scene, index, |value, default| {
+            coefficient(ui, lit, &NumberRow { about, rail, default: default.x }, view.channels, value);
+        }),
+        Kind::Channels { at, .. } => {
+            edit(at, scene, index, |value, default| triple(ui, lit, &about, &rail, *default, value))
+        }
+        Kind::Colour { at, .. } => edit(at, scene, index, |value, default| colour(ui, lit, &about, *default, value)),
+        Kind::Point(at) | Kind::Direction { at, .. } => {
+            edit(at, scene, index, |value, default| vector(ui, lit, &about, *default, value));
+        }
+        Kind::Choice(access) => {
+            let (Some(present), Some(default)) = ((access.chosen)(scene, index), (access.chosen)(defaults(), 0)) else {
+                return;
+            };
+            let options = (access.options)();
+            let offered = |place: usize| place == present || (view.offered)(scene, &options[place]);
+            let options: Vec<_> =
+                (0..options.len()).filter(|place| offered(*place)).map(|place| (place, &options[place])).collect();
+            if let Some(chosen) = choice_of(ui, lit, &about, default, &options, present) {
+                (access.choose)(scene, index, chosen);
+            }
+        }
+        Kind::Switch(at) => edit(at, scene, index, |value, default| toggle(ui, lit, &about, *default, value)),
+        Kind::Text { at, longest } => {
+            edit(at, scene, index, |value, _| text(ui, lit, &about, *longest, "no name", value))
+        }
+        Kind::Other { .. } => {}
+    }
+}
+
+/// Hands over a value of the scene with its default, where there is one.
+fn edit<T>(at: &crate::scene::parameter::Access<T>, scene: &mut Scene, index: usize, change: impl FnOnce(&mut T, &T)) {
+    if let (Some(value), Some(default)) = ((at.get_mut)(scene, index), (at.get)(defaults(), 0)) {
+        change(value, default);
+    }
+}
+
+/// The slider of a parameter, with the limits and the unit of its field.
+fn rail(scene: &Scene, parameter: &Parameter, view: &View) -> Rail {
+    let slider = view.slider.or(parameter.slider()).unwrap_or(Slider::UNIT);
+    let Limits { least, greatest } = parameter.limits(scene).unwrap_or(Limits::FINITE);
+    Rail {
+        span: slider.from.max(least)..=slider.to,
+        limits: least..=greatest,
+        refuses: true,
+        logarithmic: slider.logarithmic,
+        decimals: slider.decimals,
+        suffix: if parameter.unit == "degrees" { "°" } else { "" },
+    }
+}
+
+/// The help with letter, unit and range.
+fn tip(parameter: &Parameter, scene: &Scene) -> String {
+    let letter = if parameter.letter.is_empty() { String::new() } else { format!("{}: ", parameter.letter) };
+    let limits = parameter.limits(scene).filter(|limits| parameter.slider().is_some() && limits.greatest <= 1e6);
+    let range = limits.map_or_else(String::new, |limits| format!("{limits} "));
+    let about = format!("{range}{}", parameter.unit);
+    let about = if about.trim().is_empty() { String::new() } else { format!(" ({})", about.trim()) };
+    format!("{letter}{}{about}", parameter.help)
+}
+
+/// The colour of the term or the vector that a parameter belongs to.
+fn tint(ui: &Ui, scene: &Scene, parameter: &Parameter) -> Option<Color32> {
+    let (visuals, model) = (ui.visuals(), scene.reflection.model);
+    match parameter.symbol? {
+        Symbol::Kd => Some(term_text(visuals, Term::Diffuse, model)),
+        Symbol::Ks | Symbol::Exponent | Symbol::Facets => Some(term_text(visuals, Term::Specular, model)),
+        Symbol::Kt | Symbol::Transmitted => Some(vector_text(visuals, Vector::T)),
+        Symbol::Viewer => Some(vector_text(visuals, Vector::V)),
+        Symbol::Light if parameter.letter == "L" || parameter.letter == "D" => Some(vector_text(visuals, Vector::L)),
+        _ => None,
+    }
+}

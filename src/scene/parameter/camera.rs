@@ -1,0 +1,148 @@
+//! The file's version, the camera, the picture and its display.
+
+use super::super::{Camera, GREATEST_LENGTH, Image, LEAST_LENGTH, Rgb, Scene};
+use super::access::{access, choice};
+use super::{Kind, Limits, Parameter, Slider, Symbol};
+use crate::scene::{Encoding, Overflow, Projection, Viewer};
+use toml::Value;
+
+pub(super) const ALL: &[&Parameter] = &[
+    &VERSION,
+    &EYE,
+    &TARGET,
+    &UP,
+    &ROLL,
+    &PROJECTION,
+    &FOV_Y,
+    &HEIGHT,
+    &VIEWER,
+    &SIZE,
+    &BACKGROUND,
+    &OVERFLOW,
+    &ENCODING,
+];
+
+static VERSION: Parameter = Parameter::new(
+    "version",
+    "version",
+    Kind::Other { kind: "whole number", limits: "1", value: |scene| Some(Value::Integer(scene.version.into())) },
+    "The version of the scene file's format.",
+);
+
+pub static EYE: Parameter =
+    Parameter::new("camera.eye", "Eye", Kind::Point(access!(camera.eye)), "The point that the scene is seen from.")
+        .unit("world units");
+
+pub static TARGET: Parameter = Parameter::new(
+    "camera.target",
+    "Target",
+    Kind::Point(access!(camera.target)),
+    "The point that the camera looks at, in the middle of the picture. It differs from the eye.",
+)
+.unit("world units");
+
+pub static UP: Parameter = Parameter::new(
+    "camera.up",
+    "Up",
+    Kind::Direction { at: access!(camera.up), needed: |_, _| true },
+    "The direction that appears upwards. It is not parallel to the viewing direction.",
+);
+
+pub static ROLL: Parameter = Parameter::new(
+    "camera.roll",
+    "Roll",
+    Kind::Number {
+        at: access!(camera.roll),
+        limits: Limits::FINITE,
+        slider: Slider::linear(-180.0, 180.0).decimals(1),
+    },
+    "The angle by which the picture is turned about its middle, counter-clockwise.",
+)
+.unit("degrees");
+
+pub static PROJECTION: Parameter = Parameter::new(
+    "camera.projection",
+    "Projection",
+    choice!(Projection, camera.projection),
+    "How points are projected onto the picture.",
+);
+
+pub static FOV_Y: Parameter = Parameter::new(
+    "camera.fov_y",
+    "Field of view",
+    Kind::Number {
+        at: access!(camera.fov_y),
+        limits: Limits::new(*Camera::FOV_Y.start(), *Camera::FOV_Y.end()),
+        slider: Slider::linear(5.0, 120.0).decimals(1),
+    },
+    "The angle that the picture spans from bottom to top in perspective projection.",
+)
+.unit("degrees")
+.idle(|scene, _| {
+    (scene.camera.projection != Projection::Perspective).then_some("The projection is orthographic: see Height")
+});
+
+pub static HEIGHT: Parameter = Parameter::new(
+    "camera.height",
+    "Height",
+    Kind::Number {
+        at: access!(camera.height),
+        limits: Limits::new(LEAST_LENGTH, GREATEST_LENGTH),
+        slider: Slider::logarithmic(0.1, 20.0),
+    },
+    "The length that the picture spans from bottom to top in orthographic projection.",
+)
+.unit("world units")
+.idle(|scene, _| {
+    (scene.camera.projection != Projection::Orthographic).then_some("The projection is perspective: see Field of view")
+});
+
+pub static VIEWER: Parameter = Parameter::new(
+    "camera.viewer",
+    "viewer",
+    choice!(Viewer, camera.viewer),
+    "Where V points: to the eye from each point, or in one constant direction, as if the viewer were infinitely far away.",
+)
+.letter("V", Symbol::Viewer)
+.idle(|scene, _| {
+    (scene.material.ks == Rgb::ZERO)
+        .then_some("Ks is 0: only the specular term depends on the viewer")
+        .or(super::material::no_light(scene))
+});
+
+static SIZE: Parameter = Parameter::new(
+    "image.size",
+    "Size",
+    Kind::Other {
+        kind: "two whole numbers",
+        limits: "1 to 16384 each, 134217728 pixels in all",
+        value: |scene: &Scene| Value::try_from(scene.image.size).ok(),
+    },
+    "Width and height of the picture.",
+)
+.unit("pixels");
+
+pub static BACKGROUND: Parameter = Parameter::new(
+    "image.background",
+    "Background",
+    Kind::Colour { at: access!(image.background), limits: Limits::INTENSITY },
+    "The linear colour where no surface is seen.",
+);
+
+pub static OVERFLOW: Parameter = Parameter::new(
+    "display.overflow",
+    "Overflow",
+    choice!(Overflow, display.overflow),
+    "What happens to intensities above 1, which a display cannot show.",
+)
+.symbol(Symbol::Intensity);
+
+pub static ENCODING: Parameter = Parameter::new(
+    "display.encoding",
+    "encoding",
+    choice!(Encoding, display.encoding),
+    "How linear intensity becomes the stored value.",
+)
+.letter("I", Symbol::Intensity);
+
+const _: () = assert!(Image::MAX_SIDE == 16_384 && Image::MAX_PIXELS == 134_217_728, "as SIZE says");

@@ -1,0 +1,193 @@
+//! The table of parameters is complete, is what the documentation says, and its limits are those that scenes are held to.
+
+#[path = "common/program.rs"]
+mod program;
+
+use program::Folder;
+use shading_lab::scene::parameter::{Kind, Parameter};
+use shading_lab::scene::{Pane, Scene, presets};
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::{env, fs};
+use toml::Value;
+
+/// A scene in which every key has a value.
+fn full() -> Scene {
+    let mut scene = Scene::default();
+    scene.object.path = Some("model.obj".into());
+    scene.object.vertices = vec![glam::DVec3::ZERO].into();
+    scene.object.faces = vec![vec![0].into()].into();
+    scene.object.vertex_normals = vec![glam::DVec3::Z].into();
+    scene.lights[0].name = "Lamp".into();
+    scene.compare.panes = vec![Pane { name: "Other".into(), set: vec![] }];
+    scene
+}
+
+fn keys(value: &Value, key: &str, found: &mut BTreeSet<String>) {
+    let inside = |name: &str| if key.is_empty() { name.to_owned() } else { format!("{key}.{name}") };
+    match value {
+        Value::Table(table) => table.iter().for_each(|(name, value)| keys(value, &inside(name), found)),
+        Value::Array(list) if !list.is_empty() && list.iter().all(Value::is_table) => {
+            keys(&list[0], &inside("N"), found)
+        }
+        _ => assert!(found.insert(key.to_owned()), "{key} twice"),
+    }
+}
+
+#[test]
+fn every_key_of_the_scene_file_stands_in_the_table_once() {
+    let mut expected = BTreeSet::new();
+    keys(&Value::try_from(full()).expect("plain data"), "", &mut expected);
+    let listed: Vec<_> = Parameter::all().map(|parameter| parameter.key.to_owned()).collect();
+    assert_eq!(listed.iter().cloned().collect::<BTreeSet<_>>(), expected);
+    assert_eq!(listed.len(), expected.len(), "a key stands in the table twice");
+}
+
+#[test]
+fn its_access_reaches_the_field_of_its_key() {
+    let scene = full();
+    for parameter in Parameter::all().filter(|parameter| !parameter.key.starts_with("compare.pane")) {
+        let written = parameter.value(&scene, 0).expect("this scene has every key");
+        let mut value = &Value::try_from(&scene).expect("plain data");
+        for name in parameter.key(0).split('.') {
+            value = match value {
+                Value::Array(list) => &list[name.parse::<usize>().expect("a number")],
+                table => &table[name],
+            };
+        }
+        assert_eq!(&written, value, "{}", parameter.key);
+        // Every word of a choice is one that `--set` takes, and leads to that option.
+        if let Kind::Choice(choice) = &parameter.kind {
+            for (place, option) in parameter.options().iter().enumerate() {
+                let mut chosen = scene.clone();
+                (choice.choose)(&mut chosen, 0, place);
+                assert_eq!((choice.chosen)(&chosen, 0), Some(place), "{}", parameter.key);
+                assert_eq!(parameter.value(&chosen, 0), Some(Value::String(option.word.clone())));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_scene_is_held_to_the_limits_of_the_table() {
+    let scene = Scene::default();
+    for parameter in Parameter::all() {
+        let Some(limits) = parameter.limits(&scene) else { continue };
+        let (least, greatest) = (limits.least, limits.greatest);
+        let beyond = [least - least.abs().max(1.0), greatest + greatest.abs().max(1.0), f64::NAN];
+        for value in [least, greatest].into_iter().chain(beyond) {
+            let mut other = scene.clone();
+            let sound = (least..=greatest).contains(&value);
+            match &parameter.kind {
+                Kind::Number { at, .. } => *(at.get_mut)(&mut other, 0).expect("a light") = value,
+                Kind::Whole { at, .. } => *(at.get_mut)(&mut other, 0).expect("a light") = value as u32,
+                Kind::Pair { at, .. } => (at.get_mut)(&mut other, 0).expect("a light")[1] = value,
+                Kind::Coefficient { at, .. } | Kind::Channels { at, .. } | Kind::Colour { at, .. } => {
+                    (at.get_mut)(&mut other, 0).expect("a light").y = value;
+                }
+                _ => continue,
+            }
+            let key = parameter.key(0);
+            let named = other.validate().is_err_and(|error| {
+                error
+                    .problems()
+                    .iter()
+                    .any(|problem| problem.key == key && problem.to_string().contains(&limits.to_string()))
+            });
+            assert_eq!(named, !sound, "{key} = {value}");
+        }
+    }
+}
+
+#[test]
+fn every_default_can_be_set() {
+    for parameter in Parameter::all().filter(|parameter| !parameter.key.starts_with("compare.pane")) {
+        let Some(default) = parameter.default() else { continue };
+        let scene = Scene::default().with_override(&format!("{}={default}", parameter.key(0)));
+        assert_eq!(scene, Ok(Scene::default()), "{}", parameter.key);
+    }
+}
+
+#[test]
+fn scenes_agree_in_what_is_equal_and_differ_in_what_is_not() {
+    for preset in presets::ALL {
+        let scene = (preset.build)();
+        assert!(Parameter::all().all(|parameter| parameter.agrees(&scene, &scene, 0)), "{}", preset.name);
+        let mut other = scene.clone();
+        other.material.n = -0.0;
+        other.camera.eye.z += 1e-9;
+        let differ: Vec<_> = Parameter::all()
+            .filter(|parameter| !parameter.agrees(&scene, &other, 0))
+            .map(|parameter| parameter.key)
+            .collect();
+        assert_eq!(differ, ["camera.eye", "material.n"], "{}", preset.name);
+    }
+}
+
+#[test]
+fn the_command_lists_every_parameter() {
+    let folder = Folder::new("parameters");
+    let text = folder.prints(&["parameters"]);
+    let json = folder.json(&["parameters", "--json"]);
+    let listed = json["parameters"].as_array().expect("a list");
+    assert_eq!(listed.len(), Parameter::all().count());
+    for (object, parameter) in listed.iter().zip(Parameter::all()) {
+        assert_eq!(object["key"], parameter.key);
+        assert!(text.lines().any(|line| line.split(' ').next() == Some(parameter.key)), "{}", parameter.key);
+        for key in ["symbol", "name", "unit", "kind", "limits", "default", "choices", "help"] {
+            assert!(object.get(key).is_some(), "{}: no {key}", parameter.key);
+        }
+        assert!(!parameter.name.is_empty() && parameter.help.ends_with('.'), "{}", parameter.key);
+    }
+    let n = listed.iter().find(|object| object["key"] == "material.n").expect("n");
+    assert_eq!(
+        (&n["symbol"], &n["default"], &n["limits"]),
+        (&"n".into(), &32.0.into(), &serde_json::json!([0.0, null]))
+    );
+}
+
+/// The rows of the sections `names` as the documentation has them.
+fn table(names: &str) -> String {
+    let mut text = "| key | default | range | meaning |\n|---|---|---|---|\n".to_owned();
+    let in_section =
+        |parameter: &&Parameter| names.split(' ').any(|name| parameter.key.split('.').next() == Some(name));
+    for parameter in Parameter::all().filter(in_section) {
+        let code = |text: &str| if text.is_empty() { String::new() } else { format!("`{text}`") };
+        let range = match parameter.options() {
+            [] => parameter.range_text(),
+            options => {
+                let option = |option: &shading_lab::scene::parameter::ChoiceOption| match option.help {
+                    "" => code(&option.word),
+                    help => format!("{}: {help}", code(&option.word)),
+                };
+                options.iter().map(option).collect::<Vec<_>>().join("; ")
+            }
+        };
+        let key = parameter.key.strip_prefix("light.N.").unwrap_or(parameter.key);
+        let letter = if parameter.letter.is_empty() { String::new() } else { format!("{}: ", parameter.letter) };
+        let unit = if parameter.unit.is_empty() { String::new() } else { format!(" ({})", parameter.unit) };
+        let default = code(&parameter.default_text());
+        let range = range.replace('|', "\\|");
+        let _ = writeln!(text, "| `{key}` | {default} | {range} | {letter}{}{unit} |", parameter.help);
+    }
+    text
+}
+
+/// With `UPDATE_DOCS=true` the tables are written anew, and the test fails this once.
+#[test]
+fn the_documentation_has_the_table() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scene-file.md");
+    let present = fs::read_to_string(path).expect("docs/scene-file.md");
+    let mut wanted = String::new();
+    let mut sections = present.split("<!-- parameters: ");
+    wanted.push_str(sections.next().unwrap_or_default());
+    for section in sections {
+        let (names, rest) = section.split_once(" -->").expect("the names of sections");
+        let (_, rest) = rest.split_once("<!-- end -->").expect("the end of a table");
+        let _ = write!(wanted, "<!-- parameters: {names} -->\n{}<!-- end -->{rest}", table(names));
+    }
+    if present != wanted && env::var_os("UPDATE_DOCS").is_some() {
+        fs::write(path, &wanted).expect("docs/scene-file.md");
+    }
+    assert!(present == wanted, "docs/scene-file.md is stale: run UPDATE_DOCS=true cargo test --test parameters");
+}
