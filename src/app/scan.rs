@@ -36,7 +36,9 @@ pub fn scan_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     state.scan.play(ui.ctx());
     let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
     let width = ui.available_width();
-    state.scan.lay_out([width, (TALLEST * ui.clip_rect().height()).min(width)], style);
+    // In a window that is all but closed, nothing is in sight.
+    let tallest = TALLEST * ui.clip_rect().height().max(0.0);
+    state.scan.lay_out([width, tallest.min(width)], style);
     let AppState { scan: view, .. } = &*state;
     match view.scan() {
         Some(Ok(scan)) => {
