@@ -28,7 +28,7 @@ fn keys(value: &Value, key: &str, found: &mut BTreeSet<String>) {
     match value {
         Value::Table(table) => table.iter().for_each(|(name, value)| keys(value, &inside(name), found)),
         Value::Array(list) if !list.is_empty() && list.iter().all(Value::is_table) => {
-            keys(&list[0], &inside("N"), found)
+            keys(&list[0], &inside("N"), found);
         }
         _ => assert!(found.insert(key.to_owned()), "{key} twice"),
     }

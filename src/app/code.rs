@@ -57,7 +57,7 @@ impl CodeForm {
 
 /// The width of the dialog, points.
 pub fn width(ui: &Ui) -> f32 {
-    WIDTH.min(ui.ctx().content_rect().width() - 64.0)
+    (ui.ctx().content_rect().width() - 64.0).clamp(0.0, WIDTH)
 }
 
 /// Writes the files that the form asks for; the dialog stays open and says what has become of it.

@@ -306,7 +306,7 @@ fn path_ui(ui: &mut Ui, title: &str, verb: &str, path: &mut String, hint: &str, 
 /// The field; tells whether Enter was pressed in it, and whether the desktop's dialog is asked for.
 pub fn path_field(ui: &mut Ui, path: &mut String, hint: &str) -> (bool, bool) {
     ui.horizontal(|ui| {
-        let field = TextEdit::singleline(path).hint_text(hint).desired_width(ui.available_width() - 92.0);
+        let field = TextEdit::singleline(path).hint_text(hint).desired_width((ui.available_width() - 92.0).max(0.0));
         let field = ui.add(field);
         let enabled = ui.is_enabled();
         field.widget_info(|| WidgetInfo::labeled(Role::TextInput, enabled, "File"));

@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test takes what it needs of it")]
 
 #[path = "dice.rs"]
+#[allow(clippy::duplicate_mod, reason = "a test may take it with another module that has dice")]
 mod dice;
 
 use glam::{DVec2, DVec3};

@@ -48,7 +48,7 @@ struct Laid<'a> {
 impl Table<'_> {
     pub fn ui(&self, ui: &mut Ui, state: &mut AppState, place: Place<'_>) {
         let gaps = self.columns.len() as f32;
-        let room = ui.available_width() - MARK;
+        let room = (ui.available_width() - MARK).max(0.0);
         let natural = self.lay_out(ui, 1.0);
         let width = total(&natural);
         let scale = ((room - gaps * GAPS[0]) / width).clamp(LEAST_SCALE, 1.0);

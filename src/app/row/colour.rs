@@ -84,7 +84,7 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
 /// A point or a direction: a field for each axis.
 pub fn vector(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, default: DVec3, value: &mut DVec3) {
     let reset = row(ui, lit, about, *value != default, |ui| {
-        let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0;
+        let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x).max(0.0) / 3.0;
         let rail = Rail { limits: -1e15..=1e15, decimals: 2, ..Rail::linear(-5.0..=5.0) };
         for (axis, part) in ["x", "y", "z"].into_iter().zip(value.as_mut()) {
             field(ui, &format!("{} {axis}", about.name()), part, &rail, width);

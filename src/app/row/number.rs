@@ -104,7 +104,7 @@ pub fn triple(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, rail: &Rail, defaul
 /// Two numbers side by side.
 pub fn field_pair(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, rail: &Rail, default: [f64; 2], value: &mut [f64; 2]) {
     let reset = row(ui, lit, about, *value != default, |ui| {
-        let width = (ui.available_width() - ui.spacing().item_spacing.x) / 2.0;
+        let width = (ui.available_width() - ui.spacing().item_spacing.x).max(0.0) / 2.0;
         for (side, part) in ["width", "height"].into_iter().zip(value.iter_mut()) {
             field(ui, &format!("{} {side}", about.name()), part, rail, width);
         }
@@ -115,7 +115,7 @@ pub fn field_pair(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, rail: &Rail, de
 }
 
 fn fields(ui: &mut Ui, name: &str, rail: &Rail, value: &mut Rgb) {
-    let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0;
+    let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x).max(0.0) / 3.0;
     for (channel, part) in ["red", "green", "blue"].into_iter().zip(value.as_mut()) {
         field(ui, &format!("{name} {channel}"), part, rail, width);
     }

@@ -70,13 +70,13 @@ pub fn parameter_with(
             whole(ui, lit, &NumberRow { about, rail, default: f64::from(*default) }, value);
         }),
         Kind::Pair { at, .. } => {
-            edit(at, scene, index, |value, default| field_pair(ui, lit, &about, &rail, *default, value))
+            edit(at, scene, index, |value, default| field_pair(ui, lit, &about, &rail, *default, value));
         }
         Kind::Coefficient { at, .. } => edit(at, scene, index, |value, default| {
             coefficient(ui, lit, &NumberRow { about, rail, default: default.x }, view.channels, value);
         }),
         Kind::Channels { at, .. } => {
-            edit(at, scene, index, |value, default| triple(ui, lit, &about, &rail, *default, value))
+            edit(at, scene, index, |value, default| triple(ui, lit, &about, &rail, *default, value));
         }
         Kind::Colour { at, .. } => edit(at, scene, index, |value, default| colour(ui, lit, &about, *default, value)),
         Kind::Point(at) | Kind::Direction { at, .. } => {
@@ -96,7 +96,7 @@ pub fn parameter_with(
         }
         Kind::Switch(at) => edit(at, scene, index, |value, default| toggle(ui, lit, &about, *default, value)),
         Kind::Text { at, longest } => {
-            edit(at, scene, index, |value, _| text(ui, lit, &about, *longest, "no name", value))
+            edit(at, scene, index, |value, _| text(ui, lit, &about, *longest, "no name", value));
         }
         Kind::Other { .. } => {}
     }

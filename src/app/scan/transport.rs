@@ -39,7 +39,7 @@ pub fn transport_ui(ui: &mut Ui, state: &mut AppState) {
 
 /// ◀ pixel ▶  ◀ edge ▶  ◀ line ▶
 fn groups_ui(ui: &mut Ui, state: &mut AppState) {
-    let middle = (ui.available_width() - 2.0 * GROUPS) / 3.0 - 2.0 * ARROW;
+    let middle = ((ui.available_width() - 2.0 * GROUPS) / 3.0 - 2.0 * ARROW).max(0.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
         let levels = [
