@@ -16,6 +16,7 @@ mod scan;
 mod stability;
 mod text;
 
+#[cfg(feature = "app")]
 pub(crate) use clip::{can_be_filled, clipped};
 pub use comparison::{
     DrawnPane, PaneArea, caption, comparison_sheet, draw_panes, pane_areas, pane_figures, panes_on_sheet,

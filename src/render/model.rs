@@ -2,10 +2,16 @@
 
 use crate::geometry::VertexMesh;
 use glam::{DVec3, Vec3};
+use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Arrays are filled up to a multiple of this, the widest vector's lanes.
 pub(super) const PADDING: usize = 16;
+
+/// The centre and the normal of a face of more corners than this are kept once they are asked for: a profile asks at every
+/// point of its line.
+const MANY: usize = 32;
 
 /// A mesh for the kernels.
 #[derive(Default)]
@@ -28,6 +34,8 @@ pub(super) struct Model {
     pub indices: Vec<u32>,
     pub closed: bool,
     pub convex: bool,
+    /// Centre and normal of each face of many corners.
+    pub large: OnceLock<HashMap<u32, [DVec3; 2]>>,
 }
 
 impl Model {
@@ -51,6 +59,7 @@ impl Model {
             indices: trimmed(mesh.indices),
             closed: mesh.closed,
             convex: mesh.convex,
+            large: OnceLock::new(),
         }
     }
 
@@ -84,15 +93,34 @@ impl Model {
 
     /// The mean of a face's corners, world.
     pub fn face_centre(&self, face: u32) -> DVec3 {
-        let corners = self.face(face);
-        let sum: DVec3 = corners.iter().map(|&v| at(&self.position, v).as_dvec3()).sum();
-        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
-        let count = corners.len().max(1) as f64;
-        self.origin + sum / count
+        self.of_large(face).map_or_else(|| self.origin + self.mean(face), |[centre, _]| centre)
     }
 
     /// The unit normal of a face by Newell's formula; zero for a face without area.
     pub fn face_normal(&self, face: u32) -> DVec3 {
+        self.of_large(face).map_or_else(|| self.newell(face), |[_, normal]| normal)
+    }
+
+    /// The kept centre and normal of a face of many corners.
+    fn of_large(&self, face: u32) -> Option<[DVec3; 2]> {
+        let is_large = |face: &u32| self.face(*face).len() > MANY;
+        if !is_large(&face) {
+            return None;
+        }
+        let of = |face| (face, [self.origin + self.mean(face), self.newell(face)]);
+        let large = self.large.get_or_init(|| (0..self.face_count() as u32).filter(is_large).map(of).collect());
+        large.get(&face).copied()
+    }
+
+    fn mean(&self, face: u32) -> DVec3 {
+        let corners = self.face(face);
+        let sum: DVec3 = corners.iter().map(|&v| at(&self.position, v).as_dvec3()).sum();
+        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
+        let count = corners.len().max(1) as f64;
+        sum / count
+    }
+
+    fn newell(&self, face: u32) -> DVec3 {
         let corners = self.face(face);
         let Some((&first, rest)) = corners.split_first() else { return DVec3::ZERO };
         // Relative to the first corner, so that nothing cancels far from the origin.
