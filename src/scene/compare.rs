@@ -1,5 +1,6 @@
 //! Several pictures of one scene side by side: each pane is the scene with a few of its keys replaced.
 
+use super::parameter::Options;
 use super::problem::{Cause, Place, Problem, SceneError};
 use super::{Display, Scene, ShadingMode};
 use serde::de::{Deserializer, SeqAccess, Visitor};
@@ -188,14 +189,7 @@ impl Scene {
 
 /// The name of a shading mode.
 fn mode_name(mode: ShadingMode, renormalise: bool) -> &'static str {
-    match mode {
-        ShadingMode::Flat => "Flat",
-        ShadingMode::Interpolated => "Interpolated",
-        ShadingMode::Gouraud => "Gouraud",
-        ShadingMode::Phong if !renormalise => "Phong, N short",
-        ShadingMode::Phong => "Phong",
-        ShadingMode::Exact => "Exact",
-    }
+    if mode == ShadingMode::Phong && !renormalise { "Phong, not renormalised" } else { mode.label() }
 }
 
 /// Tables and keys that all panes share.

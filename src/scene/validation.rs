@@ -293,6 +293,10 @@ impl Parameter {
         let one =
             |value: f64, limits: Limits| (!limits.contains(value)).then(|| (number(value), format!("{limits}{unit}")));
         match &self.kind {
+            // One number where the channels agree, as it was typed.
+            Kind::Coefficient { at, limits, .. } if (at.get)(scene, index).is_some_and(|v| *v == Rgb::splat(v.x)) => {
+                one((at.get)(scene, index)?.x, *limits)
+            }
             Kind::Number { at, limits, .. } => one(*(at.get)(scene, index)?, *limits),
             Kind::Whole { at, limits, .. } => {
                 let (value, limits) = (*(at.get)(scene, index)?, limits(scene));

@@ -72,7 +72,9 @@ impl Symbol {
             Self::Transmitted => "It: the light from behind, bent by Snell's law",
             Self::Shadows => "Whether what stands between keeps a light away",
             Self::Bounce => "What the ambient light stands for",
-            Self::Depth => "s0: what is left of the intensity at its depth; the rest is Idc, the colour of the mist",
+            Self::Depth => {
+                "s0: what is left of the intensity at its depth; the rest is Idc, the colour that the object fades into"
+            }
         }
     }
 
