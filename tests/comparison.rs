@@ -1,7 +1,8 @@
 //! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
 
-use shading_lab::analysis::{ErrorFigures, luminance, probe};
-use shading_lab::figure::{DrawnPane, comparison_sheet, draw_panes, pane_figures, panes_on_sheet};
+use shading_lab::analysis::{
+    DrawnPane, ErrorFigures, comparison_sheet, draw_panes, luminance, pane_figures, panes_on_sheet, probe,
+};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Compare, CompareView, DifferenceKind, Pane, Rgb, Scene, ShadingMode, presets};
 use std::convert::Infallible;

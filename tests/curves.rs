@@ -4,10 +4,10 @@ use glam::{DVec2, DVec3};
 use shading_lab::analysis::curves::{
     COURSE, Distances, attenuation_plot, exponent_plot, lobe_plot, plot, reflectance_plot, telling,
 };
-use shading_lab::analysis::{Curve, Plot, PlotKind, Probe, ReflectionLobe, probe};
-use shading_lab::figure::{
-    Drawing, OverlayLayer, OverlayOptions, Paper, PlotStyle, draw_overlay, lay_out, lay_out_sheet,
+use shading_lab::analysis::{
+    Curve, OverlayLayer, OverlayOptions, Plot, PlotKind, Probe, ReflectionLobe, draw_overlay, probe,
 };
+use shading_lab::figure::{Drawing, Paper, PlotStyle, lay_out, lay_out_sheet};
 use shading_lab::illumination::{Index, attenuation_at, half_width};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{

@@ -2,8 +2,11 @@
 
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
-use shading_lab::analysis::{LightTerms, Probe, ProbeHit, ZeroCauses};
-use shading_lab::figure::{Angle, Area, ArrowHead, Halo, Overlay, OverlayLayer, OverlayOptions, draw_overlay, palette};
+use shading_lab::analysis::{
+    Angle, ArrowHead, Halo, LightTerms, Overlay, OverlayLayer, OverlayOptions, Probe, ProbeHit, ZeroCauses,
+    draw_overlay,
+};
+use shading_lab::figure::{Area, palette};
 use shading_lab::scene::{Light, LightKind, Projection, ReflectionModel, Rgb, Scene, View, Viewer};
 use tiny_skia::Pixmap;
 

@@ -2,8 +2,7 @@
 //! stand in a picture.
 
 use glam::{DVec2, DVec3, Vec3};
-use shading_lab::analysis::{NormalField, VertexNormal};
-use shading_lab::figure::{LitVertex, NeedleKind, Needles, OverlayLayer, OverlayOptions};
+use shading_lab::analysis::{LitVertex, NeedleKind, Needles, NormalField, OverlayLayer, OverlayOptions, VertexNormal};
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, NormalOrigin, tessellate};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, View, Weighting};

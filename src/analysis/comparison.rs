@@ -1,8 +1,12 @@
 //! Two pictures of one scene against each other, and what stands out in one.
 
+mod difference;
 mod regions;
+mod sheet;
 
+pub use difference::{difference_picture, draw_difference_scale};
 pub use regions::{RegionErrors, region_errors};
+pub use sheet::{DrawnPane, PaneArea, caption, comparison_sheet, draw_panes, pane_areas, pane_figures, panes_on_sheet};
 
 use super::luminance;
 use crate::scene::Rgb;

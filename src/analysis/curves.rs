@@ -14,6 +14,7 @@ pub use polar::lobe_plot;
 pub use reflectance::{READ_AT, reflectance_plot};
 
 use super::{Plot, PlotKind, Probe};
+pub(crate) use crate::figure::short;
 use crate::render::Renderer;
 use crate::scene::{Attenuation, Light, Reflectance, Scene};
 
@@ -53,46 +54,7 @@ fn effective(light: &Light) -> Attenuation {
     if counts { light.attenuation } else { Attenuation::None }
 }
 
-/// A number with three significant digits, a true minus sign, and no more zeros than it needs.
-pub fn short(value: f64) -> String {
-    let size = value.abs();
-    let text = if value == 0.0 {
-        "0".to_owned()
-    } else if !(1e-3..1e5).contains(&size) {
-        scientific(value)
-    } else {
-        let decimals = (2 - size.log10().floor() as i32).clamp(0, 5) as usize;
-        format!("{value:.decimals$}")
-    };
-    text.replace('-', "−")
-}
-
-/// A number as the textbooks write very small and very large ones: 1.2·10⁻⁷.
-pub(crate) fn scientific(value: f64) -> String {
-    let text = format!("{value:.1e}");
-    let Some((mantissa, exponent)) = text.split_once('e') else { return text };
-    let raised = exponent.chars().map(|digit| match digit {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        digit => digit.to_digit(10).and_then(|value| char::from_u32(u32::from('⁰') + value)).unwrap_or(digit),
-    });
-    format!("{}·10{}", mantissa.replace('-', "−"), raised.collect::<String>())
-}
-
 /// An angle in degrees with one decimal.
 fn degrees(radians: f64) -> String {
     format!("{:.1}°", radians.to_degrees()).replace('-', "−")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::short;
-
-    #[test]
-    fn numbers_keep_three_digits() {
-        let texts = [0.0, 1.0, -0.123_46, 12.345, 1005.0, 0.001_234, 1e-7, 4e18].map(short);
-        assert_eq!(texts, ["0", "1.00", "−0.123", "12.3", "1005", "0.00123", "1.0·10⁻⁷", "4.0·10¹⁸"]);
-    }
 }

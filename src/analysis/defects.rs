@@ -5,6 +5,7 @@
 //! each is measured on what the engine draws.
 
 mod orientation;
+mod overlay;
 mod perspective;
 mod plots;
 mod shared;
@@ -12,6 +13,7 @@ mod silhouette;
 mod vertex_normals;
 
 pub use orientation::Orientation;
+pub use overlay::{DefectMark, defect_marks, draw_defects};
 pub use perspective::PerspectiveDistortion;
 pub use plots::defect_plots;
 pub use shared::SharedVertices;

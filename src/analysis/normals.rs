@@ -4,8 +4,10 @@
 //! A polygon is seen from its front where N·(eye − centre) > 0. A vertex is seen where one of its polygons is, whichever way
 //! its own normal leans: at an outline that may be away from the eye.
 
+mod needles;
 mod seen;
 
+pub use needles::{LitVertex, Needle, NeedleKind, Needles, draw_normals};
 pub use seen::{SeenNormal, SeenNormals};
 
 use crate::geometry::{Mesh, NormalOrigin, VertexMesh};

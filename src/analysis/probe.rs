@@ -1,7 +1,9 @@
 //! The pixel probe: the equation at one pixel, in double precision.
 
+mod overlay;
 mod zero;
 
+pub use overlay::{Angle, Arc, Arrow, ArrowHead, LightHandle, Overlay, draw_overlay};
 pub use zero::{ZeroCause, ZeroCauses};
 
 use crate::illumination::Equation;

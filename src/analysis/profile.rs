@@ -9,10 +9,12 @@
 //! centres.
 
 mod line;
+mod overlay;
 mod picture;
 mod plots;
 mod source;
 
+pub use overlay::{CURVE, ProfileCurves, draw_profile, lay_out_profile};
 pub use picture::{PERCEIVED_WIDTH, perceived_picture};
 pub use plots::profile_plots;
 

@@ -18,11 +18,13 @@
 mod barycentric;
 mod convert;
 mod corners;
+mod drawing;
 mod grid;
 mod walk;
 mod words;
 
 pub use barycentric::Rule;
+pub use drawing::{lay_out_scan, scan_room};
 pub use grid::Grid;
 pub use walk::{ScanLevel, ScanPoint};
 pub use words::{Mix, corner_name};

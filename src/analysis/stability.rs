@@ -6,7 +6,10 @@
 mod cases;
 mod precise;
 mod reference;
+mod sheet;
 mod textbook;
+
+pub use sheet::stability_sheet;
 
 use crate::render::{Frame, Renderer};
 use crate::scene::Scene;

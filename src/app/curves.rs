@@ -7,8 +7,8 @@ use super::engine::Engine;
 use super::lines;
 use super::state::AppState;
 use super::theme::TEXT;
-use crate::analysis::{Plot, PlotKind, curves};
-use crate::figure::{Drawing, Paper, PlotStyle, Set, Shape as Line, Text, can_be_filled, lay_out};
+use crate::analysis::{Plot, PlotKind};
+use crate::figure::{Drawing, Paper, PlotStyle, Set, Shape as Line, Text, can_be_filled, lay_out, short};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, RichText, Sense, Shape, Stroke, StrokeKind, Ui, Vec2,
@@ -214,10 +214,10 @@ fn reading(
     let unit = if plot.x.degrees { "°" } else { "" };
     let symbol = plot.x.name.split(',').next().unwrap_or_default();
     let line = |text: String, colour| Text::new(text, DVec2::ZERO, style.text, colour);
-    let mut lines = vec![line(format!("{symbol} = {}{unit}", curves::short(x)), style.paper.text)];
+    let mut lines = vec![line(format!("{symbol} = {}{unit}", short(x)), style.paper.text)];
     for curve in &plot.curves {
         let Some(y) = curve.at(x) else { continue };
-        lines.push(line(format!("{}: {}", curve.name, curves::short(y)), style.paper.letters(curve.ink)));
+        lines.push(line(format!("{}: {}", curve.name, short(y)), style.paper.letters(curve.ink)));
         let at = drawing.place([x, y]).map(|(at, _)| place(at, rect.min));
         if let Some(at) = at.filter(|at| y <= plot.y.high && rect.contains(*at)) {
             painter.circle_filled(at, 3.0, colour_of(style.paper.line(curve.ink), 1.0));

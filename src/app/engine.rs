@@ -5,9 +5,9 @@ mod pane;
 
 use super::state::{AppState, OverlayLook};
 use crate::analysis::{
-    Brightest, ErrorFigures, PaneFigures, Plot, Probe, Scan, ScanError, brightest, curves, error_figures, scan_drawn,
+    Brightest, ErrorFigures, Halo, Overlay, OverlayLayer, OverlayOptions, PaneFigures, Plot, Probe, Scan, ScanError,
+    brightest, curves, difference_picture, draw_difference_scale, error_figures, scan_drawn,
 };
-use crate::figure::{Halo, Overlay, OverlayLayer, OverlayOptions, difference_picture, draw_difference_scale};
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
 use eframe::egui::{ColorImage, Context, ImageData, TextureHandle, TextureOptions};

@@ -10,9 +10,11 @@ use super::handles::line::ProfileLine;
 use super::profile::ProfileLook;
 use super::recovery;
 use super::state::{AppState, OverlayLook, ProbePoint};
-use crate::analysis::{ProfileRequest, probe, profile};
+use crate::analysis::{
+    ProfileRequest, comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe,
+    profile,
+};
 use crate::document::{Loaded, load_with, save_picture};
-use crate::figure::{comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet};
 use crate::render::{Frame, Renderer, check_memory};
 use crate::scene::Scene;
 use eframe::egui::Context;

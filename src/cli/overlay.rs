@@ -7,8 +7,10 @@ use glam::DVec2;
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
-use shading_lab::analysis::{NormalField, Profile, ProfileRequest, VertexNormal, defects, probe, profile};
-use shading_lab::figure::{LitVertex, Needles, OverlayLayer, OverlayOptions, draw_defects, draw_overlay, draw_profile};
+use shading_lab::analysis::{
+    LitVertex, Needles, NormalField, OverlayLayer, OverlayOptions, Profile, ProfileRequest, VertexNormal, defects,
+    draw_defects, draw_overlay, draw_profile, probe, profile,
+};
 use shading_lab::render::{Frame, Renderer};
 use shading_lab::scene::{Scene, nearest};
 use tiny_skia::PixmapMut;

@@ -19,7 +19,7 @@ const CIRCLE_CORNERS: u32 = 96;
 
 /// A line or an area, in pixels.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Mark {
+pub(crate) struct Mark {
     pub points: Vec<DVec2>,
     pub closed: bool,
     pub fill: bool,
@@ -60,6 +60,12 @@ impl Mark {
         Self { fill: true, ..Self::ring(centre, radius, 0.0, colour) }
     }
 
+    /// The triangle at the end of an arrow.
+    pub fn arrow_head(tip: DVec2, along: DVec2, length: f64, colour: Rgb8) -> Self {
+        let (base, side) = (tip - along * length, along.perp() * 0.4 * length);
+        Self::area(vec![tip, base + side, base - side], 0.0, colour)
+    }
+
     /// The same with dashes, in line widths.
     pub fn dashed(self, dashes: &'static [f32]) -> Self {
         Self { dashes, ..self }
@@ -72,7 +78,7 @@ impl Mark {
 }
 
 /// A pixmap and the halo's colour and breadth on every side.
-pub(super) struct Ink<'a, 'b> {
+pub(crate) struct Ink<'a, 'b> {
     pub pixmap: &'a mut PixmapMut<'b>,
     pub halo: Rgb8,
     /// At most; a thin line has less.

@@ -5,17 +5,19 @@
 
 mod axes;
 mod cartesian;
+mod data;
 mod drawing;
 mod legend;
 mod paper;
 mod polar;
 mod svg;
 
+pub use axes::short;
+pub use data::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
 pub use drawing::{Drawing, Shape, Text};
 pub use paper::{Paper, PlotStyle};
 
 use super::Area;
-use crate::analysis::Plot;
 use axes::ticks;
 use glam::DVec2;
 use legend::Legend;

@@ -16,7 +16,7 @@ const RISES: [f32; 2] = [-0.16, 0.36];
 
 /// A line of text as an outline, its origin at the left end of the baseline, y downwards.
 #[derive(Clone, Debug)]
-pub(super) struct Lettering {
+pub(crate) struct Lettering {
     path: Option<Path>,
     /// Top left corner of what is inked, pixels from the origin.
     pub min: DVec2,
@@ -59,7 +59,7 @@ impl Lettering {
 }
 
 /// Width and height of what is inked of a text at `size` pixels an em, pixels.
-pub(super) fn inked_size(text: &str, size: f64) -> DVec2 {
+pub(crate) fn inked_size(text: &str, size: f64) -> DVec2 {
     // A figure that is laid out again and again has the same few labels.
     const KEPT: usize = 256;
     thread_local! {

@@ -1,7 +1,7 @@
 //! Those defects that are a curve, as plots.
 
 use super::{Defects, Orientation, SharedVertices};
-use crate::analysis::plot::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind};
+use crate::figure::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind};
 
 /// The plots of what was measured.
 pub fn defect_plots(defects: &Defects) -> Vec<Plot> {

@@ -2,7 +2,7 @@
 
 use super::{Profile, ProfileRequest, Trace};
 use crate::analysis::perception::ResponseModel;
-use crate::analysis::plot::{Axis, Curve, Dash, Ink, Plot, PlotKind};
+use crate::figure::{Axis, Curve, Dash, Ink, Plot, PlotKind};
 use crate::scene::ShadingMode;
 
 /// Of the values of a curve this share may lie off its plot: at an outline slopes grow beyond all bounds.

@@ -5,7 +5,7 @@ use super::super::lines;
 use super::super::picture::Place;
 use super::super::state::AppState;
 use super::shown;
-use crate::figure::defect_marks;
+use crate::analysis::defect_marks;
 use eframe::egui::{Align2, Color32, FontId, Painter, Stroke};
 
 /// Marks what was last measured in the active picture.

@@ -3,8 +3,7 @@
 use super::super::state::AppState;
 use super::pane::PaneEngine;
 use super::{drawing, is_dark, overlay_options, upload};
-use crate::analysis::{NormalField, SeenNormals};
-use crate::figure::{LitVertex, Needles, OverlayOptions};
+use crate::analysis::{LitVertex, Needles, NormalField, OverlayOptions, SeenNormals};
 use crate::scene::{Camera, Scene, ShadingMode, View};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;

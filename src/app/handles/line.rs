@@ -4,7 +4,7 @@ use super::super::lines::line;
 use super::super::picture::Place;
 use super::super::state::{AppState, NumbersTab};
 use super::super::theme::TEXT;
-use crate::figure::{CURVE, lay_out_profile};
+use crate::analysis::{CURVE, lay_out_profile};
 use eframe::egui::{Color32, Painter, Pos2, Stroke};
 use glam::DVec2;
 

@@ -6,7 +6,7 @@ use super::super::palette;
 use super::super::picture::Place;
 use super::super::state::{AppState, Drag};
 use super::place::{PanePlace, wipe_line};
-use crate::figure::caption;
+use crate::analysis::caption;
 use crate::figure::palette::Vector;
 use crate::scene::CompareView;
 use eframe::egui::{Align2, Color32, Painter, Pos2, Stroke, StrokeKind, TextStyle, Ui, pos2, vec2};

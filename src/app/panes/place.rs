@@ -2,7 +2,7 @@
 
 use super::super::picture::Place;
 use super::super::state::AppState;
-use crate::figure::pane_areas;
+use crate::analysis::pane_areas;
 use crate::scene::CompareView;
 use eframe::egui::{Pos2, Rect, vec2};
 

@@ -2,8 +2,8 @@
 
 use super::super::document::same_model;
 use super::super::engine::Engine;
-use crate::analysis::{Scan, ScanLevel};
-use crate::figure::{Drawing, PlotStyle, lay_out_scan, scan_room};
+use crate::analysis::{Scan, ScanLevel, lay_out_scan, scan_room};
+use crate::figure::{Drawing, PlotStyle};
 use crate::geometry::Mesh;
 use crate::scene::Scene;
 use eframe::egui::Context;

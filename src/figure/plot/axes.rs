@@ -1,7 +1,6 @@
 //! Round numbers for an axis.
 
-use crate::analysis::Axis;
-use crate::analysis::curves::scientific;
+use crate::figure::Axis;
 
 /// Steps of degrees that divide a right angle.
 const DEGREES: [f64; 6] = [5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
@@ -77,6 +76,34 @@ fn written(value: f64, step: f64, degrees: bool) -> String {
     text.replace('-', "−") + unit
 }
 
+/// A number with three significant digits, a true minus sign, and no more zeros than it needs.
+pub fn short(value: f64) -> String {
+    let size = value.abs();
+    let text = if value == 0.0 {
+        "0".to_owned()
+    } else if !(1e-3..1e5).contains(&size) {
+        scientific(value)
+    } else {
+        let decimals = (2 - size.log10().floor() as i32).clamp(0, 5) as usize;
+        format!("{value:.decimals$}")
+    };
+    text.replace('-', "−")
+}
+
+/// A number as the textbooks write very small and very large ones: 1.2·10⁻⁷.
+fn scientific(value: f64) -> String {
+    let text = format!("{value:.1e}");
+    let Some((mantissa, exponent)) = text.split_once('e') else { return text };
+    let raised = exponent.chars().map(|digit| match digit {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => digit.to_digit(10).and_then(|value| char::from_u32(u32::from('⁰') + value)).unwrap_or(digit),
+    });
+    format!("{}·10{}", mantissa.replace('-', "−"), raised.collect::<String>())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -117,5 +144,11 @@ mod tests {
             let round = round_up(value);
             assert!((0.999_999..2.51).contains(&(round / value)), "{value}: {round}");
         }
+    }
+
+    #[test]
+    fn numbers_keep_three_digits() {
+        let texts = [0.0, 1.0, -0.123_46, 12.345, 1005.0, 0.001_234, 1e-7, 4e18].map(short);
+        assert_eq!(texts, ["0", "1.00", "−0.123", "12.3", "1005", "0.00123", "1.0·10⁻⁷", "4.0·10¹⁸"]);
     }
 }

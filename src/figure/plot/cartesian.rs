@@ -4,9 +4,9 @@ mod points;
 
 use super::drawing::{Drawing, Frame, Shape, Text, width_of};
 use super::{PlotStyle, dashes, ticks};
-use crate::analysis::{Axis, Curve, Mark, Plot};
 use crate::figure::Area;
 use crate::figure::clip::clipped;
+use crate::figure::{Axis, Curve, Mark, Plot};
 use glam::DVec2;
 use points::points;
 

@@ -28,21 +28,21 @@ pub struct Shape {
 
 impl Shape {
     /// A solid line.
-    pub(in crate::figure) fn line(points: Vec<DVec2>, width: f64, colour: Rgb8) -> Self {
+    pub(crate) fn line(points: Vec<DVec2>, width: f64, colour: Rgb8) -> Self {
         Self { points, fill: false, width, dashes: &[], colour, opacity: 1.0 }
     }
 
     /// A filled area.
-    pub(in crate::figure) fn area(points: Vec<DVec2>, colour: Rgb8) -> Self {
+    pub(crate) fn area(points: Vec<DVec2>, colour: Rgb8) -> Self {
         Self { fill: true, ..Self::line(points, 0.0, colour) }
     }
 
     /// A disc.
-    pub(in crate::figure) fn disc(centre: DVec2, radius: f64, colour: Rgb8) -> Self {
+    pub(crate) fn disc(centre: DVec2, radius: f64, colour: Rgb8) -> Self {
         Self::area(Mark::dot(centre, radius, colour).points, colour)
     }
 
-    pub(in crate::figure) fn dashed(self, dashes: &'static [f32]) -> Self {
+    pub(crate) fn dashed(self, dashes: &'static [f32]) -> Self {
         Self { dashes, ..self }
     }
 }
@@ -76,13 +76,13 @@ impl Text {
     }
 
     /// The same with its middle (0.5) or its end (1) there.
-    pub(in crate::figure) fn aligned(self, align: f64) -> Self {
+    pub(crate) fn aligned(self, align: f64) -> Self {
         Self { align, ..self }
     }
 }
 
 /// The width of a line of text.
-pub(in crate::figure) fn width_of(text: &str, size: f64) -> f64 {
+pub(crate) fn width_of(text: &str, size: f64) -> f64 {
     Lettering::new(text, size).width
 }
 
@@ -146,7 +146,7 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    pub(in crate::figure) fn new(size: DVec2, paper: &Paper) -> Self {
+    pub(crate) fn new(size: DVec2, paper: &Paper) -> Self {
         Self { size, ground: paper.ground, shapes: vec![], texts: vec![], frames: vec![] }
     }
 

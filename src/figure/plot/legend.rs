@@ -2,8 +2,8 @@
 
 use super::drawing::{Drawing, Shape, Text, width_of};
 use super::{PlotStyle, dashes};
-use crate::analysis::Plot;
 use crate::figure::Area;
+use crate::figure::Plot;
 use glam::DVec2;
 
 /// Length of a line's sample, and the gaps after it and before the notes, in ems.

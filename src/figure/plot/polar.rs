@@ -4,9 +4,9 @@ use super::axes::round_up;
 use super::cartesian::thinned;
 use super::drawing::{Drawing, Frame, Shape, Text};
 use super::{PlotStyle, dashes};
-use crate::analysis::{Direction, Plot};
 use crate::figure::Area;
 use crate::figure::palette::Vector;
+use crate::figure::{Direction, Plot};
 use glam::DVec2;
 
 /// Degrees between the spokes.

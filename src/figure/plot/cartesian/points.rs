@@ -2,8 +2,8 @@
 
 use super::super::PlotStyle;
 use super::super::drawing::{Drawing, Frame, Shape, Text, width_of};
-use crate::analysis::{Plot, Point};
 use crate::figure::Area;
+use crate::figure::{Plot, Point};
 use glam::DVec2;
 
 /// Radius of a point and of the hole in a ring, and the gap to its name, in ems.

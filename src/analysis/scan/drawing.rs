@@ -6,10 +6,10 @@
 mod column;
 mod marks;
 
-use super::Area;
-use super::palette::{ALPHA, Rgb8, readable};
-use super::plot::{Drawing, Paper, PlotStyle, Shape, Text};
 use crate::analysis::{Scan, ScanCorner};
+use crate::figure::Area;
+use crate::figure::palette::{ALPHA, Rgb8, readable};
+use crate::figure::plot::{Drawing, Paper, PlotStyle, Shape, Text};
 use glam::DVec2;
 
 /// Room for letters about the outermost corners, in ems: for α at the sides, for the corners' names above and below.

@@ -3,7 +3,7 @@
 //! Its net has R for its pole, where the highlight is: meridians run from R to the horizon, parallels about R become the
 //! horizon. The greatest reflection is a little longer than a unit vector, so that R does not cover it.
 
-use super::sketch::Sketch;
+use crate::analysis::overlay::Sketch;
 use crate::analysis::{ReflectionLobe, curves::highlight_half_width};
 use crate::figure::ink::Mark;
 use crate::figure::palette::{self, Rgb8};

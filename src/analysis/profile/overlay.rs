@@ -1,6 +1,6 @@
 //! A profile over its own picture: the line, ticks where polygons meet, and the intensity as a curve above the line.
 
-use super::{OverlayOptions, Style};
+use crate::analysis::overlay::{OverlayOptions, Style};
 use crate::analysis::{Profile, Trace};
 use crate::figure::ink::{Ink, Mark};
 use crate::figure::palette::{Rgb8, readable};

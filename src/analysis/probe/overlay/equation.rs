@@ -1,8 +1,10 @@
 //! Which vectors and angles the equation has at a point: those of all lights, and of the one that is looked at in full.
 
-use super::sketch::Sketch;
-use super::{Arc, Area, Arrow, LETTERED, OverlayLayer, OverlayOptions, angles, construction, lobe, side, vectors};
+use super::{Arc, Arrow, LETTERED, angles, construction, lobe, side, vectors};
+use crate::analysis::overlay::Sketch;
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
 use crate::analysis::{LightTerms, ProbeHit, ReflectionLobe};
+use crate::figure::Area;
 use crate::figure::ink::Mark;
 use crate::figure::palette::Vector;
 use crate::scene::{Backfacing, ReflectionModel, Scene};

@@ -1,9 +1,9 @@
 //! The arrows.
 
-use super::sketch::Sketch;
 use super::{Arrow, ArrowHead};
+use crate::analysis::overlay::Sketch;
 use crate::figure::ink::Mark;
-use crate::figure::palette::{Rgb8, Vector};
+use crate::figure::palette::Vector;
 use glam::{DVec2, DVec3};
 
 /// Within this sine of the line of sight (ten degrees) an arrow has no length to speak of and shows its head from the
@@ -62,16 +62,10 @@ fn plain(sketch: &mut Sketch, arrow: &Arrow, name: String) {
     let start = arrow.tail + along * style.ring.min(0.4 * way.length());
     let shaft = vec![start, arrow.tip - along * 0.85 * head];
     sketch.marks.push(Mark::line(shaft, width, colour).dashed(arrow.vector.dashes()));
-    sketch.marks.push(point_head(arrow.tip, along, head, colour));
+    sketch.marks.push(Mark::arrow_head(arrow.tip, along, head, colour));
     let anchor = sketch.inside(arrow.tip, 0.5 * style.text);
     let size = if arrow.emphasised { 1.15 } else { 0.9 };
     sketch.letter(name, size, colour, anchor, along, 0.15 * style.text);
-}
-
-/// The triangle of an arrow that ends at `tip`.
-pub(super) fn point_head(tip: DVec2, along: DVec2, length: f64, colour: Rgb8) -> Mark {
-    let (base, side) = (tip - along * length, along.perp() * 0.4 * length);
-    Mark::area(vec![tip, base + side, base - side], 0.0, colour)
 }
 
 /// An arrow seen along its shaft: its point as a dot, or its fletching as a cross. Circles about one place nest.

@@ -1,9 +1,8 @@
 //! Where the lights are: a sun for one that stands somewhere, parallel rays for one that only has a direction.
 
-use super::labels::Area;
-use super::sketch::Sketch;
-use super::vectors::point_head;
 use super::{LETTERED, LightHandle};
+use crate::analysis::overlay::Sketch;
+use crate::figure::Area;
 use crate::figure::ink::Mark;
 use crate::figure::palette::{self, Rgb8};
 use crate::scene::{Light, LightKind, View};
@@ -53,7 +52,7 @@ fn sun(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightHa
     }
     if outside {
         let way = (wanted - sketch.view.centre).normalize_or_zero();
-        sketch.marks.push(point_head(pixel + way * SUN[1] * radius, way, 0.9 * radius, palette::L));
+        sketch.marks.push(Mark::arrow_head(pixel + way * SUN[1] * radius, way, 0.9 * radius, palette::L));
     }
     sketch.marks.push(Mark::dot(pixel, radius, shown(light)));
     sketch.marks.push(Mark { halo: false, ..Mark::ring(pixel, radius, line, palette::L) });
@@ -104,7 +103,7 @@ fn rays(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightH
         let width = if side == 0.0 { style.line } else { 0.6 * style.line };
         let (tip, head) = (middle + half, (4.5 * width).min(half.length()));
         sketch.marks.push(Mark::line(vec![middle - half, tip - along * 0.85 * head], width, palette::L));
-        sketch.marks.push(point_head(tip, along, head, palette::L));
+        sketch.marks.push(Mark::arrow_head(tip, along, head, palette::L));
     }
     LightHandle { light: index, pixel, outside: false }
 }

@@ -1,6 +1,6 @@
 //! R by projection: L drops onto N at N(N·L), and as far again on the other side lies R = 2N(N·L) − L.
 
-use super::sketch::Sketch;
+use crate::analysis::overlay::Sketch;
 use crate::figure::ink::Mark;
 use crate::figure::palette;
 use glam::DVec3;

@@ -9,10 +9,11 @@ mod thin;
 
 pub use lit::LitVertex;
 
-use super::labels::Area;
-use super::sketch::{Sketch, Style};
-use super::{Label, OverlayLayer, OverlayOptions};
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
+use crate::analysis::overlay::{Sketch, Style};
 use crate::analysis::{NormalField, SeenNormal};
+use crate::figure::Area;
+use crate::figure::Label;
 use crate::figure::ink::Ink;
 use crate::figure::palette::{self, Rgb8};
 use crate::figure::text::Lettering;

@@ -1,11 +1,11 @@
 //! One vertex: the polygons that its normal comes from, lit up, each with its share.
 
-use super::super::labels::Area;
-use super::super::sketch::{Sketch, Style};
-use super::super::vectors::point_head;
-use super::super::{Label, OverlayOptions};
 use super::{CONTRAST, DARK, LENGTH, LENGTHS};
+use crate::analysis::overlay::OverlayOptions;
+use crate::analysis::overlay::{Sketch, Style};
 use crate::analysis::{NormalField, VertexFace, VertexNormal};
+use crate::figure::Area;
+use crate::figure::Label;
 use crate::figure::ink::{Ink, Mark};
 use crate::figure::palette::{self, Rgb8, readable};
 use crate::figure::text::Lettering;
@@ -109,7 +109,7 @@ fn normal(sketch: &mut Sketch, own: &Sketch, face: &VertexFace, lettered: bool) 
     let rim = Mark { halo: false, ..Mark::line(shaft.clone(), width + style.line, DARK) };
     let dot = |radius: f64, colour: Rgb8| Mark { halo: false, ..Mark::dot(own.origin, radius, colour) };
     let point = |more: f64, colour: Rgb8| {
-        let triangle = point_head(tip, along, head, colour);
+        let triangle = Mark::arrow_head(tip, along, head, colour);
         Mark { halo: false, width: more, ..triangle }
     };
     sketch.marks.extend([rim, dot(1.6 * style.line, DARK), point(style.line, DARK)]);
@@ -165,7 +165,7 @@ fn vertex_normal(sketch: &mut Sketch, vertex: &VertexNormal, name: &str) {
     let head = style.head.min(0.5 * origin.distance(tip));
     sketch.marks.push(Mark::line(vec![origin, tip - along * 0.85 * head], 1.2 * style.line, colour));
     if head > 0.0 {
-        sketch.marks.push(point_head(tip, along, head, colour));
+        sketch.marks.push(Mark::arrow_head(tip, along, head, colour));
     }
     sketch.marks.push(Mark::dot(origin, 1.7 * style.line, colour));
     let anchor = sketch.inside(tip, 0.5 * style.text);

@@ -1,6 +1,7 @@
 //! Finding room for letters: near what they name, inside the picture, off the lines and off one another.
 
-use crate::figure::ink::Mark;
+use super::ink::Mark;
+use super::palette::Rgb8;
 use glam::DVec2;
 
 /// Turns away from the wanted direction that are tried, in degrees.
@@ -73,8 +74,19 @@ impl Area {
     }
 }
 
+/// A text in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    pub text: String,
+    /// What it covers, halo included.
+    pub area: Area,
+    /// Size of the type, pixels an em.
+    pub size: f64,
+    pub colour: Rgb8,
+}
+
 /// A text that wants a place.
-pub(super) struct Wish {
+pub(crate) struct Wish {
     /// What it names.
     pub anchor: DVec2,
     /// Where it would like to stand as seen from the anchor; unit, or zero for no preference.
@@ -86,7 +98,7 @@ pub(super) struct Wish {
 }
 
 /// Places labels one after another.
-pub(super) struct Placer {
+pub(crate) struct Placer {
     bounds: Area,
     text_size: f64,
     taken: Vec<Area>,

@@ -1,10 +1,11 @@
 //! The pane being drawn: one point seen through one view, with what gathers there until it is inked.
 
-use super::labels::{Area, Placer, Wish};
-use super::{Halo, Label, OverlayOptions};
+use super::{Halo, OverlayOptions};
 use crate::figure::ink::Mark;
+use crate::figure::labels::{Placer, Wish};
 use crate::figure::palette::Rgb8;
 use crate::figure::text::inked_size;
+use crate::figure::{Area, Label};
 use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 
@@ -19,7 +20,7 @@ const LEAST_TEXT: f64 = 13.0;
 
 /// Sizes of everything, in pixels, and the neutral colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Style {
+pub(in crate::analysis) struct Style {
     pub text: f64,
     pub line: f64,
     pub halo: f64,
@@ -57,7 +58,7 @@ struct Pending {
 }
 
 /// A point of the world in a view, and what is drawn about it.
-pub(super) struct Sketch {
+pub(in crate::analysis) struct Sketch {
     pub view: View,
     pub style: Style,
     /// The part of the picture that may be drawn in.

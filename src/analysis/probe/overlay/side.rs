@@ -4,9 +4,9 @@
 //! of N and L with N upwards and L on the left, the figure is the textbooks' own; a little from above, so that a V that
 //! leaves the plane is seen to do so, and turned about N where V would hide behind another vector.
 
-use super::OverlayOptions;
-use super::labels::Area;
-use super::sketch::{Sketch, Style};
+use crate::analysis::overlay::OverlayOptions;
+use crate::analysis::overlay::{Sketch, Style};
+use crate::figure::Area;
 use crate::figure::ink::Mark;
 use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};

@@ -1,7 +1,7 @@
 //! The arcs of θ and φ: circles' arcs about the probed point, each in the plane of its two vectors.
 
-use super::sketch::Sketch;
 use super::{Angle, Arc};
+use crate::analysis::overlay::Sketch;
 use crate::figure::ink::Mark;
 use glam::{DVec2, DVec3};
 

@@ -5,32 +5,21 @@
 
 mod angles;
 mod construction;
-mod defects;
 mod equation;
-mod labels;
 mod lights;
 mod lobe;
-mod normals;
-mod options;
-mod profile;
 mod side;
-mod sketch;
 mod vectors;
 
-pub use defects::{DefectMark, defect_marks, draw_defects};
-pub use labels::Area;
-pub use normals::{LitVertex, Needle, NeedleKind, Needles, draw_normals};
-pub use options::{Halo, OverlayLayer, OverlayOptions};
-pub use profile::{CURVE, ProfileCurves, draw_profile, lay_out_profile};
-
-use super::ink::{Ink, Mark};
-use super::palette::{Rgb8, Vector};
-use super::text::Lettering;
-use crate::analysis::Probe;
+use super::Probe;
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
+use crate::figure::ink::{Ink, Mark};
+use crate::figure::palette::Vector;
+use crate::figure::text::Lettering;
+use crate::figure::{Area, Label};
 use crate::scene::{Scene, View};
 use equation::Equation;
 use glam::DVec2;
-use sketch::{Sketch, Style};
 use tiny_skia::PixmapMut;
 
 /// Length of a unit vector across the line of sight, in the picture's shorter side.
@@ -94,17 +83,6 @@ pub struct LightHandle {
     pub pixel: DVec2,
     /// Whether the light itself is outside the picture or behind the eye; the symbol then stands at the edge.
     pub outside: bool,
-}
-
-/// A text in the picture.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Label {
-    pub text: String,
-    /// What it covers, halo included.
-    pub area: Area,
-    /// Size of the type, pixels an em.
-    pub size: f64,
-    pub colour: Rgb8,
 }
 
 /// An overlay laid out for a picture of a given size.

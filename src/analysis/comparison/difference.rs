@@ -1,9 +1,9 @@
 //! The difference of two pictures as a picture, with the scale that says what its colours mean.
 
-use super::ink::{Ink, Mark};
-use super::palette::{self, Rgb8};
-use super::text::Lettering;
 use crate::analysis::{LinearPicture, luminance};
+use crate::figure::ink::{Ink, Mark};
+use crate::figure::palette::{self, Rgb8};
+use crate::figure::text::Lettering;
 use crate::render::Frame;
 use crate::scene::{DifferenceKind, Rgb};
 use glam::DVec2;

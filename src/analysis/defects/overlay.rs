@@ -1,7 +1,7 @@
 //! Where the defects of interpolated shading are in the picture.
 
-use super::{OverlayOptions, Style};
 use crate::analysis::Defects;
+use crate::analysis::overlay::{OverlayOptions, Style};
 use crate::figure::ink::{Ink, Mark};
 use crate::figure::text::Lettering;
 use glam::DVec2;

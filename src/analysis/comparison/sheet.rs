@@ -1,9 +1,9 @@
 //! The panes of a comparison on one sheet: side by side, on either side of a line, or their difference.
 
 use super::difference::{difference_picture, draw_difference_scale};
-use super::ink::{Ink, Mark};
-use super::text::Lettering;
 use crate::analysis::{LinearPicture, PaneFigures, brightest, error_figures};
+use crate::figure::ink::{Ink, Mark};
+use crate::figure::text::Lettering;
 use crate::render::{Frame, Renderer};
 use crate::scene::{CompareView, Scene};
 use glam::DVec2;

@@ -1,8 +1,8 @@
 //! The cases of the stability catalogue as a sheet: what the textbook, the engine and the reference make of each.
 
-use super::ink::Ink;
-use super::text::Lettering;
 use crate::analysis::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE};
+use crate::figure::ink::Ink;
+use crate::figure::text::Lettering;
 use crate::render::Frame;
 use glam::DVec2;
 use tiny_skia::PixmapMut;

@@ -18,13 +18,13 @@ pub enum OverlayLayer {
     Lobe,
     /// The vectors once more in a corner, seen from the side: V points at the eye, so in the picture itself it is a point.
     SideView,
-    /// The intensity along a line. It belongs to no point and is drawn by [`draw_profile`](super::draw_profile).
+    /// The intensity along a line. It belongs to no point and is drawn by [`draw_profile`](crate::analysis::draw_profile).
     Profile,
     /// Where the defects of interpolated shading are. They belong to no point and are drawn by
-    /// [`draw_defects`](super::draw_defects).
+    /// [`draw_defects`](crate::analysis::draw_defects).
     Defects,
     /// A needle at the centre of each polygon that is seen. Like the next it belongs to no point and is drawn by
-    /// [`Needles`](super::Needles).
+    /// [`Needles`](crate::analysis::Needles).
     FaceNormals,
     /// A needle at each vertex that is seen.
     VertexNormals,
@@ -50,12 +50,12 @@ impl OverlayLayer {
         !matches!(self, Self::Lights | Self::Profile | Self::Defects | Self::FaceNormals | Self::VertexNormals)
     }
 
-    /// Whether it is drawn by an [`Overlay`](super::Overlay).
+    /// Whether it is drawn by an [`Overlay`](crate::analysis::Overlay).
     pub fn of_overlay(self) -> bool {
         self.of_point() || self == Self::Lights
     }
 
-    /// Whether it is drawn by [`Needles`](super::Needles).
+    /// Whether it is drawn by [`Needles`](crate::analysis::Needles).
     pub fn of_needles(self) -> bool {
         matches!(self, Self::FaceNormals | Self::VertexNormals)
     }
