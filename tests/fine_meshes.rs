@@ -1,13 +1,10 @@
-//! Polygons as fine as pixels: what pixels keep while intensities change, and which points are evaluated at all.
+//! Polygons as fine as pixels: what is kept from frame to frame shows the same picture as a renderer that starts anew.
 
 #[path = "common/levels.rs"]
 mod simd;
 
-use glam::DVec3;
-use shading_lab::render::{Renderer, Stage};
-use shading_lab::scene::{
-    Encoding, FlatAt, Interpolation, LightKind, ObjectKind, Overflow, Projection, Rgb, Scene, ShadingMode, Viewer,
-};
+use shading_lab::render::Renderer;
+use shading_lab::scene::{Encoding, FlatAt, Interpolation, ObjectKind, Overflow, Projection, Rgb, Scene, ShadingMode};
 use simd::levels;
 
 /// Triangles smaller than pixels.
@@ -61,7 +58,7 @@ const MOVES: [Change; 6] = [
 ];
 
 #[test]
-fn what_pixels_keep_is_what_would_be_drawn() {
+fn what_is_kept_is_what_would_be_drawn() {
     for level in levels() {
         for kind in [ObjectKind::Sphere, ObjectKind::Torus] {
             for (view, look) in VIEWS {
@@ -83,69 +80,5 @@ fn what_pixels_keep_is_what_would_be_drawn() {
                 }
             }
         }
-    }
-}
-
-#[test]
-fn pixels_keep_something_from_the_second_change_on_and_let_it_go() {
-    for (name, shade) in SHADINGS.iter().filter(|(name, _)| ["flat", "Gouraud", "interpolated"].contains(name)) {
-        let mut scene = fine(ObjectKind::Sphere);
-        shade(&mut scene);
-        let mut renderer = Renderer::default();
-        renderer.render(&scene);
-        let before = renderer.memory().pixels;
-        let mut after = [0; 2];
-        for (after, x) in after.iter_mut().zip([1.0, 2.0]) {
-            scene.lights[0].position.x = x;
-            renderer.render(&scene);
-            *after = renderer.memory().pixels;
-        }
-        assert!(before < after[0] && after[0] == after[1], "{name}: {before}, {after:?}");
-        (scene.object.segments, scene.object.rings) = (12, 6);
-        for x in [1.0, 2.0] {
-            scene.lights[0].position.x = x;
-            renderer.render(&scene);
-        }
-        assert!(renderer.memory().pixels <= before, "{name}: large polygons");
-    }
-}
-
-fn shades(renderer: &Renderer) -> bool {
-    renderer.report().stages.iter().any(|run| run.stage == Stage::VertexShading && run.ran)
-}
-
-/// Where neither light nor viewer is near, intensities do not depend on the camera: they are evaluated for what comes into
-/// sight, and once.
-#[test]
-fn points_are_evaluated_where_they_come_into_sight() {
-    for mode in [ShadingMode::Gouraud, ShadingMode::Flat, ShadingMode::Interpolated] {
-        let mut scene = fine(ObjectKind::Sphere);
-        // Larger than pixels, most of them: those that miss every pixel's centre are left out.
-        scene.image.size = [970, 700];
-        (scene.shading.mode, scene.camera.viewer) = (mode, Viewer::Infinite);
-        scene.material.ks = Rgb::ZERO;
-        (scene.lights[0].kind, scene.lights[0].direction) = (LightKind::Directional, DVec3::NEG_Z);
-        let mut renderer = Renderer::default();
-        renderer.render(&scene);
-        let report = renderer.report();
-        let all = if mode == ShadingMode::Flat { report.faces } else { report.vertices };
-        let share = report.points as f64 / all as f64;
-        // A ball's nearer cap, and what is added where rows of points are cut into blocks.
-        assert!((0.3..0.65).contains(&share), "{mode:?}: {share}");
-        let evaluations = report.stages.iter().map(|run| run.evaluations).sum::<u64>();
-        assert_eq!(evaluations, report.points, "{mode:?}");
-        let terms = renderer.terms();
-        let left_out = terms.iter().find(|term| term.name.ends_with("out of sight")).expect("a term");
-        assert_eq!(left_out.omitted, Some("no polygon in the picture needs them"), "{mode:?}");
-
-        let same = |renderer: &mut Renderer, scene: &Scene| {
-            renderer.render(scene).pixels == Renderer::default().render(scene).pixels
-        };
-        scene.image.size[0] = 400;
-        assert!(same(&mut renderer, &scene), "{mode:?}, cropped");
-        assert!(!shades(&renderer), "{mode:?}: all of it has been seen before");
-        scene.camera.eye.x = -scene.camera.eye.x - 3.0;
-        assert!(same(&mut renderer, &scene), "{mode:?}, from the other side");
-        assert!(shades(&renderer), "{mode:?}: the other side has not been seen");
     }
 }

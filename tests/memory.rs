@@ -42,7 +42,6 @@ fn a_large_sphere_stays_within_the_bounds() {
         renderer.render(&scene);
         assert_eq!(renderer.report().triangles, 262_144);
         assert_within_bounds(renderer, &scene, &format!("{mode:?}"));
-        // Fine polygons' pixels keep something once a light is moved.
         for x in [1.0, 2.0] {
             scene.lights[0].position.x = x;
             renderer.render(&scene);

@@ -261,98 +261,49 @@ impl<T: Scalar> Equation<T> {
     /// I at `site`, per channel. Sources that are not among `reached` are in shadow; none casts a shadow without it.
     #[inline(always)]
     pub fn illuminate<R: Real<Scalar = T>, F: Specular>(&self, site: &Site<R>, reached: Option<Reached<'_>>) -> [R; 3] {
-        let (mut sum, color) = self.unlit(site.position);
-        for index in 0..self.sources.len() {
-            if let Some(response) = self.respond_if_reached::<R, F>(index, site, reached) {
-                self.add_diffuse(&mut sum, index, color, response.diffuse);
-                if F::PRESENT {
-                    self.add_specular(&mut sum, index, response.specular, response.incidence);
+        let like = site.inverse_distance;
+        let V3 { x: r, y: g, z: b } = V3::constant(like, self.ambient);
+        let mut sum = [r, g, b];
+        let color = self.pattern.as_ref().map(|pattern| pattern.color(site.position));
+        if let Some(color) = color {
+            sum = [sum[0] * color[0], sum[1] * color[1], sum[2] * color[2]];
+        }
+        for (index, source) in self.sources.iter().enumerate() {
+            if reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
+                continue;
+            }
+            let mut response = self.respond::<R, F>(source, site);
+            if let Some(reached) = reached {
+                let (lit, zero) = (like.mask_of_bits(reached.bits(index)), like.constant(T::default()));
+                response.diffuse = R::select(lit, response.diffuse, zero);
+                response.specular = R::select(lit, response.specular, zero);
+            }
+            if self.diffuses {
+                let mut diffuse = V3::constant(like, source.diffuse);
+                if let Some([r, g, b]) = color {
+                    diffuse = V3::new(diffuse.x * r, diffuse.y * g, diffuse.z * b);
                 }
+                add(&mut sum, response.diffuse, diffuse);
+            }
+            if F::PRESENT {
+                let mut specular = V3::constant(like, source.specular);
+                if let Some(fresnel) = &self.fresnel {
+                    let [r, g, b] = fresnel.reflectance(response.incidence);
+                    specular = V3::new(specular.x * r, specular.y * g, specular.z * b);
+                }
+                add(&mut sum, response.specular, specular);
             }
         }
         sum
     }
+}
 
-    /// The ambient term at a point, per channel, and the colour there that a pattern gives the diffuse terms.
-    #[inline(always)]
-    pub fn unlit<R: Real<Scalar = T>>(&self, position: V3<R>) -> ([R; 3], Option<[R; 3]>) {
-        let like = position.x;
-        let [r, g, b] = self.ambient;
-        let ambient = [like.constant(r), like.constant(g), like.constant(b)];
-        match &self.pattern {
-            Some(pattern) => {
-                let color = pattern.color(position);
-                ([ambient[0] * color[0], ambient[1] * color[1], ambient[2] * color[2]], Some(color))
-            }
-            None => (ambient, None),
-        }
-    }
-
-    /// What the source of this index does at `site`, nothing in its shadow; none where it reaches no lane.
-    #[inline(always)]
-    pub fn respond_if_reached<R: Real<Scalar = T>, F: Specular>(
-        &self,
-        index: usize,
-        site: &Site<R>,
-        reached: Option<Reached<'_>>,
-    ) -> Option<LightResponse<R>> {
-        let like = site.inverse_distance;
-        if reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
-            return None;
-        }
-        let mut response = self.respond::<R, F>(&self.sources[index], site);
-        if let Some(reached) = reached {
-            let (lit, zero) = (like.mask_of_bits(reached.bits(index)), like.constant(T::default()));
-            response.diffuse = R::select(lit, response.diffuse, zero);
-            response.specular = R::select(lit, response.specular, zero);
-        }
-        Some(response)
-    }
-
-    /// Adds the diffuse term of a source whose `f·max(N·L, 0)` is `factor`, where a pattern gives the surface `color`.
-    #[inline(always)]
-    pub fn add_diffuse<R: Real<Scalar = T>>(&self, sum: &mut [R; 3], index: usize, color: Option<[R; 3]>, factor: R) {
-        if !self.diffuses {
-            return;
-        }
-        let mut diffuse = V3::constant(factor, self.sources[index].diffuse);
-        if let Some([r, g, b]) = color {
-            diffuse = V3::new(diffuse.x * r, diffuse.y * g, diffuse.z * b);
-        }
-        sum[0] = factor.mul_add(diffuse.x, sum[0]);
-        sum[1] = factor.mul_add(diffuse.y, sum[1]);
-        sum[2] = factor.mul_add(diffuse.z, sum[2]);
-    }
-
-    /// Adds the specular term of a source whose f·S is `factor`; `incidence` is the cosine that W depends on.
-    #[inline(always)]
-    pub fn add_specular<R: Real<Scalar = T>>(&self, sum: &mut [R; 3], index: usize, factor: R, incidence: R) {
-        let mut specular = V3::constant(factor, self.sources[index].specular);
-        if let Some(fresnel) = &self.fresnel {
-            let [r, g, b] = fresnel.reflectance(incidence);
-            specular = V3::new(specular.x * r, specular.y * g, specular.z * b);
-        }
-        sum[0] = factor.mul_add(specular.x, sum[0]);
-        sum[1] = factor.mul_add(specular.y, sum[1]);
-        sum[2] = factor.mul_add(specular.z, sum[2]);
-    }
-
-    /// Whether W depends on the angle of incidence.
-    pub fn has_fresnel(&self) -> bool {
-        self.fresnel.is_some()
-    }
-
-    /// The same without what I is linear in: two equations that agree in this have the same factors everywhere.
-    #[must_use]
-    pub fn without_coefficients(&self) -> Self {
-        let none = [T::default(); 3];
-        let mut bare = Self { ambient: none, diffuses: false, ..self.clone() };
-        bare.sources.iter_mut().for_each(|source| (source.diffuse, source.specular) = (none, none));
-        if let Some(pattern) = &mut bare.pattern {
-            pattern.colors = [none; 2];
-        }
-        bare
-    }
+/// Adds `factor` times a colour.
+#[inline(always)]
+fn add<R: Real>(sum: &mut [R; 3], factor: R, color: V3<R>) {
+    sum[0] = factor.mul_add(color.x, sum[0]);
+    sum[1] = factor.mul_add(color.y, sum[1]);
+    sum[2] = factor.mul_add(color.z, sum[2]);
 }
 
 impl Equation<f32> {

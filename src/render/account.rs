@@ -119,7 +119,7 @@ impl Account<'_> {
 
     fn rays(&self) -> Vec<Term> {
         let scene = self.scene;
-        let sites = if self.plan.per == Per::Pixel { self.report.covered } else { self.points() };
+        let (per, sites) = self.sites();
         let shadows = (!self.plan.shadows)
             .then(|| casts_shadows(scene, self.facts, &self.plan.lights).unwrap_or("nothing casts a shadow"));
         let opaque = (scene.transparency.kt == 0.0).then_some("Kt is 0");
@@ -127,7 +127,7 @@ impl Account<'_> {
         let constant = (scene.ambient.source == AmbientSource::Constant).then_some("Ia is constant");
         let term = |name, count, omitted| self.term(Stage::Rays, name, count, omitted);
         vec![
-            term("shadows", (self.plan.per, sites * self.sources().iter().sum::<u64>()), shadows)
+            term("shadows", (per, sites * self.sources().iter().sum::<u64>()), shadows)
                 .noted("one question a source; rays that are proven free are not followed"),
             term("transmission", (Per::Pixel, self.report.covered), opaque),
             term("surroundings", (Per::Pixel, self.pixels() - self.report.covered.min(self.pixels())), plain),
@@ -156,10 +156,6 @@ impl Account<'_> {
             term("ambient", if constant.is_some() { (Per::Frame, 1) } else { count }, None),
             term("turning N to the light", count, dark.or(clamped)),
         ];
-        if self.plan.per != Per::Pixel && self.report.points < self.points() {
-            let what = if self.plan.per == Per::Face { "faces out of sight" } else { "vertices out of sight" };
-            terms.push(term(what, count, Some("no polygon in the picture needs them")));
-        }
         if self.plan.true_surface {
             terms[0] = terms[0].clone().noted("of unit length but for a rounding, which could turn a code value");
         }
@@ -277,11 +273,6 @@ impl Account<'_> {
     fn sites(&self) -> (Per, u64) {
         let Report { points, covered, .. } = *self.report;
         (self.plan.per, if self.plan.per == Per::Pixel { covered } else { points })
-    }
-
-    /// Points of the geometry at which the equation could be evaluated.
-    fn points(&self) -> u64 {
-        if self.plan.per == Per::Face { self.report.faces } else { self.report.vertices }
     }
 
     /// How many sources each light has that is not left out.

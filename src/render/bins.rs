@@ -96,11 +96,6 @@ impl Bins {
         backs.sum::<usize>() as u64
     }
 
-    /// All lists, in which a triangle may stand several times.
-    pub fn lists(&self) -> impl ParallelIterator<Item = &[u32]> {
-        self.chunks[..self.used].par_iter().flat_map_iter(|chunk| chunk.bands.iter().map(Vec::as_slice))
-    }
-
     /// The triangles of band `band`, in ascending order.
     pub fn band(&self, band: usize) -> impl Iterator<Item = u32> {
         self.chunks[..self.used].iter().flat_map(move |chunk| chunk.bands[band].iter().copied())

@@ -98,13 +98,6 @@ impl Weights {
             ((self.e1[0] * py - self.e1[1] * px) * self.inverse_area) as f32,
         ]
     }
-
-    /// They at the pixels of a run in pixel row `y`.
-    #[inline(always)]
-    pub fn along(&self, run: Run, y: i32) -> impl Iterator<Item = [f32; 2]> {
-        let ([w1, w2], [s1, s2]) = (self.at(i32::from(run.x0), y), self.step);
-        (0..run.x1 - run.x0).map(move |k| [w1 + f32::from(k) * s1, w2 + f32::from(k) * s2])
-    }
 }
 
 impl Band {

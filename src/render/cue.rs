@@ -154,7 +154,7 @@ impl Layer {
         let by_depth = inputs.cued == Cued::AtPixels;
         let points =
             if by_depth { vec![0.0; model.padded_len()] } else { inputs.cue.scales(model.origin, &model.position) };
-        let values = CarriedValues { planes: [&points; 3], needed: None, by_key: inputs.perspective };
+        let values = CarriedValues { planes: [&points; 3], by_key: inputs.perspective };
         values.carry(found.level, &mut self.carried, placed, clipped);
         let blocks = Block::count(inputs.size[0]);
         self.fragments.resize(blocks * inputs.size[1] as usize, Block::GAP);

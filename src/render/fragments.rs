@@ -55,16 +55,6 @@ impl Block {
         }
     }
 
-    /// Puts fragments at four pixels from `first` on.
-    #[inline(always)]
-    pub fn put_four<S: Simd>(&mut self, first: usize, [p, q, r, s]: [f32x4<S>; 4]) {
-        let ((pr_ab, pr_cd), (qs_ab, qs_cd)) = (p.interleave(r), q.interleave(s));
-        let ((a, b), (c, d)) = (pr_ab.interleave(qs_ab), pr_cd.interleave(qs_cd));
-        for (plane, lanes) in self.planes.iter_mut().zip([a, b, c, d]) {
-            lanes.store_slice(&mut plane[first..first + 4]);
-        }
-    }
-
     /// The lanes of each component from pixel `first` on.
     #[inline(always)]
     pub fn load<S: Simd>(&self, simd: S, first: usize) -> [Lanes<S>; 4] {

@@ -64,7 +64,7 @@ pub struct Report {
     pub faces: u64,
     /// Vertices of the mesh: points with one normal.
     pub vertices: u64,
-    /// Vertices or faces at which the picture needs the equation; 0 where that is evaluated at pixels.
+    /// Vertices or faces at which the equation is evaluated; 0 where that is done at pixels.
     pub points: u64,
     /// Triangles that show their front, or their back where backs are drawn, with a pixel centre in their bounds.
     pub candidates: u64,

@@ -8,7 +8,6 @@ use super::clip::{Clipped, Cut};
 use super::cover::{Band, BandPlace, Weights};
 use super::fragments::{self, Block, Fragment, join};
 use super::model::Model;
-use super::needed::Needed;
 use super::scan_line::{self, Crossing, Outlines};
 use super::transform::{HALF, Placed, SUBPIXELS};
 use crate::illumination::Lanes;
@@ -19,13 +18,11 @@ use rayon::prelude::*;
 /// so that normals which cancel out stay near zero.
 pub(super) const SHORTEST_NORMAL: f64 = 1e-4;
 
-/// What the vertices are to carry, or other points by themselves.
+/// What the vertices are to carry.
 #[derive(Clone, Copy)]
 pub(super) struct CarriedValues<'a> {
     /// One plane a component.
     pub planes: [&'a [f32]; 3],
-    /// The points that have values, if not all have.
-    pub needed: Option<&'a Needed>,
     /// Whether they carry them multiplied by the depth key.
     pub by_key: bool,
 }
@@ -33,7 +30,13 @@ pub(super) struct CarriedValues<'a> {
 impl CarriedValues<'_> {
     /// Fills `carried` with what each vertex carries, and its depth key.
     pub fn carry(&self, level: Level, carried: &mut Vec<Fragment>, placed: &Placed, clipped: &Clipped) {
-        self.carry_with(level, carried, Some(&placed.keys));
+        const CHUNK: usize = 4096;
+        let count = self.planes[0].len();
+        carried.reserve_exact(count.saturating_sub(carried.len()));
+        carried.resize(count, [0.0; 4]);
+        carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
+            dispatch!(level, simd => self.carry_chunk(simd, chunk * CHUNK, carried, &placed.keys));
+        });
         for (cut, key) in clipped.cuts.iter().zip(&placed.keys[carried.len()..]) {
             let factor = if self.by_key { *key } else { 1.0 };
             #[expect(clippy::cast_possible_truncation, reason = "back to the precision of the vertices")]
@@ -45,33 +48,13 @@ impl CarriedValues<'_> {
         }
     }
 
-    /// Fills `carried` with the values of each point and its depth key, which is 1 where none is given.
-    pub fn carry_with(&self, level: Level, carried: &mut Vec<Fragment>, keys: Option<&[f32]>) {
-        const CHUNK: usize = 4096;
-        let count = self.planes[0].len();
-        carried.reserve_exact(count.saturating_sub(carried.len()));
-        carried.resize(count, [0.0; 4]);
-        carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
-            dispatch!(level, simd => self.carry_chunk(simd, chunk * CHUNK, carried, keys));
-        });
-    }
-
     #[inline(always)]
-    fn carry_chunk<S: Simd>(&self, simd: S, first: usize, carried: &mut [Fragment], keys: Option<&[f32]>) {
+    fn carry_chunk<S: Simd>(&self, simd: S, first: usize, carried: &mut [Fragment], keys: &[f32]) {
         let lanes = Lanes::<S>::LEN;
         let [a, b, c] = self.planes;
         let one = Lanes::splat(simd, 1.0);
         for (start, carried) in (first..).step_by(lanes).zip(carried.chunks_exact_mut(lanes)) {
-            if self.needed.is_some_and(
-                #[inline(always)]
-                |needed| !needed.has(start),
-            ) {
-                continue;
-            }
-            let key = match keys {
-                Some(keys) => Lanes::load(simd, &keys[start..]),
-                None => one,
-            };
+            let key = Lanes::load(simd, &keys[start..]);
             let factor = if self.by_key { key } else { one };
             let values = [
                 Lanes::load(simd, &a[start..]) * factor,
@@ -122,12 +105,6 @@ impl Sources<'_> {
         if index < own { index } else { self.clipped.parents[index - own] as usize }
     }
 
-    /// The vertices of the model's triangle.
-    #[inline(always)]
-    pub fn own_vertices(&self, triangle: u32) -> [u32; 3] {
-        self.model.triangles[self.whole(triangle)]
-    }
-
     /// The face that a triangle belongs to.
     #[inline(always)]
     pub fn face(&self, triangle: u32) -> u32 {
@@ -148,8 +125,6 @@ pub(super) enum Rule {
     Scanline,
     /// Linear over the triangle: by a step from one pixel to the next.
     Steps,
-    /// The same by the weights of the triangle's vertices at each pixel.
-    Weights,
 }
 
 /// Linear over the triangle (of values that are linear there: affine ones, or perspective ones times the key).
@@ -176,30 +151,18 @@ impl<'a, S: Simd> Barycentric<'a, S> {
             self.triangle = triangle;
             let vertices = self.sources.vertices(triangle);
             self.weights = Weights::new(self.sources.placed.corners(vertices));
-            [self.origin, self.d1, self.d2] = differences(simd, self.sources.carried, vertices);
+            let [a, b, c] = vertices;
+            self.origin = f32x4::simd_from(simd, self.sources.carried[a as usize]);
+            self.d1 = f32x4::simd_from(simd, self.sources.carried[b as usize]) - self.origin;
+            self.d2 = f32x4::simd_from(simd, self.sources.carried[c as usize]) - self.origin;
         }
     }
 
     /// What is carried to where the second and third vertex have these weights.
     #[inline(always)]
-    fn at(&self, simd: S, weights: [f32; 2]) -> f32x4<S> {
-        mix(simd, [self.origin, self.d1, self.d2], weights)
+    fn at(&self, simd: S, [w1, w2]: [f32; 2]) -> f32x4<S> {
+        self.d1.mul_add(f32x4::splat(simd, w1), self.d2.mul_add(f32x4::splat(simd, w2), self.origin))
     }
-}
-
-/// What a triangle's first vertex carries, and how the second's and the third's differ from it.
-#[inline(always)]
-pub(super) fn differences<S: Simd>(simd: S, carried: &[Fragment], [a, b, c]: [u32; 3]) -> [f32x4<S>; 3] {
-    let a = f32x4::simd_from(simd, carried[a as usize]);
-    let b = f32x4::simd_from(simd, carried[b as usize]);
-    let c = f32x4::simd_from(simd, carried[c as usize]);
-    [a, b - a, c - a]
-}
-
-/// What is carried, from the first vertex by the differences to the second and the third.
-#[inline(always)]
-pub(super) fn mix<S: Simd>(simd: S, [origin, d1, d2]: [f32x4<S>; 3], [w1, w2]: [f32; 2]) -> f32x4<S> {
-    d1.mul_add(f32x4::splat(simd, w1), d2.mul_add(f32x4::splat(simd, w2), origin))
 }
 
 /// Linear along the polygon's edges to P and Q on the scan line, then linear from P to Q (Gouraud 1971).
@@ -252,7 +215,6 @@ pub(super) fn interpolate<S: Simd>(
     match rule {
         Rule::Scanline => fill_by_spans(simd, place, band, sources, fragments),
         Rule::Steps => fill_by_steps(simd, place, band, sources, fragments),
-        Rule::Weights => fill_by_weights(simd, place, band, sources, fragments),
     }
 }
 
@@ -304,20 +266,6 @@ fn fill_by_spans<S: Simd>(simd: S, place: BandPlace, band: &Band, sources: Sourc
             let (start, step, end) = Span::new(pair, sources.carried).from(simd, x, run.x1);
             fragments::fill(simd, line, usize::from(x)..usize::from(end), start, step);
             x = end;
-        }
-    }
-}
-
-#[inline(always)]
-fn fill_by_weights<S: Simd>(simd: S, place: BandPlace, band: &Band, sources: Sources<'_>, fragments: &mut [Block]) {
-    let count = Block::count(place.width);
-    let mut rule = Barycentric::new(simd, sources);
-    for run in &band.runs {
-        rule.take(simd, run.triangle);
-        let row = usize::from(run.row) * count;
-        let line = &mut fragments[row..row + count];
-        for (x, weights) in (usize::from(run.x0)..).zip(rule.weights.along(*run, place.y(*run))) {
-            fragments::put(line, x, rule.at(simd, weights).into());
         }
     }
 }

@@ -4,71 +4,38 @@ use super::bins::{BAND, Bins};
 use super::cover::{Band, BandPlace, DepthScratch};
 use super::display::{Linear, stored_pixel};
 use super::exact::meet_band;
-use super::factors::{self, FactorInputs, Keeping, Plane, Rows, Taking};
-use super::fine::{Fine, Origin};
 use super::fragments::{Block, Fragment, fragment, is_seen};
 use super::interpolate::{CarriedValues, Rule, Sources, interpolate};
 use super::lens::Lens;
 use super::memory::{Holds, Memory, room};
-use super::needed::Needed;
 use super::plan::{Per, Plan};
 use super::points::Planes;
 use super::reference::{Evaluation, Reference};
 use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
 use super::shadow::Reach;
-use super::stage::{Repeats, Use};
 use crate::geometry::Surface;
-use crate::illumination::{Equation, FormTask, NoSpecular, Specular};
+use crate::illumination::{Equation, FormTask, Specular};
 use crate::scene::{FlatAt, Rgb, Scene};
 use fearless_simd::{Level, Simd, dispatch};
 use glam::DVec2;
 use rayon::prelude::*;
 use std::cell::RefCell;
-use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// What coverage and interpolation keep between frames.
 #[derive(Default)]
 pub(super) struct Bands {
     bands: Vec<Band>,
-    /// What the pixels' intensities are made from, in bands that it suits.
-    fine: Vec<Fine>,
-    /// For which run of the coverage that is kept.
-    kept_origins: Repeats<(Origin, u64)>,
     /// What each vertex carries to the pixels.
     carried: Vec<Fragment>,
     /// What each pixel was brought.
     fragments: Vec<Block>,
-    /// What each light does at each pixel.
-    factors: Vec<Plane>,
-    pub kept_factors: Repeats<FactorInputs>,
     coverage: Option<CoverageInputs>,
     interpolation: Option<InterpolationInputs>,
     stamp: u64,
     /// Counts the runs of the coverage alone.
     covered: u64,
-    background: Background,
     width: u32,
-}
-
-/// What the stored picture shows where it does not show the object.
-#[derive(Default)]
-struct Background {
-    /// The pixel that the last picture put there, and the run of the coverage that told where.
-    shown: Option<([u8; 4], u64)>,
-    /// Counts the times when something else was put there.
-    stamp: u64,
-}
-
-impl Background {
-    /// Notes what the next picture puts there, none if that is not one pixel everywhere; returns whether it is there
-    /// already.
-    fn lay(&mut self, shown: Option<([u8; 4], u64)>) -> bool {
-        let same = shown.is_some() && self.shown == shown;
-        self.shown = shown;
-        self.stamp += u64::from(!same);
-        same
-    }
 }
 
 /// What coverage reads.
@@ -157,16 +124,6 @@ impl Bands {
         self.covered
     }
 
-    /// Counts the pictures that changed anything outside of [`Bands::extents`].
-    pub fn background_stamp(&self) -> u64 {
-        self.background.stamp
-    }
-
-    /// For each row the columns between the first and the last that see the object.
-    pub fn extents(&self) -> impl Iterator<Item = Range<u32>> {
-        self.bands.iter().flat_map(|band| band.extents.iter().cloned())
-    }
-
     /// The next picture is covered anew.
     pub fn forget(&mut self) {
         self.coverage = None;
@@ -193,11 +150,7 @@ impl Holds for Bands {
     fn memory(&self) -> Memory {
         // Each run has a pixel of its own at least, so that runs grow with the pixels however many triangles there are.
         let seen: u64 = self.bands.iter().map(|band| room(&band.runs) + room(&band.extents)).sum();
-        Memory {
-            vertices: room(&self.carried),
-            triangles: 0,
-            pixels: room(&self.fragments) + room(&self.factors) + seen + self.fine.iter().map(Fine::room).sum::<u64>(),
-        }
+        Memory { vertices: room(&self.carried), triangles: 0, pixels: room(&self.fragments) + seen }
     }
 }
 
@@ -252,18 +205,11 @@ pub(super) struct Painting<'a> {
     pub surface: Option<&'a Surface>,
     pub sources: Sources<'a>,
     pub bins: &'a Bins,
-    /// The points that have intensities.
-    pub needed: &'a Needed,
     pub intensity: &'a Planes,
     /// Which sources reach which pixels, where there are shadows.
     pub reach: Option<&'a Reach>,
     /// Whether the bands are coloured, or covered and interpolated only.
     pub colours: bool,
-    pub factors: Use,
-    /// Whether the background is there already.
-    pub cleared: bool,
-    /// What pixels' intensities are made from where polygons are fine, and whether it is kept.
-    pub fine: Option<(Origin, Use)>,
 }
 
 /// One band's share of the buffers.
@@ -271,10 +217,7 @@ struct Job<'a> {
     place: BandPlace,
     index: usize,
     band: &'a mut Band,
-    /// Nothing where pixels cannot keep what their intensities are made from.
-    fine: Option<&'a mut Fine>,
     fragments: &'a mut [Block],
-    factors: &'a mut [Plane],
     pixels: &'a mut [[u8; 4]],
     linear: &'a mut [Linear],
 }
@@ -299,28 +242,15 @@ impl Painting<'_> {
         let began = (self.clock)();
         let [width, height] = self.scene.image.size;
         bands.bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
-        let origin = Origin::of(self.scene, self.plan);
-        bands.fine.resize_with(if origin.is_some() { bands.bands.len() } else { 0 }, Fine::default);
-        let origins = origin.map(|origin| (origin, bands.covered));
-        let fine = origin.zip(self.colours.then(|| bands.kept_origins.next(origins)));
         let blocks = if self.plan.keeps_fragments() { Block::count(width) * height as usize } else { 0 };
         bands.fragments.resize(blocks, Block::GAP);
-        let planes = self.planes(width);
-        if self.factors == Use::Keep {
-            bands.factors.resize(planes * height as usize, Plane::ZERO);
-        } else if self.factors == Use::None && !bands.kept_factors.is_possible() {
-            bands.factors = Vec::new();
+        if stale.interpolation && self.plan.interpolates() {
+            self.carry(&mut bands.carried);
         }
-        self.carry(&mut bands.carried, stale, fine);
-        let sources = Sources { carried: &bands.carried, ..self.sources };
-        let painting = Painting { sources, fine, ..self };
+        let painting = Painting { sources: Sources { carried: &bands.carried, ..self.sources }, ..self };
         let carrying = (self.clock)().saturating_sub(began);
-        let background = stored_pixel(self.scene.image.background, self.scene.display.encoding);
-        let stored = canvas.linear.is_empty().then_some((background, bands.covered));
-        let painting = Painting { cleared: self.colours && bands.background.lay(stored), ..painting };
         let counters = Counters::default();
-        let buffers = (&mut bands.fragments[..], &mut bands.factors[..], planes);
-        jobs((&mut bands.bands, &mut bands.fine), buffers, canvas, [width, height])
+        jobs(&mut bands.bands, &mut bands.fragments, canvas, [width, height])
             .into_par_iter()
             .for_each(|job| painting.paint(job, stale, &counters));
         let threads = rayon::current_num_threads().max(1) as u64;
@@ -328,24 +258,17 @@ impl Painting<'_> {
         nanoseconds[1] += carrying;
         let [covered, drawn, overflowing] =
             [counters.covered, counters.drawn, counters.overflowing].map(AtomicU64::into_inner);
-        let evaluates = self.colours && self.plan.per == Per::Pixel && self.factors != Use::Take;
+        let evaluates = self.colours && self.plan.per == Per::Pixel;
         let (evaluations, carried) = (if evaluates { covered } else { 0 }, self.interpolates(stale));
         Painted { covered, drawn, overflowing, evaluations, carried, nanoseconds }
     }
 
-    /// Readies what the pixels are brought: what vertices carry, or the colours of faces that fine bands pick.
-    fn carry(&self, carried: &mut Vec<Fragment>, stale: Stale, fine: Option<(Origin, Use)>) {
-        let (planes, needed) = match self.plan.per {
-            Per::Pixel => (&self.sources.model.normal, None),
-            _ => (self.intensity, Some(self.needed)),
-        };
+    /// Readies what vertices carry to the pixels.
+    fn carry(&self, carried: &mut Vec<Fragment>) {
+        let planes = if self.plan.per == Per::Pixel { &self.sources.model.normal } else { self.intensity };
         let by_key = self.plan.carries && self.plan.perspective;
-        let values = CarriedValues { planes: planes.each_ref().map(Vec::as_slice), needed, by_key };
-        if stale.interpolation && self.plan.interpolates() {
-            values.carry(self.level, carried, self.sources.placed, self.sources.clipped);
-        } else if fine.is_some_and(|(origin, using)| origin != Origin::Mixture && using != Use::None) {
-            values.carry_with(self.level, carried, None);
-        }
+        let values = CarriedValues { planes: planes.each_ref().map(Vec::as_slice), by_key };
+        values.carry(self.level, carried, self.sources.placed, self.sources.clipped);
     }
 
     /// Whether fragments are to be made: those that are kept are as good as what they are made from.
@@ -354,8 +277,7 @@ impl Painting<'_> {
     }
 
     fn paint(&self, job: Job<'_>, stale: Stale, counters: &Counters) {
-        let brought = self.plan.has_fragments() || job.fine.is_some();
-        if brought && !self.plan.keeps_fragments() {
+        if self.plan.has_fragments() && !self.plan.keeps_fragments() {
             FRAGMENTS.with_borrow_mut(|fragments| {
                 fragments.resize(Bands::ROWS * Block::count(job.place.width), Block::GAP);
                 self.paint_with(Job { fragments, ..job }, stale, counters);
@@ -376,45 +298,19 @@ impl Painting<'_> {
             self.cover(&mut job);
             lap(0);
         }
-        let gathered = self.gather(&mut job);
-        if !gathered && self.interpolates(stale) {
+        if self.interpolates(stale) {
             let Job { place, band, fragments, .. } = &mut job;
-            let rule = self.rule(band);
+            let rule = if self.plan.scanline { Rule::Scanline } else { Rule::Steps };
             dispatch!(self.level, simd => interpolate(simd, *place, band, self.sources, rule, fragments));
         }
         if self.plan.interpolates() {
             lap(1);
         }
-        let over = if self.colours { self.colour(&mut job, gathered) } else { 0 };
+        let over = if self.colours { self.colour(&mut job) } else { 0 };
         lap(2);
         counters.covered.fetch_add(job.band.covered, Ordering::Relaxed);
         counters.drawn.fetch_add(job.band.drawn, Ordering::Relaxed);
         counters.overflowing.fetch_add(over, Ordering::Relaxed);
-    }
-
-    /// Makes the fragments of a band from what its pixels keep, if they do.
-    fn gather(&self, job: &mut Job<'_>) -> bool {
-        let Job { place, band, fine: Some(fine), fragments, .. } = job else { return false };
-        if !Fine::suits(band) {
-            **fine = Fine::default();
-            return false;
-        }
-        let Some((origin, using)) = self.fine.filter(|(_, using)| *using != Use::None) else { return false };
-        if using == Use::Keep {
-            fine.find(*place, band, self.sources, origin);
-        }
-        dispatch!(self.level, simd => fine.gather(simd, *place, band, self.sources.carried, fragments));
-        true
-    }
-
-    fn rule(&self, band: &Band) -> Rule {
-        if self.plan.scanline {
-            Rule::Scanline
-        } else if self.plan.per != Per::Pixel && Fine::suits(band) {
-            Rule::Weights
-        } else {
-            Rule::Steps
-        }
     }
 
     fn cover(&self, job: &mut Job<'_>) {
@@ -440,18 +336,16 @@ impl Painting<'_> {
         }
     }
 
-    /// Colours a band, whose intensities may have been gathered; returns how many pixels overflow.
-    fn colour(&self, job: &mut Job<'_>, gathered: bool) -> u64 {
+    /// Colours a band; returns how many pixels overflow.
+    fn colour(&self, job: &mut Job<'_>) -> u64 {
         let display = &self.scene.display;
         let background = self.scene.image.background;
-        let Job { place, band, fragments, factors, .. } = job;
-        let covered = Covered { place: *place, band, gathered, fragments, factors };
+        let Job { place, band, fragments, .. } = job;
+        let covered = Covered { place: *place, band, fragments };
         if job.linear.is_empty() {
             let background = stored_pixel(background, display.encoding);
             let encoding = display.encoding;
-            // In double precision a pixel may turn out to miss the surface after all.
-            let cleared = self.cleared && !self.plan.pixels_in_double();
-            let target = Stored { pixels: &mut *job.pixels, background, cleared, encoding };
+            let target = Stored { pixels: &mut *job.pixels, background, encoding };
             self.colour_into(covered, target)
         } else {
             let [r, g, b] = background.as_vec3().to_array();
@@ -461,21 +355,16 @@ impl Painting<'_> {
     }
 
     fn colour_into(&self, covered: Covered<'_>, mut target: impl Target) -> u64 {
-        let Covered { place, band, gathered, fragments, .. } = covered;
+        let Covered { place, band, fragments } = covered;
         if self.plan.pixels_in_double() {
             return self.colour_in_double_precision(place, band, fragments, target);
         }
-        if !self.plan.has_fragments() && !gathered {
+        if !self.plan.has_fragments() {
             return dispatch!(self.level, simd => self.colour_faces(simd, place, band, target));
         }
         if self.plan.per != Per::Pixel {
             let carried = Carried { by_key: self.plan.carries && self.plan.perspective };
             return dispatch!(self.level, simd => shade(simd, place, &band.extents, fragments, carried, &mut target));
-        }
-        if self.factors == Use::Take {
-            let rows = Rows::new(&*covered.factors, self.planes(place.width), place.first_row);
-            let taking = Taking { evaluated: self.evaluated(NoSpecular), rows };
-            return dispatch!(self.level, simd => shade(simd, place, &band.extents, fragments, taking, &mut target));
         }
         self.equation.form().dispatch(ShadePixels { painting: self, covered, target })
     }
@@ -483,11 +372,6 @@ impl Painting<'_> {
     fn evaluated<F: Specular>(&self, form: F) -> Evaluated<'_, F> {
         let by_key = self.plan.perspective && !self.plan.true_surface;
         Evaluated::new(form, self.equation, self.lens, by_key, self.plan.renormalise, self.reach)
-    }
-
-    /// Planes of factors in a row.
-    fn planes(&self, width: u32) -> usize {
-        factors::row_length(width, self.equation.sources.len())
     }
 
     /// Flat shading: each run in its face's colour.
@@ -579,9 +463,7 @@ impl Painting<'_> {
 struct Covered<'a> {
     place: BandPlace,
     band: &'a Band,
-    gathered: bool,
     fragments: &'a [Block],
-    factors: &'a mut [Plane],
 }
 
 /// Shading at pixels, compiled for each specular form.
@@ -595,15 +477,8 @@ impl<T: Target> FormTask for ShadePixels<'_, T> {
     type Output = u64;
 
     fn run<F: Specular>(mut self, form: F) -> u64 {
-        let Covered { place, band, fragments, factors, .. } = self.covered;
+        let Covered { place, band, fragments } = self.covered;
         let evaluated = self.painting.evaluated(form);
-        if self.painting.factors == Use::Keep {
-            let rows = Rows::new(factors, self.painting.planes(place.width), place.first_row);
-            let keeping = Keeping { evaluated, rows };
-            return dispatch!(self.painting.level, simd => {
-                shade(simd, place, &band.extents, fragments, keeping, &mut self.target)
-            });
-        }
         dispatch!(self.painting.level, simd => shade(simd, place, &band.extents, fragments, evaluated, &mut self.target))
     }
 }
@@ -616,16 +491,14 @@ fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
 
 /// Splits the buffers into bands.
 fn jobs<'a>(
-    (bands, fine): (&'a mut [Band], &'a mut [Fine]),
-    (fragments, factors, planes): (&'a mut [Block], &'a mut [Plane], usize),
+    bands: &'a mut [Band],
+    fragments: &'a mut [Block],
     canvas: Canvas<'a>,
     [width, height]: [u32; 2],
 ) -> Vec<Job<'a>> {
     let share = (BAND * width) as usize;
     let mut fragments = fragments.chunks_mut(Bands::ROWS * Block::count(width));
-    let mut factors = factors.chunks_mut((Bands::ROWS * planes).max(1));
     let mut linear = canvas.linear.chunks_mut(share);
-    let mut fine = fine.iter_mut();
     bands
         .iter_mut()
         .zip(canvas.pixels.chunks_mut(share))
@@ -635,9 +508,7 @@ fn jobs<'a>(
             place: BandPlace { first_row, rows: BAND.min(height - first_row), width },
             index,
             band,
-            fine: fine.next(),
             fragments: fragments.next().unwrap_or_default(),
-            factors: factors.next().unwrap_or_default(),
             pixels,
             linear: linear.next().unwrap_or_default(),
         })

@@ -2,7 +2,6 @@
 
 use super::lens::FARTHEST;
 use super::model::{Model, PADDING};
-use super::needed::Needed;
 use super::shadow::Reach;
 use crate::illumination::{Equation, FormTask, Lanes, Reached, Specular, V3};
 use fearless_simd::{Level, dispatch, prelude::*};
@@ -45,8 +44,6 @@ pub(super) struct PointShading<'a> {
     pub radius: f64,
     pub position: &'a Planes,
     pub normal: &'a Planes,
-    /// The points that are evaluated; what the others have is left as it is.
-    pub needed: &'a Needed,
     pub intensity: &'a mut Planes,
     /// Which sources reach which points, where there are shadows; [`CHUNK`] points a block.
     pub reach: Option<&'a Reach>,
@@ -69,8 +66,7 @@ impl FormTask for PointShading<'_> {
             let position = self.position.each_ref().map(|plane| &plane[range.clone()]);
             let normal = self.normal.each_ref().map(|plane| &plane[range.clone()]);
             let reached = self.reach.and_then(|reach| reach.at(chunk, 0));
-            let needed = self.needed.from(chunk * CHUNK);
-            let site = Sites { equation: self.equation, scale, offset, position, normal, needed, reached };
+            let site = Sites { equation: self.equation, scale, offset, position, normal, reached };
             dispatch!(self.level, simd => site.shade::<_, F>(simd, [r, g, b]));
         });
     }
@@ -85,7 +81,7 @@ impl PointShading<'_> {
         let at =
             |planes: &Planes, index: usize| DVec3::from_array([0, 1, 2].map(|axis| f64::from(planes[axis][index])));
         let out = r.par_iter_mut().zip(g.par_iter_mut()).zip(b.par_iter_mut());
-        out.enumerate().filter(|(index, _)| self.needed.has(*index)).for_each(|(index, ((r, g), b))| {
+        out.enumerate().for_each(|(index, ((r, g), b))| {
             let reached = self.reach.and_then(|reach| reach.at(index / CHUNK, index % CHUNK));
             let (point, normal) = (self.origin + at(self.position, index), at(self.normal, index));
             [*r, *g, *b] = equation.illuminate_world(point, normal, reached).as_vec3().to_array();
@@ -107,8 +103,6 @@ struct Sites<'a> {
     offset: [f32; 3],
     position: [&'a [f32]; 3],
     normal: [&'a [f32]; 3],
-    /// A flag for each block of points.
-    needed: &'a [bool],
     reached: Option<Reached<'a>>,
 }
 
@@ -119,9 +113,6 @@ impl Sites<'_> {
         let scale = Lanes::splat(simd, self.scale);
         let [r, g, b] = out;
         for start in (0..r.len()).step_by(lanes) {
-            if !self.needed[start / Needed::BLOCK] {
-                continue;
-            }
             let position = load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
             let site = self.equation.site(position, load(simd, self.normal, start));
             let reached = self.reached.map(

@@ -7,25 +7,23 @@ mod samples;
 
 pub use self::samples::{TooLarge, check_memory};
 
-use self::inputs::{CanvasInputs, IntensityInputs, MeshInputs, ModelInputs, NeededInputs, PlacedInputs};
+use self::inputs::{CanvasInputs, IntensityInputs, MeshInputs, ModelInputs, PlacedInputs};
 use super::account::{Account, Term};
 use super::beyond::compose;
 use super::bins::Bins;
 use super::clip::Clipped;
 use super::cue::{Cue, Found, Layer, LayerInputs, fade_pixels};
 use super::display::{Linear, display};
-use super::factors::FactorInputs;
 use super::interpolate::Sources;
 use super::lens::Lens;
 use super::mesh_source::MeshSource;
 use super::model::Model;
-use super::needed::Needed;
 use super::painting::{Bands, Canvas, CoverageInputs, InterpolationInputs, Painted, Painting, Stale};
 use super::plan::{Cued, Facts, Per, Plan};
 use super::points::Planes;
 use super::rays::{RayInputs, RayStages, SeenAt};
 use super::reference::{Evaluation, Reference};
-use super::stage::{Kept, Use};
+use super::stage::Kept;
 use super::transform::{Placed, UNPLACED};
 use super::transmission::Transmission;
 use super::{Frame, Report, Stage, StageRun};
@@ -34,7 +32,6 @@ use crate::illumination::Equation;
 use crate::scene::{AmbientSource, NormalSource, Object, ObjectKind, Rgb, Scene, Weighting};
 use fearless_simd::Level;
 use glam::DVec2;
-use std::ops::Range;
 use std::sync::Arc;
 
 /// Draws scenes, keeping each stage's output for the next call.
@@ -48,7 +45,6 @@ pub struct Renderer {
     faces: Kept<u64, (Planes, Planes)>,
     surface: Kept<Object, Option<Surface>>,
     placed: Kept<PlacedInputs, (Placed, Clipped, Bins)>,
-    needed: Kept<NeededInputs, Needed>,
     intensity: Kept<IntensityInputs, Planes>,
     bands: Bands,
     rays: RayStages,
@@ -101,7 +97,6 @@ impl Renderer {
             faces: Kept::default(),
             surface: Kept::default(),
             placed: Kept::default(),
-            needed: Kept::default(),
             intensity: Kept::default(),
             bands: Bands::default(),
             rays: RayStages::default(),
@@ -169,17 +164,6 @@ impl Renderer {
     /// The last picture.
     pub fn frame(&self) -> &Frame {
         &self.frame
-    }
-
-    /// Counts the pictures that changed anything outside of their [`Renderer::extents`]: where two have the same count they
-    /// differ only within.
-    pub fn background_stamp(&self) -> u64 {
-        self.bands.background_stamp()
-    }
-
-    /// For each row of the last picture, from the top, the columns between the first and the last that see the object.
-    pub fn extents(&self) -> impl Iterator<Item = Range<u32>> {
-        self.bands.extents()
     }
 
     /// What the last call of [`Renderer::render`] did.
@@ -459,13 +443,9 @@ impl Renderer {
             surface: self.surface.output.as_ref(),
             sources,
             bins,
-            needed: &self.needed.output,
             intensity: &self.intensity.output,
             reach: None,
             colours: true,
-            factors: Use::None,
-            cleared: false,
-            fine: None,
         };
         let mut painted = Painted::default();
         let mut still_stale = stale;
@@ -494,8 +474,6 @@ impl Renderer {
         let shaded = repaint || stale.any();
         if shaded {
             fit_linear(&mut self.linear, linear);
-            let factors = FactorInputs::of(plan, &equation, self.bands.stamp(), self.rays.stamps()[0]);
-            painting.factors = self.bands.kept_factors.next(factors);
             let canvas = Canvas { pixels: &mut self.frame.pixels, linear: &mut self.linear };
             painted = painted.and(painting.run(&mut self.bands, still_stale, canvas));
             (self.report.covered, self.report.drawn) = (painted.covered, painted.drawn);

@@ -70,13 +70,9 @@ impl<'a, F: Specular> Evaluated<'a, F> {
 }
 
 impl<'a, F: Specular> Evaluated<'a, F> {
-    pub fn equation(&self) -> &'a Equation<f32> {
-        self.equation
-    }
-
     /// Where the equation is evaluated for the pixels from `column` on, and which sources reach it.
     #[inline(always)]
-    pub fn site<S: Simd>(
+    fn site<S: Simd>(
         &self,
         simd: S,
         column: usize,
@@ -102,13 +98,6 @@ impl<'a, F: Specular> Evaluated<'a, F> {
             |reached| reached.starting_at(column),
         );
         (site, reached)
-    }
-
-    /// The points that the pixels from `column` on see.
-    #[inline(always)]
-    pub fn position<S: Simd>(&self, simd: S, column: usize, key: Lanes<S>) -> V3<Lanes<S>> {
-        let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
-        self.rays.positions(simd, x, key.max(Lanes::splat(simd, self.rays.least_key)))
     }
 }
 
@@ -209,8 +198,6 @@ fn overflows(color: [f32; 3]) -> bool {
 pub(super) struct Stored<'a> {
     pub pixels: &'a mut [[u8; 4]],
     pub background: [u8; 4],
-    /// Whether pixels that are to be cleared have the background already.
-    pub cleared: bool,
     pub encoding: Encoding,
 }
 
@@ -233,9 +220,7 @@ impl Target for Stored<'_> {
 
     #[inline(always)]
     fn clear(&mut self, range: Range<usize>) {
-        if !self.cleared {
-            self.pixels[range].fill(self.background);
-        }
+        self.pixels[range].fill(self.background);
     }
 
     #[inline(always)]

@@ -7,10 +7,9 @@ use super::super::document::same_model;
 use super::{clock, image_of, upload};
 use crate::analysis::{LinearPicture, Probe, probe};
 use crate::geometry::Mesh;
-use crate::render::{Frame, Renderer, Report, coarseness, coarser_size};
+use crate::render::{Renderer, Report, coarseness, coarser_size};
 use crate::scene::Scene;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
-use std::ops::Range;
 use std::sync::Arc;
 
 /// A renderer, and what it drew last.
@@ -68,13 +67,6 @@ pub struct Wanted<'a> {
 /// One is shown while another is filled.
 const IMAGES: usize = 2;
 
-/// A picture as the window takes it.
-struct Shown {
-    image: Arc<ColorImage>,
-    /// By what its sides are divided, and whose background it has.
-    background: (u32, u64),
-}
-
 /// A pane with renderers of its own, so that each pane's stages are kept.
 pub struct PaneEngine {
     whole: Drawing,
@@ -86,7 +78,7 @@ pub struct PaneEngine {
     costs: Vec<(u32, u64)>,
     pub picture: Option<TextureHandle>,
     /// At most [`IMAGES`].
-    images: Vec<Shown>,
+    images: Vec<Arc<ColorImage>>,
     pub probed: Option<([u32; 2], Probe)>,
 }
 
@@ -136,35 +128,19 @@ impl PaneEngine {
         true
     }
 
-    /// An image of the picture in sight: one that showed an earlier picture, in which only what lies between the ends of the
-    /// object's rows may have to be changed, or a new one.
+    /// An image of the picture in sight: in the place of an earlier one, or a new one.
     fn image(&mut self) -> Arc<ColorImage> {
-        let drawing = self.draft.as_ref().filter(|_| self.coarser > 1).unwrap_or(&self.whole);
-        let (renderer, frame) = (&drawing.renderer, drawing.renderer.frame());
-        let background = (self.coarser, renderer.background_stamp());
-        let width = frame.width as usize;
         // The last picture's may still be on its way to the texture.
-        let free = self.images.iter_mut().position(|shown| Arc::get_mut(&mut shown.image).is_some());
-        let mut shown = match free {
-            Some(index) => self.images.swap_remove(index),
-            None => Shown { image: Arc::new(image_of(frame)), background },
-        };
-        if let Some(image) = Arc::get_mut(&mut shown.image).filter(|_| free.is_some()) {
-            if image.size != [width, frame.height as usize] {
-                *image = image_of(frame);
-            } else if shown.background == background {
-                let rows = (0..).step_by(width).zip(renderer.extents());
-                for (row, columns) in rows.filter(|(_, columns)| !columns.is_empty()) {
-                    copy(frame, image, row + columns.start as usize..row + columns.end as usize);
-                }
-            } else {
-                copy(frame, image, 0..frame.pixels.len());
-            }
+        let free = self.images.iter_mut().position(|image| Arc::get_mut(image).is_some());
+        let mut image = free.map_or_else(Arc::default, |index| self.images.swap_remove(index));
+        let frame = self.in_sight().renderer.frame();
+        let size = [frame.width as usize, frame.height as usize];
+        match Arc::get_mut(&mut image).filter(|image| image.size == size) {
+            Some(image) => image.as_raw_mut().copy_from_slice(frame.pixels.as_flattened()),
+            None => image = Arc::new(image_of(frame)),
         }
-        shown.background = background;
-        let image = Arc::clone(&shown.image);
         self.images.truncate(IMAGES - 1);
-        self.images.push(shown);
+        self.images.push(Arc::clone(&image));
         image
     }
 
@@ -221,12 +197,6 @@ impl PaneEngine {
         let scene = drawing.drawn.as_ref().filter(|_| drawing.linear)?;
         Some(LinearPicture { width: scene.image.size[0], pixels: drawing.renderer.linear(), clamps: scene.clamps() })
     }
-}
-
-/// Copies some of the pixels, which are stored alike in both.
-fn copy(frame: &Frame, image: &mut ColorImage, pixels: Range<usize>) {
-    let bytes = 4 * pixels.start..4 * pixels.end;
-    image.as_raw_mut()[bytes].copy_from_slice(frame.pixels[pixels].as_flattened());
 }
 
 /// Whether `drawn` is a picture of `scene` at `size` pixels.

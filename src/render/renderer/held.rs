@@ -21,7 +21,6 @@ impl Renderer {
             clipped.memory(),
             bins.memory(),
             faces,
-            self.needed.output.memory(),
             intensity,
             self.bands.memory(),
             self.cue.output.memory(),

@@ -3,7 +3,6 @@
 use crate::illumination::Equation;
 use crate::render::cue::{Cue, LayerInputs};
 use crate::render::lens::Lens;
-use crate::render::needed::{Needed, Points};
 use crate::render::plan::{Per, Plan};
 use crate::scene::{AmbientSource, Display, NormalSource, ObjectKind, Polygons, Scene, Weighting};
 
@@ -33,27 +32,7 @@ pub(super) struct PlacedInputs {
 }
 
 #[derive(PartialEq)]
-pub(super) struct NeededInputs {
-    /// The run of the stage that found the triangles in sight; none where all points are evaluated.
-    pub placed: Option<u64>,
-    pub points: Points,
-    pub count: usize,
-}
-
 pub(super) struct IntensityInputs {
-    pub evaluated: EvaluatedInputs,
-    pub needed: Needed,
-}
-
-impl IntensityInputs {
-    /// Whether intensities from these inputs serve for `others`.
-    pub fn serve(&self, others: &Self) -> bool {
-        self.evaluated == others.evaluated && self.needed.includes(&others.needed)
-    }
-}
-
-#[derive(PartialEq)]
-pub(super) struct EvaluatedInputs {
     pub model: u64,
     pub equation: Equation<f32>,
     pub per: Per,

@@ -1,13 +1,12 @@
 //! The equation at the points that a picture needs, where these are vertices or faces.
 
 use super::Renderer;
-use super::inputs::{EvaluatedInputs, IntensityInputs, NeededInputs};
+use super::inputs::IntensityInputs;
 use crate::illumination::Equation;
 use crate::render::Stage;
 use crate::render::cue::Cue;
 use crate::render::interpolate::Sources;
 use crate::render::lens::Lens;
-use crate::render::needed::{Needed, Points};
 use crate::render::plan::{Cued, Per, Plan};
 use crate::render::points::{PointShading, face_points};
 use crate::render::rays::RayInputs;
@@ -18,10 +17,10 @@ impl Renderer {
     pub(super) fn shade_points(&mut self, scene: &Scene, plan: &Plan, lens: &Lens, equation: &Equation<f32>) {
         self.traced = (false, 0);
         self.report.points = 0;
-        let Some(points) = Points::of(scene, plan) else {
+        if plan.per == Per::Pixel {
             self.note(Stage::VertexShading, false, 0, 0);
             return;
-        };
+        }
         let reach = if plan.shadows { self.reach_points(scene, plan, lens) } else { None };
         let began = (self.clock)();
         let at_faces = plan.per == Per::Face;
@@ -30,36 +29,23 @@ impl Renderer {
             self.faces.update(self.model.stamp(), |_, faces| *faces = face_points(model));
         }
         let count = if at_faces { model.face_count() } else { model.vertex_count };
-        let (placed, clipped, bins) = &self.placed.output;
-        let sources = Sources { model, clipped, placed, carried: &[] };
-        let in_sight = NeededInputs { placed: plan.leaves_out.then(|| self.placed.stamp()), points, count };
-        self.needed.update(in_sight, |inputs, needed| {
-            *needed = match inputs.placed {
-                Some(_) => Needed::find(points, count, bins, &sources),
-                None => Needed::all(count),
-            };
-        });
-        let needed = &self.needed.output;
         let bits = self.rays.reach(plan);
         let faces = &self.faces.output;
         let (position, normal) = if at_faces { (&faces.0, &faces.1) } else { (&model.position, &model.normal) };
         let cue = Cue::of(scene, plan, lens).filter(|_| plan.cued == Cued::AtPoints);
         let (per, double) = (plan.per, plan.double);
-        let evaluated =
-            EvaluatedInputs { model: self.model.stamp(), equation: equation.clone(), per, double, reach, cue };
-        let inputs = IntensityInputs { evaluated, needed: needed.clone() };
+        let inputs = IntensityInputs { model: self.model.stamp(), equation: equation.clone(), per, double, reach, cue };
         let level = self.level;
-        let ran = self.intensity.update_unless(IntensityInputs::serve, inputs, |inputs, intensity| {
+        let ran = self.intensity.update(inputs, |inputs, intensity| {
             let shading = PointShading {
                 level,
-                equation: &inputs.evaluated.equation,
+                equation: &inputs.equation,
                 origin: model.origin,
                 unit: lens.unit,
                 eye: lens.eye,
                 radius: model.radius,
                 position,
                 normal,
-                needed,
                 intensity: &mut *intensity,
                 reach: bits,
             };
@@ -68,13 +54,13 @@ impl Renderer {
                 equation.retain_lights(|light| plan.lights[light]);
                 shading.run_in_double(&equation);
             } else {
-                inputs.evaluated.equation.form().dispatch(shading);
+                inputs.equation.form().dispatch(shading);
             }
-            if let Some(cue) = &inputs.evaluated.cue {
+            if let Some(cue) = &inputs.cue {
                 cue.fade_points(model.origin, position, intensity);
             }
         });
-        self.report.points = needed.evaluations(count);
+        self.report.points = count as u64;
         self.note(Stage::VertexShading, ran, began, if ran { self.report.points } else { 0 });
     }
 
