@@ -17,7 +17,7 @@ mod study;
 pub use crate::figure::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
 pub use comparison::{
     Brightest, DrawnPane, ErrorFigures, LinearPicture, PaneArea, PaneFigures, RegionErrors, brightest, caption,
-    comparison_sheet, difference_picture, draw_difference_scale, draw_panes, error_figures, pane_areas, pane_figures,
+    comparison_sheet, difference_picture, difference_scale, draw_panes, error_figures, pane_areas, pane_figures,
     panes_on_sheet, region_errors,
 };
 pub use defects::{

@@ -11,6 +11,7 @@ mod curves;
 mod defects;
 mod dialog;
 mod document;
+mod drawing;
 mod engine;
 mod equation;
 mod errand;

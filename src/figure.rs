@@ -4,17 +4,22 @@
 //! by the analyses; this module knows none of them. Everything here is a pure function of its arguments.
 
 mod clip;
-pub(crate) mod ink;
+mod drawing;
 pub(crate) mod labels;
 pub mod palette;
-pub(crate) mod plot;
-pub(crate) mod text;
+mod pixels;
+mod plot;
+mod scale;
+mod svg;
+mod text;
 
 #[cfg(feature = "app")]
 pub(crate) use clip::{can_be_filled, clipped};
+pub use drawing::{Drawing, Shape, Text};
 pub use labels::{Area, Label};
 pub use plot::{
-    Axis, Curve, Dash, Direction, Drawing, Ink, Mark, Paper, Plot, PlotKind, PlotStyle, Point, Shape, Tag, Text,
-    lay_out, lay_out_sheet, short,
+    Axis, Curve, Dash, Direction, Ink, Mark, Paper, Plot, PlotKind, PlotStyle, Point, Tag, lay_out, lay_out_sheet,
+    short,
 };
 pub use text::Set;
+pub(crate) use text::inked_size;

@@ -4,7 +4,7 @@ mod difference;
 mod regions;
 mod sheet;
 
-pub use difference::{difference_picture, draw_difference_scale};
+pub use difference::{difference_picture, difference_scale};
 pub use regions::{RegionErrors, region_errors};
 pub use sheet::{DrawnPane, PaneArea, caption, comparison_sheet, draw_panes, pane_areas, pane_figures, panes_on_sheet};
 

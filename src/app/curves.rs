@@ -3,16 +3,15 @@
 //! The plots are sampled when the scene, the probe or the chosen light has changed, and laid out when the panel's width or
 //! the theme has; a frame in which nothing has changed only paints them.
 
+use super::drawing::{colour_of, drawing_ui, paint_text, screen};
 use super::engine::Engine;
 use super::lines;
 use super::state::AppState;
 use super::theme::TEXT;
 use crate::analysis::{Plot, PlotKind};
-use crate::figure::{Drawing, Paper, PlotStyle, Set, Shape as Line, Text, can_be_filled, lay_out, short};
-use eframe::egui::accesskit::Role;
+use crate::figure::{Drawing, Paper, PlotStyle, Text, lay_out, short};
 use eframe::egui::{
-    Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, RichText, Sense, Shape, Stroke, StrokeKind, Ui, Vec2,
-    WidgetInfo, pos2, vec2,
+    Color32, CornerRadius, Painter, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
 };
 use glam::DVec2;
 
@@ -99,20 +98,8 @@ pub fn height(plot: &Plot, width: f64, letters: f64) -> f64 {
 }
 
 pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) {
-    let size = vec2(drawing.size.x as f32, drawing.size.y as f32);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    let enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, enabled, described(plot)));
-    if !ui.is_rect_visible(rect) {
-        return;
-    }
-    let painter = ui.painter_at(rect.expand(1.0));
-    for line in &drawing.shapes {
-        paint_shape(&painter, line, rect.min);
-    }
-    for text in &drawing.texts {
-        paint_text(&painter, text, rect.min);
-    }
+    let Some((response, painter)) = drawing_ui(ui, drawing, Sense::hover(), || described(plot)) else { return };
+    let rect = response.rect;
     if let Some(at) = response.hover_pos() {
         let local = at - rect.min;
         if let Some(x) = drawing.x_at(DVec2::new(local.x.into(), local.y.into())) {
@@ -126,75 +113,6 @@ fn described(plot: &Plot) -> String {
     let marks: Vec<&str> = plot.marks.iter().map(|mark| mark.label.as_str()).collect();
     let parts = [plot.title.as_str(), plot.note.as_str()].into_iter().chain(marks);
     parts.collect::<Vec<_>>().join("; ")
-}
-
-fn place(point: DVec2, origin: Pos2) -> Pos2 {
-    origin + vec2(point.x as f32, point.y as f32)
-}
-
-fn colour_of([r, g, b]: [u8; 3], opacity: f64) -> Color32 {
-    Color32::from_rgb(r, g, b).gamma_multiply(opacity as f32)
-}
-
-pub fn paint_shape(painter: &Painter, line: &Line, origin: Pos2) {
-    let colour = colour_of(line.colour, line.opacity);
-    let stroke = Stroke::new(line.width as f32, colour);
-    let places = line.points.iter().map(|point| lines::exact(origin) + *point);
-    if line.fill {
-        let points: Vec<Pos2> = line.points.iter().map(|point| place(*point, origin)).collect();
-        if !can_be_filled(&places.collect::<Vec<_>>(), &lines::window(painter)) {
-            return;
-        }
-        if line.opacity < 1.0 {
-            painter.add(Shape::mesh(fan(&points, colour)));
-        } else {
-            painter.add(Shape::convex_polygon(points, colour, Stroke::NONE));
-        }
-    } else {
-        let dashes: Vec<f32> = line.dashes.iter().map(|dash| dash * stroke.width).collect();
-        lines::line(painter, places, stroke, &dashes);
-    }
-}
-
-/// An area as triangles about its first point, from which all of it is seen.
-fn fan(points: &[Pos2], colour: Color32) -> Mesh {
-    let mut mesh = Mesh::default();
-    for point in points {
-        mesh.colored_vertex(*point, colour);
-    }
-    for i in 2..u32::try_from(points.len()).unwrap_or(0) {
-        mesh.add_triangle(0, i - 1, i);
-    }
-    mesh
-}
-
-/// Paints a line of text, its small letters apart: the fonts have only ordinary ones.
-pub fn paint_text(painter: &Painter, text: &Text, origin: Pos2) {
-    let mut runs: Vec<(Set, String)> = Vec::new();
-    for set in text.text.chars().map(Set::of) {
-        match runs.last_mut().filter(|(last, _)| last.rise == set.rise) {
-            Some((_, run)) => run.push(set.letter),
-            None => runs.push((set, set.letter.to_string())),
-        }
-    }
-    let colour = colour_of(text.colour, 1.0);
-    let size = text.size as f32;
-    let laid: Vec<_> = runs
-        .into_iter()
-        .map(|(set, run)| {
-            let galley = painter.layout_no_wrap(run, FontId::proportional(size * set.size), colour);
-            let baseline = galley.rows.first().and_then(|row| Some(row.pos.y + row.glyphs.first()?.pos.y));
-            (baseline.unwrap_or(0.0) + size * set.rise, galley)
-        })
-        .collect();
-    let width: f32 = laid.iter().map(|(_, galley)| galley.size().x).sum();
-    let at = place(text.at, origin);
-    let mut x = at.x - width * text.align as f32;
-    for (above, galley) in laid {
-        let advance = galley.size().x;
-        painter.galley(pos2(x, at.y - above), galley, colour);
-        x += advance;
-    }
 }
 
 /// The values of all curves at `x`, beside the pointer and as dots.
@@ -218,7 +136,7 @@ fn reading(
     for curve in &plot.curves {
         let Some(y) = curve.at(x) else { continue };
         lines.push(line(format!("{}: {}", curve.name, short(y)), style.paper.letters(curve.ink)));
-        let at = drawing.place([x, y]).map(|(at, _)| place(at, rect.min));
+        let at = drawing.place([x, y]).map(|(at, _)| screen(at, rect.min));
         if let Some(at) = at.filter(|at| y <= plot.y.high && rect.contains(*at)) {
             painter.circle_filled(at, 3.0, colour_of(style.paper.line(curve.ink), 1.0));
         }

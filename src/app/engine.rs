@@ -6,7 +6,7 @@ mod pane;
 use super::state::{AppState, OverlayLook};
 use crate::analysis::{
     Brightest, ErrorFigures, Halo, Overlay, OverlayLayer, OverlayOptions, PaneFigures, Plot, Probe, Scan, ScanError,
-    brightest, curves, difference_picture, draw_difference_scale, error_figures, scan_drawn,
+    brightest, curves, difference_picture, difference_scale, error_figures, scan_drawn,
 };
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
@@ -161,12 +161,9 @@ impl Engine {
         }
         let (Some(a), Some(b)) = (self.panes[first].linear(), self.panes[last].linear()) else { return };
         let mut frame = difference_picture(a, b, compare.difference, compare.gain);
-        let (width, height) = (frame.width, frame.height);
-        if let Some(mut map) = tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height) {
-            let em = f64::from(ctx.pixels_per_point()) * f64::from(super::theme::TEXT);
-            let em = em / f64::from(self.panes[first].coarser());
-            draw_difference_scale(&mut map, compare.difference, compare.gain, em);
-        }
+        let em = f64::from(ctx.pixels_per_point()) * f64::from(super::theme::TEXT);
+        let em = em / f64::from(self.panes[first].coarser());
+        difference_scale([frame.width, frame.height], compare.difference, compare.gain, em).draw_over(&mut frame);
         let mut texture = self.difference.take().map(|difference| difference.texture);
         upload(ctx, &mut texture, "difference", image_of(&frame), TextureOptions::NEAREST);
         self.difference = texture.map(|texture| Difference { texture, look });

@@ -9,15 +9,15 @@ mod view;
 pub use outline::paint;
 pub use view::{ScanView, Walk};
 
-use super::curves::{paint_shape, paint_text, paper};
+use super::curves::paper;
+use super::drawing::drawing_ui;
 use super::engine::Engine;
 use super::row::{About, NumberRow, Rail, number, whole};
 use super::state::{AppState, NumbersTab};
 use super::theme::TEXT;
 use crate::analysis::Scan;
-use crate::figure::{Drawing, PlotStyle};
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Sense, Ui, WidgetInfo, vec2};
+use crate::figure::PlotStyle;
+use eframe::egui::{Sense, Ui};
 
 /// Size of letters in the drawing, in that of the window's text: its smallest are as large as that.
 const LETTERS: f64 = 1.05;
@@ -43,7 +43,7 @@ pub fn scan_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     match view.scan() {
         Some(Ok(scan)) => {
             if let Some(drawing) = view.drawing() {
-                drawing_ui(ui, drawing, &described(scan, view.step()));
+                drawing_ui(ui, drawing, Sense::hover(), || described(scan, view.step()));
             }
             ui.add_space(4.0);
             transport::transport_ui(ui, state);
@@ -65,23 +65,6 @@ pub fn scan_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
 /// The drawing in words, for those who do not see it.
 fn described(scan: &Scan, step: usize) -> String {
     format!("Face {}, {} corners, enlarged; {}", scan.face, scan.corners.len(), scan.caption(step))
-}
-
-fn drawing_ui(ui: &mut Ui, drawing: &Drawing, words: &str) {
-    let size = vec2(drawing.size.x as f32, drawing.size.y as f32);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    let enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, enabled, words));
-    if !ui.is_rect_visible(rect) {
-        return;
-    }
-    let painter = ui.painter_at(rect.expand(1.0));
-    for shape in &drawing.shapes {
-        paint_shape(&painter, shape, rect.min);
-    }
-    for text in &drawing.texts {
-        paint_text(&painter, text, rect.min);
-    }
 }
 
 fn settings_ui(ui: &mut Ui, state: &mut AppState) {

@@ -2,7 +2,7 @@
 //!
 //! A curve may leave its plot by ten orders of magnitude: dashing all of it would take all memory.
 
-use super::Area;
+use super::labels::Area;
 use glam::DVec2;
 
 /// A connected part of a line.

@@ -1,6 +1,6 @@
 //! Finding room for letters: near what they name, inside the picture, off the lines and off one another.
 
-use super::ink::Mark;
+use super::drawing::{Shape, Text};
 use super::palette::Rgb8;
 use glam::DVec2;
 
@@ -34,6 +34,11 @@ impl Area {
     /// Its middle.
     pub fn centre(&self) -> DVec2 {
         (self.min + self.max) * 0.5
+    }
+
+    /// Its corners, clockwise from the top left.
+    pub fn corners(&self) -> Vec<DVec2> {
+        vec![self.min, DVec2::new(self.max.x, self.min.y), self.max, DVec2::new(self.min.x, self.max.y)]
     }
 
     /// Whether `other` lies within, edges included.
@@ -85,6 +90,13 @@ pub struct Label {
     pub colour: Rgb8,
 }
 
+impl Label {
+    /// The text in the middle of its area.
+    pub fn to_text(&self, halo: f64) -> Text {
+        Text { halo, ..Text::centred(&self.text, self.area.centre(), self.size, self.colour) }
+    }
+}
+
 /// A text that wants a place.
 pub(crate) struct Wish {
     /// What it names.
@@ -106,11 +118,11 @@ pub(crate) struct Placer {
 }
 
 impl Placer {
-    /// A placer for labels within `bounds`, off `marks`.
-    pub fn new(bounds: Area, text_size: f64, marks: &[Mark]) -> Self {
+    /// A placer for labels within `bounds`, off `shapes`.
+    pub fn new(bounds: Area, text_size: f64, shapes: &[Shape]) -> Self {
         let mut segments = Vec::new();
-        for mark in marks {
-            let coarse: Vec<DVec2> = mark.points.iter().copied().step_by(1 + mark.points.len() / CHORDS).collect();
+        for shape in shapes {
+            let coarse: Vec<DVec2> = shape.points.iter().copied().step_by(1 + shape.points.len() / CHORDS).collect();
             segments.extend(coarse.windows(2).filter_map(|ends| match ends {
                 &[a, b] => Some((a, b)),
                 _ => None,
@@ -201,7 +213,7 @@ mod tests {
 
     #[test]
     fn a_label_avoids_a_line() {
-        let line = Mark::line(vec![DVec2::new(50.0, 50.0), DVec2::new(100.0, 50.0)], 1.0, [0; 3]);
+        let line = Shape::line(vec![DVec2::new(50.0, 50.0), DVec2::new(100.0, 50.0)], 1.0, [0; 3]);
         let area = Placer::new(BOUNDS, 10.0, &[line]).place(&wish(50.0, 50.0)).expect("room enough");
         assert!(area.max.y <= 50.0 || area.min.y >= 50.0, "{area:?}");
     }

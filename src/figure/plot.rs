@@ -6,18 +6,16 @@
 mod axes;
 mod cartesian;
 mod data;
-mod drawing;
 mod legend;
 mod paper;
 mod polar;
-mod svg;
 
 pub use axes::short;
 pub use data::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
-pub use drawing::{Drawing, Shape, Text};
 pub use paper::{Paper, PlotStyle};
 
-use super::Area;
+use super::drawing::{Drawing, Text, width_of};
+use super::labels::Area;
 use axes::ticks;
 use glam::DVec2;
 use legend::Legend;
@@ -25,14 +23,14 @@ use paper::dashes;
 
 /// Lays `plot` out in a room of `size` (width, height).
 pub fn lay_out(plot: &Plot, size: DVec2, style: &PlotStyle) -> Drawing {
-    let mut drawing = Drawing::new(size, &style.paper);
+    let mut drawing = Drawing::new(size, style.paper.ground);
     fill(&mut drawing, plot, Area { min: DVec2::ZERO, max: size }, style);
     drawing
 }
 
 /// Lays several plots out on one sheet of `size`, in their order.
 pub fn lay_out_sheet(plots: &[Plot], size: DVec2, style: &PlotStyle) -> Drawing {
-    let mut drawing = Drawing::new(size, &style.paper);
+    let mut drawing = Drawing::new(size, style.paper.ground);
     let grid = grid(plots.len(), size.x > size.y);
     let cell = size / grid;
     for (index, plot) in (0u32..).zip(plots) {
@@ -73,8 +71,7 @@ fn heading(drawing: &mut Drawing, plot: &Plot, room: Area, style: &PlotStyle) ->
     let width = rest.max.x - rest.min.x;
     if style.titled {
         rest.min.y += 1.2 * em;
-        let title = Text::new(&plot.title, rest.min, 1.25 * em, style.paper.text);
-        drawing.texts.push(Text { strong: true, ..title });
+        drawing.texts.push(Text::new(&plot.title, rest.min, 1.25 * em, style.paper.text).bold());
         rest.min.y += 0.35 * em;
     }
     for line in wrapped(&plot.note, width, 0.92 * em) {
@@ -91,7 +88,7 @@ fn wrapped(text: &str, width: f64, size: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ').filter(|word| !word.is_empty()) {
         let longer = lines.last().map(|line| format!("{line} {word}"));
-        match (longer.filter(|longer| drawing::width_of(longer, size) <= width), lines.last_mut()) {
+        match (longer.filter(|longer| width_of(longer, size) <= width), lines.last_mut()) {
             (Some(longer), Some(line)) => *line = longer,
             _ => lines.push(word.to_owned()),
         }

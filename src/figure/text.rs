@@ -50,12 +50,6 @@ impl Lettering {
     pub fn placed(&self, origin: DVec2) -> Option<Path> {
         self.path.clone()?.transform(Transform::from_translate(origin.x as f32, origin.y as f32))
     }
-
-    /// The outline with the middle of its inked extent at `centre`; nothing for a text without ink.
-    pub fn centred(&self, centre: DVec2) -> Option<Path> {
-        let to = centre - (self.min + self.max) * 0.5;
-        self.path.clone()?.transform(Transform::from_translate(to.x as f32, to.y as f32))
-    }
 }
 
 /// Width and height of what is inked of a text at `size` pixels an em, pixels.
@@ -191,7 +185,7 @@ mod tests {
 
     #[test]
     fn text_without_ink_has_no_extent() {
-        assert!(Lettering::new("", 20.0).centred(DVec2::ZERO).is_none());
+        assert!(Lettering::new("", 20.0).placed(DVec2::ZERO).is_none());
         assert_eq!(Lettering::new(" ", 20.0).max, DVec2::ZERO);
     }
 }

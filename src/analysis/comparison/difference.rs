@@ -1,14 +1,12 @@
 //! The difference of two pictures as a picture, with the scale that says what its colours mean.
 
 use crate::analysis::{LinearPicture, luminance};
-use crate::figure::ink::{Ink, Mark};
 use crate::figure::palette::{self, Rgb8};
-use crate::figure::text::Lettering;
+use crate::figure::{Area, Drawing, Shape, Text};
 use crate::render::Frame;
 use crate::scene::{DifferenceKind, Rgb};
 use glam::DVec2;
 use rayon::prelude::*;
-use tiny_skia::PixmapMut;
 
 /// Where neither picture shows the object.
 const OUTSIDE: Rgb8 = [0x26, 0x27, 0x2B];
@@ -86,14 +84,15 @@ fn code(value: f64) -> u8 {
     value.round().clamp(0.0, 255.0) as u8
 }
 
-/// Draws the scale of a difference picture at its lower right: its colours, and the differences that they stand for. `em` is
-/// the size of the letters in pixels. A picture without room for it stays as it is.
-pub fn draw_difference_scale(pixmap: &mut PixmapMut<'_>, kind: DifferenceKind, gain: f64, em: f64) {
-    let size = DVec2::new(pixmap.width().into(), pixmap.height().into());
+/// The scale of a difference picture at its lower right: its colours, and the differences that they stand for. `em` is the
+/// size of the letters in pixels. Where the picture has no room for it, it is empty.
+pub fn difference_scale(size: [u32; 2], kind: DifferenceKind, gain: f64, em: f64) -> Drawing {
+    let size = DVec2::from_array(size.map(f64::from));
+    let mut drawing = Drawing::over_picture([0x10; 3], 0.12 * em);
     let (length, breadth) = ((14.0 * em).min(0.6 * size.x), 0.8 * em);
     let corner = size - DVec2::new(length + 2.6 * em, breadth + 2.2 * em);
     if corner.min_element() < 0.0 || length < 8.0 * em {
-        return;
+        return drawing;
     }
     let two_sided = kind == DifferenceKind::Signed;
     let step = length / f64::from(STEPS);
@@ -101,23 +100,20 @@ pub fn draw_difference_scale(pixmap: &mut PixmapMut<'_>, kind: DifferenceKind, g
         let share = (f64::from(i) + 0.5) / f64::from(STEPS);
         let value = if two_sided { 2.0 * share - 1.0 } else { share };
         let (x0, x1) = (corner.x + f64::from(i) * step, corner.x + f64::from(i + 1) * step + 0.5);
-        let corners = [(x0, 0.0), (x1, 0.0), (x1, breadth), (x0, breadth)];
-        let points = corners.map(|(x, y)| DVec2::new(x.min(corner.x + length), corner.y + y)).to_vec();
-        Mark { halo: false, ..Mark::area(points, 0.0, colour(kind, [value; 3])) }
+        let (min, max) = (DVec2::new(x0, corner.y), DVec2::new(x1.min(corner.x + length), corner.y + breadth));
+        Shape::area(Area { min, max }.corners(), colour(kind, [value; 3])).plain()
     });
-    let outline = [(0.0, 0.0), (length, 0.0), (length, breadth), (0.0, breadth)];
-    let outline = outline.map(|(x, y)| corner + DVec2::new(x, y)).to_vec();
-    let outline = Mark { closed: true, ..Mark::line(outline, 0.08 * em, [255; 3]) };
-    let marks: Vec<Mark> = bar.chain([outline]).collect();
-    let mut ink = Ink { pixmap, halo: [0x10; 3], breadth: 0.12 * em };
-    ink.marks(&marks);
+    drawing.shapes.extend(bar);
+    let whole = Area { min: corner, max: corner + DVec2::new(length, breadth) };
+    drawing.shapes.push(Shape::outline(whole.corners(), 0.08 * em, [255; 3]));
     let least = if two_sided { -1.0 } else { 0.0 };
     for value in [least, 0.5 * (least + 1.0), 1.0] {
         let x = corner.x + length * (value - least) / (1.0 - least);
-        let lettering = Lettering::new(&tick(value / gain, two_sided), em);
-        let origin = DVec2::new(x - 0.5 * lettering.width, corner.y + breadth + 1.1 * em);
-        ink.line_of_text(&lettering, em, origin, [255; 3]);
+        let at = DVec2::new(x, corner.y + breadth + 1.1 * em);
+        let text = Text::new(tick(value / gain, two_sided), at, em, [255; 3]).aligned(0.5);
+        drawing.texts.push(Text { halo: drawing.breadth, ..text });
     }
+    drawing
 }
 
 /// A difference as the scale letters it.

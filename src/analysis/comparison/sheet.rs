@@ -1,13 +1,11 @@
 //! The panes of a comparison on one sheet: side by side, on either side of a line, or their difference.
 
-use super::difference::{difference_picture, draw_difference_scale};
+use super::difference::{difference_picture, difference_scale};
 use crate::analysis::{LinearPicture, PaneFigures, brightest, error_figures};
-use crate::figure::ink::{Ink, Mark};
-use crate::figure::text::Lettering;
+use crate::figure::{Drawing, Shape, Text};
 use crate::render::{Frame, Renderer};
 use crate::scene::{CompareView, Scene};
 use glam::DVec2;
-use tiny_skia::PixmapMut;
 
 /// Pixels between two panes of a sheet that is not a tiny one.
 const GAP: u32 = 2;
@@ -141,14 +139,14 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> F
         CompareView::Wipe => {
             let mut sheet = wiped(&first.frame, &last.frame, compare.wipe);
             let line = compare.wipe * f64::from(width);
-            draw(&mut sheet, |ink| {
-                let ends = [0.0, f64::from(height)].map(|y| DVec2::new(line, y)).to_vec();
-                ink.marks(&[Mark::line(ends, 0.1 * em, [255; 3])]);
-                if captions {
-                    letter(ink, &first.name, em, DVec2::new(em, 1.5 * em), 0.0);
-                    letter(ink, &last.name, em, DVec2::new(f64::from(width) - em, 1.5 * em), 1.0);
-                }
-            });
+            let mut drawing = caption_drawing(&sheet);
+            let ends = [0.0, f64::from(height)].map(|y| DVec2::new(line, y)).to_vec();
+            drawing.shapes.push(Shape::line(ends, 0.1 * em, [255; 3]));
+            if captions {
+                letter(&mut drawing, &first.name, em, DVec2::new(em, 1.5 * em), 0.0);
+                letter(&mut drawing, &last.name, em, DVec2::new(f64::from(width) - em, 1.5 * em), 1.0);
+            }
+            drawing.draw_over(&mut sheet);
             sheet
         }
         CompareView::Difference => {
@@ -157,11 +155,12 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> F
                 let name = format!("{} − {}", first.name, last.name);
                 let error = error_figures(first.linear(), last.linear());
                 let words = format!("mean {:.4}   RMS {:.4}   greatest {:.4}", error.mean, error.rms, error.greatest);
-                draw(&mut sheet, |ink| {
-                    letter(ink, &name, em, DVec2::new(em, 1.5 * em), 0.0);
-                    letter(ink, &words, em, DVec2::new(em, 3.0 * em), 0.0);
-                    draw_difference_scale(ink.pixmap, compare.difference, compare.gain, em);
-                });
+                let mut drawing = caption_drawing(&sheet);
+                letter(&mut drawing, &name, em, DVec2::new(em, 1.5 * em), 0.0);
+                letter(&mut drawing, &words, em, DVec2::new(em, 3.0 * em), 0.0);
+                drawing.draw_over(&mut sheet);
+                let size = [sheet.width, sheet.height];
+                difference_scale(size, compare.difference, compare.gain, em).draw_over(&mut sheet);
             }
             sheet
         }
@@ -199,15 +198,16 @@ fn side_by_side(size: [u32; 2], panes: &[DrawnPane], em: Option<f64>) -> Frame {
     let Some(em) = em else { return sheet };
     // Smaller in small panes: a caption is about half a pane wide.
     let em = areas.first().map_or(em, |area| em.min(0.05 * f64::from(area.size[0])).max(9.0));
-    draw(&mut sheet, |ink| {
-        let figures = pane_figures(panes);
-        for (pane, area) in figures.iter().zip(&areas) {
-            let corner = DVec2::from_array(area.min.map(f64::from));
-            let [name, measured] = caption(pane, figures.last());
-            letter(ink, &name, em, corner + DVec2::new(0.8 * em, 1.4 * em), 0.0);
-            letter(ink, &measured, 0.9 * em, corner + DVec2::new(0.8 * em, f64::from(area.size[1]) - 0.8 * em), 0.0);
-        }
-    });
+    let mut drawing = caption_drawing(&sheet);
+    let figures = pane_figures(panes);
+    for (pane, area) in figures.iter().zip(&areas) {
+        let corner = DVec2::from_array(area.min.map(f64::from));
+        let [name, measured] = caption(pane, figures.last());
+        letter(&mut drawing, &name, em, corner + DVec2::new(0.8 * em, 1.4 * em), 0.0);
+        let below = corner + DVec2::new(0.8 * em, f64::from(area.size[1]) - 0.8 * em);
+        letter(&mut drawing, &measured, 0.9 * em, below, 0.0);
+    }
+    drawing.draw_over(&mut sheet);
     sheet
 }
 
@@ -221,17 +221,15 @@ fn separate(sheet: &mut Frame, area: PaneArea) {
     }
 }
 
-fn letter(ink: &mut Ink<'_, '_>, text: &str, em: f64, at: DVec2, align: f64) {
-    let lettering = Lettering::new(text, em);
-    ink.line_of_text(&lettering, em, at - DVec2::new(align * lettering.width, 0.0), [255; 3]);
+/// A drawing for the captions over `frame`.
+fn caption_drawing(frame: &Frame) -> Drawing {
+    let em = 0.032 * f64::from(frame.width.min(frame.height));
+    Drawing::over_picture([0x10; 3], (0.1 * em).max(1.2))
 }
 
-fn draw(frame: &mut Frame, marks: impl FnOnce(&mut Ink<'_, '_>)) {
-    let (width, height) = (frame.width, frame.height);
-    let em = 0.032 * f64::from(width.min(height));
-    if let Some(mut pixmap) = PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height) {
-        marks(&mut Ink { pixmap: &mut pixmap, halo: [0x10; 3], breadth: (0.1 * em).max(1.2) });
-    }
+fn letter(drawing: &mut Drawing, text: &str, em: f64, at: DVec2, align: f64) {
+    let text = Text::new(text, at, em, [255; 3]).aligned(align);
+    drawing.texts.push(Text { halo: drawing.breadth, ..text });
 }
 
 #[cfg(test)]

@@ -2,8 +2,7 @@
 
 use crate::analysis::Defects;
 use crate::analysis::overlay::{OverlayOptions, Style};
-use crate::figure::ink::{Ink, Mark};
-use crate::figure::text::Lettering;
+use crate::figure::{Shape, Text};
 use glam::DVec2;
 use tiny_skia::PixmapMut;
 
@@ -76,11 +75,12 @@ impl DefectMark {
 pub fn draw_defects(pixmap: &mut PixmapMut<'_>, defects: &Defects, options: &OverlayOptions) {
     let style = Style::new(f64::from(pixmap.width().min(pixmap.height())), options);
     let em = style.text;
-    let mut ink = Ink { pixmap, halo: style.halo_colour, breadth: style.halo };
     for mark in defect_marks(defects) {
-        let lines = mark.lines(em).into_iter().map(|line| Mark::line(line.to_vec(), 0.8 * style.line, style.neutral));
-        let ring = mark.ring(em).map(|radius| Mark::ring(mark.ends[0], radius, 0.8 * style.line, style.neutral));
-        ink.marks(&lines.chain(ring).collect::<Vec<_>>());
-        ink.text(&Lettering::new(&mark.label, em), em, mark.label_at(em), style.neutral);
+        let lines = mark.lines(em).into_iter().map(|line| Shape::line(line.to_vec(), 0.8 * style.line, style.neutral));
+        let ring = mark.ring(em).map(|radius| Shape::ring(mark.ends[0], radius, 0.8 * style.line, style.neutral));
+        let mut drawing = style.drawing(lines.chain(ring).collect());
+        let text = Text::centred(&mark.label, mark.label_at(em), em, style.neutral);
+        drawing.texts.push(Text { halo: style.halo, ..text });
+        drawing.draw(pixmap);
     }
 }

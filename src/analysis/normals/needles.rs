@@ -9,14 +9,10 @@ mod thin;
 
 pub use lit::LitVertex;
 
-use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
-use crate::analysis::overlay::{Sketch, Style};
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
 use crate::analysis::{NormalField, SeenNormal};
-use crate::figure::Area;
-use crate::figure::Label;
-use crate::figure::ink::Ink;
 use crate::figure::palette::{self, Rgb8};
-use crate::figure::text::Lettering;
+use crate::figure::{Area, Label, inked_size};
 use crate::render::Renderer;
 use crate::scene::{Scene, View};
 use fine::Fine;
@@ -133,10 +129,7 @@ impl Needles {
                 stroke.draw(pixmap, colour);
             }
         }
-        if let Some(note) = &self.note {
-            let mut ink = Ink { pixmap, halo: self.style.halo_colour, breadth: self.style.halo };
-            ink.text(&Lettering::new(&note.text, note.size), note.size, note.area.centre(), note.colour);
-        }
+        self.style.lettered(&self.note).draw(pixmap);
     }
 }
 
@@ -185,8 +178,7 @@ fn median_depth(seen: &[SeenNormal]) -> f64 {
 /// At the lower left.
 fn note(text: String, size: [u32; 2], style: &Style) -> Label {
     let em = (NOTE * style.text).max(13.0);
-    let lettering = Lettering::new(&text, em);
-    let extent = lettering.max - lettering.min + 2.0 * style.halo;
+    let extent = inked_size(&text, em) + 2.0 * style.halo;
     let margin = DVec2::splat(0.8 * em);
     let corner = DVec2::new(margin.x, f64::from(size[1]) - margin.y - extent.y);
     Label { text, area: Area { min: corner, max: corner + extent }, size: em, colour: style.neutral }

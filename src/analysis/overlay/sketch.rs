@@ -1,11 +1,10 @@
 //! The pane being drawn: one point seen through one view, with what gathers there until it is inked.
 
 use super::{Halo, OverlayOptions};
-use crate::figure::ink::Mark;
+use crate::figure::inked_size;
 use crate::figure::labels::{Placer, Wish};
 use crate::figure::palette::Rgb8;
-use crate::figure::text::inked_size;
-use crate::figure::{Area, Label};
+use crate::figure::{Area, Drawing, Label, Shape};
 use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 
@@ -47,6 +46,19 @@ impl Style {
     }
 }
 
+impl Style {
+    /// A drawing over a picture with this style's halos.
+    pub fn drawing(&self, shapes: Vec<Shape>) -> Drawing {
+        Drawing { shapes, ..Drawing::over_picture(self.halo_colour, self.halo) }
+    }
+
+    /// The same, of labels.
+    pub fn lettered<'a>(&self, labels: impl IntoIterator<Item = &'a Label>) -> Drawing {
+        let texts = labels.into_iter().map(|label| label.to_text(self.halo)).collect();
+        Drawing { texts, ..self.drawing(vec![]) }
+    }
+}
+
 /// A label that has no place yet.
 struct Pending {
     text: String,
@@ -68,7 +80,7 @@ pub(in crate::analysis) struct Sketch {
     pub origin: DVec2,
     /// Length of a unit vector, world units.
     pub length: f64,
-    pub marks: Vec<Mark>,
+    pub shapes: Vec<Shape>,
     pending: Vec<Pending>,
 }
 
@@ -85,7 +97,7 @@ impl Sketch {
         let (origin, depth) = view.project(position)?;
         let length = length.filter(|length| *length > 0.0 && length.is_finite());
         let length = length.unwrap_or(pixels * view.world_per_pixel(depth));
-        Some(Self { view, style, pane, position, origin, length, marks: Vec::new(), pending: Vec::new() })
+        Some(Self { view, style, pane, position, origin, length, shapes: Vec::new(), pending: Vec::new() })
     }
 
     /// Where the end of `vector` appears when it starts at the point: in perspective, at the end's own depth. A vector
@@ -134,6 +146,19 @@ impl Sketch {
         from + way * share
     }
 
+    /// The end of an arrow seen along its shaft: a dot in a circle where it points at the eye, a cross where it points away.
+    pub fn draw_end_on(&mut self, at: DVec2, radius: f64, towards_eye: bool, colour: Rgb8) {
+        let line = self.style.line;
+        self.shapes.push(Shape::ring(at, radius, 0.8 * line, colour));
+        if towards_eye {
+            self.shapes.push(Shape::disc(at, 1.1 * line, colour));
+            return;
+        }
+        let arm = DVec2::splat(radius * std::f64::consts::FRAC_1_SQRT_2);
+        let cross = [arm, arm.perp()].map(|arm| Shape::line(vec![at - arm, at + arm], 0.6 * line, colour));
+        self.shapes.extend(cross);
+    }
+
     /// Asks for a label of `size` times the usual size; an empty text asks for none.
     pub fn letter(&mut self, text: String, size: f64, colour: Rgb8, anchor: DVec2, direction: DVec2, clearance: f64) {
         if text.is_empty() {
@@ -144,7 +169,7 @@ impl Sketch {
 
     /// Gives every label asked for its place, in that order, outside `reserved`.
     pub fn labels(&mut self, reserved: &[Area]) -> Vec<Label> {
-        let mut placer = Placer::new(self.pane, self.style.text, &self.marks);
+        let mut placer = Placer::new(self.pane, self.style.text, &self.shapes);
         for area in reserved {
             placer.reserve(*area);
         }
@@ -165,7 +190,7 @@ impl Sketch {
         let way = near - anchor;
         if way.length() > clearance + 1.3 * self.style.text {
             let start = anchor + way.normalize_or_zero() * clearance;
-            self.marks.push(Mark::line(vec![start, near], 0.35 * self.style.line, colour));
+            self.shapes.push(Shape::line(vec![start, near], 0.35 * self.style.line, colour));
         }
     }
 }

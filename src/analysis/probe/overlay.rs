@@ -13,10 +13,8 @@ mod vectors;
 
 use super::Probe;
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
-use crate::figure::ink::{Ink, Mark};
 use crate::figure::palette::Vector;
-use crate::figure::text::Lettering;
-use crate::figure::{Area, Label};
+use crate::figure::{Area, Drawing, Label};
 use crate::scene::{Scene, View};
 use equation::Equation;
 use glam::DVec2;
@@ -96,8 +94,8 @@ pub struct Overlay {
     pub arcs: Vec<Arc>,
     pub lights: Vec<LightHandle>,
     pub labels: Vec<Label>,
-    /// Groups of marks, each with its own halos, the later over the earlier.
-    groups: Vec<Vec<Mark>>,
+    /// Each with its own halos, the later over the earlier.
+    drawings: Vec<Drawing>,
     style: Style,
 }
 
@@ -116,7 +114,8 @@ impl Overlay {
         let style = Style::new(side, options);
         let view = View::new(&scene.camera, size);
         let about = |position, length| Sketch::new(view, style, picture, position, length, UNIT_LENGTH * side);
-        let mut overlay = Self { arrows: vec![], arcs: vec![], lights: vec![], labels: vec![], groups: vec![], style };
+        let mut overlay =
+            Self { arrows: vec![], arcs: vec![], lights: vec![], labels: vec![], drawings: vec![], style };
         let hit = probe.hit.as_ref().and_then(|hit| Some((hit, about(hit.position, options.length)?)));
         let (hit, sketch) = match hit {
             Some((hit, sketch)) => (Some(hit), Some(sketch)),
@@ -130,7 +129,7 @@ impl Overlay {
         let mut corner = equation.as_ref().and_then(|equation| equation.side_view(picture, &sketch, options));
         if let Some(equation) = equation {
             // Below everything else, and no obstacle to letters: the lobe fills the middle of the drawing.
-            overlay.groups.push(equation.lobe(&sketch, scene, &options.layers));
+            overlay.drawings.push(style.drawing(equation.lobe(&sketch, scene, &options.layers)));
             (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, &options.layers);
         }
         let taken: Vec<Area> = corner.iter().map(|corner| corner.pane).collect();
@@ -143,17 +142,12 @@ impl Overlay {
 
     /// Draws the overlay on a pixmap of the size for which it was laid out.
     pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
-        let mut ink = Ink { pixmap, halo: self.style.halo_colour, breadth: self.style.halo };
-        for marks in &self.groups {
-            ink.marks(marks);
-        }
-        for label in &self.labels {
-            ink.text(&Lettering::new(&label.text, label.size), label.size, label.area.centre(), label.colour);
-        }
+        self.drawings.iter().for_each(|drawing| drawing.draw(pixmap));
+        self.style.lettered(&self.labels).draw(pixmap);
     }
 
     fn take(&mut self, sketch: &mut Sketch, reserved: &[Area]) {
         self.labels.extend(sketch.labels(reserved));
-        self.groups.push(std::mem::take(&mut sketch.marks));
+        self.drawings.push(self.style.drawing(std::mem::take(&mut sketch.shapes)));
     }
 }

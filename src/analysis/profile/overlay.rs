@@ -2,7 +2,7 @@
 
 use crate::analysis::overlay::{OverlayOptions, Style};
 use crate::analysis::{Profile, Trace};
-use crate::figure::ink::{Ink, Mark};
+use crate::figure::Shape;
 use crate::figure::palette::{Rgb8, readable};
 use glam::DVec2;
 use tiny_skia::PixmapMut;
@@ -64,14 +64,13 @@ pub fn draw_profile(pixmap: &mut PixmapMut<'_>, profile: &Profile, trace: &Trace
     let Some(curves) = lay_out_profile(profile, trace, side, style.text) else { return };
     let ProfileCurves { ends, ticks, intensity, perceived } = curves;
     let colour = readable(CURVE, style.halo_colour, 3.0);
-    let thin = |points: Vec<DVec2>| Mark::line(points, 0.7 * style.line, style.neutral);
+    let thin = |points: Vec<DVec2>| Shape::line(points, 0.7 * style.line, style.neutral);
     let mut marks = vec![thin(ends.to_vec())];
     marks.extend(ticks.iter().map(|tick| thin(tick.to_vec())));
-    marks.extend(ends.map(|end| Mark::dot(end, 1.6 * style.line, style.neutral)));
-    marks.push(Mark::line(intensity, style.line, colour));
+    marks.extend(ends.map(|end| Shape::disc(end, 1.6 * style.line, style.neutral)));
+    marks.push(Shape::line(intensity, style.line, colour));
     let seen = thin(perceived).dashed(DASHES);
-    let mut ink = Ink { pixmap, halo: style.halo_colour, breadth: style.halo };
     // Below, so that it shows where it departs.
-    ink.marks(&[seen]);
-    ink.marks(&marks);
+    style.drawing(vec![seen]).draw(pixmap);
+    style.drawing(marks).draw(pixmap);
 }

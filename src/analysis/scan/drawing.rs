@@ -9,7 +9,7 @@ mod marks;
 use crate::analysis::{Scan, ScanCorner};
 use crate::figure::Area;
 use crate::figure::palette::{ALPHA, Rgb8, readable};
-use crate::figure::plot::{Drawing, Paper, PlotStyle, Shape, Text};
+use crate::figure::{Drawing, Paper, PlotStyle, Shape, Text};
 use glam::DVec2;
 
 /// Room for letters about the outermost corners, in ems: for α at the sides, for the corners' names above and below.
@@ -37,7 +37,7 @@ fn pad(cell: f64, em: f64) -> DVec2 {
 /// Draws `scan` at step `step` in a room of `size`. With a title there is also a column beside or below the picture with the
 /// formulas filled in.
 pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) -> Drawing {
-    let mut drawing = Drawing::new(size, &style.paper);
+    let mut drawing = Drawing::new(size, style.paper.ground);
     let mut room = Area { min: DVec2::ZERO, max: size };
     if style.titled {
         room = column::draw(&mut drawing, scan, step, room, style);
@@ -73,11 +73,10 @@ impl<'a> Sheet<'a> {
         self.origin + place * self.cell
     }
 
-    /// The square of a pixel, grown by `by` on each side.
-    fn square(&self, [x, y]: [u32; 2], by: f64) -> Vec<DVec2> {
-        let min = self.at(DVec2::new(f64::from(x), f64::from(y))) - by;
-        let max = min + self.cell + 2.0 * by;
-        vec![min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)]
+    /// The square of a pixel.
+    fn square(&self, [x, y]: [u32; 2]) -> Area {
+        let min = self.at(DVec2::new(f64::from(x), f64::from(y)));
+        Area { min, max: min + self.cell }
     }
 
     /// The colour of the share α.
@@ -107,20 +106,15 @@ impl<'a> Sheet<'a> {
     /// Text with its middle at the first of `places` where it stands clear of what is `taken`, on a patch of the ground and
     /// inside the room; at none where there is no such place, or at the first one all the same if it `must`.
     fn label(&self, drawing: &mut Drawing, taken: &mut Vec<Area>, label: Label, places: &[DVec2], must: bool) {
-        let text = Text { strong: true, ..Text::new(label.text, DVec2::ZERO, label.size, label.colour) };
+        let text = Text::new(label.text, DVec2::ZERO, label.size, label.colour).bold();
         let half = DVec2::new(0.5 * text.width() + 0.15 * self.em, 0.6 * label.size);
         let (low, high) = (self.room.min + half, self.room.max - half);
-        let about = |place: &DVec2| {
-            let middle = place.max(low).min(high.max(low));
-            Area { min: middle - half, max: middle + half }
-        };
-        let free = |area: &Area| !taken.iter().any(|other| overlap(area, other));
+        let about = |place: &DVec2| Area::about(place.max(low).min(high.max(low)), 2.0 * half);
+        let free = |area: &Area| !taken.iter().any(|other| area.overlaps(other));
         let area = places.iter().map(about).find(free).or_else(|| places.first().map(about).filter(|_| must));
         let Some(area) = area else { return };
-        let Area { min, max } = area;
-        let patch = vec![min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)];
-        drawing.shapes.push(Shape { opacity: 0.78, ..Shape::area(patch, self.paper.ground) });
-        let at = (min + max) * 0.5 + DVec2::new(0.0, 0.35 * label.size);
+        drawing.shapes.push(Shape::area(area.corners(), self.paper.ground).faded(0.78));
+        let at = area.centre() + DVec2::new(0.0, 0.35 * label.size);
         drawing.texts.push(Text { at, ..text }.aligned(0.5));
         taken.push(area);
     }
@@ -131,10 +125,6 @@ struct Label {
     text: String,
     colour: Rgb8,
     size: f64,
-}
-
-fn overlap(a: &Area, b: &Area) -> bool {
-    a.min.cmplt(b.max).all() && b.min.cmplt(a.max).all()
 }
 
 #[cfg(test)]

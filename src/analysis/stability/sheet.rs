@@ -1,11 +1,9 @@
 //! The cases of the stability catalogue as a sheet: what the textbook, the engine and the reference make of each.
 
 use crate::analysis::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE};
-use crate::figure::ink::Ink;
-use crate::figure::text::Lettering;
+use crate::figure::{Drawing, Text};
 use crate::render::Frame;
 use glam::DVec2;
-use tiny_skia::PixmapMut;
 
 /// Pixels of the sheet to one of a picture.
 const SCALE: u32 = 2;
@@ -38,14 +36,17 @@ pub fn stability_sheet(results: &[CaseResult]) -> Option<Frame> {
             enlarge(&mut sheet, picture, [x + step * (side + GAP), y + HEAD]);
         }
     }
-    let mut pixmap = PixmapMut::from_bytes(sheet.pixels.as_flattened_mut(), width, height)?;
-    let mut ink = Ink { pixmap: &mut pixmap, halo: [GROUND[0], GROUND[1], GROUND[2]], breadth: 0.0 };
+    let mut drawing = Drawing::over_picture([GROUND[0], GROUND[1], GROUND[2]], 0.0);
+    let mut letter = |text: &str, em: f64, [x, y]: [u32; 2], colour: [u8; 3]| {
+        drawing.texts.push(Text::new(text, DVec2::new(x.into(), y.into()), em, colour));
+    };
     for (result, [x, y]) in results.iter().zip(&places) {
-        letter(&mut ink, result.case.title, EM, [*x, y + HEAD - 12], WORDS);
+        letter(result.case.title, EM, [*x, y + HEAD - 12], WORDS);
         for ((words, colour), step) in captions(result).into_iter().zip(0..) {
-            letter(&mut ink, &words, 0.86 * EM, [x + step * (side + GAP), y + HEAD + side + 22], colour);
+            letter(&words, 0.86 * EM, [x + step * (side + GAP), y + HEAD + side + 22], colour);
         }
     }
+    drawing.draw_over(&mut sheet);
     Some(sheet)
 }
 
@@ -61,10 +62,6 @@ fn captions(result: &CaseResult) -> [(String, [u8; 3]); 3] {
     let (words, colour) = of(textbook, result.naive_error);
     let naive = if lost > 0 { (format!("{words}, {lost} lost"), WRONG) } else { (words, colour) };
     [naive, of(engine, result.robust_error), (reference.to_owned(), WEAK)]
-}
-
-fn letter(ink: &mut Ink<'_, '_>, text: &str, em: f64, [x, y]: [u32; 2], colour: [u8; 3]) {
-    ink.line_of_text(&Lettering::new(text, em), em, DVec2::new(x.into(), y.into()), colour);
 }
 
 /// Puts a picture on the sheet, each pixel as a square.

@@ -1,12 +1,12 @@
 //! The plot, whose points can be chosen.
 
-use super::super::curves::{LETTERS, boxed, height, paint_shape, paint_text, paper};
+use super::super::curves::{LETTERS, boxed, height, paper};
+use super::super::drawing::drawing_ui;
 use super::super::theme::TEXT;
 use super::StudyView;
 use crate::analysis::{Setting, StudyRow, study_point};
 use crate::figure::{Drawing, PlotStyle, Text, lay_out};
-use eframe::egui::accesskit::Role;
-use eframe::egui::{CursorIcon, Pos2, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{CursorIcon, Pos2, Rect, Sense, Ui, pos2};
 use glam::DVec2;
 
 /// A point is meant within this many points of the pointer.
@@ -23,20 +23,9 @@ pub fn figure_ui(ui: &mut Ui, view: &mut StudyView) -> Option<Setting> {
         (lay_out(plot, room, &style), style, width)
     }));
     ui.add_space(6.0);
-    let size = vec2(drawing.size.x as f32, drawing.size.y as f32);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    let enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, enabled, format!("{}; {}", plot.title, plot.note)));
-    if !ui.is_rect_visible(rect) {
-        return None;
-    }
-    let painter = ui.painter_at(rect.expand(1.0));
-    for line in &drawing.shapes {
-        paint_shape(&painter, line, rect.min);
-    }
-    for text in &drawing.texts {
-        paint_text(&painter, text, rect.min);
-    }
+    let words_for_readers = || format!("{}; {}", plot.title, plot.note);
+    let (response, painter) = drawing_ui(ui, drawing, Sense::click(), words_for_readers)?;
+    let rect = response.rect;
     let pointer = response.hover_pos()?;
     let rows = view.study.as_ref().map_or(&[][..], |study| &study.rows);
     let row = nearest(rows, drawing, rect, pointer)?;

@@ -1,6 +1,6 @@
 //! Round numbers for an axis.
 
-use crate::figure::Axis;
+use super::data::Axis;
 
 /// Steps of degrees that divide a right angle.
 const DEGREES: [f64; 6] = [5.0, 10.0, 15.0, 30.0, 45.0, 90.0];

@@ -2,11 +2,12 @@
 
 mod points;
 
-use super::drawing::{Drawing, Frame, Shape, Text, width_of};
+use super::data::{Axis, Curve, Mark, Plot};
 use super::{PlotStyle, dashes, ticks};
-use crate::figure::Area;
 use crate::figure::clip::clipped;
-use crate::figure::{Axis, Curve, Mark, Plot};
+use crate::figure::drawing::{Drawing, Shape, Text, width_of};
+use crate::figure::labels::Area;
+use crate::figure::scale::Scale;
 use glam::DVec2;
 use points::points;
 
@@ -45,27 +46,27 @@ pub fn draw(drawing: &mut Drawing, plot: &Plot, room: Area, style: &PlotStyle) {
     if (area.max - area.min).min_element() < LEAST * em {
         return;
     }
-    let frame = Frame::Cartesian { min: area.min, max: area.max, x: [plot.x.low, plot.x.high], y: [y.low, y.high] };
-    axes(drawing, plot, &frame, &area, &y_ticks, style);
+    let scale = Scale::Cartesian { min: area.min, max: area.max, x: [plot.x.low, plot.x.high], y: [y.low, y.high] };
+    axes(drawing, plot, &scale, &area, &y_ticks, style);
     let name = Text::new(&plot.y.name, DVec2::new(room.min.x, area.min.y - 0.45 * em), em, style.paper.text);
     drawing.texts.push(name);
     for (mark, row) in plot.marks.iter().zip(&rows) {
         let (from, _) = label_span(mark, plot, &area, em);
         let at = DVec2::new(from, area.min.y - (0.45 + ROW * *row as f64) * em);
-        mark_line(drawing, mark, at, frame.place([mark.x, y.low]), style);
+        mark_line(drawing, mark, at, scale.place([mark.x, y.low]), style);
     }
-    borders(drawing, plot, &frame, &area, style);
+    borders(drawing, plot, &scale, &area, style);
     // The scene's own curve over the others.
     for emphasised in [false, true] {
         for curve in plot.curves.iter().filter(|curve| curve.emphasised == emphasised) {
-            draw_curve(drawing, curve, &frame, &area, style);
+            draw_curve(drawing, curve, &scale, &area, style);
         }
     }
     for mark in &plot.marks {
-        dots(drawing, plot, mark, &frame, &area, style);
+        dots(drawing, plot, mark, &scale, &area, style);
     }
-    points(drawing, plot, &frame, &area, style);
-    drawing.frames.push(frame);
+    points(drawing, plot, &scale, &area, style);
+    drawing.scales.push(scale);
 }
 
 /// The row above the plot, 0 the lowest, in which each mark's label stands clear of the others and of y's name.
@@ -91,17 +92,17 @@ fn label_span(mark: &Mark, plot: &Plot, area: &Area, em: f64) -> (f64, f64) {
     (from, from + width)
 }
 
-fn axes(drawing: &mut Drawing, plot: &Plot, frame: &Frame, area: &Area, y_ticks: &[(f64, String)], style: &PlotStyle) {
+fn axes(drawing: &mut Drawing, plot: &Plot, scale: &Scale, area: &Area, y_ticks: &[(f64, String)], style: &PlotStyle) {
     let (em, paper) = (style.text, &style.paper);
     let line = |a, b, colour| Shape::line(vec![a, b], style.axis(), colour);
     for (value, text) in y_ticks {
-        let at = frame.place([plot.x.low, *value]);
+        let at = scale.place([plot.x.low, *value]);
         drawing.shapes.push(line(at, DVec2::new(area.max.x, at.y), paper.grid));
         let label = Text::new(text, at + DVec2::new(-0.45 * em, 0.34 * em), em, paper.weak);
         drawing.texts.push(label.aligned(1.0));
     }
     for (value, text) in ticks(&plot.x, (area.max.x - area.min.x) / (3.4 * em)) {
-        let at = frame.place([value, plot.y.low]);
+        let at = scale.place([value, plot.y.low]);
         drawing.shapes.push(line(at, DVec2::new(at.x, area.min.y), paper.grid));
         let label = Text::new(text, at + DVec2::new(0.0, 1.3 * em), em, paper.weak);
         drawing.texts.push(label.aligned(0.5));
@@ -114,8 +115,8 @@ fn axes(drawing: &mut Drawing, plot: &Plot, frame: &Frame, area: &Area, y_ticks:
 }
 
 /// Where polygons meet: a faint line through the plot and a tick on the axis, unless they are too close to be told apart.
-fn borders(drawing: &mut Drawing, plot: &Plot, frame: &Frame, area: &Area, style: &PlotStyle) {
-    let places = plot.borders.iter().map(|x| frame.place([*x, plot.y.low]).x);
+fn borders(drawing: &mut Drawing, plot: &Plot, scale: &Scale, area: &Area, style: &PlotStyle) {
+    let places = plot.borders.iter().map(|x| scale.place([*x, plot.y.low]).x);
     #[expect(clippy::cast_precision_loss, reason = "far fewer borders than 2⁵³")]
     let roomy = area.max.x - area.min.x >= LINE_GAP * style.text * plot.borders.len() as f64;
     let mut last = f64::NEG_INFINITY;
@@ -139,26 +140,26 @@ fn mark_line(drawing: &mut Drawing, mark: &Mark, label: DVec2, foot: DVec2, styl
     let ends = vec![foot, DVec2::new(foot.x, label.y + 0.25 * style.text)];
     drawing.shapes.push(Shape::line(ends, style.axis(), colour).dashed(MARK_DASHES));
     let text = Text::new(&mark.label, label, style.text, colour);
-    drawing.texts.push(Text { strong: mark.probe, halo: true, ..text });
+    drawing.texts.push(Text { strong: mark.probe, ..text.with_halo() });
 }
 
-fn draw_curve(drawing: &mut Drawing, curve: &Curve, frame: &Frame, area: &Area, style: &PlotStyle) {
+fn draw_curve(drawing: &mut Drawing, curve: &Curve, scale: &Scale, area: &Area, style: &PlotStyle) {
     let colour = style.paper.line(curve.ink);
-    for run in clipped(curve.points.iter().map(|point| frame.place(*point)), area) {
+    for run in clipped(curve.points.iter().map(|point| scale.place(*point)), area) {
         let line = Shape::line(thinned(&run.points), style.curve(curve.emphasised), colour);
         drawing.shapes.push(line.dashed(dashes(curve.dash)));
     }
     let roomy = area.max.x - area.min.x >= TAGGED * style.text;
     if let Some(tag) = curve.tag.as_ref().filter(|_| roomy) {
-        let at = frame.place(tag.at) + DVec2::new(-0.3, 0.3) * style.text;
+        let at = scale.place(tag.at) + DVec2::new(-0.3, 0.3) * style.text;
         let text = Text::new(&tag.text, at, 0.92 * style.text, style.paper.letters(curve.ink));
-        drawing.texts.push(Text { halo: true, ..text }.aligned(1.0));
+        drawing.texts.push(text.with_halo().aligned(1.0));
     }
 }
 
-fn dots(drawing: &mut Drawing, plot: &Plot, mark: &Mark, frame: &Frame, area: &Area, style: &PlotStyle) {
+fn dots(drawing: &mut Drawing, plot: &Plot, mark: &Mark, scale: &Scale, area: &Area, style: &PlotStyle) {
     for (index, value) in &mark.values {
-        let at = frame.place([mark.x, *value]);
+        let at = scale.place([mark.x, *value]);
         let inside = Area { min: area.min - 1.0, max: area.max + 1.0 }.holds(&Area { min: at, max: at });
         let Some(curve) = plot.curves.get(*index).filter(|_| inside) else { continue };
         drawing.shapes.push(Shape::disc(at, 0.36 * style.text, style.paper.ground));

@@ -1,9 +1,9 @@
 //! The legend: a line a curve, beside the plot or below it.
 
-use super::drawing::{Drawing, Shape, Text, width_of};
+use super::data::Plot;
 use super::{PlotStyle, dashes};
-use crate::figure::Area;
-use crate::figure::Plot;
+use crate::figure::drawing::{Drawing, Shape, Text, width_of};
+use crate::figure::labels::Area;
 use glam::DVec2;
 
 /// Length of a line's sample, and the gaps after it and before the notes, in ems.

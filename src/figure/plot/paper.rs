@@ -1,8 +1,8 @@
 //! The paper a plot is drawn on: its greys, the colours of curves on it, and their dashes.
 
+use super::data::{Dash, Ink};
 use super::grid;
 use crate::figure::palette::{Rgb8, Vector, readable};
-use crate::figure::{Dash, Ink};
 use glam::DVec2;
 
 /// Contrast that WCAG 2.2 asks of lines (1.4.11) and of text (1.4.3).

@@ -2,11 +2,12 @@
 
 use super::axes::round_up;
 use super::cartesian::thinned;
-use super::drawing::{Drawing, Frame, Shape, Text};
+use super::data::{Direction, Plot};
 use super::{PlotStyle, dashes};
-use crate::figure::Area;
+use crate::figure::drawing::{Drawing, Shape, Text};
+use crate::figure::labels::Area;
 use crate::figure::palette::Vector;
-use crate::figure::{Direction, Plot};
+use crate::figure::scale::Scale;
 use glam::DVec2;
 
 /// Degrees between the spokes.
@@ -34,23 +35,23 @@ pub fn draw(drawing: &mut Drawing, plot: &Plot, room: Area, style: &PlotStyle) {
     let centre = DVec2::new(0.5 * (room.min.x + room.max.x), room.min.y + 1.5 * em + radius + 0.4 * slack);
     let step = round_up(plot.y.high / RINGS * 0.8);
     let rings = (plot.y.high / step * (1.0 - 1e-9)).ceil().max(1.0);
-    let frame = Frame::Polar { centre, radius, scale: radius / (rings * step) };
-    ground(drawing, &frame, rings as u32, step, style);
-    lobe(drawing, plot, &frame, style);
+    let scale = Scale::Polar { centre, radius, scale: radius / (rings * step) };
+    ground(drawing, &scale, rings as u32, step, style);
+    lobe(drawing, plot, &scale, style);
     for direction in &plot.directions {
         arrow(drawing, direction, &plot.directions, centre, radius, style);
     }
-    drawing.frames.push(frame);
+    drawing.scales.push(scale);
 }
 
 /// The body below the surface, rings with their values, spokes with their angles.
-fn ground(drawing: &mut Drawing, frame: &Frame, rings: u32, step: f64, style: &PlotStyle) {
+fn ground(drawing: &mut Drawing, scale: &Scale, rings: u32, step: f64, style: &PlotStyle) {
     let (em, paper) = (style.text, &style.paper);
     let high = f64::from(rings) * step;
-    let at = |angle: f64, value: f64| frame.place([angle, value]);
+    let at = |angle: f64, value: f64| scale.place([angle, value]);
     let below = DVec2::new(0.0, 0.45 * em);
     let body = vec![at(-90.0, high), at(90.0, high), at(90.0, high) + below, at(-90.0, high) + below];
-    drawing.shapes.push(Shape { opacity: OPAQUE[1], ..Shape::area(body, paper.weak) });
+    drawing.shapes.push(Shape::area(body, paper.weak).faded(OPAQUE[1]));
     for spoke in SPOKES {
         let ends = vec![at(0.0, 0.0), at(spoke.into(), high)];
         drawing.shapes.push(Shape::line(ends, style.axis(), paper.grid));
@@ -76,15 +77,15 @@ fn ground(drawing: &mut Drawing, frame: &Frame, rings: u32, step: f64, style: &P
     drawing.shapes.push(Shape::line(vec![at(-90.0, high), at(90.0, high)], style.axis(), paper.weak));
 }
 
-fn lobe(drawing: &mut Drawing, plot: &Plot, frame: &Frame, style: &PlotStyle) {
+fn lobe(drawing: &mut Drawing, plot: &Plot, scale: &Scale, style: &PlotStyle) {
     for curve in &plot.curves {
-        let places: Vec<DVec2> = curve.points.iter().map(|point| frame.place(*point)).collect();
+        let places: Vec<DVec2> = curve.points.iter().map(|point| scale.place(*point)).collect();
         let places = thinned(&places);
         let colour = style.paper.line(curve.ink);
         let line = Shape::line(places.clone(), style.curve(curve.emphasised), colour).dashed(dashes(curve.dash));
         if curve.emphasised {
-            let area = std::iter::once(frame.place([0.0, 0.0])).chain(places).collect();
-            drawing.shapes.push(Shape { opacity: OPAQUE[0], ..Shape::area(area, colour) });
+            let area = std::iter::once(scale.place([0.0, 0.0])).chain(places).collect();
+            drawing.shapes.push(Shape::area(area, colour).faded(OPAQUE[0]));
         }
         drawing.shapes.push(line);
     }
@@ -118,5 +119,5 @@ fn arrow(
     let middle = tip - along * 0.5 * em + aside * 0.85 * em;
     let letter =
         Text::new(direction.letter, middle + DVec2::new(0.0, 0.36 * em), 1.1 * em, style.paper.letters(direction.ink));
-    drawing.texts.push(Text { strong: true, halo: true, ..letter }.aligned(0.5));
+    drawing.texts.push(letter.bold().with_halo().aligned(0.5));
 }

@@ -1,14 +1,10 @@
 //! One vertex: the polygons that its normal comes from, lit up, each with its share.
 
 use super::{CONTRAST, DARK, LENGTH, LENGTHS};
-use crate::analysis::overlay::OverlayOptions;
-use crate::analysis::overlay::{Sketch, Style};
+use crate::analysis::overlay::{OverlayOptions, Sketch, Style};
 use crate::analysis::{NormalField, VertexFace, VertexNormal};
-use crate::figure::Area;
-use crate::figure::Label;
-use crate::figure::ink::{Ink, Mark};
-use crate::figure::palette::{self, Rgb8, readable};
-use crate::figure::text::Lettering;
+use crate::figure::palette::{self, readable};
+use crate::figure::{Area, Drawing, Label, Shape};
 use crate::geometry::NormalOrigin;
 use crate::scene::{NormalSource, Scene, View};
 use glam::DVec2;
@@ -30,7 +26,7 @@ const SHARE: f64 = 0.8;
 pub struct LitVertex {
     /// The shares and the letter of the normal.
     pub labels: Vec<Label>,
-    marks: Vec<Mark>,
+    drawing: Drawing,
     style: Style,
 }
 
@@ -66,16 +62,13 @@ impl LitVertex {
         count(&mut sketch, vertex);
         vertex_normal(&mut sketch, vertex, name(field, vertex));
         let labels = sketch.labels(&[]);
-        Some(Self { labels, marks: sketch.marks, style })
+        Some(Self { labels, drawing: style.drawing(sketch.shapes), style })
     }
 
     /// Draws it on a pixmap of the size for which it was laid out.
     pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
-        let mut ink = Ink { pixmap, halo: self.style.halo_colour, breadth: self.style.halo };
-        ink.marks(&self.marks);
-        for label in &self.labels {
-            ink.text(&Lettering::new(&label.text, label.size), label.size, label.area.centre(), label.colour);
-        }
+        self.drawing.draw(pixmap);
+        self.style.lettered(&self.labels).draw(pixmap);
     }
 }
 
@@ -83,19 +76,17 @@ impl LitVertex {
 fn area(sketch: &mut Sketch, field: &NormalField, face: &VertexFace, front: bool, weight: f64) {
     let corners: Option<Vec<DVec2>> =
         field.outline(face.face).into_iter().map(|corner| Some(sketch.view.project(corner)?.0)).collect();
-    let Some(corners) = corners else { return };
+    let Some(mut corners) = corners else { return };
     if front {
-        let fill = Mark { halo: false, ..Mark::area(corners.clone(), 0.0, palette::FACE) };
-        sketch.marks.push(fill.faded(FILL[0] + FILL[1] * weight));
+        let fill = Shape::area(corners.clone(), palette::FACE).plain();
+        sketch.shapes.push(fill.faded(FILL[0] + FILL[1] * weight));
     }
     let width = 0.5 * sketch.style.line;
-    let mut outline = Mark::line(corners, width, palette::FACE);
-    outline.points.extend(outline.points.first().copied());
+    corners.extend(corners.first().copied());
     // Yellow shows on its own dark rim, whatever the picture's halo is.
-    let rim = Mark { halo: false, ..Mark::line(outline.points.clone(), 2.4 * width, DARK) };
-    sketch.marks.push(rim.faded(if front { 0.7 } else { 0.4 }));
-    let outline = Mark { halo: false, ..outline };
-    sketch.marks.push(if front { outline } else { outline.dashed(BEHIND) });
+    let rim = Shape::line(corners.clone(), 2.4 * width, DARK).faded(if front { 0.7 } else { 0.4 });
+    let outline = Shape::line(corners, width, palette::FACE).dashed(if front { &[] } else { BEHIND });
+    sketch.shapes.extend([rim.plain(), outline.plain()]);
 }
 
 /// The normal at a face's centre, and its share beside it.
@@ -105,20 +96,14 @@ fn normal(sketch: &mut Sketch, own: &Sketch, face: &VertexFace, lettered: bool) 
     let along = (tip - own.origin).normalize_or_zero();
     let head = (0.7 * style.head).min(0.5 * own.origin.distance(tip));
     let width = 0.75 * style.line;
-    let shaft = vec![own.origin, tip - along * 0.85 * head];
-    let rim = Mark { halo: false, ..Mark::line(shaft.clone(), width + style.line, DARK) };
-    let dot = |radius: f64, colour: Rgb8| Mark { halo: false, ..Mark::dot(own.origin, radius, colour) };
-    let point = |more: f64, colour: Rgb8| {
-        let triangle = Mark::arrow_head(tip, along, head, colour);
-        Mark { halo: false, width: more, ..triangle }
-    };
-    sketch.marks.extend([rim, dot(1.6 * style.line, DARK), point(style.line, DARK)]);
-    let line = Mark { halo: false, ..Mark::line(shaft, width, palette::FACE) };
-    sketch.marks.extend([
-        line.dashed(&palette::FACE_DASHES),
-        dot(1.1 * style.line, palette::FACE),
-        point(0.0, palette::FACE),
-    ]);
+    // Yellow on a dark rim: the same arrow twice, first wider.
+    for (more, dot, colour, dashes) in
+        [(style.line, 1.6, DARK, &[][..]), (0.0, 1.1, palette::FACE, &palette::FACE_DASHES[..])]
+    {
+        let [shaft, point] = Shape::arrow([own.origin, tip], along, width + more, head, colour);
+        let dot = Shape::disc(own.origin, dot * style.line, colour);
+        sketch.shapes.extend([shaft.dashed(dashes), dot, Shape { width: more, ..point }].map(Shape::plain));
+    }
     if lettered {
         let outwards = (own.origin - sketch.origin).normalize_or(-along);
         let colour = readable(palette::FACE, style.halo_colour, 4.5);
@@ -163,11 +148,10 @@ fn vertex_normal(sketch: &mut Sketch, vertex: &VertexNormal, name: &str) {
     let tip = sketch.end(vertex.normal).unwrap_or(origin);
     let along = (tip - origin).normalize_or_zero();
     let head = style.head.min(0.5 * origin.distance(tip));
-    sketch.marks.push(Mark::line(vec![origin, tip - along * 0.85 * head], 1.2 * style.line, colour));
-    if head > 0.0 {
-        sketch.marks.push(Mark::arrow_head(tip, along, head, colour));
-    }
-    sketch.marks.push(Mark::dot(origin, 1.7 * style.line, colour));
+    let [shaft, point] = Shape::arrow([origin, tip], along, 1.2 * style.line, head, colour);
+    sketch.shapes.push(shaft);
+    sketch.shapes.extend((head > 0.0).then_some(point));
+    sketch.shapes.push(Shape::disc(origin, 1.7 * style.line, colour));
     let anchor = sketch.inside(tip, 0.5 * style.text);
     let size = if name == "N" { 1.0 } else { SHARE };
     sketch.letter(name.to_owned(), size, colour, anchor, along, 0.15 * style.text);

@@ -2,7 +2,7 @@
 
 use super::{Angle, Arc};
 use crate::analysis::overlay::Sketch;
-use crate::figure::ink::Mark;
+use crate::figure::Shape;
 use glam::{DVec2, DVec3};
 
 /// Chords in an arc.
@@ -54,9 +54,9 @@ fn arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3), width: f64
         turn(from, to)?.into_iter().map(|direction| sketch.end(direction * radius)).collect::<Option<_>>()?;
     let edge_on = flat(sketch.origin, &points, 1.2 * sketch.style.line);
     if !edge_on {
-        let mark = Mark::line(points.clone(), width, sketch.style.neutral);
+        let mark = Shape::line(points.clone(), width, sketch.style.neutral);
         // The two arcs share a colour; dashes tell φ's from θ's.
-        sketch.marks.push(if angle == Angle::Phi { mark.dashed(&[3.0, 2.0]) } else { mark });
+        sketch.shapes.push(if angle == Angle::Phi { mark.dashed(&[3.0, 2.0]) } else { mark });
     }
     Some(Arc { angle, points, edge_on })
 }

@@ -1,7 +1,7 @@
 //! R by projection: L drops onto N at N(N·L), and as far again on the other side lies R = 2N(N·L) − L.
 
 use crate::analysis::overlay::Sketch;
-use crate::figure::ink::Mark;
+use crate::figure::Shape;
 use crate::figure::palette;
 use glam::DVec3;
 
@@ -18,17 +18,17 @@ pub(super) fn draw(sketch: &mut Sketch, n: DVec3, l: DVec3) {
     let (Some(at_l), Some(at_r), Some(at_foot), Some(at_top)) = (at_l, at_r, at_foot, at_top) else { return };
     let style = sketch.style;
     let width = 0.45 * style.line;
-    let thin = |points| Mark::line(points, width, style.neutral);
-    sketch.marks.push(thin(vec![at_l, at_r]));
-    sketch.marks.push(thin(vec![at_l, at_top, at_r]).dashed(DASHES));
-    sketch.marks.push(thin(vec![sketch.origin, at_top]).dashed(DASHES));
+    let thin = |points| Shape::line(points, width, style.neutral);
+    sketch.shapes.push(thin(vec![at_l, at_r]));
+    sketch.shapes.push(thin(vec![at_l, at_top, at_r]).dashed(DASHES));
+    sketch.shapes.push(thin(vec![sketch.origin, at_top]).dashed(DASHES));
     if let Some(across) = (l - foot).try_normalize().filter(|_| (l - foot).length() > 2.0 * SQUARE) {
         let corners = [foot + across * SQUARE, foot + (across - n) * SQUARE, foot - n * SQUARE];
         if let Some(corners) = corners.into_iter().map(|corner| sketch.end(corner)).collect() {
-            sketch.marks.push(thin(corners));
+            sketch.shapes.push(thin(corners));
         }
     }
-    sketch.marks.push(Mark::dot(at_foot, 0.9 * style.line, palette::N));
+    sketch.shapes.push(Shape::disc(at_foot, 0.9 * style.line, palette::N));
 }
 
 /// Letters the foot.

@@ -5,7 +5,7 @@ use crate::analysis::overlay::Sketch;
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
 use crate::analysis::{LightTerms, ProbeHit, ReflectionLobe};
 use crate::figure::Area;
-use crate::figure::ink::Mark;
+use crate::figure::Shape;
 use crate::figure::palette::Vector;
 use crate::scene::{Backfacing, ReflectionModel, Scene};
 use glam::DVec3;
@@ -46,7 +46,7 @@ impl<'a> Equation<'a> {
     }
 
     /// The lobe of the light that is looked at, if it is asked for.
-    pub fn lobe(&self, sketch: &Sketch, scene: &Scene, layers: &[OverlayLayer]) -> Vec<Mark> {
+    pub fn lobe(&self, sketch: &Sketch, scene: &Scene, layers: &[OverlayLayer]) -> Vec<Shape> {
         let focus = self.focus.as_ref().filter(|_| layers.contains(&OverlayLayer::Lobe));
         let lobe = focus.and_then(|focus| ReflectionLobe::at(scene, self.hit, focus.index));
         lobe.map_or_else(Vec::new, |lobe| lobe::draw(sketch, &lobe, scene))

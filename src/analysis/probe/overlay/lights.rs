@@ -3,7 +3,7 @@
 use super::{LETTERED, LightHandle};
 use crate::analysis::overlay::Sketch;
 use crate::figure::Area;
-use crate::figure::ink::Mark;
+use crate::figure::Shape;
 use crate::figure::palette::{self, Rgb8};
 use crate::scene::{Light, LightKind, View};
 use glam::DVec2;
@@ -48,14 +48,14 @@ fn sun(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightHa
     for eighth in 0..8 {
         let way = DVec2::from_angle(f64::from(eighth) * std::f64::consts::FRAC_PI_4);
         let ray = vec![pixel + way * 1.4 * radius, pixel + way * SUN[0] * radius];
-        sketch.marks.push(Mark::line(ray, line, palette::L));
+        sketch.shapes.push(Shape::line(ray, line, palette::L));
     }
     if outside {
         let way = (wanted - sketch.view.centre).normalize_or_zero();
-        sketch.marks.push(Mark::arrow_head(pixel + way * SUN[1] * radius, way, 0.9 * radius, palette::L));
+        sketch.shapes.push(Shape::arrow_head(pixel + way * SUN[1] * radius, way, 0.9 * radius, palette::L));
     }
-    sketch.marks.push(Mark::dot(pixel, radius, shown(light)));
-    sketch.marks.push(Mark { halo: false, ..Mark::ring(pixel, radius, line, palette::L) });
+    sketch.shapes.push(Shape::disc(pixel, radius, shown(light)));
+    sketch.shapes.push(Shape::ring(pixel, radius, line, palette::L).plain());
     LightHandle { light: index, pixel, outside }
 }
 
@@ -86,15 +86,7 @@ fn rays(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightH
     let room = RAYS_AT * (sketch.pane.max - sketch.pane.min).min_element();
     let pixel = sketch.pane.centre() - flat * room;
     if flat.length() < HEAD_ON {
-        sketch.marks.push(Mark::ring(pixel, 1.5 * radius, 0.8 * style.line, palette::L));
-        if direction.dot(sketch.view.forward) < 0.0 {
-            sketch.marks.push(Mark::dot(pixel, 1.1 * style.line, palette::L));
-        } else {
-            let arm = DVec2::splat(1.5 * radius * std::f64::consts::FRAC_1_SQRT_2);
-            for arm in [arm, arm.perp()] {
-                sketch.marks.push(Mark::line(vec![pixel - arm, pixel + arm], 0.6 * style.line, palette::L));
-            }
-        }
+        sketch.draw_end_on(pixel, 1.5 * radius, direction.dot(sketch.view.forward) < 0.0, palette::L);
         return LightHandle { light: index, pixel, outside: false };
     }
     let (along, half) = (flat.normalize(), flat * 0.5 * RAYS_LENGTH * style.text * radius / (0.4 * style.text));
@@ -102,8 +94,7 @@ fn rays(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightH
         let middle = pixel + along.perp() * side * 1.3 * radius;
         let width = if side == 0.0 { style.line } else { 0.6 * style.line };
         let (tip, head) = (middle + half, (4.5 * width).min(half.length()));
-        sketch.marks.push(Mark::line(vec![middle - half, tip - along * 0.85 * head], width, palette::L));
-        sketch.marks.push(Mark::arrow_head(tip, along, head, palette::L));
+        sketch.shapes.extend(Shape::arrow([middle - half, tip], along, width, head, palette::L));
     }
     LightHandle { light: index, pixel, outside: false }
 }

@@ -5,7 +5,7 @@
 
 use crate::analysis::overlay::Sketch;
 use crate::analysis::{ReflectionLobe, curves::highlight_half_width};
-use crate::figure::ink::Mark;
+use crate::figure::Shape;
 use crate::figure::palette::{self, Rgb8};
 use crate::scene::{ReflectionModel, Scene};
 use glam::{DVec2, DVec3};
@@ -31,7 +31,7 @@ const WIDTH: f64 = 0.32;
 const FAINT: [f64; 2] = [0.22, 0.1];
 
 /// The lobe in the sketch's view.
-pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec<Mark> {
+pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec<Shape> {
     let greatest = greatest(lobe, scene);
     if greatest.is_nan() || greatest <= 0.0 || !greatest.is_finite() {
         return vec![];
@@ -45,7 +45,7 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
             for (knots, bright) in runs(knots, |knot| knot.bright) {
                 let colour = if bright { specular } else { palette::L };
                 let line = stroke(knots, WIDTH * sketch.style.line, colour);
-                into.push(if seen { line } else { Mark { halo: false, ..line.faded(FAINT[0]) } });
+                into.push(if seen { line } else { line.faded(FAINT[0]).plain() });
             }
         }
     };
@@ -143,7 +143,7 @@ impl Surface<'_> {
     }
 
     /// The silhouette's inside, faintly.
-    fn skin(&self, colour: Rgb8) -> Vec<Mark> {
+    fn skin(&self, colour: Rgb8) -> Vec<Shape> {
         let [meridians, parallels] = NET;
         let mut marks = Vec::new();
         for i in 0..meridians {
@@ -154,7 +154,7 @@ impl Surface<'_> {
                     self.sketch.end(direction * self.reach(direction))
                 };
                 let Some(corners) = corners.into_iter().map(place).collect::<Option<Vec<_>>>() else { continue };
-                marks.push(Mark { halo: false, ..Mark::area(corners, 0.0, colour).faded(FAINT[1]) });
+                marks.push(Shape::area(corners, colour).faded(FAINT[1]).plain());
             }
         }
         marks
@@ -174,6 +174,6 @@ fn runs(knots: &[Knot], of: impl Fn(&Knot) -> bool) -> Vec<(&[Knot], bool)> {
     runs
 }
 
-fn stroke(knots: &[Knot], width: f64, colour: Rgb8) -> Mark {
-    Mark::line(knots.iter().filter_map(|knot| knot.place).collect(), width, colour)
+fn stroke(knots: &[Knot], width: f64, colour: Rgb8) -> Shape {
+    Shape::line(knots.iter().filter_map(|knot| knot.place).collect(), width, colour)
 }

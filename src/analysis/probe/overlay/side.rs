@@ -7,7 +7,7 @@
 use crate::analysis::overlay::OverlayOptions;
 use crate::analysis::overlay::{Sketch, Style};
 use crate::figure::Area;
-use crate::figure::ink::Mark;
+use crate::figure::Shape;
 use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 
@@ -62,17 +62,15 @@ pub(super) fn sketch(pane: Area, directions: &Directions, options: &OverlayOptio
     let view = view(pane, directions);
     let style = Style::new(2.3 * side, options);
     let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, Some(1.0), side)?;
-    let corner = |x: f64, y: f64| pane.min + DVec2::new(x, y) * side;
-    let square = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
-    let ground = Mark { halo: false, ..Mark::area(square.clone(), 0.0, style.halo_colour) };
-    let frame = Mark { halo: false, closed: true, ..Mark::line(square, 0.35 * style.line, SURFACE) };
-    sketch.marks.extend([ground.faded(OPAQUE[1]), frame]);
+    let ground = Shape::area(pane.corners(), style.halo_colour).plain();
+    let frame = Shape::outline(pane.corners(), 0.35 * style.line, SURFACE).plain();
+    sketch.shapes.extend([ground.faded(OPAQUE[1]), frame]);
     let (across, into) = directions.n.any_orthonormal_pair();
-    let rim = Mark::ring(DVec2::ZERO, DISC, 0.0, SURFACE).points;
+    let rim = Shape::ring(DVec2::ZERO, DISC, 0.0, SURFACE).points;
     let rim: Option<Vec<DVec2>> = rim.into_iter().map(|p| sketch.end(across * p.x + into * p.y)).collect();
     if let Some(rim) = rim {
-        let disc = Mark { halo: false, ..Mark::area(rim, 0.0, SURFACE) };
-        sketch.marks.push(disc.faded(OPAQUE[0]));
+        let disc = Shape::area(rim, SURFACE).plain();
+        sketch.shapes.push(disc.faded(OPAQUE[0]));
     }
     Some(sketch)
 }

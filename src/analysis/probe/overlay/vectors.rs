@@ -2,7 +2,7 @@
 
 use super::{Arrow, ArrowHead};
 use crate::analysis::overlay::Sketch;
-use crate::figure::ink::Mark;
+use crate::figure::Shape;
 use crate::figure::palette::Vector;
 use glam::{DVec2, DVec3};
 
@@ -17,8 +17,7 @@ pub(super) struct Given {
     pub vector: Vector,
     pub light: Option<usize>,
     pub direction: DVec3,
-    /// The letter with its number.
-    /// Empty for none.
+    /// The letter with its number; empty for none.
     pub name: String,
     pub emphasised: bool,
 }
@@ -46,8 +45,8 @@ pub(super) fn draw(sketch: &mut Sketch, given: Vec<Given>) -> Vec<Arrow> {
         }
         arrows.push(arrow);
     }
-    let point = Mark::ring(sketch.origin, ring, 0.5 * sketch.style.line, sketch.style.neutral);
-    sketch.marks.push(point);
+    let point = Shape::ring(sketch.origin, ring, 0.5 * sketch.style.line, sketch.style.neutral);
+    sketch.shapes.push(point);
     arrows
 }
 
@@ -60,9 +59,8 @@ fn plain(sketch: &mut Sketch, arrow: &Arrow, name: String) {
     let head = (style.head * thin.sqrt()).min(0.6 * way.length());
     let colour = arrow.vector.colour();
     let start = arrow.tail + along * style.ring.min(0.4 * way.length());
-    let shaft = vec![start, arrow.tip - along * 0.85 * head];
-    sketch.marks.push(Mark::line(shaft, width, colour).dashed(arrow.vector.dashes()));
-    sketch.marks.push(Mark::arrow_head(arrow.tip, along, head, colour));
+    let [shaft, point] = Shape::arrow([start, arrow.tip], along, width, head, colour);
+    sketch.shapes.extend([shaft.dashed(arrow.vector.dashes()), point]);
     let anchor = sketch.inside(arrow.tip, 0.5 * style.text);
     let size = if arrow.emphasised { 1.15 } else { 0.9 };
     sketch.letter(name, size, colour, anchor, along, 0.15 * style.text);
@@ -83,17 +81,9 @@ fn head_on(sketch: &mut Sketch, arrow: &Arrow, name: String, circles: &mut Vec<(
     let along = way.normalize_or_zero();
     if way.length() > radius + style.ring {
         let shaft = vec![arrow.tail + along * style.ring, arrow.tip - along * radius];
-        sketch.marks.push(Mark::line(shaft, style.line, colour).dashed(arrow.vector.dashes()));
+        sketch.shapes.push(Shape::line(shaft, style.line, colour).dashed(arrow.vector.dashes()));
     }
-    sketch.marks.push(Mark::ring(arrow.tip, radius, 0.8 * style.line, colour));
-    if arrow.head == ArrowHead::Towards {
-        sketch.marks.push(Mark::dot(arrow.tip, 1.1 * style.line, colour));
-    } else {
-        let arm = DVec2::splat(radius * std::f64::consts::FRAC_1_SQRT_2);
-        for arm in [arm, arm.perp()] {
-            sketch.marks.push(Mark::line(vec![arrow.tip - arm, arrow.tip + arm], 0.6 * style.line, colour));
-        }
-    }
+    sketch.draw_end_on(arrow.tip, radius, arrow.head == ArrowHead::Towards, colour);
     let size = if arrow.emphasised { 1.15 } else { 0.9 };
     let anchor = sketch.inside(arrow.tip, 0.5 * style.text);
     sketch.letter(name, size, colour, anchor, along, radius + 0.15 * style.text);

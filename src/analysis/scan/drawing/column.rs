@@ -4,7 +4,7 @@ use super::MOST_LETTERS;
 use crate::analysis::{Carried, Mix, Scan, ScanLevel};
 use crate::figure::Area;
 use crate::figure::palette::Rgb8;
-use crate::figure::plot::{Drawing, PlotStyle, Shape, Text};
+use crate::figure::{Drawing, PlotStyle, Shape, Text};
 use crate::scene::ShadingMode;
 use glam::DVec2;
 
@@ -25,8 +25,7 @@ pub fn draw(drawing: &mut Drawing, scan: &Scan, step: usize, room: Area, style: 
     let em = style.text;
     let mut rest = Area { min: room.min + em, max: room.max - em };
     rest.min.y += 1.2 * em;
-    let title = Text::new(title(scan), rest.min, 1.25 * em, style.paper.text);
-    drawing.texts.push(Text { strong: true, ..title });
+    drawing.texts.push(Text::new(title(scan), rest.min, 1.25 * em, style.paper.text).bold());
     rest.min.y += 1.45 * em;
     drawing.texts.push(Text::new(scan.caption(step), rest.min, em, style.paper.weak));
     rest.min.y += 0.7 * em;
@@ -105,13 +104,12 @@ fn draw_block(drawing: &mut Drawing, block: &Block, at: DVec2, style: &PlotStyle
     let mut x = at.x;
     if let Some(colour) = block.swatch {
         let (min, max) = (DVec2::new(x, y - 0.95 * em), DVec2::new(x + 1.5 * em, y + 0.25 * em));
-        let square = vec![min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)];
+        let square = Area { min, max }.corners();
         drawing.shapes.push(Shape::area(square.clone(), colour));
-        drawing.shapes.push(Shape::line([square.clone(), vec![min]].concat(), 0.06 * em, style.paper.weak));
+        drawing.shapes.push(Shape::line([square, vec![min]].concat(), 0.06 * em, style.paper.weak));
         x += 2.0 * em;
     }
-    let heading = Text::new(&block.heading, DVec2::new(x, y), 1.05 * em, style.paper.text);
-    drawing.texts.push(Text { strong: true, ..heading });
+    drawing.texts.push(Text::new(&block.heading, DVec2::new(x, y), 1.05 * em, style.paper.text).bold());
     for line in &block.lines {
         y += 1.28 * em;
         // What stands behind a tabulator begins at the same place in every line.

@@ -3,7 +3,7 @@
 use super::{Label, MOST_LETTERS, Sheet};
 use crate::analysis::{Crossing, ScanLevel, ScanPoint, corner_name};
 use crate::figure::Area;
-use crate::figure::plot::{Drawing, Shape};
+use crate::figure::{Drawing, Shape};
 use glam::DVec2;
 
 /// Of the scan line, in widths.
@@ -27,7 +27,7 @@ pub fn draw(drawing: &mut Drawing, sheet: &Sheet<'_>, step: usize) {
 
 fn fill_pixels(drawing: &mut Drawing, sheet: &Sheet<'_>, step: usize) {
     for (y, pixel) in sheet.scan.filled(step) {
-        drawing.shapes.push(Shape::area(sheet.square([pixel.x, y], 0.0), pixel.stored));
+        drawing.shapes.push(Shape::area(sheet.square([pixel.x, y]).corners(), pixel.stored));
     }
 }
 
@@ -91,7 +91,7 @@ fn span(drawing: &mut Drawing, sheet: &Sheet<'_>, point: &ScanPoint<'_>) {
     let Some(pixel) = point.pixel else { return };
     let here = place(f64::from(pixel.x) + 0.5);
     drawing.shapes.push(Shape::line(vec![from, here], 0.26 * sheet.em, sheet.alpha()));
-    let mut square = sheet.square([pixel.x, point.line.y], 0.0);
+    let mut square = sheet.square([pixel.x, point.line.y]).corners();
     square.extend(square.first().copied());
     sheet.cased(drawing, square, 0.2 * sheet.em, sheet.paper.text);
     drawing.shapes.push(Shape::disc(here, 0.3 * sheet.em, sheet.paper.ground));
@@ -103,8 +103,7 @@ fn letters(drawing: &mut Drawing, sheet: &Sheet<'_>, point: &ScanPoint<'_>) {
     let mut taken = Vec::new();
     let place = |x: f64| sheet.at(DVec2::new(x, point.line.at()));
     if let Some(pixel) = point.pixel {
-        let square = sheet.square([pixel.x, point.line.y], 0.0);
-        taken.push(Area { min: square[0], max: square[2] });
+        taken.push(sheet.square([pixel.x, point.line.y]));
     }
     let found = [("P", -1.0, point.p), ("Q", 1.0, point.q)];
     for (letter, side, crossing) in found {

@@ -1,8 +1,8 @@
 //! A drawing as SVG: lines stay lines and text stays text, so that both can be edited and searched.
 
-use super::drawing::{Drawing, HALO, Shape, Text};
-use crate::figure::palette::Rgb8;
-use crate::figure::text::Set;
+use super::drawing::{Drawing, Shape, Text};
+use super::palette::Rgb8;
+use super::text::Set;
 use std::fmt::Write;
 
 /// The program's own font first, then what most machines have.
@@ -14,19 +14,20 @@ impl Drawing {
         let (width, height) = (self.size.x, self.size.y);
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" role=\"img\">\n<title>{}</title>\n\
-             <rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n\
-             <g stroke-linejoin=\"round\" stroke=\"none\">\n",
+             viewBox=\"0 0 {width} {height}\" role=\"img\">\n<title>{}</title>\n",
             escaped(title),
-            hex(self.ground)
         );
-        for shape in &self.shapes {
-            write_shape(&mut svg, shape);
+        if let Some(ground) = self.ground {
+            let _ = writeln!(svg, "<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>", hex(ground));
+        }
+        svg.push_str("<g stroke-linejoin=\"round\" stroke=\"none\">\n");
+        for shape in self.painted() {
+            write_shape(&mut svg, &shape);
         }
         let _ = writeln!(svg, "</g>\n<g font-family=\"{FONTS}\" stroke=\"none\">");
         for text in &self.texts {
-            if text.halo {
-                write_text(&mut svg, text, Some(self.ground));
+            if text.halo > 0.0 {
+                write_text(&mut svg, text, Some(self.halo));
             }
             write_text(&mut svg, text, None);
         }
@@ -41,22 +42,21 @@ fn write_shape(svg: &mut String, shape: &Shape) {
         let _ = write!(points, "{}{},{}", if points.is_empty() { "" } else { " " }, brief(point.x), brief(point.y));
     }
     let colour = hex(shape.colour);
-    let opacity = if shape.opacity < 1.0 { format!(" opacity=\"{}\"", shape.opacity) } else { String::new() };
-    let _ = if shape.fill {
-        writeln!(svg, "<polygon points=\"{points}\" fill=\"{colour}\"{}/>", opacity)
-    } else {
-        let lengths: Vec<String> = shape.dashes.iter().map(|dash| brief(f64::from(*dash) * shape.width)).collect();
-        let dashes = match lengths.as_slice() {
-            [] => " stroke-linecap=\"round\"".to_owned(),
-            _ => format!(" stroke-dasharray=\"{}\"", lengths.join(" ")),
-        };
-        let width = brief(shape.width);
-        writeln!(
-            svg,
-            "<polyline points=\"{points}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"{dashes}{}/>",
-            opacity
-        )
+    let width = brief(shape.width);
+    let paint = match (shape.fill, shape.width > 0.0) {
+        (true, false) => format!("fill=\"{colour}\""),
+        (true, true) => format!("fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"{width}\""),
+        (false, _) => format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\""),
     };
+    let lengths: Vec<String> = shape.dashes.iter().map(|dash| brief(f64::from(*dash) * shape.width)).collect();
+    let dashes = match (shape.fill, lengths.is_empty()) {
+        (true, _) => String::new(),
+        (false, true) => " stroke-linecap=\"round\"".to_owned(),
+        (false, false) => format!(" stroke-dasharray=\"{}\"", lengths.join(" ")),
+    };
+    let element = if shape.closed { "polygon" } else { "polyline" };
+    let opacity = if shape.opacity < 1.0 { format!(" opacity=\"{}\"", shape.opacity) } else { String::new() };
+    let _ = writeln!(svg, "<{element} points=\"{points}\" {paint}{dashes}{opacity}/>");
 }
 
 /// Writes a line of text, or its halo of a colour: a text of its own below it, since not every program paints the stroke
@@ -74,7 +74,7 @@ fn write_text(svg: &mut String, text: &Text, halo: Option<Rgb8>) {
     let paint = match halo.map(hex) {
         None => format!("fill=\"{}\"", hex(text.colour)),
         Some(colour) => {
-            let width = brief(2.0 * HALO * text.size);
+            let width = brief(2.0 * text.halo);
             format!("aria-hidden=\"true\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"{width}\"")
         }
     };

@@ -1,0 +1,202 @@
+//! A drawing as plain geometry: lines, areas and texts with their places, for any device.
+
+use super::palette::Rgb8;
+use super::scale::Scale;
+use super::text::Lettering;
+use glam::DVec2;
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
+/// Breadth of the halo of a text in a plot, in its size.
+const TEXT_HALO: f64 = 0.14;
+/// Corners of the polygon that is drawn as a circle: at the largest radius in use it is off by less than a tenth of a pixel.
+const CIRCLE_CORNERS: u32 = 96;
+
+/// A line or an area.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    pub points: Vec<DVec2>,
+    /// Whether the last point is joined to the first.
+    pub closed: bool,
+    /// Whether the area within is filled. All of it can be seen from its first point.
+    pub fill: bool,
+    /// Width of the line; of an area, that of its rounded edge.
+    pub width: f64,
+    /// Lengths of dashes and gaps in turn, in widths; empty is solid.
+    pub dashes: &'static [f32],
+    pub colour: Rgb8,
+    /// From 0 to 1.
+    pub opacity: f64,
+    /// Whether it has the drawing's halo.
+    pub halo: bool,
+}
+
+impl Shape {
+    /// A solid line.
+    pub fn line(points: Vec<DVec2>, width: f64, colour: Rgb8) -> Self {
+        Self { points, closed: false, fill: false, width, dashes: &[], colour, opacity: 1.0, halo: true }
+    }
+
+    /// A closed line.
+    pub fn outline(points: Vec<DVec2>, width: f64, colour: Rgb8) -> Self {
+        Self { closed: true, ..Self::line(points, width, colour) }
+    }
+
+    /// A filled area.
+    pub fn area(points: Vec<DVec2>, colour: Rgb8) -> Self {
+        Self { fill: true, ..Self::outline(points, 0.0, colour) }
+    }
+
+    /// A circle's outline.
+    pub fn ring(centre: DVec2, radius: f64, width: f64, colour: Rgb8) -> Self {
+        static CORNERS: LazyLock<Vec<DVec2>> = LazyLock::new(|| {
+            let step = std::f64::consts::TAU / f64::from(CIRCLE_CORNERS);
+            (0..CIRCLE_CORNERS).map(|i| DVec2::from_angle(f64::from(i) * step)).collect()
+        });
+        Self::outline(CORNERS.iter().map(|corner| centre + radius * *corner).collect(), width, colour)
+    }
+
+    /// A filled circle.
+    pub fn disc(centre: DVec2, radius: f64, colour: Rgb8) -> Self {
+        Self { fill: true, ..Self::ring(centre, radius, 0.0, colour) }
+    }
+
+    /// The triangle at the end of an arrow.
+    pub fn arrow_head(tip: DVec2, along: DVec2, length: f64, colour: Rgb8) -> Self {
+        let (base, side) = (tip - along * length, along.perp() * 0.4 * length);
+        Self::area(vec![tip, base + side, base - side], colour)
+    }
+
+    /// The shaft and the head of an arrow in the direction `along`.
+    pub fn arrow([tail, tip]: [DVec2; 2], along: DVec2, width: f64, head: f64, colour: Rgb8) -> [Self; 2] {
+        let shaft = vec![tail, tip - along * 0.85 * head];
+        [Self::line(shaft, width, colour), Self::arrow_head(tip, along, head, colour)]
+    }
+
+    /// The same with dashes, in line widths.
+    pub fn dashed(self, dashes: &'static [f32]) -> Self {
+        Self { dashes, ..self }
+    }
+
+    /// The same, partly transparent.
+    pub fn faded(self, opacity: f64) -> Self {
+        Self { opacity, ..self }
+    }
+
+    /// The same without a halo.
+    pub fn plain(self) -> Self {
+        Self { halo: false, ..self }
+    }
+}
+
+/// A line of text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Text {
+    /// It may have subscript digits and ⁿ, which fonts may lack.
+    pub text: String,
+    /// A point of the baseline.
+    pub at: DVec2,
+    /// Which part of the text's width lies left of that point: 0, 0.5 or 1.
+    pub align: f64,
+    /// Units an em.
+    pub size: f64,
+    pub colour: Rgb8,
+    pub strong: bool,
+    /// Breadth of its halo, 0 for none.
+    pub halo: f64,
+}
+
+impl Text {
+    /// Text that begins at `at`.
+    pub fn new(text: impl Into<String>, at: DVec2, size: f64, colour: Rgb8) -> Self {
+        Self { text: text.into(), at, align: 0.0, size, colour, strong: false, halo: 0.0 }
+    }
+
+    /// Text with the middle of its ink at `centre`.
+    pub fn centred(text: &str, centre: DVec2, size: f64, colour: Rgb8) -> Self {
+        let lettering = Lettering::new(text, size);
+        Self::new(text, centre - (lettering.min + lettering.max) * 0.5, size, colour)
+    }
+
+    /// Its width.
+    pub fn width(&self) -> f64 {
+        width_of(&self.text, self.size)
+    }
+
+    /// The same with its middle (0.5) or its end (1) there.
+    pub fn aligned(self, align: f64) -> Self {
+        Self { align, ..self }
+    }
+
+    /// The same in bold type.
+    pub fn bold(self) -> Self {
+        Self { strong: true, ..self }
+    }
+
+    /// The same with the halo of a text that may stand on the lines of a plot.
+    pub fn with_halo(self) -> Self {
+        Self { halo: TEXT_HALO * self.size, ..self }
+    }
+}
+
+/// The width of a line of text.
+pub(crate) fn width_of(text: &str, size: f64) -> f64 {
+    Lettering::new(text, size).width
+}
+
+/// Lines, areas and texts, on a ground of their own or over a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    pub size: DVec2,
+    /// What it stands on; nothing over a picture.
+    pub ground: Option<Rgb8>,
+    /// The colour of all halos.
+    pub halo: Rgb8,
+    /// Breadth of the halos of shapes, at most: thin lines have less.
+    pub breadth: f64,
+    /// The later over the earlier, and the texts over all.
+    pub shapes: Vec<Shape>,
+    pub texts: Vec<Text>,
+    /// One for each plot that had room.
+    pub(crate) scales: Vec<Scale>,
+}
+
+impl Drawing {
+    /// An empty sheet.
+    pub fn new(size: DVec2, ground: Rgb8) -> Self {
+        Self { size, ground: Some(ground), ..Self::over_picture(ground, 0.0) }
+    }
+
+    /// Nothing yet, over a picture, with halos of a colour and a breadth.
+    pub fn over_picture(halo: Rgb8, breadth: f64) -> Self {
+        let (shapes, texts, scales) = (vec![], vec![], vec![]);
+        Self { size: DVec2::ZERO, ground: None, halo, breadth, shapes, texts, scales }
+    }
+
+    /// The shapes in the order in which they are painted: the halos of all come first, so that lines that meet grow together
+    /// instead of cutting one another.
+    pub fn painted(&self) -> impl Iterator<Item = Cow<'_, Shape>> {
+        let haloed = self.shapes.iter().filter(|shape| shape.halo && self.breadth > 0.0);
+        let halos = haloed.map(|shape| {
+            let breadth = if shape.fill { self.breadth } else { self.breadth.min(0.9 * shape.width) };
+            let width = shape.width + 2.0 * breadth;
+            Cow::Owned(Shape { width, dashes: &[], colour: self.halo, ..shape.clone() })
+        });
+        halos.chain(self.shapes.iter().map(Cow::Borrowed))
+    }
+
+    /// x at a place inside the first plot.
+    pub fn x_at(&self, place: DVec2) -> Option<f64> {
+        self.scales.first()?.x_at(place)
+    }
+
+    /// The place of a value of the first plot, and the line that marks its x there: from the axis to the far side.
+    pub fn place(&self, value: [f64; 2]) -> Option<(DVec2, [DVec2; 2])> {
+        let scale = self.scales.first()?;
+        let line = match scale {
+            Scale::Cartesian { y: [low, high], .. } => [*low, *high],
+            Scale::Polar { radius, scale, .. } => [0.0, radius / scale],
+        };
+        Some((scale.place(value), line.map(|y| scale.place([value[0], y]))))
+    }
+}
