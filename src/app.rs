@@ -281,7 +281,7 @@ impl App {
         let mut renderer = Renderer::default();
         renderer.set_model(model.clone());
         let over = files::Over::of(&self.state);
-        let frame = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| {});
+        let Some(frame) = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| true) else { return };
         let size = [frame.width as usize, frame.height as usize];
         ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, frame.pixels.as_flattened()));
         self.state.notice = Some("copied the picture".to_owned());

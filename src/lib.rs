@@ -32,6 +32,9 @@ pub mod figure;
 pub mod geometry;
 pub mod illumination;
 pub mod picture;
+#[cfg(test)]
+#[path = "../tests/common/properties.rs"]
+mod properties;
 pub mod render;
 pub mod scene;
 pub mod table;

@@ -9,7 +9,7 @@ use std::convert::Infallible;
 
 fn drawn(scene: &Scene) -> Vec<DrawnPane> {
     let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), Infallible>(());
-    draw_panes(&mut Renderer::default(), scene, &panes_on_sheet(scene), 1, &mut |_| {}, nothing).unwrap_or_default()
+    draw_panes(&mut Renderer::default(), scene, &panes_on_sheet(scene), 1, &mut |_| true, nothing).unwrap_or_default()
 }
 
 /// A coarse sphere beside the true one.
@@ -163,6 +163,6 @@ fn what_is_drawn_over_panes_does_not_change_their_figures() {
         frame.pixels.fill([0, 0, 0, 255]);
         Ok::<(), Infallible>(())
     };
-    let panes = draw_panes(&mut Renderer::default(), &scene, &panes_on_sheet(&scene), 1, &mut |_| {}, over);
+    let panes = draw_panes(&mut Renderer::default(), &scene, &panes_on_sheet(&scene), 1, &mut |_| true, over);
     assert_eq!(pane_figures(&panes.unwrap_or_default()), pane_figures(&drawn(&scene)));
 }

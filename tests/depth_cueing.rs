@@ -315,7 +315,7 @@ fn samples_fade_as_pixels_do() {
     let scene = slanted(CuedBy::Pixel, 1.5, 5.0);
     let mut renderer = Renderer::default();
     let one = renderer.render(&scene).clone();
-    let many = renderer.render_supersampled(&scene, 8, &mut |_| {});
+    let many = renderer.render_supersampled(&scene, 8, &mut |_| true);
     for (x, y) in places(&one).filter(|&(x, y)| depth_at(&scene, x, y).is_some()) {
         let pair = [&one, &many].map(|frame| frame.pixel(x, y).expect("inside"));
         assert!((0..3).all(|c| pair[0][c].abs_diff(pair[1][c]) <= 1), "{x},{y}: {pair:?}");

@@ -1,5 +1,8 @@
 //! The overlay of vectors and angles, on a sphere whose points and normals are known in closed form.
 
+#[path = "common/properties.rs"]
+mod properties;
+
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::analysis::{
@@ -340,7 +343,7 @@ fn many_lights_are_laid_out_in_bounded_work() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig { cases: 200, ..properties::config(file!()) })]
 
     #[test]
     fn labels_are_inside_the_picture_and_apart(

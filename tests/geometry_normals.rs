@@ -1,5 +1,8 @@
 //! Vertex normals: weightings by hand, and what happens where an average has no direction.
 
+#[path = "common/properties.rs"]
+mod properties;
+
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, VertexMesh};
@@ -113,6 +116,8 @@ fn face_normal_and_centre() {
 }
 
 proptest! {
+    #![proptest_config(properties::config(file!()))]
+
     #[test]
     fn normals_are_unit_whatever_the_faces(
         points in proptest::collection::vec((-3i8..3, -3i8..3, -3i8..3), 1..9),

@@ -1,5 +1,8 @@
 //! Polygons of the scene itself, and the corrugated sheet.
 
+#[path = "common/properties.rs"]
+mod properties;
+
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Mesh, Ray, Surface, tessellate};
@@ -179,7 +182,7 @@ fn point(range: f64) -> impl Strategy<Value = DVec3> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 400, ..properties::config(file!()) })]
 
     #[test]
     fn a_ray_meets_the_sheet_where_a_search_does(slopes in 2u32..20, from in point(2.0), to in point(0.8)) {

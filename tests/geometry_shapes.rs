@@ -1,5 +1,8 @@
 //! The built-in shapes: topology, orientation, size, and normals against the closed forms.
 
+#[path = "common/properties.rs"]
+mod properties;
+
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Mesh, tessellate};
@@ -197,6 +200,8 @@ fn a_smooth_shape_has_one_vertex_a_point_and_a_crease_splits_them() {
 }
 
 proptest! {
+    #![proptest_config(properties::config(file!()))]
+
     #[test]
     fn any_numbers_of_divisions_work(segments in 0u32..40, rings in 0u32..40, kind in 0usize..7) {
         let kind = [CLOSED.as_slice(), &[ObjectKind::Plane, ObjectKind::Corrugated]].concat()[kind];

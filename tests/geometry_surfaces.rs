@@ -1,5 +1,8 @@
 //! The true surfaces: rays against a search along the implicit equation, and properties that any hit must have.
 
+#[path = "common/properties.rs"]
+mod properties;
+
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Ray, Surface};
@@ -63,7 +66,7 @@ fn vector(range: f64) -> impl Strategy<Value = DVec3> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 300, ..properties::config(file!()) })]
 
     #[test]
     fn hits_are_where_a_search_along_the_ray_finds_them(kind in 0usize..5, eye in vector(2.0), aim in vector(0.9)) {

@@ -1,5 +1,8 @@
 //! Newell's teapot: its polygons, and rays at its patches.
 
+#[path = "common/properties.rs"]
+mod properties;
+
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Mesh, Ray, Surface, tessellate};
@@ -268,6 +271,8 @@ fn from_inside_the_normals_still_point_outwards() {
 }
 
 proptest! {
+    #![proptest_config(properties::config(file!()))]
+
     #[test]
     fn hits_are_finite_and_beyond_t_min(
         numbers in proptest::collection::vec(

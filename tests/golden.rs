@@ -71,7 +71,7 @@ fn every_built_in_scene_is_drawn_as_it_was() {
         let mut scene = (preset.build)();
         scene.image.size = [SIDE, SIDE];
         let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), Infallible>(());
-        let panes = draw_panes(&mut renderer, &scene, &panes_on_sheet(&scene), 1, &mut |_| {}, nothing);
+        let panes = draw_panes(&mut renderer, &scene, &panes_on_sheet(&scene), 1, &mut |_| true, nothing);
         let actual = colours(&comparison_sheet(&scene, &panes.unwrap_or_default(), false));
         if let Some(message) = compare(preset.name, &actual) {
             if update {

@@ -3,6 +3,9 @@
 //! The vertices are given their intensities by their normals: under light along −z, with kd = 1 and no other term, I is the
 //! normal's z.
 
+#[path = "common/properties.rs"]
+mod properties;
+
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -122,7 +125,7 @@ fn quadrilateral() -> impl Strategy<Value = Vec<(DVec3, f64)>> {
 proptest! {
     // The same polygons in every run: beside a corner that a row all but grazes the vertices' grid moves a pixel by more than
     // the picture is compared by.
-    #![proptest_config(ProptestConfig { cases: 24, rng_seed: RngSeed::Fixed(1971), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 24, rng_seed: RngSeed::Fixed(1971), ..properties::config(file!()) })]
 
     /// On a triangle it is the same: both are the one linear function that has the corners' values.
     #[test]
@@ -357,7 +360,7 @@ fn a_polygon_of_twenty_thousand_corners_is_drawn_and_read_along_a_line() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, rng_seed: RngSeed::Fixed(1971), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 200, rng_seed: RngSeed::Fixed(1971), ..properties::config(file!()) })]
 
     /// Any quadrilateral or larger polygon: warped, concave, crossing itself where it is seen, clipped, foreshortened.
     #[test]

@@ -1,5 +1,8 @@
 //! Wavefront OBJ: what real files contain is read, what is wrong is named with its line.
 
+#[path = "common/properties.rs"]
+mod properties;
+
 use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Mesh, NO_NORMAL, ObjError, read_obj};
@@ -365,6 +368,8 @@ fn a_reader_that_fails_is_an_error() {
 }
 
 proptest! {
+    #![proptest_config(properties::config(file!()))]
+
     #[test]
     fn no_text_makes_a_panic_or_a_normal_that_is_not_unit(
         words in proptest::collection::vec(

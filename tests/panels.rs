@@ -238,6 +238,18 @@ fn a_silent_light_is_named_with_the_reason() {
 }
 
 #[test]
+fn a_light_that_nothing_reflects_is_not_said_to_be_in_shadow() {
+    let mut harness = window("sphere");
+    for name in ["Kd diffuse coefficient", "Ks specular coefficient"] {
+        enter(&mut harness, name, 0.0);
+    }
+    let line = line_of(&harness, "light 1 at the probe: ");
+    assert!(!line.contains("shadow"), "{line}");
+    assert!(harness.query_by_label_contains("stands before").is_none());
+    assert_eq!(line, "not reflected");
+}
+
+#[test]
 fn the_mixture_with_transmitted_light_is_filled_in_where_there_is_any() {
     let harness = window("glass-ball");
     let hit = probed(&harness);

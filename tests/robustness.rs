@@ -84,7 +84,7 @@ fn draw(renderer: &mut Renderer, scene: &Scene) -> Result<(), String> {
             }
         }
     }
-    renderer.render_supersampled(scene, 3, &mut |_| {});
+    renderer.render_supersampled(scene, 3, &mut |_| true);
     finite(renderer, "three samples a pixel")
 }
 

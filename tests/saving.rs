@@ -8,7 +8,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use hands::{press, scene, wait, window, window_with};
+use hands::{enter, press, scene, wait, window, window_with};
 use shading_lab::app::{App, Origin};
 use shading_lab::document::load;
 use std::fs;
@@ -122,6 +122,55 @@ fn no_file_is_replaced_without_a_question() {
     assert!(asks(&window, "old.frag exists already") && old("old.frag"));
     press(&mut window, "Replace");
     assert!(!old("old.frag"));
+}
+
+#[test]
+fn an_export_that_is_cancelled_writes_nothing() {
+    let folder = Folder::new("cancelled");
+    let mut window = window("sphere");
+    window.key_press_modifiers(EXPORT.0, EXPORT.1);
+    window.run();
+    enter(&mut window, "Samples per pixel", 1024.0);
+    fill_in(&mut window, &folder.path("picture.png"), "Export");
+    assert!(asks(&window, "Drawing "));
+    window.get_by_role_and_label(Role::Button, "Cancel").click_accesskit();
+    window.run();
+    assert!(!asks(&window, "Drawing "));
+    std::thread::sleep(std::time::Duration::from_secs(2));
+    window.run();
+    assert!(folder.names().is_empty() && !asks(&window, "exported"));
+}
+
+#[test]
+fn no_shortcut_acts_while_a_file_is_opened() {
+    let folder = Folder::new("opening");
+    // A model that takes long enough to read for a few frames.
+    let large = "v 0 0 0\nv 1 0 0\nv 0 1 0\n".repeat(300_000) + "f 1 2 3\n";
+    fs::write(folder.0.join("large.obj"), large).expect("a model");
+    let mut window = window("sphere");
+    change(&mut window, 7.0);
+    let before = scene(&window).clone();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    window.run();
+    window.get_by_role_and_label(Role::TextInput, "File").type_text(&folder.path("large.obj"));
+    window.run();
+    window.get_by_role_and_label(Role::Button, "Open").click_accesskit();
+    let opening = |window: &mut Window| {
+        window.step();
+        asks(window, "Opening ")
+    };
+    assert!((0..9).any(|_| opening(&mut window)));
+    for (modifiers, key) in [(Modifiers::NONE, Key::Num1), (Modifiers::COMMAND, Key::Z), SAVE_AS] {
+        window.key_press_modifiers(modifiers, key);
+        window.step();
+    }
+    assert!(opening(&mut window));
+    assert_eq!(scene(&window), &before, "a shortcut has acted");
+    assert!(!asks(&window, "Save the scene"), "a shortcut has opened a dialog");
+    window.get_by_role_and_label(Role::Button, "Cancel").click_accesskit();
+    window.run();
+    assert!(!asks(&window, "Opening "));
+    assert_eq!(scene(&window), &before);
 }
 
 /// What the window does when its close button is pressed: whether it stays.

@@ -1,5 +1,8 @@
 //! What a scene says survives its file, whatever it says.
 
+#[path = "common/properties.rs"]
+mod properties;
+
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::scene::{
@@ -247,6 +250,8 @@ prop_compose! {
 }
 
 proptest! {
+    #![proptest_config(properties::config(file!()))]
+
     #[test]
     fn a_sound_scene_survives_its_file(scene in scene()) {
         prop_assert_eq!(scene.validate(), Ok(()));

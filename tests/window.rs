@@ -685,6 +685,8 @@ fn what_a_screen_reader_sends_is_kept_within_bounds() {
             harness.get_by_role_and_label(role, name).set_value_accesskit(f64::NAN);
             harness.run();
             assert_eq!(scene(&harness).validate(), Ok(()), "{name}");
+            let shapes = harness.output().shapes.iter().map(|clipped| clipped.shape.visual_bounding_rect());
+            assert!(shapes.into_iter().all(|bounds| !bounds.any_nan()), "{name}: NaN is drawn");
         }
     }
     harness.get_by_role_and_label(Role::SpinButton, "Roll").set_value_accesskit(f64::NEG_INFINITY);

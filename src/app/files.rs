@@ -18,10 +18,10 @@ use crate::document::{Loaded, load_with, save_picture};
 use crate::render::{Frame, Renderer, check_memory};
 use crate::scene::Scene;
 use eframe::egui::Context;
-use std::convert::Infallible;
+use std::cell::Cell;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::thread;
 
@@ -40,6 +40,7 @@ struct Work {
     what: String,
     done: Arc<AtomicU64>,
     total: Arc<AtomicU64>,
+    cancelled: Arc<AtomicBool>,
     outcome: Receiver<Outcome>,
 }
 
@@ -107,22 +108,27 @@ impl Over {
     }
 }
 
-/// The picture of a scene, or the sheet of what it compares.
+/// The picture of a scene, or the sheet of what it compares; none where `progress` has stopped it.
 pub fn picture(
     renderer: &mut Renderer,
     scene: &Scene,
     samples: u32,
     over: Option<&Over>,
-    progress: &mut dyn FnMut(u32),
-) -> Frame {
+    progress: &mut dyn FnMut(u32) -> bool,
+) -> Option<Frame> {
+    let go_on = Cell::new(true);
+    let mut progress = |done| {
+        go_on.set(progress(done));
+        go_on.get()
+    };
     let draw_over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| {
-        if let Some(over) = over {
+        if let Some(over) = over.filter(|_| go_on.get()) {
             over.draw(frame, renderer, scene);
         }
-        Ok::<(), Infallible>(())
+        if go_on.get() { Ok(()) } else { Err(()) }
     };
-    let panes = draw_panes(renderer, scene, &panes_on_sheet(scene), samples, progress, draw_over);
-    panes.map_or_else(|never| match never {}, |panes| comparison_sheet(scene, &panes, true))
+    let panes = draw_panes(renderer, scene, &panes_on_sheet(scene), samples, &mut progress, draw_over);
+    panes.ok().map(|panes| comparison_sheet(scene, &panes, true))
 }
 
 impl Files {
@@ -134,24 +140,35 @@ impl Files {
         Some((&work.what, fraction))
     }
 
-    /// Forgets the work under way: its outcome will not be looked at.
+    /// Cancels the work under way: what is drawn stops at its next sample and is not written, other outcomes are ignored.
     pub fn cancel(&mut self) {
-        self.work = None;
+        if let Some(work) = self.work.take() {
+            work.cancelled.store(true, Ordering::Relaxed);
+        }
     }
 
-    fn start(&mut self, ctx: &Context, what: String, run: impl FnOnce(&dyn Fn(u64, u64)) -> Outcome + Send + 'static) {
+    /// Runs work on a thread. It reports how much is done, of how much, and is told whether to go on.
+    fn start(
+        &mut self,
+        ctx: &Context,
+        what: String,
+        run: impl FnOnce(&dyn Fn(u64, u64) -> bool) -> Outcome + Send + 'static,
+    ) {
         let (sender, outcome) = channel();
-        let (done, total) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicU64::new(0)));
-        let counters = (Arc::clone(&done), Arc::clone(&total));
-        self.work = Some(Work { what, done, total, outcome });
+        let [done, total] = [(); 2].map(|()| Arc::new(AtomicU64::new(0)));
+        let cancelled = Arc::new(AtomicBool::new(false));
+        let shared = (Arc::clone(&done), Arc::clone(&total), Arc::clone(&cancelled));
+        self.work = Some(Work { what, done, total, cancelled, outcome });
         let ctx = ctx.clone();
         thread::spawn(move || {
+            let (done, total, cancelled) = shared;
             let tell = |now: u64, of: u64| {
-                counters.0.store(now, Ordering::Relaxed);
-                counters.1.store(of, Ordering::Relaxed);
+                done.store(now, Ordering::Relaxed);
+                total.store(of, Ordering::Relaxed);
                 ctx.request_repaint();
+                !cancelled.load(Ordering::Relaxed)
             };
-            // A window that has given up listening is no error.
+            // The receiver may be gone; dropping the outcome is fine.
             let _ = sender.send(run(&tell));
             ctx.request_repaint();
         });
@@ -160,7 +177,7 @@ impl Files {
     /// Opens a scene, a model or a picture.
     pub fn open(&mut self, ctx: &Context, path: PathBuf) {
         self.start(ctx, format!("Opening {}", path.display()), move |tell| {
-            let loaded = load_with(&path, &[] as &[&str], &mut |read, total| tell(read, total));
+            let loaded = load_with(&path, &[] as &[&str], &mut |read, total| _ = tell(read, total));
             Outcome::Loaded(Box::new(loaded.map_err(|error| error.to_string())))
         });
     }
@@ -191,7 +208,10 @@ impl Files {
             let mut draw =
                 || picture(&mut renderer, &scene, form.samples, over.as_ref(), &mut |n| tell(n.into(), total));
             let drawn = check_memory(&scene).map_err(|error| error.to_string()).map(|()| draw());
-            let saved = drawn.and_then(|frame| save_picture(&path, &frame, &scene).map_err(|error| error.to_string()));
+            let saved = drawn.and_then(|frame| match frame.filter(|_| tell(total, total)) {
+                Some(frame) => save_picture(&path, &frame, &scene).map_err(|error| error.to_string()),
+                None => Ok(()),
+            });
             Outcome::Exported(saved.map(|()| path))
         });
     }

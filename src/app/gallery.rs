@@ -94,11 +94,11 @@ fn scene(named: &NamedMaterial, side: u32) -> Scene {
 
 /// The sphere, cut out by its own coverage.
 fn picture(renderer: &mut Renderer, named: &NamedMaterial, side: u32) -> ColorImage {
-    let frame = renderer.render_supersampled(&scene(named, side), SAMPLES, &mut |_| ());
+    let frame = renderer.render_supersampled(&scene(named, side), SAMPLES, &mut |_| true);
     let mut white = scene(named, side);
     white.material = crate::scene::Material { ka: Rgb::ONE, kd: Rgb::ZERO, ks: Rgb::ZERO, ..named.material() };
     white.ambient.color = Rgb::ONE;
-    let coverage = renderer.render_supersampled(&white, SAMPLES, &mut |_| ());
+    let coverage = renderer.render_supersampled(&white, SAMPLES, &mut |_| true);
     let pixels = frame.pixels.iter().zip(&coverage.pixels);
     // The background is black, so the colours are multiplied by the coverage already.
     let pixels = pixels.map(|([r, g, b, _], [cover, ..])| Color32::from_rgba_premultiplied(*r, *g, *b, *cover));

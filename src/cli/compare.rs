@@ -96,7 +96,10 @@ impl CompareCommand {
         let mut renderer = Renderer::default();
         renderer.set_model(loaded.model);
         let bar = progress_bar(which.len() as u64, "drawing");
-        let mut progress = |done: u32| bar.set_position(done.into());
+        let mut progress = |done: u32| {
+            bar.set_position(done.into());
+            true
+        };
         let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), Failure>(());
         let panes = draw_panes(&mut renderer, scene, &which, 1, &mut progress, nothing)?;
         bar.finish_and_clear();

@@ -72,7 +72,10 @@ impl Render {
         let mut renderer = Renderer::default();
         renderer.set_model(loaded.model);
         let bar = progress_bar(u64::from(self.samples) * which.len() as u64, "drawing");
-        let mut progress = |done: u32| bar.set_position(done.into());
+        let mut progress = |done: u32| {
+            bar.set_position(done.into());
+            true
+        };
         let over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| match &self.overlay {
             Some(overlay) => overlay.draw(frame, renderer, scene),
             None => Ok(()),

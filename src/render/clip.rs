@@ -112,6 +112,7 @@ fn cut(polygon: &mut Vec<Corner>, distance: impl Fn(DVec3) -> f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::properties;
     use crate::scene::Camera;
     use glam::DVec2;
     use proptest::prelude::*;
@@ -122,6 +123,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(properties::config(file!()))]
+
         /// What a plane cuts off and what it keeps make up the triangle.
         #[test]
         fn a_cut_keeps_the_area(c in prop::array::uniform9(-3.0..3.0f64), nx in -1.0..1.0f64, ny in -1.0..1.0f64, d in -1.0..1.0f64) {

@@ -272,6 +272,7 @@ fn fill_by_spans<S: Simd>(simd: S, place: BandPlace, band: &Band, sources: Sourc
 
 #[cfg(test)]
 mod tests {
+    use crate::properties;
     use crate::render::Renderer;
     use crate::scene::{
         Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, Rgb, Scene, ShadingMode, Shared,
@@ -320,7 +321,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+        #![proptest_config(ProptestConfig { cases: 64, ..properties::config(file!()) })]
 
         #[test]
         fn on_a_triangle_the_scan_line_is_affine(corners in prop::collection::vec((place(), 0.0..=1.0f64), 3)) {

@@ -97,6 +97,7 @@ fn in_order(a: Place, b: Place) -> (Place, Place) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::properties;
     use proptest::prelude::*;
 
     /// How often each pixel of a square picture is covered.
@@ -132,6 +133,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(properties::config(file!()))]
+
         /// A fan about any inner point covers each pixel of a rectangle exactly once.
         #[test]
         fn a_fan_covers_every_pixel_once(

@@ -164,6 +164,7 @@ fn sideways(forward: DVec3, up: DVec3) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::properties;
     use proptest::prelude::*;
 
     const SIZE: [u32; 2] = [640, 480];
@@ -249,6 +250,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(properties::config(file!()))]
+
         #[test]
         fn unprojecting_what_was_projected_returns_the_point(camera in camera(), point in vector(10.0)) {
             let view = View::new(&camera, SIZE);

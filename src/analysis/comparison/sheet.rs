@@ -100,7 +100,7 @@ pub fn panes_on_sheet(scene: &Scene) -> Vec<(usize, [u32; 2])> {
 }
 
 /// Draws panes of a sound scene, given by their numbers with the size of each; `over` may draw over each, with the renderer
-/// that drew it and its scene. `progress` is told how many samples of all panes are done.
+/// that drew it and its scene. `progress` gets the number of samples done in all panes and returns whether to go on.
 ///
 /// # Errors
 /// Whatever `over` objects to.
@@ -109,7 +109,7 @@ pub fn draw_panes<E>(
     scene: &Scene,
     which: &[(usize, [u32; 2])],
     samples: u32,
-    progress: &mut dyn FnMut(u32),
+    progress: &mut dyn FnMut(u32) -> bool,
     mut over: impl FnMut(&mut Frame, &mut Renderer, &Scene) -> Result<(), E>,
 ) -> Result<Vec<DrawnPane>, E> {
     let mut panes = Vec::new();

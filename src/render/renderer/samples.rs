@@ -54,7 +54,8 @@ pub fn check_memory(scene: &Scene) -> Result<(), TooLarge> {
 impl Renderer {
     /// Draws with `samples` samples a pixel: the mean of their intensities, each clamped first where the display clamps. What
     /// a large picture takes besides its stored pixels is bounded, unless [`Renderer::keep_linear`] asks for all of it.
-    pub fn render_supersampled(&mut self, scene: &Scene, samples: u32, progress: &mut dyn FnMut(u32)) -> Frame {
+    /// `progress` gets the number of samples done and returns whether to go on; a stopped picture is unfinished.
+    pub fn render_supersampled(&mut self, scene: &Scene, samples: u32, progress: &mut dyn FnMut(u32) -> bool) -> Frame {
         let samples = samples.max(1);
         let rows = if self.keeps_linear { scene.image.size[1] } else { rows_at_once(scene) };
         if samples == 1 && rows >= scene.image.size[1] {
@@ -63,7 +64,13 @@ impl Renderer {
         self.render_in_strips(scene, samples, rows, progress)
     }
 
-    fn render_in_strips(&mut self, scene: &Scene, samples: u32, rows: u32, progress: &mut dyn FnMut(u32)) -> Frame {
+    fn render_in_strips(
+        &mut self,
+        scene: &Scene,
+        samples: u32,
+        rows: u32,
+        progress: &mut dyn FnMut(u32) -> bool,
+    ) -> Frame {
         let [width, height] = scene.image.size;
         let mut pixels = Vec::with_capacity(width as usize * height as usize);
         let strips = height.div_ceil(rows);
@@ -71,15 +78,25 @@ impl Renderer {
         for (index, first) in (0..height).step_by(rows as usize).enumerate() {
             strip.image.size = [width, rows.min(height - first)];
             let mut done = |sample| progress((index as u32 * samples + sample) / strips);
-            self.draw_samples(&strip, samples, [first, height], &mut done);
+            let finished = self.draw_samples(&strip, samples, [first, height], &mut done);
             pixels.extend_from_slice(&self.frame.pixels);
+            if !finished {
+                break;
+            }
         }
         self.redraw();
         Frame { width, height, pixels }
     }
 
-    /// Draws the mean of samples into the frame and the linear picture: the rows from `first` on of a picture of `height` rows.
-    fn draw_samples(&mut self, scene: &Scene, samples: u32, [first, height]: [u32; 2], progress: &mut dyn FnMut(u32)) {
+    /// Draws the mean of samples into the frame and the linear picture: the rows from `first` on of a picture of `height`
+    /// rows. Returns false if `progress` has stopped it.
+    fn draw_samples(
+        &mut self,
+        scene: &Scene,
+        samples: u32,
+        [first, height]: [u32; 2],
+        progress: &mut dyn FnMut(u32) -> bool,
+    ) -> bool {
         let size = [scene.image.size[0], height];
         let clamp = scene.display.overflow == Overflow::Clamp;
         let mut sum: Vec<Linear> = Vec::new();
@@ -89,9 +106,9 @@ impl Renderer {
             self.report.stages.clear();
             let offset = sample_offset(sample, samples) + DVec2::new(0.0, f64::from(first));
             self.draw(scene, plan, size, offset);
-            progress(sample + 1);
-            if samples == 1 {
-                return;
+            let go_on = progress(sample + 1);
+            if samples == 1 || !go_on {
+                return go_on;
             }
             sum.resize(self.linear.len(), [0.0; 4]);
             for (total, pixel) in sum.iter_mut().zip(&self.linear) {
@@ -105,6 +122,7 @@ impl Renderer {
         sum.iter_mut().flatten().for_each(|value| *value *= factor);
         display(self.level, &sum, self.frame.width as usize, &scene.display, &mut self.frame.pixels);
         self.linear = sum;
+        true
     }
 }
 
@@ -120,10 +138,13 @@ mod tests {
             scene.image.size = [160, 150];
             for (samples, overflow) in [(1, Overflow::Clamp), (3, Overflow::Mark)] {
                 scene.display.overflow = overflow;
-                let whole = Renderer::default().render_supersampled(&scene, samples, &mut |_| {});
+                let whole = Renderer::default().render_supersampled(&scene, samples, &mut |_| true);
                 let mut told = 0;
-                let strips =
-                    Renderer::default().render_in_strips(&scene, samples, STRIDE, &mut |done| told = told.max(done));
+                let mut progress = |done| {
+                    told = told.max(done);
+                    true
+                };
+                let strips = Renderer::default().render_in_strips(&scene, samples, STRIDE, &mut progress);
                 assert_eq!((strips.width, strips.height, told), (160, 150, samples));
                 // Places in the picture are rounded to 1/256 pixel in single precision, which may fall to either side.
                 let far = |(a, b): &(&[u8; 4], &[u8; 4])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2);

@@ -127,6 +127,7 @@ fn view_turned(pane: Area, directions: &Directions, turn: f64) -> View {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::properties;
     use proptest::prelude::*;
 
     fn unit() -> impl Strategy<Value = DVec3> {
@@ -139,6 +140,8 @@ mod tests {
     const PANE: Area = Area { min: DVec2::ZERO, max: DVec2::new(300.0, 300.0) };
 
     proptest! {
+        #![proptest_config(properties::config(file!()))]
+
         #[test]
         fn n_points_up_l_to_the_left_and_v_is_never_a_point(n in unit(), l in unit(), v in unit()) {
             let r = 2.0 * n.dot(l) * n - l;
