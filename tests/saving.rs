@@ -80,7 +80,7 @@ fn a_name_without_an_ending_is_given_one_that_opens() {
     save_as(&mut window, SAVE_AS, &folder.path("myscene"), "Save");
     save_as(&mut window, SAVE_AS, &folder.path("version.2"), "Save");
     save_as(&mut window, EXPORT, &folder.path("picture"), "Export");
-    assert!(wait(&mut window, |_| folder.names().len() == 3));
+    assert!(wait(&mut window, |window| asks(window, "exported")));
     assert_eq!(folder.names(), ["myscene.toml", "picture.png", "version.2.toml"]);
     for name in folder.names() {
         assert_eq!(load(&folder.0.join(&name)).expect(&name).scene.material, scene(&window).material);
