@@ -246,7 +246,7 @@ impl App {
 
     fn open_built_in(&mut self, name: &str) {
         if let Some(preset) = presets::find(name) {
-            let scene = (preset.build)();
+            let scene = preset.scene();
             self.state.open(Document { scene, model: None, origin: Origin::BuiltIn(name.to_owned()) });
         }
     }

@@ -4,6 +4,7 @@
 //! are world units, angles degrees, intensities linear with 1 the display's white. The types hold any number; a scene
 //! that came through [`Scene::parse`], [`Scene::with_override`] or [`Scene::validate`] is sound (see there).
 
+mod about;
 mod camera;
 mod compare;
 mod depth_cueing;
@@ -24,6 +25,7 @@ mod surroundings;
 mod validation;
 mod view;
 
+pub use about::About;
 pub use camera::{Camera, Projection, Viewer};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};
 pub use depth_cueing::{CuedBy, DepthCueing};
@@ -54,6 +56,7 @@ pub type Rgb = glam::DVec3;
 pub struct Scene {
     /// Version of the file format; 1.
     pub version: u32,
+    pub about: About,
     pub camera: Camera,
     pub image: Image,
     pub object: Object,
@@ -78,6 +81,7 @@ impl Default for Scene {
     fn default() -> Self {
         Self {
             version: 1,
+            about: About::default(),
             camera: Camera::default(),
             image: Image::default(),
             object: Object::default(),

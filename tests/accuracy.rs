@@ -130,7 +130,7 @@ fn flat_shading_takes_the_normals_that_are_documented() {
 
 #[test]
 fn a_picture_that_is_scaled_says_by_how_much() {
-    let mut scene = (presets::find("overflow").expect("a scene").build)();
+    let mut scene = presets::find("overflow").expect("a scene").scene();
     scene.image.size = [120, 120];
     scene.display.overflow = Overflow::Scale;
     let mut renderer = Renderer::default();

@@ -7,7 +7,7 @@ use shading_lab::scene::{Camera, Scene, ShadingMode, presets};
 const SIDE: usize = 96;
 
 fn scene(name: &str) -> Scene {
-    let mut scene = (presets::find(name).expect("a built-in scene").build)();
+    let mut scene = presets::find(name).expect("a built-in scene").scene();
     scene.image.size = [SIDE as u32; 2];
     scene
 }

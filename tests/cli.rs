@@ -18,9 +18,9 @@ fn every_built_in_scene_is_listed_and_drawn() {
     let json = folder.json(&["scenes", "--json"]);
     assert_eq!(listed.lines().count(), presets::ALL.len());
     for (i, preset) in presets::ALL.iter().enumerate() {
-        assert!(listed.lines().any(|line| line.starts_with(preset.name) && line.ends_with(preset.description)));
+        assert!(listed.lines().any(|line| line.starts_with(preset.name) && line.ends_with(&preset.about().sentence)));
         assert_eq!(json["scenes"][i]["name"], preset.name);
-        assert_eq!(json["scenes"][i]["title"], preset.title);
+        assert_eq!(json["scenes"][i]["title"], preset.about().title);
         folder.prints(&["render", preset.name, "-o", "a.png", "--size", "48x32"]);
         assert_eq!(size_of(&folder.0.join("a.png")), (48, 32), "{}", preset.name);
         let pixels = pixels_of(&folder.0.join("a.png"));
@@ -61,7 +61,7 @@ fn a_picture_restores_its_scene() {
     let (a, b) = (folder.0.join("a.png"), folder.0.join("b.png"));
     assert_eq!(fs::read(&a).expect("a picture"), fs::read(&b).expect("a picture"));
     let loaded = shading_lab::document::load(&a).expect("a scene");
-    let mut expected = (presets::find("torus").expect("a scene").build)();
+    let mut expected = presets::find("torus").expect("a scene").scene();
     expected.material.n = 7.25;
     expected.image.size = [60, 40];
     assert_eq!(loaded.scene, expected);

@@ -47,7 +47,7 @@ fn what_the_probe_calls_stored_is_the_scenes_own_picture() {
 #[test]
 fn keeping_the_picture_before_the_display_does_not_change_what_is_stored() {
     for preset in presets::ALL {
-        let mut scene = Scene { compare: Compare::default(), ..(preset.build)() };
+        let mut scene = Scene { compare: Compare::default(), ..preset.scene() };
         scene.image.size = [48, 48];
         let stored = Renderer::default().render(&scene).pixels.clone();
         let mut renderer = Renderer::default();
@@ -145,7 +145,7 @@ fn a_difference_of_nothing_is_even_and_gain_makes_it_stronger() {
 
 #[test]
 fn the_highlight_is_lost_by_gouraud_shading_and_kept_by_phong_shading() {
-    let mut scene = presets::find("highlight").map(|preset| (preset.build)()).expect("built in");
+    let mut scene = presets::find("highlight").map(|preset| preset.scene()).expect("built in");
     scene.image.size = [400, 300];
     let figures = pane_figures(&drawn(&scene));
     let names: Vec<&str> = figures.iter().map(|pane| pane.name.as_str()).collect();

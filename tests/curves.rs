@@ -16,7 +16,7 @@ use shading_lab::scene::{
 use tiny_skia::Pixmap;
 
 fn preset(name: &str) -> Scene {
-    let mut scene = (presets::find(name).expect("a built-in scene").build)();
+    let mut scene = presets::find(name).expect("a built-in scene").scene();
     scene.image.size = [96, 96];
     scene
 }

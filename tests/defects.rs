@@ -14,7 +14,7 @@ fn measured(scene: &Scene) -> Defects {
 }
 
 fn preset(name: &str, size: [u32; 2]) -> Scene {
-    let mut scene = presets::find(name).map(|preset| (preset.build)()).expect("built in");
+    let mut scene = presets::find(name).map(|preset| preset.scene()).expect("built in");
     scene.image.size = size;
     scene
 }

@@ -244,8 +244,8 @@ fn what_cannot_change_anything_is_left_out() {
 /// What is left out would not have changed a pixel.
 #[test]
 fn before_the_front_the_picture_is_as_without() {
-    for preset in presets::ALL.iter().filter(|preset| preset.topic == "Shapes") {
-        let mut scene = (preset.build)();
+    for preset in presets::ALL.iter().filter(|preset| preset.about().topic == "Shapes") {
+        let mut scene = preset.scene();
         scene.image.size = [40, 40];
         let plain = Renderer::default().render(&scene).clone();
         scene.depth_cueing = DepthCueing { by: CuedBy::Pixel, front: 50.0, back: 51.0, ..DepthCueing::default() };

@@ -16,7 +16,7 @@ use std::sync::OnceLock;
 /// The built-in scene `name` with overrides.
 fn scene(name: &str, overrides: &[&str]) -> Scene {
     let preset = presets::find(name).expect("a built-in scene");
-    (preset.build)().with_overrides(overrides).expect("sound overrides")
+    preset.scene().with_overrides(overrides).expect("sound overrides")
 }
 
 fn program(scene: &Scene) -> Export {
@@ -32,7 +32,7 @@ fn snippet(scene: &Scene) -> Export {
 #[test]
 fn every_built_in_scene_is_exported_alike_each_time() {
     for preset in presets::ALL {
-        let scene = (preset.build)();
+        let scene = preset.scene();
         for export in [snippet(&scene), program(&scene), glsl_330(&scene)] {
             for part in &export.parts {
                 assert!(part.text.is_ascii() && part.text.ends_with("}\n"), "{} {}", preset.name, part.title);

@@ -68,7 +68,7 @@ fn every_built_in_scene_is_drawn_as_it_was() {
     let mut renderer = Renderer::default();
     let mut wrong = Vec::new();
     for preset in presets::ALL {
-        let mut scene = (preset.build)();
+        let mut scene = preset.scene();
         scene.image.size = [SIDE, SIDE];
         let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), Infallible>(());
         let panes = draw_panes(&mut renderer, &scene, &panes_on_sheet(&scene), 1, &mut |_| true, nothing);

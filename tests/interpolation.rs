@@ -298,7 +298,7 @@ fn on_a_warped_face_picture_and_probe_are_the_same() {
 #[test]
 fn clipped_polygons_are_probed_as_they_are_drawn() {
     let preset = presets::find("perspective-distortion").expect("a built-in scene");
-    let mut near = (preset.build)();
+    let mut near = preset.scene();
     (near.camera.eye, near.image.size) = (DVec3::new(0.0, -0.2, 0.5), [64; 2]);
     let mut narrow = Scene::default();
     (narrow.camera.fov_y, narrow.image.size) = (0.01, [64; 2]);
@@ -317,7 +317,7 @@ fn clipped_polygons_are_probed_as_they_are_drawn() {
 /// The plane's vertices lie on the borders of the fields.
 #[test]
 fn vertices_on_the_borders_of_fields_are_in_one_field_for_picture_and_probe() {
-    let mut scene = (presets::find("plane").expect("a built-in scene").build)();
+    let mut scene = presets::find("plane").expect("a built-in scene").scene();
     scene.image.size = [96; 2];
     for kind in [PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings] {
         for scale in [0.25, 0.125, 0.1] {

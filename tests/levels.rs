@@ -35,7 +35,7 @@ fn pools() -> Vec<ThreadPool> {
 
 fn scenes() -> impl Iterator<Item = (&'static str, Scene)> {
     presets::ALL.iter().map(|preset| {
-        let mut scene = (preset.build)();
+        let mut scene = preset.scene();
         scene.image.size = [SIDE; 2];
         (preset.name, scene)
     })

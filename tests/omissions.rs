@@ -35,7 +35,7 @@ fn every_built_in_scene_is_the_same_in_every_mode() {
     let mut wrong = Vec::new();
     for preset in presets::ALL {
         for mode in MODES {
-            let mut scene = (preset.build)();
+            let mut scene = preset.scene();
             scene.image.size = [96, 96];
             scene.shading.mode = mode;
             if let Some(difference) = difference(&scene) {

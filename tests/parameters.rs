@@ -111,7 +111,7 @@ fn every_default_can_be_set() {
 #[test]
 fn scenes_agree_in_what_is_equal_and_differ_in_what_is_not() {
     for preset in presets::ALL {
-        let scene = (preset.build)();
+        let scene = preset.scene();
         assert!(Parameter::all().all(|parameter| parameter.agrees(&scene, &scene, 0)), "{}", preset.name);
         let mut other = scene.clone();
         other.material.n = -0.0;

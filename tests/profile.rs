@@ -151,7 +151,7 @@ fn the_profile_passes_through_the_pixels_of_the_picture() {
     for (name, to) in
         [("sphere", [96.0, 40.5]), ("torus", [96.0, 40.5]), ("shadows", [96.0, 40.5]), ("glass-ball", [96.0, 40.5])]
     {
-        let mut scene = (presets::find(name).expect("a built-in scene").build)();
+        let mut scene = presets::find(name).expect("a built-in scene").scene();
         scene.image.size = [96, 96];
         for interpolation in [Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline] {
             scene.shading.interpolation = interpolation;
@@ -215,7 +215,7 @@ fn phong_shading_weakens_mach_bands_and_does_not_abolish_them() {
 #[test]
 fn any_line_in_any_scene_gives_numbers() {
     for preset in presets::ALL {
-        let mut scene = (preset.build)();
+        let mut scene = preset.scene();
         scene.image.size = [40, 30];
         for (from, to) in [([0.0, 0.0], [40.0, 30.0]), ([20.0, 15.0], [20.0, 30.0]), ([39.2, 3.3], [0.1, 29.9])] {
             let profile = taken(&scene, from, to);

@@ -168,7 +168,7 @@ fn shadows_are_kept_while_the_material_changes_and_traced_again_when_a_light_mov
 fn what_the_scenes_say_of_total_reflection_is_seen_in_them() {
     for (name, critical) in [("glass-ball", None), ("under-water", Some((1.0_f64 / 1.33).asin().to_degrees()))] {
         let preset = presets::find(name).expect("a scene");
-        let mut scene = (preset.build)();
+        let mut scene = preset.scene();
         scene.image.size = [64, 64];
         let (mut renderer, mut total, mut passing) = (Renderer::default(), 0, 0);
         for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
@@ -183,8 +183,8 @@ fn what_the_scenes_say_of_total_reflection_is_seen_in_them() {
             if through.total_reflections > 0 { total += 1 } else { passing += 1 }
         }
         assert!(passing > 1000 && (total > 500) == critical.is_some(), "{name}: {total} and {passing}");
-        assert_eq!(critical.is_some(), preset.description.contains("all light is reflected"), "{name}");
-        assert!(!preset.description.contains("totally"), "{name}");
+        assert_eq!(critical.is_some(), preset.about().sentence.contains("all light is reflected"), "{name}");
+        assert!(!preset.about().sentence.contains("totally"), "{name}");
     }
 }
 
@@ -264,7 +264,7 @@ fn a_glass_ball_shows_what_two_refractions_lead_to() {
 
 #[test]
 fn beyond_the_critical_angle_nothing_passes() {
-    let mut scene = (presets::find("under-water").expect("a scene").build)();
+    let mut scene = presets::find("under-water").expect("a scene").scene();
     scene.image.size = [SIDE, SIDE];
     let mut renderer = Renderer::default();
     let critical = (1.0_f64 / 1.33).asin();
@@ -388,7 +388,7 @@ fn of_the_ground_and_the_wall_a_ray_sees_the_nearer() {
 fn a_bounce_does_not_depend_on_the_constant_that_it_takes_the_place_of() {
     let mut renderer = Renderer::default();
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact] {
-        let mut scene = (presets::find("one-bounce").expect("a scene").build)();
+        let mut scene = presets::find("one-bounce").expect("a scene").scene();
         scene.image.size = [90, 80];
         scene.shading.mode = mode;
         scene.ambient.source = AmbientSource::Bounce;
@@ -471,7 +471,7 @@ fn the_bounce_off_an_infinite_floor_is_its_view_factor() {
 
 #[test]
 fn the_best_ambient_is_that_whose_picture_is_as_bright() {
-    let mut scene = (presets::find("one-bounce").expect("a scene").build)();
+    let mut scene = presets::find("one-bounce").expect("a scene").scene();
     scene.image.size = [120, 120];
     scene.ambient.source = AmbientSource::Bounce;
     let mut renderer = Renderer::default();

@@ -7,7 +7,7 @@ use shading_lab::scene::{AreaShape, Light, LightKind, Scene, presets};
 const COUNTS: [u32; 5] = [1, 4, 16, 64, 256];
 
 fn scene(shape: AreaShape, samples: u32) -> Scene {
-    let mut scene = (presets::find("sphere").expect("a built-in scene").build)();
+    let mut scene = presets::find("sphere").expect("a built-in scene").scene();
     let light = Light { kind: LightKind::Area, shape, samples, extent: [1.5, 1.0], radius: 0.6, ..Light::default() };
     scene.lights =
         vec![Light { position: DVec3::new(2.0, 2.5, 3.0), direction: DVec3::new(-2.0, -2.5, -3.0), ..light }];

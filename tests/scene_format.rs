@@ -54,7 +54,7 @@ fn unknown_keys_are_all_named_with_their_choices() {
         &[
             "s.toml:2: unknown key `camera.fov`, expected one of eye, target, up, roll, projection, fov_y, height, viewer \
              (did you mean fov_y?)",
-            "s.toml:4: unknown key `shadow`, expected one of version, camera, image, object, material, pattern, \
+            "s.toml:4: unknown key `shadow`, expected one of version, about, camera, image, object, material, pattern, \
              transparency, reflection, shading, display, ground, backdrop, depth_cueing, ambient, light, compare",
             "s.toml:8: unknown key `light.1.positoin`, expected one of name, kind, mute, solo, position, direction, \
              color, cone, exponent, softness, shape, extent, radius, samples, attenuation, k, c1, c2, c3 (did you mean position?)",
@@ -62,7 +62,7 @@ fn unknown_keys_are_all_named_with_their_choices() {
     );
     assert_objections(
         "lights = []\n",
-        &["s.toml:1: unknown key `lights`, expected one of version, camera, image, object, material, pattern, \
+        &["s.toml:1: unknown key `lights`, expected one of version, about, camera, image, object, material, pattern, \
            transparency, reflection, shading, display, ground, backdrop, depth_cueing, ambient, light, compare (did you mean light?)"],
     );
 }
@@ -490,8 +490,8 @@ fn quoted(cell: &str) -> Vec<&str> {
 fn the_readme_names_every_built_in_scene_under_its_topic() {
     let readme = include_str!("../README.md");
     for preset in shading_lab::scene::presets::ALL {
-        let row = readme.lines().find(|line| line.starts_with(&format!("| {} |", preset.topic)));
+        let row = readme.lines().find(|line| line.starts_with(&format!("| {} |", preset.about().topic)));
         let named = row.is_some_and(|row| quoted(row).contains(&preset.name));
-        assert!(named, "{} is not named under {}", preset.name, preset.topic);
+        assert!(named, "{} is not named under {}", preset.name, preset.about().topic);
     }
 }

@@ -6,7 +6,7 @@ mod properties;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::scene::{
-    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Compare, CompareView, CuedBy,
+    About, Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Compare, CompareView, CuedBy,
     DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt, Ground, Image, Interpolation, Light,
     LightKind, Material, NormalSource, Object, ObjectKind, Overflow, Pane, Pattern, PatternKind, Projection,
     Reflectance, Reflection, ReflectionModel, Scene, Shading, ShadingMode, Shared, Through, Transparency, Viewer,
@@ -206,6 +206,8 @@ prop_compose! {
 
 prop_compose! {
     fn scene()(
+        about in ["\\PC{0,80}", "\\PC{0,300}", "\\PC{0,80}", "[a-z-]{0,9}"]
+            .prop_map(|[title, sentence, topic, view]| About { title, sentence, topic, view }),
         camera in camera(),
         object in object(),
         (reflection, shading, display) in settings(),
@@ -225,6 +227,7 @@ prop_compose! {
         let shading = Shading { shadows: shading.shadows && fits, ..shading };
         let mut scene = Scene {
             version: 1,
+            about,
             camera,
             image: Image { size: [width, height], background },
             object,

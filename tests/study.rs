@@ -63,7 +63,7 @@ fn without_a_terminator_flat_is_of_first_order_and_gouraud_and_phong_of_second()
 /// Before the display what is above 1 counts in full; as shown it counts as 1, where the display clamps.
 #[test]
 fn errors_are_told_before_the_display_and_as_shown() {
-    let mut scene = (presets::find("sphere").expect("a scene").build)();
+    let mut scene = presets::find("sphere").expect("a scene").scene();
     scene.image.size = [512, 512];
     let row = |scene: &Scene| measured(scene, &[Method::Flat], &[32]).rows[0].clone();
     let clamped = row(&scene);

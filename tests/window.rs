@@ -648,7 +648,7 @@ impl eframe::Storage for Stored {
 fn look_from(stored: &Look) -> Look {
     let mut storage = Stored::default();
     eframe::set_value(&mut storage, "look", &AppState { look: stored.clone(), ..AppState::default() });
-    let loaded = load(Path::new("sphere")).expect("a built-in scene");
+    let loaded = load(Path::new("teapot")).expect("a built-in scene");
     let mut harness = Harness::builder().with_size([900.0, 600.0]).build_eframe(|cc| {
         cc.storage = Some(&storage);
         App::new(cc, loaded)

@@ -52,8 +52,9 @@ fn file_ui(ui: &mut Ui, state: &mut AppState) {
     ui.menu_button("Built-in scenes", |ui| {
         for topic in presets::topics() {
             ui.menu_button(topic, |ui| {
-                for preset in presets::ALL.iter().filter(|preset| preset.topic == topic) {
-                    if ui.button(preset.title).on_hover_text(preset.description).clicked() {
+                for preset in presets::ALL.iter().filter(|preset| preset.about().topic == topic) {
+                    let about = preset.about();
+                    if ui.button(&about.title).on_hover_text(&about.sentence).clicked() {
                         state.ask(Action::OpenBuiltIn(preset.name.to_owned()));
                         ui.close();
                     }

@@ -151,7 +151,7 @@ pub fn restore(path: &Path) -> Result<(Document, Document), String> {
     let original = match &origin {
         Origin::New => None,
         Origin::BuiltIn(name) => {
-            presets::find(name).map(|preset| Document { scene: (preset.build)(), model: None, origin: origin.clone() })
+            presets::find(name).map(|preset| Document { scene: preset.scene(), model: None, origin: origin.clone() })
         }
         Origin::File(path) => load(path).ok().map(Document::from),
     };

@@ -18,6 +18,8 @@ use super::study::StudyView;
 use super::symbol::Lit;
 use super::theme::{SCALES, ThemeChoice};
 use glam::DVec2;
+use serde::de::IntoDeserializer;
+use serde::de::value::{Error, StrDeserializer};
 use serde::{Deserialize, Serialize};
 
 /// The state of the window. What is written to disk between two sessions is how the window looks, not what is open.
@@ -105,8 +107,12 @@ impl AppState {
         self.asked.push(action);
     }
 
-    /// Shows another document; the present one is a step of undo away.
+    /// Shows another document, in the tab that its scene names; the present one is a step of undo away.
     pub fn open(&mut self, document: Document) {
+        let view: StrDeserializer<'_, Error> = document.scene.about.view.as_str().into_deserializer();
+        if let Ok(tab) = NumbersTab::deserialize(view) {
+            (self.look.tab, self.look.numbers) = (tab, true);
+        }
         self.document = document;
         self.saved = self.document.clone();
         self.light = 0;
@@ -341,6 +347,8 @@ pub enum Drag {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::document::Origin;
+    use crate::scene::presets;
 
     #[test]
     fn the_probe_returns_to_its_pixel() {
@@ -357,6 +365,17 @@ mod tests {
         assert_eq!(ProbePoint::at([0, 9], size).moved([-1, 1], size).pixel(size), [0, 9]);
         assert_eq!(ProbePoint::at([0, 9], size).moved([3, -2], size).pixel(size), [3, 7]);
         assert_eq!(ProbePoint::default().pixel([0, 0]), [0, 0]);
+    }
+
+    #[test]
+    fn opening_a_built_in_scene_opens_its_tab() {
+        for preset in presets::ALL.iter().filter(|preset| preset.name != presets::DEFAULT) {
+            let mut state = AppState::default();
+            let (scene, origin) = (preset.scene(), Origin::BuiltIn(preset.name.to_owned()));
+            state.open(Document { scene, model: None, origin });
+            let opened = serde_json::to_value(state.look.tab).expect("a word");
+            assert_eq!(opened, preset.about().view, "{}", preset.name);
+        }
     }
 
     #[test]

@@ -377,7 +377,7 @@ mod tests {
         far.lights[0].position = glam::DVec3::splat(1e20);
         let mut mirror = Scene::default();
         mirror.material.n = f64::INFINITY;
-        let lit = presets::ALL.iter().map(|preset| (preset.build)()).filter(|scene| !scene.lights.is_empty());
+        let lit = presets::ALL.iter().map(|preset| preset.scene()).filter(|scene| !scene.lights.is_empty());
         for scene in lit.chain([far, mirror]) {
             for (name, change) in CHANGES {
                 for step in 1..8 {

@@ -16,11 +16,17 @@ pub struct Scenes {
 impl Scenes {
     pub fn run(self) -> Result<(), Failure> {
         if self.json {
-            let scene = |preset: &presets::Preset| json!({"name": preset.name, "title": preset.title, "topic": preset.topic, "description": preset.description});
+            let scene = |preset: &presets::Preset| {
+                let about = preset.about();
+                json!({
+                    "name": preset.name, "title": about.title, "topic": about.topic, "description": about.sentence,
+                    "view": about.view,
+                })
+            };
             return print_json(&json!({"scenes": presets::ALL.iter().map(scene).collect::<Vec<_>>()}));
         }
         let width = presets::ALL.iter().map(|preset| preset.name.len()).max().unwrap_or(0);
-        let line = |preset: &presets::Preset| format!("{:width$}  {}\n", preset.name, preset.description);
+        let line = |preset: &presets::Preset| format!("{:width$}  {}\n", preset.name, preset.about().sentence);
         print(&presets::ALL.iter().map(line).collect::<String>())
     }
 }

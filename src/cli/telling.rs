@@ -65,7 +65,7 @@ mod tests {
     #[test]
     fn without_a_pixel_one_is_found_whose_vectors_are_apart() {
         for name in ["sphere", "teapot", "torus", "three-lights"] {
-            let scene = (shading_lab::scene::presets::find(name).expect("a scene").build)();
+            let scene = shading_lab::scene::presets::find(name).expect("a scene").scene();
             let probed = telling_pixel(&mut Renderer::default(), &scene);
             assert_eq!(Telling::of(&probed), Telling::Apart, "{name}");
         }

@@ -2,7 +2,7 @@
 
 use crate::geometry::{Mesh, ObjError, read_obj};
 use crate::picture::{PictureError, read_scene_text};
-use crate::scene::{Object, ObjectKind, Scene, SceneError, nearest, presets};
+use crate::scene::{About, Object, ObjectKind, Scene, SceneError, nearest, presets};
 use std::ffi::OsStr;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
@@ -148,6 +148,7 @@ fn scene_of_model(path: &Path) -> Result<Scene, LoadError> {
     let mut scene = presets::default_scene();
     let normals = crate::scene::NormalSource::File;
     let name = path.file_name().map(PathBuf::from);
+    scene.about = About::default();
     scene.object = Object { kind: ObjectKind::Obj, path: name, fit: true, normals, ..scene.object };
     scene.validate()?;
     Ok(scene)
@@ -155,7 +156,7 @@ fn scene_of_model(path: &Path) -> Result<Scene, LoadError> {
 
 fn built_in(source: &Path) -> Result<Scene, LoadError> {
     if let Some(preset) = source.to_str().and_then(presets::find) {
-        return Ok((preset.build)());
+        return Ok(preset.scene());
     }
     let path = || source.to_owned();
     if source.is_dir() {

@@ -83,7 +83,7 @@ fn on_a_quadrilateral_it_is_the_formula_of_the_course() {
 #[test]
 fn the_values_are_those_of_the_picture() {
     for name in ["sphere", "torus", "teapot", "cube", "shadows"] {
-        let mut scene = (presets::find(name).expect("a built-in scene").build)();
+        let mut scene = presets::find(name).expect("a built-in scene").scene();
         scene.image.size = [120, 90];
         (scene.object.segments, scene.object.rings) = (7, 5);
         scene.shading.interpolation = Interpolation::Scanline;
@@ -217,7 +217,7 @@ fn what_cannot_be_scanned_is_refused_in_a_sentence() {
 #[test]
 fn any_face_of_any_scene_gives_numbers() {
     for preset in presets::ALL {
-        let mut scene = (preset.build)();
+        let mut scene = preset.scene();
         scene.image.size = [40, 30];
         (scene.object.segments, scene.object.rings) = (9, 4);
         for mode in [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Exact] {

@@ -312,7 +312,7 @@ mod tests {
     #[test]
     fn the_columns_multiply_to_the_terms_and_the_terms_add_up_to_the_pixel() {
         for preset in presets::ALL {
-            let mut scene = (preset.build)();
+            let mut scene = preset.scene();
             scene.image.size = [32, 32];
             (scene.object.segments, scene.object.rings) = (12, 6);
             let mut renderer = Renderer::default();

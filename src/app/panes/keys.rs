@@ -83,7 +83,7 @@ mod tests {
     #[test]
     fn what_has_changed_is_named_and_makes_the_one_scene_into_the_other() {
         for preset in presets::ALL {
-            let before = (preset.build)();
+            let before = preset.scene();
             let mut after = before.clone();
             after.material.n = f64::INFINITY;
             after.material.ka.y += 0.125;

@@ -134,7 +134,7 @@ mod tests {
     #[test]
     fn strips_are_the_picture_that_is_drawn_at_once() {
         for name in ["sphere", "teapot", "overflow", "glass-ball", "shadows", "depth-cueing", "silhouette"] {
-            let mut scene = (presets::find(name).expect("a scene").build)();
+            let mut scene = presets::find(name).expect("a scene").scene();
             scene.image.size = [160, 150];
             for (samples, overflow) in [(1, Overflow::Clamp), (3, Overflow::Mark)] {
                 scene.display.overflow = overflow;

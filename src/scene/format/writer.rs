@@ -9,7 +9,7 @@ use std::fmt::{Debug, Write};
 use std::path::PathBuf;
 
 pub fn write(scene: &Scene) -> String {
-    let Scene { version, camera, image, object, material, pattern, transparency, .. } = scene;
+    let Scene { version, about, camera, image, object, material, pattern, transparency, .. } = scene;
     let Scene { reflection, shading, display, ground, backdrop, depth_cueing, ambient, lights, compare, .. } = scene;
     let mut object = object.clone();
     object.path = object.path.map(|path| PathBuf::from(path.to_string_lossy().into_owned()));
@@ -17,6 +17,7 @@ pub fn write(scene: &Scene) -> String {
     if lights.is_empty() {
         text.push_str("light = []\n");
     }
+    unless_default(&mut text, "[about]", about);
     section(&mut text, "[camera]", camera);
     section(&mut text, "[image]", image);
     let Object { vertices, faces, vertex_normals, .. } = object.clone();

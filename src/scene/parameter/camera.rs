@@ -8,6 +8,10 @@ use toml::Value;
 
 pub(super) const ALL: &[&Parameter] = &[
     &VERSION,
+    &TITLE,
+    &SENTENCE,
+    &TOPIC,
+    &VIEW,
     &EYE,
     &TARGET,
     &UP,
@@ -27,6 +31,34 @@ static VERSION: Parameter = Parameter::new(
     "version",
     Kind::Other { kind: "whole number", limits: "1", value: |scene| Some(Value::Integer(scene.version.into())) },
     "The version of the scene file's format.",
+);
+
+static TITLE: Parameter = Parameter::new(
+    "about.title",
+    "Title",
+    Kind::Text { at: access!(about.title), longest: 80 },
+    "What the scene is called.",
+);
+
+static SENTENCE: Parameter = Parameter::new(
+    "about.sentence",
+    "Sentence",
+    Kind::Text { at: access!(about.sentence), longest: 300 },
+    "What there is to see, in a sentence.",
+);
+
+static TOPIC: Parameter = Parameter::new(
+    "about.topic",
+    "Topic",
+    Kind::Text { at: access!(about.topic), longest: 80 },
+    "The chapter that the scene belongs to.",
+);
+
+static VIEW: Parameter = Parameter::new(
+    "about.view",
+    "View",
+    Kind::Text { at: access!(about.view), longest: 80 },
+    "The tab of the window that shows the scene's point, for example `profile`; it opens with the scene.",
 );
 
 pub static EYE: Parameter =

@@ -1,0 +1,16 @@
+//! What a scene is about, for its readers.
+
+use serde::{Deserialize, Serialize};
+
+/// What a scene shows. All of it may be empty.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct About {
+    pub title: String,
+    /// What there is to see.
+    pub sentence: String,
+    /// The chapter that it belongs to.
+    pub topic: String,
+    /// The tab of the window that shows its point, for example `profile`; opening the scene opens it.
+    pub view: String,
+}
