@@ -1,5 +1,9 @@
-//! What a picture means in numbers.
+//! What a picture means in numbers: questions, and answers with their reports.
+//!
+//! Each analysis is a module with a [`Question`] and an [`Answer`]; [`ANALYSES`] lists them. The terminal, CSV, JSON, pictures
+//! and the window show any answer by its [`Report`].
 
+mod bench;
 mod comparison;
 pub mod curves;
 mod defects;
@@ -7,50 +11,61 @@ mod lobe;
 mod normals;
 mod overlay;
 mod perception;
+mod plan;
 mod probe;
 mod profile;
+mod question;
+mod report;
 mod sampling;
 mod scan;
 mod stability;
 mod study;
 
 pub use crate::figure::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
+pub use bench::{Bench, BenchQuestion, CHANGES, Growth};
 pub use comparison::{
-    Brightest, DrawnPane, ErrorFigures, LinearPicture, PaneArea, PaneFigures, RegionErrors, brightest, caption,
-    comparison_sheet, difference_picture, difference_scale, draw_panes, error_figures, pane_areas, pane_figures,
-    panes_on_sheet, region_errors,
+    Brightest, Comparison, ComparisonQuestion, DrawnPane, ErrorFigures, LinearPicture, PaneArea, PaneFigures,
+    RegionErrors, brightest, caption, comparison_sheet, difference_picture, difference_scale, draw_panes,
+    error_figures, pane_areas, pane_figures, panes_on_sheet, region_errors,
 };
+pub use curves::{Curves, CurvesQuestion};
 pub use defects::{
-    DefectMark, Defects, Finding, Orientation, PerspectiveDistortion, SharedVertices, Silhouette, VertexNormals,
-    defect_marks, defect_plots, defects, defects_with_progress, draw_defects,
+    DEFECTS, Defect, DefectMark, Defects, DefectsQuestion, Finding, MeasuredDefects, Orientation,
+    PerspectiveDistortion, SharedVertices, Silhouette, VertexNormals, defect_marks, defect_plots, defects,
+    defects_with_progress, draw_defects,
 };
 pub use lobe::{ReflectionLobe, Response};
 pub use normals::{
-    LitVertex, Needle, NeedleKind, Needles, NormalField, SeenNormal, SeenNormals, VertexFace, VertexNormal,
-    draw_normals,
+    FoundNormal, LitVertex, Needle, NeedleKind, Needles, NormalField, NormalsQuestion, SeenNormal, SeenNormals,
+    VertexFace, VertexNormal, draw_normals,
 };
 pub use overlay::{Halo, OverlayLayer, OverlayOptions};
 pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture};
+pub use plan::{FramePlan, PlanQuestion, stage_words};
 pub use probe::{
-    Angle, Arc, Arrow, ArrowHead, CueTerms, LightHandle, LightTerms, Overlay, Probe, ProbeHit, ZeroCause, ZeroCauses,
-    draw_overlay, probe,
+    Angle, Arc, Arrow, ArrowHead, Column as TermColumn, CueTerms, Factor, Here, LightHandle, LightHere, LightTerms,
+    Overlay, Probe, ProbeHit, ProbeQuestion, Probed, Product, ZeroCause, ZeroCauses, clearest_pixel, draw_overlay,
+    probe, through_words,
 };
 pub use profile::{
-    Border, CURVE, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError, ProfileRequest, Sample, Trace,
-    draw_profile, lay_out_profile, luminance, perceived_picture, profile, profile_plots,
+    Border, CURVE, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError, ProfileQuestion, Sample,
+    TakenProfile, Trace, draw_profile, lay_out_profile, luminance, perceived_picture, profile, profile_plots,
 };
+pub use question::{ANALYSES, Analysis, Format, Question, Subject, Watch, unwatched};
+pub(crate) use report::cells;
+pub use report::{About, Answer, Cell, Column, Figure, Part, Report, Section, Table, as_it_is, fixed, word};
 pub use sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error, sampling_error_with};
 #[cfg(feature = "app")]
 pub(crate) use scan::scan_drawn;
 pub use scan::{
     Carried, Crossing, Grid, Mix, Rule, Scan, ScanCorner, ScanEdge, ScanError, ScanLevel, ScanLine, ScanPixel,
-    ScanPoint, ScanSpan, ScanStep, corner_name, face_at, lay_out_scan, scan, scan_room,
+    ScanPoint, ScanQuestion, ScanSpan, ScanStep, ScanStop, Stop, corner_name, face_at, lay_out_scan, scan, scan_room,
 };
 pub use stability::{
-    CASE_PICTURES, Case, CaseResult, Condition, HALF_A_CODE_VALUE, Topic, Verdict, stability, stability_cases,
-    stability_sheet,
+    CASE_PICTURES, Case, CaseResult, Catalogue, Condition, HALF_A_CODE_VALUE, StabilityQuestion, Topic, Verdict,
+    stability, stability_cases, stability_sheet,
 };
 pub use study::{
-    Fit, Method, Omission, PixelCost, Progress, Series, Setting, Study, StudyRequest, StudyRow, fit_line, order_of,
+    Fit, Method, Omission, PixelCost, Series, Setting, Study, StudyQuestion, StudyRow, fit_line, order_of,
     pareto_front, student, study, study_plot, study_point,
 };

@@ -3,16 +3,16 @@
 //! Exit status 0 when it is done, 2 for bad input, 1 for a failure. Errors take a line each on stderr, with the file and
 //! the line that they are about.
 
-mod bench;
+mod analyse;
 mod check;
 mod code;
 mod compare;
 mod curves;
 mod defects;
-mod explain;
 mod failure;
 mod input;
 mod materials;
+mod measure;
 mod normals;
 mod output;
 mod overlay;
@@ -22,15 +22,14 @@ mod profile;
 mod render;
 mod scanline;
 mod scenes;
-mod sheet;
 mod stability;
-mod study;
-mod telling;
 mod window;
 
+use analyse::Analyse;
 use clap::{Parser, Subcommand};
 use failure::Failure;
 use input::SceneArguments;
+use shading_lab::analysis::Analysis;
 use std::process::ExitCode;
 
 /// A laboratory for local illumination and polygon shading.
@@ -50,47 +49,43 @@ struct Arguments {
 enum Command {
     /// Draw a scene into a PNG file, without a window.
     Render(render::Render),
-    /// Fill in the equation at one pixel.
-    Probe(probe::ProbeCommand),
-    /// Take the intensity along a line for several ways of shading, with its slope and what is perceived: Mach bands.
-    ///
-    /// Without a file it prints a row for each sample, values separated by commas. Slopes are per pixel; all values are linear
-    /// and before rounding.
-    Profile(profile::ProfileCommand),
-    /// Measure panes of one scene against the last of them: mean, root mean square and greatest difference, and where it is.
-    ///
+    #[command(about = asks("probe"))]
+    Probe(Analyse<probe::Probe>),
+    /// Slopes are per pixel; all values are linear and before rounding. Without a file it prints a row for each sample, values
+    /// separated by commas.
+    #[command(about = asks("profile"))]
+    Profile(Analyse<profile::Profile>),
     /// Differences are those of linear intensities before they are encoded and rounded; where the display clamps, what is above
     /// 1 counts as 1. `study` has the errors without the clamp as well.
-    Compare(compare::CompareCommand),
-    /// Say which faces a vertex normal comes from, and what each of them counts for.
-    Normals(normals::NormalsCommand),
-    /// Measure the five defects of interpolated shading in a scene.
-    Defects(defects::DefectsCommand),
-    /// Tell the plan of a frame: what is evaluated how often, its time, what is left out and why, and the work that saves.
-    ///
+    #[command(about = asks("compare"))]
+    Compare(Analyse<compare::Compare>),
+    #[command(about = asks("normals"))]
+    Normals(Analyse<normals::Normals>),
+    #[command(about = asks("defects"))]
+    Defects(Analyse<defects::Defects>),
     /// Times are medians of whole frames drawn anew, in turn by the plan and with everything left in that can be; shares are of the
     /// stages' sum. After the changes that `bench` makes it names the stages that run again.
-    Explain(explain::Explain),
-    /// Convert one polygon to pixels in slow motion: active edges, P and Q with their α, and each pixel's value.
-    ///
-    /// Without a file it prints the scan line of the step with its formulas filled in.
-    Scanline(scanline::Scanline),
-    /// Measure error against run time: every way of shading at several tessellations against the exact picture.
-    ///
-    /// Prints a table with the orders of convergence; with a file only what was asked for is written. Errors are those of the
-    /// linear intensities before the display, values above 1 in full; “shown” are those of the values clamped to 1 where the
-    /// display clamps, as `compare` has them.
-    Study(study::StudyCommand),
-    /// Draw the catalogue of stiff and extreme cases: where the textbook's way fails, by how much, and that the engine does not.
-    ///
-    /// The reference computes with 106 bits. It ends with status 1 if the engine is off by more than half a code value anywhere.
-    Stability(stability::StabilityCommand),
-    /// Write a scene as OpenGL calls or as GLSL shaders, to copy; what they cannot express is told on stderr.
+    #[command(about = asks("explain"))]
+    Explain(Analyse<measure::Explain>),
+    /// Active edges, P and Q with their α, and each pixel's value. Without a file it prints the scan line of the step with its
+    /// formulas filled in.
+    #[command(about = asks("scanline"))]
+    Scanline(Analyse<scanline::Scanline>),
+    /// Every way of shading at several tessellations against the exact picture. Errors are those of the linear intensities
+    /// before the display, values above 1 in full; “shown” are those of the values clamped to 1 where the display clamps, as
+    /// `compare` has them.
+    #[command(about = asks("study"))]
+    Study(Analyse<measure::Study>),
+    /// Where the textbook's way fails, by how much, and that the engine does not. The reference computes with 106 bits. It ends
+    /// with status 1 if the engine is off by more than half a code value anywhere.
+    #[command(about = asks("stability"))]
+    Stability(stability::Stability),
+    /// Write a scene as OpenGL calls or as GLSL shaders, to copy; what they cannot express is printed on stderr.
     Code(code::Code),
-    /// Plot the curves of local illumination: f(d), the family of powers of a cosine, W(θ), and the lobe at one pixel.
-    ///
-    /// Without a file it prints what the plots say in words and numbers.
-    Curves(curves::Curves),
+    /// f(d), the family of powers of a cosine, W(θ), and the lobe. Without a file it prints what the plots say in words and
+    /// numbers.
+    #[command(about = asks("curves"))]
+    Curves(Analyse<curves::Curves>),
     /// List the built-in scenes.
     Scenes(scenes::Scenes),
     /// List the named materials of the OpenGL tradition, for --material.
@@ -99,12 +94,16 @@ enum Command {
     Parameters(parameters::Parameters),
     /// Read a scene, a model or a picture, and say what is wrong with it.
     Check(check::Check),
-    /// Measure the time of a frame, of its stages, and of a frame in which one thing changed.
-    ///
     /// A frame of `full` is transformed, covered, shaded and displayed anew; the tessellation is kept, as a graphics card
     /// keeps it in its buffers. In a frame of `changes` one thing differs from the frame before: the place of the first
     /// light, n, ka, the eye on an orbit, or the number of segments.
-    Bench(bench::Bench),
+    #[command(about = asks("bench"))]
+    Bench(Analyse<measure::Bench>),
+}
+
+/// What the analysis of that name asks.
+fn asks(name: &str) -> &'static str {
+    Analysis::find(name).map_or("", |analysis| analysis.asks)
 }
 
 impl Command {

@@ -31,10 +31,10 @@ pub mod export;
 pub mod figure;
 pub mod geometry;
 pub mod illumination;
+pub mod jobs;
 pub mod picture;
 #[cfg(test)]
 #[path = "../tests/common/properties.rs"]
 mod properties;
 pub mod render;
 pub mod scene;
-pub mod table;

@@ -389,12 +389,13 @@ fn a_probe_in_words_has_the_numbers_of_the_probe_in_json() {
         for (channel, name) in ["red", "green", "blue"].iter().enumerate() {
             let sum = vector(&probe["sum"])[channel];
             let stored = probe["stored"][channel].as_u64().expect("a code value");
-            let expected = format!("  {name:6}{sum:10.4}  -> {stored:>3}");
-            assert!(text.lines().any(|line| line == expected), "{scene}: {expected}\n{text}");
+            let expected = [name.to_string(), format!("{sum:.4}"), stored.to_string()];
+            let fits = |line: &str| line.split_whitespace().eq(expected.iter().map(String::as_str));
+            assert!(text.lines().any(fits), "{scene}: {expected:?}\n{text}");
         }
-        let ambient = vector(&probe["ambient"])[0];
-        let expected = format!(" = {ambient:10.4}");
-        assert!(text.lines().any(|line| line.starts_with("  red ") && line.ends_with(&expected)), "{scene}\n{text}");
+        let ambient = format!("  {:.4}", vector(&probe["ambient"])[0]);
+        let row = |line: &str| line.starts_with("  red ") && line.ends_with(&ambient);
+        assert!(text.lines().any(row), "{scene}: {ambient}\n{text}");
     }
 }
 
@@ -473,7 +474,7 @@ fn the_plan_of_a_frame_is_explained() {
     let rows = fs::read_to_string(folder.0.join("plan.csv")).expect("the rows");
     assert_eq!(rows.lines().count(), 1 + terms.len());
     let text = folder.prints(&["explain", "cube", "--frames", "1", "--size", "8x8"]);
-    assert!(text.contains("left out: a closed solid hides them") && text.contains("work saved"), "{text}");
+    assert!(text.contains("a closed solid hides them") && text.contains("work saved"), "{text}");
     folder.refuses(&["explain", "cube", "--frames", "0"], "0 is not in 1..=100000");
 }
 

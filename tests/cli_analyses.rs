@@ -48,7 +48,7 @@ fn curves_are_the_probes_own() {
 fn curves_that_cannot_be_are_refused() {
     let folder = Folder::new("curves-refused");
     folder.refuses(&["curves", "sphere", "-o", "curves.gif"], ".png, .svg or .csv");
-    folder.refuses(&["curves", "sphere", "--kind", "shadow"], "possible values");
+    folder.refuses(&["curves", "sphere", "--kind", "shadow"], "expected attenuation, exponent, reflectance or lobe");
     folder.fails(
         &["curves", "sphere", "--light", "1"],
         2,

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::curves::{
-    COURSE, Distances, attenuation_plot, exponent_plot, lobe_plot, plot, reflectance_plot, telling,
+    COURSE, Distances, attenuation_plot, exponent_plot, lobe_plot, plot, reflectance_plot, shown_kinds,
 };
 use shading_lab::analysis::{
     Curve, OverlayLayer, OverlayOptions, Plot, PlotKind, Probe, ReflectionLobe, draw_overlay, probe,
@@ -290,13 +290,13 @@ fn a_light_straight_above_and_a_viewer_at_infinity_have_a_lobe() {
 fn only_what_varies_is_worth_a_plot() {
     use PlotKind::{Attenuation as F, Exponent, Lobe, Reflectance as W};
     let mut scene = preset("sphere");
-    assert_eq!(telling(&scene, 0), [Exponent, Lobe]);
+    assert_eq!(shown_kinds(&scene, 0), [Exponent, Lobe]);
     scene.lights[0].attenuation = Attenuation::Light;
     scene.material.reflectance = Reflectance::Glass;
-    assert_eq!(telling(&scene, 0), [F, Exponent, W, Lobe]);
+    assert_eq!(shown_kinds(&scene, 0), [F, Exponent, W, Lobe]);
     scene.lights[0].kind = LightKind::Directional;
-    assert_eq!(telling(&scene, 0), [Exponent, W, Lobe]);
-    assert_eq!(telling(&scene, 9), [Exponent, W, Lobe]);
+    assert_eq!(shown_kinds(&scene, 0), [Exponent, W, Lobe]);
+    assert_eq!(shown_kinds(&scene, 9), [Exponent, W, Lobe]);
 }
 
 /// All plots of a scene that has them all.

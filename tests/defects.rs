@@ -6,7 +6,8 @@ use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Camera, Interpolation, NormalSource, Object, ObjectKind, Projection, Scene, Shading, ShadingMode, Viewer, presets,
 };
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn measured(scene: &Scene) -> Defects {
     let pixel = scene.image.size.map(|side| side / 2);
@@ -74,15 +75,17 @@ fn the_silhouette_of_few_segments_is_their_sagitta_at_any_size() {
 #[test]
 fn measuring_tells_how_far_it_is_and_can_be_stopped() {
     let scene = preset("shared-vertices", [100, 100]);
-    let mut told = Vec::new();
-    let never = AtomicBool::new(false);
-    let watched =
-        defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &mut |share| told.push(share), &never);
+    let told = Mutex::new(Vec::new());
+    let note = |share: f32| {
+        told.lock().expect("a list").push(share);
+        true
+    };
+    let watched = defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &note);
+    let told = told.into_inner().expect("a list");
     assert_eq!(watched, measured(&scene));
     assert!(told.is_sorted() && told.len() > 4 && told.last() == Some(&1.0), "{told:?}");
-    let stop = AtomicBool::new(false);
-    let mut after_first = |_| stop.store(true, Ordering::Relaxed);
-    let stopped = defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &mut after_first, &stop);
+    let after_first = |share: f32| share < 0.3;
+    let stopped = defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &after_first);
     assert_eq!(stopped.silhouette, watched.silhouette);
     assert_eq!(stopped.vertex_normals.map(|_| ()), Err("stopped"));
 }
@@ -110,10 +113,13 @@ fn many_unshared_vertices_are_measured_in_bounded_time() {
     scene.object =
         Object { kind: ObjectKind::Polygons, vertices: vertices.into(), faces: faces.into(), ..Object::default() };
     assert_eq!(scene.validate(), Ok(()));
-    let mut steps = 0;
-    let never = AtomicBool::new(false);
-    let mut count_steps = |_| steps += 1;
-    let found = defects_with_progress(&mut Renderer::default(), &scene, [40, 32], &mut count_steps, &never);
+    let steps = AtomicUsize::new(0);
+    let count_steps = |_: f32| {
+        steps.fetch_add(1, Ordering::Relaxed);
+        true
+    };
+    let found = defects_with_progress(&mut Renderer::default(), &scene, [40, 32], &count_steps);
+    let steps = steps.into_inner();
     let shared = found.shared_vertices.expect("edges with unshared vertices");
     assert!(shared.measured < 5000 && 2 * shared.measured <= shared.edges, "{} of {}", shared.measured, shared.edges);
     assert!(steps < 2 * shared.measured, "{steps} steps for {} edges", shared.measured);

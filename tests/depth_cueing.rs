@@ -1,7 +1,7 @@
 //! Depth cueing against closed forms, the probe's working against the picture, and what re-runs when it changes.
 
 use glam::{DVec2, DVec3};
-use shading_lab::analysis::{ProfileRequest, probe, profile};
+use shading_lab::analysis::{ProfileQuestion, probe, profile};
 use shading_lab::render::{Cued, Frame, Renderer, Stage};
 use shading_lab::scene::{
     AmbientSource, CuedBy, DepthCueing, FlatAt, Interpolation, ObjectKind, Projection, Rgb, Scene, ShadingMode, View,
@@ -295,7 +295,7 @@ fn the_profile_has_the_corner_where_the_picture_has_it() {
         let scene = slanted(by, 2.8, 3.5);
         let mut renderer = Renderer::default();
         let ends = [DVec2::new(48.5, 53.0), DVec2::new(48.5, 76.0)];
-        let request = ProfileRequest { modes: vec![ShadingMode::Phong], ..ProfileRequest::new(ends[0], ends[1]) };
+        let request = ProfileQuestion { modes: vec![ShadingMode::Phong], ..ProfileQuestion::new(ends[0], ends[1]) };
         let profile = profile(&mut renderer, &scene, &request).expect("a profile");
         let slope = &profile.traces[0].slope;
         let steepest = slope.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);

@@ -9,7 +9,7 @@ mod properties;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use shading_lab::analysis::{ProfileRequest, probe, profile};
+use shading_lab::analysis::{ProfileQuestion, probe, profile};
 use shading_lab::geometry::read_obj;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
@@ -353,7 +353,7 @@ fn a_polygon_of_twenty_thousand_corners_is_drawn_and_read_along_a_line() {
     renderer.render(&scene);
     assert!(renderer.report().covered > 2000);
     let modes = vec![ShadingMode::Gouraud];
-    let line = ProfileRequest { modes, ..ProfileRequest::new(DVec2::new(60.0, 60.0), DVec2::new(80.0, 70.0)) };
+    let line = ProfileQuestion { modes, ..ProfileQuestion::new(DVec2::new(60.0, 60.0), DVec2::new(80.0, 70.0)) };
     let profile = profile(&mut renderer, &scene, &line).expect("a line in the picture");
     assert!(profile.traces.iter().all(|trace| trace.intensity.iter().all(|value| value.is_finite())));
     assert!(began.elapsed().as_secs() < 100, "{:?}", began.elapsed());

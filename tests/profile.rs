@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::{
-    Perception, Profile, ProfileError, ProfileRequest, ResponseModel, Trace, Viewing, blur_line, luminance,
+    Perception, Profile, ProfileError, ProfileQuestion, ResponseModel, Trace, Viewing, blur_line, luminance,
     perceived_picture, probe, profile,
 };
 use shading_lab::render::Renderer;
@@ -95,7 +95,7 @@ fn cylinder(segments: u32) -> Scene {
 }
 
 fn taken(scene: &Scene, from: [f64; 2], to: [f64; 2]) -> Profile {
-    let request = ProfileRequest { modes: ALL.to_vec(), ..ProfileRequest::new(DVec2::from(from), DVec2::from(to)) };
+    let request = ProfileQuestion { modes: ALL.to_vec(), ..ProfileQuestion::new(DVec2::from(from), DVec2::from(to)) };
     profile(&mut Renderer::default(), scene, &request).expect("a line in the picture")
 }
 
@@ -233,7 +233,7 @@ fn any_line_in_any_scene_gives_numbers() {
 fn a_line_that_is_none_is_refused() {
     let scene = cylinder(8);
     let asked = |from, to, modes: &[ShadingMode]| {
-        let request = ProfileRequest { modes: modes.to_vec(), ..ProfileRequest::new(from, to) };
+        let request = ProfileQuestion { modes: modes.to_vec(), ..ProfileQuestion::new(from, to) };
         profile(&mut Renderer::default(), &scene, &request).map(|_| ())
     };
     let (a, b) = (DVec2::new(1.0, 1.0), DVec2::new(9.0, 9.0));

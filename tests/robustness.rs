@@ -11,7 +11,7 @@ use any_scene::{AnyScene, any_scene, everyday_scene};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use reasons::Judge;
-use shading_lab::analysis::{Probe, ProfileRequest, ZeroCause, luminance, probe, profile};
+use shading_lab::analysis::{Probe, ProfileQuestion, ZeroCause, luminance, probe, profile};
 use shading_lab::render::{Renderer, srgb};
 use shading_lab::scene::{
     Attenuation, Encoding, GREATEST_INTENSITY, Interpolation, Light, Material, ObjectKind, Overflow, PatternKind,
@@ -261,7 +261,7 @@ fn compare_profile(seed: u64) -> (u32, Option<String>) {
     renderer.set_model(model);
     let at = |x: f64| DVec2::new(x, f64::from(height / 2) + 0.5);
     let request =
-        ProfileRequest { modes: vec![scene.shading.mode], ..ProfileRequest::new(at(0.0), at(f64::from(width))) };
+        ProfileQuestion { modes: vec![scene.shading.mode], ..ProfileQuestion::new(at(0.0), at(f64::from(width))) };
     let taken = profile(&mut renderer, &scene, &request).expect("a line in the picture");
     renderer.keep_linear(true);
     renderer.render(&scene);

@@ -2,10 +2,11 @@
 
 use glam::DVec3;
 use serde_json::Value;
-use shading_lab::analysis::{Method, Study, StudyRequest, study, study_plot};
+use shading_lab::analysis::{Method, Study, StudyQuestion, Watch, study, study_plot, unwatched};
 use shading_lab::scene::{Interpolation, Light, LightKind, Overflow, Projection, Rgb, Scene, presets};
 use std::process::Command;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A matt sphere seen along −z, lit by parallel rays that travel along `towards`.
 fn matt_sphere(towards: DVec3, projection: Projection) -> Scene {
@@ -23,14 +24,13 @@ fn matt_sphere(towards: DVec3, projection: Projection) -> Scene {
     scene
 }
 
-fn request(methods: &[Method], segments: &[u32], repeats: u32) -> StudyRequest {
+fn request(methods: &[Method], segments: &[u32], repeats: u32) -> StudyQuestion {
     let interpolations = vec![Interpolation::Perspective];
-    StudyRequest { methods: methods.to_vec(), segments: segments.to_vec(), interpolations, n: vec![], repeats }
+    StudyQuestion { methods: methods.to_vec(), segments: segments.to_vec(), interpolations, n: vec![], repeats }
 }
 
 fn measured(scene: &Scene, methods: &[Method], segments: &[u32]) -> Study {
-    let never = AtomicBool::new(false);
-    study(scene, None, &request(methods, segments, 1), || 0, &mut |_| {}, &never)
+    study(scene, None, &request(methods, segments, 1), || 0, &unwatched)
 }
 
 /// The order of the greatest error.
@@ -115,17 +115,28 @@ fn the_historic_methods_come_near_phong_shading_and_are_of_its_order() {
     assert!(10 * taylor.evaluations < phong.evaluations);
 }
 
+/// Keeps the samples of each row, as they were after each frame.
+#[derive(Default)]
+struct Seen(Mutex<Vec<Vec<u32>>>);
+
+impl Watch<Study> for Seen {
+    fn at(&self, _: f32) -> bool {
+        true
+    }
+
+    fn found(&self, study: &Study) {
+        self.0.lock().expect("a list").push(study.rows.iter().map(|row| row.samples).collect());
+    }
+}
+
 #[test]
 fn settings_are_timed_in_turn() {
     let mut scene = matt_sphere(DVec3::NEG_Z, Projection::Orthographic);
     scene.image.size = [32, 32];
     let request = request(&[Method::Flat, Method::Taylor], &[8, 16], 3);
-    let mut seen = Vec::new();
-    let mut progress = |at: shading_lab::analysis::Progress<'_>| {
-        assert_eq!(at.total, 12);
-        seen.push(at.study.rows.iter().map(|row| row.samples).collect::<Vec<_>>());
-    };
-    let found = study(&scene, None, &request, || 0, &mut progress, &AtomicBool::new(false));
+    let seen = Seen::default();
+    let found = study(&scene, None, &request, || 0, &seen);
+    let seen = seen.0.into_inner().expect("a list");
     assert!(found.complete && seen.len() == 12);
     assert_eq!((&seen[1], &seen[3], &seen[5]), (&vec![1, 1], &vec![1; 4], &vec![2, 2, 1, 1]));
     assert_eq!(study_plot(&found), None, "a clock that stands still has no times to plot");
@@ -135,9 +146,9 @@ fn settings_are_timed_in_turn() {
 fn a_study_that_is_cancelled_keeps_what_it_has() {
     let mut scene = matt_sphere(DVec3::NEG_Z, Projection::Orthographic);
     scene.image.size = [32, 32];
-    let cancel = AtomicBool::new(false);
-    let mut progress = |at: shading_lab::analysis::Progress<'_>| cancel.store(at.done == 3, Ordering::Relaxed);
-    let found = study(&scene, None, &StudyRequest::default(), || 0, &mut progress, &cancel);
+    let frames = AtomicUsize::new(0);
+    let three = |_: f32| frames.fetch_add(1, Ordering::Relaxed) < 2;
+    let found = study(&scene, None, &StudyQuestion::default(), || 0, &three);
     assert_eq!((found.rows.len(), found.complete), (3, false));
     assert_eq!(found.series.len(), 1);
 }
@@ -202,8 +213,8 @@ fn the_command_writes_table_and_plot_and_refuses_what_it_does_not_know() {
     assert!(std::fs::metadata(&png).is_ok_and(|file| file.len() > 1000));
     std::fs::remove_dir_all(&folder).expect("the folder goes");
     let (status, out, _) = run(&few);
-    assert!(status == Some(0) && out.contains("order in the spacing"), "{out}");
-    for wrong in [["--methods", "gourand"], ["--n", "-1"], ["--segments", "2"], ["-o", "rows.csv"]] {
+    assert!(status == Some(0) && out.contains("Order of convergence"), "{out}");
+    for wrong in [["--methods", "gourand"], ["--n", "-1"], ["--segments", "2"], ["-o", "rows.gif"]] {
         assert_eq!(run(&[&SMALL[..1], &wrong].concat()).0, Some(2), "{wrong:?}");
     }
     let cook = ["sphere", "--set", "reflection.model=cook-torrance", "--methods", "taylor"];

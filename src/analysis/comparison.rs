@@ -2,10 +2,12 @@
 
 mod difference;
 mod regions;
+mod report;
 mod sheet;
 
 pub use difference::{difference_picture, difference_scale};
 pub use regions::{RegionErrors, region_errors};
+pub use report::{Comparison, ComparisonQuestion};
 pub use sheet::{DrawnPane, PaneArea, caption, comparison_sheet, draw_panes, pane_areas, pane_figures, panes_on_sheet};
 
 use super::luminance;

@@ -7,11 +7,13 @@ mod attenuation;
 mod exponent;
 mod polar;
 mod reflectance;
+mod report;
 
 pub use attenuation::{Distances, attenuation_plot};
 pub use exponent::{COURSE, exponent_plot, highlight_half_width};
 pub use polar::lobe_plot;
 pub use reflectance::{READ_AT, reflectance_plot};
+pub use report::{Curves, CurvesQuestion};
 
 use super::{Plot, PlotKind, Probe};
 pub(crate) use crate::figure::short;
@@ -37,7 +39,7 @@ pub fn plot(kind: PlotKind, renderer: &Renderer, scene: &Scene, probe: &Probe, l
 }
 
 /// The kinds of plot that have more to say than that nothing varies: W and f only where they do.
-pub fn telling(scene: &Scene, light: usize) -> Vec<PlotKind> {
+pub fn shown_kinds(scene: &Scene, light: usize) -> Vec<PlotKind> {
     let varies = |kind: &PlotKind| match kind {
         PlotKind::Attenuation => scene.lights.get(light).is_some_and(|light| effective(light) != Attenuation::None),
         PlotKind::Reflectance => scene.material.reflectance != Reflectance::Constant,

@@ -8,6 +8,7 @@ mod orientation;
 mod overlay;
 mod perspective;
 mod plots;
+mod report;
 mod shared;
 mod silhouette;
 mod vertex_normals;
@@ -16,16 +17,18 @@ pub use orientation::Orientation;
 pub use overlay::{DefectMark, defect_marks, draw_defects};
 pub use perspective::PerspectiveDistortion;
 pub use plots::defect_plots;
+pub use report::{DEFECTS, Defect, DefectsQuestion, MeasuredDefects};
 pub use shared::SharedVertices;
 pub use silhouette::Silhouette;
 pub use vertex_normals::VertexNormals;
 
+use super::question::{Watch, unwatched};
 use crate::geometry::Mesh;
 use crate::render::Renderer;
 use crate::scene::{Compare, Scene, ShadingMode};
 use rayon::prelude::*;
 use serde::Serialize;
-use std::sync::atomic::{AtomicBool, Ordering};
+use serde_json::json;
 
 /// A measurement, or why there is nothing to measure.
 pub type Finding<T> = Result<T, &'static str>;
@@ -46,34 +49,25 @@ const STOPPED: &str = "stopped";
 /// Measures all five in `scene`, as its picture of `scene.image.size` has them; the dependence on orientation at what `pixel`
 /// sees. `renderer` holds the model, if there is one, and draws other pictures in between.
 pub fn defects(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -> Defects {
-    defects_with_progress(renderer, scene, pixel, &mut |_| {}, &AtomicBool::new(false))
+    defects_with_progress(renderer, scene, pixel, &unwatched)
 }
 
-/// The same, telling `progress` from 0 to 1 how far it is. What is not measured yet when `cancel` is set stays missing.
+/// The same with somebody who waits; what is not measured when they stop stays missing.
 pub fn defects_with_progress(
     renderer: &mut Renderer,
     scene: &Scene,
     pixel: [u32; 2],
-    progress: &mut dyn FnMut(f32),
-    cancel: &AtomicBool,
+    watch: &dyn Watch<()>,
 ) -> Defects {
     let alone = &Scene { compare: Compare::default(), ..scene.clone() };
-    let silhouette = unless(cancel, || silhouette::measure(renderer, alone, cancel));
-    progress(0.3);
-    let perspective = unless(cancel, || perspective::measure(renderer, alone));
-    progress(0.4);
-    let orientation = unless(cancel, || orientation::measure(renderer, alone, pixel));
-    progress(0.5);
-    let along = &mut |share: f32| progress(0.5 + 0.3 * share);
-    let shared_vertices = unless(cancel, || shared::measure(renderer, alone, along, cancel));
-    progress(0.8);
-    let vertex_normals = unless(cancel, || vertex_normals::measure(renderer, alone));
-    progress(1.0);
+    let silhouette = silhouette::measure(renderer, alone, watch);
+    let perspective = if watch.at(0.3) { perspective::measure(renderer, alone) } else { Err(STOPPED) };
+    let orientation = if watch.at(0.4) { orientation::measure(renderer, alone, pixel) } else { Err(STOPPED) };
+    let along = |share: f32| watch.at(0.5 + 0.3 * share);
+    let shared_vertices = if along(0.0) { shared::measure(renderer, alone, &along) } else { Err(STOPPED) };
+    let vertex_normals = if watch.at(0.8) { vertex_normals::measure(renderer, alone) } else { Err(STOPPED) };
+    watch.at(1.0);
     Defects { silhouette, perspective, orientation, shared_vertices, vertex_normals }
-}
-
-fn unless<T>(cancel: &AtomicBool, measure: impl FnOnce() -> Finding<T>) -> Finding<T> {
-    if cancel.load(Ordering::Relaxed) { Err(STOPPED) } else { measure() }
 }
 
 /// The edges that exactly one of the faces that `counts` has, as pairs of points, sorted.
@@ -98,33 +92,20 @@ fn nothing_interpolated(scene: &Scene) -> Option<&'static str> {
     }
 }
 
-/// A measurement as it is written into JSON.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Written<'a, T> {
-    Measured(&'a T),
-    Missing { missing: &'static str },
-}
-
-impl<'a, T> From<&'a Finding<T>> for Written<'a, T> {
-    fn from(finding: &'a Finding<T>) -> Self {
-        match finding {
-            Ok(measured) => Self::Measured(measured),
-            Err(missing) => Self::Missing { missing },
-        }
-    }
-}
-
+/// A missing measurement is written as the reason.
 impl Serialize for Defects {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        use serde::ser::SerializeMap;
+        fn entry<T: Serialize>(finding: &Finding<T>) -> serde_json::Value {
+            finding.as_ref().map_or_else(|missing| json!({ "missing": missing }), |measured| json!(measured))
+        }
         let Self { silhouette, perspective, orientation, shared_vertices, vertex_normals } = self;
-        let mut map = serializer.serialize_map(Some(5))?;
-        map.serialize_entry("silhouette", &Written::from(silhouette))?;
-        map.serialize_entry("perspective", &Written::from(perspective))?;
-        map.serialize_entry("orientation", &Written::from(orientation))?;
-        map.serialize_entry("shared_vertices", &Written::from(shared_vertices))?;
-        map.serialize_entry("vertex_normals", &Written::from(vertex_normals))?;
-        map.end()
+        json!({
+            "silhouette": entry(silhouette),
+            "perspective": entry(perspective),
+            "orientation": entry(orientation),
+            "shared_vertices": entry(shared_vertices),
+            "vertex_normals": entry(vertex_normals),
+        })
+        .serialize(serializer)
     }
 }

@@ -5,9 +5,11 @@
 //! its own normal leans: at an outline that may be away from the eye.
 
 mod needles;
+mod report;
 mod seen;
 
 pub use needles::{LitVertex, Needle, NeedleKind, Needles, draw_normals};
+pub use report::{FoundNormal, NormalsQuestion};
 pub use seen::{SeenNormal, SeenNormals};
 
 use crate::geometry::{Mesh, NormalOrigin, VertexMesh};

@@ -1,9 +1,15 @@
 //! The pixel probe: the equation at one pixel, in double precision.
 
+mod clearest;
 mod overlay;
+mod report;
+mod terms;
 mod zero;
 
+pub use clearest::clearest_pixel;
 pub use overlay::{Angle, Arc, Arrow, ArrowHead, LightHandle, Overlay, draw_overlay};
+pub use report::{ProbeQuestion, Probed, through_words};
+pub use terms::{Column, Factor, Here, LightHere, Product};
 pub use zero::{ZeroCause, ZeroCauses};
 
 use crate::illumination::Equation;

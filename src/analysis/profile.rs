@@ -12,26 +12,26 @@ mod line;
 mod overlay;
 mod picture;
 mod plots;
+mod report;
 mod source;
 
 pub use overlay::{CURVE, ProfileCurves, draw_profile, lay_out_profile};
 pub use picture::{PERCEIVED_WIDTH, perceived_picture};
 pub use plots::profile_plots;
+pub use report::TakenProfile;
 
 use super::perception::{Perception, Viewing, blur_line};
 use crate::render::{Piece, Renderer};
 use crate::scene::{Rgb, Scene, ShadingMode};
-use crate::table::Table;
 use glam::DVec2;
 use line::Line;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use source::Source;
-use std::fmt::Display;
 use thiserror::Error;
 
 /// What the profile is taken of.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ProfileRequest {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ProfileQuestion {
     /// The line's ends in pixels, a pixel's centre at +0.5; inside the picture.
     pub from: DVec2,
     pub to: DVec2,
@@ -40,7 +40,7 @@ pub struct ProfileRequest {
     pub perception: Perception,
 }
 
-impl ProfileRequest {
+impl ProfileQuestion {
     /// The modes that are compared unless others are asked for.
     pub const MODES: [ShadingMode; 4] =
         [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
@@ -49,6 +49,26 @@ impl ProfileRequest {
     pub fn new(from: DVec2, to: DVec2) -> Self {
         let (viewing, perception) = Default::default();
         Self { from, to, modes: Self::MODES.to_vec(), viewing, perception }
+    }
+
+    /// Whether there is such a profile in a picture of `size`.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn check(&self, size: [u32; 2]) -> Result<(), ProfileError> {
+        self.line(size).map(|_| ())
+    }
+
+    fn line(&self, size: [u32; 2]) -> Result<Line, ProfileError> {
+        let inside = |p: DVec2| p.cmpge(DVec2::ZERO).all() && p.cmple(DVec2::from_array(size.map(f64::from))).all();
+        if !inside(self.from) || !inside(self.to) {
+            return Err(ProfileError::Outside { size });
+        }
+        if self.modes.is_empty() {
+            return Err(ProfileError::NoMode);
+        }
+        let [_, surround] = self.perception.widths(self.viewing.pixels_per_degree());
+        Line::new(self.from, self.to, size, surround).ok_or(ProfileError::NoLength)
     }
 }
 
@@ -133,23 +153,6 @@ impl Trace {
     }
 }
 
-impl Profile {
-    /// The samples as text: a row each under a row of names, values separated by commas.
-    pub fn to_csv(&self) -> String {
-        let modes = self.traces.iter().map(Trace::word);
-        let columns: String = modes.map(|mode| format!(",{mode},{mode}_slope,{mode}_perceived")).collect();
-        let mut table = Table::new(&format!("x,y,t{columns}"));
-        for (i, sample) in self.samples.iter().enumerate() {
-            let mut row: Vec<&dyn Display> = vec![&sample.x, &sample.y, &sample.t];
-            for trace in &self.traces {
-                row.extend([&trace.intensity[i] as &dyn Display, &trace.slope[i], &trace.perceived[i]]);
-            }
-            table.row(&row);
-        }
-        table.into_csv()
-    }
-}
-
 /// Rec. 709 luminance of a linear colour.
 pub fn luminance(color: Rgb) -> f64 {
     color.dot(Rgb::new(0.2126, 0.7152, 0.0722))
@@ -163,18 +166,10 @@ pub fn luminance(color: Rgb) -> f64 {
 ///
 /// # Errors
 /// A line without length or with an end outside the picture, or no mode.
-pub fn profile(renderer: &mut Renderer, scene: &Scene, request: &ProfileRequest) -> Result<Profile, ProfileError> {
-    let size = scene.image.size;
-    let inside = |p: DVec2| p.cmpge(DVec2::ZERO).all() && p.cmple(DVec2::from_array(size.map(f64::from))).all();
-    if !inside(request.from) || !inside(request.to) {
-        return Err(ProfileError::Outside { size });
-    }
-    if request.modes.is_empty() {
-        return Err(ProfileError::NoMode);
-    }
+pub fn profile(renderer: &mut Renderer, scene: &Scene, request: &ProfileQuestion) -> Result<Profile, ProfileError> {
+    let line = request.line(scene.image.size)?;
     let per_degree = request.viewing.pixels_per_degree();
     let widths = request.perception.widths(per_degree);
-    let line = Line::new(request.from, request.to, size, widths[1]).ok_or(ProfileError::NoLength)?;
     let mut profile = Profile {
         samples: line.samples(),
         traces: Vec::new(),
@@ -197,7 +192,7 @@ pub fn profile(renderer: &mut Renderer, scene: &Scene, request: &ProfileRequest)
     Ok(profile)
 }
 
-fn trace(source: &Source<'_>, line: &Line, request: &ProfileRequest, borders: &[Border], per_degree: f64) -> Trace {
+fn trace(source: &Source<'_>, line: &Line, request: &ProfileQuestion, borders: &[Border], per_degree: f64) -> Trace {
     let (intensity, slope): (Vec<f64>, Vec<f64>) = source.values(line).into_iter().unzip();
     let blur = |values: &[f64], sigma: f64| blur_line(values, sigma / line.spacing());
     let perceived = request.perception.respond(&intensity, per_degree, &blur);

@@ -20,12 +20,14 @@ mod convert;
 mod corners;
 mod drawing;
 mod grid;
+mod report;
 mod walk;
 mod words;
 
 pub use barycentric::Rule;
 pub use drawing::{lay_out_scan, scan_room};
 pub use grid::Grid;
+pub use report::{ScanQuestion, ScanStop, Stop};
 pub use walk::{ScanLevel, ScanPoint};
 pub use words::{Mix, corner_name};
 

@@ -6,9 +6,11 @@
 mod cases;
 mod precise;
 mod reference;
+mod report;
 mod sheet;
 mod textbook;
 
+pub use report::{Catalogue, StabilityQuestion};
 pub use sheet::stability_sheet;
 
 use crate::render::{Frame, Renderer};

@@ -12,21 +12,21 @@ mod measure;
 mod method;
 mod pareto;
 mod plot;
+mod report;
 mod setting;
 
 pub use fit::{Fit, fit_line, order_of, student};
 pub use method::{Method, PixelCost};
 pub use pareto::pareto_front;
 pub use plot::{study_plot, study_point};
-pub use setting::{Omission, Setting, StudyRequest};
+pub use setting::{Omission, Setting, StudyQuestion};
 
-use super::RegionErrors;
+use super::{RegionErrors, Watch};
 use crate::geometry::Mesh;
 use crate::scene::{Interpolation, Scene};
 use measure::Bench;
 use serde::Serialize;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What was measured of one setting.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -83,6 +83,8 @@ pub struct Study {
     pub omitted: Vec<Omission>,
     /// Whether nothing was cut short.
     pub complete: bool,
+    /// Threads of the engine.
+    pub threads: usize,
 }
 
 impl Study {
@@ -113,38 +115,24 @@ impl Study {
     }
 }
 
-/// How far a study has come.
-#[derive(Clone, Copy, Debug)]
-pub struct Progress<'a> {
-    pub done: u64,
-    pub total: u64,
-    /// What is known so far.
-    pub study: &'a Study,
-}
-
-/// Measures `scene`, whose object of kind `obj` shows `model`. `clock` gives nanoseconds from any fixed moment. After each
-/// frame `progress` is told; once `cancel` is set, what is known by then is returned.
+/// Measures `scene`, whose object of kind `obj` shows `model`. `clock` gives nanoseconds from any fixed moment. `watch` is
+/// told after each frame; when it stops the work, what is known by then is returned.
 pub fn study(
     scene: &Scene,
     model: Option<Arc<Mesh>>,
-    request: &StudyRequest,
+    request: &StudyQuestion,
     clock: fn() -> u64,
-    progress: &mut dyn FnMut(Progress<'_>),
-    cancel: &AtomicBool,
+    watch: &dyn Watch<Study>,
 ) -> Study {
     let (settings, omitted) = setting::settings(request, scene);
     let repeats = request.repeats.max(1);
     let total = settings.len() as u64 * u64::from(repeats);
     let mut bench = Bench::new(scene, model, clock);
-    let mut study = Study { omitted, ..Study::default() };
+    let mut study = Study { omitted, threads: rayon::current_num_threads(), ..Study::default() };
     let mut samples: Vec<Vec<u64>> = vec![Vec::new(); settings.len()];
     let mut done = 0;
     for repeat in 0..repeats {
         for (index, setting) in settings.iter().enumerate() {
-            if cancel.load(Ordering::Relaxed) {
-                study.conclude();
-                return study;
-            }
             if repeat == 0 {
                 let (errors, spacing) = bench.errors(setting);
                 study.rows.push(row(setting, &errors, spacing));
@@ -157,7 +145,11 @@ pub fn study(
             (row.time_ms, row.spread_ms) = middle(&mut samples[index]);
             done += 1;
             study.conclude();
-            progress(Progress { done, total, study: &study });
+            watch.found(&study);
+            #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
+            if !watch.at(done as f32 / total as f32) && done < total {
+                return study;
+            }
         }
     }
     study.complete = true;

@@ -62,11 +62,12 @@ impl Question {
         scene.image.size = self.size;
         let mut renderer = Renderer::default();
         renderer.set_model(self.model.clone());
-        let mut progress = |share: f32| {
+        let watch = |share: f32| {
             shared.percent.store((100.0 * share) as u32, Ordering::Relaxed);
             ctx.request_repaint();
+            !shared.cancel.load(Ordering::Relaxed)
         };
-        let measured = defects_with_progress(&mut renderer, &scene, self.pixel, &mut progress, &shared.cancel);
+        let measured = defects_with_progress(&mut renderer, &scene, self.pixel, &watch);
         (!shared.cancel.load(Ordering::Relaxed)).then_some(measured)
     }
 }

@@ -15,8 +15,6 @@ use glam::DVec2;
 use normals::NormalsDrawing;
 use pane::{PaneEngine, Wanted};
 use std::cell::OnceCell;
-use std::sync::OnceLock;
-use std::time::Instant;
 
 /// Draws for the window.
 pub struct Engine {
@@ -49,12 +47,6 @@ struct DrawnOverlay {
     light: usize,
     dark: bool,
     scale: f32,
-}
-
-/// Nanoseconds since the first call.
-pub(super) fn clock() -> u64 {
-    static START: OnceLock<Instant> = OnceLock::new();
-    u64::try_from(START.get_or_init(Instant::now).elapsed().as_nanos()).unwrap_or(u64::MAX)
 }
 
 impl Default for Engine {
@@ -271,7 +263,7 @@ impl Engine {
             return vec![];
         };
         let plot = |kind| curves::plot(kind, renderer, scene, probe, light);
-        curves::telling(scene, light).into_iter().filter_map(plot).collect()
+        curves::shown_kinds(scene, light).into_iter().filter_map(plot).collect()
     }
 
     /// The active pane's scene as last drawn, in the picture's size.

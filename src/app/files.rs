@@ -11,7 +11,7 @@ use super::profile::ProfileLook;
 use super::recovery;
 use super::state::{AppState, OverlayLook, ProbePoint};
 use crate::analysis::{
-    ProfileRequest, comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe,
+    ProfileQuestion, comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe,
     profile,
 };
 use crate::document::{Loaded, load_with, save_picture};
@@ -82,7 +82,7 @@ impl Over {
         let options = overlay_options(&self.look, self.light, scene);
         let taken = self.line.and_then(|line| {
             let modes = vec![scene.shading.mode];
-            let request = ProfileRequest { modes, ..self.profile.request(line.pixels([width, height])) };
+            let request = ProfileQuestion { modes, ..self.profile.request(line.pixels([width, height])) };
             profile(renderer, scene, &request).ok()
         });
         if let Some(mut map) = tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height) {

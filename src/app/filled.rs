@@ -8,7 +8,6 @@ mod outline;
 mod share;
 mod stored;
 mod table;
-mod terms;
 mod through;
 mod working;
 
@@ -18,7 +17,7 @@ use super::palette::Term;
 use super::state::AppState;
 use super::symbol::Symbol;
 use super::typeset::{Piece, Place};
-use crate::analysis::{LightTerms, ProbeHit};
+use crate::analysis::{Here, LightTerms, ProbeHit};
 use crate::scene::Scene;
 use eframe::egui::{RichText, Ui, vec2};
 use glam::DVec3;
@@ -27,7 +26,6 @@ use notation::{Notation, Vectors};
 use outline::{AT_PROBE, Line, Opening, Says, channels_ui, fold_ui, letters_ui, rule_ui};
 use share::{bar_ui, shares};
 use table::Table;
-use terms::Here;
 
 /// The whole formula at the probe.
 pub fn filled_ui(ui: &mut Ui, state: &mut AppState, hit: &ProbeHit) {

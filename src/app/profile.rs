@@ -11,7 +11,7 @@ use super::engine::Engine;
 use super::row::{About, NumberRow, Rail, number};
 use super::state::{AppState, NumbersTab};
 use super::theme::TEXT;
-use crate::analysis::{Perception, ProfileRequest, ResponseModel, Viewing};
+use crate::analysis::{Perception, ProfileQuestion, ResponseModel, Viewing};
 use crate::figure::{PlotStyle, lay_out};
 use crate::scene::ShadingMode;
 use eframe::egui::{Button, RichText, Ui};
@@ -54,9 +54,9 @@ impl ProfileLook {
     }
 
     /// The profile between two places.
-    pub fn request(&self, [from, to]: [DVec2; 2]) -> ProfileRequest {
+    pub fn request(&self, [from, to]: [DVec2; 2]) -> ProfileQuestion {
         let Self { modes, viewing, perception, perceived: _ } = self.clone();
-        ProfileRequest { from, to, modes, viewing, perception }
+        ProfileQuestion { from, to, modes, viewing, perception }
     }
 }
 

@@ -6,7 +6,7 @@ mod work;
 
 use super::engine::Engine;
 use super::state::AppState;
-use crate::analysis::{Method, Setting, StudyRequest};
+use crate::analysis::{Method, Setting, StudyQuestion};
 use crate::scene::{Interpolation, Scene};
 use eframe::egui::{Button, ProgressBar, RichText, TextEdit, Ui};
 use figure::figure_ui;
@@ -38,7 +38,7 @@ impl Default for Choices {
 
 impl Choices {
     /// What is asked for, or what is wrong with it.
-    fn request(&self, scene: &Scene) -> Result<StudyRequest, String> {
+    fn request(&self, scene: &Scene) -> Result<StudyQuestion, String> {
         fn chosen<T: Copy>(all: &[T], which: &[bool]) -> Vec<T> {
             all.iter().zip(which).filter(|(_, on)| **on).map(|(value, _)| *value).collect()
         }
@@ -46,7 +46,7 @@ impl Choices {
         if self.affine {
             interpolations.push(Interpolation::Affine);
         }
-        let request = StudyRequest {
+        let request = StudyQuestion {
             methods: chosen(&Method::ALL, &self.methods),
             segments: chosen(&SEGMENTS, &self.segments),
             interpolations,

@@ -56,6 +56,7 @@ impl From<SaveError> for Failure {
     fn from(error: SaveError) -> Self {
         match &error {
             SaveError::Unwritable { source, .. } if source.kind() == io::ErrorKind::BrokenPipe => Self::Closed,
+            SaveError::Nothing { .. } => Self::input(error),
             _ => Self::work(error),
         }
     }

@@ -3,12 +3,12 @@
 use super::failure::Failure;
 use super::output::progress_bar;
 use clap::Args;
+use serde::Serialize;
+use shading_lab::analysis::word;
 use shading_lab::document::{Loaded, load_with};
 use shading_lab::scene::materials::{self, NamedMaterial};
 use shading_lab::scene::{Image, nearest, presets};
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
-use std::time::Instant;
 
 /// Files from this many bytes on get a progress bar while they are read.
 const LARGE_FILE: u64 = 4 << 20;
@@ -92,6 +92,16 @@ pub fn parse_size(text: &str) -> Result<[u32; 2], String> {
     Ok(size)
 }
 
+/// One of `choices`, by its word in files.
+pub fn parse_choice<T: Serialize + Copy>(text: &str, choices: impl IntoIterator<Item = T>) -> Result<T, String> {
+    let choices: Vec<(String, T)> = choices.into_iter().map(|choice| (word(&choice), choice)).collect();
+    choices.iter().find(|(word, _)| word == text.trim()).map(|(_, choice)| *choice).ok_or_else(|| {
+        let (last, others) = choices.split_last().map_or(("", &[][..]), |((last, _), others)| (last, others));
+        let others: Vec<&str> = others.iter().map(|(word, _)| word.as_str()).collect();
+        format!("expected {} or {last}", others.join(", "))
+    })
+}
+
 /// `X,Y`, whole numbers from the top left.
 pub fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
     let expected = || "expected X,Y in whole pixels from the top left, as in 100,80".to_owned();
@@ -107,12 +117,6 @@ pub fn inside_picture(argument: &str, [x, y]: [u32; 2], [width, height]: [u32; 2
     }
     let (right, bottom) = (width - 1, height - 1);
     Err(Failure::input(format!("{argument}: outside the picture, expected 0,0 to {right},{bottom}")))
-}
-
-/// Nanoseconds since the first call: the renderer's clock.
-pub fn nanoseconds() -> u64 {
-    static START: OnceLock<Instant> = OnceLock::new();
-    u64::try_from(START.get_or_init(Instant::now).elapsed().as_nanos()).unwrap_or(u64::MAX)
 }
 
 #[cfg(test)]
@@ -147,11 +151,5 @@ mod tests {
         assert!(inside_picture("", [2, 3], [3, 4]).is_ok());
         assert!(inside_picture("", [3, 3], [3, 4]).is_err());
         assert!(inside_picture("", [2, 4], [3, 4]).is_err());
-    }
-
-    #[test]
-    fn the_clock_does_not_go_back() {
-        let first = nanoseconds();
-        assert!(nanoseconds() >= first);
     }
 }

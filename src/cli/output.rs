@@ -14,7 +14,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
     })
 }
 
-/// Writes one JSON object to stdout. Numbers that JSON has not, such as infinity, become null.
+/// Writes one JSON object to stdout. JSON has no infinity; it becomes null.
 pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(value).map_err(Failure::work)?;
     print(&(text + "\n"))

@@ -2,13 +2,12 @@
 
 use super::failure::Failure;
 use super::input::{inside_picture, parse_pixel};
-use super::telling::telling_pixel;
 use glam::DVec2;
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 use shading_lab::analysis::{
-    LitVertex, Needles, NormalField, OverlayLayer, OverlayOptions, Profile, ProfileRequest, VertexNormal, defects,
+    LitVertex, Needles, NormalField, OverlayLayer, OverlayOptions, Profile, ProfileQuestion, clearest_pixel, defects,
     draw_defects, draw_overlay, draw_profile, probe, profile,
 };
 use shading_lab::render::{Frame, Renderer};
@@ -89,7 +88,7 @@ impl OverlayList {
         let about_pixel = self.layers.iter().any(|layer| layer.of_point());
         let probed = match self.pixel {
             Some([x, y]) => probe(renderer, scene, x, y),
-            None => telling_pixel(renderer, scene),
+            None => clearest_pixel(renderer, scene),
         };
         if about_pixel && probed.hit.is_none() {
             let [x, y] = probed.pixel;
@@ -134,7 +133,9 @@ impl OverlayList {
         let field = NormalField::new(renderer, &scene.object);
         let size = scene.image.size;
         let lit = match self.vertex {
-            Some(number) => LitVertex::new(size, scene, &field, &vertex_of(&field, number)?, options),
+            Some(number) => {
+                LitVertex::new(size, scene, &field, &field.vertex_of(number).map_err(Failure::input)?, options)
+            }
             None => None,
         };
         Ok(Some((Needles::new(size, scene, renderer, &field, options), lit)))
@@ -148,7 +149,7 @@ impl OverlayList {
         let [width, height] = scene.image.size;
         let y = self.pixel.map_or(0.5 * f64::from(height), |[_, y]| f64::from(y) + 0.5);
         let (from, to) = self.line.unwrap_or((DVec2::new(0.0, y), DVec2::new(width.into(), y)));
-        let request = ProfileRequest { modes: vec![scene.shading.mode], ..ProfileRequest::new(from, to) };
+        let request = ProfileQuestion { modes: vec![scene.shading.mode], ..ProfileQuestion::new(from, to) };
         profile(renderer, scene, &request)
             .map(Some)
             .map_err(|error| Failure::input(format!("--overlay profile: {error}")))
@@ -158,17 +159,6 @@ impl OverlayList {
 /// The number of a vertex.
 pub fn parse_vertex(text: &str) -> Result<u32, String> {
     text.trim().parse().map_err(|_| "expected the number of a vertex, counted from 0".to_owned())
-}
-
-/// A vertex by its number.
-pub fn vertex_of(field: &NormalField, number: u32) -> Result<VertexNormal, Failure> {
-    field.vertex(number).ok_or_else(|| {
-        let expected = match field.vertex_count() {
-            0 => "expected none: the object has no vertices".to_owned(),
-            count => format!("expected 0 to {}", count - 1),
-        };
-        Failure::input(format!("--vertex {number}: no such vertex, {expected}"))
-    })
 }
 
 fn layer(name: &str) -> Result<OverlayLayer, String> {

@@ -1,12 +1,12 @@
 //! `render`: a scene into a PNG file.
 
+use super::analyse::picture_name;
 use super::compare::{PaneArguments, View};
 use super::failure::Failure;
 use super::input::{SceneArguments, parse_size};
 use super::output::progress_bar;
 use super::overlay::{OverlayList, parse_vertex};
 use super::profile::parse_place;
-use super::sheet::picture_name;
 use clap::Args;
 use glam::DVec2;
 use shading_lab::analysis::{comparison_sheet, draw_panes, panes_on_sheet};

@@ -21,6 +21,10 @@ pub enum SaveError {
     Unwritable { path: PathBuf, source: io::Error },
     #[error("{}: {source}", .path.display())]
     Picture { path: PathBuf, source: PictureError },
+    #[error("{}: there is nothing to draw", .path.display())]
+    Nothing { path: PathBuf },
+    #[error("{}: the figure is too large", .path.display())]
+    TooLarge { path: PathBuf },
 }
 
 /// Writes a scene file. The path of a model at or below the file's folder is written relative to it.

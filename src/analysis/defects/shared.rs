@@ -1,14 +1,13 @@
 //! What happens along an edge where one side has a vertex and the other has none.
 
 use super::{Finding, STOPPED, edges_of_one, nothing_interpolated};
-use crate::analysis::luminance;
+use crate::analysis::{Watch, luminance};
 use crate::geometry::Mesh;
 use crate::illumination::Equation;
 use crate::render::{Piece, Renderer};
 use crate::scene::{Rgb, Scene, View};
 use glam::{DVec2, DVec3};
 use serde::Serialize;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Samples along an edge.
 const SAMPLES: u32 = 200;
@@ -101,12 +100,7 @@ fn touched(mesh: &Mesh) -> Finding<Vec<Touched>> {
     Ok(found)
 }
 
-pub(super) fn measure(
-    renderer: &mut Renderer,
-    scene: &Scene,
-    progress: &mut dyn FnMut(f32),
-    cancel: &AtomicBool,
-) -> Finding<SharedVertices> {
+pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, watch: &dyn Watch<()>) -> Finding<SharedVertices> {
     if let Some(why) = nothing_interpolated(scene) {
         return Err(why);
     }
@@ -123,10 +117,9 @@ pub(super) fn measure(
     let count = edges.div_ceil(every);
     let mut greatest: Option<SharedVertices> = None;
     for (index, edge) in touched.iter().step_by(every).enumerate() {
-        if cancel.load(Ordering::Relaxed) {
+        if !watch.at(index as f32 / count as f32) {
             return Err(STOPPED);
         }
-        progress(index as f32 / count as f32);
         let measured = along(renderer, scene, &equation, edge, [edges, count]);
         let before = greatest.as_ref().map_or(f64::NEG_INFINITY, |greatest| greatest.greatest);
         greatest = measured.filter(|measured| measured.greatest > before).or(greatest);

@@ -1,13 +1,13 @@
 //! How far the polygons' outline is from the true surface's.
 
 use super::{Finding, STOPPED, edges_of_one};
+use crate::analysis::Watch;
 use crate::geometry::Mesh;
 use crate::render::Renderer;
 use crate::scene::{Projection, Scene, ShadingMode, View};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use serde::Serialize;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Samples along an edge of the outline, its middle among them.
 const SAMPLES: u32 = 7;
@@ -64,7 +64,7 @@ impl Mask {
     }
 }
 
-pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, cancel: &AtomicBool) -> Finding<Silhouette> {
+pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, watch: &dyn Watch<()>) -> Finding<Silhouette> {
     let mut polygons = scene.clone();
     polygons.shading.mode = ShadingMode::Flat;
     renderer.keep_linear(true);
@@ -83,7 +83,7 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, cancel: &AtomicBoo
     let renderer = &*renderer;
     let sees = |place: DVec2| renderer.evaluation_at(place, None).is_some();
     let of_edge = |&[a, b]: &[DVec2; 2]| {
-        if cancel.load(Ordering::Relaxed) {
+        if !watch.at(0.0) {
             return None;
         }
         let along = b - a;
@@ -101,7 +101,7 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, cancel: &AtomicBoo
         found.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))
     };
     let found: Vec<(f64, DVec2, DVec2)> = edges.par_iter().filter_map(of_edge).collect();
-    if cancel.load(Ordering::Relaxed) {
+    if !watch.at(0.0) {
         return Err(STOPPED);
     }
     let edges = found.len();

@@ -1,6 +1,6 @@
 //! A profile as plots: a panel a mode, then the slopes and what the eye adds, all modes together.
 
-use super::{Profile, ProfileRequest, Trace};
+use super::{Profile, ProfileQuestion, Trace};
 use crate::analysis::perception::ResponseModel;
 use crate::figure::{Axis, Curve, Dash, Ink, Plot, PlotKind};
 use crate::scene::ShadingMode;
@@ -14,7 +14,7 @@ const PADDING: f64 = 0.06;
 
 /// The plots of a profile: for each mode its intensity beside what is perceived, on the same scale for all; then the slopes,
 /// and the difference between perceived and real intensity.
-pub fn profile_plots(profile: &Profile, request: &ProfileRequest) -> Vec<Plot> {
+pub fn profile_plots(profile: &Profile, request: &ProfileQuestion) -> Vec<Plot> {
     let panels = profile.traces.iter().map(|trace| panel(profile, trace));
     panels.chain([slopes(profile), added(profile, request)]).collect()
 }
@@ -46,7 +46,7 @@ fn slopes(profile: &Profile) -> Plot {
     plot(profile, PlotKind::ProfileSlope, "The slope, which jumps where bands are seen".to_owned(), y, curves)
 }
 
-fn added(profile: &Profile, request: &ProfileRequest) -> Plot {
+fn added(profile: &Profile, request: &ProfileQuestion) -> Plot {
     let difference = |trace: &Trace| -> Vec<f64> {
         trace.perceived.iter().zip(&trace.intensity).map(|(seen, there)| seen - there).collect()
     };

@@ -1,6 +1,7 @@
 use super::corners::Shaded;
 use super::*;
 use crate::analysis::probe;
+use crate::analysis::{About, Answer};
 use crate::geometry::{Corner, Mesh, NO_NORMAL};
 use crate::scene::{Interpolation, NormalSource, ObjectKind, Projection, presets};
 use glam::Vec3;
@@ -268,9 +269,12 @@ fn the_formula_is_filled_in_as_the_course_writes_it() {
     assert!(mix.row(0).ends_with(&format!("= {:.4}", p.value.x)), "{}", mix.row(0));
     assert_eq!(scan.pixel_mix(span, pixel).formula("I"), "I = (1−α)·I(P) + α·I(Q)");
     assert_eq!(corner_name(11), "P₁₂");
-    let text = scan.line_text(step);
+    let count = pixels(&scan).count();
+    let (answer, about) = (ScanStop { step, scan }, About { name: "", scene: &scene });
+    let answer: &dyn Answer = &answer;
+    let text = answer.text(&about);
     assert!(text.contains("active") && text.contains("I = (1−α)·I(P) + α·I(Q)"), "{text}");
-    let csv = scan.to_csv();
-    assert_eq!(csv.lines().count(), 1 + pixels(&scan).count());
+    let csv = answer.csv(&about);
+    assert_eq!(csv.lines().count(), 1 + count);
     assert!(csv.lines().all(|row| row.split(',').count() == 13));
 }

@@ -1,9 +1,7 @@
 //! The scan in words and numbers: formulas filled in, a line as text, all pixels as a table.
 
 use super::{Carried, Crossing, Rule, Scan, ScanLevel, ScanLine, ScanPixel, ScanSpan};
-use crate::table::Table;
 use glam::DVec3;
-use std::fmt::{Display, Write};
 
 /// One linear interpolation, with its numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,55 +129,6 @@ impl Scan {
         }
     }
 
-    /// The edge table, and the scan line of a step with all its pixels, as text.
-    pub fn line_text(&self, step: usize) -> String {
-        let line = self.at(step).line;
-        let face = self.face;
-        let mode = format!("{:?}", self.mode).to_lowercase();
-        let mut text = format!("face {face}, {} corners, {mode} shading, {}\n\n", self.corners.len(), self.what());
-        text += &format!("{:8}{:>10}{:>10}{:>10}{:>10}\n", "edge", "y_top", "y_bottom", "x_top", "dx/dy");
-        for (index, edge) in self.edges.iter().enumerate() {
-            let mark = if line.active.contains(&index) { "  active" } else { "" };
-            let numbers = [edge.y_top, edge.y_bottom, edge.x_top, edge.dx_dy].map(|value| number(value, 3));
-            let [top, bottom, x, slope] = numbers;
-            let _ = writeln!(text, "{:8}{top:>10}{bottom:>10}{x:>10}{slope:>10}{mark}", self.edge_name(index));
-        }
-        let _ = writeln!(text, "\nscan line {}, centres at y = {}", line.y, line.at());
-        for span in &line.spans {
-            for (of, crossing) in [("P", &span.p), ("Q", &span.q)] {
-                let mix = self.crossing_mix(line, crossing, of);
-                let (edge, x) = (self.edge_name(crossing.edge), number(crossing.x, 3));
-                let _ = writeln!(text, "\n{of} on {edge}, x = {x}\n  {}", mix.alpha_text());
-                write_mix(&mut text, self, &mix);
-            }
-            for pixel in &span.pixels {
-                let mix = self.pixel_mix(span, pixel);
-                let _ = writeln!(text, "\npixel ({}, {})\n  {}", pixel.x, line.y, mix.alpha_text());
-                write_mix(&mut text, self, &mix);
-                text.extend(self.pixel_words(pixel).iter().map(|words| format!("  {words}\n")));
-            }
-        }
-        text
-    }
-
-    /// A row for each pixel, values separated by commas.
-    pub fn to_csv(&self) -> String {
-        let mut table = Table::new(
-            "y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,barycentric_r,barycentric_g,barycentric_b",
-        );
-        for line in &self.lines {
-            for ScanSpan { p, q, pixels } in &line.spans {
-                for pixel in pixels {
-                    let places: [&dyn Display; 7] = [&line.y, &pixel.x, &p.x, &q.x, &p.alpha, &q.alpha, &pixel.alpha];
-                    let [values, barycentric] = [&pixel.intensity, &pixel.barycentric]
-                        .map(|color| [&color.x as &dyn Display, &color.y, &color.z]);
-                    table.row(&[&places[..], &values, &barycentric].concat());
-                }
-            }
-        }
-        table.into_csv()
-    }
-
     /// What is carried along, in words.
     pub fn what(&self) -> &'static str {
         match self.carried {
@@ -190,19 +139,8 @@ impl Scan {
     }
 }
 
-fn write_mix(text: &mut String, scan: &Scan, mix: &Mix) {
-    if scan.carried == Carried::Constant {
-        let _ = writeln!(text, "  I = {}, the polygon's own", triple(mix.value, 4));
-        return;
-    }
-    let _ = writeln!(text, "  {}", mix.formula(scan.carried.letter()));
-    for (index, component) in scan.carried.components().into_iter().enumerate() {
-        let _ = writeln!(text, "  {component}: {}", mix.row(index));
-    }
-}
-
 /// A number with so many decimals and a true minus sign.
-fn number(value: f64, decimals: usize) -> String {
+pub(super) fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     // What rounds to nothing has no sign.
     let zero = text.trim_start_matches('-').chars().all(|digit| digit == '0' || digit == '.');
@@ -215,6 +153,6 @@ fn bracketed(value: f64) -> String {
     if text.starts_with('−') { format!("({text})") } else { text }
 }
 
-fn triple(value: DVec3, decimals: usize) -> String {
+pub(super) fn triple(value: DVec3, decimals: usize) -> String {
     value.to_array().map(|part| number(part, decimals)).join(", ")
 }

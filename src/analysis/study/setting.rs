@@ -3,11 +3,11 @@
 use super::Method;
 use super::historic::cannot_draw;
 use crate::scene::{Interpolation, ObjectKind, Projection, Scene};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What a study compares.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StudyRequest {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StudyQuestion {
     pub methods: Vec<Method>,
     /// Polygons round the axis; those along it go with them as the scene has it. Of a shape that is not divided by number
     /// only its own polygons are measured.
@@ -19,7 +19,7 @@ pub struct StudyRequest {
     pub repeats: u32,
 }
 
-impl Default for StudyRequest {
+impl Default for StudyQuestion {
     fn default() -> Self {
         Self {
             methods: Method::ALL.to_vec(),
@@ -75,7 +75,7 @@ pub struct Omission {
 }
 
 /// The settings of `request` in `scene`, those of one method together, from coarse to fine; and what is left out.
-pub fn settings(request: &StudyRequest, scene: &Scene) -> (Vec<Setting>, Vec<Omission>) {
+pub fn settings(request: &StudyQuestion, scene: &Scene) -> (Vec<Setting>, Vec<Omission>) {
     let (mut settings, mut omissions) = (Vec::new(), Vec::new());
     let divisions = divisions(request, scene);
     let exponents = if request.n.is_empty() { vec![scene.material.n] } else { unique(&request.n) };
@@ -100,7 +100,7 @@ pub fn settings(request: &StudyRequest, scene: &Scene) -> (Vec<Setting>, Vec<Omi
 }
 
 /// The interpolations that make a difference: without perspective, or where nothing is carried, one stands for all.
-fn interpolations(method: Method, request: &StudyRequest, scene: &Scene) -> Vec<Option<Interpolation>> {
+fn interpolations(method: Method, request: &StudyQuestion, scene: &Scene) -> Vec<Option<Interpolation>> {
     if !method.carries() {
         return vec![None];
     }
@@ -116,7 +116,7 @@ fn interpolations(method: Method, request: &StudyRequest, scene: &Scene) -> Vec<
 }
 
 /// Segments and rings, from coarse to fine.
-fn divisions(request: &StudyRequest, scene: &Scene) -> Vec<[u32; 2]> {
+fn divisions(request: &StudyQuestion, scene: &Scene) -> Vec<[u32; 2]> {
     let object = &scene.object;
     let own = [object.segments, object.rings];
     if matches!(object.kind, ObjectKind::Obj | ObjectKind::Polygons) || request.segments.is_empty() {
@@ -160,7 +160,7 @@ mod tests {
     #[test]
     fn what_makes_no_difference_is_measured_once() {
         let mut scene = Scene::default();
-        let request = StudyRequest { segments: vec![32, 8, 8], ..StudyRequest::default() };
+        let request = StudyQuestion { segments: vec![32, 8, 8], ..StudyQuestion::default() };
         let (all, omitted) = settings(&request, &scene);
         let count = |method| all.iter().filter(|setting| setting.method == method).count();
         assert_eq!([Method::Flat, Method::Gouraud, Method::Taylor, Method::Angular].map(count), [2, 4, 4, 2]);

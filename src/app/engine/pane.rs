@@ -4,9 +4,10 @@
 //! of its own, so that the whole one's stages are kept.
 
 use super::super::document::same_model;
-use super::{clock, image_of, upload};
+use super::{image_of, upload};
 use crate::analysis::{LinearPicture, Probe, probe};
 use crate::geometry::Mesh;
+use crate::jobs::nanoseconds;
 use crate::render::{Renderer, Report, coarseness, coarser_size};
 use crate::scene::Scene;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -24,7 +25,7 @@ struct Drawing {
 impl Default for Drawing {
     fn default() -> Self {
         let (model, drawn, linear, report) = (None, None, false, Report::default());
-        Self { renderer: Renderer::with_clock(clock), model, drawn, linear, report }
+        Self { renderer: Renderer::with_clock(nanoseconds), model, drawn, linear, report }
     }
 }
 

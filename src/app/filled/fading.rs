@@ -4,7 +4,7 @@ use super::no_vectors;
 use super::notation::Notation;
 use super::outline::{AT_PROBE, Line, Opening, Says, fold_ui};
 use super::table::Table;
-use super::terms::Here;
+use crate::analysis::Here;
 use crate::app::state::AppState;
 use crate::app::typeset::Place;
 use crate::scene::{CuedBy, DepthCueing};

@@ -2,7 +2,7 @@
 //! at this pixel.
 
 use super::figure::{Figure, triple};
-use super::terms::{Column, Factor};
+use crate::analysis::{Factor, TermColumn as Column};
 use crate::app::palette::{Term, term_text, vector_text};
 use crate::app::symbol::Symbol;
 use crate::app::typeset::Piece;

@@ -1,7 +1,7 @@
 //! What each term has in the pixel's brightness, as one bar.
 
 use super::notation::{Notation, luminance};
-use super::terms::Here;
+use crate::analysis::Here;
 use crate::app::palette::Term;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Color32, CornerRadius, FontId, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};

@@ -1,7 +1,7 @@
 //! A term as a table: its letters in textbook order, and under them a line of numbers for each channel.
 
 use super::figure::{Figure, column as figures};
-use super::terms::Column;
+use crate::analysis::TermColumn as Column;
 use crate::app::state::AppState;
 use crate::app::typeset::{Piece, Place, Run};
 use eframe::egui::accesskit::Role;

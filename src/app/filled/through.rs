@@ -3,7 +3,7 @@
 use super::notation::{Notation, Vectors};
 use super::outline::{AT_PROBE, Line, Opening, Says, fold_ui};
 use super::table::Table;
-use super::terms::Here;
+use crate::analysis::Here;
 use crate::app::state::AppState;
 use crate::app::typeset::Place;
 use crate::render::Transmission;

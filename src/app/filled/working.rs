@@ -1,7 +1,7 @@
 //! How the factors that a light has besides the coefficients are found: distances and angles put into their formulas.
 
 use super::notation::{Notation, Vectors};
-use super::terms::LightHere;
+use crate::analysis::LightHere;
 use crate::app::palette::Term;
 use crate::app::row::display;
 use crate::app::symbol::Symbol;

@@ -4,20 +4,19 @@ use super::super::document::{Document, same_model};
 use super::super::engine::image_of;
 use super::super::errand::Errand;
 use super::super::state::AppState;
-use crate::analysis::{PERCEIVED_WIDTH, Plot, Profile, ProfileRequest, perceived_picture, profile, profile_plots};
-use crate::document::{WriteError, save_picture, write_whole};
-use crate::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
+use crate::analysis::{
+    About, Format, PERCEIVED_WIDTH, Plot, Profile, ProfileQuestion, TakenProfile, perceived_picture, profile,
+    profile_plots,
+};
+use crate::document::save_answer;
+use crate::figure::{Drawing, Paper, PlotStyle};
 use crate::geometry::Mesh;
 use crate::render::{Frame, Renderer};
 use crate::scene::Scene;
 use eframe::egui::{Context, TextureHandle, TextureOptions};
-use glam::DVec2;
 use std::fmt::{self, Debug, Formatter};
 use std::path::Path;
 use std::sync::Arc;
-
-/// Pixels of an exported sheet of plots.
-const SHEET: [u32; 2] = [1600, 1200];
 
 /// The profile last taken, its plots, and the one that is being taken.
 #[derive(Debug, Default)]
@@ -54,11 +53,11 @@ struct Question {
     scene: Scene,
     model: Option<Arc<Mesh>>,
     size: [u32; 2],
-    request: ProfileRequest,
+    request: ProfileQuestion,
 }
 
 impl Question {
-    fn is(&self, document: &Document, size: [u32; 2], request: &ProfileRequest) -> bool {
+    fn is(&self, document: &Document, size: [u32; 2], request: &ProfileQuestion) -> bool {
         same_model(self.model.as_ref(), document.model.as_ref())
             && self.size == size
             && self.request == *request
@@ -72,7 +71,7 @@ impl Question {
     }
 
     fn perceived(&self) -> Result<Frame, String> {
-        let ProfileRequest { viewing, perception, .. } = &self.request;
+        let ProfileQuestion { viewing, perception, .. } = &self.request;
         let [_, widest] = perception.widths(viewing.pixels_per_degree());
         if widest > PERCEIVED_WIDTH {
             return Err(format!("σs is {widest:.0} pixels, expected at most {PERCEIVED_WIDTH} for a whole picture"));
@@ -91,7 +90,7 @@ impl Question {
 
 impl Profiles {
     /// Sees to it that the profile asked for is taken, one at a time; until then the last one is shown.
-    pub fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], request: ProfileRequest) {
+    pub fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], request: ProfileQuestion) {
         self.take();
         let known = self.known.as_ref().is_some_and(|(known, _)| known.is(document, size, &request));
         if known || self.work.is_some() {
@@ -103,7 +102,7 @@ impl Profiles {
     }
 
     /// Sees to it that the picture is worked out as it is perceived; until then the last one is shown.
-    pub fn ask_perceived(&mut self, ctx: &Context, document: &Document, size: [u32; 2], request: &ProfileRequest) {
+    pub fn ask_perceived(&mut self, ctx: &Context, document: &Document, size: [u32; 2], request: &ProfileQuestion) {
         let seen = &mut self.seen;
         if let Some((question, answer)) = Errand::take(&mut seen.work) {
             seen.known = Some(question);
@@ -120,8 +119,8 @@ impl Profiles {
         }
         // The line does not matter to the whole picture.
         let same = |known: &Question| {
-            let request = ProfileRequest { from: known.request.from, to: known.request.to, ..request.clone() };
-            known.is(document, size, &ProfileRequest { modes: known.request.modes.clone(), ..request })
+            let request = ProfileQuestion { from: known.request.from, to: known.request.to, ..request.clone() };
+            known.is(document, size, &ProfileQuestion { modes: known.request.modes.clone(), ..request })
         };
         if seen.work.is_some() || seen.known.as_ref().is_some_and(same) {
             return;
@@ -179,21 +178,10 @@ impl Profiles {
 
     fn save(&self, path: &Path) -> Result<(), String> {
         let Some((question, Ok(taken))) = &self.known else { return Err("there is no profile".to_owned()) };
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
-        let text = |text: String| {
-            write_whole(path, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io)).map_err(|e| e.to_string())
-        };
-        let style = PlotStyle::of(SHEET, self.plots.len(), Paper::LIGHT);
-        let sheet = || lay_out_sheet(&self.plots, DVec2::from_array(SHEET.map(f64::from)), &style);
-        match ending.as_str() {
-            "csv" => text(taken.to_csv()),
-            "svg" => text(sheet().to_svg("Intensity along a line")),
-            "png" => {
-                let frame = sheet().to_frame().ok_or("the figure is too large")?;
-                save_picture(path, &frame, &question.sized()).map_err(|error| error.to_string())
-            }
-            _ => Err("expected a name that ends in .csv, .png or .svg".to_owned()),
-        }
+        let format = Format::from_path(path).ok_or("expected a name that ends in .csv, .png or .svg")?;
+        let answer = TakenProfile { profile: taken.clone(), question: question.request.clone() };
+        let about = About { name: "", scene: &question.sized() };
+        save_answer(path, format, &answer, &about, (None, Paper::LIGHT)).map_err(|error| error.to_string())
     }
 }
 

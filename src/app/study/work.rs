@@ -1,11 +1,11 @@
 //! Measures beside the window; what is known so far is shared with it.
 
 use super::super::document::Document;
-use super::super::engine::clock;
 use super::super::errand::Errand;
 use super::Choices;
-use crate::analysis::{Plot, Progress, Study, StudyRequest, study, study_plot};
+use crate::analysis::{Plot, Study, StudyQuestion, Watch, study, study_plot};
 use crate::figure::{Drawing, PlotStyle};
+use crate::jobs::nanoseconds as clock;
 use eframe::egui::Context;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -42,9 +42,26 @@ struct News {
     study: Option<Study>,
 }
 
+struct Watching<'a> {
+    shared: &'a Shared,
+    repaint: Context,
+}
+
+impl Watch<Study> for Watching<'_> {
+    fn at(&self, share: f32) -> bool {
+        self.shared.news.lock().unwrap_or_else(PoisonError::into_inner).share = share;
+        self.repaint.request_repaint_after(PAUSE);
+        !self.shared.cancel.load(Ordering::Relaxed)
+    }
+
+    fn found(&self, study: &Study) {
+        self.shared.news.lock().unwrap_or_else(PoisonError::into_inner).study = Some(study.clone());
+    }
+}
+
 impl StudyView {
     /// Begins to measure the document at a picture of `size`.
-    pub fn start(&mut self, ctx: &Context, document: &Document, size: [u32; 2], request: StudyRequest) {
+    pub fn start(&mut self, ctx: &Context, document: &Document, size: [u32; 2], request: StudyQuestion) {
         let (mut scene, model) = (document.scene.clone(), document.model.clone());
         scene.image.size = size;
         let shared = Arc::new(Shared::default());
@@ -52,14 +69,7 @@ impl StudyView {
         (self.study, self.plot, self.drawing, self.told) = (None, None, None, None);
         let repaint = ctx.clone();
         self.work = Some(Errand::new(ctx, (), move || {
-            let mut progress = |at: Progress<'_>| {
-                let mut news = shared.news.lock().unwrap_or_else(PoisonError::into_inner);
-                #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
-                let share = at.done as f32 / at.total.max(1) as f32;
-                *news = News { share, study: Some(at.study.clone()) };
-                repaint.request_repaint_after(PAUSE);
-            };
-            study(&scene, model, &request, clock, &mut progress, &shared.cancel)
+            study(&scene, model, &request, clock, &Watching { shared: &shared, repaint })
         }));
     }
 

@@ -4,7 +4,7 @@
 //! polygon or over the points of an area light, the factors that differ from one summand to the next are taken together:
 //! what is shown for them is their mean, by which the product is exact again.
 
-use crate::analysis::{LightTerms, ProbeHit};
+use super::{LightTerms, ProbeHit};
 use crate::illumination::Equation;
 use crate::scene::{
     Attenuation, Backfacing, CuedBy, Light, LightKind, PatternKind, Reflectance, ReflectionModel, Rgb, Scene,

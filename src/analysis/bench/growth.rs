@@ -4,16 +4,13 @@
 //! turn, so that what else the machine does falls on all alike; each just after it was drawn uncounted, so that none pays
 //! for the others having used the caches. What takes long takes part in fewer of the rounds.
 
-use super::super::input::nanoseconds;
-use super::median_ms;
-use indicatif::ProgressBar;
+use super::{Frames, median_ms};
+use crate::analysis::report::{Column, Part, Report, Table, as_it_is, cells, fixed};
+use crate::analysis::{Fit, Subject, order_of};
+use crate::geometry::{divisions_for, triangles};
+use crate::render::Renderer;
+use crate::scene::{Image, ObjectKind, Scene};
 use serde::Serialize;
-use shading_lab::analysis::{Fit, order_of};
-use shading_lab::document::Loaded;
-use shading_lab::geometry::{divisions_for, triangles};
-use shading_lab::render::Renderer;
-use shading_lab::scene::{Image, ObjectKind, Scene};
-use std::fmt::Write;
 
 /// Pixels of the pictures, about, drawn with [`FEW_TRIANGLES`]: each has twice as many as the one before.
 const PIXELS: [f64; 8] =
@@ -64,13 +61,13 @@ pub fn most_frames(frames: u32) -> u64 {
 }
 
 /// Measures by up to `frames` frames each.
-pub fn measure(loaded: &Loaded, frames: u32, bar: &ProgressBar) -> Growth {
-    let scene = &loaded.scene;
+pub fn measure(subject: &Subject, frames: u32, counted: &Frames<'_>) -> Growth {
+    let scene = &subject.scene;
     let coarse = divided(scene, FEW_TRIANGLES).unwrap_or_else(|| scene.clone());
     let pictures = PIXELS.iter().map(|pixels| sized(&coarse, *pixels)).collect();
     let fine: Vec<Scene> = TRIANGLES.iter().filter_map(|count| divided(&sized(scene, FEW_PIXELS), *count)).collect();
-    let pixels = series(loaded, pictures, frames, bar, |row| row.pixels);
-    let triangles = (!fine.is_empty()).then(|| series(loaded, fine, frames, bar, |row| row.triangles));
+    let pixels = series(subject, pictures, frames, counted, |row| row.pixels);
+    let triangles = (!fine.is_empty()).then(|| series(subject, fine, frames, counted, |row| row.triangles));
     Growth { pixels, triangles }
 }
 
@@ -98,33 +95,33 @@ fn divided(scene: &Scene, count: u64) -> Option<Scene> {
 }
 
 /// A picture that is measured.
-struct Subject {
+struct Frame {
     renderer: Renderer,
+    clock: fn() -> u64,
     scene: Scene,
     /// It takes part in one of so many rounds.
     stride: u32,
     times: Vec<u64>,
 }
 
-impl Subject {
-    fn new(loaded: &Loaded, scene: Scene, frames: u32) -> Self {
-        let mut renderer = Renderer::with_clock(nanoseconds);
-        renderer.set_model(loaded.model.clone());
+impl Frame {
+    fn new(subject: &Subject, scene: Scene, frames: u32) -> Self {
+        let mut renderer = subject.renderer();
         renderer.render(&scene);
-        let mut subject = Self { renderer, scene, stride: 1, times: Vec::new() };
-        let stride = median_ms(&mut [subject.time()]) / ROUND_MS;
+        let mut frame = Self { renderer, clock: subject.clock, scene, stride: 1, times: Vec::new() };
+        let stride = median_ms(&mut [frame.time()]) / ROUND_MS;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
         let stride = (stride.ceil() as u32).max(1);
-        subject.stride = stride.min((frames / LEAST_FRAMES).max(1));
-        subject
+        frame.stride = stride.min((frames / LEAST_FRAMES).max(1));
+        frame
     }
 
     /// The time of a frame drawn anew.
     fn time(&mut self) -> u64 {
         self.renderer.redraw();
-        let began = nanoseconds();
+        let began = (self.clock)();
         self.renderer.render(&self.scene);
-        nanoseconds() - began
+        (self.clock)() - began
     }
 
     fn row(mut self) -> Row {
@@ -139,19 +136,19 @@ impl Subject {
     }
 }
 
-fn series(loaded: &Loaded, scenes: Vec<Scene>, frames: u32, bar: &ProgressBar, size: fn(&Row) -> u64) -> Series {
-    let mut subjects: Vec<Subject> = scenes.into_iter().map(|scene| Subject::new(loaded, scene, frames)).collect();
+fn series(subject: &Subject, scenes: Vec<Scene>, frames: u32, counted: &Frames<'_>, size: fn(&Row) -> u64) -> Series {
+    let mut drawn: Vec<Frame> = scenes.into_iter().map(|scene| Frame::new(subject, scene, frames)).collect();
     for round in 0..frames {
-        for subject in &mut subjects {
-            if round.is_multiple_of(subject.stride) {
-                subject.time();
-                let time = subject.time();
-                subject.times.push(time);
+        for frame in &mut drawn {
+            if round.is_multiple_of(frame.stride) {
+                frame.time();
+                let time = frame.time();
+                frame.times.push(time);
             }
-            bar.inc(1);
+            counted.count();
         }
     }
-    let rows: Vec<Row> = subjects.into_iter().map(Subject::row).collect();
+    let rows: Vec<Row> = drawn.into_iter().map(Frame::row).collect();
     #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³")]
     let order = |rows: &[Row], ms: fn(&Row) -> f64| order_of(rows.iter().map(|row| (size(row) as f64, ms(row))));
     let median = |row: &Row| row.median_ms;
@@ -163,33 +160,39 @@ fn series(loaded: &Loaded, scenes: Vec<Scene>, frames: u32, bar: &ProgressBar, s
     }
 }
 
-/// The tables, with the exponents below.
-pub fn text(growth: &Growth) -> String {
-    let mut text = String::new();
-    let series = [("pixels", Some(&growth.pixels)), ("triangles", growth.triangles.as_ref())];
-    for (name, series) in series.into_iter().filter_map(|(name, series)| Some((name, series?))) {
-        let _ = writeln!(text, "\ngrowth with the {name}");
-        let _ = writeln!(text, "    pixels   triangles  frames   median, ms  fastest, ms");
-        for Row { pixels, triangles, frames, median_ms, fastest_ms } in &series.rows {
-            let _ = writeln!(text, "{pixels:10}{triangles:12}{frames:8}{median_ms:13.3}{fastest_ms:13.3}");
-        }
-        let fits =
-            [("all", series.order), ("upper half", series.order_upper), ("fastest frames", series.order_fastest)];
-        for (which, fit) in fits {
-            let told = fit.map_or_else(
-                || "too few".to_owned(),
-                |fit| format!("{:.3} ± {:.3} (95 %, {} points)", fit.slope, fit.confidence, fit.points),
-            );
-            let _ = writeln!(text, "  exponent, {which:15}{told}");
+impl Growth {
+    /// The tables, with the exponents below.
+    pub fn describe(&self, report: &mut Report) {
+        let series = [("pixels", Some(&self.pixels)), ("triangles", self.triangles.as_ref())];
+        for (name, series) in series.into_iter().filter_map(|(name, series)| Some((name, series?))) {
+            let mut table = Table::new([
+                Column::shown("pixels", as_it_is),
+                Column::shown("triangles", as_it_is),
+                Column::shown("frames", as_it_is),
+                Column::shown("median, ms", fixed::<3>),
+                Column::shown("fastest, ms", fixed::<3>),
+            ]);
+            let rows = series.rows.iter();
+            table
+                .rows
+                .extend(rows.map(|row| cells![row.pixels, row.triangles, row.frames, row.median_ms, row.fastest_ms]));
+            let section = report.section(format!("growth with the {name}"));
+            section.push(Part::Table(table));
+            let fits =
+                [("all", series.order), ("upper half", series.order_upper), ("fastest frames", series.order_fastest)];
+            for (which, fit) in fits {
+                let exponent =
+                    |fit: Fit| format!("{:.3} ± {:.3} (95 %, {} points)", fit.slope, fit.confidence, fit.points);
+                section.quantity(fit.map_or_else(|| "too few".to_owned(), exponent), format!("exponent, {which}"));
+            }
         }
     }
-    text
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use shading_lab::scene::Object;
+    use crate::scene::Object;
 
     #[test]
     fn pictures_have_the_pixels_and_the_shape_that_were_asked_for() {

@@ -1,0 +1,236 @@
+//! The plan of a frame: what is evaluated how often, what is left out and why, and the work that this saves.
+
+use super::bench::{CHANGES, StageTimes, WARM_UP, median_ms};
+use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
+use super::{Question, Subject, Watch};
+use crate::render::{Per, Renderer, Stage, StageRun, Term};
+use crate::scene::Scene;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value, json};
+
+/// The plan of a frame.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PlanQuestion {
+    /// Frames for each time.
+    pub frames: u32,
+}
+
+/// A frame's plan; with times only where it was measured for them.
+#[derive(Clone, Debug)]
+pub struct FramePlan {
+    pub terms: Vec<Term>,
+    /// What the last frame ran.
+    pub runs: Vec<StageRun>,
+    pub measured: Option<Saved>,
+}
+
+/// What the plan saves, measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Saved {
+    frames: u32,
+    /// Median times of the stages, milliseconds.
+    stages: Vec<(Stage, f64)>,
+    /// Median times by the plan and with everything left in, milliseconds.
+    times: [f64; 2],
+    /// Evaluations likewise.
+    evaluations: [u64; 2],
+    /// For each kind of change the stages that run again; none where the scene has nothing to change.
+    changes: Vec<(&'static str, Option<Vec<Stage>>)>,
+}
+
+impl Question for PlanQuestion {
+    type Answer = FramePlan;
+
+    fn answer(&self, subject: &Subject, watch: &dyn Watch<FramePlan>) -> Result<FramePlan, String> {
+        let (scene, frames) = (&subject.scene, self.frames);
+        let mut renderers = [false, true].map(|nothing| {
+            let mut renderer = subject.renderer();
+            renderer.leave_nothing_out(nothing);
+            renderer
+        });
+        let mut times: [Vec<u64>; 2] = Default::default();
+        let mut stages = StageTimes::default();
+        for frame in 0..WARM_UP + frames {
+            for (which, (renderer, times)) in renderers.iter_mut().zip(&mut times).enumerate() {
+                renderer.redraw();
+                renderer.render(scene);
+                if frame >= WARM_UP {
+                    times.push(renderer.report().nanoseconds);
+                }
+                if frame >= WARM_UP && which == 0 {
+                    stages.add(renderer.report());
+                }
+            }
+            watch.at(frame as f32 / (WARM_UP + frames) as f32);
+        }
+        let count = |renderer: &Renderer| renderer.terms().iter().map(|term| term.evaluations).sum();
+        let [planned, all] = &mut renderers;
+        let (terms, runs) = (planned.terms(), planned.report().stages.clone());
+        let measured = Some(Saved {
+            frames,
+            stages: stages.medians(),
+            evaluations: [count(planned), count(all)],
+            times: times.map(|mut times| median_ms(&mut times)),
+            changes: CHANGES.map(|(name, change)| (name, run_again(planned, |step| change(scene, step)))).to_vec(),
+        });
+        Ok(FramePlan { terms, runs, measured })
+    }
+}
+
+/// The stages that run when a scene of one change follows another.
+fn run_again(renderer: &mut Renderer, change: impl Fn(u32) -> Option<Scene>) -> Option<Vec<Stage>> {
+    renderer.render(&change(1)?);
+    renderer.render(&change(2)?);
+    Some(renderer.report().stages.iter().filter(|run| run.ran).map(|run| run.stage).collect())
+}
+
+impl Saved {
+    /// A stage's time, and its share of all.
+    fn time(&self, stage: Stage) -> Option<(f64, f64)> {
+        let whole: f64 = self.stages.iter().map(|(_, ms)| ms).sum();
+        let (_, ms) = self.stages.iter().find(|(known, _)| *known == stage)?;
+        Some((*ms, if whole > 0.0 { ms / whole } else { 0.0 }))
+    }
+
+    /// How much more is done without the plan: evaluations, and time.
+    #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³")]
+    fn ratios(&self) -> [f64; 2] {
+        let ratio = |[planned, all]: [f64; 2]| if planned > 0.0 { all / planned } else { 1.0 };
+        [ratio(self.evaluations.map(|count| count as f64)), ratio(self.times)]
+    }
+}
+
+impl FramePlan {
+    /// The terms that are left out.
+    pub fn left_out(&self) -> usize {
+        self.terms.iter().filter(|term| term.omitted.is_some()).count()
+    }
+
+    /// A stage's name, with its time: the median where that was measured, otherwise whether it ran last.
+    fn heading(&self, stage: Stage) -> String {
+        let (name, _) = stage_words(stage);
+        let run = self.runs.iter().find(|run| run.stage == stage);
+        match (&self.measured, run) {
+            (Some(saved), _) => match saved.time(stage) {
+                Some((ms, share)) => format!("{name}, {ms:.3} ms, {:.1} %", 100.0 * share),
+                None => name.to_owned(),
+            },
+            (None, Some(run)) if run.ran => format!("■ {name}, {:.2} ms", run.nanoseconds as f64 / 1e6),
+            (None, Some(_)) => format!("□ {name}, kept"),
+            (None, None) => format!("□ {name}, not needed"),
+        }
+    }
+}
+
+impl Answer for FramePlan {
+    fn report(&self, about: &About<'_>) -> Report {
+        let total: u64 = self.terms.iter().map(|term| term.evaluations).sum();
+        let mut report = Report::new(match &self.measured {
+            Some(Saved { frames, .. }) => format!("{}, median of {frames} frames drawn anew", about.heading()),
+            None => format!("{total} evaluations a frame, {} left out", self.left_out()),
+        });
+        if self.measured.is_none() {
+            report.section("").note("■ ran after the last change   □ kept from before");
+        }
+        for terms in self.terms.chunk_by(|a, b| a.stage == b.stage) {
+            let section = report.section(self.heading(terms[0].stage));
+            let mut table = Table::new(["", "", "", ""].map(|head| Column::shown(head, as_it_is)));
+            table.rows.extend(terms.iter().filter(|term| term.omitted.is_none()).map(|term| {
+                cells![term.name.as_str(), per(term.per), term.evaluations, term.note.unwrap_or_default()]
+            }));
+            if !table.rows.is_empty() {
+                section.push(Part::Table(table));
+            }
+            for (names, reason) in by_reason(terms) {
+                section.note(format!("left out: {} — {reason}", names.join(", ")));
+            }
+        }
+        let Some(saved) = &self.measured else { return report };
+        let [evaluations, time] = saved.ratios();
+        let mut table = Table::new(["", "plan", "all left in", "ratio"].map(|head| Column::shown(head, fixed::<3>)));
+        let [planned, all] = saved.evaluations;
+        table.rows.push(cells!["evaluations", planned, all, evaluations]);
+        table.rows.push(cells!["ms a frame", saved.times[0], saved.times[1], time]);
+        report.section("work saved").push(Part::Table(table));
+        let mut table = Table::new(["", ""].map(|head| Column::shown(head, as_it_is)));
+        table.rows.extend(saved.changes.iter().map(|(name, stages)| {
+            let names = |stages: &Vec<Stage>| stages.iter().map(word).collect::<Vec<_>>().join(", ");
+            cells![*name, stages.as_ref().map_or_else(|| "–".to_owned(), names)]
+        }));
+        report.section("what runs again after a change").push(Part::Table(table));
+        report
+    }
+
+    /// The terms, a row each.
+    fn table(&self) -> Option<Table> {
+        let mut table = Table::new(["stage", "name", "per", "evaluations", "omitted", "note"].map(Column::key));
+        table.rows.extend(self.terms.iter().map(|term| {
+            let Term { stage, name, per, evaluations, omitted, note } = term;
+            cells![word(stage), name.as_str(), word(per), *evaluations, *omitted, *note]
+        }));
+        Some(table)
+    }
+
+    fn json(&self, about: &About<'_>) -> Value {
+        let mut object = json!({ "scene": about.name, "size": about.scene.image.size, "terms": self.terms });
+        let Some(saved) = &self.measured else { return object };
+        let stage = |(stage, ms): &(Stage, f64)| {
+            (word(stage), json!({ "time_ms": ms, "share": saved.time(*stage).map(|(_, share)| share) }))
+        };
+        let names = |stages: &Vec<Stage>| stages.iter().map(word).collect::<Vec<_>>();
+        let change =
+            |(name, stages): &(&str, Option<Vec<Stage>>)| ((*name).to_owned(), json!(stages.as_ref().map(names)));
+        let ([planned, all], [planned_ms, all_ms]) = (saved.evaluations, saved.times);
+        let [evaluations, time] = saved.ratios();
+        object["frames"] = json!(saved.frames);
+        object["stages"] = saved.stages.iter().map(stage).collect::<Map<_, _>>().into();
+        object["saved"] = json!({
+            "evaluations": { "plan": planned, "all": all, "ratio": evaluations },
+            "time": { "plan_ms": planned_ms, "all_ms": all_ms, "ratio": time },
+        });
+        object["changes"] = saved.changes.iter().map(change).collect::<Map<_, _>>().into();
+        object
+    }
+}
+
+/// What is left out, the terms that have one reason together.
+fn by_reason(terms: &[Term]) -> Vec<(Vec<&str>, &'static str)> {
+    let mut groups: Vec<(Vec<&str>, &'static str)> = Vec::new();
+    for (term, reason) in terms.iter().filter_map(|term| Some((term, term.omitted?))) {
+        // Of several parts of one light only the first names it.
+        let (light, part) = term.name.split_once(": ").unwrap_or(("", &term.name));
+        match groups.last_mut().filter(|(names, known)| *known == reason && names[0].split(": ").next() == Some(light))
+        {
+            Some((names, _)) if !light.is_empty() => names.push(part),
+            _ => match groups.iter_mut().find(|(_, known)| *known == reason && light.is_empty()) {
+                Some((names, _)) => names.push(&term.name),
+                None => groups.push((vec![&term.name], reason)),
+            },
+        }
+    }
+    groups
+}
+
+fn per(per: Per) -> &'static str {
+    match per {
+        Per::Frame => "frame",
+        Per::Face => "face",
+        Per::Vertex => "vertex",
+        Per::Pixel => "pixel",
+        Per::None => "",
+    }
+}
+
+/// A stage's name, and what it does.
+pub fn stage_words(stage: Stage) -> (&'static str, &'static str) {
+    match stage {
+        Stage::Geometry => ("geometry", "Tessellation and vertex normals"),
+        Stage::Transform => ("transform", "Vertices to the picture; clipping; back faces"),
+        Stage::Coverage => ("coverage", "Which polygon each pixel sees"),
+        Stage::Rays => ("rays", "Shadows, what is seen through the object, light from other surfaces"),
+        Stage::VertexShading => ("vertices", "The equation at vertices or faces"),
+        Stage::Interpolation => ("interpolation", "Normals or intensities to the pixels"),
+        Stage::PixelShading => ("pixels", "The equation at pixels"),
+        Stage::Display => ("display", "Intensities to stored values"),
+    }
+}

@@ -1,0 +1,122 @@
+//! How an analysis is asked, and the list of all analyses.
+
+use super::report::Answer;
+use crate::geometry::Mesh;
+use crate::render::Renderer;
+use crate::scene::Scene;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// What is asked of a scene: plain data, so that it can be kept, compared and sent elsewhere.
+pub trait Question: Clone + Debug + PartialEq + Serialize + DeserializeOwned + Send + Sync + 'static {
+    type Answer: Answer + Clone + 'static;
+
+    /// Finds the answer.
+    ///
+    /// # Errors
+    /// Why there is none, in a sentence that says what was expected.
+    fn answer(&self, subject: &Subject, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String>;
+}
+
+/// What a question is about.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    pub scene: Scene,
+    /// The mesh of an object of kind `obj`.
+    pub model: Option<Arc<Mesh>>,
+    /// Nanoseconds from any fixed moment.
+    pub clock: fn() -> u64,
+}
+
+impl Subject {
+    /// A renderer that has the model and the clock.
+    pub fn renderer(&self) -> Renderer {
+        let mut renderer = Renderer::with_clock(self.clock);
+        renderer.set_model(self.model.clone());
+        renderer
+    }
+}
+
+/// Whoever waits for an answer. A closure from the share of the work that is done, from 0 to 1, to whether to go on is one.
+pub trait Watch<A>: Sync {
+    /// Takes how far the work is; returns whether to go on.
+    fn at(&self, share: f32) -> bool;
+
+    /// Takes what is known so far.
+    fn found(&self, _so_far: &A) {}
+}
+
+impl<A, F: Fn(f32) -> bool + Sync> Watch<A> for F {
+    fn at(&self, share: f32) -> bool {
+        self(share)
+    }
+}
+
+/// Lets the work go on to its end.
+pub fn unwatched(_share: f32) -> bool {
+    true
+}
+
+/// A way to write an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    Json,
+    Csv,
+    Png,
+    Svg,
+}
+
+impl Format {
+    pub const ALL: [Self; 4] = [Self::Png, Self::Svg, Self::Csv, Self::Json];
+
+    /// What names of such files end in.
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Self::Json => "json",
+            Self::Csv => "csv",
+            Self::Png => "png",
+            Self::Svg => "svg",
+        }
+    }
+}
+
+/// An analysis.
+#[derive(Clone, Copy, Debug)]
+pub struct Analysis {
+    /// The command.
+    pub name: &'static str,
+    /// What it asks.
+    pub asks: &'static str,
+    /// What its answer can be written as.
+    pub formats: &'static [Format],
+}
+
+impl Analysis {
+    /// The analysis of that name.
+    pub fn find(name: &str) -> Option<&'static Self> {
+        ANALYSES.iter().find(|analysis| analysis.name == name)
+    }
+}
+
+/// All analyses. A new one is a line here, a module with its question and its answer, and its arguments in `cli`.
+pub const ANALYSES: [Analysis; 11] = {
+    use Format::{Csv, Json, Png, Svg};
+    const fn analysis(name: &'static str, asks: &'static str, formats: &'static [Format]) -> Analysis {
+        Analysis { name, asks, formats }
+    }
+    [
+        analysis("probe", "Fill in the equation at one pixel", &[Csv, Json]),
+        analysis("curves", "Plot the curves of local illumination at one pixel", &[Png, Svg, Csv, Json]),
+        analysis("profile", "Take the intensity along a line, its slope and what is perceived", &[Png, Svg, Csv, Json]),
+        analysis("scanline", "Convert one polygon to pixels, step by step", &[Png, Svg, Csv, Json]),
+        analysis("normals", "Show which faces a vertex normal comes from, with their weights", &[Csv, Json]),
+        analysis("compare", "Measure panes of one scene against the last of them", &[Csv, Json]),
+        analysis("defects", "Measure the five defects of interpolated shading", &[Png, Svg, Csv, Json]),
+        analysis("explain", "Print a frame's plan: what is evaluated, what is left out and why", &[Csv, Json]),
+        analysis("study", "Measure error against run time", &[Png, Svg, Csv, Json]),
+        analysis("stability", "Draw the stiff and extreme cases", &[Png, Csv, Json]),
+        analysis("bench", "Measure the time of a frame and of its stages", &[Csv, Json]),
+    ]
+};
