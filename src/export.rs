@@ -1,7 +1,7 @@
-//! A scene in other programs' words: as calls of fixed-function OpenGL, and as a pair of GLSL shaders.
+//! A scene as code: calls of fixed-function OpenGL, or a pair of GLSL shaders.
 //!
 //! In: a [`Scene`] and, for the calls, its polygons. Out: an [`Export`], the text to copy and a list of what the target
-//! cannot say, which also heads the text. The same scene always gives the same text, in plain ASCII.
+//! cannot express, which also heads the text. The same scene always gives the same text, in plain ASCII.
 
 mod emitter;
 mod fixed;
@@ -97,7 +97,12 @@ fn wrap(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// The head of every text: what it is, and what it does not say.
+/// The sentences whose condition holds.
+fn holding<const N: usize>(cases: [(bool, &str); N]) -> Vec<String> {
+    cases.into_iter().filter(|&(holds, _)| holds).map(|(_, text)| text.to_owned()).collect()
+}
+
+/// The head of every text: what it is, and what it does not express.
 fn head(what: &[&str], limits: &[String]) -> Vec<String> {
     let mut lines: Vec<String> = what.iter().map(|&line| line.to_owned()).collect();
     lines.push(String::new());

@@ -25,6 +25,7 @@ pub use matching::{blinn_from_phong, half_width, phong_from_blinn, roughness_fro
 pub use pattern::Fields;
 pub use real::{Real, Scalar};
 pub use snell::{critical_angle, mirror, refract};
+pub(crate) use source::direction;
 pub use source::{BRIGHTEST, Falloff, Source, attenuation_at};
 pub use specular::{
     Beckmann, BlinnChord, BlinnCosine, FormTask, Ggx, Lobe, NoSpecular, PhongChord, PhongCosine, Specular, SpecularForm,

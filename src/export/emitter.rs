@@ -1,6 +1,6 @@
 //! A scene's lights as what shines: muted ones left out, distant ones made parallel, names made harmless.
 
-use crate::illumination::{area_samples, attenuation_at};
+use crate::illumination::{area_samples, attenuation_at, direction};
 use crate::scene::{Attenuation, Light, LightKind, Scene};
 use glam::DVec3;
 
@@ -39,8 +39,8 @@ impl<'a> Emitter<'a> {
         let distance = offset.length();
         let far = distance > PARALLEL_BEYOND * scene.camera.distance();
         let place = match light.kind {
-            LightKind::Directional => Place::Towards(-unit(light.direction)),
-            _ if far => Place::Towards(unit(offset)),
+            LightKind::Directional => Place::Towards(-direction(light.direction)),
+            _ if far => Place::Towards(direction(offset)),
             LightKind::Area => Place::Among(area_samples(light)),
             LightKind::Point | LightKind::Spot => Place::At(light.position),
         };
@@ -70,12 +70,6 @@ impl<'a> Emitter<'a> {
 
     /// D, the unit vector along the axis of a spot light's cone.
     pub fn axis(&self) -> DVec3 {
-        unit(self.light.direction)
+        direction(self.light.direction)
     }
-}
-
-/// The unit vector along `v`, whatever its length but zero, which stays zero.
-fn unit(v: DVec3) -> DVec3 {
-    let largest = v.abs().max_element();
-    if largest > 0.0 { (v / largest).normalize_or_zero() } else { DVec3::ZERO }
 }

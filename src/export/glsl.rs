@@ -9,16 +9,15 @@ mod lights;
 mod stages;
 
 use super::{Export, Part, comment, head, limits};
-use crate::scene::{Scene, ShadingMode};
+use crate::scene::Scene;
 
 /// A pair of shaders, `#version 330 core`, that evaluates the scene's equation where its shading mode does. They need
 /// positions (location 0) and unit normals (location 1) in the world and nothing else: the uniforms have the scene's
 /// values as defaults.
 pub fn glsl_330(scene: &Scene) -> Export {
     let limits = limits::shaders(scene);
-    let per_pixel = matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact);
     let equation = format!("{}\n{}\n{}", equation::constants(scene), equation::terms(scene), lights::text(scene));
-    let [in_vertex, in_fragment] = if per_pixel { ["", &equation] } else { [&*equation, ""] };
+    let [in_vertex, in_fragment] = if stages::per_pixel(scene) { ["", &equation] } else { [&*equation, ""] };
     let (inputs, vertex, fragment) = (stages::inputs(scene), stages::vertex(scene), stages::fragment(scene));
     let vertex = format!("{}\n{inputs}{in_vertex}{vertex}", opening(VERTEX, scene, &limits));
     let fragment = format!("{}\n{in_fragment}{fragment}", opening(FRAGMENT, scene, &limits));

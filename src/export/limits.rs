@@ -1,7 +1,8 @@
-//! What of a scene another program's words do not say.
+//! What of a scene the exported code does not express.
 
 use super::emitter::{Emitter, Place, emitters};
 use super::fixed::{GREATEST_EXPONENT, MOST_LIGHTS, exponent, fog_limits, lights_fit, reaches};
+use super::holding;
 use super::number::said;
 use crate::geometry::VertexMesh;
 use crate::illumination::{Index, SpecularForm};
@@ -14,7 +15,7 @@ use crate::scene::{
 pub(super) const VERTEX_CLAMP: &str = "Intensities above 1 at vertices: OpenGL clamps them before interpolating, unless \
     the program calls glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE) (OpenGL 3.0, compatibility profile).";
 
-/// Between this and its inverse squares of lengths and products of a few of them are numbers in single precision.
+/// Between this and its inverse, squares of lengths and products of a few of them stay within single precision.
 const GREATEST_LENGTH: f64 = 1e9;
 
 /// What neither the calls nor the shaders do: mostly what needs more than one surface at a time.
@@ -22,7 +23,7 @@ fn surroundings(scene: &Scene) -> Vec<String> {
     let unit = scene.camera.distance();
     let measured = (1.0 / GREATEST_LENGTH..GREATEST_LENGTH).contains(&unit);
     let shining = scene.lights.iter().any(|light| light.shines(scene.soloing()));
-    let cases = [
+    holding([
         (scene.shading.shadows && shining, "Shadows: every light reaches every point."),
         (scene.transparency.kt > 0.0, "Transparency (Kt): the surface is drawn opaque."),
         (scene.ground.visible, "The ground: only the object is drawn."),
@@ -32,8 +33,7 @@ fn surroundings(scene: &Scene) -> Vec<String> {
         ),
         (scene.ambient.source != AmbientSource::Constant, "Light that other surfaces have scattered: Ia is constant."),
         (!measured, "Lengths of this size: OpenGL squares them in single precision. Scale the scene."),
-    ];
-    cases.into_iter().filter(|&(holds, _)| holds).map(|(_, text)| text.to_owned()).collect()
+    ])
 }
 
 /// What fixed-function OpenGL cannot say.
@@ -102,16 +102,17 @@ fn interpolation(scene: &Scene, affine: bool) -> Option<String> {
 
 fn fixed_reflection(scene: &Scene) -> Vec<String> {
     let mut limits = if SpecularForm::of(scene) == SpecularForm::None { Vec::new() } else { fixed_specular(scene) };
-    if scene.pattern.kind != PatternKind::None {
-        limits.push("The pattern on the surface: Od is the material's colour everywhere.".to_owned());
-    }
-    if scene.reflection.backfacing == Backfacing::Flip {
-        limits.push(
+    limits.extend(holding([
+        (
+            scene.pattern.kind != PatternKind::None,
+            "The pattern on the surface: Od is the material's colour everywhere.",
+        ),
+        (
+            scene.reflection.backfacing == Backfacing::Flip,
             "backfacing = \"flip\" turns N towards each light wherever N.L < 0; GL_LIGHT_MODEL_TWO_SIDE turns it on \
-             polygons seen from behind, whatever the light. They agree where light and eye are on the same side."
-                .to_owned(),
-        );
-    }
+             polygons seen from behind, whatever the light. They agree where light and eye are on the same side.",
+        ),
+    ]));
     limits
 }
 
@@ -184,16 +185,11 @@ fn fixed_light(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<Str
 }
 
 fn fixed_display(scene: &Scene) -> Vec<String> {
-    let mut limits = Vec::new();
-    match scene.display.overflow {
-        Overflow::Clamp => {}
-        Overflow::Scale => limits.push(SCALE.to_owned()),
-        Overflow::Mark => limits.push("The hatching where I > 1: I is clamped.".to_owned()),
-    }
-    if scene.display.encoding == Encoding::Srgb {
-        limits.push("The sRGB encoding: stored values are 255*I.".to_owned());
-    }
-    limits
+    holding([
+        (scene.display.overflow == Overflow::Scale, SCALE),
+        (scene.display.overflow == Overflow::Mark, "The hatching where I > 1: I is clamped."),
+        (scene.display.encoding == Encoding::Srgb, "The sRGB encoding: stored values are 255*I."),
+    ])
 }
 
 const SCALE: &str =

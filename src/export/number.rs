@@ -21,8 +21,7 @@ pub(super) fn c_double(value: f64) -> String {
 
 /// Three components and a fourth as the elements of an array of C's `float`s.
 pub(super) fn c_four(v: DVec3, fourth: f64) -> String {
-    let [x, y, z] = v.to_array().map(c_float);
-    format!("{x}, {y}, {z}, {}", c_float(fourth))
+    format!("{}, {}", c_three(v), c_float(fourth))
 }
 
 /// Three components as the elements of an array of C's `float`s.

@@ -8,12 +8,11 @@ use std::ops::Range;
 /// The golden section turns each row of a sphere's samples against the last.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// The points that an area light is replaced by, world: the middles of `light.samples` strata of equal area.
+/// The points that replace an area light, world: the middles of `light.samples` strata of equal area.
 ///
-/// The unit square is cut into about √N rows whose heights are as their numbers of cells, so that N cells of any number
-/// have equal areas; the square is then laid over the rectangle, or over the sphere by Archimedes' projection. The
-/// midpoint rule's error falls as 1/N for an integrand that is smooth over the light. The middle of a sphere that is one
-/// cell is its centre: any one point of the surface would light the scene from that side alone.
+/// The unit square is cut into about √N rows as high as their number of cells, so that all N cells have equal areas. It is
+/// laid over the rectangle, or over the sphere by Archimedes' projection. The midpoint rule's error falls as 1/N where the
+/// integrand is smooth. A sphere of one sample shines from its centre: a point of its surface would light one side alone.
 pub fn area_samples(light: &Light) -> Vec<DVec3> {
     let middles = strata(light.samples);
     match light.shape {

@@ -21,7 +21,7 @@ pub struct Site<R> {
     pub inverse_distance: R,
 }
 
-/// What one light does at a site.
+/// What one source does at a site.
 #[derive(Clone, Copy, Debug)]
 pub struct LightResponse<R> {
     /// L, unit.
@@ -53,7 +53,6 @@ pub struct Reached<'a> {
 impl Reached<'_> {
     /// The same bits for lanes that start at site `first`.
     #[inline(always)]
-    #[must_use]
     pub fn starting_at(self, first: usize) -> Self {
         Self { first, ..self }
     }
@@ -85,8 +84,8 @@ pub struct Equation<T> {
     fresnel: Option<Fresnel<T>>,
     pattern: Option<Patterned<T>>,
     backfacing: Backfacing,
-    /// A light is above the surface when it is so many camera distances over the tangent plane, and N·L so great. Below lies what
-    /// rounding makes of places and directions, and the highlight would be switched on and off by it.
+    /// A light counts as above the surface from this height over the tangent plane, in camera distances, and this N·L.
+    /// Below, rounding would switch the highlight on and off.
     grazing: [T; 2],
     /// V where it is constant.
     infinite_view: Option<[T; 3]>,
@@ -177,7 +176,7 @@ impl<T: Scalar> Equation<T> {
         self.form
     }
 
-    /// Leaves out the lights that cannot add anything: they have no sources then. What only they have needs no text either.
+    /// Leaves out the lights that cannot add anything: they keep no sources, and the specular form goes if none needs it.
     pub fn retain_lights(&mut self, keep: impl Fn(usize) -> bool) {
         let mut kept = Vec::with_capacity(self.sources.len());
         let mut starts = vec![0];
@@ -195,7 +194,7 @@ impl<T: Scalar> Equation<T> {
         }
     }
 
-    /// Evaluates what the scene's numbers make no difference to: terms whose coefficient is 0 and an f of 1.
+    /// Evaluates terms even where the scene's numbers make them 0, and f even where it is 1.
     pub fn leave_nothing_out(&mut self, scene: &Scene) {
         self.form = SpecularForm::of_model(scene);
         self.diffuses = true;
@@ -314,9 +313,8 @@ impl Equation<f32> {
     }
 }
 
-/// From which height over the tangent plane in camera distances, and from which N·L, a light counts; places and directions are
-/// rounded to `rounding`, and vertices to `grid` pixels in the picture. Surfaces lit from both sides have no step there, and a
-/// true surface no vertices.
+/// The height over the tangent plane, in camera distances, and the N·L from which a light counts. Positions and directions
+/// are rounded to `rounding`, vertices to `grid` pixels. Two-sided surfaces have no step there; a true surface has no vertices.
 fn grazing(scene: &Scene, unit: f64, rounding: f64, grid: f64) -> [f64; 2] {
     if scene.reflection.backfacing == Backfacing::Flip {
         return [0.0; 2];
@@ -330,7 +328,7 @@ fn grazing(scene: &Scene, unit: f64, rounding: f64, grid: f64) -> [f64; 2] {
 }
 
 /// What one light does at a point, an area light all its samples together.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct LightAt {
     /// L, unit; towards the middle of an area light.
     pub l: DVec3,
@@ -359,8 +357,8 @@ pub struct LightAt {
 }
 
 impl Equation<f64> {
-    /// The direction from a point of the world to the source of index `source`, world units, and how many times its length
-    /// the source is away; without an end for parallel rays.
+    /// The vector from a point of the world towards a source, and how many times its length the source is away: almost
+    /// infinite for parallel rays.
     ///
     /// # Panics
     /// If there is no such source.
@@ -389,8 +387,7 @@ impl Equation<f64> {
         self.fresnel.map_or(Rgb::ONE, |fresnel| Rgb::from_array(fresnel.reflectance(cosine)))
     }
 
-    /// I at a point of the world with normal `n`, per channel: the reference. The sources that reach it are `reached`'s,
-    /// all of them without.
+    /// I at a point of the world with normal `n`, per channel: the reference. Without `reached` all sources reach it.
     pub fn illuminate_world(&self, point: DVec3, n: DVec3, reached: Option<Reached<'_>>) -> Rgb {
         let site = self.site(V3::from(self.from_world(point)), V3::from(n));
         Rgb::from_array(self.form.dispatch(Illuminate { equation: self, site: &site, reached }))
@@ -406,21 +403,7 @@ impl Equation<f64> {
         let range = self.sources_of(light);
         #[expect(clippy::cast_precision_loss, reason = "at most 4096 samples")]
         let share = 1.0 / range.len().max(1) as f64;
-        let mut sum = LightAt {
-            l: DVec3::ZERO,
-            v: site.view.into(),
-            r: DVec3::ZERO,
-            h: DVec3::ZERO,
-            attenuation: 0.0,
-            spot: 0.0,
-            reflectance: Rgb::ZERO,
-            incidence: 0.0,
-            reached: 0.0,
-            diffuse_factor: 0.0,
-            specular_factor: 0.0,
-            diffuse: Rgb::ZERO,
-            specular: Rgb::ZERO,
-        };
+        let mut sum = LightAt { v: site.view.into(), ..LightAt::default() };
         for index in range {
             let source = &self.sources[index];
             let response = self.form.dispatch(Respond { equation: self, source, site: &site });

@@ -7,8 +7,8 @@ use super::{Real, Scalar};
 /// Cosines are lifted to this before anything is divided by them. The quotients stay finite and go to their limits.
 const SMALLEST_COSINE: f64 = 1e-4;
 
-/// What `π·D·G/(4(N·V))` does not exceed at this roughness m, whichever the distribution: π·D is below 1.5/m², G/(N·V) is
-/// below 1 over the smallest cosine for cavities, below 4 times that for Smith's G over α.
+/// Upper bound of `π·D·G/(4(N·V))` at roughness m for both distributions: π·D is below 1.5/m², and G/(N·V) below 1 over the
+/// smallest cosine for cavities, below 4 times that for Smith's G over α.
 pub(super) fn greatest_factor(roughness: f64) -> f64 {
     1.0 / (SMALLEST_COSINE * roughness * roughness)
 }
@@ -55,9 +55,9 @@ pub(super) fn geometric_over_view<R: Real>(n_dot_h: R, n_dot_l: R, n_dot_v: R, v
     inverse_view.min(cavity).min(cavity * n_dot_l * inverse_view)
 }
 
-/// `min(1, max(0, 1 + 4·N·V))`: 1 where the surface faces the viewer. At the outline of a coarse mesh the interpolated normal turns away from the viewer
-/// by some degrees; there the limit of `G/(N·V)` at N·V = 0 is kept and fades, until it is gone at N·V = −¼. A choice of this program: the
-/// published models end at N·V = 0, which would break the rim off.
+/// `min(1, max(0, 1 + 4·N·V))`: 1 where the surface faces the viewer. At the outline of a coarse mesh the interpolated
+/// normal turns some degrees away from the viewer; there the limit of `G/(N·V)` at N·V = 0 fades out until N·V = −¼. This is
+/// our choice: the published models end at N·V = 0, which would cut the rim off.
 #[inline(always)]
 pub(super) fn seen<R: Real>(n_dot_v: R) -> R {
     let (zero, one) = (n_dot_v.constant(R::Scalar::default()), n_dot_v.constant(R::Scalar::from_f64(1.0)));

@@ -14,8 +14,8 @@ pub struct Fields<T> {
     half: T,
 }
 
-/// Borders lie so far off their places, beside the eye's distance from the origin and the camera's: more than single precision
-/// rounds positions by. So a point on a border's place, as vertices often are, is in the same field in every precision.
+/// Borders are shifted by this part of the eye's distances from origin and target: more than single precision rounds
+/// positions by. So a point on a nominal border, as vertices often are, is in the same field in every precision.
 const BORDER: f64 = 1.0 / (1 << 21) as f64;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,31 +62,5 @@ impl<T: Scalar> Fields<T> {
         // Odd fields: count − 2⌊count/2⌋ is 1.
         let pairs = (count * T::from_f64(0.5)).floor();
         (count - pairs - pairs).greater_than(like.constant(T::from_f64(0.5)))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn on(kind: PatternKind, point: [f64; 3]) -> bool {
-        let fields = Fields::<f64>::new(kind, 0.5, 1, DVec3::ZERO, 1.0).expect("a pattern");
-        fields.lie_on(V3::from(DVec3::from_array(point)))
-    }
-
-    #[test]
-    fn fields_are_centred_at_the_origin_and_alternate() {
-        for kind in [PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings] {
-            assert!(!on(kind, [0.2, 0.2, 0.1]), "{kind:?}");
-        }
-        assert!(on(PatternKind::Checker, [0.3, 0.0, 0.0]) && on(PatternKind::Checker, [0.0, -0.3, 0.0]));
-        assert!(!on(PatternKind::Checker, [0.3, -0.3, 0.0]));
-        assert!(on(PatternKind::Stripes, [9.0, 0.3, 9.0]) && !on(PatternKind::Stripes, [0.0, 0.8, 0.0]));
-        assert!(on(PatternKind::Rings, [0.3, 5.0, 0.0]) && !on(PatternKind::Rings, [0.8, 0.0, 0.0]));
-    }
-
-    #[test]
-    fn no_pattern_has_no_fields() {
-        assert_eq!(Fields::<f64>::new(PatternKind::None, 1.0, 1, DVec3::ZERO, 1.0), None);
     }
 }

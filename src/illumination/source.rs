@@ -5,20 +5,18 @@ use super::{Real, Scalar, V3};
 use crate::scene::{Attenuation, Light, LightKind, Rgb};
 use glam::DVec3;
 
-/// A light that is farther away than this many camera distances shines in parallel: over an object of the camera
-/// distance's size the direction turns by less than 10⁻¹², and over one of 10⁸ camera distances, which is the greatest, by less
-/// than can be seen.
+/// A light farther away than this many camera distances shines in parallel: over an object as large as the camera distance
+/// its direction turns by less than 10⁻¹², over the largest, of 10⁸ camera distances, by less than can be seen.
 const PARALLEL_BEYOND: f64 = 1e12;
 
-/// Greatest intensity that a surface sends out: what the lights that reach it add up to, or the ambient light. It is beyond any
-/// that a scene's numbers are meant for, and leaves single precision room for what pictures do with intensities: to carry
-/// them over depths, and to add up samples.
+/// Greatest intensity of a surface, from all lights together or from the ambient light. It is far beyond useful values and
+/// leaves single precision room to interpolate intensities and to add up samples.
 pub const BRIGHTEST: f64 = 1e34;
 
 /// Lengths are lifted to this before anything is divided by them, so that a light on the surface stays finite.
 const SHORTEST: f64 = 1e-9;
 
-/// One light, or one sample of an area light, in the equation's frame: lengths in camera distances, positions relative to the eye, axes as in the world.
+/// One light, or one sample of an area light. Lengths are in camera distances, positions relative to the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source<T> {
     place: Place<T>,
@@ -310,7 +308,7 @@ fn length(v: DVec3) -> f64 {
 }
 
 /// Unit vector of any finite vector but zero, which stays zero.
-fn direction(v: DVec3) -> DVec3 {
+pub(crate) fn direction(v: DVec3) -> DVec3 {
     let largest = v.abs().max_element();
     if largest > 0.0 { (v / largest).normalize_or_zero() } else { DVec3::ZERO }
 }

@@ -24,8 +24,7 @@ pub struct Lobe<T> {
     pub(super) inverse_roughness_squared: T,
 }
 
-/// Stands for n = ∞: any deviation that single precision can tell from 0 vanishes, and what double precision leaves of 0 counts
-/// as 0.
+/// Stands for n = ∞: any angle that single precision can tell from 0 gives 0; rounding errors of double precision give 1.
 const MIRROR: f64 = 1e24;
 
 impl<T: Scalar> Lobe<T> {
@@ -48,11 +47,11 @@ impl<T: Scalar> Lobe<T> {
 /// Below all cosines.
 const NEVER_FAINT: f64 = -2.0;
 
-/// What may be added to an intensity without a stored value to show it: it is under half a unit in the last place, in single
-/// precision, of any intensity that is not stored as 0.
+/// Adding this to an intensity changes no stored value: it is below half a unit in the last place, in single precision, of
+/// any intensity that is not stored as 0.
 const UNSEEN: f64 = 1.0 / (1_u64 << 38) as f64;
 
-/// Binary orders of magnitude in which the brightness of highlights is told.
+/// Powers of two per step of a highlight's brightness.
 const STEP: f64 = 4.0;
 
 impl Lobe<f32> {
@@ -60,14 +59,14 @@ impl Lobe<f32> {
     pub(super) fn leave_out_faint(&mut self, most: f64) {
         let n = f64::from(self.n);
         if n > 0.0 && most > 0.0 {
-            // In steps, so that factors stay as they are while coefficients change.
+            // In steps, so that the factors rarely change with the coefficients.
             let steps = (most.log2() / STEP).ceil().max(1.0);
             self.faint = f32::from_f64(((UNSEEN.log2() - STEP * steps) / n).exp2());
         }
     }
 }
 
-/// Which text of the specular factor a scene needs.
+/// Which form of the specular factor a scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SpecularForm {
     /// No light is reflected specularly.
@@ -269,11 +268,8 @@ impl Specular for Beckmann {
 
     #[inline(always)]
     fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        let facet = Facet::new(site, l);
-        let n_dot_v = site.normal.dot(site.view);
-        let spread = beckmann(facet.gap, lobe) * seen(n_dot_v);
-        let shading = geometric_over_view(facet.n_dot_h, n_dot_l, n_dot_v, facet.v_dot_h);
-        facet.where_it_faces(spread * shading * R::Scalar::from_f64(0.25))
+        let f = Facet::new(site, l);
+        f.factor(beckmann(f.gap, lobe), geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h))
     }
 }
 
@@ -282,17 +278,15 @@ impl Specular for Ggx {
 
     #[inline(always)]
     fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        let facet = Facet::new(site, l);
-        let n_dot_v = site.normal.dot(site.view);
-        let spread = ggx(facet.gap, lobe) * seen(n_dot_v);
-        let shading = smith_over_view(n_dot_l, n_dot_v, lobe);
-        facet.where_it_faces(spread * shading * R::Scalar::from_f64(0.25))
+        let f = Facet::new(site, l);
+        f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
     }
 }
 
 /// The microfacets that mirror the light to the viewer: those whose normal is H.
 struct Facet<R> {
     n_dot_h: R,
+    n_dot_v: R,
     v_dot_h: R,
     /// `1 − N·H`, from the chord.
     gap: R,
@@ -305,13 +299,14 @@ impl<R: Real> Facet<R> {
         let chord = site.normal - h;
         let one = l.x.constant(R::Scalar::from_f64(1.0));
         let gap = (chord.dot(chord) * R::Scalar::from_f64(0.5)).min(one);
-        Self { n_dot_h: site.normal.dot(h), v_dot_h: site.view.dot(h), gap }
+        Self { n_dot_h: site.normal.dot(h), n_dot_v: site.normal.dot(site.view), v_dot_h: site.view.dot(h), gap }
     }
 
-    /// No facet faces inwards.
+    /// S from `π·D` and `G/(N·V)`; no facet faces inwards.
     #[inline(always)]
-    fn where_it_faces(&self, factor: R) -> R {
-        let zero = factor.constant(R::Scalar::default());
+    fn factor(&self, distribution: R, geometry: R) -> R {
+        let zero = geometry.constant(R::Scalar::default());
+        let factor = distribution * seen(self.n_dot_v) * geometry * R::Scalar::from_f64(0.25);
         R::select(self.n_dot_h.greater_than(zero), factor, zero)
     }
 }

@@ -26,37 +26,29 @@ impl<R: Real> V3<R> {
     }
 
     #[inline(always)]
-    #[must_use]
     pub fn dot(self, other: Self) -> R {
         self.x.mul_add(other.x, self.y.mul_add(other.y, self.z * other.z))
     }
 
     #[inline(always)]
-    #[must_use]
     pub fn scale(self, factor: R) -> Self {
         Self::new(self.x * factor, self.y * factor, self.z * factor)
     }
 
     /// `self · factor + other`.
     #[inline(always)]
-    #[must_use]
     pub fn scale_add(self, factor: R, other: Self) -> Self {
         Self::new(self.x.mul_add(factor, other.x), self.y.mul_add(factor, other.y), self.z.mul_add(factor, other.z))
     }
 
     /// The unit vector; zero stays zero.
     #[inline(always)]
-    #[must_use]
     pub fn normalised(self) -> Self {
         self.scale(self.dot(self).inverse_sqrt())
     }
-}
 
-impl<R: Real> V3<R> {
-    /// The unit vector of one that is at least as long as the root of `shortest`, which is 10⁻³⁶ at least; a shorter one stays so
-    /// much short of unit.
+    /// The unit vector, of vectors of at least √`shortest` ≥ 10⁻¹⁸ in length; shorter ones come out shorter.
     #[inline(always)]
-    #[must_use]
     pub fn normalised_from(self, shortest: R) -> Self {
         self.scale(self.dot(self).max(shortest).inverse_sqrt_of_sound())
     }

@@ -3,6 +3,7 @@
 //! Fog mixes with f = (end − z)/(end − start), clamped to 0..1, at every pixel. So a ramp of s0 from 1 to 0 is said exactly;
 //! any other one where the object does not leave it.
 
+use super::super::holding;
 use super::super::number::{c_float, c_four, said};
 use crate::geometry::VertexMesh;
 use crate::scene::{CuedBy, DepthCueing, Scene, View};
@@ -52,11 +53,10 @@ pub(in super::super) fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<String> 
         (depth < front && !whole(front_scale)) || (depth > back && !whole(back_scale))
     });
     let flat = front_scale == back_scale;
-    let cases = [
+    holding([
         (flat, "Depth cueing by the same s0 everywhere: OpenGL's fog depends on the depth. There is none."),
         (!flat && leaves, "Depth cueing: s0 goes on to 1 and to 0 beyond its two depths."),
         (!flat && cueing.by == CuedBy::Vertex, "Depth cueing at vertices: OpenGL's fog is evaluated at every pixel."),
         (!flat && cueing.color.max_element() > 1.0, "Depth cueing: OpenGL clamps fog's colour to 1."),
-    ];
-    cases.into_iter().filter(|&(holds, _)| holds).map(|(_, text)| text.to_owned()).collect()
+    ])
 }

@@ -49,11 +49,8 @@ pub(in super::super) fn fits(emitters: &[Emitter<'_>]) -> bool {
 fn lamps_of(emitter: &Emitter<'_>, scene: &Scene, mesh: &VertexMesh, whole: bool) -> Vec<Lamp> {
     let lamp = |title: String, place, parallel, share: f64| {
         let light = emitter.light;
-        let spot = (light.kind == LightKind::Spot).then(|| Spot {
-            axis: emitter.axis(),
-            cone: light.cone,
-            exponent: light.exponent.min(128.0),
-        });
+        let (axis, exponent) = (emitter.axis(), light.exponent.min(128.0));
+        let spot = (light.kind == LightKind::Spot).then_some(Spot { axis, cone: light.cone, exponent });
         let (factor, attenuation) = falloff(emitter, scene, mesh, parallel, place);
         Lamp { title, place, parallel, color: light.color * share * factor, attenuation, spot }
     };

@@ -1,10 +1,9 @@
 //! `set_up_lights()`: `glLight*` and `glLightModel*`.
 
-use super::super::number::{c_float, c_four};
+use super::super::number::{c_float, c_four, c_three};
 use super::lamps::{Lamp, MOST, lamps};
 use crate::geometry::VertexMesh;
 use crate::scene::{Backfacing, Scene, Viewer};
-use glam::DVec3;
 
 pub(super) fn text(scene: &Scene, mesh: &VertexMesh) -> String {
     let lamps = lamps(scene, mesh);
@@ -44,18 +43,19 @@ fn model(scene: &Scene) -> String {
 fn block(index: usize, lamp: &Lamp) -> String {
     let light = format!("GL_LIGHT{index}");
     let (w, l) = if lamp.parallel {
-        ("0.0f", "w = 0: L, the same everywhere")
+        (0.0, "w = 0: L, the same everywhere")
     } else {
-        ("1.0f", "w = 1: L = (place - P)/d, d = |place - P|")
+        (1.0, "w = 1: L = (place - P)/d, d = |place - P|")
     };
-    let [x, y, z] = lamp.place.to_array().map(c_float);
     let calls = format!("{}{}", falloff(&light, lamp), spot(&light, lamp));
-    let axis = lamp.spot.as_ref().map_or(String::new(), |spot| axis(spot.axis));
+    let axis = lamp.spot.as_ref().map_or(String::new(), |spot| {
+        format!("        const GLfloat axis[] = {{{}}}; /* D, along the cone */\n", c_three(spot.axis))
+    });
     format!(
         "
     {{
         /* {}. */
-        const GLfloat place[] = {{{x}, {y}, {z}, {w}}}; /* {l} */
+        const GLfloat place[] = {{{}}}; /* {l} */
         const GLfloat intensity[] = {{{}}}; /* Ip */
 {axis}
         glLightfv({light}, GL_POSITION, place);
@@ -66,13 +66,9 @@ fn block(index: usize, lamp: &Lamp) -> String {
     }}
 ",
         lamp.title,
+        c_four(lamp.place, w),
         c_four(lamp.color, 1.0),
     )
-}
-
-fn axis(axis: DVec3) -> String {
-    let [x, y, z] = axis.to_array().map(c_float);
-    format!("        const GLfloat axis[] = {{{x}, {y}, {z}}}; /* D, along the cone */\n")
 }
 
 fn falloff(light: &str, lamp: &Lamp) -> String {

@@ -1,10 +1,10 @@
 //! The rest of a whole program: the polygons as arrays, and `main`.
 
 use super::super::fan;
-use super::super::number::{c_double, c_float, c_three};
+use super::super::number::{c_double, c_three};
 use crate::geometry::VertexMesh;
 use crate::scene::{Scene, ShadingMode};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use std::fmt::Write;
 
 pub(super) const INCLUDES: &str = "#include <EGL/egl.h>
@@ -42,18 +42,11 @@ fn triangles(scene: &Scene, mesh: &VertexMesh) -> Vec<[u32; 3]> {
 
 fn array(text: &mut String, name: &str, vectors: &[Vec3]) {
     let _ = writeln!(text, "static const GLfloat {name}[][3] = {{");
+    let vectors = if vectors.is_empty() { &[Vec3::ZERO] } else { vectors };
     for v in vectors {
-        row(text, v.as_dvec3());
-    }
-    if vectors.is_empty() {
-        row(text, DVec3::ZERO);
+        let _ = writeln!(text, "    {{{}}},", c_three(v.as_dvec3()));
     }
     text.push_str("};\n\n");
-}
-
-fn row(text: &mut String, v: DVec3) {
-    let [x, y, z] = v.to_array().map(c_float);
-    let _ = writeln!(text, "    {{{x}, {y}, {z}}},");
 }
 
 fn indices(text: &mut String, scene: &Scene, triangles: &[[u32; 3]]) {

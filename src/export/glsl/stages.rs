@@ -105,7 +105,7 @@ fn planes(camera: &Camera, view: &View, object: &Object) -> [f64; 2] {
     [near, (middle + reach).max(2.0 * near)]
 }
 
-fn per_pixel(scene: &Scene) -> bool {
+pub(super) fn per_pixel(scene: &Scene) -> bool {
     matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact)
 }
 
@@ -128,14 +128,14 @@ pub(super) fn vertex(scene: &Scene) -> String {
             format!("out vec3 position;\n{how}out vec3 normal;"),
             "position = vertex_position;\n    normal = vertex_normal;".to_owned(),
         )
-    } else if cue == Cue::Intensity {
-        let faded = format!("intensity = fade(illuminate(vertex_position, vertex_normal), s0_at({here}));");
-        (format!("{how}out vec3 intensity;"), faded)
     } else {
         (format!("{how}out vec3 intensity;"), "intensity = illuminate(vertex_position, vertex_normal);".to_owned())
     };
     match cue {
-        Cue::None | Cue::Intensity => {}
+        Cue::None => {}
+        Cue::Intensity => {
+            given = format!("intensity = fade(illuminate(vertex_position, vertex_normal), s0_at({here}));");
+        }
         Cue::Carried => {
             carried += &format!("\n{how}out float s0;");
             given += &format!("\n    s0 = s0_at({here});");
@@ -205,18 +205,15 @@ fn display(scene: &Scene) -> String {
         }
         _ => String::new(),
     };
-    let encode = match scene.display.encoding {
-        Encoding::Raw => "    return clamp(I, 0.0, 1.0);\n",
-        Encoding::Srgb => {
+    let (what, encode) = match scene.display.encoding {
+        Encoding::Raw => ("the framebuffer stores 255*I, rounded", "    return clamp(I, 0.0, 1.0);\n"),
+        Encoding::Srgb => (
+            "the transfer function of IEC 61966-2-1",
             "    vec3 v = clamp(I, 0.0, 1.0);
     vec3 high = 1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055;
     return mix(high, 12.92 * v, lessThanEqual(v, vec3(0.0031308)));
-"
-        }
-    };
-    let what = match scene.display.encoding {
-        Encoding::Raw => "the framebuffer stores 255*I, rounded",
-        Encoding::Srgb => "the transfer function of IEC 61966-2-1",
+",
+        ),
     };
     format!("// From a linear intensity to what is stored: {what}.\nvec3 display(vec3 I) {{\n{mark}{encode}}}\n\n")
 }

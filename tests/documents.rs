@@ -1,0 +1,102 @@
+//! Files written whole or not at all, and the path of a model in a scene file.
+
+use shading_lab::document::{SaveError, WriteError, save_scene, write_whole};
+use shading_lab::scene::Scene;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::{fs, io, process};
+
+/// A folder of a test's own, removed at its end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("shading-lab-save-{}-{name}", process::id()));
+        fs::create_dir_all(&path).expect("a folder");
+        Self(path)
+    }
+
+    fn names(&self) -> Vec<OsString> {
+        let entries = fs::read_dir(&self.0).expect("a folder");
+        entries.map(|entry| entry.expect("an entry").file_name()).collect()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn a_file_is_replaced_whole() {
+    let folder = Folder::new("whole");
+    let target = folder.0.join("a.txt");
+    for text in ["longer at first", "then short"] {
+        write_whole(&target, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io)).expect("written");
+        assert_eq!(fs::read_to_string(&target).expect("a text"), text);
+    }
+    assert_eq!(folder.names(), ["a.txt"]);
+}
+
+#[test]
+fn content_that_fails_leaves_the_old_file_and_nothing_else() {
+    let folder = Folder::new("fails");
+    let target = folder.0.join("a.txt");
+    fs::write(&target, "old").expect("a file");
+    let error = write_whole(&target, |out| {
+        out.write_all(&[b'x'; 100_000]).map_err(WriteError::Io)?;
+        Err(WriteError::Io(io::Error::other("no more")))
+    });
+    assert!(matches!(error, Err(SaveError::Unwritable { .. })));
+    assert_eq!(fs::read_to_string(&target).expect("a text"), "old");
+    assert_eq!(folder.names(), ["a.txt"]);
+}
+
+#[test]
+fn targets_that_cannot_be_written_are_refused() {
+    let folder = Folder::new("refused");
+    for target in [folder.0.clone(), folder.0.join("no/such/a.txt"), PathBuf::from(""), PathBuf::from("/")] {
+        let error = write_whole(&target, |_| unreachable!("nothing is written to {}", target.display()));
+        assert!(matches!(error, Err(SaveError::Target { .. })), "{error:?}");
+    }
+    assert!(folder.names().is_empty());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_followed_and_a_device_is_not_replaced() {
+    let folder = Folder::new("links");
+    let (target, link) = (folder.0.join("a.txt"), folder.0.join("link.txt"));
+    fs::write(&target, "old").expect("a file");
+    std::os::unix::fs::symlink(&target, &link).expect("a link");
+    write_whole(&link, |out| out.write_all(b"new").map_err(WriteError::Io)).expect("written");
+    assert_eq!(fs::read_to_string(&target).expect("a text"), "new");
+    assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
+    fs::remove_file(&target).expect("a file");
+    write_whole(&link, |out| out.write_all(b"anew").map_err(WriteError::Io)).expect("written");
+    assert_eq!(fs::read_to_string(&target).expect("a text"), "anew", "a link may lead to what is not there yet");
+    assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
+    let round = folder.0.join("round.txt");
+    std::os::unix::fs::symlink("round.txt", &round).expect("a link");
+    let error = write_whole(&round, |_| unreachable!("a link to itself leads nowhere"));
+    assert!(matches!(error, Err(SaveError::Unwritable { .. })), "{error:?}");
+    write_whole(Path::new("/dev/null"), |out| out.write_all(b"x").map_err(WriteError::Io)).expect("swallowed");
+    assert!(!fs::metadata("/dev/null").expect("a device").is_file());
+}
+
+#[test]
+fn a_model_beside_the_scene_is_written_relative_and_another_absolute() {
+    let folder = Folder::new("relative");
+    let target = folder.0.join("s.toml");
+    for (model, expected) in [
+        (folder.0.join("models/a.obj"), PathBuf::from("models/a.obj")),
+        (std::env::temp_dir().join("b.obj"), std::env::temp_dir().join("b.obj")),
+    ] {
+        let mut scene = Scene::default();
+        scene.object.path = Some(model);
+        save_scene(&target, &scene).expect("written");
+        let text = fs::read_to_string(&target).expect("a text");
+        assert_eq!(Scene::parse(&text, "").expect("sound").object.path, Some(expected));
+    }
+}
