@@ -3,9 +3,12 @@
 use fearless_simd::{Level, Simd, dispatch};
 use glam::DVec3;
 use shading_lab::illumination::{
-    Fields, Lanes, Real, V3, blinn_from_phong, critical_angle, half_width, mirror, phong_from_blinn, refract,
+    Equation, Fields, Lanes, Real, V3, area_samples, blinn_from_phong, critical_angle, half_width, mirror,
+    phong_from_blinn, rectangle_axes, refract,
 };
-use shading_lab::scene::PatternKind;
+use shading_lab::scene::{
+    AreaShape, Camera, Distribution, Light, LightKind, PatternKind, ReflectionModel, Scene, Viewer,
+};
 use std::f64::consts::FRAC_PI_2;
 
 /// Applies `function` to a number at the machine's best level and at its baseline.
@@ -189,4 +192,66 @@ fn fields_are_centred_at_the_origin_and_alternate() {
 #[test]
 fn no_pattern_has_no_fields() {
     assert_eq!(Fields::<f64>::new(PatternKind::None, 1.0, 1, DVec3::ZERO, 1.0), None);
+}
+
+#[test]
+fn any_number_of_samples_covers_a_rectangle_evenly() {
+    for count in [1, 2, 3, 5, 7, 16, 17, 100, 1023, 1024, 4096] {
+        let light = Light { position: DVec3::ZERO, samples: count, ..Light::default() };
+        let samples = area_samples(&light);
+        assert_eq!(samples.len(), count as usize);
+        let mean = samples.iter().sum::<DVec3>() / f64::from(count);
+        assert!(mean.length() < 1e-12, "{count}: {mean}");
+    }
+}
+
+/// So a light of one point is what a point light is, whatever its shape.
+#[test]
+fn one_sample_is_the_middle() {
+    for shape in [AreaShape::Rectangle, AreaShape::Sphere] {
+        let light = Light { position: DVec3::new(1.0, 2.0, 3.0), radius: 0.7, shape, samples: 1, ..Light::default() };
+        assert_eq!(area_samples(&light), [light.position], "{shape:?}");
+        let two = area_samples(&Light { samples: 2, ..light.clone() });
+        assert!(((two[0] + two[1]) / 2.0 - light.position).length() < 1e-12, "{shape:?}: {two:?}");
+    }
+}
+
+#[test]
+fn samples_lie_on_the_light() {
+    let light = Light { position: DVec3::new(1.0, 2.0, 3.0), radius: 0.7, ..Light::default() };
+    let sphere = Light { shape: AreaShape::Sphere, samples: 50, ..light.clone() };
+    assert!(area_samples(&sphere).iter().all(|p| ((*p - sphere.position).length() - 0.7).abs() < 1e-12));
+    let facing = light.direction.normalize();
+    let [across, up] = rectangle_axes(&light);
+    assert!(across.dot(facing).abs() < 1e-12 && up.dot(facing).abs() < 1e-12 && across.dot(up).abs() < 1e-12);
+    assert!(across.y.abs() < 1e-12);
+    assert!(area_samples(&light).iter().all(|p| (*p - light.position).dot(facing).abs() < 1e-12));
+}
+
+/// S of a surface with normal `n` that the viewer sees along −z, under light from half-way between +x and +z.
+fn specular(distribution: Distribution, n: DVec3) -> f64 {
+    let mut scene = Scene {
+        camera: Camera { viewer: Viewer::Infinite, ..Camera::default() },
+        lights: vec![Light {
+            kind: LightKind::Directional,
+            direction: DVec3::new(-1.0, 0.0, -1.0),
+            ..Light::default()
+        }],
+        ..Scene::default()
+    };
+    scene.material.roughness = 1.0;
+    (scene.reflection.model, scene.reflection.distribution) = (ReflectionModel::CookTorrance, distribution);
+    Equation::<f64>::new(&scene).respond_world(0, DVec3::ZERO, n, None).specular_factor
+}
+
+#[test]
+fn the_lobe_is_continued_past_the_outline_and_fades() {
+    for distribution in [Distribution::Beckmann, Distribution::Ggx] {
+        let at = |n_dot_v: f64| {
+            let n = DVec3::new((1.0 - n_dot_v * n_dot_v).sqrt(), 0.0, n_dot_v);
+            specular(distribution, n)
+        };
+        assert!(at(-0.01) > 0.5 * at(0.0) && at(-0.1) > 0.0, "{distribution:?}: nothing breaks off");
+        assert_eq!((at(-0.25), at(-0.5)), (0.0, 0.0));
+    }
 }

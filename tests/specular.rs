@@ -13,7 +13,7 @@ mod simd;
 use dice::Dice;
 use fearless_simd::{Level, dispatch, prelude::*};
 use glam::DVec3;
-use shading_lab::illumination::{FormTask, Lanes, Lobe, Site, Specular, SpecularForm, V3};
+use shading_lab::illumination::{FormTask, Lanes, Lobe, PhongChord, PhongCosine, Site, Specular, SpecularForm, V3};
 use shading_lab::scene::{Material, ReflectionModel, Scene};
 use simd::levels;
 use std::f64::consts::TAU;
@@ -152,4 +152,22 @@ fn the_factor_is_right_at_every_exponent_and_level() {
         }
     }
     println!("greatest errors by decades of n from 10⁻³ on, Phong and Blinn: {worst:?}");
+}
+
+#[test]
+fn the_cosine_alone_would_lose_a_stiff_lobe() {
+    const N: f64 = 1e7;
+    let mut dice = Dice(1977);
+    let lobe = Lobe::of(&Material { n: N, ..Material::default() });
+    let directions: Vec<Directions> = (0..4000).map(|_| directions(&mut dice, ReflectionModel::Phong, N)).collect();
+    let worst = |factors: Vec<f32>| {
+        let truth = |directions: &Directions| directions.cosine(ReflectionModel::Phong).clamp(0.0, 1.0).powf(N);
+        let errors = factors.iter().zip(&directions).map(|(got, at)| (f64::from(*got) - truth(at)).abs());
+        errors.fold(0.0, f64::max)
+    };
+    let (cosine, chord) = dispatch!(Level::new(), simd => {
+        (factors::<_, PhongCosine>(simd, &lobe, &directions), factors::<_, PhongChord>(simd, &lobe, &directions))
+    });
+    let [cosine, chord] = [cosine, chord].map(worst);
+    assert!(chord < WITHIN && cosine > 0.1, "chord {chord}, cosine {cosine}");
 }

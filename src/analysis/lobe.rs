@@ -1,7 +1,7 @@
 //! The lobe of reflection: what a point sends to every side from one light.
 
 use super::ProbeHit;
-use crate::illumination::{Equation, FormTask, LightResponse, Site, Source, Specular, V3};
+use crate::illumination::{Equation, LightResponse, Site, Source, V3};
 use crate::scene::{Backfacing, Light, LightKind, Rgb, Scene};
 use glam::DVec3;
 
@@ -102,7 +102,7 @@ impl ReflectionLobe {
         }
         let site = Site { view: V3::from(v), ..self.site };
         for source in &self.equation.sources {
-            let terms = self.equation.form().dispatch(Respond { equation: &self.equation, source, site: &site });
+            let terms = self.equation.respond_to(source, &site);
             let w = self.equation.reflectance(terms.incidence);
             response.diffuse += terms.diffuse * (Rgb::from_array(source.diffuse) * self.od).dot(LUMINANCE);
             response.specular += terms.specular * (Rgb::from_array(source.specular) * w).dot(LUMINANCE);
@@ -111,7 +111,7 @@ impl ReflectionLobe {
     }
 
     fn respond(&self, source: &Source<f64>) -> LightResponse<f64> {
-        self.equation.form().dispatch(Respond { equation: &self.equation, source, site: &self.site })
+        self.equation.respond_to(source, &self.site)
     }
 }
 
@@ -121,18 +121,4 @@ fn mirrored(n: DVec3, l: DVec3) -> Option<DVec3> {
     let r = DVec3::from(n.scale_add(2.0 * n.dot(l), -l));
     // A normal that is not of unit length does not mirror.
     if (r.length() - 1.0).abs() < UPRIGHT { Some(r) } else { r.try_normalize() }
-}
-
-struct Respond<'a> {
-    equation: &'a Equation<f64>,
-    source: &'a Source<f64>,
-    site: &'a Site<f64>,
-}
-
-impl FormTask for Respond<'_> {
-    type Output = LightResponse<f64>;
-
-    fn run<F: Specular>(self, _: F) -> Self::Output {
-        self.equation.respond::<f64, F>(self.source, self.site)
-    }
 }

@@ -393,6 +393,11 @@ impl Equation<f64> {
         Rgb::from_array(self.form.dispatch(Illuminate { equation: self, site: &site, reached }))
     }
 
+    /// [`Self::respond`] with the scene's specular form.
+    pub fn respond_to(&self, source: &Source<f64>, site: &Site<f64>) -> LightResponse<f64> {
+        self.form.dispatch(Respond { equation: self, source, site })
+    }
+
     /// What the light of index `light` does at a point of the world with normal `n`.
     ///
     /// # Panics
@@ -406,7 +411,7 @@ impl Equation<f64> {
         let mut sum = LightAt { v: site.view.into(), ..LightAt::default() };
         for index in range {
             let source = &self.sources[index];
-            let response = self.form.dispatch(Respond { equation: self, source, site: &site });
+            let response = self.respond_to(source, &site);
             let lit = if reached.is_none_or(|reached| reached.holds(index)) { 1.0 } else { 0.0 };
             let reflectance = self.reflectance(response.incidence);
             sum.l += DVec3::from(response.l);

@@ -314,55 +314,6 @@ impl<R: Real> Facet<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::illumination::Lanes;
-    use fearless_simd::{Level, Simd, dispatch};
-
-    /// R and V in single precision, `angle` apart, somewhere on the sphere; and the true power.
-    fn pair(turn: f64, angle: f64, n: f64) -> ([f32; 3], [f32; 3], f64) {
-        let r = glam::DVec3::new(turn.cos() * 0.6, turn.sin() * 0.6, 0.8).normalize();
-        let across = r.any_orthonormal_vector();
-        let v = r * angle.cos() + across * angle.sin();
-        (r.as_vec3().to_array(), v.as_vec3().to_array(), (n * angle.cos().max(0.0).ln()).exp())
-    }
-
-    #[inline(always)]
-    fn lobe<S: Simd>(simd: S, r: [f32; 3], v: [f32; 3], n: f64) -> (f32, f32) {
-        let like = Lanes::splat(simd, 0.0);
-        let (r, v) = (V3::constant(like, r), V3::constant(like, v));
-        let lobe = Lobe::new(n, 1.0);
-        (power_of_chord(r, v, &lobe).0[0], power_of_cosine(r.dot(v), &lobe).0[0])
-    }
-
-    /// Greatest absolute errors of the chord and the cosine form over the lobe.
-    fn worst(n: f64) -> (f64, f64) {
-        let mut worst = (0.0_f64, 0.0_f64);
-        for step in 0..4000 {
-            let spread = (40.0 / n).sqrt().min(1.5);
-            let angle = spread * f64::from(step) / 4000.0;
-            let (r, v, truth) = pair(f64::from(step) * 0.37, angle, n);
-            let (chord, cosine) = dispatch!(Level::new(), simd => lobe(simd, r, v, n));
-            worst.0 = worst.0.max((f64::from(chord) - truth).abs());
-            worst.1 = worst.1.max((f64::from(cosine) - truth).abs());
-        }
-        worst
-    }
-
-    #[test]
-    fn the_chord_keeps_a_stiff_lobe_where_the_cosine_loses_it() {
-        for n in [64.0, 1e3, 1e4, 1e5, 1e6, 1e7] {
-            let (chord, _) = worst(n);
-            assert!(chord < 0.002, "n = {n}: {chord}");
-        }
-        assert!(worst(1e7).1 > 0.1, "the cosine form was expected to fail at ten million");
-    }
-
-    #[test]
-    fn the_cosine_serves_a_wide_lobe() {
-        for n in [0.5, 1.0, 5.0, 15.0, 45.0, 63.0] {
-            let (_, cosine) = worst(n);
-            assert!(cosine < 1e-4, "n = {n}: {cosine}");
-        }
-    }
 
     #[test]
     fn the_ends_of_the_exponent() {

@@ -1,7 +1,7 @@
 //! Why a light adds nothing at a pixel, found for each of its points and at each place where the equation is evaluated.
 
 use super::LightTerms;
-use crate::illumination::{Equation, FormTask, LightResponse, Site, Specular, V3};
+use crate::illumination::{Equation, LightResponse, Site, V3};
 use crate::render::Evaluation;
 use crate::scene::{Backfacing, PatternKind, ReflectionModel, Rgb, Scene};
 use glam::DVec3;
@@ -176,7 +176,7 @@ pub(super) fn zero_causes(
         for index in all.sources_of(light) {
             let in_shadow = kept.next().zip(site.reached).is_some_and(|(kept, reached)| !reached.holds(kept));
             let place = Place { scene, equation: all, light, index, point: site.point, normal: site.normal, in_shadow };
-            for (term, causes) in all.form().dispatch(place).into_iter().enumerate() {
+            for (term, causes) in place.causes().into_iter().enumerate() {
                 always[term].0 &= causes.0;
                 ever[term].0 |= causes.first().0;
             }
@@ -201,14 +201,13 @@ struct Place<'a> {
     in_shadow: bool,
 }
 
-impl FormTask for Place<'_> {
-    type Output = [ZeroCauses; 2];
-
-    fn run<F: Specular>(self, _: F) -> [ZeroCauses; 2] {
+impl Place<'_> {
+    /// Why the diffuse and the specular term are 0 here.
+    fn causes(&self) -> [ZeroCauses; 2] {
         let equation = self.equation;
         let site = equation.site(V3::from(equation.from_world(self.point)), V3::from(self.normal));
         let source = &equation.sources[self.index];
-        let response = equation.respond::<f64, F>(source, &site);
+        let response = equation.respond_to(source, &site);
         let material = &self.scene.material;
         let patterned = self.scene.pattern.kind != PatternKind::None;
         let od = if patterned { equation.pattern_color(self.point) } else { material.color };
