@@ -23,15 +23,16 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             ui.label(text)
                 .on_hover_text("All of it would not keep up with the hand; it is drawn whole when you let go");
         }
-        // What a narrow window has no room for is left to the tooltips.
-        if ui.available_width() > 250.0 {
+        // A notice takes the room of the counts; so does a narrow window.
+        let room = if state.notice.is_none() { ui.available_width() } else { 0.0 };
+        if room > 250.0 {
             let words = if evaluations == 1 { "evaluation" } else { "evaluations" };
             ui.label(format!("{} {words}", grouped(evaluations)));
         }
-        if ui.available_width() > 420.0 {
+        if room > 530.0 {
             ui.label(RichText::new(format!("{} triangles", grouped(report.triangles))).weak());
         }
-        if report.overflowing > 0 && ui.available_width() > 250.0 {
+        if report.overflowing > 0 && room.min(ui.available_width()) > 250.0 {
             ui.label(format!("{} pixels above 1", grouped(report.overflowing)));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
