@@ -10,6 +10,7 @@ mod controls;
 mod curves;
 mod defects;
 mod dialog;
+mod dialogs;
 mod document;
 mod drawing;
 mod engine;
@@ -24,13 +25,19 @@ mod history;
 mod keys;
 mod letter;
 mod lines;
+mod look;
 mod menus;
 mod numbers;
 mod orbit;
+mod own;
 mod palette;
 mod panes;
+mod paths;
+mod perform;
 mod picture;
+mod place;
 mod plan;
+mod points;
 mod profile;
 mod recovery;
 mod row;
@@ -46,16 +53,18 @@ mod theme;
 mod typeset;
 
 pub use document::{Document, Origin};
-pub use handles::line::ProfileLine;
-pub use profile::ProfileLook;
+pub use look::{Look, NumbersTab, OverlayLook};
+pub use points::{ProbePoint, ProfileLine};
+pub use profile::Profiles;
+pub use profile::look::ProfileLook;
+pub use scan::ScanView;
 pub use start::{AppError, run};
-pub use state::{AppState, Look, NumbersTab, OverlayLook, ProbePoint};
+pub use state::AppState;
 
 use crate::document::Loaded;
 use crate::render::{Frame, Renderer, Report};
 use crate::scene::presets;
 use action::{Action, Shown};
-use curves::Curves;
 use dialog::{Dialog, ExportForm};
 use eframe::egui::{CentralPanel, ColorImage, Context, Frame as Margins, Panel, Ui, ViewportCommand};
 use engine::Engine;
@@ -73,7 +82,6 @@ const STORAGE_KEY: &str = "look";
 pub struct App {
     state: AppState,
     engine: Engine,
-    curves: Curves,
     files: Files,
     room: Room,
     title: String,
@@ -95,7 +103,6 @@ impl App {
         Self {
             state,
             engine: Engine::default(),
-            curves: Curves::default(),
             files: Files::default(),
             room: Room { whole: [1, 1], pane: [1, 1] },
             title: String::new(),
@@ -131,7 +138,7 @@ impl App {
 
     fn panels(&mut self, ui: &mut Ui) {
         self.state.enter_pane();
-        let Self { state, engine, curves, .. } = self;
+        let Self { state, engine, .. } = self;
         if !state.picture_alone {
             Panel::top("menus").show(ui, |ui| menus::menus_ui(ui, state));
             if state.look.stages {
@@ -145,7 +152,7 @@ impl App {
             }
             if state.look.numbers {
                 let panel = Panel::right("numbers").resizable(true).default_size(322.0).min_size(280.0);
-                panel.show(ui, |ui| numbers::numbers_ui(ui, state, engine, curves));
+                panel.show(ui, |ui| numbers::numbers_ui(ui, state, engine));
             }
         }
         let shown = CentralPanel::default().frame(Margins::NONE).show(ui, |ui| picture::picture_ui(ui, state, engine));
@@ -227,7 +234,7 @@ impl App {
             Action::Export => self.state.dialog = Some(Dialog::Export(self.export_form())),
             Action::CopyPicture => self.copy_picture(ctx),
             Action::SaveProfile(ending) => self.state.dialog = Some(profile::save_dialog(ending)),
-            Action::Code => self.state.dialog = Some(Dialog::Code(code::CodeForm::default())),
+            Action::Code => self.state.dialog = Some(Dialog::Code(code::form::CodeForm::default())),
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),
             Action::Quit if self.may_close() => self.close(ctx),
@@ -323,7 +330,7 @@ impl eframe::App for App {
         }
         self.panels(ui);
         self.files.poll(&ctx, &mut self.state);
-        dialog::dialog_ui(&ctx, &mut self.state, &mut self.files);
+        dialogs::dialog_ui(&ctx, &mut self.state, &mut self.files);
         self.settle(&ctx);
         self.keep_keys(&ctx);
         focus::show(&ctx);

@@ -10,7 +10,7 @@ use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
 use glam::{DVec3, Vec3Swizzles};
 use hands::{choose, drag, enter, press, scene, undo, wait, window, window_of};
 use shading_lab::analysis::{ProbeHit, probe};
-use shading_lab::app::{App, Look, NumbersTab};
+use shading_lab::app::{App, Look, NumbersTab, Profiles};
 use shading_lab::document::load;
 use shading_lab::export::{glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
@@ -511,9 +511,9 @@ fn the_picture_is_shown_as_it_is_perceived() {
     harness.get_by_role_and_label(Role::Tab, "Profile").click_accesskit();
     harness.run();
     let checkbox = "Show the picture as it is perceived";
-    assert!(harness.state().state().profiles.perceived().is_none());
+    assert!(harness.state().state().own.get().and_then(Profiles::perceived).is_none());
     harness.get_by_role_and_label(Role::CheckBox, checkbox).click_accesskit();
-    assert!(wait(&mut harness, |harness| harness.state().state().profiles.perceived().is_some()));
+    assert!(wait(&mut harness, |harness| harness.state().state().own.get().and_then(Profiles::perceived).is_some()));
     // A surround wider than any picture is refused with a reason.
     harness.get_by_label("The eye and the screen").click_accesskit();
     harness.run();
@@ -642,7 +642,7 @@ fn a_profile_of_any_height_is_clipped_to_its_pane() {
         loaded.scene.compare = Compare::default();
         let mut harness = window_of(loaded);
         harness.get_by_role_and_label(Role::Tab, "Profile").click_accesskit();
-        assert!(wait(&mut harness, |harness| harness.state().state().profiles.profile().is_some()));
+        assert!(wait(&mut harness, |harness| harness.state().state().own.get().and_then(Profiles::profile).is_some()));
         harness.run();
         let shapes = harness.output().shapes.len();
         assert!(shapes < 5000, "{bright}: {shapes} shapes");

@@ -9,7 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use hands::{press, scene, window};
 use shading_lab::analysis::{Scan, ScanLevel, scan};
-use shading_lab::app::{App, NumbersTab};
+use shading_lab::app::{App, NumbersTab, ScanView};
 use shading_lab::render::Renderer;
 use shading_lab::scene::ShadingMode;
 
@@ -25,11 +25,11 @@ fn opened(name: &str) -> Harness<'static, App> {
 }
 
 fn step(harness: &Harness<'_, App>) -> usize {
-    harness.state().state().scan.step()
+    harness.state().state().own.get::<ScanView>().expect("the tab is shown").step()
 }
 
 fn shown<'h>(harness: &'h Harness<'_, App>) -> &'h Scan {
-    harness.state().state().scan.ready().expect("a polygon under the probe")
+    harness.state().state().own.get::<ScanView>().expect("the tab is shown").ready().expect("a polygon under the probe")
 }
 
 fn key(harness: &mut Harness<'_, App>, key: Key) {
@@ -85,7 +85,10 @@ fn it_plays_until_the_end_and_asks_for_frames_only_then() {
         harness.step();
     }
     let reached = step(&harness);
-    assert!(reached > 3 && harness.state().state().scan.is_playing(), "{reached}");
+    assert!(
+        reached > 3 && harness.state().state().own.get::<ScanView>().expect("the tab is shown").is_playing(),
+        "{reached}"
+    );
     harness.get_by_role_and_label(Role::Button, "Pause").click_accesskit();
     harness.run();
     let paused = step(&harness);
@@ -93,7 +96,7 @@ fn it_plays_until_the_end_and_asks_for_frames_only_then() {
         harness.step();
     }
     assert_eq!(step(&harness), paused);
-    assert!(!harness.state().state().scan.is_playing());
+    assert!(!harness.state().state().own.get::<ScanView>().expect("the tab is shown").is_playing());
     press(&mut harness, "Last step");
     for _ in 0..5 {
         key(&mut harness, Key::Comma);
@@ -146,7 +149,7 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
         harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowRight);
         harness.run();
     }
-    assert!(harness.state().state().scan.ready().is_none());
+    assert!(harness.state().state().own.get::<ScanView>().expect("the tab is shown").ready().is_none());
     assert!(has(&harness, "The probe sees the background"));
 }
 

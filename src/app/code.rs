@@ -1,17 +1,18 @@
 //! The scene in other programs' words, to read, to copy and to save: calls of OpenGL, shaders, or a whole program in C.
 
+pub mod form;
 mod writer;
 
-pub use writer::{Language, Writer};
+pub use writer::Writer;
 
-use super::dialog::{Choice, Dialog, complete, path_field};
+use super::dialog::{Choice, Dialog, Pick, path_field};
 use super::document::Document;
-use super::files::Pick;
 use super::state::AppState;
 use crate::document::save_code;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{Button, Frame, Label, RichText, ScrollArea, TextBuffer, TextEdit, TextStyle, Ui, WidgetInfo};
+use form::{CodeForm, Language};
 use std::path::{Path, PathBuf};
 use writer::{Shown, Written};
 
@@ -28,33 +29,6 @@ const MARGIN: f32 = 8.0;
 /// Height that the list of limits may have, points; a longer one is scrolled.
 const LIMITS: f32 = 92.0;
 
-/// Which text is looked at, and what is done with it.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct CodeForm {
-    language: Language,
-    /// Of a text in several parts, the one that is shown.
-    part: usize,
-    /// Where it is to be saved, while that is asked.
-    pub path: Option<String>,
-    /// What was last done, or why it was not.
-    told: Option<String>,
-}
-
-impl CodeForm {
-    /// Goes back from the question where to save; tells whether it was asked.
-    pub fn step_back(&mut self) -> bool {
-        self.path.take().is_some()
-    }
-
-    /// Gives a file without an ending the usual one.
-    pub fn complete(&mut self) {
-        if let Some(path) = self.path.as_mut().filter(|path| Path::new(path.trim()).extension().is_none()) {
-            let usual = Path::new(self.language.suggestion()).extension().unwrap_or_default();
-            complete(path, &usual.to_string_lossy(), &[]);
-        }
-    }
-}
-
 /// The width of the dialog, points.
 pub fn width(ui: &Ui) -> f32 {
     (ui.ctx().content_rect().width() - 64.0).clamp(0.0, WIDTH)
@@ -62,7 +36,7 @@ pub fn width(ui: &Ui) -> f32 {
 
 /// Writes the files that the form asks for; the dialog stays open and says what has become of it.
 pub fn save(state: &mut AppState, mut form: CodeForm) {
-    if let (Some(path), Some(Ok(written))) = (&form.path, state.code.known()) {
+    if let (Some(path), Some(Ok(written))) = (&form.path, state.own.get().and_then(Writer::known)) {
         let target = PathBuf::from(path.trim());
         form.told = Some(match save_code(&target, &written.export) {
             Ok(()) => {
@@ -86,7 +60,7 @@ fn names(target: &Path, written: &Written) -> String {
 
 /// The files that the form asks for.
 pub fn targets(state: &AppState, form: &CodeForm) -> Vec<PathBuf> {
-    match (&form.path, state.code.known()) {
+    match (&form.path, state.own.get().and_then(Writer::known)) {
         (Some(path), Some(Ok(written))) => paths(Path::new(path.trim()), written),
         _ => vec![],
     }

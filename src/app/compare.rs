@@ -2,8 +2,9 @@
 
 use super::action::Action;
 use super::engine::Engine;
+use super::points::ProbePoint;
 use super::row::parameter;
-use super::state::{AppState, ProbePoint};
+use super::state::AppState;
 use crate::analysis::PaneFigures;
 use crate::scene::parameter::ChoiceOption;
 use crate::scene::parameter::shading::{INTERPOLATION, MODE};
@@ -28,7 +29,7 @@ pub struct Typed {
 }
 
 /// The comparison's tab.
-pub fn compare_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+pub fn compare_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: &Engine) {
     view_ui(ui, state);
     if state.document.scene.compare.panes.is_empty() {
         ui.add_space(4.0);
@@ -45,7 +46,7 @@ pub fn compare_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     }
     ui.add_space(6.0);
     if count <= Compare::MAX_PANES {
-        ui.menu_button("Add a pane…", |ui| add_ui(ui, state));
+        ui.menu_button("Add a pane…", |ui| add_ui(ui, typed, state));
     }
     if count > 1 {
         let tip = "Otherwise a change concerns all panes, except for what a pane has of its own";
@@ -121,7 +122,7 @@ fn small(ui: &mut Ui, text: &str, name: &str) -> bool {
 }
 
 /// What a new pane may be, by one click, and any key by typing.
-fn add_ui(ui: &mut Ui, state: &mut AppState) {
+fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     ui.set_min_width(250.0);
     let scene = &state.document.scene;
     let mut chosen = None;
@@ -143,22 +144,22 @@ fn add_ui(ui: &mut Ui, state: &mut AppState) {
     }
     ui.separator();
     ui.horizontal(|ui| {
-        let field = TextEdit::singleline(&mut state.compared.setting).hint_text("material.n=1005").desired_width(170.0);
+        let field = TextEdit::singleline(&mut typed.setting).hint_text("material.n=1005").desired_width(170.0);
         let entered = ui.add(field).lost_focus() && ui.input(|input| input.key_pressed(eframe::egui::Key::Enter));
         if ui.button("Add").clicked() || entered {
-            let setting = state.compared.setting.trim().to_owned();
+            let setting = typed.setting.trim().to_owned();
             let alone = Scene { compare: Compare::default(), ..state.document.scene.clone() };
             match alone.with_override(&setting) {
                 Ok(_) => chosen = Some(vec![setting]),
-                Err(error) => state.compared.problem = Some(error.to_string()),
+                Err(error) => typed.problem = Some(error.to_string()),
             }
         }
     });
-    if let Some(problem) = &state.compared.problem {
+    if let Some(problem) = &typed.problem {
         ui.label(RichText::new(problem).color(ui.visuals().error_fg_color));
     }
     if let Some(set) = chosen {
-        state.compared = Typed::default();
+        *typed = Typed::default();
         let compare = &mut state.document.scene.compare;
         compare.panes.push(Pane { name: String::new(), set });
         if compare.view == CompareView::Single {

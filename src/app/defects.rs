@@ -10,7 +10,8 @@ use super::curves::{LETTERS, height, paper, plot_ui};
 use super::document::{Document, same_model};
 use super::engine::Engine;
 use super::errand::Errand;
-use super::state::{AppState, NumbersTab};
+use super::look::NumbersTab;
+use super::state::AppState;
 use super::theme::TEXT;
 use crate::analysis::{Defects, Plot, PlotKind, defect_plots, defects_with_progress};
 use crate::figure::{Drawing, PlotStyle, lay_out};
@@ -126,28 +127,27 @@ impl Measured {
 
 /// Whether the tab is in sight.
 pub fn shown(state: &AppState) -> bool {
-    state.look.numbers && !state.picture_alone && state.look.tab == NumbersTab::Defects
+    state.shows(NumbersTab::Defects)
 }
 
 /// The tab.
-pub fn defects_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+pub fn defects_ui(ui: &mut Ui, measured: &mut Measured, state: &mut AppState, engine: &Engine) {
     let size = engine.size();
     if size.contains(&0) {
         return;
     }
     let pixel = state.probe.pixel(size);
-    let AppState { measured, document, .. } = state;
-    measured.ask(ui.ctx(), document, size, pixel);
+    measured.ask(ui.ctx(), &state.document, size, pixel);
     let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
     measured.lay_out(style, ui.available_width());
     ui.label("Five things that interpolation gets wrong, measured in the active picture.");
-    progress_ui(ui, &state.measured);
+    progress_ui(ui, measured);
     ui.add_space(4.0);
     // What the scene is about comes first.
     let about = EACH.iter().filter(|entry| is_open(state, entry));
     let order: Vec<&Entry> = about.chain(EACH.iter().filter(|entry| !is_open(state, entry))).collect();
     for entry in order {
-        entry_ui(ui, state, entry, &style);
+        entry_ui(ui, measured, state, entry, &style);
     }
 }
 
@@ -170,10 +170,10 @@ fn is_open(state: &AppState, entry: &Entry) -> bool {
     matches!(&state.document.origin, super::Origin::BuiltIn(name) if name == entry.scene)
 }
 
-fn entry_ui(ui: &mut Ui, state: &mut AppState, entry: &Entry, style: &PlotStyle) {
+fn entry_ui(ui: &mut Ui, measured: &Measured, state: &mut AppState, entry: &Entry, style: &PlotStyle) {
     ui.separator();
     ui.label(RichText::new(entry.title).strong());
-    match state.measured.defects().map(entry.figures) {
+    match measured.defects().map(entry.figures) {
         None => {
             ui.label("…");
         }
@@ -190,7 +190,7 @@ fn entry_ui(ui: &mut Ui, state: &mut AppState, entry: &Entry, style: &PlotStyle)
             ui.label(RichText::new(format!("Not here: {why}.")).weak());
         }
     }
-    if let Some((plot, drawing)) = entry.plot.and_then(|kind| state.measured.plot(kind)) {
+    if let Some((plot, drawing)) = entry.plot.and_then(|kind| measured.plot(kind)) {
         plot_ui(ui, plot, drawing, style);
     }
     ui.label(RichText::new(entry.says).weak());

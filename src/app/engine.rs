@@ -3,7 +3,8 @@
 mod normals;
 mod pane;
 
-use super::state::{AppState, OverlayLook};
+use super::look::OverlayLook;
+use super::state::AppState;
 use crate::analysis::{
     Brightest, ErrorFigures, Halo, Overlay, OverlayLayer, OverlayOptions, PaneFigures, Plot, Probe, Scan, ScanError,
     brightest, curves, difference_picture, difference_scale, error_figures, scan_drawn,

@@ -1,15 +1,15 @@
 //! Files, on threads of their own: the window stays alive while a model is read or a picture is drawn.
 
 use super::action::Action;
-use super::code::Language;
-use super::dialog::{Dialog, ExportForm};
+use super::dialog::{Dialog, ExportForm, Pick};
 use super::document::Document;
 use super::engine::overlay_options;
 use super::handles;
-use super::handles::line::ProfileLine;
-use super::profile::ProfileLook;
+use super::look::OverlayLook;
+use super::points::{ProbePoint, ProfileLine};
+use super::profile::look::ProfileLook;
 use super::recovery;
-use super::state::{AppState, OverlayLook, ProbePoint};
+use super::state::AppState;
 use crate::analysis::{
     ProfileQuestion, comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe,
     profile,
@@ -50,16 +50,6 @@ pub struct Files {
     work: Option<Work>,
     /// The path that the desktop's own dialog gave, which has asked whether to replace the file.
     agreed: Option<PathBuf>,
-}
-
-/// Which dialog of the desktop's is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pick {
-    Open,
-    SaveScene,
-    SavePicture,
-    SaveCode(Language),
-    SaveProfile,
 }
 
 /// What is drawn over a picture.

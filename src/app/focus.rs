@@ -1,6 +1,5 @@
 //! The keyboard's focus: Tab goes from field to field, and a ring shows what has it.
 
-use super::picture;
 use eframe::egui::{Context, FocusDirection, Id, InputState, Key, Modifiers, Response, Stroke, StrokeKind};
 
 /// Width of the ring, and its distance from what it surrounds; points.
@@ -13,6 +12,11 @@ struct Fields {
     last: Vec<Id>,
     /// Those of this frame so far.
     now: Vec<Id>,
+}
+
+/// The identity of the picture.
+pub fn picture_id() -> Id {
+    Id::unique("the picture")
 }
 
 fn id() -> Id {
@@ -50,7 +54,7 @@ pub fn listen(ctx: &Context) {
 
 /// At the end of a frame: a ring round what has the focus; the picture does without.
 pub fn show(ctx: &Context) {
-    let focused = ctx.memory(|memory| memory.focused()).filter(|focused| *focused != picture::id());
+    let focused = ctx.memory(|memory| memory.focused()).filter(|focused| *focused != picture_id());
     let Some(response) = focused.and_then(|id| ctx.read_response(id)) else { return };
     let [width, gap] = RING;
     let painter = ctx.layer_painter(response.layer_id);

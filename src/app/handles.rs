@@ -16,7 +16,7 @@ pub use beam::{aim_at, cursor, open_to, paint};
 
 use super::letter::letter;
 use super::palette;
-use super::picture::Place;
+use super::place::Place;
 use super::row::swatch;
 use super::state::AppState;
 use crate::figure::palette::Vector;

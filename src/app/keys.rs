@@ -1,8 +1,8 @@
 //! The keys, in one table: what the window does on them is what Help shows.
 
-use super::action::{Action, Shown};
-use super::picture;
-use super::scan::{self, Walk};
+use super::action::{Action, Shown, Walk};
+use super::focus;
+use super::look::NumbersTab;
 use super::state::AppState;
 use crate::analysis::ScanLevel;
 use crate::scene::ShadingMode;
@@ -296,9 +296,9 @@ pub fn of(action: &Action) -> &'static str {
 /// picture: they may be meant for a field. Function keys and those with Ctrl are always the window's, but for those that
 /// fields know too.
 pub fn listen(ctx: &Context, state: &mut AppState) {
-    let free = ctx.memory(|memory| memory.focused().is_none_or(|focused| focused == picture::id()));
+    let free = ctx.memory(|memory| memory.focused().is_none_or(|focused| focused == focus::picture_id()));
     let editing = ctx.text_edit_focused();
-    let scanning = scan::shown(state);
+    let scanning = state.shows(NumbersTab::ScanLine);
     let mut asked = Vec::new();
     ctx.input_mut(|input| {
         input.events.retain(|event| {

@@ -3,7 +3,8 @@
 use super::action::{Action, Shown};
 use super::compare::VIEWS;
 use super::keys;
-use super::state::{AppState, NumbersTab};
+use super::look::NumbersTab;
+use super::state::AppState;
 use super::theme::ThemeChoice;
 use crate::scene::parameter::Options;
 use crate::scene::{ShadingMode, presets};

@@ -1,16 +1,17 @@
 //! The picture's meaning in numbers at the probe: vectors, angles, and the equation filled in.
 
 use super::compare::compare_ui;
-use super::curves::{Curves, curves_ui};
+use super::curves::curves_ui;
 use super::defects::defects_ui;
 use super::engine::Engine;
 use super::filled::{arriving_words, filled_ui, to_line};
+use super::look::NumbersTab;
 use super::palette::vector_text;
 use super::plan::plan_ui;
 use super::profile::profile_ui;
 use super::scan::scan_ui;
 use super::stability::stability_ui;
-use super::state::{AppState, NumbersTab};
+use super::state::AppState;
 use super::study::study_ui;
 use crate::analysis::{LightTerms, Probe, ProbeHit};
 use crate::figure::palette::Vector;
@@ -24,22 +25,61 @@ use glam::DVec3;
 /// Height of a table's rows, points.
 const ROW: f32 = 21.0;
 
+/// A tab of the panel of numbers.
+#[derive(Clone, Copy)]
+pub struct Tab {
+    pub key: NumbersTab,
+    title: &'static str,
+    show: fn(&mut Ui, &mut AppState, &Engine),
+}
+
+/// Every tab, in the order in which they are shown.
+pub const TABS: [Tab; 9] = [
+    Tab { key: NumbersTab::Equation, title: "Equation", show: equation_ui },
+    Tab { key: NumbersTab::Curves, title: "Curves", show: |ui, state, engine| with(ui, state, engine, curves_ui) },
+    Tab { key: NumbersTab::Profile, title: "Profile", show: |ui, state, engine| with(ui, state, engine, profile_ui) },
+    Tab { key: NumbersTab::ScanLine, title: "Scan line", show: |ui, state, engine| with(ui, state, engine, scan_ui) },
+    Tab { key: NumbersTab::Compare, title: "Compare", show: |ui, state, engine| with(ui, state, engine, compare_ui) },
+    Tab { key: NumbersTab::Defects, title: "Defects", show: |ui, state, engine| with(ui, state, engine, defects_ui) },
+    Tab { key: NumbersTab::Plan, title: "Plan", show: plan_ui },
+    Tab { key: NumbersTab::Study, title: "Study", show: |ui, state, engine| with(ui, state, engine, study_ui) },
+    Tab {
+        key: NumbersTab::Stability,
+        title: "Stability",
+        show: |ui, state, engine| with(ui, state, engine, stability_ui),
+    },
+];
+
+/// Shows a tab with what it remembers.
+fn with<T: Default + 'static>(
+    ui: &mut Ui,
+    state: &mut AppState,
+    engine: &Engine,
+    show: fn(&mut Ui, &mut T, &mut AppState, &Engine),
+) {
+    let mut own = state.own.take();
+    show(ui, &mut own, state, engine);
+    state.own.put(own);
+}
+
 /// The panel of numbers: a tab for each way of reading the picture.
-pub fn numbers_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, curves: &mut Curves) {
+pub fn numbers_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     ui.add_space(6.0);
-    tabs_ui(ui, &mut state.look.tab);
-    let tab = state.look.tab;
-    ScrollArea::vertical().id_salt(tab as u8).auto_shrink(false).show(ui, |ui| match tab {
-        NumbersTab::Equation => equation_ui(ui, state, engine),
-        NumbersTab::Curves => curves_ui(ui, state, engine, curves),
-        NumbersTab::Profile => profile_ui(ui, state, engine),
-        NumbersTab::ScanLine => scan_ui(ui, state, engine),
-        NumbersTab::Compare => compare_ui(ui, state, engine),
-        NumbersTab::Defects => defects_ui(ui, state, engine),
-        NumbersTab::Plan => plan_ui(ui, state, engine),
-        NumbersTab::Study => study_ui(ui, state, engine),
-        NumbersTab::Stability => stability_ui(ui, state),
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+        for Tab { key, title, .. } in TABS {
+            let selected = state.look.tab == key;
+            let response = ui.add(Button::selectable(selected, title));
+            let enabled = ui.is_enabled();
+            response.widget_info(|| WidgetInfo::selected(Role::Tab, enabled, selected, title));
+            if response.clicked() {
+                state.look.tab = key;
+            }
+        }
     });
+    ui.add_space(4.0);
+    let Some(tab) = TABS.iter().find(|tab| tab.key == state.look.tab) else { return };
+    ScrollArea::vertical().id_salt(tab.title).auto_shrink(false).show(ui, |ui| (tab.show)(ui, state, engine));
 }
 
 /// The equation filled in at the probe.
@@ -49,31 +89,6 @@ fn equation_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         None => background_ui(ui, probe),
         Some(hit) => hit_ui(ui, state, probe, hit),
     }
-}
-
-fn tabs_ui(ui: &mut Ui, tab: &mut NumbersTab) {
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
-        for (choice, name) in [
-            (NumbersTab::Equation, "Equation"),
-            (NumbersTab::Curves, "Curves"),
-            (NumbersTab::Profile, "Profile"),
-            (NumbersTab::ScanLine, "Scan line"),
-            (NumbersTab::Compare, "Compare"),
-            (NumbersTab::Defects, "Defects"),
-            (NumbersTab::Plan, "Plan"),
-            (NumbersTab::Study, "Study"),
-            (NumbersTab::Stability, "Stability"),
-        ] {
-            let response = ui.add(Button::selectable(*tab == choice, name));
-            let (enabled, selected) = (ui.is_enabled(), *tab == choice);
-            response.widget_info(|| WidgetInfo::selected(Role::Tab, enabled, selected, name));
-            if response.clicked() {
-                *tab = choice;
-            }
-        }
-    });
-    ui.add_space(4.0);
 }
 
 fn background_ui(ui: &mut Ui, probe: &Probe) {

@@ -3,18 +3,20 @@
 use super::action::Action;
 use super::defects;
 use super::engine::Engine;
+use super::focus;
 use super::handles::{self, Handle, Placed};
-use super::lines;
 use super::orbit;
 use super::panes::{self, PanePlace};
-use super::profile;
+use super::place::Place;
+use super::points::ProbePoint;
+use super::profile::{self, Profiles};
 use super::scan;
-use super::state::{AppState, Drag, ProbePoint};
+use super::state::{AppState, Drag};
 use crate::scene::View;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Color32, CursorIcon, EventFilter, Id, Painter, PointerButton, Rect, Response, Sense, Stroke, TextStyle, Ui,
-    WidgetInfo, pos2, vec2,
+    Color32, CursorIcon, EventFilter, Painter, PointerButton, Rect, Response, Sense, Stroke, TextStyle, Ui, WidgetInfo,
+    pos2,
 };
 use glam::DVec2;
 
@@ -27,49 +29,6 @@ const REACH: f32 = 14.0;
 /// How near it must be to a vertex to light up its faces, points.
 const NEAR_VERTEX: f32 = 12.0;
 
-/// Where the picture is on the screen, in points and in pixels.
-#[derive(Clone, Copy, Debug)]
-pub struct Place {
-    pub rect: Rect,
-    /// In physical pixels.
-    pub size: [u32; 2],
-    pub pixels_per_point: f32,
-}
-
-impl Place {
-    /// The whole pixels inside the space that `ui` has left.
-    pub fn of(ui: &Ui) -> Self {
-        let pixels_per_point = ui.ctx().pixels_per_point();
-        let room = ui.available_rect_before_wrap();
-        let min = vec2((room.min.x * pixels_per_point).ceil(), (room.min.y * pixels_per_point).ceil());
-        let max = vec2((room.max.x * pixels_per_point).floor(), (room.max.y * pixels_per_point).floor());
-        let size = (max - min).max(vec2(1.0, 1.0));
-        let rect = Rect::from_min_size((min / pixels_per_point).to_pos2(), size / pixels_per_point);
-        Self { rect, size: [size.x as u32, size.y as u32], pixels_per_point }
-    }
-
-    /// A point of the screen in the picture's pixels.
-    pub fn pixel(&self, at: eframe::egui::Pos2) -> DVec2 {
-        let offset = (at - self.rect.min) * self.pixels_per_point;
-        DVec2::new(f64::from(offset.x), f64::from(offset.y))
-    }
-
-    /// A point of the picture, in pixels, on the screen.
-    pub fn point(&self, pixel: DVec2) -> eframe::egui::Pos2 {
-        self.rect.min + vec2(pixel.x as f32, pixel.y as f32) / self.pixels_per_point
-    }
-
-    /// The same in double precision, for lines that may reach far out of sight.
-    pub fn exact_point(&self, pixel: DVec2) -> DVec2 {
-        lines::exact(self.rect.min) + pixel / f64::from(self.pixels_per_point)
-    }
-}
-
-/// The identity of the picture, for the keyboard's focus.
-pub fn id() -> Id {
-    Id::unique("the picture")
-}
-
 /// The room of the picture and of one of its panes, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
@@ -80,7 +39,7 @@ pub struct Room {
 /// Shows the picture, or the panes of a comparison, and does what the pointer asks for.
 pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Room {
     let whole = Place::of(ui);
-    let response = ui.interact(whole.rect, id(), Sense::click_and_drag());
+    let response = ui.interact(whole.rect, focus::picture_id(), Sense::click_and_drag());
     describe(ui, state, &response);
     keep_arrows(ui, &response);
     // What the panels changed is shown by every pane.
@@ -301,7 +260,7 @@ fn paint(ui: &Ui, state: &AppState, engine: &Engine, pane: &PanePlace) {
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     let active = pane.pane == state.panes.active;
     let overlay = engine.overlay().filter(|_| active);
-    let perceived = state.profiles.perceived().filter(|_| active && profile::shows_perceived(state));
+    let perceived = state.own.get().and_then(Profiles::perceived).filter(|_| active && profile::shows_perceived(state));
     let picture = perceived.or(engine.difference()).or(engine.picture(pane.pane));
     let [needles, lit] = engine.normals().map(|texture| texture.filter(|_| active));
     for texture in [picture, needles, overlay, lit].into_iter().flatten() {

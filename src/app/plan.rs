@@ -2,8 +2,8 @@
 //! left out and why.
 
 use super::engine::Engine;
-use super::stages::{grouped, words};
-use super::state::{AppState, Look};
+use super::look::Look;
+use super::state::AppState;
 use crate::render::{Per, Stage, Term};
 use eframe::egui::{Align, Grid, Label, Layout, RichText, Ui, WidgetText, vec2};
 
@@ -15,7 +15,7 @@ const WIDTHS: [f32; 2] = [48.0, 84.0];
 const GAP: f32 = 4.0;
 
 /// The tab.
-pub fn plan_ui(ui: &mut Ui, state: &AppState, engine: &Engine) {
+pub fn plan_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     let terms = engine.terms();
     let report = engine.report();
     let total: u64 = terms.iter().map(|term| term.evaluations).sum();
@@ -151,6 +151,33 @@ fn per(per: Per) -> &'static str {
     }
 }
 
+/// A stage's name and what it does.
+pub fn words(stage: Stage) -> (&'static str, &'static str) {
+    match stage {
+        Stage::Geometry => ("geometry", "Tessellation and vertex normals"),
+        Stage::Transform => ("transform", "Vertices to the picture; clipping; back faces"),
+        Stage::Coverage => ("coverage", "Which polygon each pixel sees"),
+        Stage::Rays => ("rays", "Shadows, what is seen through the object, light from other surfaces"),
+        Stage::VertexShading => ("vertices", "The equation at vertices or faces"),
+        Stage::Interpolation => ("interpolation", "Normals or intensities to the pixels"),
+        Stage::PixelShading => ("pixels", "The equation at pixels"),
+        Stage::Display => ("display", "Intensities to stored values"),
+    }
+}
+
+/// Digits in groups of three.
+pub fn grouped(value: u64) -> String {
+    let digits = value.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push('\u{2009}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -163,5 +190,11 @@ mod tests {
         look.overlay.vectors = false;
         look.numbers = false;
         assert!(["vectors", "angles", "numbers"].iter().all(|what| names(&look).contains(what)));
+    }
+
+    #[test]
+    fn digits_are_grouped_from_the_right() {
+        assert_eq!((grouped(0), grouped(999)), ("0".to_owned(), "999".to_owned()));
+        assert_eq!(grouped(1_234_567), "1\u{2009}234\u{2009}567");
     }
 }

@@ -1,5 +1,6 @@
 //! The profile along the line in the picture: what is compared, who looks from where, and the plots.
 
+pub mod look;
 mod worker;
 
 pub use worker::{Profiles, save};
@@ -8,60 +9,19 @@ use super::action::Action;
 use super::curves::{LETTERS, height, paper, plot_ui};
 use super::dialog::Dialog;
 use super::engine::Engine;
+use super::look::NumbersTab;
 use super::row::{About, NumberRow, Rail, number};
-use super::state::{AppState, NumbersTab};
+use super::state::AppState;
 use super::theme::TEXT;
-use crate::analysis::{Perception, ProfileQuestion, ResponseModel, Viewing};
+use crate::analysis::{Perception, ResponseModel, Viewing};
 use crate::figure::{PlotStyle, lay_out};
 use crate::scene::ShadingMode;
 use eframe::egui::{Button, RichText, Ui};
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
-
-/// The modes to choose from, in the order in which they are shown.
-const MODES: [(ShadingMode, &str); 5] = [
-    (ShadingMode::Flat, "Flat"),
-    (ShadingMode::Interpolated, "Interp."),
-    (ShadingMode::Gouraud, "Gouraud"),
-    (ShadingMode::Phong, "Phong"),
-    (ShadingMode::Exact, "Exact"),
-];
-
-/// What is compared and how it is looked at.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct ProfileLook {
-    pub modes: Vec<ShadingMode>,
-    pub viewing: Viewing,
-    pub perception: Perception,
-    /// Whether the picture is shown as it is perceived.
-    pub perceived: bool,
-}
-
-impl Default for ProfileLook {
-    fn default() -> Self {
-        let modes = vec![ShadingMode::Gouraud, ShadingMode::Phong];
-        Self { modes, viewing: Viewing::default(), perception: Perception::default(), perceived: false }
-    }
-}
-
-impl ProfileLook {
-    /// The same with what is out of bounds put back to its default, each mode at most once.
-    pub fn sound(self) -> Self {
-        let Self { modes, viewing, perception, perceived } = self;
-        let modes = MODES.into_iter().map(|(mode, _)| mode).filter(|mode| modes.contains(mode)).collect();
-        Self { modes, viewing: viewing.sound(), perception: perception.sound(), perceived }
-    }
-
-    /// The profile between two places.
-    pub fn request(&self, [from, to]: [DVec2; 2]) -> ProfileQuestion {
-        let Self { modes, viewing, perception, perceived: _ } = self.clone();
-        ProfileQuestion { from, to, modes, viewing, perception }
-    }
-}
+use look::MODES;
 
 /// The profile's tab.
-pub fn profile_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, engine: &Engine) {
     ui.label("Drag the line's ends in the picture.");
     modes_ui(ui, &mut state.look.profile.modes);
     eye_ui(ui, state);
@@ -71,7 +31,7 @@ pub fn profile_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     }
     ui.checkbox(&mut state.look.profile.perceived, "Show the picture as it is perceived");
     let request = state.look.profile.request(state.line.pixels(size));
-    let AppState { profiles, document, look, .. } = state;
+    let AppState { document, look, .. } = state;
     if look.profile.perceived {
         profiles.ask_perceived(ui.ctx(), document, size, &request);
         if let Some(why) = profiles.not_perceived() {
@@ -80,9 +40,9 @@ pub fn profile_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     }
     profiles.ask(ui.ctx(), document, size, request);
     ui.add_space(4.0);
-    save_ui(ui, state);
+    save_ui(ui, profiles, state);
     ui.separator();
-    plots_ui(ui, &mut state.profiles);
+    plots_ui(ui, profiles);
     ui.label(
         RichText::new(
             "Phong shading weakens Mach bands, it does not abolish them: its slope still jumps, only by less.",
@@ -141,8 +101,8 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
     });
 }
 
-fn save_ui(ui: &mut Ui, state: &mut AppState) {
-    let ready = state.profiles.profile().is_some();
+fn save_ui(ui: &mut Ui, profiles: &Profiles, state: &mut AppState) {
+    let ready = profiles.profile().is_some();
     ui.horizontal(|ui| {
         for (ending, tip) in [("csv", "The samples as a table"), ("png", "The plots"), ("svg", "The plots, to edit")] {
             let button = ui.add_enabled(ready, Button::new(format!("{}…", ending.to_uppercase())));
@@ -155,8 +115,7 @@ fn save_ui(ui: &mut Ui, state: &mut AppState) {
 
 /// Whether the picture is to be shown as it is perceived.
 pub fn shows_perceived(state: &AppState) -> bool {
-    let in_sight = state.look.numbers && !state.picture_alone && state.look.tab == NumbersTab::Profile;
-    in_sight && state.look.profile.perceived
+    state.shows(NumbersTab::Profile) && state.look.profile.perceived
 }
 
 /// The dialog that asks where to.

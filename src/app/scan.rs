@@ -7,13 +7,13 @@ mod transport;
 mod view;
 
 pub use outline::paint;
-pub use view::{ScanView, Walk};
+pub use view::ScanView;
 
 use super::curves::paper;
 use super::drawing::drawing_ui;
 use super::engine::Engine;
 use super::row::{About, NumberRow, Rail, number, whole};
-use super::state::{AppState, NumbersTab};
+use super::state::AppState;
 use super::theme::TEXT;
 use crate::analysis::Scan;
 use crate::figure::PlotStyle;
@@ -25,31 +25,25 @@ const LETTERS: f64 = 1.05;
 /// The drawing takes at most this part of the panel's height: the formula below it is to be in sight.
 const TALLEST: f32 = 0.46;
 
-/// Whether the scan line's tab is in sight.
-pub fn shown(state: &AppState) -> bool {
-    state.look.numbers && !state.picture_alone && state.look.tab == NumbersTab::ScanLine
-}
-
 /// The scan line's tab.
-pub fn scan_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    state.scan.update(engine, state.document.model.as_ref());
-    state.scan.play(ui.ctx());
+pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &Engine) {
+    view.update(engine, state.document.model.as_ref());
+    view.play(ui.ctx());
     let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
     let width = ui.available_width();
     // In a window that is all but closed, nothing is in sight.
     let tallest = TALLEST * ui.clip_rect().height().max(0.0);
-    state.scan.lay_out([width, tallest.min(width)], style);
-    let AppState { scan: view, .. } = &*state;
+    view.lay_out([width, tallest.min(width)], style);
     match view.scan() {
         Some(Ok(scan)) => {
             if let Some(drawing) = view.drawing() {
                 drawing_ui(ui, drawing, Sense::hover(), || described(scan, view.step()));
             }
             ui.add_space(4.0);
-            transport::transport_ui(ui, state);
+            transport::transport_ui(ui, view, state);
             ui.add_space(6.0);
-            formula::formula_ui(ui, state);
-            tables::tables_ui(ui, &state.scan);
+            formula::formula_ui(ui, view, state);
+            tables::tables_ui(ui, view);
         }
         Some(Err(why)) => {
             ui.label(format!("It cannot be scanned: {why}."));
@@ -59,7 +53,7 @@ pub fn scan_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         }
     }
     ui.add_space(8.0);
-    settings_ui(ui, state);
+    settings_ui(ui, view, state);
 }
 
 /// The drawing in words, for those who do not see it.
@@ -67,8 +61,8 @@ fn described(scan: &Scan, step: usize) -> String {
     format!("Face {}, {} corners, enlarged; {}", scan.face, scan.corners.len(), scan.caption(step))
 }
 
-fn settings_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { scan, lit, .. } = state;
+fn settings_ui(ui: &mut Ui, scan: &mut ScanView, state: &mut AppState) {
+    let lit = &mut state.lit;
     let usual = ScanView::default();
     let about = About { label: "speed", name: "Scan speed", tip: "Steps a second while it plays.", ..About::default() };
     let rail = Rail { limits: ScanView::SPEEDS, decimals: 1, ..Rail::logarithmic(ScanView::SPEEDS) };

@@ -3,6 +3,7 @@
 
 mod work;
 
+use super::engine::Engine;
 use super::state::AppState;
 use crate::analysis::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Topic, stability_cases};
 use crate::render::Frame;
@@ -20,8 +21,7 @@ const ROW: f32 = 21.0;
 const GAP: f32 = 6.0;
 
 /// The tab. The catalogue is drawn once, when the tab is first seen.
-pub fn stability_ui(ui: &mut Ui, state: &mut AppState) {
-    let view = &mut state.stability;
+pub fn stability_ui(ui: &mut Ui, view: &mut StabilityView, state: &mut AppState, _: &Engine) {
     view.receive(ui.ctx());
     ui.label("Scenes at the edge of what numbers hold. A textbook's renderer fails; this one must not.");
     ui.add_space(4.0);

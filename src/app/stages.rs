@@ -1,9 +1,10 @@
 //! The bar at the bottom: which stages the last change ran, what they cost, and what was left out.
 
 use super::engine::Engine;
-use super::plan::left_out;
-use super::state::{AppState, NumbersTab};
-use crate::render::{Stage, StageRun};
+use super::look::NumbersTab;
+use super::plan::{grouped, left_out, words};
+use super::state::AppState;
+use crate::render::StageRun;
 use eframe::egui::{Align, Label, Layout, RichText, Sense, Ui};
 
 /// The bar of stages.
@@ -64,44 +65,6 @@ fn omissions_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     let omitted = left_out(engine, &state.look);
     let tip = "What does not run and why: opens the plan of the frame";
     if ui.link(format!("left out: {omitted}")).on_hover_text(tip).clicked() {
-        (state.look.numbers, state.look.tab) = (true, NumbersTab::Plan);
-    }
-}
-
-/// A stage's name and what it does.
-pub fn words(stage: Stage) -> (&'static str, &'static str) {
-    match stage {
-        Stage::Geometry => ("geometry", "Tessellation and vertex normals"),
-        Stage::Transform => ("transform", "Vertices to the picture; clipping; back faces"),
-        Stage::Coverage => ("coverage", "Which polygon each pixel sees"),
-        Stage::Rays => ("rays", "Shadows, what is seen through the object, light from other surfaces"),
-        Stage::VertexShading => ("vertices", "The equation at vertices or faces"),
-        Stage::Interpolation => ("interpolation", "Normals or intensities to the pixels"),
-        Stage::PixelShading => ("pixels", "The equation at pixels"),
-        Stage::Display => ("display", "Intensities to stored values"),
-    }
-}
-
-/// Digits in groups of three.
-pub fn grouped(value: u64) -> String {
-    let digits = value.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push('\u{2009}');
-        }
-        text.push(digit);
-    }
-    text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::grouped;
-
-    #[test]
-    fn digits_are_grouped_from_the_right() {
-        assert_eq!((grouped(0), grouped(999)), ("0".to_owned(), "999".to_owned()));
-        assert_eq!(grouped(1_234_567), "1\u{2009}234\u{2009}567");
+        state.show_tab(NumbersTab::Plan);
     }
 }

@@ -1,22 +1,16 @@
 //! Everything that the window remembers: what is open, what is shown of it, and what was asked for.
 
 use super::action::Action;
-use super::code;
-use super::compare;
-use super::defects::Measured;
 use super::dialog::Dialog;
 use super::document::Document;
 use super::gallery::Gallery;
-use super::handles::line::ProfileLine;
 use super::history::History;
+use super::look::{Look, NumbersTab};
+use super::own::Own;
 use super::panes::Panes;
-use super::profile::{ProfileLook, Profiles};
+use super::points::{ProbePoint, ProfileLine};
 use super::sampling::Sampling;
-use super::scan::ScanView;
-use super::stability::StabilityView;
-use super::study::StudyView;
 use super::symbol::Lit;
-use super::theme::{SCALES, ThemeChoice};
 use glam::DVec2;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
@@ -34,12 +28,6 @@ pub struct AppState {
     /// Which pane is worked on.
     #[serde(skip)]
     pub panes: Panes,
-    /// The defects as last measured.
-    #[serde(skip)]
-    pub measured: Measured,
-    /// What is typed in the tab of comparisons.
-    #[serde(skip)]
-    pub compared: compare::Typed,
     /// The document as last opened or saved.
     #[serde(skip)]
     pub saved: Document,
@@ -48,8 +36,6 @@ pub struct AppState {
     /// Where the profile is taken.
     #[serde(skip)]
     pub line: ProfileLine,
-    #[serde(skip)]
-    pub profiles: Profiles,
     /// Index of the light whose controls are shown.
     #[serde(skip)]
     pub light: usize,
@@ -59,15 +45,6 @@ pub struct AppState {
     /// Number of the vertex whose place is shown, of a scene's own polygons.
     #[serde(skip)]
     pub vertex: usize,
-    /// The polygon that is scanned in slow motion, and how far.
-    #[serde(skip)]
-    pub scan: ScanView,
-    /// Error against run time.
-    #[serde(skip)]
-    pub study: StudyView,
-    /// Stiff and extreme cases.
-    #[serde(skip)]
-    pub stability: StabilityView,
     /// The error of the chosen area light.
     #[serde(skip)]
     pub sampling: Sampling,
@@ -85,9 +62,9 @@ pub struct AppState {
     pub dialog: Option<Dialog>,
     #[serde(skip)]
     pub leaving: Leaving,
-    /// The scene as code, while its dialog is open.
+    /// What tabs and dialogs remember for themselves.
     #[serde(skip)]
-    pub code: code::Writer,
+    pub own: Own,
     /// A line in the bottom bar about what was last done.
     #[serde(skip)]
     pub notice: Option<String>,
@@ -100,6 +77,16 @@ impl AppState {
     /// What was stored, as far as it is within bounds: anybody may have written it.
     pub fn sound(self) -> Self {
         Self { look: self.look.sound(), ..self }
+    }
+
+    /// Whether a tab of the panel of numbers is in sight.
+    pub fn shows(&self, tab: NumbersTab) -> bool {
+        self.look.numbers && !self.picture_alone && self.look.tab == tab
+    }
+
+    /// Opens a tab of the panel of numbers, and the panel.
+    pub fn show_tab(&mut self, tab: NumbersTab) {
+        (self.look.numbers, self.look.tab) = (true, tab);
     }
 
     /// Asks for an action, done at the end of the frame.
@@ -135,153 +122,6 @@ pub enum Leaving {
     OnceSaved,
     /// Whatever is unsaved.
     Now,
-}
-
-/// How the window looks.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Look {
-    pub theme: ThemeChoice,
-    /// Size of the interface; 1 is 14-point text.
-    pub scale: f32,
-    /// Whether the panel of controls is open.
-    pub controls: bool,
-    /// Whether the panel of numbers is open.
-    pub numbers: bool,
-    /// Whether the bar of stages is open.
-    pub stages: bool,
-    /// Whether coefficients have a number for each channel.
-    pub channels: bool,
-    /// What the panel of numbers shows.
-    pub tab: NumbersTab,
-    pub overlay: OverlayLook,
-    pub profile: ProfileLook,
-}
-
-impl Look {
-    /// The same with what is out of bounds put back to its default.
-    fn sound(self) -> Self {
-        let sizes = SCALES[0]..=SCALES[SCALES.len() - 1];
-        let scale = if sizes.contains(&self.scale) { self.scale } else { Self::default().scale };
-        Self { scale, profile: self.profile.sound(), ..self }
-    }
-}
-
-impl Default for Look {
-    fn default() -> Self {
-        Self {
-            theme: ThemeChoice::System,
-            scale: 1.0,
-            controls: true,
-            numbers: true,
-            stages: true,
-            channels: false,
-            tab: NumbersTab::Equation,
-            overlay: OverlayLook::default(),
-            profile: ProfileLook::default(),
-        }
-    }
-}
-
-/// What the panel of numbers shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum NumbersTab {
-    /// The equation filled in, the vectors and the angles.
-    #[default]
-    Equation,
-    /// The plots.
-    Curves,
-    /// The intensity along a line.
-    Profile,
-    /// Panes, and how far they are from each other.
-    Compare,
-    /// The five defects of interpolated shading.
-    Defects,
-    /// The scan line in slow motion.
-    ScanLine,
-    /// The plan of the frame.
-    Plan,
-    /// Error against run time.
-    Study,
-    /// Stiff and extreme cases.
-    Stability,
-}
-
-/// What is drawn over the picture.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct OverlayLook {
-    pub vectors: bool,
-    pub angles: bool,
-    pub construction: bool,
-    pub side_view: bool,
-    /// What the point reflects to every side.
-    pub lobe: bool,
-    pub half_vector: bool,
-    /// The handles of lights and of vertices.
-    pub handles: bool,
-    /// A needle on each polygon.
-    pub face_normals: bool,
-    /// A needle at each vertex.
-    pub vertex_normals: bool,
-}
-
-impl OverlayLook {
-    /// Whether any needles are shown.
-    pub fn normals(&self) -> bool {
-        self.face_normals || self.vertex_normals
-    }
-}
-
-impl Default for OverlayLook {
-    fn default() -> Self {
-        Self {
-            vectors: true,
-            angles: true,
-            construction: false,
-            side_view: false,
-            lobe: false,
-            half_vector: false,
-            handles: true,
-            face_normals: false,
-            vertex_normals: false,
-        }
-    }
-}
-
-/// Where the probe stands: from the picture's middle, in units of the picture's height, so that it keeps to the same
-/// place of the scene when the window changes its size.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ProbePoint(pub DVec2);
-
-impl Default for ProbePoint {
-    fn default() -> Self {
-        Self(DVec2::new(0.11, -0.13))
-    }
-}
-
-impl ProbePoint {
-    /// The pixel it stands on in a picture of `size` pixels, kept inside.
-    pub fn pixel(self, size: [u32; 2]) -> [u32; 2] {
-        let [width, height] = size.map(f64::from);
-        let inside = |value: f64, side: u32| value.floor().clamp(0.0, f64::from(side.saturating_sub(1))) as u32;
-        [inside(self.0.x * height + width * 0.5, size[0]), inside(self.0.y * height + height * 0.5, size[1])]
-    }
-
-    /// The probe at the centre of pixel `x`, `y` of a picture of `size` pixels.
-    pub fn at(pixel: [u32; 2], size: [u32; 2]) -> Self {
-        let [width, height] = size.map(|side| f64::from(side.max(1)));
-        let [x, y] = pixel.map(|value| f64::from(value) + 0.5);
-        Self(DVec2::new((x - width * 0.5) / height, (y - height * 0.5) / height))
-    }
-
-    /// The probe moved by whole pixels, not past the picture's edge.
-    pub fn moved(self, by: [i32; 2], size: [u32; 2]) -> Self {
-        let [x, y] = self.pixel(size);
-        let step = |value: u32, by: i32, side: u32| value.saturating_add_signed(by).min(side.saturating_sub(1));
-        Self::at([step(x, by[0], size[0]), step(y, by[1], size[1])], size)
-    }
 }
 
 /// The vertex that the pointer is on, or was clicked on, in the active pane.
@@ -349,23 +189,6 @@ mod tests {
     use super::*;
     use crate::app::document::Origin;
     use crate::scene::presets;
-
-    #[test]
-    fn the_probe_returns_to_its_pixel() {
-        for size in [[1, 1], [640, 480], [33, 1001]] {
-            for pixel in [[0, 0], [size[0] - 1, size[1] - 1], [size[0] / 2, size[1] / 3]] {
-                assert_eq!(ProbePoint::at(pixel, size).pixel(size), pixel);
-            }
-        }
-    }
-
-    #[test]
-    fn the_probe_stays_in_the_picture() {
-        let size = [10, 10];
-        assert_eq!(ProbePoint::at([0, 9], size).moved([-1, 1], size).pixel(size), [0, 9]);
-        assert_eq!(ProbePoint::at([0, 9], size).moved([3, -2], size).pixel(size), [3, 7]);
-        assert_eq!(ProbePoint::default().pixel([0, 0]), [0, 0]);
-    }
 
     #[test]
     fn opening_a_built_in_scene_opens_its_tab() {

@@ -73,37 +73,37 @@ fn exponents(text: &str, scene: &Scene) -> Result<Vec<f64>, String> {
 }
 
 /// The tab.
-pub fn study_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+pub fn study_ui(ui: &mut Ui, view: &mut StudyView, state: &mut AppState, engine: &Engine) {
     let size = engine.size();
     if size.contains(&0) {
         return;
     }
-    state.study.receive();
+    view.receive();
     ui.label(
         "Every way of shading at every tessellation against the exact picture: how far off, and how long it takes.",
     );
     ui.add_space(4.0);
-    let running = state.study.progress();
-    ui.add_enabled_ui(running.is_none(), |ui| choices_ui(ui, &mut state.study.choices));
+    let running = view.progress();
+    ui.add_enabled_ui(running.is_none(), |ui| choices_ui(ui, &mut view.choices));
     ui.add_space(4.0);
-    start_ui(ui, state, size, running);
-    let mut asked = figure_ui(ui, &mut state.study);
-    if let Some(told) = &state.study.told {
+    start_ui(ui, view, state, size, running);
+    let mut asked = figure_ui(ui, view);
+    if let Some(told) = &view.told {
         ui.label(RichText::new(told).weak());
     }
-    if let Some(study) = state.study.study() {
+    if let Some(study) = view.study() {
         asked = table_ui(ui, study).or(asked);
         orders_ui(ui, study);
     }
     if let Some(setting) = asked {
-        load(state, &setting);
+        load(view, state, &setting);
     }
 }
 
 /// Shows a setting in the picture, or says why it cannot.
-fn load(state: &mut AppState, setting: &Setting) {
+fn load(view: &mut StudyView, state: &mut AppState, setting: &Setting) {
     let words = format!("{}, {}×{}", setting.method.title(), setting.segments, setting.rings);
-    state.study.told = Some(if setting.load(&mut state.document.scene) {
+    view.told = Some(if setting.load(&mut state.document.scene) {
         format!("The picture shows {words}. Undo leads back.")
     } else {
         format!("{words}: this historic method is measured apart and is no mode of the picture; it cannot be shown.")
@@ -163,24 +163,24 @@ fn says(method: Method) -> &'static str {
 }
 
 /// Start, or stop with how far it is.
-fn start_ui(ui: &mut Ui, state: &mut AppState, size: [u32; 2], running: Option<f32>) {
+fn start_ui(ui: &mut Ui, view: &mut StudyView, state: &AppState, size: [u32; 2], running: Option<f32>) {
     if let Some(share) = running {
         ui.horizontal(|ui| {
             if ui.add(Button::new("Stop")).on_hover_text("Keeps what is known so far").clicked() {
-                state.study.stop();
+                view.stop();
             }
             ui.add(ProgressBar::new(share).show_percentage().desired_width(ui.available_width()));
         });
         return;
     }
-    let request = state.study.choices.request(&state.document.scene);
+    let request = view.choices.request(&state.document.scene);
     let tip = "Measures the active picture at its present size. Times are best while nothing else is touched";
     let start = ui.add_enabled(request.is_ok(), Button::new("Start")).on_hover_text(tip);
     match request {
         Err(problem) => {
             ui.label(RichText::new(problem).color(ui.visuals().warn_fg_color));
         }
-        Ok(request) if start.clicked() => state.study.start(ui.ctx(), &state.document, size, request),
+        Ok(request) if start.clicked() => view.start(ui.ctx(), &state.document, size, request),
         Ok(_) => {}
     }
 }

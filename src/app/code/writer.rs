@@ -2,6 +2,7 @@
 
 use super::super::document::Document;
 use super::super::errand::Errand;
+use super::form::Language;
 use crate::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
 use crate::geometry::tessellate;
 use eframe::egui::Context;
@@ -13,44 +14,7 @@ const PROGRAM_LINES: usize = 200;
 /// Lines that are shown of other texts; only a scene of hundreds of lights has more.
 const TEXT_LINES: usize = 2000;
 
-/// In whose words.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Language {
-    #[default]
-    Calls,
-    Shaders,
-    Program,
-}
-
 impl Language {
-    pub const ALL: [Self; 3] = [Self::Calls, Self::Shaders, Self::Program];
-
-    /// What its tab is called.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Calls => "OpenGL calls",
-            Self::Shaders => "GLSL 330",
-            Self::Program => "Whole program in C",
-        }
-    }
-
-    /// What it is, in a sentence.
-    pub fn what(self) -> &'static str {
-        match self {
-            Self::Calls => "Camera, lights and material as calls of fixed-function OpenGL, in C",
-            Self::Shaders => "A vertex and a fragment shader that evaluate the equation where the shading mode does",
-            Self::Program => "The calls and the polygons in a program that draws them off screen",
-        }
-    }
-
-    /// A name for its file.
-    pub fn suggestion(self) -> &'static str {
-        match self {
-            Self::Calls | Self::Program => "scene.c",
-            Self::Shaders => "scene.vert",
-        }
-    }
-
     fn write(self, document: &Document) -> Result<Export, String> {
         let scene = &document.scene;
         let mesh = || document.model.clone().unwrap_or_else(|| Arc::new(tessellate(&scene.object)));

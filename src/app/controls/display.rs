@@ -1,8 +1,8 @@
 //! From intensities to the screen.
 
 use crate::app::engine::Engine;
+use crate::app::plan::grouped;
 use crate::app::row::{parameter, parameters};
-use crate::app::stages::grouped;
 use crate::app::state::AppState;
 use crate::scene::parameter::camera::{BACKGROUND, ENCODING, OVERFLOW};
 use eframe::egui::{RichText, Ui};

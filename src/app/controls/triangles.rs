@@ -1,7 +1,7 @@
 //! How finely the object is made of polygons, by one number, and what it then consists of.
 
+use crate::app::plan::grouped;
 use crate::app::row::{About, NumberRow, Rail, number};
-use crate::app::stages::grouped;
 use crate::app::symbol::{Lit, Symbol};
 use crate::geometry::{divisions_for, triangles};
 use crate::render::Report;

@@ -2,15 +2,15 @@
 
 use super::super::letter::letter;
 use super::super::lines;
-use super::super::picture::Place;
+use super::super::place::Place;
 use super::super::state::AppState;
-use super::shown;
+use super::{Measured, shown};
 use crate::analysis::defect_marks;
 use eframe::egui::{Align2, Color32, FontId, Painter, Stroke};
 
 /// Marks what was last measured in the active picture.
 pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
-    let Some(defects) = state.measured.defects().filter(|_| shown(state)) else { return };
+    let Some(defects) = state.own.get().and_then(Measured::defects).filter(|_| shown(state)) else { return };
     let em = f64::from(font.size * place.pixels_per_point);
     for mark in defect_marks(defects) {
         for stroke in [Stroke::new(4.0, Color32::from_black_alpha(160)), Stroke::new(1.8, Color32::WHITE)] {

@@ -8,7 +8,7 @@
 use super::{Handle, MARGIN};
 use crate::app::lines::{line, outline};
 use crate::app::palette;
-use crate::app::picture::Place;
+use crate::app::place::Place;
 use crate::app::state::AppState;
 use crate::figure::palette::Vector;
 use crate::illumination::rectangle_axes;

@@ -1,8 +1,10 @@
 //! The profile's line in the picture, with its two ends to drag. It shows while the profile's tab is open.
 
 use super::super::lines::line;
-use super::super::picture::Place;
-use super::super::state::{AppState, NumbersTab};
+use super::super::look::NumbersTab;
+use super::super::place::Place;
+use super::super::profile::Profiles;
+use super::super::state::AppState;
 use super::super::theme::TEXT;
 use crate::analysis::{CURVE, lay_out_profile};
 use eframe::egui::{Color32, Painter, Pos2, Stroke};
@@ -11,35 +13,9 @@ use glam::DVec2;
 /// Radius of an end, points.
 const RADIUS: f32 = 6.0;
 
-/// Where the profile is taken: both ends from the picture's middle in units of its height, like the probe.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ProfileLine(pub [DVec2; 2]);
-
-impl Default for ProfileLine {
-    fn default() -> Self {
-        Self([DVec2::new(-0.4, 0.06), DVec2::new(0.4, 0.06)])
-    }
-}
-
-impl ProfileLine {
-    /// Both ends in a picture of `size` pixels, kept inside.
-    pub fn pixels(self, size: [u32; 2]) -> [DVec2; 2] {
-        let size = DVec2::from_array(size.map(f64::from));
-        self.0.map(|end| (end * size.y + 0.5 * size).clamp(DVec2::ZERO, size))
-    }
-
-    /// Puts an end at a place of a picture of `size` pixels.
-    pub fn put(&mut self, end: usize, pixel: DVec2, size: [u32; 2]) {
-        let size = DVec2::from_array(size.map(|side| f64::from(side.max(1))));
-        if let Some(end) = self.0.get_mut(end) {
-            *end = (pixel.clamp(DVec2::ZERO, size) - 0.5 * size) / size.y;
-        }
-    }
-}
-
 /// Whether the line is in sight.
 pub fn shown(state: &AppState) -> bool {
-    state.look.numbers && !state.picture_alone && state.look.tab == NumbersTab::Profile
+    state.shows(NumbersTab::Profile)
 }
 
 /// The end within `reach` of `at`, and where it is.
@@ -51,7 +27,7 @@ pub fn end_at(state: &AppState, place: Place, at: Pos2, reach: f32) -> Option<(u
 
 /// The curves above the line: what is there solid, what is perceived dashed, for the scene's own shading where it is taken.
 fn curves(painter: &Painter, state: &AppState, place: Place) {
-    let Some(taken) = state.profiles.profile() else { return };
+    let Some(taken) = state.own.get().and_then(Profiles::profile) else { return };
     let own = state.document.scene.shading.mode;
     let Some(trace) = taken.traces.iter().find(|trace| trace.mode == own).or(taken.traces.first()) else { return };
     let side = f64::from(place.size[0].min(place.size[1]));

@@ -1,8 +1,9 @@
 //! The ring about the picture by which it is turned. It shows while the tab of defects is open.
 
 use super::super::defects::shown;
-use super::super::picture::Place;
-use super::super::state::{AppState, ProbePoint};
+use super::super::place::Place;
+use super::super::points::ProbePoint;
+use super::super::state::AppState;
 use eframe::egui::{Color32, Painter, Pos2, Stroke, vec2};
 use glam::DVec2;
 

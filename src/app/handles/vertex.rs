@@ -5,7 +5,7 @@
 
 use super::super::letter::letter;
 use super::super::palette;
-use super::super::picture::Place;
+use super::super::place::Place;
 use super::super::state::{AppState, Drag};
 use super::tidy;
 use crate::figure::palette::Vector;

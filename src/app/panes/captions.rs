@@ -3,7 +3,7 @@
 use super::super::engine::Engine;
 use super::super::letter::letter;
 use super::super::palette;
-use super::super::picture::Place;
+use super::super::place::Place;
 use super::super::state::{AppState, Drag};
 use super::place::{PanePlace, wipe_line};
 use crate::analysis::caption;

@@ -1,6 +1,6 @@
 //! Where the panes are on the screen.
 
-use super::super::picture::Place;
+use super::super::place::Place;
 use super::super::state::AppState;
 use crate::analysis::pane_areas;
 use crate::scene::CompareView;

@@ -187,7 +187,8 @@ impl Profiles {
 
 /// Writes the profile or its plots, as the path's ending says.
 pub fn save(state: &mut AppState, path: &Path) -> Result<(), String> {
-    state.profiles.save(path)?;
+    let profiles = state.own.get::<Profiles>().ok_or("there is no profile")?;
+    profiles.save(path)?;
     state.notice = Some(format!("saved {}", path.display()));
     Ok(())
 }

@@ -4,6 +4,7 @@ use super::super::palette::{readable, vector_text};
 use super::super::state::AppState;
 use super::super::symbol::Symbol;
 use super::super::typeset::{Piece, Place, run_ui};
+use super::ScanView;
 use crate::analysis::{Carried, Mix, Scan, ScanPoint};
 use crate::figure::Set;
 use crate::figure::palette::{ALPHA, Vector};
@@ -21,9 +22,9 @@ const TEXT: f32 = 14.0;
 const SWATCH: f32 = 34.0;
 
 /// What was found last, and how.
-pub fn formula_ui(ui: &mut Ui, state: &mut AppState) {
-    let Some(scan) = state.scan.ready() else { return };
-    let step = state.scan.step();
+pub fn formula_ui(ui: &mut Ui, view: &ScanView, state: &mut AppState) {
+    let Some(scan) = view.ready() else { return };
+    let step = view.step();
     let point = scan.at(step);
     let (swatch, heading, weak) = heading(scan, &point);
     let mix = latest(scan, &point);

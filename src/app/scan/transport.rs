@@ -1,8 +1,8 @@
 //! The buttons under the picture: by pixel, edge and line, forwards and back; play; and a slider over all steps.
 
-use super::super::action::Action;
+use super::super::action::{Action, Walk};
 use super::super::state::AppState;
-use super::Walk;
+use super::ScanView;
 use crate::analysis::ScanLevel;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, Layout, Response, RichText, Slider, Ui, WidgetInfo, vec2};
@@ -14,25 +14,25 @@ const ARROW: f32 = 28.0;
 /// Space between the three groups.
 const GROUPS: f32 = 8.0;
 
-pub fn transport_ui(ui: &mut Ui, state: &mut AppState) {
-    let Some(last) = state.scan.ready().map(crate::analysis::Scan::last) else { return };
+pub fn transport_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState) {
+    let Some(last) = view.ready().map(crate::analysis::Scan::last) else { return };
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         walk_ui(ui, state, "|◀", "First step", "To the beginning (Home)", ARROW, Walk::First);
-        let (text, name) = if state.scan.is_playing() { ("■ Pause", "Pause") } else { ("▶ Play", "Play") };
+        let (text, name) = if view.is_playing() { ("■ Pause", "Pause") } else { ("▶ Play", "Play") };
         walk_ui(ui, state, text, name, "Plays step by step, or pauses (Space)", 84.0, Walk::Play);
         walk_ui(ui, state, "▶|", "Last step", "To the end (End)", ARROW, Walk::Last);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.label(RichText::new(format!("step {} of {last}", state.scan.step())).weak());
+            ui.label(RichText::new(format!("step {} of {last}", view.step())).weak());
         });
     });
-    let mut step = state.scan.step();
+    let mut step = view.step();
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = ui.add(Slider::new(&mut step, 0..=last).show_value(false));
     let (enabled, value) = (ui.is_enabled(), step);
     slider.widget_info(|| WidgetInfo::slider(enabled, value as f64, "Scan step"));
     if slider.changed() {
-        state.scan.go_to(step);
+        view.go_to(step);
     }
     groups_ui(ui, state);
 }

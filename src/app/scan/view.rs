@@ -1,8 +1,9 @@
 //! What the tab remembers: the scan of the polygon under the probe, the step it stands at, and whether it plays.
 
+use super::super::action::Walk;
 use super::super::document::same_model;
 use super::super::engine::Engine;
-use crate::analysis::{Scan, ScanLevel, lay_out_scan, scan_room};
+use crate::analysis::{Scan, lay_out_scan, scan_room};
 use crate::figure::{Drawing, PlotStyle};
 use crate::geometry::Mesh;
 use crate::scene::Scene;
@@ -13,17 +14,6 @@ use std::sync::Arc;
 
 /// After a pause longer than this, seconds, playing goes on from where it was instead of catching up.
 const PAUSED: f64 = 0.5;
-
-/// A way through the steps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Walk {
-    First,
-    Back(ScanLevel),
-    Forward(ScanLevel),
-    Last,
-    /// Plays, or pauses.
-    Play,
-}
 
 /// The scan as the window shows it.
 #[derive(Debug)]
