@@ -5,6 +5,7 @@
 
 mod action;
 mod code;
+mod commands;
 mod compare;
 mod controls;
 mod curves;

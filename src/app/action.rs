@@ -95,6 +95,8 @@ pub enum Shown {
     Handles,
     FaceNormals,
     VertexNormals,
+    /// RGB values where coefficients have one number otherwise.
+    Channels,
 }
 
 impl Action {

@@ -2,9 +2,9 @@
 
 use super::action::Action;
 use super::code::{self, Writer, code_ui};
+use super::commands::COMMANDS;
 use super::dialog::{Choice, Dialog, ExportForm, Pick, buttons, message_ui, path_field, path_ui, question_ui};
 use super::files::Files;
-use super::keys::BINDINGS;
 use super::profile;
 use super::state::{AppState, Leaving};
 use crate::scene::Image;
@@ -188,14 +188,14 @@ fn keys_ui(ui: &mut Ui) -> Choice {
     ScrollArea::vertical().max_height(440.0).auto_shrink([false, true]).show(ui, |ui| {
         Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).striped(true).show(ui, |ui| {
             let mut section = "";
-            for binding in BINDINGS {
-                if binding.section != section {
-                    section = binding.section;
+            for command in COMMANDS.iter().filter(|command| !command.keys.is_empty()) {
+                if command.section != section {
+                    section = command.section;
                     ui.label(RichText::new(section).strong());
                     ui.end_row();
                 }
-                ui.label(RichText::new(binding.keys).monospace());
-                ui.label(binding.does);
+                ui.label(RichText::new(command.keys).monospace());
+                ui.label(command.does);
                 ui.end_row();
             }
         });

@@ -96,6 +96,7 @@ impl AppState {
             Shown::Handles => &mut look.overlay.handles,
             Shown::FaceNormals => &mut look.overlay.face_normals,
             Shown::VertexNormals => &mut look.overlay.vertex_normals,
+            Shown::Channels => &mut look.channels,
         }
     }
 
