@@ -1,7 +1,8 @@
 //! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
 
 use shading_lab::analysis::{
-    DrawnPane, ErrorFigures, comparison_sheet, draw_panes, luminance, pane_figures, panes_on_sheet, probe,
+    DrawnPane, ErrorFigures, PaneArea, comparison_sheet, draw_panes, luminance, pane_areas, pane_figures,
+    panes_on_sheet, probe,
 };
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Compare, CompareView, DifferenceKind, Pane, Rgb, Scene, ShadingMode, presets};
@@ -165,4 +166,37 @@ fn what_is_drawn_over_panes_does_not_change_their_figures() {
     };
     let panes = draw_panes(&mut Renderer::default(), &scene, &panes_on_sheet(&scene), 1, &mut |_| true, over);
     assert_eq!(pane_figures(&panes.unwrap_or_default()), pane_figures(&drawn(&scene)));
+}
+
+#[test]
+fn panes_stand_where_they_are_seen_largest() {
+    let sizes = |count, size| pane_areas(count, size).iter().map(|area| area.size).collect::<Vec<_>>();
+    assert_eq!(sizes(1, [640, 480]), [[640, 480]]);
+    assert_eq!(sizes(2, [802, 400]), [[400, 400]; 2]);
+    assert_eq!(sizes(2, [400, 802]), [[400, 400]; 2]);
+    assert_eq!(sizes(4, [802, 602]), [[400, 300]; 4]);
+    assert_eq!(sizes(3, [1204, 400]), [[400, 400]; 3]);
+    let four = pane_areas(4, [802, 602]);
+    assert_eq!(four[3].min, [402, 302]);
+}
+
+#[test]
+fn panes_stay_inside_and_apart_at_any_size() {
+    for count in 1..=4 {
+        for size in [[7, 5], [100, 33], [33, 100], [1280, 720]] {
+            let areas = pane_areas(count, size);
+            assert_eq!(areas.len(), count);
+            for (index, area) in areas.iter().enumerate() {
+                for axis in 0..2 {
+                    assert!(area.min[axis] + area.size[axis] <= size[axis], "{count} {size:?} {area:?}");
+                }
+                let apart = |other: &PaneArea| {
+                    (0..2).any(|a| {
+                        other.min[a] >= area.min[a] + area.size[a] || area.min[a] >= other.min[a] + other.size[a]
+                    })
+                };
+                assert!(areas[..index].iter().all(apart), "{count} {size:?}");
+            }
+        }
+    }
 }

@@ -5,13 +5,15 @@ use shading_lab::analysis::curves::{
     COURSE, Distances, attenuation_plot, exponent_plot, lobe_plot, plot, reflectance_plot, shown_kinds,
 };
 use shading_lab::analysis::{
-    Curve, OverlayLayer, OverlayOptions, Plot, PlotKind, Probe, ReflectionLobe, draw_overlay, probe,
+    Curve, Ink, OverlayLayer, OverlayOptions, Plot, PlotKind, Probe, ReflectionLobe, draw_overlay, probe,
 };
+use shading_lab::figure::palette::contrast;
 use shading_lab::figure::{Drawing, Paper, PlotStyle, lay_out, lay_out_sheet};
 use shading_lab::illumination::{Index, attenuation_at, half_width};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Attenuation, Backfacing, Camera, Light, LightKind, Reflectance, ReflectionModel, Rgb, Scene, View, Viewer, presets,
+    Attenuation, Backfacing, Camera, Light, LightKind, Reflectance, ReflectionModel, Rgb, Scene, ShadingMode, View,
+    Viewer, presets,
 };
 use tiny_skia::Pixmap;
 
@@ -443,4 +445,28 @@ fn a_point_that_is_not_lit_has_no_lobe_over_the_picture() {
     scene.lights.clear();
     let (_, probe) = probed(&scene);
     assert!(inked(&scene, &probe, 0.5).0 < RING);
+}
+
+#[test]
+fn a_curve_is_read_between_its_samples_and_not_beyond() {
+    let curve = Curve::new("", vec![[0.0, 1.0], [2.0, 3.0], [2.0, 5.0], [4.0, 5.0]], Ink::N);
+    let read = [-0.1, 0.0, 1.0, 2.0, 3.0, 4.0, 4.1].map(|x| curve.at(x));
+    assert_eq!(read, [None, Some(1.0), Some(2.0), Some(3.0), Some(5.0), Some(5.0), None]);
+    assert_eq!(Curve::new("", vec![], Ink::N).at(0.0), None);
+}
+
+#[test]
+fn every_colour_stands_out_from_its_paper() {
+    let channels = (0..3).map(Ink::Channel);
+    use ShadingMode::{Exact, Flat, Gouraud, Interpolated, Phong};
+    let modes = [Flat, Interpolated, Gouraud, Phong, Exact].map(Ink::Shading);
+    let others = [Ink::N, Ink::L, Ink::R, Ink::V, Ink::H, Ink::Perceived, Ink::Reference];
+    let historic = (0..3).map(Ink::Historic);
+    for ink in others.into_iter().chain(channels).chain(modes).chain(historic) {
+        for paper in [Paper::LIGHT, Paper::DARK] {
+            assert!(contrast(paper.line(ink), paper.ground) >= 3.0, "{ink:?}");
+            assert!(contrast(paper.letters(ink), paper.ground) >= 4.5, "{ink:?}");
+            assert!(contrast(paper.weak, paper.ground) >= 4.5 && contrast(paper.text, paper.ground) > 10.0);
+        }
+    }
 }

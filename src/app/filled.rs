@@ -20,7 +20,6 @@ use super::typeset::{Piece, Place};
 use crate::analysis::{Here, LightTerms, ProbeHit};
 use crate::scene::Scene;
 use eframe::egui::{RichText, Ui, vec2};
-use glam::DVec3;
 use light::Part;
 use notation::{Notation, Vectors};
 use outline::{AT_PROBE, Line, Opening, Says, channels_ui, fold_ui, letters_ui, rule_ui};
@@ -63,27 +62,18 @@ fn newly_chosen(ui: &Ui, light: usize) -> bool {
 
 fn ambient_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Notation) {
     let name = if here.hit.bounced { "one bounce" } else { "ambient" };
-    let colour = notation.strong();
-    let line = Line { sign: "", name, says: Says::sum(here.hit.ambient), colour, flat: false, lettered: false };
-    fold_ui(ui, "ambient", &line, Opening { at_first: true, now: None }, |ui| {
+    let line = Line::new(name, Says::sum(here.hit.ambient), notation.strong());
+    fold_ui(ui, "ambient", &line, Opening::OPEN, |ui| {
         if here.hit.bounced {
             let text = "Light that other surfaces scatter once stands in place of the constant, which would be:";
             ui.label(RichText::new(text).weak());
         }
         let product = here.ambient();
-        let vectors = no_vectors();
-        let colour = notation.term(Term::Ambient);
-        let columns = product.columns.iter().map(|column| (notation.head(column, colour, &vectors), column)).collect();
+        let table = Table::new(name, &product, notation, notation.term(Term::Ambient), &Vectors::default());
         let place = Place { id: ui.scope_id().with("ambient at the probe"), name: AT_PROBE };
         let colour = if here.hit.bounced { notation.weak() } else { notation.strong() };
-        Table { name, columns, value: product.value, colour }.ui(ui, state, place);
+        Table { colour, ..table }.ui(ui, state, place);
     });
-}
-
-/// No vector stands in the ambient term.
-fn no_vectors() -> Vectors {
-    let none = DVec3::ZERO;
-    Vectors { n: none, l: none, r: none, v: none, h: none, exponent: String::new() }
 }
 
 fn sum_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Notation) {

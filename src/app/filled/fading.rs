@@ -1,7 +1,6 @@
 //! What depth cueing leaves of the intensity, and what takes the place of the rest.
 
-use super::no_vectors;
-use super::notation::Notation;
+use super::notation::{Notation, Vectors};
 use super::outline::{AT_PROBE, Line, Opening, Says, fold_ui};
 use super::table::Table;
 use crate::analysis::Here;
@@ -14,13 +13,12 @@ use eframe::egui::{RichText, Ui};
 pub fn fading_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Notation) {
     let (Some(product), Some(cue)) = (here.fading(), here.hit.cue) else { return };
     let says = Says::Words(format!("{:.1} % left at depth {:.3}", 100.0 * cue.scale, here.hit.depth));
-    let line = Line { sign: "", name: "depth cueing", says, colour: notation.strong(), flat: false, lettered: false };
-    fold_ui(ui, "depth cueing", &line, Opening { at_first: true, now: None }, |ui| {
+    let line = Line::new("depth cueing", says, notation.strong());
+    fold_ui(ui, "depth cueing", &line, Opening::OPEN, |ui| {
         ui.label(RichText::new(found(here, cue.scale)).weak());
-        let (colour, vectors) = (notation.plain(), no_vectors());
-        let columns = product.columns.iter().map(|column| (notation.head(column, colour, &vectors), column)).collect();
+        let table = Table::new("depth cueing", &product, notation, notation.plain(), &Vectors::default());
         let place = Place { id: ui.scope_id().with("fading at the probe"), name: AT_PROBE };
-        Table { name: "depth cueing", columns, value: product.value, colour: notation.strong() }.ui(ui, state, place);
+        Table { colour: notation.strong(), ..table }.ui(ui, state, place);
     });
 }
 

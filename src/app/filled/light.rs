@@ -5,8 +5,8 @@ use super::outline::{AT_PROBE, Line, Opening, Says, fold_ui};
 use super::share::{Share, percent};
 use super::table::{LEAST_SCALE, Table};
 use super::working::working;
+use crate::analysis::LightHere;
 use crate::analysis::ZeroCause;
-use crate::analysis::{LightHere, Product};
 use crate::app::palette::Term;
 use crate::app::state::AppState;
 use crate::app::typeset::{Piece, Place, Run, run_ui, spoken};
@@ -33,7 +33,7 @@ impl Part<'_> {
         let says = silent.map_or_else(|| Says::sum(terms.diffuse + terms.specular), |why| Says::Words(why.to_owned()));
         let colour = if silent.is_some() { self.notation.weak() } else { self.notation.strong() };
         let name = self.name();
-        let line = Line { sign: "+", name: &name, says, colour, flat: false, lettered: false };
+        let line = Line { sign: "+", ..Line::new(&name, says, colour) };
         let sought = state.lit.seek;
         fold_ui(ui, &format!("light {}", self.index), &line, opening, |ui| match terms.why_nothing() {
             Some(why) => {
@@ -72,7 +72,10 @@ impl Part<'_> {
             }
             match zero {
                 Some(why) => _ = ui.label(RichText::new(format!("0: {why}.")).weak()),
-                None => self.table_ui(ui, state, term, &product, &vectors, place),
+                None => {
+                    let (name, colour) = (format!("{name} {}", self.index + 1), self.notation.term(term));
+                    Table::new(&name, &product, self.notation, colour, &vectors).ui(ui, state, place);
+                }
             }
         }
     }
@@ -91,23 +94,6 @@ impl Part<'_> {
         });
     }
 
-    fn table_ui(
-        &self,
-        ui: &mut Ui,
-        state: &mut AppState,
-        term: Term,
-        product: &Product,
-        vectors: &Vectors,
-        place: Place<'_>,
-    ) {
-        let colour = self.notation.term(term);
-        let kind = if term == Term::Specular { "specular" } else { "diffuse" };
-        let name = format!("{kind} {}", self.index + 1);
-        let columns =
-            product.columns.iter().map(|column| (self.notation.head(column, colour, vectors), column)).collect();
-        Table { name: &name, columns, value: product.value, colour }.ui(ui, state, place);
-    }
-
     /// What the line over a column means, where there is one.
     fn note(&self) -> Option<String> {
         let light = self.light;
@@ -118,7 +104,7 @@ impl Part<'_> {
         let points =
             (light.source.kind == LightKind::Area).then(|| format!("{} points of the light", light.source.samples));
         let over = [points, places.map(str::to_owned)].into_iter().flatten().collect::<Vec<_>>().join(" and ");
-        Some(format!("A sum over {over}; a line above letters is their mean."))
+        Some(format!("Evaluated at {over}; a bar over letters marks the mean."))
     }
 
     fn vectors(&self) -> Vectors {
@@ -132,9 +118,9 @@ impl Part<'_> {
 pub fn places(scene: &crate::scene::Scene) -> &'static str {
     use crate::scene::{FlatAt, ShadingMode};
     match (scene.shading.mode, scene.shading.flat_at) {
-        (ShadingMode::Flat, FlatAt::Centre) => "the polygon's middle",
-        (ShadingMode::Flat, FlatAt::ProvokingVertex) => "the polygon's first corner",
-        _ => "the polygon's corners",
+        (ShadingMode::Flat, FlatAt::Centre) => "the polygon's centre",
+        (ShadingMode::Flat, FlatAt::ProvokingVertex) => "the polygon's first vertex",
+        _ => "the polygon's vertices",
     }
 }
 

@@ -7,7 +7,7 @@ use crate::app::palette::{Term, term_text, vector_text};
 use crate::app::symbol::Symbol;
 use crate::app::typeset::Piece;
 use crate::figure::palette::Vector;
-use crate::scene::{ReflectionModel, Rgb};
+use crate::scene::ReflectionModel;
 use eframe::egui::{Color32, Visuals};
 
 /// Colours of the filled-in equation, and the model that its letters follow.
@@ -155,8 +155,8 @@ impl Notation {
     }
 }
 
-/// The vectors of one light at the pixel, and n as text.
-#[derive(Clone, Debug)]
+/// The vectors of one light at the pixel, and n as text. Where no vector stands in the letters it is empty.
+#[derive(Clone, Debug, Default)]
 pub struct Vectors {
     pub n: glam::DVec3,
     pub l: glam::DVec3,
@@ -174,9 +174,4 @@ fn value_of(column: &Column) -> String {
 fn product_of(column: &Column) -> String {
     let mean = if column.mean { "The mean of the column's product" } else { "The column's product" };
     format!("{mean} is {} here.", triple(column.values))
-}
-
-/// Relative luminance of linear light (Rec. 709).
-pub fn luminance(colour: Rgb) -> f64 {
-    colour.dot(Rgb::new(0.2126, 0.7152, 0.0722))
 }

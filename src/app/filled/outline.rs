@@ -62,6 +62,13 @@ pub struct Line<'a> {
     pub lettered: bool,
 }
 
+impl<'a> Line<'a> {
+    /// A line that unfolds.
+    pub fn new(name: &'a str, says: Says, colour: Color32) -> Self {
+        Self { sign: "", name, says, colour, flat: false, lettered: false }
+    }
+}
+
 /// The names of the channels over their columns.
 pub fn channels_ui(ui: &mut Ui) {
     let weak = ui.visuals().weak_text_color();
@@ -101,6 +108,11 @@ pub struct Opening {
     pub at_first: bool,
     /// Opens or closes it in this frame.
     pub now: Option<bool>,
+}
+
+impl Opening {
+    /// Open until it is folded.
+    pub const OPEN: Self = Self { at_first: true, now: None };
 }
 
 /// A line that unfolds to `body`, by a click, Enter or the space bar.

@@ -1,7 +1,7 @@
 //! What each term has in the pixel's brightness, as one bar.
 
-use super::notation::{Notation, luminance};
-use crate::analysis::Here;
+use super::notation::Notation;
+use crate::analysis::{Here, luminance};
 use crate::app::palette::Term;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Color32, CornerRadius, FontId, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
@@ -50,7 +50,7 @@ pub fn shares(here: Here<'_>, notation: &Notation) -> Vec<Share> {
     }
     if let Some(cue) = hit.cue {
         let weight = luminance(cue.veil);
-        parts.push(Share { name: "mist".into(), short: "m".into(), colour: notation.weak(), weight });
+        parts.push(Share { name: "fog".into(), short: "f".into(), colour: notation.weak(), weight });
     }
     parts
 }

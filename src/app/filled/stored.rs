@@ -18,7 +18,7 @@ pub fn stored_ui(ui: &mut Ui, display: &Display, hit: &ProbeHit, notation: &Nota
     match display.overflow {
         Overflow::Clamp if over => {
             shown = shown.map(|sum| sum.min(DVec3::ONE));
-            line(ui, "", "at most 1", Says::sum(shown.unwrap_or_default()), notation.plain());
+            line(ui, "", "clamped to 1", Says::sum(shown.unwrap_or_default()), notation.plain());
         }
         Overflow::Mark if over => {
             shown = None;

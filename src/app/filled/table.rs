@@ -1,7 +1,8 @@
 //! A term as a table: its letters in textbook order, and under them a line of numbers for each channel.
 
 use super::figure::{Figure, column as figures};
-use crate::analysis::TermColumn as Column;
+use super::notation::{Notation, Vectors};
+use crate::analysis::{Product, TermColumn as Column};
 use crate::app::state::AppState;
 use crate::app::typeset::{Piece, Place, Run};
 use eframe::egui::accesskit::Role;
@@ -45,7 +46,13 @@ struct Laid<'a> {
     mean: bool,
 }
 
-impl Table<'_> {
+impl<'a> Table<'a> {
+    /// The table of a product, its letters and its value in one colour; `vectors` are those among its letters.
+    pub fn new(name: &'a str, product: &'a Product, notation: &Notation, colour: Color32, vectors: &Vectors) -> Self {
+        let columns = product.columns.iter().map(|column| (notation.head(column, colour, vectors), column)).collect();
+        Self { name, columns, value: product.value, colour }
+    }
+
     pub fn ui(&self, ui: &mut Ui, state: &mut AppState, place: Place<'_>) {
         let gaps = self.columns.len() as f32;
         let room = (ui.available_width() - MARK).max(0.0);

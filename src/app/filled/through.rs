@@ -15,17 +15,11 @@ use glam::DVec3;
 pub fn through_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, notation: &Notation) {
     let (Some(product), Some(through)) = (here.mixture(), here.hit.transmission) else { return };
     let colour = notation.through();
-    let counted = counts(&through);
-    let line =
-        Line { sign: "", name: "transparency", says: Says::Words(counted), colour, flat: false, lettered: false };
-    fold_ui(ui, "transparency", &line, Opening { at_first: true, now: None }, |ui| {
+    let line = Line::new("transparency", Says::Words(counts(&through)), colour);
+    fold_ui(ui, "transparency", &line, Opening::OPEN, |ui| {
         ui.label(RichText::new(directions(here, &through)).weak());
-        // No vector stands in these letters.
-        let none = DVec3::ZERO;
-        let vectors = Vectors { n: none, l: none, r: none, v: none, h: none, exponent: String::new() };
-        let columns = product.columns.iter().map(|column| (notation.head(column, colour, &vectors), column)).collect();
         let place = Place { id: ui.scope_id().with("mixture at the probe"), name: AT_PROBE };
-        Table { name: "transparency", columns, value: product.value, colour }.ui(ui, state, place);
+        Table::new("transparency", &product, notation, colour, &Vectors::default()).ui(ui, state, place);
     });
 }
 

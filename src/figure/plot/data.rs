@@ -213,16 +213,3 @@ pub enum Dash {
     DashDot,
     Dotted,
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_curve_is_read_between_its_samples_and_not_beyond() {
-        let curve = Curve::new("", vec![[0.0, 1.0], [2.0, 3.0], [2.0, 5.0], [4.0, 5.0]], Ink::N);
-        let read = [-0.1, 0.0, 1.0, 2.0, 3.0, 4.0, 4.1].map(|x| curve.at(x));
-        assert_eq!(read, [None, Some(1.0), Some(2.0), Some(3.0), Some(5.0), Some(5.0), None]);
-        assert_eq!(Curve::new("", vec![], Ink::N).at(0.0), None);
-    }
-}

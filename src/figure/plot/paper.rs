@@ -100,26 +100,3 @@ pub(super) fn dashes(dash: Dash) -> &'static [f32] {
         Dash::Dotted => &[1.3, 1.7],
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::figure::palette::contrast;
-    use crate::scene::ShadingMode;
-
-    #[test]
-    fn every_colour_stands_out_from_its_paper() {
-        let channels = (0..3).map(Ink::Channel);
-        use ShadingMode::{Exact, Flat, Gouraud, Interpolated, Phong};
-        let modes = [Flat, Interpolated, Gouraud, Phong, Exact].map(Ink::Shading);
-        let others = [Ink::N, Ink::L, Ink::R, Ink::V, Ink::H, Ink::Perceived, Ink::Reference];
-        let historic = (0..3).map(Ink::Historic);
-        for ink in others.into_iter().chain(channels).chain(modes).chain(historic) {
-            for paper in [Paper::LIGHT, Paper::DARK] {
-                assert!(contrast(paper.line(ink), paper.ground) >= CONTRAST[0], "{ink:?}");
-                assert!(contrast(paper.letters(ink), paper.ground) >= CONTRAST[1], "{ink:?}");
-                assert!(contrast(paper.weak, paper.ground) >= CONTRAST[1] && contrast(paper.text, paper.ground) > 10.0);
-            }
-        }
-    }
-}
