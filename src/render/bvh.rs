@@ -400,13 +400,14 @@ mod tests {
 
     #[test]
     fn a_packet_finds_what_its_rays_find_alone() {
-        for kind in [ObjectKind::Torus, ObjectKind::Teapot, ObjectKind::Plane, ObjectKind::Sphere] {
+        let kinds = [ObjectKind::Torus, ObjectKind::Teapot, ObjectKind::Plane, ObjectKind::Sphere];
+        for (kind, away) in kinds.into_iter().flat_map(|kind| [0.0, 1e3, 1e7, 1e9].map(|away| (kind, away))) {
             let bvh = Bvh::new(&model(kind));
             let all: Vec<_> = rays().collect();
             for rays in all.chunks_exact(RAYS) {
                 let mut packet = Packet::default();
                 for (k, (origin, direction)) in rays.iter().enumerate() {
-                    packet.set(k, *origin, *direction, 0.1 + 0.2 * k as f64);
+                    packet.set(k, *origin - *direction * away, *direction, away + 0.1 + 0.2 * k as f64);
                 }
                 let alone = |k: usize| {
                     let (origin, direction, t_max) = packet.ray(k);

@@ -146,7 +146,7 @@ impl Bvh {
                     }
                 }
                 if nearer {
-                    rays.limit = limits(simd, &nearest.t);
+                    rays.end_at(simd, &nearest.t);
                 }
             } else if among != 0 {
                 let (left, right) = (here + 1, node.start);
@@ -181,14 +181,21 @@ impl Bvh {
     }
 }
 
-/// Limits in single precision, with room for rounding.
+/// In radii of the model: a ray from farther away starts near the model.
+const FAR: f64 = 64.0;
+
+/// Where rays that come from far away start near the model: twice its radius before their point nearest to its origin.
 #[inline(always)]
-fn limits<S: Simd>(simd: S, t: &[f64; RAYS]) -> f32x16<S> {
-    let mut limit = [0.0_f32; RAYS];
-    for ray in 0..RAYS {
-        limit[ray] = (t[ray] * (1.0 + 2e-6)) as f32;
+fn starts(packet: &Packet, reach: f64) -> [f64; RAYS] {
+    let mut start = [0.0; RAYS];
+    for (ray, start) in start.iter_mut().enumerate() {
+        let (origin, direction, _) = packet.ray(ray);
+        let speed = direction.length();
+        if speed > 0.0 && origin.length_squared() > (FAR * reach).powi(2) {
+            *start = (-origin.dot(direction) / speed - 2.0 * reach).max(0.0) / speed;
+        }
     }
-    f32x16::from_slice(simd, &limit)
+    start
 }
 
 /// A packet in single precision.
@@ -204,6 +211,8 @@ struct Rays<S: Simd> {
     error: f32x16<S>,
     /// The same for the product that gives the distance, over the square of the edge's length.
     depth_error: f32x16<S>,
+    /// Where each ray starts here: those from far away start near the model, since single precision is relative to the origin.
+    start: [f64; RAYS],
 }
 
 impl<S: Simd> Rays<S> {
@@ -213,22 +222,33 @@ impl<S: Simd> Rays<S> {
     /// Products below this may have lost digits to underflow.
     const LEAST: f32 = 1e-30;
 
-    /// `reach` holds every corner's coordinates.
+    /// `reach` is the radius of a ball about the model's origin that holds every corner.
     #[inline(always)]
     #[expect(clippy::cast_possible_truncation, reason = "rounded to single precision, with room for it")]
     fn new(simd: S, packet: &Packet, reach: f64) -> Self {
-        let [mut widening, mut distance, mut speed] = [[0.0_f64; RAYS]; 3];
-        for (origins, directions) in packet.origin.iter().zip(&packet.direction) {
+        let start = starts(packet, reach);
+        let [mut widening, mut distance, mut speed, mut lost] = [[0.0_f64; RAYS]; 4];
+        let mut moved = packet.origin;
+        for (origins, directions) in moved.iter_mut().zip(&packet.direction) {
             for ray in 0..RAYS {
-                widening[ray] = widening[ray].max(Slabs::WIDENING * origins[ray].abs());
-                distance[ray] += origins[ray].abs();
-                speed[ray] += directions[ray].abs();
+                let (origin, direction) = (origins[ray], directions[ray]);
+                let near = origin + start[ray] * direction;
+                origins[ray] = near;
+                // Two roundings of at most the origin's distance, where the ray was moved at all.
+                lost[ray] += if start[ray] > 0.0 { 4.0 * f64::EPSILON * origin.abs() } else { 0.0 };
+                widening[ray] = widening[ray].max(Slabs::WIDENING * near.abs());
+                distance[ray] += near.abs();
+                speed[ray] += direction.abs();
             }
+        }
+        for ray in 0..RAYS {
+            widening[ray] += lost[ray];
+            distance[ray] += lost[ray] / Self::ROUNDINGS;
         }
         let [mut low, mut high, mut inverse, mut near, mut way] = [[[0.0_f32; RAYS]; 3]; 5];
         for axis in 0..3 {
             for ray in 0..RAYS {
-                let (origin, direction) = (packet.origin[axis][ray], packet.direction[axis][ray]);
+                let (origin, direction) = (moved[axis][ray], packet.direction[axis][ray]);
                 let slope = if direction.abs() < Slabs::LEVEL { Slabs::LEVEL.copysign(direction) } else { direction };
                 low[axis][ray] = (origin + widening[ray]) as f32;
                 high[axis][ray] = (origin - widening[ray]) as f32;
@@ -243,16 +263,30 @@ impl<S: Simd> Rays<S> {
             errors[0][ray] = (error * speed[ray]) as f32;
             errors[1][ray] = error as f32;
         }
-        Self {
+        let mut rays = Self {
             from_low: load(simd, &low),
             from_high: load(simd, &high),
             inverse: load(simd, &inverse),
             origin: load(simd, &near),
             direction: load(simd, &way),
-            limit: limits(simd, &packet.t_max),
+            limit: f32x16::splat(simd, 0.0),
             error: f32x16::from_slice(simd, &errors[0]),
             depth_error: f32x16::from_slice(simd, &errors[1]),
+            start,
+        };
+        rays.end_at(simd, &packet.t_max);
+        rays
+    }
+
+    /// Ends the rays at `t`, with room for rounding.
+    #[inline(always)]
+    #[expect(clippy::cast_possible_truncation, reason = "rounded to single precision, with room for it")]
+    fn end_at(&mut self, simd: S, t: &[f64; RAYS]) {
+        let mut limit = [0.0_f32; RAYS];
+        for ray in 0..RAYS {
+            limit[ray] = ((t[ray] - self.start[ray]) * (1.0 + 2e-6) + 4.0 * f64::EPSILON * self.start[ray]) as f32;
         }
+        self.limit = f32x16::from_slice(simd, &limit);
     }
 
     /// Which of the rays enter a box before their limit, and where.
@@ -381,4 +415,24 @@ fn cross<S: Simd>(a: &Exact<S>, b: &Exact<S>) -> Exact<S> {
 #[inline(always)]
 fn dot<S: Simd>(a: &Exact<S>, b: &Exact<S>) -> f64x8<S> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fearless_simd::{Level, dispatch};
+
+    #[test]
+    fn rays_from_far_away_enter_no_box_that_they_pass() {
+        let node = Node { low: [-1.0; 3], high: [1.0; 3], start: 0, count: 1 };
+        let mut packet = Packet::default();
+        for ray in 0..RAYS {
+            let towards = DVec3::new(0.0, 0.92 + 0.05 * ray as f64, 0.0);
+            let origin = DVec3::new(-1e9, 3e8, 7e8);
+            packet.set(ray, origin, towards - origin, f64::INFINITY);
+        }
+        let entered =
+            dispatch!(Level::new(), simd => Rays::new(simd, &packet, f64::from(node.reach())).enter(simd, &node).0);
+        assert_eq!(entered, 0x00ff, "those past y = 1.3 miss the corner");
+    }
 }
