@@ -8,6 +8,7 @@ mod area;
 mod equation;
 mod fresnel;
 mod lanes;
+mod lobe;
 mod matching;
 mod microfacet;
 mod pattern;
@@ -21,6 +22,7 @@ pub use area::{area_hull, area_rows, area_samples, rectangle_axes};
 pub use equation::{Equation, LightAt, LightResponse, Reached, Site};
 pub use fresnel::Index;
 pub use lanes::Lanes;
+pub use lobe::Lobe;
 pub use matching::{blinn_from_phong, half_width, phong_from_blinn, roughness_from_exponent};
 pub use pattern::Fields;
 pub use real::{Real, Scalar};
@@ -28,6 +30,6 @@ pub use snell::{critical_angle, mirror, refract};
 pub(crate) use source::direction;
 pub use source::{BRIGHTEST, Falloff, Source, attenuation_at};
 pub use specular::{
-    Beckmann, BlinnChord, BlinnCosine, FormTask, Ggx, Lobe, NoSpecular, PhongChord, PhongCosine, Specular, SpecularForm,
+    Beckmann, BlinnChord, BlinnCosine, FormTask, Ggx, NoSpecular, PhongChord, PhongCosine, Specular, SpecularForm,
 };
 pub use vector::V3;

@@ -4,15 +4,11 @@
 //! the polygons off screen.
 
 mod camera;
-mod fog;
-mod lamps;
+pub(super) mod fog;
+pub(super) mod lamps;
 mod lights;
-mod material;
+pub(super) mod material;
 mod program;
-
-pub(super) use fog::limits as fog_limits;
-pub(super) use lamps::{MOST as MOST_LIGHTS, fits as lights_fit, reaches};
-pub(super) use material::{GREATEST_EXPONENT, exponent};
 
 use super::{Export, ExportError, Part, comment, export_mesh, head, limits};
 use crate::geometry::{Mesh, VertexMesh};

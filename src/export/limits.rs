@@ -1,7 +1,8 @@
 //! What of a scene the exported code does not express.
 
 use super::emitter::{Emitter, Place, emitters};
-use super::fixed::{GREATEST_EXPONENT, MOST_LIGHTS, exponent, fog_limits, lights_fit, reaches};
+use super::fixed::material::{GREATEST_EXPONENT, exponent};
+use super::fixed::{fog, lamps};
 use super::holding;
 use super::number::said;
 use crate::geometry::VertexMesh;
@@ -42,7 +43,7 @@ pub(super) fn fixed_function(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
     limits.extend(fixed_shading(scene));
     limits.extend(fixed_reflection(scene));
     limits.extend(fixed_lights(scene, mesh));
-    limits.extend(fog_limits(scene, mesh));
+    limits.extend(fog::limits(scene, mesh));
     limits.extend(fixed_display(scene));
     limits
 }
@@ -144,10 +145,10 @@ fn fixed_specular(scene: &Scene) -> Vec<String> {
 
 fn fixed_lights(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
     let emitters = emitters(scene);
-    let whole = lights_fit(&emitters);
+    let whole = lamps::fits(&emitters);
     let mut limits: Vec<_> = emitters.iter().flat_map(|emitter| fixed_light(emitter, mesh, whole)).collect();
-    if emitters.len() > MOST_LIGHTS {
-        limits.push(format!("Lights beyond the eighth: {} shine, OpenGL has {MOST_LIGHTS}.", emitters.len()));
+    if emitters.len() > lamps::MOST {
+        limits.push(format!("Lights beyond the eighth: {} shine, OpenGL has {}.", emitters.len(), lamps::MOST));
     }
     limits
 }
@@ -172,7 +173,7 @@ fn fixed_light(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<Str
     }
     let unclamped = match (light.attenuation, emitter.constant, &emitter.place) {
         (Attenuation::Quadratic, None, Place::At(place)) => {
-            let sides = reaches(light, *place, mesh);
+            let sides = lamps::reaches(light, *place, mesh);
             sides.inside && sides.outside
         }
         (Attenuation::Quadratic, None, Place::Among(_)) => light.c1 < 1.0,

@@ -1,7 +1,7 @@
 //! The factors of Cook and Torrance's model (ACM Transactions on Graphics 1 (1), 1982): how many microfacets mirror the
 //! light, and how many of them are seen.
 
-use super::specular::Lobe;
+use super::lobe::Lobe;
 use super::{Real, Scalar};
 
 /// Cosines are lifted to this before anything is divided by them. The quotients stay finite and go to their limits.

@@ -89,7 +89,7 @@ pub fn undo(harness: &mut Harness<'_, App>) {
 
 /// Looks at the window until `condition` holds.
 pub fn wait(harness: &mut Harness<'_, App>, condition: impl Fn(&Harness<'_, App>) -> bool) -> bool {
-    for _ in 0..500 {
+    for _ in 0..3000 {
         harness.run_ok();
         if condition(harness) {
             return true;
