@@ -535,6 +535,8 @@ fn press_key_for_every_mode(harness: &mut Harness<'_, App>) {
 #[test]
 fn pointing_at_a_vertex_lights_up_its_faces() {
     let mut harness = window("vertex-normals");
+    // The tab that the scene opens has pictures of its own.
+    harness.get_by_role_and_label(Role::Tab, "Equation").click_accesskit();
     // From its panes by way of wipe and difference to one picture.
     for _ in 0..3 {
         harness.key_press(Key::K);
