@@ -1,9 +1,10 @@
 //! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
 
 use shading_lab::analysis::{
-    DrawnPane, ErrorFigures, PaneArea, comparison_sheet, draw_panes, luminance, pane_areas, pane_figures,
-    panes_on_sheet, probe,
+    DrawnPane, ErrorFigures, LinearPicture, PaneArea, comparison_sheet, difference_picture, draw_panes, luminance,
+    pane_areas, pane_figures, panes_on_sheet, probe,
 };
+use shading_lab::figure::palette;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Compare, CompareView, DifferenceKind, Pane, Rgb, Scene, ShadingMode, presets};
 use std::convert::Infallible;
@@ -199,4 +200,24 @@ fn panes_stay_inside_and_apart_at_any_size() {
             }
         }
     }
+}
+
+fn one(pixel: &[[f32; 4]; 1]) -> LinearPicture<'_> {
+    LinearPicture { width: 1, pixels: pixel, clamps: true }
+}
+
+fn shown(a: [f32; 4], b: [f32; 4], kind: DifferenceKind, gain: f64) -> palette::Rgb8 {
+    difference_picture(one(&[a]), one(&[b]), kind, gain).pixel(0, 0).expect("a pixel")
+}
+
+#[test]
+fn each_kind_shows_what_it_says() {
+    let (a, b) = ([0.5, 0.5, 0.5, 1.0], [0.4, 0.5, 0.5, 1.0]);
+    assert_eq!(shown(a, b, DifferenceKind::Absolute, 4.0), [102, 0, 0]);
+    assert_eq!(shown(a, a, DifferenceKind::Signed, 64.0), [0xF4, 0xF4, 0xF2]);
+    assert_eq!(shown(a, [0.0, 0.0, 0.0, 1.0], DifferenceKind::Signed, 64.0), palette::L);
+    assert_eq!(shown([0.0, 0.0, 0.0, 1.0], a, DifferenceKind::Signed, 64.0), palette::N);
+    assert_eq!(shown(a, b, DifferenceKind::FalseColor, 64.0), [0xFF, 0xEA, 0x46]);
+    assert_eq!(shown(a, a, DifferenceKind::FalseColor, 64.0), [0x00, 0x20, 0x4D]);
+    assert_eq!(shown([0.5, 0.5, 0.5, 0.0], [0.1, 0.0, 0.0, 0.0], DifferenceKind::Absolute, 1.0), [0x26, 0x27, 0x2B]);
 }

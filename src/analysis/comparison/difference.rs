@@ -135,26 +135,6 @@ fn tick(value: f64, signed: bool) -> String {
 mod tests {
     use super::*;
 
-    fn one(pixel: &[[f32; 4]; 1]) -> LinearPicture<'_> {
-        LinearPicture { width: 1, pixels: pixel, clamps: true }
-    }
-
-    fn shown(a: [f32; 4], b: [f32; 4], kind: DifferenceKind, gain: f64) -> Rgb8 {
-        difference_picture(one(&[a]), one(&[b]), kind, gain).pixel(0, 0).expect("a pixel")
-    }
-
-    #[test]
-    fn each_kind_shows_what_it_says() {
-        let (a, b) = ([0.5, 0.5, 0.5, 1.0], [0.4, 0.5, 0.5, 1.0]);
-        assert_eq!(shown(a, b, DifferenceKind::Absolute, 4.0), [102, 0, 0]);
-        assert_eq!(shown(a, a, DifferenceKind::Signed, 64.0), NONE);
-        assert_eq!(shown(a, [0.0, 0.0, 0.0, 1.0], DifferenceKind::Signed, 64.0), palette::L);
-        assert_eq!(shown([0.0, 0.0, 0.0, 1.0], a, DifferenceKind::Signed, 64.0), palette::N);
-        assert_eq!(shown(a, b, DifferenceKind::FalseColor, 64.0), CIVIDIS[9]);
-        assert_eq!(shown(a, a, DifferenceKind::FalseColor, 64.0), CIVIDIS[0]);
-        assert_eq!(shown([0.5, 0.5, 0.5, 0.0], [0.1, 0.0, 0.0, 0.0], DifferenceKind::Absolute, 1.0), OUTSIDE);
-    }
-
     #[test]
     fn the_scale_of_colours_grows_lighter_all_the_way() {
         let light = |share: f64| palette::contrast(cividis(share), [0; 3]);

@@ -133,35 +133,7 @@ mod tests {
     use crate::analysis::{face_at, scan};
     use crate::figure::Paper;
     use crate::render::Renderer;
-    use crate::scene::{Scene, ShadingMode};
-
-    /// Every step of a few polygons, with and without a title: all of it lies on the sheet.
-    #[test]
-    fn every_step_is_drawn_within_its_room() {
-        let mut scene = Scene::default();
-        scene.image.size = [96, 96];
-        let mut renderer = Renderer::default();
-        for (mode, pixel) in [(ShadingMode::Gouraud, [40, 30]), (ShadingMode::Phong, [70, 66])] {
-            scene.shading.mode = mode;
-            let face = face_at(&mut renderer, &scene, pixel[0], pixel[1]).expect("the sphere");
-            let scan = scan(&mut renderer, &scene, face, 12).expect("a polygon in sight");
-            for titled in [true, false] {
-                let style = PlotStyle { paper: Paper::DARK, text: 14.0, titled };
-                let room = scan_room(&scan, 300.0, 260.0, &style);
-                let size = if titled { DVec2::new(672.0, 520.0) } else { room };
-                for step in 0..=scan.last() {
-                    let drawing = lay_out_scan(&scan, step, size, &style);
-                    let inside = |place: DVec2| place.cmpge(DVec2::ZERO).all() && place.cmple(size).all();
-                    for text in &drawing.texts {
-                        let left = text.at - DVec2::new(text.align * text.width(), 0.0);
-                        let right = left + DVec2::new(text.width(), 0.0);
-                        assert!(inside(left) && inside(right), "{mode:?} {step}: {text:?}");
-                    }
-                    assert!(drawing.shapes.iter().flat_map(|shape| &shape.points).all(|place| inside(*place)));
-                }
-            }
-        }
-    }
+    use crate::scene::Scene;
 
     #[test]
     fn the_filled_pixels_have_the_stored_colours() {
