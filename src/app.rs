@@ -138,7 +138,6 @@ impl App {
     }
 
     fn panels(&mut self, ui: &mut Ui) {
-        self.state.enter_pane();
         let Self { state, engine, .. } = self;
         if !state.picture_alone {
             Panel::top("menus").show(ui, |ui| menus::menus_ui(ui, state));
@@ -149,7 +148,7 @@ impl App {
                 let panel = Panel::left("controls").resizable(true).default_size(344.0).min_size(300.0);
                 panel.show(ui, |ui| controls::controls_ui(ui, state, engine));
                 // Nothing is drawn of a scene that a scene file would refuse.
-                state.commit_pane();
+                state.commit();
             }
             if state.look.numbers {
                 let panel = Panel::right("numbers").resizable(true).default_size(322.0).min_size(280.0);
@@ -158,7 +157,7 @@ impl App {
         }
         let shown = CentralPanel::default().frame(Margins::NONE).show(ui, |ui| picture::picture_ui(ui, state, engine));
         self.room = shown.inner;
-        self.state.leave_pane();
+        self.state.commit();
     }
 
     fn settle(&mut self, ctx: &Context) {
@@ -168,12 +167,8 @@ impl App {
         }
         for action in asked {
             let alone = action == Action::Show(Shown::PictureAlone);
-            // What edits the scene edits that of the active pane.
-            if !action.concerns_document() {
-                self.state.enter_pane();
-            }
             let rest = self.state.perform(action, self.room.pane);
-            self.state.leave_pane();
+            self.state.commit();
             if let Some(rest) = rest {
                 self.perform(ctx, rest);
             }
@@ -268,7 +263,12 @@ impl App {
         match crate::document::save_scene(&path, &self.state.document.scene) {
             Ok(()) => {
                 self.state.notice = Some(format!("saved {}", path.display()));
-                self.state.document.origin = Origin::File(path);
+                let origin = Origin::File(path);
+                if self.state.document.origin != origin {
+                    self.state.opened = self.state.document.scene.clone();
+                    self.state.activate(self.state.panes.active);
+                }
+                self.state.document.origin = origin;
                 self.state.saved = self.state.document.clone();
                 if leaving == Leaving::OnceSaved {
                     self.close(ctx);

@@ -6,6 +6,7 @@
 
 mod about;
 mod camera;
+mod choice;
 mod compare;
 mod depth_cueing;
 mod format;
@@ -27,6 +28,7 @@ mod view;
 
 pub use about::About;
 pub use camera::{Camera, Projection, Viewer};
+pub use choice::{Choice, ChoiceOption};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};
 pub use depth_cueing::{CuedBy, DepthCueing};
 pub use light::{Ambient, AmbientSource, AreaShape, Attenuation, Light, LightKind};
@@ -45,14 +47,11 @@ pub use surroundings::{Backdrop, Ground, Pattern, PatternKind, Through, Transpar
 pub use validation::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
 pub use view::View;
 
-use serde::{Deserialize, Serialize};
-
 /// Red, green and blue, linear.
 pub type Rgb = glam::DVec3;
 
 /// Everything that a picture depends on.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Version of the file format; 1.
     pub version: u32,
@@ -72,7 +71,6 @@ pub struct Scene {
     pub ambient: Ambient,
     /// The lights, whose contributions are summed. A file without any `[[light]]` gets the default one; `light = []`
     /// means darkness.
-    #[serde(rename = "light")]
     pub lights: Vec<Light>,
     pub compare: Compare,
 }

@@ -54,16 +54,16 @@ fn unknown_keys_are_all_named_with_their_choices() {
         &[
             "s.toml:2: unknown key `camera.fov`, expected one of eye, target, up, roll, projection, fov_y, height, viewer \
              (did you mean fov_y?)",
-            "s.toml:4: unknown key `shadow`, expected one of version, about, camera, image, object, material, pattern, \
-             transparency, reflection, shading, display, ground, backdrop, depth_cueing, ambient, light, compare",
+            "s.toml:4: unknown key `shadow`, expected one of version, about, camera, image, display, object, material, \
+             reflection, ambient, pattern, transparency, shading, ground, backdrop, depth_cueing, compare, light",
             "s.toml:8: unknown key `light.1.positoin`, expected one of name, kind, mute, solo, position, direction, \
              color, cone, exponent, softness, shape, extent, radius, samples, attenuation, k, c1, c2, c3 (did you mean position?)",
         ],
     );
     assert_objections(
         "lights = []\n",
-        &["s.toml:1: unknown key `lights`, expected one of version, about, camera, image, object, material, pattern, \
-           transparency, reflection, shading, display, ground, backdrop, depth_cueing, ambient, light, compare (did you mean light?)"],
+        &["s.toml:1: unknown key `lights`, expected one of version, about, camera, image, display, object, material, \
+           reflection, ambient, pattern, transparency, shading, ground, backdrop, depth_cueing, compare, light (did you mean light?)"],
     );
 }
 
@@ -83,7 +83,7 @@ fn unknown_words_are_named_with_their_choices() {
         "[object]\nkind = 3\n",
         &[
             "s.toml:2: `object.kind` is 3, expected one of sphere, torus, cylinder, cone, cube, plane, teapot, corrugated, \
-           obj, polygons",
+           polygons, obj",
         ],
     );
 }
@@ -296,7 +296,7 @@ fn an_override_at_fault_is_named() {
         (&["=3"], "--set =3: no `=` after a key, expected KEY=VALUE, for example material.n=50"),
         (
             &["material.m=3"],
-            "--set material.m=3: unknown key `material.m`, expected one of ka, kd, ks, n, roughness, color, specular_color, reflectance, ior, extinction",
+            "--set material.m=3: unknown key `material.m`, expected one of ka, kd, ks, n, color, specular_color, roughness, reflectance, ior, extinction",
         ),
         (
             &["shading.mode=gouraux"],

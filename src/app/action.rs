@@ -99,13 +99,6 @@ pub enum Shown {
     Channels,
 }
 
-impl Action {
-    /// Whether it replaces the whole document, of whichever pane.
-    pub fn concerns_document(&self) -> bool {
-        matches!(self, Self::New | Self::Undo | Self::Redo)
-    }
-}
-
 /// A way through the steps of a scanned polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Walk {

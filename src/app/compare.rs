@@ -6,10 +6,9 @@ use super::points::ProbePoint;
 use super::row::parameter;
 use super::state::AppState;
 use crate::analysis::PaneFigures;
-use crate::scene::parameter::ChoiceOption;
 use crate::scene::parameter::shading::{INTERPOLATION, MODE};
 use crate::scene::parameter::surroundings::{DIFFERENCE, GAIN};
-use crate::scene::{Compare, CompareView, Object, Pane, Scene, ShadingMode};
+use crate::scene::{ChoiceOption, Compare, CompareView, Object, Pane, Scene, ShadingMode};
 use eframe::egui::{Align, Button, Grid, Layout, RichText, TextEdit, Ui};
 
 /// The views with their names.
@@ -76,7 +75,7 @@ fn difference_ui(ui: &mut Ui, state: &mut AppState) {
 
 /// A pane: its name, which makes it active, and what it has of its own.
 fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, count: usize) {
-    let name = state.shared_scene().pane_name(pane);
+    let name = state.document.scene.pane_name(pane);
     let shown = engine.shown().contains(&pane);
     ui.horizontal(|ui| {
         let text = format!("{} {name}", pane + 1);
@@ -124,12 +123,12 @@ fn small(ui: &mut Ui, text: &str, name: &str) -> bool {
 /// What a new pane may be, by one click, and any key by typing.
 fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     ui.set_min_width(250.0);
-    let scene = &state.document.scene;
+    let scene = &state.shown.scene;
     let mut chosen = None;
     for (parameter, what) in [(&MODE, "shading"), (&INTERPOLATION, "interpolation")] {
         let present = parameter.value(scene, 0);
         for ChoiceOption { word, label, .. } in parameter.options() {
-            let other = present.as_ref().and_then(toml::Value::as_str) != Some(word);
+            let other = present.as_ref().and_then(toml::Value::as_str) != Some(*word);
             if other && ui.button(format!("{label} {what}")).clicked() {
                 chosen = Some(vec![format!("{}={word}", parameter.key)]);
             }
@@ -148,8 +147,7 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
         let entered = ui.add(field).lost_focus() && ui.input(|input| input.key_pressed(eframe::egui::Key::Enter));
         if ui.button("Add").clicked() || entered {
             let setting = typed.setting.trim().to_owned();
-            let alone = Scene { compare: Compare::default(), ..state.document.scene.clone() };
-            match alone.with_override(&setting) {
+            match scene.with_override(&setting) {
                 Ok(_) => chosen = Some(vec![setting]),
                 Err(error) => typed.problem = Some(error.to_string()),
             }
@@ -222,7 +220,7 @@ fn rows(figures: &PaneFigures) -> Vec<(&'static str, String)> {
 impl AppState {
     /// Shows the panes in another way; where there are none, beside the exact picture.
     pub fn compare(&mut self, view: CompareView) {
-        let exact = self.document.scene.shading.mode == ShadingMode::Exact;
+        let exact = self.shown.scene.shading.mode == ShadingMode::Exact;
         let compare = &mut self.document.scene.compare;
         if view != CompareView::Single && compare.panes.is_empty() {
             let other = if exact { "shading.mode=phong" } else { "shading.mode=exact" };
@@ -233,7 +231,7 @@ impl AppState {
 
     /// The view after the present one.
     pub fn next_view(&self) -> CompareView {
-        let present = self.shared_scene().compare.view;
+        let present = self.document.scene.compare.view;
         let place = VIEWS.iter().position(|(view, ..)| *view == present).unwrap_or(0);
         VIEWS[(place + 1) % VIEWS.len()].0
     }

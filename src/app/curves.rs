@@ -51,7 +51,7 @@ impl Curves {
 
 /// The plots for the probe, one below the other.
 pub fn curves_ui(ui: &mut Ui, curves: &mut Curves, state: &mut AppState, engine: &Engine) {
-    let scene = &state.document.scene;
+    let scene = &state.shown.scene;
     let light = state.light.min(scene.lights.len().saturating_sub(1));
     let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
     curves.update(engine, light, style, ui.available_width());

@@ -137,7 +137,7 @@ pub fn defects_ui(ui: &mut Ui, measured: &mut Measured, state: &mut AppState, en
         return;
     }
     let pixel = state.probe.pixel(size);
-    measured.ask(ui.ctx(), &state.document, size, pixel);
+    measured.ask(ui.ctx(), &state.shown, size, pixel);
     let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
     measured.lay_out(style, ui.available_width());
     ui.label("Five things that interpolation gets wrong, measured in the active picture.");

@@ -71,17 +71,19 @@ impl Engine {
     /// Brings pictures, probes and overlay up to date for panes of `size` pixels each; what has not changed is kept.
     pub fn update(&mut self, ctx: &Context, state: &mut AppState, size: [u32; 2]) {
         let size = size.map(|side| side.clamp(1, Image::MAX_SIDE));
-        let scenes = state.shown_scenes();
-        let count = scenes.iter().map(|(pane, _)| pane + 1).max().unwrap_or(1);
+        let shown = state.document.scene.shown_panes();
+        let count = shown.iter().max().map_or(1, |last| last + 1);
         let before = self.active;
         self.active = state.panes.active.min(count - 1);
         self.panes.resize_with(count, PaneEngine::default);
-        let several = scenes.len() > 1;
+        let several = shown.len() > 1;
         let pixel = state.probe.pixel(size);
         let model = state.document.model.as_ref();
         let (mut redrawn, mut reprobed) = (false, false);
-        let wanted: Vec<(usize, Wanted<'_>)> =
-            scenes.iter().map(|(pane, scene)| (*pane, Wanted { scene, model, size, linear: several })).collect();
+        let wanted: Vec<(usize, Wanted<'_>)> = shown
+            .iter()
+            .map(|&pane| (pane, Wanted { scene: state.panes.scene(pane), model, size, linear: several }))
+            .collect();
         // While something is dragged the pictures keep up with the hand, coarser if they must be.
         let held = ctx.input(|input| input.pointer.any_down());
         let expected: u64 = wanted.iter().map(|(pane, wanted)| self.panes[*pane].expected(wanted)).sum();
@@ -93,12 +95,11 @@ impl Engine {
             reprobed |= engine.probe(pixel, drawn);
             redrawn |= drawn;
         }
-        let shown: Vec<usize> = scenes.iter().map(|(pane, _)| *pane).collect();
         redrawn |= self.shown != shown;
         self.shown = shown;
         reprobed |= before != self.active;
         if redrawn {
-            self.measure(state.shared_scene());
+            self.measure(&state.document.scene);
         }
         self.draw_difference(ctx, state, redrawn);
         if reprobed || redrawn {
@@ -139,7 +140,7 @@ impl Engine {
     }
 
     fn draw_difference(&mut self, ctx: &Context, state: &AppState, redrawn: bool) {
-        let compare = &state.shared_scene().compare;
+        let compare = &state.document.scene.compare;
         let &[first, last] = &self.shown[..] else {
             self.difference = None;
             return;
@@ -164,7 +165,7 @@ impl Engine {
 
     fn draw_overlay(&mut self, ctx: &Context, state: &AppState, reprobed: bool) {
         let look = &state.look.overlay;
-        let dark = is_dark(&state.document.scene);
+        let dark = is_dark(&state.shown.scene);
         let scale = state.look.scale;
         let kept = self.overlay.as_ref().is_some_and(|overlay| {
             overlay.look == *look && overlay.light == state.light && overlay.dark == dark && overlay.scale == scale
@@ -172,7 +173,7 @@ impl Engine {
         if kept && !reprobed {
             return;
         }
-        let mut options = overlay_options(look, state.light, &state.document.scene);
+        let mut options = overlay_options(look, state.light, &state.shown.scene);
         options.scale = f64::from(scale);
         let pane = self.active();
         let (Some((_, probe)), Some(scene)) = (&pane.probed, pane.drawn()) else { return };

@@ -14,7 +14,7 @@ const SIZE: f32 = 18.0;
 
 /// The equation as `state`'s scene has it; what it leaves out is pale.
 pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
-    let pieces = pieces(&state.document.scene, ui.visuals());
+    let pieces = pieces(&state.shown.scene, ui.visuals());
     let width = ui.available_width();
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing = vec2(0.0, 2.0);

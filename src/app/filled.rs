@@ -29,7 +29,7 @@ use table::Table;
 /// The whole formula at the probe.
 pub fn filled_ui(ui: &mut Ui, state: &mut AppState, hit: &ProbeHit) {
     // What is pointed at is written to the state, while this is read.
-    let scene = state.document.scene.clone();
+    let scene = state.shown.scene.clone();
     let here = Here { scene: &scene, hit };
     let notation = Notation::new(ui.visuals(), scene.reflection.model);
     let shares = shares(here, &notation);

@@ -64,10 +64,10 @@ pub fn place(state: &AppState, view: &View, place: Place) -> Vec<Placed> {
     if !state.look.overlay.handles {
         return Vec::new();
     }
-    let target = state.document.scene.camera.target;
-    let lights = state.document.scene.lights.iter().enumerate();
+    let target = state.shown.scene.camera.target;
+    let lights = state.shown.scene.lights.iter().enumerate();
     let mut placed: Vec<_> = lights.map(|(index, light)| place_one(index, light, view, target, place)).collect();
-    if let Some(light) = state.document.scene.lights.get(state.light) {
+    if let Some(light) = state.shown.scene.lights.get(state.light) {
         let parts = Beam::of(light, view, target).into_iter().flat_map(|beam| beam.handles(view, place));
         placed.extend(parts.map(|(at, handle)| Placed { index: state.light, at, handle, colour: light.color }));
     }
@@ -148,8 +148,8 @@ pub fn nearest(handles: &[Placed], at: Pos2, reach: f32) -> Option<Placed> {
 
 /// Moves light `index` so that its handle is at `pixel`.
 pub fn drag_to(state: &mut AppState, index: usize, view: &View, pixel: DVec2) {
-    let target = state.document.scene.camera.target;
-    let Some(light) = state.document.scene.lights.get_mut(index) else { return };
+    let target = state.shown.scene.camera.target;
+    let Some(light) = state.shown.scene.lights.get_mut(index) else { return };
     match light.kind {
         LightKind::Point | LightKind::Spot | LightKind::Area => {
             let own = (light.position - view.eye).dot(view.forward);
@@ -190,8 +190,8 @@ fn turn_to(light: &mut Light, view: &View, target: DVec3, pixel: DVec2) {
 /// Moves light `index` towards the viewer by `step` of its distance (a negative step moves it away); a directional
 /// light has no depth.
 pub fn push(state: &mut AppState, index: usize, view: &View, step: f64) {
-    let target = state.document.scene.camera.target;
-    let Some(light) = state.document.scene.lights.get_mut(index) else { return };
+    let target = state.shown.scene.camera.target;
+    let Some(light) = state.shown.scene.lights.get_mut(index) else { return };
     if light.kind.has_position() {
         let unit = (target - view.eye).length().max(1e-6);
         let moved = light.position - view.forward * (step * unit);

@@ -1,7 +1,6 @@
 //! Undo and redo: a bounded row of documents, one step a gesture.
 
 use super::document::Document;
-use crate::scene::parameter::Parameter;
 use std::collections::VecDeque;
 
 /// How many steps can be undone.
@@ -100,10 +99,7 @@ fn change(before: &Document, after: &Document) -> String {
     if a.compare.panes != b.compare.panes {
         return "panes".to_owned();
     }
-    let mut differing = Parameter::all().flat_map(|parameter| {
-        let count = if parameter.of_light() { a.lights.len() } else { 1 };
-        (0..count).filter(|index| !parameter.agrees(a, b, *index)).map(move |index| (parameter, index))
-    });
+    let mut differing = a.differences(b);
     let Some((first, index)) = differing.next() else { return "change".to_owned() };
     let mut others = differing.map(|(parameter, _)| parameter.section());
     match others.next() {

@@ -5,8 +5,7 @@ use super::commands::COMMANDS;
 use super::compare::VIEWS;
 use super::state::AppState;
 use super::theme::ThemeChoice;
-use crate::scene::parameter::Options;
-use crate::scene::{ShadingMode, presets};
+use crate::scene::{Choice, ShadingMode, presets};
 use eframe::egui::{Align, Button, Layout, MenuBar, RichText, Ui};
 
 /// Menus at the left, modes in the middle.
@@ -110,12 +109,12 @@ fn compare_ui(ui: &mut Ui, state: &mut AppState) {
 }
 
 fn modes_ui(ui: &mut Ui, state: &mut AppState) {
-    let shading = &state.document.scene.shading;
+    let shading = &state.shown.scene.shading;
     let (mode, renormalise) = (shading.mode, shading.renormalise);
-    for (index, (choice, name, what)) in ShadingMode::OPTIONS.iter().enumerate() {
+    for (index, choice) in ShadingMode::VALUES.iter().enumerate() {
         let on = mode == *choice && (mode != ShadingMode::Phong || renormalise);
-        let text = format!("{} {name}", index + 1);
-        if ui.add(Button::selectable(on, text)).on_hover_text(*what).clicked() {
+        let text = format!("{} {}", index + 1, choice.label());
+        if ui.add(Button::selectable(on, text)).on_hover_text(choice.help()).clicked() {
             state.ask(Action::Shade { mode: *choice, renormalise: true });
         }
     }

@@ -104,7 +104,7 @@ fn hit_ui(ui: &mut Ui, state: &mut AppState, probe: &Probe, hit: &ProbeHit) {
     filled_ui(ui, state, hit);
     ui.add_space(8.0);
     ui.separator();
-    let scene = &state.document.scene;
+    let scene = &state.shown.scene;
     vectors_ui(ui, scene, hit, state.light.min(hit.lights.len().saturating_sub(1)));
 }
 

@@ -1,177 +1,147 @@
-//! Panes in the window: whose scene the controls show, and where a change goes.
+//! Panes in the window: which scene each shows, and where a change goes.
 //!
-//! While panels run, the document's scene is the active pane's. What has changed in it goes to the scene that all panes
-//! share, except for what the pane has of its own:
+//! A pane's scene is derived from the document's. The controls edit the active pane's, [`AppState::shown`]; what has changed
+//! in it goes to the document, except for what the pane has of its own:
 //!
 //! ```text
-//!   shared scene ──┬────────────────────────→ pane 0     a key that a pane sets itself changes there alone,
-//!                  ├── shading.mode=exact ──→ pane 1     any other changes everywhere
-//!                  └── object.segments=64 ──→ pane 2
+//!   document ──┬────────────────────────→ pane 0     a key that a pane sets itself changes there alone,
+//!              ├── shading.mode=exact ──→ pane 1     any other changes everywhere
+//!              └── object.segments=64 ──→ pane 2
 //! ```
 
 mod captions;
-mod keys;
 mod place;
 
 pub use captions::paint;
 pub use place::{PanePlace, on_wipe, pane_at, places};
 
 use super::state::AppState;
-use crate::scene::{Compare, Pane, Scene, SceneError};
-use keys::{changes, replaced};
+use crate::scene::parameter::Parameter;
+use crate::scene::{Compare, Scene, SceneError};
 
-/// Tables and keys in which panes do not differ.
-const SHARED: [&str; 4] = ["version", "camera.", "image.", "object.path"];
-
-/// Which pane is being worked on.
+/// Which pane is being worked on, and what the panes show.
 #[derive(Debug, Default)]
 pub struct Panes {
     /// The pane whose scene the controls show, from 0.
     pub active: usize,
     /// Whether changes concern that pane alone.
     pub own: bool,
-    entered: Option<Entered>,
-    /// The panes' scenes as last worked out, and what from.
-    known: Option<(Scene, Vec<Scene>)>,
+    /// The document's scene that the others are derived from; the first pane shows it.
+    document: Scene,
+    /// The scenes of the panes beside the first.
+    others: Vec<Scene>,
 }
 
-/// What the document's scene stands in for.
-#[derive(Debug)]
-struct Entered {
-    shared: Scene,
-    /// The active pane's scene when it took the document's place.
-    before: Scene,
+/// A parameter and the number of the light that it belongs to.
+type Change = (&'static Parameter, usize);
+
+impl Panes {
+    /// The scene that a pane shows.
+    pub fn scene(&self, pane: usize) -> &Scene {
+        pane.checked_sub(1).and_then(|index| self.others.get(index)).unwrap_or(&self.document)
+    }
+
+    /// What differs in a scene from what the active pane shows.
+    fn changes(&self, scene: &Scene) -> Vec<Change> {
+        let before = self.scene(self.active);
+        before.differences(scene).filter(|(parameter, _)| parameter.section() != "compare").collect()
+    }
 }
 
 impl AppState {
-    /// The scene that all panes share: what is saved.
-    pub fn shared_scene(&self) -> &Scene {
-        self.panes.entered.as_ref().map_or(&self.document.scene, |entered| &entered.shared)
-    }
-
-    /// Puts the active pane's scene in the document's place.
-    pub fn enter_pane(&mut self) {
-        if self.panes.entered.is_some() {
-            return;
-        }
-        if !self.document.scene.shown_panes().contains(&self.panes.active) {
-            self.panes.active = 0;
-        }
-        let compare = self.document.scene.compare.clone();
-        let mut scene = self.pane_scene(self.panes.active);
-        scene.compare = compare;
-        let shared = std::mem::replace(&mut self.document.scene, scene.clone());
-        self.panes.entered = Some(Entered { shared, before: scene });
-    }
-
-    /// Gives the document its own scene back, with what has changed. What a scene file would refuse is not taken over, and the
-    /// notice says why in the same words.
-    pub fn leave_pane(&mut self) {
-        let Some(Entered { shared, before }) = self.panes.entered.take() else { return };
-        let after = std::mem::replace(&mut self.document.scene, shared);
-        if after == before {
-            return;
-        }
-        match self.taken_over(&before, after) {
-            Ok(scene) => self.document.scene = scene,
-            Err(error) => self.notice = error.problems().first().map(ToString::to_string),
+    /// Takes over what has changed in the active pane's scene or in the document, so that every pane shows it. What a scene
+    /// file would refuse is taken back, and the notice says why in the same words.
+    pub fn commit(&mut self) {
+        let changes = self.panes.changes(&self.shown.scene);
+        if !changes.is_empty() || self.document.scene != self.panes.document {
+            if let Err(error) = self.take_over(&changes) {
+                self.notice = error.problems().first().map(ToString::to_string);
+                self.document.scene = self.panes.document.clone();
+            }
+            self.derive();
         }
     }
 
-    /// The document's scene with what has changed in the active pane's.
-    fn taken_over(&self, before: &Scene, after: Scene) -> Result<Scene, SceneError> {
-        let shared = &self.document.scene;
-        if shared.compare.panes.is_empty() {
-            return after.validate().map(|()| after);
-        }
-        Scene { compare: Compare::default(), ..after.clone() }.validate()?;
-        let mut changed = Scene { compare: after.compare.clone(), ..shared.clone() };
-        distribute(&mut changed, before, &after, self.panes.active, self.panes.own);
-        mend(&mut changed);
-        changed.validate().map(|()| changed)
+    fn take_over(&mut self, changes: &[Change]) -> Result<(), SceneError> {
+        let Self { document, shown, panes, .. } = self;
+        shown.scene.validate()?;
+        distribute(&mut document.scene, panes, &shown.scene, changes);
+        mend(&mut document.scene);
+        document.scene.validate()
     }
 
-    /// Sends what has changed to where it belongs, so that every pane shows it.
-    pub fn commit_pane(&mut self) {
-        if self.panes.entered.as_ref().is_some_and(|entered| entered.before != self.document.scene) {
-            self.leave_pane();
-            self.enter_pane();
+    /// Derives the panes' scenes from the document's.
+    pub fn derive(&mut self) {
+        let Self { document, shown, panes, .. } = self;
+        let scene = &document.scene;
+        panes.document.clone_from(scene);
+        panes.others = (1..scene.pane_count()).map(|pane| scene.pane(pane).unwrap_or_else(|_| scene.clone())).collect();
+        if !scene.shown_panes().contains(&panes.active) {
+            panes.active = 0;
+            self.lit.opened.clone_from(&self.opened);
+        }
+        if !panes.changes(&shown.scene).is_empty() {
+            shown.scene = Scene { compare: Compare::default(), ..panes.scene(panes.active).clone() };
+        }
+        if document.model_differs(shown) || document.origin != shown.origin {
+            (shown.model, shown.origin) = (document.model.clone(), document.origin.clone());
         }
     }
 
     /// Makes another pane the active one.
     pub fn activate(&mut self, pane: usize) {
-        if pane != self.panes.active {
-            let entered = self.panes.entered.is_some();
-            self.leave_pane();
-            self.panes.active = pane;
-            if entered {
-                self.enter_pane();
-            }
-        }
-    }
-
-    /// The panes that are shown: their numbers and scenes. What they compare is left to the shared scene.
-    pub fn shown_scenes(&mut self) -> Vec<(usize, Scene)> {
-        let shown = self.shared_scene().shown_panes();
-        shown.into_iter().map(|pane| (pane, self.pane_scene(pane))).collect()
-    }
-
-    fn pane_scene(&mut self, pane: usize) -> Scene {
-        let shared = self.panes.entered.as_ref().map_or(&self.document.scene, |entered| &entered.shared);
-        if self.panes.known.as_ref().is_none_or(|(known, _)| known != shared) {
-            let alone = || Scene { compare: Compare::default(), ..shared.clone() };
-            let scenes = (0..shared.pane_count()).map(|pane| shared.pane(pane).unwrap_or_else(|_| alone())).collect();
-            self.panes.known = Some((shared.clone(), scenes));
-        }
-        let scenes = self.panes.known.as_ref().map(|(_, scenes)| scenes);
-        scenes.and_then(|scenes| scenes.get(pane).or(scenes.last())).cloned().unwrap_or_default()
+        self.commit();
+        self.panes.active = pane;
+        self.derive();
+        self.lit.opened = self.opened.pane(self.panes.active).unwrap_or_else(|_| self.opened.clone());
     }
 }
 
-/// Sends what differs between two states of pane `active` to the shared scene, to the pane, or (a change of the first pane
-/// alone) keeps it from the other panes.
-fn distribute(shared: &mut Scene, before: &Scene, after: &Scene, active: usize, own: bool) {
-    if before.lights.len() != after.lights.len() {
-        shared.lights.clone_from(&after.lights);
+/// Tables and keys in which panes do not differ.
+fn is_shared(parameter: &Parameter) -> bool {
+    ["version", "about", "camera", "image"].contains(&parameter.section()) || parameter.key == "object.path"
+}
+
+/// Sends each change of the active pane to the document, or to the pane; a change of the first pane alone is kept from the
+/// others.
+fn distribute(document: &mut Scene, panes: &Panes, after: &Scene, changes: &[Change]) {
+    let before = panes.scene(panes.active);
+    // Lights are added and removed for all.
+    let renewed = before.lights.len() != after.lights.len();
+    if renewed {
+        document.lights.clone_from(&after.lights);
     }
-    let mut common = Vec::new();
-    for change in changes(before, after) {
-        let everywhere = SHARED.iter().any(|shared| change.key.starts_with(shared));
-        let panes = &mut shared.compare.panes;
-        match active.checked_sub(1).and_then(|index| panes.get_mut(index)) {
-            Some(pane) if !everywhere && (own || pane.value(&change.key).is_some()) => {
-                pane.put(&change.key, &change.after_text());
+    for &(parameter, index) in changes.iter().filter(|(parameter, _)| !(renewed && parameter.of_light())) {
+        let key = parameter.key(index);
+        let alone = panes.own && !is_shared(parameter);
+        let compared = &mut document.compare.panes;
+        match panes.active.checked_sub(1).and_then(|pane| compared.get_mut(pane)) {
+            Some(pane) if alone || pane.value(&key).is_some() => {
+                pane.put(&key, &parameter.setting(after, index));
                 continue;
             }
-            Some(_) => {}
-            None if own && !everywhere => {
-                for pane in panes.iter_mut().filter(|pane| pane.value(&change.key).is_none()) {
-                    pane.put(&change.key, &change.before_text());
-                }
+            None if alone => {
+                let kept = parameter.setting(before, index);
+                compared.iter_mut().filter(|pane| pane.value(&key).is_none()).for_each(|pane| pane.put(&key, &kept));
             }
-            None => {}
+            _ => {}
         }
-        common.push(change);
-    }
-    if let Some(changed) = replaced(shared, &common) {
-        *shared = changed;
+        parameter.copy(after, document, index);
     }
 }
 
-/// Takes back what panes set that the shared scene no longer allows, such as a key of a light that is gone.
-fn mend(shared: &mut Scene) {
-    let alone = Scene { compare: Compare::default(), ..shared.clone() };
-    for pane in &mut shared.compare.panes {
-        if alone.with_overrides(&pane.set).is_err() {
-            let mut sound = Pane { name: pane.name.clone(), set: vec![] };
-            for setting in &pane.set {
-                sound.set.push(setting.clone());
-                if alone.with_overrides(&sound.set).is_err() {
-                    sound.set.pop();
-                }
+/// Takes back what panes set that the document no longer allows, such as a key of a light that is gone.
+fn mend(document: &mut Scene) {
+    for place in 0..document.compare.panes.len() {
+        if document.pane(place + 1).is_ok() {
+            continue;
+        }
+        let settings = std::mem::take(&mut document.compare.panes[place].set);
+        for setting in settings {
+            document.compare.panes[place].set.push(setting);
+            if document.pane(place + 1).is_err() {
+                document.compare.panes[place].set.pop();
             }
-            *pane = sound;
         }
     }
 }
@@ -179,7 +149,7 @@ fn mend(shared: &mut Scene) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{CompareView, Light, ShadingMode};
+    use crate::scene::{CompareView, Light, Pane, ShadingMode};
 
     /// A scene beside which a pane shows it exactly.
     fn state() -> AppState {
@@ -187,32 +157,36 @@ mod tests {
         let compare = &mut state.document.scene.compare;
         compare.view = CompareView::Panes;
         compare.panes = vec![Pane::of(&["shading.mode=exact"]), Pane::of(&["object.segments=64"])];
+        state.commit();
         state
     }
 
     fn edit(state: &mut AppState, pane: usize, change: impl FnOnce(&mut Scene)) {
         state.activate(pane);
-        state.enter_pane();
-        change(&mut state.document.scene);
-        state.leave_pane();
+        change(&mut state.shown.scene);
+        state.commit();
         assert_eq!(state.document.scene.validate(), Ok(()));
     }
 
-    fn modes(state: &mut AppState) -> Vec<ShadingMode> {
-        state.shown_scenes().iter().map(|(_, scene)| scene.shading.mode).collect()
+    fn scenes(state: &AppState) -> Vec<&Scene> {
+        (0..3).map(|pane| state.panes.scene(pane)).collect()
+    }
+
+    fn modes(state: &AppState) -> Vec<ShadingMode> {
+        scenes(state).iter().map(|scene| scene.shading.mode).collect()
     }
 
     #[test]
     fn a_change_goes_to_all_panes_but_those_that_have_their_own() {
         let mut state = state();
         edit(&mut state, 0, |scene| scene.shading.mode = ShadingMode::Gouraud);
-        assert_eq!(modes(&mut state), [ShadingMode::Gouraud, ShadingMode::Exact, ShadingMode::Gouraud]);
+        assert_eq!(modes(&state), [ShadingMode::Gouraud, ShadingMode::Exact, ShadingMode::Gouraud]);
         edit(&mut state, 1, |scene| scene.shading.mode = ShadingMode::Flat);
-        assert_eq!(modes(&mut state), [ShadingMode::Gouraud, ShadingMode::Flat, ShadingMode::Gouraud]);
+        assert_eq!(modes(&state), [ShadingMode::Gouraud, ShadingMode::Flat, ShadingMode::Gouraud]);
         edit(&mut state, 1, |scene| scene.material.n = 7.5);
-        assert!(state.shown_scenes().iter().all(|(_, scene)| scene.material.n == 7.5));
+        assert!(scenes(&state).iter().all(|scene| scene.material.n == 7.5));
         edit(&mut state, 2, |scene| scene.camera.fov_y = 20.0);
-        assert!(state.shown_scenes().iter().all(|(_, scene)| scene.camera.fov_y == 20.0));
+        assert!(scenes(&state).iter().all(|scene| scene.camera.fov_y == 20.0));
     }
 
     #[test]
@@ -222,11 +196,11 @@ mod tests {
         let before = state.document.scene.material.kd;
         edit(&mut state, 1, |scene| scene.material.n = f64::INFINITY);
         edit(&mut state, 0, |scene| scene.material.kd *= 0.5);
-        let scenes = state.shown_scenes();
-        assert_eq!(scenes[1].1.material.n, f64::INFINITY);
-        assert_ne!(scenes[0].1.material.n, f64::INFINITY);
-        assert_eq!(scenes[0].1.material.kd, before * 0.5);
-        assert!(scenes[1..].iter().all(|(_, scene)| scene.material.kd == before));
+        let scenes = scenes(&state);
+        assert_eq!(scenes[1].material.n, f64::INFINITY);
+        assert_ne!(scenes[0].material.n, f64::INFINITY);
+        assert_eq!(scenes[0].material.kd, before * 0.5);
+        assert!(scenes[1..].iter().all(|scene| scene.material.kd == before));
     }
 
     #[test]
@@ -234,10 +208,24 @@ mod tests {
         let mut state = state();
         state.document.scene.compare.panes[0].put("light.0.mute", "true");
         edit(&mut state, 1, |scene| scene.lights.push(Light::default()));
-        assert!(state.shown_scenes().iter().all(|(_, scene)| scene.lights.len() == 2));
+        assert!(scenes(&state).iter().all(|scene| scene.lights.len() == 2));
         edit(&mut state, 2, |scene| scene.lights.clear());
-        assert!(state.shown_scenes().iter().all(|(_, scene)| scene.lights.is_empty()));
+        assert!(scenes(&state).iter().all(|scene| scene.lights.is_empty()));
         assert_eq!(state.document.scene.compare.panes[0].set, ["shading.mode=exact"]);
+    }
+
+    #[test]
+    fn what_a_file_refuses_is_taken_back_with_the_same_sentence() {
+        let mut state = state();
+        for pane in 0..3 {
+            edit(&mut state, pane, |scene| scene.material.n = -1.0);
+            assert_eq!(state.notice.take().as_deref(), Some("`material.n` is -1, expected 0 to inf"));
+            assert_eq!(state.shown.scene.material.n, 32.0);
+        }
+        state.document.scene.compare.gain = 1000.0;
+        state.commit();
+        assert_eq!(state.notice.as_deref(), Some("`compare.gain` is 1000, expected 1 to 64"));
+        assert_eq!(state.document.scene.compare.gain, 8.0);
     }
 
     #[test]
@@ -248,8 +236,7 @@ mod tests {
             edit(&mut state, pane, |_| {});
         }
         assert_eq!(state.document.scene, before);
-        state.panes.active = 7;
-        state.enter_pane();
+        state.activate(7);
         assert_eq!(state.panes.active, 0);
     }
 }

@@ -22,28 +22,28 @@ impl AppState {
             Action::Redo => self.history.redo(&mut self.document),
             Action::ResetCamera => self.reset_camera(),
             Action::Shade { mode, renormalise } => {
-                self.document.scene.shading.mode = mode;
-                self.document.scene.shading.renormalise = renormalise;
+                self.shown.scene.shading.mode = mode;
+                self.shown.scene.shading.renormalise = renormalise;
             }
             Action::Compare(view) => self.compare(view),
             Action::NextView => self.compare(self.next_view()),
             Action::Activate(pane) => self.activate(pane),
             Action::NextPane => {
-                let shown = self.shared_scene().shown_panes();
+                let shown = self.document.scene.shown_panes();
                 let place = shown.iter().position(|pane| *pane == self.panes.active).unwrap_or(0);
                 self.activate(shown[(place + 1) % shown.len()]);
             }
             Action::AddLight => self.add_light(Light::default(), size),
             Action::DuplicateLight(index) => {
-                if let Some(light) = self.document.scene.lights.get(index).cloned() {
+                if let Some(light) = self.shown.scene.lights.get(index).cloned() {
                     self.add_light(light, size);
                 }
             }
             Action::RemoveLight(index) => self.remove_light(index),
             Action::MoveProbe(by) => self.probe = self.probe.moved(by, size),
-            Action::Orbit(by) => orbit::orbit(&mut self.document.scene.camera, by[0], by[1]),
-            Action::Pan(by) => orbit::pan(&mut self.document.scene.camera, by[0], by[1]),
-            Action::Zoom(factor) => orbit::zoom(&mut self.document.scene.camera, factor),
+            Action::Orbit(by) => orbit::orbit(&mut self.shown.scene.camera, by[0], by[1]),
+            Action::Pan(by) => orbit::pan(&mut self.shown.scene.camera, by[0], by[1]),
+            Action::Zoom(factor) => orbit::zoom(&mut self.shown.scene.camera, factor),
             Action::Show(shown) => {
                 let flag = self.flag(shown);
                 *flag = !*flag;
@@ -102,14 +102,14 @@ impl AppState {
 
     fn reset_camera(&mut self) {
         let Camera { eye, target, up, roll, fov_y, height, .. } = self.saved.scene.camera.clone();
-        let camera = &mut self.document.scene.camera;
+        let camera = &mut self.shown.scene.camera;
         (camera.eye, camera.target, camera.up, camera.roll) = (eye, target, up, roll);
         (camera.fov_y, camera.height) = (fov_y, height);
     }
 
     /// Adds a light like this one where it is seen and no other is.
     fn add_light(&mut self, light: Light, size: [u32; 2]) {
-        let Scene { lights, camera, .. } = &mut self.document.scene;
+        let Scene { lights, camera, .. } = &mut self.shown.scene;
         if lights.len() >= Scene::MAX_LIGHTS {
             self.notice = Some(format!("a scene has at most {} lights", Scene::MAX_LIGHTS));
             return;
@@ -120,7 +120,7 @@ impl AppState {
     }
 
     fn remove_light(&mut self, index: usize) {
-        let lights = &mut self.document.scene.lights;
+        let lights = &mut self.shown.scene.lights;
         if index < lights.len() {
             lights.remove(index);
             self.light = self.light.min(lights.len().saturating_sub(1));

@@ -43,14 +43,14 @@ pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Roo
     describe(ui, state, &response);
     keep_arrows(ui, &response);
     // What the panels changed is shown by every pane.
-    state.commit_pane();
+    state.commit();
     let panes = panes::places(state, whole);
     let place = pointed(ui, state, &response, &panes).unwrap_or(whole);
-    let view = View::new(&state.document.scene.camera, place.size);
+    let view = View::new(&state.shown.scene.camera, place.size);
     let handles = handles::place(state, &view, place);
     gesture(ui, state, &response, place, whole, &view, &handles);
     wheel(ui, state, &response, place, &view, &handles);
-    state.commit_pane();
+    state.commit();
     engine.update(ui.ctx(), state, place.size);
     point_at_vertex(ui, state, engine, &response, place);
     let panes = panes::places(state, whole);
@@ -85,7 +85,7 @@ fn pointed(ui: &Ui, state: &mut AppState, response: &Response, panes: &[PanePlac
 }
 
 fn describe(ui: &Ui, state: &AppState, response: &Response) {
-    let mode = format!("{:?}", state.document.scene.shading.mode).to_lowercase();
+    let mode = format!("{:?}", state.shown.scene.shading.mode).to_lowercase();
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Image, enabled, format!("Picture, {mode} shading")));
 }
@@ -190,7 +190,7 @@ fn drag(ui: &Ui, state: &mut AppState, response: &Response, place: Place, whole:
     let Some(at) = response.interact_pointer_pos() else { return };
     let delta = response.drag_delta() / place.rect.height().max(1.0);
     let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));
-    let camera = &mut state.document.scene.camera;
+    let camera = &mut state.shown.scene.camera;
     match state.drag {
         Drag::Nothing => {}
         Drag::Orbit => {
@@ -266,7 +266,7 @@ fn paint(ui: &Ui, state: &AppState, engine: &Engine, pane: &PanePlace) {
     for texture in [picture, needles, overlay, lit].into_iter().flatten() {
         painter.image(texture.id(), place.rect, whole, Color32::WHITE);
     }
-    let view = View::new(&state.document.scene.camera, place.size);
+    let view = View::new(&state.shown.scene.camera, place.size);
     if state.look.overlay.vectors {
         probe_ui(&painter, place.point(probe_centre(state, place)), state.drag == Drag::Probe);
     }

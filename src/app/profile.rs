@@ -31,14 +31,14 @@ pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, en
     }
     ui.checkbox(&mut state.look.profile.perceived, "Show the picture as it is perceived");
     let request = state.look.profile.request(state.line.pixels(size));
-    let AppState { document, look, .. } = state;
+    let AppState { shown, look, .. } = state;
     if look.profile.perceived {
-        profiles.ask_perceived(ui.ctx(), document, size, &request);
+        profiles.ask_perceived(ui.ctx(), shown, size, &request);
         if let Some(why) = profiles.not_perceived() {
             ui.label(RichText::new(why).weak());
         }
     }
-    profiles.ask(ui.ctx(), document, size, request);
+    profiles.ask(ui.ctx(), shown, size, request);
     ui.add_space(4.0);
     save_ui(ui, profiles, state);
     ui.separator();

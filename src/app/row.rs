@@ -1,4 +1,4 @@
-//! A row of the panel of controls: what it is called, the control, and the way back to its default.
+//! A row of the panel of controls: what it is called, the control, and the way back to its value as opened.
 //!
 //! Every control is reachable by keyboard and has an accessible name; its label carries the symbol of the equation in
 //! the symbol's colour, and pointing at either lights up the other.
@@ -51,7 +51,7 @@ impl About<'_> {
     }
 }
 
-/// Lays out one row and fills it with `control`. Returns whether the row is to be put back to its default; the way back
+/// Lays out one row and fills it with `control`. Returns whether the row is to be reset; the button for that
 /// is shown where it has been `changed`.
 pub fn row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, changed: bool, control: impl FnOnce(&mut Ui)) -> bool {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
@@ -94,7 +94,7 @@ fn light_up(ui: &Ui, lit: &mut Lit, about: &About<'_>, rect: Rect) {
     }
 }
 
-/// The label; a double click puts the row back to its default.
+/// The label; a double click resets the row.
 fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
     let mut child = part(ui, (about.name(), "label"), rect, Layout::left_to_right(Align::Center));
     child.spacing_mut().item_spacing.x = 0.0;
@@ -127,7 +127,7 @@ fn reset(ui: &mut Ui, about: &About<'_>, rect: Rect) -> bool {
     let weak = child.visuals().weak_text_color();
     // For the pointer and for screen readers: Tab would stop at it between two fields.
     let button = eframe::egui::Button::new(RichText::new("↺").color(weak)).frame(false).sense(Sense::CLICK);
-    let response = child.add(button).on_hover_text("Back to the default");
+    let response = child.add(button).on_hover_text("Back to the value as opened");
     let name = format!("Reset {}", about.name());
     response.widget_info(|| {
         eframe::egui::WidgetInfo::labeled(eframe::egui::accesskit::Role::Button, ui.is_enabled(), &name)

@@ -11,6 +11,7 @@ use super::panes::Panes;
 use super::points::{ProbePoint, ProfileLine};
 use super::sampling::Sampling;
 use super::symbol::Lit;
+use crate::scene::Scene;
 use glam::DVec2;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
@@ -23,6 +24,9 @@ pub struct AppState {
     pub look: Look,
     #[serde(skip)]
     pub document: Document,
+    /// The document as the active pane shows it; the controls edit its scene, see [`AppState::commit`].
+    #[serde(skip)]
+    pub shown: Document,
     #[serde(skip)]
     pub history: History,
     /// Which pane is worked on.
@@ -31,6 +35,9 @@ pub struct AppState {
     /// The document as last opened or saved.
     #[serde(skip)]
     pub saved: Document,
+    /// The scene as opened, or as saved in a new file: what resetting returns to.
+    #[serde(skip)]
+    pub opened: Scene,
     #[serde(skip)]
     pub probe: ProbePoint,
     /// Where the profile is taken.
@@ -102,15 +109,18 @@ impl AppState {
         }
         self.document = document;
         self.saved = self.document.clone();
+        self.opened = self.document.scene.clone();
         self.light = 0;
         self.panes.active = 0;
         self.vertex = 0;
+        self.derive();
+        self.lit.opened.clone_from(&self.opened);
     }
 
     /// Whether the document has changed since it was opened or saved.
     pub fn modified(&self) -> bool {
         let Document { scene, origin, .. } = &self.saved;
-        *self.shared_scene() != *scene || self.document.origin != *origin || self.document.model_differs(&self.saved)
+        self.document.scene != *scene || self.document.origin != *origin || self.document.model_differs(&self.saved)
     }
 }
 

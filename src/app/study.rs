@@ -103,7 +103,7 @@ pub fn study_ui(ui: &mut Ui, view: &mut StudyView, state: &mut AppState, engine:
 /// Shows a setting in the picture, or says why it cannot.
 fn load(view: &mut StudyView, state: &mut AppState, setting: &Setting) {
     let words = format!("{}, {}×{}", setting.method.title(), setting.segments, setting.rings);
-    view.told = Some(if setting.load(&mut state.document.scene) {
+    view.told = Some(if setting.load(&mut state.shown.scene) {
         format!("The picture shows {words}. Undo leads back.")
     } else {
         format!("{words}: this historic method is measured apart and is no mode of the picture; it cannot be shown.")
@@ -173,14 +173,14 @@ fn start_ui(ui: &mut Ui, view: &mut StudyView, state: &AppState, size: [u32; 2],
         });
         return;
     }
-    let request = view.choices.request(&state.document.scene);
+    let request = view.choices.request(&state.shown.scene);
     let tip = "Measures the active picture at its present size. Times are best while nothing else is touched";
     let start = ui.add_enabled(request.is_ok(), Button::new("Start")).on_hover_text(tip);
     match request {
         Err(problem) => {
             ui.label(RichText::new(problem).color(ui.visuals().warn_fg_color));
         }
-        Ok(request) if start.clicked() => view.start(ui.ctx(), &state.document, size, request),
+        Ok(request) if start.clicked() => view.start(ui.ctx(), &state.shown, size, request),
         Ok(_) => {}
     }
 }

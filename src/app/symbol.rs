@@ -1,10 +1,11 @@
 //! Which symbol of the equation is lit, with the control that it belongs to.
 
+use crate::scene::Scene;
 pub use crate::scene::parameter::Symbol;
 
 /// Which symbol is lit. What the pointer is over this frame is shown the next, so that the order of painting does not
 /// matter.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Lit {
     /// The symbol lit in this frame.
     pub now: Option<Symbol>,
@@ -12,6 +13,8 @@ pub struct Lit {
     pub next: Option<Symbol>,
     /// The symbol whose control is to come into view and take the keyboard.
     pub seek: Option<Symbol>,
+    /// The scene whose values resetting returns to: the active pane's as opened.
+    pub opened: Scene,
 }
 
 impl Lit {

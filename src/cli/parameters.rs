@@ -47,7 +47,7 @@ fn object(parameter: &'static Parameter) -> Value {
         (_, Some(limits)) => json!([limits.least, limits.greatest]),
         _ => Value::Null,
     };
-    let choices: Vec<_> = parameter.options().iter().map(|option| &option.word).collect();
+    let choices: Vec<_> = parameter.options().iter().map(|option| option.word).collect();
     json!({
         "key": key, "symbol": letter, "name": name, "unit": unit, "kind": parameter.kind_name(), "limits": limits,
         "default": parameter.default(), "choices": choices, "help": help,

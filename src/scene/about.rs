@@ -1,10 +1,7 @@
 //! What a scene is about, for its readers.
 
-use serde::{Deserialize, Serialize};
-
 /// What a scene shows. All of it may be empty.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct About {
     pub title: String,
     /// What there is to see.

@@ -1,10 +1,9 @@
 //! The camera: where the picture is seen from, and where the equation's viewer stands.
 
+use super::choice::choices;
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
 
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     /// Position of the eye, world.
     pub eye: DVec3,
@@ -46,19 +45,17 @@ impl Camera {
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Projection {
-    Perspective,
-    Orthographic,
+choices! {
+    pub enum Projection {
+        Perspective = "perspective", "perspective", "As an eye or a camera sees";
+        Orthographic = "orthographic", "orthographic", "Parallel rays: no foreshortening";
+    }
 }
 
-/// Where the equation's V points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Viewer {
-    /// To the eye, from each point.
-    Local,
-    /// Constant, from target to eye: the textbooks' viewer at infinity.
-    Infinite,
+choices! {
+    /// Where the equation's V points.
+    pub enum Viewer {
+        Local = "local", "at the eye", "V points to the eye from each point";
+        Infinite = "infinite", "at infinity", "V is constant, from target to eye";
+    }
 }

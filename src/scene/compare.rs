@@ -1,15 +1,12 @@
 //! Several pictures of one scene side by side: each pane is the scene with a few of its keys replaced.
 
-use super::parameter::Options;
+use super::choice::Choice;
+use super::choice::choices;
 use super::problem::{Cause, Place, Problem, SceneError};
 use super::{Display, Scene, ShadingMode};
-use serde::de::{Deserializer, SeqAccess, Visitor};
-use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// What is compared and how. The first pane is the scene itself; the last one is what the others are measured against.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Compare {
     pub view: CompareView,
     /// Where a wipe's line stands, 0 (left) to 1: the scene is seen to its left, the last pane to its right.
@@ -18,7 +15,6 @@ pub struct Compare {
     /// What the difference is multiplied by before it is shown, 1 to [`Compare::MAX_GAIN`].
     pub gain: f64,
     /// The panes beside the scene itself, at most [`Compare::MAX_PANES`].
-    #[serde(rename = "pane")]
     pub panes: Vec<Pane>,
 }
 
@@ -38,63 +34,32 @@ impl Default for Compare {
     }
 }
 
-/// How the panes are shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum CompareView {
-    /// The scene alone.
-    Single,
-    /// Side by side.
-    Panes,
-    /// The scene and the last pane in one picture, on either side of a line.
-    Wipe,
-    /// The scene less the last pane.
-    Difference,
+choices! {
+    /// How the panes are shown.
+    pub enum CompareView {
+        Single = "single", "single", "The scene alone";
+        Panes = "panes", "panes", "The scene and its panes side by side";
+        Wipe = "wipe", "wipe", "The scene and the last pane on either side of a line";
+        Difference = "difference", "difference", "The scene minus the last pane";
+    }
 }
 
-/// What a difference picture shows of each pixel's difference d.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum DifferenceKind {
-    /// gain·d of the luminance, from blue (darker than the last pane) through white to orange (brighter).
-    Signed,
-    /// gain·|d| of each channel.
-    Absolute,
-    /// gain·|d| of the channel that differs most, as a colour from dark blue to yellow.
-    FalseColor,
+choices! {
+    /// What a difference picture shows of each pixel's difference d.
+    pub enum DifferenceKind {
+        Signed = "signed", "signed", "gain·d of the luminance, from blue (darker) through white to orange (brighter)";
+        Absolute = "absolute", "absolute", "gain·|d| of each channel";
+        FalseColor = "false-color", "false colour", "gain·|d| of the channel that differs most, from dark blue to yellow";
+    }
 }
 
 /// A pane: what is different in it.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pane {
     /// What it is called; empty names it by what is different.
-    #[serde(skip_serializing_if = "String::is_empty")]
     pub name: String,
     /// Keys of the scene with their values, each as `--set` takes it: `shading.mode=exact`.
-    #[serde(deserialize_with = "settings")]
     pub set: Vec<String>,
-}
-
-/// Reads a list of settings, saying what is expected where there is none.
-fn settings<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<String>, D::Error> {
-    struct Settings;
-    impl<'de> Visitor<'de> for Settings {
-        type Value = Vec<String>;
-
-        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            f.write_str("a list of settings in quotation marks, as in [\"shading.mode=exact\"]")
-        }
-
-        fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-            let mut settings = Vec::new();
-            while let Some(setting) = list.next_element()? {
-                settings.push(setting);
-            }
-            Ok(settings)
-        }
-    }
-    deserializer.deserialize_seq(Settings)
 }
 
 impl Pane {
@@ -216,11 +181,6 @@ pub(super) fn problems(scene: &Scene) -> Vec<(String, Cause)> {
 
 fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<(String, Cause)> {
     let key = format!("compare.pane.{index}");
-    if pane.name.chars().count() > Pane::MAX_NAME || pane.name.chars().any(char::is_control) {
-        let found = format!("{:?}", pane.name.chars().take(20).collect::<String>());
-        let expected = format!("at most {} characters in one line", Pane::MAX_NAME);
-        return vec![(format!("{key}.name"), Cause::Value { found, expected })];
-    }
     if pane.set.len() > Compare::MAX_SETTINGS {
         let expected = format!("at most {}", Compare::MAX_SETTINGS);
         return vec![(format!("{key}.set"), Cause::Value { found: format!("a list of {}", pane.set.len()), expected })];

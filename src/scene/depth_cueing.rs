@@ -1,15 +1,14 @@
 //! Depth cueing: what is far fades into one colour, as if through mist.
 
 use super::Rgb;
-use serde::{Deserialize, Serialize};
+use super::choice::choices;
 
 /// Depth cueing after Foley, van Dam, Feiner and Hughes 1990, section 16.1.4: `I' = s0·I + (1 − s0)·Idc`.
 ///
 /// s0 depends on the depth z, the distance from the eye along the viewing direction: it is [`Self::front_scale`] up to
 /// [`Self::front`], [`Self::back_scale`] from [`Self::back`] on, and linear between the two. It is the object that fades;
 /// ground, backdrop and background keep their colours.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthCueing {
     pub by: CuedBy,
     /// The depth at which the cue begins, world units.
@@ -39,17 +38,17 @@ impl DepthCueing {
     }
 }
 
-/// Where s0 is evaluated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum CuedBy {
-    /// There is no depth cueing.
-    Off,
-    /// Where intensities live at vertices or faces, they fade there, before they are interpolated; in Phong shading s0
-    /// itself is interpolated between the vertices. Exact shading has no vertices and takes each pixel's.
-    Vertex,
-    /// From each pixel's own depth.
-    Pixel,
+choices! {
+    /// Where s0 is evaluated.
+    pub enum CuedBy {
+        /// There is no depth cueing.
+        Off = "off", "off", "No fading";
+        /// Where intensities live at vertices or faces, they fade there, before they are interpolated; in Phong shading s0
+        /// itself is interpolated between the vertices. Exact shading has no vertices and takes each pixel's.
+        Vertex = "vertex", "at vertices", "Intensities fade at the vertices; in Phong shading s0 is interpolated";
+        /// From each pixel's own depth.
+        Pixel = "pixel", "at pixels", "By each pixel's own depth";
+    }
 }
 
 #[cfg(test)]

@@ -1,17 +1,20 @@
 //! The scene file: TOML in, TOML out.
 //!
-//! Reading names every unknown key and every value out of range with its line; a key of the wrong type ends the
-//! reading, since what follows it is not known. Writing and reading again gives the same scene, bit for bit.
+//! Reading names every unknown key, every value of a wrong type or, where there is none, out of range, with its line.
+//! Writing and reading again gives the same scene, bit for bit.
 
+mod datum;
 mod reader;
 mod writer;
 
 use super::Scene;
 use super::problem::{Cause, Place, Problem, SceneError};
-use reader::Finding;
+use reader::{Finding, read};
 use toml::de::{DeTable, DeValue};
 
-pub(super) use reader::read;
+pub(super) use datum::{Datum, Wrong, read_coefficient};
+pub(super) use reader::set;
+pub(super) use writer::text;
 
 impl Scene {
     /// The version of the format that this program reads and writes.
@@ -39,14 +42,16 @@ impl Scene {
             Problem { place, key: String::new(), cause: Cause::Syntax(error.message().to_owned()) }
         })?;
         let (scene, mut findings) = read(document.get_ref());
-        for (key, cause) in scene.iter().flat_map(Self::range_problems) {
-            findings.push(Finding { offset: offset_of(document.get_ref(), &key), key, cause });
+        if findings.iter().all(|finding| matches!(finding.cause, Cause::UnknownKey { .. })) {
+            for (key, cause) in scene.range_problems() {
+                findings.push(Finding { offset: offset_of(document.get_ref(), &key), key, cause });
+            }
         }
         findings.sort_by_key(|finding| finding.offset);
         let mut lines = Lines::of(text);
         let mut placed = |Finding { offset, key, cause }| Problem { place: at(lines.line_of(offset)), key, cause };
         SceneError::check(findings.into_iter().map(&mut placed).collect())?;
-        Ok(scene.unwrap_or_default())
+        Ok(scene)
     }
 
     /// The scene as the text of a scene file. Keys of a light that its kind and attenuation do not read are left out

@@ -1,11 +1,10 @@
 //! Light sources and their attenuation.
 
+use super::choice::choices;
 use super::{Rgb, Scene};
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
 
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Ambient {
     /// Ia, per channel.
     pub color: Rgb,
@@ -26,25 +25,23 @@ impl Default for Ambient {
     }
 }
 
-/// What stands for the light that arrives from all sides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum AmbientSource {
-    /// The constant Ia.
-    Constant,
-    /// Light that other surfaces of the scene have scattered once.
-    Bounce,
-    /// The constant in the left half of the picture, one bounce in the right half.
-    Split,
+choices! {
+    /// What stands for the light that arrives from all sides.
+    pub enum AmbientSource {
+        /// The constant Ia.
+        Constant = "constant", "constant", "Ia everywhere";
+        /// Light that other surfaces of the scene have scattered once.
+        Bounce = "bounce", "one bounce", "Light that other surfaces of the scene have scattered once";
+        /// The constant in the left half of the picture, one bounce in the right half.
+        Split = "split", "compare halves", "The constant in the left half of the picture, one bounce in the right half";
+    }
 }
 
 /// One light source. Fields that its kind or its attenuation does not read keep their value, so that switching back
 /// and forth loses nothing.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Light {
     /// What its author calls it; may be empty.
-    #[serde(skip_serializing_if = "String::is_empty")]
     pub name: String,
     pub kind: LightKind,
     /// Switched off.
@@ -109,15 +106,13 @@ impl Default for Light {
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum LightKind {
-    Point,
-    Directional,
-    /// A point that shines into a cone.
-    Spot,
-    /// A surface, replaced by points spread evenly over it.
-    Area,
+choices! {
+    pub enum LightKind {
+        Point = "point", "point", "Shines from a point in all directions";
+        Directional = "directional", "directional", "Parallel rays, like sunlight";
+        Spot = "spot", "spot", "Shines from a point into a cone";
+        Area = "area", "area", "A rectangle or a sphere, represented by points spread evenly over it";
+    }
 }
 
 impl LightKind {
@@ -167,27 +162,26 @@ impl Scene {
     }
 }
 
-/// The shape of an area light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum AreaShape {
-    /// Facing along its direction; its points shine to all sides, as a point light does.
-    Rectangle,
-    Sphere,
+choices! {
+    /// The shape of an area light.
+    pub enum AreaShape {
+        Rectangle = "rectangle", "rectangle", "A window or a panel; its points shine in all directions";
+        Sphere = "sphere", "sphere", "A globe";
+    }
 }
 
-/// The factor f of a light's contribution.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Attenuation {
-    /// f = 1.
-    None,
-    /// f = 1/(r + k), r the distance from the point to the viewer.
-    Viewer,
-    /// f = 1/(r + k), r the distance from the point to the light.
-    Light,
-    /// f = 1/d², d the distance from the point to the light.
-    InverseSquare,
-    /// f = min(1, 1/(c1 + c2·d + c3·d²)).
-    Quadratic,
+choices! {
+    /// The factor f of a light's contribution.
+    pub enum Attenuation {
+        /// f = 1.
+        None = "none", "none", "f = 1";
+        /// f = 1/(r + k), r the distance from the point to the viewer.
+        Viewer = "viewer", "1/(r+k), r to the viewer", "As in older textbooks";
+        /// f = 1/(r + k), r the distance from the point to the light.
+        Light = "light", "1/(r+k), r to the light", "";
+        /// f = 1/d², d the distance from the point to the light.
+        InverseSquare = "inverse-square", "1/d²", "As light weakens in empty space";
+        /// f = min(1, 1/(c1 + c2·d + c3·d²)).
+        Quadratic = "quadratic", "1/(c1+c2·d+c3·d²)", "At most 1";
+    }
 }

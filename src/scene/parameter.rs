@@ -5,7 +5,6 @@
 
 mod access;
 pub mod camera;
-mod choices;
 pub mod light;
 pub mod material;
 pub mod object;
@@ -13,13 +12,15 @@ pub mod shading;
 pub mod surroundings;
 mod symbol;
 
-pub use access::{Access, ChoiceAccess, ChoiceOption, Options};
+pub use access::{Access, ChoiceField, Field, List};
 pub use symbol::Symbol;
 
-use super::{GREATEST_INTENSITY, GREATEST_LENGTH, Rgb, Scene};
+use super::format::{Datum, Wrong, read_coefficient, text};
+use super::{ChoiceOption, GREATEST_INTENSITY, GREATEST_LENGTH, Rgb, Scene};
 use glam::DVec3;
 use std::sync::LazyLock;
-use toml::Value;
+use toml::de::DeValue;
+use toml::{Spanned, Value};
 
 /// One key of a scene.
 #[derive(Debug)]
@@ -85,17 +86,17 @@ pub enum Kind {
         at: Access<DVec3>,
         needed: fn(&Scene, usize) -> bool,
     },
-    Choice(ChoiceAccess),
+    Choice(&'static dyn ChoiceField),
     Switch(Access<bool>),
     Text {
         at: Access<String>,
         longest: usize,
     },
-    /// What has its own reader, checks and controls.
+    /// What has its own checks and controls.
     Other {
+        at: &'static dyn Field,
         kind: &'static str,
         limits: &'static str,
-        value: fn(&Scene) -> Option<Value>,
     },
 }
 
@@ -186,9 +187,40 @@ impl Parameter {
         tables.into_iter().flatten().copied()
     }
 
+    /// Those in a table of the scene file and in the tables inside it.
+    pub(super) fn in_table(table: &str) -> impl Iterator<Item = &'static Self> {
+        Self::all().filter(move |parameter| {
+            table.is_empty() || parameter.key.strip_prefix(table).is_some_and(|rest| rest.starts_with('.'))
+        })
+    }
+
+    /// The names of the keys and the tables in a table of the scene file.
+    pub(super) fn names_in(table: &str) -> Vec<&'static str> {
+        let skipped = if table.is_empty() { 0 } else { table.len() + 1 };
+        let mut names: Vec<_> =
+            Self::in_table(table).filter_map(|parameter| parameter.key[skipped..].split('.').next()).collect();
+        names.dedup();
+        names
+    }
+
+    /// The table of the scene file that it stands in, for example `material` or `light.N`; none for the version.
+    pub(super) fn table(&'static self) -> Option<&'static str> {
+        self.key.rsplit_once('.').map(|(table, _)| table)
+    }
+
     /// Whether each light has one of its own.
     pub fn of_light(&self) -> bool {
-        self.key.starts_with(light::PREFIX)
+        self.list() == Some(List::Lights)
+    }
+
+    /// The list of which each element has one of its own.
+    fn list(&self) -> Option<List> {
+        List::of(self.key)
+    }
+
+    /// How many of it a scene has: one, or one for each light or pane.
+    pub fn count(&self, scene: &Scene) -> usize {
+        self.list().map_or(1, |list| list.len(scene))
     }
 
     /// The table of the scene file that it stands in, for example `material`.
@@ -204,23 +236,48 @@ impl Parameter {
     /// Its value, as a scene file holds it; none where the scene has no such light.
     pub fn value(&self, scene: &Scene, index: usize) -> Option<Value> {
         match &self.kind {
-            Kind::Number { at, .. } => at.value(scene, index),
-            Kind::Whole { at, .. } => at.value(scene, index),
-            Kind::Pair { at, .. } => at.value(scene, index),
+            Kind::Coefficient { at, .. } if is_grey(*(at.get)(scene, index)?) => (at.get)(scene, index)?.x.value(),
+            _ => self.field().value(scene, index),
+        }
+    }
+
+    /// Sets it to a value of a scene file; its limits are not looked at.
+    pub(super) fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Wrong> {
+        match &self.kind {
             Kind::Coefficient { at, .. } => {
-                let value = *(at.get)(scene, index)?;
-                let equal = value == Rgb::splat(value.x);
-                if equal { Some(Value::Float(value.x)) } else { at.value(scene, index) }
+                let value = read_coefficient(value)?;
+                (at.get_mut)(scene, index).into_iter().for_each(|place| *place = value);
+                Ok(())
             }
-            Kind::Channels { at, .. } | Kind::Colour { at, .. } => at.value(scene, index),
-            Kind::Point(at) | Kind::Direction { at, .. } => at.value(scene, index),
-            Kind::Choice(choice) => {
-                let options = (choice.options)();
-                Some(Value::String(options[(choice.chosen)(scene, index)?].word.clone()))
-            }
-            Kind::Switch(at) => at.value(scene, index),
-            Kind::Text { at, .. } => at.value(scene, index),
-            Kind::Other { value, .. } => value(scene),
+            _ => self.field().read(scene, index, value),
+        }
+    }
+
+    /// Sets it to what it is in another scene.
+    pub fn copy(&self, from: &Scene, to: &mut Scene, index: usize) {
+        self.field().copy(from, to, index);
+    }
+
+    /// Where its value lives.
+    pub(super) fn field(&self) -> &dyn Field {
+        match &self.kind {
+            Kind::Number { at, .. } => at,
+            Kind::Whole { at, .. } => at,
+            Kind::Pair { at, .. } => at,
+            Kind::Coefficient { at, .. } | Kind::Channels { at, .. } | Kind::Colour { at, .. } => at,
+            Kind::Point(at) | Kind::Direction { at, .. } => at,
+            Kind::Choice(at) => *at,
+            Kind::Switch(at) => at,
+            Kind::Text { at, .. } => at,
+            Kind::Other { at, .. } => *at,
+        }
+    }
+
+    /// Its value as the right side of `--set`.
+    pub fn setting(&self, scene: &Scene, index: usize) -> String {
+        match self.value(scene, index) {
+            Some(Value::String(word)) if is_word(&word) => word,
+            value => value.as_ref().map_or_else(String::new, text),
         }
     }
 
@@ -231,10 +288,7 @@ impl Parameter {
 
     /// Whether two scenes agree in it, for numbers bit by bit.
     pub fn agrees(&self, a: &Scene, b: &Scene, index: usize) -> bool {
-        match (self.value(a, index), self.value(b, index)) {
-            (Some(Value::Float(a)), Some(Value::Float(b))) => a.to_bits() == b.to_bits(),
-            (a, b) => a == b,
-        }
+        self.field().agrees(a, b, index)
     }
 
     /// Its letter and its name, for the light of number `index` where it is a light's.
@@ -299,7 +353,7 @@ impl Parameter {
     pub fn range_text(&self) -> String {
         match &self.kind {
             Kind::Other { limits, .. } => (*limits).to_owned(),
-            Kind::Choice(_) => self.options().iter().map(|option| option.word.as_str()).collect::<Vec<_>>().join(", "),
+            Kind::Choice(_) => self.options().iter().map(|option| option.word).collect::<Vec<_>>().join(", "),
             Kind::Switch(_) => "true, false".to_owned(),
             Kind::Text { longest, .. } => format!("at most {longest} characters in one line"),
             Kind::Direction { .. } => "not zero".to_owned(),
@@ -311,10 +365,30 @@ impl Parameter {
     /// What it can be set to, where that is one of a few words.
     pub fn options(&self) -> &'static [ChoiceOption] {
         match &self.kind {
-            Kind::Choice(choice) => (choice.options)(),
+            Kind::Choice(choice) => choice.options(),
             _ => &[],
         }
     }
+}
+
+impl Scene {
+    /// The parameters in which two scenes differ, each with the number of its light or pane.
+    pub fn differences<'s>(&'s self, other: &'s Self) -> impl Iterator<Item = (&'static Parameter, usize)> {
+        Parameter::all().flat_map(move |parameter| {
+            let indices = 0..parameter.count(self).max(parameter.count(other));
+            indices.filter(move |index| !parameter.agrees(self, other, *index)).map(move |index| (parameter, index))
+        })
+    }
+}
+
+/// Whether a text can stand without quotation marks.
+fn is_word(text: &str) -> bool {
+    !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '-')
+}
+
+/// Whether a coefficient is the same in all channels.
+pub(super) fn is_grey(value: Rgb) -> bool {
+    value == Rgb::splat(value.x)
 }
 
 /// A scene of nothing but defaults.

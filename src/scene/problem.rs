@@ -1,6 +1,7 @@
 //! What can be wrong with a scene, where, and what was expected instead.
 
 use super::nearest::nearest;
+use super::parameter::Parameter;
 use std::fmt;
 
 /// Everything that is wrong with a scene: one problem or more.
@@ -82,10 +83,10 @@ pub enum Cause {
     TooLong,
     /// The file's version is not one that this program reads.
     Version { found: String },
-    /// No such key; the known ones of that table.
-    UnknownKey { known: &'static [&'static str] },
+    /// No such key in a table, which is named as the table of parameters has it.
+    UnknownKey { table: String },
     /// A choice that is not offered; the words that are.
-    UnknownWord { word: String, known: &'static [&'static str] },
+    UnknownWord { word: String, known: Vec<&'static str> },
     /// A value that cannot be what the key means, by its type or by its number.
     Value { found: String, expected: String },
     /// A value, or its absence, that does not go with those of other keys.
@@ -135,9 +136,9 @@ impl Cause {
                 write!(f, "`version` is {found}, expected {version}: shading-lab {program} reads version {version}, ")?;
                 write!(f, "for a later one take a later shading-lab")
             }
-            Self::UnknownKey { known } => {
+            Self::UnknownKey { table } => {
                 write!(f, "unknown key `{key}`, ")?;
-                choices(f, key.rsplit('.').next().unwrap_or(key), known)
+                choices(f, key.rsplit('.').next().unwrap_or(key), &Parameter::names_in(table))
             }
             Self::UnknownWord { word, known } => {
                 write!(f, "`{key}` is {}, ", quoted(word))?;

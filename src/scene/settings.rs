@@ -1,10 +1,9 @@
 //! The picture's size and background, and the choices of reflection, shading and display.
 
 use super::Rgb;
-use serde::{Deserialize, Serialize};
+use super::choice::choices;
 
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Image {
     /// Width and height in pixels, 1 to [`Image::MAX_SIDE`] each.
     pub size: [u32; 2],
@@ -23,8 +22,7 @@ impl Default for Image {
     }
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Reflection {
     pub model: ReflectionModel,
     /// How the microfacets' slopes are spread, Cook–Torrance only.
@@ -38,40 +36,37 @@ impl Default for Reflection {
     }
 }
 
-/// The specular term.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ReflectionModel {
-    /// `(R·V)^n` (Phong 1975).
-    Phong,
-    /// `(N·H)^n` (Blinn 1977).
-    Blinn,
-    /// `π·D·G/(4·(N·V))` of microfacets (Cook and Torrance 1982).
-    CookTorrance,
+choices! {
+    /// The specular term.
+    pub enum ReflectionModel {
+        /// `(R·V)^n` (Phong 1975).
+        Phong = "phong", "Phong  (R·V)^n", "R is L reflected about N";
+        /// `(N·H)^n` (Blinn 1977).
+        Blinn = "blinn", "Blinn  (N·H)^n", "H is half-way between L and V";
+        /// `π·D·G/(4·(N·V))` of microfacets (Cook and Torrance 1982).
+        CookTorrance = "cook-torrance", "Cook–Torrance  D·G", "Microfacets: D is the fraction that mirrors the light, G the fraction of those that is lit and seen";
+    }
 }
 
-/// How the slopes of microfacets are spread.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Distribution {
-    /// Normally distributed slopes (Beckmann and Spizzichino 1963), with the V-cavities of Torrance and Sparrow 1967.
-    Beckmann,
-    /// The longer tail of Walter et al. 2007, with their shadowing.
-    Ggx,
+choices! {
+    /// How the slopes of microfacets are spread.
+    pub enum Distribution {
+        /// Normally distributed slopes (Beckmann and Spizzichino 1963), with the V-cavities of Torrance and Sparrow 1967.
+        Beckmann = "beckmann", "Beckmann", "Normally distributed slopes, with V-shaped cavities";
+        /// The longer tail of Walter et al. 2007, with their shadowing.
+        Ggx = "ggx", "GGX", "A longer tail about the highlight (Walter et al. 2007), with Smith's G";
+    }
 }
 
-/// What happens where N·L < 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Backfacing {
-    /// The light contributes nothing.
-    Clamp,
-    /// The normal is turned towards the light: two-sided surfaces.
-    Flip,
+choices! {
+    /// What happens where N·L < 0.
+    pub enum Backfacing {
+        Clamp = "clamp", "clamp to 0", "The light contributes nothing";
+        Flip = "flip", "flip N", "The normal is turned towards the light: a two-sided surface";
+    }
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Shading {
     pub mode: ShadingMode,
     pub flat_at: FlatAt,
@@ -94,48 +89,36 @@ impl Default for Shading {
     }
 }
 
-/// Where the illumination equation is evaluated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ShadingMode {
-    /// Once a polygon.
-    Flat,
-    /// At each polygon's vertices with the polygon's own normal, the intensity interpolated.
-    Interpolated,
-    /// At the vertices with the vertex normals, the intensity interpolated (Gouraud 1971).
-    Gouraud,
-    /// At every pixel with the interpolated normal (Phong 1975).
-    Phong,
-    /// At every pixel with the true surface's point and normal.
-    Exact,
+choices! {
+    /// Where the illumination equation is evaluated.
+    pub enum ShadingMode {
+        Flat = "flat", "Flat", "The equation once per polygon";
+        Interpolated = "interpolated", "Interpolated", "The equation at each polygon's vertices with the polygon's own normal; the intensity is interpolated";
+        Gouraud = "gouraud", "Gouraud", "The equation at the vertices with the vertex normals; the intensity is interpolated (Gouraud 1971)";
+        Phong = "phong", "Phong", "The equation at every pixel with the interpolated normal (Phong 1975)";
+        Exact = "exact", "Exact", "The equation at every pixel of the true surface, with its own normal and outline";
+    }
 }
 
-/// Where a flat polygon takes its one shade from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum FlatAt {
-    /// The mean of its corners, with the polygon's own normal.
-    Centre,
-    /// The mean of the shades at its vertices, with the vertex normals.
-    VertexMean,
-    /// The shade at its first vertex, with the vertex normal.
-    ProvokingVertex,
+choices! {
+    /// Where a flat polygon takes its one shade from.
+    pub enum FlatAt {
+        Centre = "centre", "the centre", "The mean of the vertices, with the polygon's own normal";
+        VertexMean = "vertex-mean", "vertices, averaged", "The mean of the intensities at the vertices, with the vertex normals";
+        ProvokingVertex = "provoking-vertex", "the first vertex", "The intensity at the first vertex, as OpenGL may do";
+    }
 }
 
-/// How values between vertices are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Interpolation {
-    /// Linear on the polygon in space.
-    Perspective,
-    /// Linear on the triangle in the picture.
-    Affine,
-    /// Linear along the polygon's edges, then along the scan line, in the picture.
-    Scanline,
+choices! {
+    /// How values between vertices are found.
+    pub enum Interpolation {
+        Perspective = "perspective", "perspective-correct", "Linear on the polygon in space";
+        Affine = "affine", "affine", "Linear on the triangle in the picture";
+        Scanline = "scanline", "scan line", "Linear along the edges, then along the scan line, in the picture";
+    }
 }
 
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Display {
     pub overflow: Overflow,
     pub encoding: Encoding,
@@ -147,24 +130,19 @@ impl Default for Display {
     }
 }
 
-/// What happens where I > 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Overflow {
-    /// It is shown as 1.
-    Clamp,
-    /// The whole picture is divided by its greatest value.
-    Scale,
-    /// It is shown as a hatching.
-    Mark,
+choices! {
+    /// What happens where I > 1.
+    pub enum Overflow {
+        Clamp = "clamp", "clamp", "Shown as 1";
+        Scale = "scale", "scale the picture", "The whole picture is divided by its greatest value";
+        Mark = "mark", "mark", "Hatched where a channel is above 1";
+    }
 }
 
-/// From linear intensity to the stored value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Encoding {
-    /// value × 255, rounded, as the textbooks do.
-    Raw,
-    /// The transfer function of IEC 61966-2-1.
-    Srgb,
+choices! {
+    /// From linear intensity to the stored value.
+    pub enum Encoding {
+        Raw = "raw", "value × 255", "As in the textbooks: value × 255, rounded";
+        Srgb = "srgb", "sRGB", "The transfer function of IEC 61966-2-1: light on the screen is proportional to I";
+    }
 }

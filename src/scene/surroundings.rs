@@ -1,11 +1,10 @@
 //! What is not the object: the pattern on it, its transparency, the ground under it and the wall behind it.
 
 use super::Rgb;
-use serde::{Deserialize, Serialize};
+use super::choice::choices;
 
 /// A second colour of the surface, laid out by object coordinates, so that no picture file is needed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Pattern {
     pub kind: PatternKind,
     /// Od where the pattern lies; the material's colour is seen between.
@@ -20,22 +19,18 @@ impl Default for Pattern {
     }
 }
 
-/// The patterns. Fields are counted from the origin, the first of them centred there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum PatternKind {
-    None,
-    /// Cubes, every other one coloured.
-    Checker,
-    /// Layers across the y axis.
-    Stripes,
-    /// Shells about the y axis; about the z axis on a plane.
-    Rings,
+choices! {
+    /// The patterns. Fields are counted from the origin, the first of them centred there.
+    pub enum PatternKind {
+        None = "none", "none", "No pattern";
+        Checker = "checker", "checker", "Cubes, every other one coloured";
+        Stripes = "stripes", "stripes", "Level layers";
+        Rings = "rings", "rings", "Shells about the axis";
+    }
 }
 
 /// Light that passes through the surface: `I = (1 − kt)·Irefl + kt·Itrans`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Transparency {
     /// Kt, the part of the transmitted light, 0 (opaque) to 1.
     pub kt: f64,
@@ -50,20 +45,17 @@ impl Default for Transparency {
     }
 }
 
-/// How far a transmitted ray is followed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Through {
-    /// Refracted once, at the surface seen: what lies behind is inside the material as well.
-    Surface,
-    /// Refracted on its way in and on its way out, reflected inside where it cannot leave.
-    Solid,
+choices! {
+    /// How far a transmitted ray is followed.
+    pub enum Through {
+        Surface = "surface", "one surface", "Refracted once: what lies behind is inside the material as well";
+        Solid = "solid", "solid", "Refracted on its way in and out, and reflected inside where it cannot leave";
+    }
 }
 
 /// A level floor that receives light and shadows: it is seen from above, behind the object, and before what of the wall is
 /// farther away.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Ground {
     pub visible: bool,
     /// Its y coordinate, world.
@@ -84,8 +76,7 @@ impl Default for Ground {
 
 /// A patterned wall behind the object, upright to the viewing direction, without end. Between the pattern it has the
 /// background's colour; it hides what of the ground lies beyond it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Backdrop {
     /// None: there is no wall.
     pub pattern: PatternKind,

@@ -1,7 +1,7 @@
 //! What a valid scene is: every value within the limits of its parameter, and no two that contradict each other.
 
 use super::compare;
-use super::parameter::{Kind, Limits, Parameter};
+use super::parameter::{Kind, Limits, Parameter, is_grey};
 use super::problem::{Cause, Place, Problem, SceneError};
 use super::{
     AmbientSource, Attenuation, Camera, DepthCueing, Image, Light, Material, Object, ObjectKind, Pattern, PatternKind,
@@ -67,7 +67,7 @@ impl Scene {
             checks.value("light", format!("a list of {}", self.lights.len()), format!("at most {}", Self::MAX_LIGHTS));
         }
         for parameter in Parameter::all() {
-            let count = if parameter.of_light() { self.lights.len().min(Self::MAX_LIGHTS) } else { 1 };
+            let count = parameter.count(self).min(Self::MAX_LIGHTS);
             (0..count).for_each(|index| checks.parameter(parameter, self, index));
         }
         self.camera.check(&mut checks);
@@ -294,7 +294,7 @@ impl Parameter {
             |value: f64, limits: Limits| (!limits.contains(value)).then(|| (number(value), format!("{limits}{unit}")));
         match &self.kind {
             // One number where the channels agree, as it was typed.
-            Kind::Coefficient { at, limits, .. } if (at.get)(scene, index).is_some_and(|v| *v == Rgb::splat(v.x)) => {
+            Kind::Coefficient { at, limits, .. } if (at.get)(scene, index).is_some_and(|value| is_grey(*value)) => {
                 one((at.get)(scene, index)?.x, *limits)
             }
             Kind::Number { at, limits, .. } => one(*(at.get)(scene, index)?, *limits),

@@ -8,8 +8,8 @@ use crate::scene::parameter::camera::{EYE, FOV_Y, HEIGHT, PROJECTION, ROLL, TARG
 use eframe::egui::{Button, Ui};
 
 pub fn camera_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { document, lit, .. } = state;
-    let scene = &mut document.scene;
+    let AppState { shown, lit, .. } = state;
+    let scene = &mut shown.scene;
     parameters(ui, lit, scene, &[&VIEWER, &PROJECTION]);
     let size = if scene.camera.projection == Projection::Perspective { &FOV_Y } else { &HEIGHT };
     parameters(ui, lit, scene, &[size, &ROLL, &EYE, &TARGET]);

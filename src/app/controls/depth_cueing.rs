@@ -8,8 +8,8 @@ use crate::scene::{CuedBy, DepthCueing, GREATEST_LENGTH, ShadingMode};
 use eframe::egui::{RichText, Ui};
 
 pub fn depth_cueing_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { document, lit, .. } = state;
-    let scene = &mut document.scene;
+    let AppState { shown, lit, .. } = state;
+    let scene = &mut shown.scene;
     parameter(ui, lit, scene, &CUED_BY);
     if scene.depth_cueing.by == CuedBy::Off {
         return;

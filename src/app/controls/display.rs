@@ -8,8 +8,8 @@ use crate::scene::parameter::camera::{BACKGROUND, ENCODING, OVERFLOW};
 use eframe::egui::{RichText, Ui};
 
 pub fn display_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    let AppState { document, lit, .. } = state;
-    let scene = &mut document.scene;
+    let AppState { shown, lit, .. } = state;
+    let scene = &mut shown.scene;
     parameter(ui, lit, scene, &OVERFLOW);
     overflow_ui(ui, engine.report().overflowing);
     parameters(ui, lit, scene, &[&ENCODING, &BACKGROUND]);

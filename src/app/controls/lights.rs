@@ -16,9 +16,9 @@ use eframe::egui::{Atom, Button, IdSalt, RichText, Sense, Stroke, Ui, WidgetInfo
 const LONGEST: usize = 12;
 
 pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
-    parameter(ui, &mut state.lit, &mut state.document.scene, &AMBIENT_COLOR);
+    parameter(ui, &mut state.lit, &mut state.shown.scene, &AMBIENT_COLOR);
     chips_ui(ui, state);
-    if state.light < state.document.scene.lights.len() {
+    if state.light < state.shown.scene.lights.len() {
         chosen::light_ui(ui, state);
     } else {
         ui.label(RichText::new("No light but the ambient. “+” adds one.").weak());
@@ -30,8 +30,8 @@ fn chips_ui(ui: &mut Ui, state: &mut AppState) {
     let lit = state.lit.now == Some(Symbol::Lights);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        let soloing = state.document.scene.soloing();
-        for (index, light) in state.document.scene.lights.iter().enumerate() {
+        let soloing = state.shown.scene.soloing();
+        for (index, light) in state.shown.scene.lights.iter().enumerate() {
             if chip(ui, index, light, light.shines(soloing), state.light == index, lit) {
                 state.light = index;
             }
@@ -40,7 +40,7 @@ fn chips_ui(ui: &mut Ui, state: &mut AppState) {
         if tool(ui, "+", "Add a light", true) {
             state.ask(Action::AddLight);
         }
-        let any = index < state.document.scene.lights.len();
+        let any = index < state.shown.scene.lights.len();
         if tool(ui, "▫▫", "Duplicate this light", any) {
             state.ask(Action::DuplicateLight(index));
         }

@@ -15,8 +15,8 @@ use eframe::egui::Ui;
 pub fn material_ui(ui: &mut Ui, state: &mut AppState) {
     gallery::gallery_ui(ui, state);
     let view = View { channels: state.look.channels, ..View::default() };
-    let AppState { document, lit, .. } = state;
-    let scene = &mut document.scene;
+    let AppState { shown, lit, .. } = state;
+    let scene = &mut shown.scene;
     for row in [&KA, &KD, &KS] {
         parameter_with(ui, lit, scene, 0, row, &view);
     }

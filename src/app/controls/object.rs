@@ -8,21 +8,20 @@ use crate::app::engine::Engine;
 use crate::app::row::{View, parameter, parameter_with};
 use crate::app::state::AppState;
 use crate::app::symbol::Lit;
-use crate::scene::parameter::ChoiceOption;
 use crate::scene::parameter::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING, polygons_unused};
-use crate::scene::{NormalSource, ObjectKind, Scene};
+use crate::scene::{ChoiceOption, NormalSource, ObjectKind, Scene};
 use eframe::egui::{Button, RichText, Ui};
 
 pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    let AppState { document, lit, .. } = state;
-    let before = document.scene.object.kind;
-    parameter(ui, lit, &mut document.scene, &KIND);
-    let object = &mut document.scene.object;
+    let AppState { shown, lit, .. } = state;
+    let before = shown.scene.object.kind;
+    parameter(ui, lit, &mut shown.scene, &KIND);
+    let object = &mut shown.scene.object;
     let kind = object.kind;
     if kind == ObjectKind::Polygons && before != kind {
         object.own_polygons();
     }
-    if kind == ObjectKind::Obj && document.model.is_none() {
+    if kind == ObjectKind::Obj && shown.model.is_none() {
         object.kind = before;
     }
     // Another shape may need more of them.
@@ -31,19 +30,19 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     match kind {
         ObjectKind::Obj => model_ui(ui, state),
         ObjectKind::Polygons => polygons::polygons_ui(ui, state),
-        _ => divisions_ui(ui, lit, &mut document.scene),
+        _ => divisions_ui(ui, lit, &mut shown.scene),
     }
-    if kind == ObjectKind::Obj && state.document.model.is_none() {
+    if kind == ObjectKind::Obj && state.shown.model.is_none() {
         state.ask(Action::Open);
     }
     counts_ui(ui, engine.report());
-    normals_ui(ui, &mut state.lit, &mut state.document.scene);
+    normals_ui(ui, &mut state.lit, &mut state.shown.scene);
 }
 
 /// The model's file.
 fn model_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { document, lit, .. } = state;
-    let path = document.scene.object.path.as_ref();
+    let AppState { shown, lit, .. } = state;
+    let path = shown.scene.object.path.as_ref();
     let name = path.and_then(|path| path.file_name()).map(|name| name.to_string_lossy().into_owned());
     ui.horizontal(|ui| {
         ui.label(RichText::new(name.as_deref().unwrap_or("no model yet")).weak());
@@ -51,7 +50,7 @@ fn model_ui(ui: &mut Ui, state: &mut AppState) {
             state.asked.push(Action::Open);
         }
     });
-    parameter(ui, lit, &mut document.scene, &FIT);
+    parameter(ui, lit, &mut shown.scene, &FIT);
 }
 
 fn divisions_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
@@ -66,7 +65,7 @@ fn divisions_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
 fn normals_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
     let offered = |scene: &Scene, option: &ChoiceOption| {
         let object = &scene.object;
-        match option.word.as_str() {
+        match option.word {
             "exact" => object.kind.has_surface(),
             "file" => {
                 object.kind == ObjectKind::Obj

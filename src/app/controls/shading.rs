@@ -2,14 +2,13 @@
 
 use crate::app::row::parameter;
 use crate::app::state::AppState;
-use crate::scene::ShadingMode;
-use crate::scene::parameter::Options;
 use crate::scene::parameter::shading::{FLAT_AT, INTERPOLATION, RENORMALISE};
+use crate::scene::{Choice, ShadingMode};
 use eframe::egui::{RichText, Ui};
 
 pub fn shading_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { document, lit, .. } = state;
-    let scene = &mut document.scene;
+    let AppState { shown, lit, .. } = state;
+    let scene = &mut shown.scene;
     let mode = scene.shading.mode;
     let what = if mode == ShadingMode::Exact && !scene.object.kind.has_surface() {
         "There is no surface beyond these polygons: here Phong shading, evaluated in double precision"

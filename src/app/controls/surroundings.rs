@@ -15,8 +15,8 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, RichText, Ui, WidgetInfo};
 
 pub fn surroundings_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    let AppState { document, lit, .. } = state;
-    let scene = &mut document.scene;
+    let AppState { shown, lit, .. } = state;
+    let scene = &mut shown.scene;
     parameter(ui, lit, scene, &SHADOWS);
     parameter(ui, lit, scene, &AMBIENT_SOURCE);
     if scene.ambient.source != AmbientSource::Constant {

@@ -6,6 +6,6 @@ use crate::scene::parameter::material::{KT, THROUGH, TRANSPARENCY_IOR};
 use eframe::egui::Ui;
 
 pub fn transparency_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { document, lit, .. } = state;
-    parameters(ui, lit, &mut document.scene, &[&KT, &TRANSPARENCY_IOR, &THROUGH]);
+    let AppState { shown, lit, .. } = state;
+    parameters(ui, lit, &mut shown.scene, &[&KT, &TRANSPARENCY_IOR, &THROUGH]);
 }

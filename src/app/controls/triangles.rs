@@ -14,7 +14,7 @@ const MOST: f64 = 4e6;
 
 /// One slider for segments and rings together.
 pub fn triangles_ui(ui: &mut Ui, lit: &mut Lit, idle: Option<&str>, object: &mut Object) {
-    let plain = Object { segments: Object::default().segments, rings: Object::default().rings, ..object.clone() };
+    let plain = Object { segments: lit.opened.object.segments, rings: lit.opened.object.rings, ..object.clone() };
     let [segments, rings] = divisions_for(object.kind, 0);
     let least = triangles(&Object { segments, rings, ..object.clone() }) as f64;
     let about = About {

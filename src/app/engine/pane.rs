@@ -36,6 +36,11 @@ impl Drawing {
         same && self.drawn.as_ref().is_some_and(|drawn| same_picture(drawn, wanted.scene, size))
     }
 
+    /// The parts of a scene in which it differs from the one drawn last.
+    fn changed_parts(&self, scene: &Scene) -> Vec<&'static str> {
+        self.drawn.as_ref().map_or_else(|| vec!["all"], |drawn| changed_parts(drawn, scene))
+    }
+
     /// Draws unless it has.
     fn draw(&mut self, wanted: &Wanted<'_>, size: [u32; 2]) {
         if self.shows(wanted, size) {
@@ -76,7 +81,7 @@ pub struct PaneEngine {
     /// By what the sides of the picture in sight are divided.
     coarser: u32,
     /// What a whole picture took after a change of these parts, nanoseconds.
-    costs: Vec<(u32, u64)>,
+    costs: Vec<(Vec<&'static str>, u64)>,
     pub picture: Option<TextureHandle>,
     /// At most [`IMAGES`].
     images: Vec<Arc<ColorImage>>,
@@ -98,7 +103,7 @@ impl PaneEngine {
         let parts = changed_parts(drawn, wanted.scene);
         let known = self.costs.iter().find(|(known, _)| *known == parts).map(|(_, cost)| *cost);
         let most = || self.costs.iter().map(|(_, cost)| *cost).max().unwrap_or(0);
-        if parts == 0 { 0 } else { known.unwrap_or_else(most) }
+        if parts.is_empty() { 0 } else { known.unwrap_or_else(most) }
     }
 
     /// Brings the picture up to date, its sides divided by `coarser`; returns whether what is in sight has changed.
@@ -114,11 +119,11 @@ impl PaneEngine {
             // Not every stage shrinks with the picture: what is still too slow is drawn coarser next time.
             let spread = draft.report.nanoseconds * u64::from(coarser * coarser);
             if coarseness(spread) > coarser {
-                let parts = self.whole.drawn.as_ref().map_or(u32::MAX, |drawn| changed_parts(drawn, wanted.scene));
+                let parts = self.whole.changed_parts(wanted.scene);
                 self.remember(parts, spread);
             }
         } else if !self.whole.shows(wanted, size) {
-            let parts = self.whole.drawn.as_ref().map_or(u32::MAX, |drawn| changed_parts(drawn, wanted.scene));
+            let parts = self.whole.changed_parts(wanted.scene);
             self.whole.draw(wanted, size);
             self.remember(parts, self.whole.report.nanoseconds);
         }
@@ -145,7 +150,7 @@ impl PaneEngine {
         image
     }
 
-    fn remember(&mut self, parts: u32, cost: u64) {
+    fn remember(&mut self, parts: Vec<&'static str>, cost: u64) {
         self.costs.retain(|(known, _)| *known != parts);
         self.costs.push((parts, cost));
     }
@@ -200,34 +205,16 @@ impl PaneEngine {
     }
 }
 
-/// Whether `drawn` is a picture of `scene` at `size` pixels.
+/// Whether `drawn` is a picture of `scene` at `size` pixels; the size in the scene is that of exported pictures.
 fn same_picture(drawn: &Scene, scene: &Scene, size: [u32; 2]) -> bool {
-    if drawn.image.size != size {
-        return false;
-    }
-    // The size in the scene is that of exported pictures.
-    let mut sized = scene.clone();
-    sized.image.size = size;
-    sized == *drawn
+    drawn.image.size == size && changed_parts(drawn, scene).is_empty()
 }
 
-/// Which parts of two scenes differ, a bit each.
-fn changed_parts(a: &Scene, b: &Scene) -> u32 {
-    let parts = [
-        a.camera != b.camera,
-        a.object != b.object,
-        a.material != b.material,
-        a.pattern != b.pattern,
-        a.transparency != b.transparency,
-        a.reflection != b.reflection,
-        a.shading != b.shading,
-        a.display != b.display,
-        a.image.background != b.image.background,
-        a.ground != b.ground,
-        a.backdrop != b.backdrop,
-        a.depth_cueing != b.depth_cueing,
-        a.ambient != b.ambient,
-        a.lights != b.lights,
-    ];
-    parts.iter().zip(0..).fold(0, |bits, (changed, bit)| bits | (u32::from(*changed) << bit))
+/// The tables of a scene file in which two scenes differ, as far as the picture depends on them.
+fn changed_parts(a: &Scene, b: &Scene) -> Vec<&'static str> {
+    let differences = a.differences(b).filter(|(parameter, _)| parameter.key != "image.size");
+    let mut parts: Vec<_> = differences.map(|(parameter, _)| parameter.section()).collect();
+    parts.retain(|part| !["about", "compare"].contains(part));
+    parts.dedup();
+    parts
 }

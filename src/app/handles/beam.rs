@@ -108,7 +108,7 @@ pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
     if !state.look.overlay.handles {
         return;
     }
-    let scene = &state.document.scene;
+    let scene = &state.shown.scene;
     for (index, light) in scene.lights.iter().enumerate().filter(|(_, light)| light.kind == LightKind::Area) {
         let strength = if index == state.light { 1.0 } else { 0.5 };
         let stroke = Stroke::new(1.5, palette::vector(Vector::L).gamma_multiply(strength));
@@ -150,8 +150,8 @@ fn closed(painter: &Painter, count: u32, stroke: Stroke, at: impl Fn(f64) -> Opt
 
 /// Turns light `index` so that its axis' head is at `pixel`, on the side of the light where the drag began.
 pub fn aim_at(state: &mut AppState, index: usize, view: &View, pixel: DVec2, front: bool) {
-    let target = state.document.scene.camera.target;
-    let Some(light) = state.document.scene.lights.get_mut(index) else { return };
+    let target = state.shown.scene.camera.target;
+    let Some(light) = state.shown.scene.lights.get_mut(index) else { return };
     let Some(Beam { reach, .. }) = Beam::of(light, view, target) else { return };
     let direction = on_sphere(view, pixel, light.position, reach, front);
     if direction.is_finite() && direction.length() > 0.5 {
@@ -161,8 +161,8 @@ pub fn aim_at(state: &mut AppState, index: usize, view: &View, pixel: DVec2, fro
 
 /// Opens the cone of light `index` so that its edge is at `pixel`.
 pub fn open_to(state: &mut AppState, index: usize, view: &View, pixel: DVec2) {
-    let target = state.document.scene.camera.target;
-    let Some(light) = state.document.scene.lights.get_mut(index) else { return };
+    let target = state.shown.scene.camera.target;
+    let Some(light) = state.shown.scene.lights.get_mut(index) else { return };
     let Some(beam) = Beam::of(light, view, target) else { return };
     let (origin, along) = view.ray(pixel);
     // Seen from the side, the plane of the axis and the handle; seen face on, the sphere.
@@ -215,12 +215,12 @@ mod tests {
     fn spot() -> AppState {
         let mut state = AppState::default();
         let light = Light { kind: LightKind::Spot, position: DVec3::new(1.5, 1.0, 1.0), ..Light::default() };
-        state.document.scene.lights = vec![Light { direction: DVec3::new(-1.5, -1.0, -0.2), ..light }];
+        state.shown.scene.lights = vec![Light { direction: DVec3::new(-1.5, -1.0, -0.2), ..light }];
         state
     }
 
     fn beam(state: &AppState, view: &View) -> (DVec3, DVec3) {
-        let scene = &state.document.scene;
+        let scene = &state.shown.scene;
         let beam = Beam::of(&scene.lights[0], view, scene.camera.target).expect("a spot light");
         (beam.head(), beam.edge(0.0))
     }
@@ -234,7 +234,7 @@ mod tests {
                 aim_at(&mut state, 0, &view, wanted, front);
                 let (pixel, _) = view.project(beam(&state, &view).0).expect("before the eye");
                 assert!((pixel - wanted).length() < 2.0, "{pixel} instead of {wanted}");
-                let away = state.document.scene.lights[0].direction.dot(view.forward);
+                let away = state.shown.scene.lights[0].direction.dot(view.forward);
                 assert_eq!(away < 0.3, front, "{wanted}: {away}");
             }
         }
@@ -245,17 +245,17 @@ mod tests {
         let view = View::new(&Camera::default(), SIZE);
         for direction in [DVec3::new(-1.5, -1.0, -0.2), DVec3::NEG_Z] {
             let mut state = spot();
-            state.document.scene.lights[0].direction = direction;
+            state.shown.scene.lights[0].direction = direction;
             for wanted in [10.0, 25.0, 50.0] {
-                state.document.scene.lights[0].cone = wanted;
+                state.shown.scene.lights[0].cone = wanted;
                 let (pixel, _) = view.project(beam(&state, &view).1).expect("before the eye");
-                state.document.scene.lights[0].cone = 33.0;
+                state.shown.scene.lights[0].cone = 33.0;
                 open_to(&mut state, 0, &view, pixel);
-                let cone = state.document.scene.lights[0].cone;
+                let cone = state.shown.scene.lights[0].cone;
                 assert!((cone - wanted).abs() < 0.2, "{direction}: {cone} instead of {wanted}");
             }
             open_to(&mut state, 0, &view, DVec2::splat(-1e6));
-            assert_eq!(state.document.scene.validate(), Ok(()));
+            assert_eq!(state.shown.scene.validate(), Ok(()));
         }
     }
 

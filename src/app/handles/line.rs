@@ -28,7 +28,7 @@ pub fn end_at(state: &AppState, place: Place, at: Pos2, reach: f32) -> Option<(u
 /// The curves above the line: what is there solid, what is perceived dashed, for the scene's own shading where it is taken.
 fn curves(painter: &Painter, state: &AppState, place: Place) {
     let Some(taken) = state.own.get().and_then(Profiles::profile) else { return };
-    let own = state.document.scene.shading.mode;
+    let own = state.shown.scene.shading.mode;
     let Some(trace) = taken.traces.iter().find(|trace| trace.mode == own).or(taken.traces.first()) else { return };
     let side = f64::from(place.size[0].min(place.size[1]));
     let em = f64::from(TEXT * place.pixels_per_point);

@@ -21,7 +21,7 @@ fn radius(place: Place) -> f32 {
 /// Where the knob is: at the right without roll, counter-clockwise with it.
 fn knob(state: &AppState, place: Place) -> Pos2 {
     // Any number of turns is one of 360 degrees; single precision would not know where it ends.
-    let angle = state.document.scene.camera.roll.rem_euclid(360.0).to_radians() as f32;
+    let angle = state.shown.scene.camera.roll.rem_euclid(360.0).to_radians() as f32;
     place.rect.center() + radius(place) * vec2(angle.cos(), -angle.sin())
 }
 
@@ -38,8 +38,8 @@ pub fn drag_to(state: &mut AppState, place: Place, at: Pos2) {
     }
     let angle = f64::from((-way.y).atan2(way.x)).to_degrees().rem_euclid(360.0);
     let roll = (angle / CATCH).round() * CATCH;
-    let turned = roll - state.document.scene.camera.roll;
-    state.document.scene.camera.roll = roll;
+    let turned = roll - state.shown.scene.camera.roll;
+    state.shown.scene.camera.roll = roll;
     // Pixels count downwards, so that counter-clockwise is clockwise to them.
     state.probe = ProbePoint(DVec2::from_angle(-turned.to_radians()).rotate(state.probe.0));
 }

@@ -25,7 +25,7 @@ const HALVINGS: u32 = 12;
 
 /// The vertices in the picture, by their numbers.
 fn seen(state: &AppState, view: &View, place: Place) -> Vec<(u32, Pos2)> {
-    let object = &state.document.scene.object;
+    let object = &state.shown.scene.object;
     if object.kind != ObjectKind::Polygons || !state.look.overlay.handles {
         return Vec::new();
     }
@@ -46,7 +46,7 @@ pub fn nearest(state: &AppState, view: &View, place: Place, at: Pos2, reach: f32
 
 /// Moves vertex `v` parallel to the picture until it is at `pixel`.
 pub fn drag_to(state: &mut AppState, v: u32, view: &View, pixel: DVec2) {
-    let object = &mut state.document.scene.object;
+    let object = &mut state.shown.scene.object;
     let Some(from) = object.polygons().vertices.get(v as usize).copied() else { return };
     let depth = (from - view.eye).dot(view.forward);
     if depth > 0.0 {
@@ -57,7 +57,7 @@ pub fn drag_to(state: &mut AppState, v: u32, view: &View, pixel: DVec2) {
 
 /// Moves vertex `v` towards the viewer by `step` of the target's distance.
 pub fn push(state: &mut AppState, v: u32, view: &View, step: f64) {
-    let scene = &mut state.document.scene;
+    let scene = &mut state.shown.scene;
     let unit = scene.camera.distance();
     let Some(from) = scene.object.polygons().vertices.get(v as usize).copied() else { return };
     go(&mut scene.object, v, tidy(from - view.forward * (step * unit), unit * 1e-3), unit * 1e-3);

@@ -25,7 +25,7 @@ pub fn paint(ui: &Ui, state: &AppState, engine: &Engine, panes: &[PanePlace], wh
     let painter = ui.painter().with_clip_rect(whole.rect);
     let font = TextStyle::Body.resolve(ui.style());
     let lines: Vec<[String; 2]> = figures.iter().map(|one| caption(one, figures.last())).collect();
-    match state.shared_scene().compare.view {
+    match state.document.scene.compare.view {
         CompareView::Single => {}
         CompareView::Panes => {
             for (pane, [name, measured]) in panes.iter().zip(&lines) {

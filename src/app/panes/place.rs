@@ -18,7 +18,7 @@ pub struct PanePlace {
 
 /// The panes that are shown in the room of `whole`.
 pub fn places(state: &AppState, whole: Place) -> Vec<PanePlace> {
-    let scene = state.shared_scene();
+    let scene = &state.document.scene;
     let shown = scene.shown_panes();
     let alone = |pane| PanePlace { pane, place: whole, seen: whole.rect };
     if shown.len() < 2 {
@@ -51,7 +51,7 @@ pub fn places(state: &AppState, whole: Place) -> Vec<PanePlace> {
 
 /// Where the line of a wipe is on the screen.
 pub fn wipe_line(state: &AppState, whole: Place) -> f32 {
-    let column = (state.shared_scene().compare.wipe * f64::from(whole.size[0])).round() as f32;
+    let column = (state.document.scene.compare.wipe * f64::from(whole.size[0])).round() as f32;
     whole.rect.min.x + column / whole.pixels_per_point
 }
 
@@ -64,5 +64,5 @@ pub fn pane_at(panes: &[PanePlace], active: usize, point: Pos2) -> Option<PanePl
 /// Whether a point is on the line of a wipe, within `reach`.
 pub fn on_wipe(state: &AppState, panes: &[PanePlace], point: Pos2, reach: f32) -> bool {
     let between = |pair: &[PanePlace]| (pair[0].seen.max.x - point.x).abs() <= reach;
-    state.shared_scene().compare.view == CompareView::Wipe && panes.windows(2).any(between)
+    state.document.scene.compare.view == CompareView::Wipe && panes.windows(2).any(between)
 }

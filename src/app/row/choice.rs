@@ -2,7 +2,7 @@
 
 use super::{About, row};
 use crate::app::symbol::Lit;
-use crate::scene::parameter::ChoiceOption;
+use crate::scene::ChoiceOption;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, ComboBox, Ui, WidgetInfo};
 

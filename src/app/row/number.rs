@@ -70,22 +70,28 @@ pub fn whole(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, value: &mut u32) 
 }
 
 /// A coefficient of the material: one slider, which keeps the ratio of the channels, and with `channels` a field each.
-pub fn coefficient(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, channels: bool, value: &mut Rgb) {
+pub fn coefficient(
+    ui: &mut Ui,
+    lit: &mut Lit,
+    about: &About<'_>,
+    rail: &Rail,
+    default: Rgb,
+    channels: bool,
+    value: &mut Rgb,
+) {
     let largest = value.max_element();
     let mut scalar = largest;
-    let unequal = *value != Rgb::splat(largest);
-    number(ui, lit, spec, &mut scalar);
-    if scalar.to_bits() != largest.to_bits() {
-        let keeps_ratio = unequal && largest > 0.0 && scalar > 0.0 && scalar.to_bits() != spec.default.to_bits();
+    let spec = NumberRow { about: about.clone(), rail: rail.clone(), default: default.max_element() };
+    if row(ui, lit, about, *value != default, |ui| slider_and_field(ui, &spec, &mut scalar)) {
+        *value = default;
+    } else if scalar.to_bits() != largest.to_bits() {
+        let keeps_ratio = *value != Rgb::splat(largest) && largest > 0.0 && scalar > 0.0;
         *value = if keeps_ratio { *value * (scalar / largest) } else { Rgb::splat(scalar) };
     }
-    if channels || unequal {
-        let name = format!("{} per channel", spec.about.name());
-        let about = About { letter: "", label: "", name: &name, ..spec.about.clone() };
-        let reset = row(ui, lit, &about, unequal, |ui| three_fields(ui, spec.about.name(), value));
-        if reset {
-            *value = Rgb::splat(scalar);
-        }
+    if channels || *value != Rgb::splat(value.x) {
+        let name = format!("{} per channel", about.name());
+        let channels = About { letter: "", label: "", name: &name, ..about.clone() };
+        row(ui, lit, &channels, false, |ui| three_fields(ui, about.name(), value));
     }
 }
 
@@ -149,7 +155,13 @@ fn infinity_switch(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     let (enabled, name) = (ui.is_enabled(), format!("{} infinite", spec.about.name()));
     response.inner.widget_info(|| WidgetInfo::selected(Role::Button, enabled, on, &name));
     if response.inner.on_hover_text("Infinity: a mirror").clicked() {
-        *value = if on { spec.default } else { f64::INFINITY };
+        *value = if !on {
+            f64::INFINITY
+        } else if spec.default.is_finite() {
+            spec.default
+        } else {
+            *spec.rail.span.end()
+        };
     }
 }
 

@@ -6,8 +6,8 @@ use super::{
 use crate::app::palette::{Term, term_text, vector_text};
 use crate::app::symbol::{Lit, Symbol};
 use crate::figure::palette::Vector;
-use crate::scene::Scene;
-use crate::scene::parameter::{ChoiceOption, Kind, Limits, Parameter, Slider, defaults};
+use crate::scene::parameter::{Access, Kind, Limits, Parameter, Slider, defaults};
+use crate::scene::{ChoiceOption, Scene};
 use eframe::egui::{Color32, Ui};
 
 /// A row for a parameter of the scene.
@@ -63,49 +63,59 @@ pub fn parameter_with(
     };
     let rail = rail(scene, parameter, view);
     match &parameter.kind {
-        Kind::Number { at, .. } => edit(at, scene, index, |value, default| {
-            number(ui, lit, &NumberRow { about, rail, default: *default }, value);
+        Kind::Number { at, .. } => edit(at, lit, scene, index, |lit, value, default| {
+            number(ui, lit, &NumberRow { about, rail, default }, value);
         }),
-        Kind::Whole { at, .. } => edit(at, scene, index, |value, default| {
-            whole(ui, lit, &NumberRow { about, rail, default: f64::from(*default) }, value);
+        Kind::Whole { at, .. } => edit(at, lit, scene, index, |lit, value, default| {
+            whole(ui, lit, &NumberRow { about, rail, default: default.into() }, value);
         }),
         Kind::Pair { at, .. } => {
-            edit(at, scene, index, |value, default| field_pair(ui, lit, &about, &rail, *default, value));
+            edit(at, lit, scene, index, |lit, value, default| field_pair(ui, lit, &about, &rail, default, value));
         }
-        Kind::Coefficient { at, .. } => edit(at, scene, index, |value, default| {
-            coefficient(ui, lit, &NumberRow { about, rail, default: default.x }, view.channels, value);
+        Kind::Coefficient { at, .. } => edit(at, lit, scene, index, |lit, value, default| {
+            coefficient(ui, lit, &about, &rail, default, view.channels, value);
         }),
         Kind::Channels { at, .. } => {
-            edit(at, scene, index, |value, default| triple(ui, lit, &about, &rail, *default, value));
+            edit(at, lit, scene, index, |lit, value, default| triple(ui, lit, &about, &rail, default, value));
         }
-        Kind::Colour { at, .. } => edit(at, scene, index, |value, default| colour(ui, lit, &about, *default, value)),
+        Kind::Colour { at, .. } => {
+            edit(at, lit, scene, index, |lit, value, default| colour(ui, lit, &about, default, value));
+        }
         Kind::Point(at) | Kind::Direction { at, .. } => {
-            edit(at, scene, index, |value, default| vector(ui, lit, &about, *default, value));
+            edit(at, lit, scene, index, |lit, value, default| vector(ui, lit, &about, default, value));
         }
         Kind::Choice(access) => {
-            let (Some(present), Some(default)) = ((access.chosen)(scene, index), (access.chosen)(defaults(), 0)) else {
-                return;
-            };
-            let options = (access.options)();
+            let opened = access.chosen(&lit.opened, index).or_else(|| access.chosen(defaults(), 0));
+            let (Some(present), Some(default)) = (access.chosen(scene, index), opened) else { return };
+            let options = access.options();
             let offered = |place: usize| place == present || (view.offered)(scene, &options[place]);
             let options: Vec<_> =
                 (0..options.len()).filter(|place| offered(*place)).map(|place| (place, &options[place])).collect();
             if let Some(chosen) = choice_of(ui, lit, &about, default, &options, present) {
-                (access.choose)(scene, index, chosen);
+                access.choose(scene, index, chosen);
             }
         }
-        Kind::Switch(at) => edit(at, scene, index, |value, default| toggle(ui, lit, &about, *default, value)),
+        Kind::Switch(at) => {
+            edit(at, lit, scene, index, |lit, value, default| toggle(ui, lit, &about, default, value));
+        }
         Kind::Text { at, longest } => {
-            edit(at, scene, index, |value, _| text(ui, lit, &about, *longest, "no name", value));
+            edit(at, lit, scene, index, |lit, value, default| text(ui, lit, &about, *longest, default, value));
         }
         Kind::Other { .. } => {}
     }
 }
 
-/// Hands over a value of the scene with its default, where there is one.
-fn edit<T>(at: &crate::scene::parameter::Access<T>, scene: &mut Scene, index: usize, change: impl FnOnce(&mut T, &T)) {
-    if let (Some(value), Some(default)) = ((at.get_mut)(scene, index), (at.get)(defaults(), 0)) {
-        change(value, default);
+/// Hands over a value of the scene, with the one that resetting returns to: the default for a light that has been added.
+fn edit<T: Clone>(
+    at: &Access<T>,
+    lit: &mut Lit,
+    scene: &mut Scene,
+    index: usize,
+    change: impl FnOnce(&mut Lit, &mut T, T),
+) {
+    let opened = (at.get)(&lit.opened, index).or_else(|| (at.get)(defaults(), 0)).cloned();
+    if let (Some(value), Some(opened)) = ((at.get_mut)(scene, index), opened) {
+        change(lit, value, opened);
     }
 }
 

@@ -6,10 +6,11 @@ use crate::app::symbol::Lit;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, TextEdit, Ui, WidgetInfo};
 
-/// A line of text of at most `most` characters; empty by default, and then `hint` stands in its place.
-pub fn text(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, most: usize, hint: &'static str, value: &mut String) {
-    let reset = row(ui, lit, about, !value.is_empty(), |ui| {
-        let field = TextEdit::singleline(value).char_limit(most).hint_text(hint).desired_width(ui.available_width());
+/// A line of text of at most `most` characters, which may be empty.
+pub fn text(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, most: usize, default: String, value: &mut String) {
+    let reset = row(ui, lit, about, *value != default, |ui| {
+        let field =
+            TextEdit::singleline(value).char_limit(most).hint_text("no name").desired_width(ui.available_width());
         let response = ui.add(field);
         focus::register(&response);
         let (enabled, shown) = (ui.is_enabled(), value.clone());
@@ -23,15 +24,15 @@ pub fn text(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, most: usize, hint: &'
         response.on_hover_text(about.tip);
     });
     if reset {
-        value.clear();
+        *value = default;
     }
 }
 
-/// Switches side by side, off by default; each is called what the row is called and its own name.
-pub fn flags(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, values: &mut [(&str, &mut bool)]) {
-    let changed = values.iter().any(|(_, value)| **value);
+/// Switches side by side, each with its default; each is called what the row is called and its own name.
+pub fn flags(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, values: &mut [(&str, bool, &mut bool)]) {
+    let changed = values.iter().any(|(_, default, value)| **value != *default);
     let reset = row(ui, lit, about, changed, |ui| {
-        for (label, value) in &mut *values {
+        for (label, _, value) in &mut *values {
             let response =
                 ui.add(Button::selectable(**value, *label).frame_when_inactive(true).min_size([58.0, 0.0].into()));
             let name = format!("{} {label}", about.name());
@@ -44,6 +45,6 @@ pub fn flags(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, values: &mut [(&str,
         }
     });
     if reset {
-        values.iter_mut().for_each(|(_, value)| **value = false);
+        values.iter_mut().for_each(|(_, default, value)| **value = *default);
     }
 }

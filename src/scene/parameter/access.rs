@@ -1,75 +1,126 @@
-//! Where a parameter's value lives in a scene.
+//! Where a parameter's value lives in a scene, and how it is read and written.
 
-use super::super::Scene;
-use serde::Serialize;
-use std::sync::OnceLock;
-use toml::Value;
+use super::super::choice::{Choice, ChoiceOption};
+use super::super::format::{Datum, Wrong};
+use super::super::{Light, Pane, Scene};
+use std::fmt::Debug;
+use toml::de::DeValue;
+use toml::{Spanned, Value};
 
-/// How a value is read and written. `usize` is the number of the light, for what belongs to lights.
+/// The field of a scene that holds a value. `usize` is the number of the light or the pane that it belongs to.
 pub struct Access<T: 'static> {
     pub get: fn(&Scene, usize) -> Option<&T>,
     pub get_mut: fn(&mut Scene, usize) -> Option<&mut T>,
 }
 
-impl<T: Serialize> Access<T> {
-    pub(super) fn value(&self, scene: &Scene, index: usize) -> Option<Value> {
-        Value::try_from((self.get)(scene, index)?).ok()
+/// A field of a scene, whatever its type.
+pub trait Field: Debug + Sync {
+    /// Its value, as a scene file holds it; none where the scene has no such light.
+    fn value(&self, scene: &Scene, index: usize) -> Option<Value>;
+    /// Sets it to a value of a scene file; its limits are not looked at.
+    fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Wrong>;
+    /// Sets it to what it is in another scene.
+    fn copy(&self, from: &Scene, to: &mut Scene, index: usize);
+    /// Whether two scenes agree in it, for numbers bit by bit.
+    fn agrees(&self, a: &Scene, b: &Scene, index: usize) -> bool;
+}
+
+impl<T: Datum> Field for Access<T> {
+    fn value(&self, scene: &Scene, index: usize) -> Option<Value> {
+        (self.get)(scene, index)?.value()
+    }
+
+    fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Wrong> {
+        let value = T::read(value)?;
+        if let Some(place) = (self.get_mut)(scene, index) {
+            *place = value;
+        }
+        Ok(())
+    }
+
+    fn copy(&self, from: &Scene, to: &mut Scene, index: usize) {
+        if let (Some(value), Some(place)) = ((self.get)(from, index), (self.get_mut)(to, index)) {
+            place.clone_from(value);
+        }
+    }
+
+    fn agrees(&self, a: &Scene, b: &Scene, index: usize) -> bool {
+        match ((self.get)(a, index), (self.get)(b, index)) {
+            (Some(a), Some(b)) => a.same(b),
+            (a, b) => a.is_none() && b.is_none(),
+        }
     }
 }
 
-impl<T> std::fmt::Debug for Access<T> {
+/// A field that holds one of several values, by their places among the options.
+pub trait ChoiceField: Field {
+    fn options(&self) -> &'static [ChoiceOption];
+    fn chosen(&self, scene: &Scene, index: usize) -> Option<usize>;
+    fn choose(&self, scene: &mut Scene, index: usize, option: usize);
+}
+
+impl<T: Choice + Datum> ChoiceField for Access<T> {
+    fn options(&self) -> &'static [ChoiceOption] {
+        T::OPTIONS
+    }
+
+    fn chosen(&self, scene: &Scene, index: usize) -> Option<usize> {
+        (self.get)(scene, index).map(|value| value.place())
+    }
+
+    fn choose(&self, scene: &mut Scene, index: usize, option: usize) {
+        if let (Some(place), Some(value)) = ((self.get_mut)(scene, index), T::VALUES.get(option)) {
+            *place = *value;
+        }
+    }
+}
+
+impl<T> Debug for Access<T> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str("Access")
     }
 }
 
-/// The values of an enumeration, each with its label and what it means.
-pub trait Options: Copy + PartialEq + Serialize + Sized + 'static {
-    const OPTIONS: &'static [(Self, &'static str, &'static str)];
+/// A list of a scene whose elements are tables of keys.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum List {
+    Lights,
+    Panes,
+}
 
-    /// What the value is called on screen.
-    fn label(self) -> &'static str {
-        Self::OPTIONS.iter().find(|(value, ..)| *value == self).map_or("", |(_, label, _)| label)
+impl List {
+    /// How the keys of its elements begin.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Lights => "light",
+            Self::Panes => "compare.pane",
+        }
     }
 
-    /// What the value means.
-    fn help(self) -> &'static str {
-        Self::OPTIONS.iter().find(|(value, ..)| *value == self).map_or("", |(.., help)| help)
+    /// The list that a key belongs to, as the table of parameters has it.
+    pub fn of(key: &str) -> Option<Self> {
+        [Self::Lights, Self::Panes]
+            .into_iter()
+            .find(|list| key.strip_prefix(list.key()).is_some_and(|rest| rest.starts_with(".N")))
+    }
+
+    pub fn len(self, scene: &Scene) -> usize {
+        match self {
+            Self::Lights => scene.lights.len(),
+            Self::Panes => scene.compare.panes.len(),
+        }
+    }
+
+    /// Replaces it by `count` elements that have only defaults.
+    pub fn renew(self, scene: &mut Scene, count: usize) {
+        match self {
+            Self::Lights => scene.lights = vec![Light::default(); count],
+            Self::Panes => scene.compare.panes = vec![Pane::default(); count],
+        }
     }
 }
 
-/// One value of a choice.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ChoiceOption {
-    /// As in a scene file.
-    pub word: String,
-    /// As on screen.
-    pub label: &'static str,
-    /// What it means; may be empty.
-    pub help: &'static str,
-}
-
-/// How one of several is read and written, each by its place among the options.
-#[derive(Debug)]
-pub struct ChoiceAccess {
-    pub chosen: fn(&Scene, usize) -> Option<usize>,
-    pub choose: fn(&mut Scene, usize, usize),
-    pub options: fn() -> &'static [ChoiceOption],
-}
-
-/// The options of `T` with the words that a scene file has for them, made once in `options`.
-pub(super) fn options_of<T: Options>(options: &'static OnceLock<Vec<ChoiceOption>>) -> &'static [ChoiceOption] {
-    options.get_or_init(|| {
-        let word = |value: &T| match Value::try_from(value) {
-            Ok(Value::String(word)) => word,
-            other => unreachable!("a choice is written as a word, not {other:?}"),
-        };
-        let option = |&(ref value, label, help): &(T, _, _)| ChoiceOption { word: word(value), label, help };
-        T::OPTIONS.iter().map(option).collect()
-    })
-}
-
-/// The access to a field of a scene, or of one of its lights: `access!(material.n)`, `access!(light: cone)`.
+/// The access to a field of a scene, or of one of its lights or panes: `access!(material.n)`, `access!(light: cone)`.
 macro_rules! access {
     (light: $field:ident) => {
         $crate::scene::parameter::Access {
@@ -77,39 +128,18 @@ macro_rules! access {
             get_mut: |scene, index| scene.lights.get_mut(index).map(|light| &mut light.$field),
         }
     };
-    ($section:ident.$field:ident) => {
+    (pane: $field:ident) => {
         $crate::scene::parameter::Access {
-            get: |scene, _| Some(&scene.$section.$field),
-            get_mut: |scene, _| Some(&mut scene.$section.$field),
+            get: |scene, index| scene.compare.panes.get(index).map(|pane| &pane.$field),
+            get_mut: |scene, index| scene.compare.panes.get_mut(index).map(|pane| &mut pane.$field),
+        }
+    };
+    ($($field:ident).+) => {
+        $crate::scene::parameter::Access {
+            get: |scene, _| Some(&scene.$($field).+),
+            get_mut: |scene, _| Some(&mut scene.$($field).+),
         }
     };
 }
 
-/// A choice of one of the values of an enumeration, at a place as for [`access!`].
-macro_rules! choice {
-    ($kind:ty, $($place:tt)+) => {
-        $crate::scene::parameter::Kind::Choice($crate::scene::parameter::ChoiceAccess {
-            chosen: |scene, index| {
-                const AT: $crate::scene::parameter::Access<$kind> =
-                    $crate::scene::parameter::access::access!($($place)+);
-                let present = (AT.get)(scene, index)?;
-                <$kind as $crate::scene::parameter::Options>::OPTIONS.iter().position(|(value, ..)| value == present)
-            },
-            choose: |scene, index, option| {
-                const AT: $crate::scene::parameter::Access<$kind> =
-                    $crate::scene::parameter::access::access!($($place)+);
-                let options = <$kind as $crate::scene::parameter::Options>::OPTIONS;
-                if let (Some(place), Some((value, ..))) = ((AT.get_mut)(scene, index), options.get(option)) {
-                    *place = *value;
-                }
-            },
-            options: || {
-                static OPTIONS: std::sync::OnceLock<Vec<$crate::scene::parameter::ChoiceOption>> =
-                    std::sync::OnceLock::new();
-                $crate::scene::parameter::access::options_of::<$kind>(&OPTIONS)
-            },
-        })
-    };
-}
-
-pub(super) use {access, choice};
+pub(super) use access;

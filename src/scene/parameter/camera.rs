@@ -1,10 +1,9 @@
 //! The file's version, the camera, the picture and its display.
 
-use super::super::{Camera, GREATEST_LENGTH, Image, LEAST_LENGTH, Rgb, Scene};
-use super::access::{access, choice};
+use super::super::{Camera, GREATEST_LENGTH, Image, LEAST_LENGTH, Rgb};
+use super::access::access;
 use super::{Kind, Limits, Parameter, Slider, Symbol};
-use crate::scene::{Encoding, Overflow, Projection, Viewer};
-use toml::Value;
+use crate::scene::Projection;
 
 pub(super) const ALL: &[&Parameter] = &[
     &VERSION,
@@ -29,7 +28,7 @@ pub(super) const ALL: &[&Parameter] = &[
 static VERSION: Parameter = Parameter::new(
     "version",
     "version",
-    Kind::Other { kind: "whole number", limits: "1", value: |scene| Some(Value::Integer(scene.version.into())) },
+    Kind::Other { at: &access!(version), kind: "whole number", limits: "1" },
     "The version of the scene file's format.",
 );
 
@@ -95,7 +94,7 @@ pub static ROLL: Parameter = Parameter::new(
 pub static PROJECTION: Parameter = Parameter::new(
     "camera.projection",
     "Projection",
-    choice!(Projection, camera.projection),
+    Kind::Choice(&access!(camera.projection)),
     "How points are projected onto the picture.",
 );
 
@@ -132,7 +131,7 @@ pub static HEIGHT: Parameter = Parameter::new(
 pub static VIEWER: Parameter = Parameter::new(
     "camera.viewer",
     "viewer",
-    choice!(Viewer, camera.viewer),
+    Kind::Choice(&access!(camera.viewer)),
     "Where V points: to the eye from each point, or in one constant direction, as if the viewer were infinitely far away.",
 )
 .letter("V", Symbol::Viewer)
@@ -146,9 +145,9 @@ static SIZE: Parameter = Parameter::new(
     "image.size",
     "Size",
     Kind::Other {
+        at: &access!(image.size),
         kind: "two whole numbers",
         limits: "1 to 16384 each, 134217728 pixels in all",
-        value: |scene: &Scene| Value::try_from(scene.image.size).ok(),
     },
     "Width and height of the picture.",
 )
@@ -164,7 +163,7 @@ pub static BACKGROUND: Parameter = Parameter::new(
 pub static OVERFLOW: Parameter = Parameter::new(
     "display.overflow",
     "Overflow",
-    choice!(Overflow, display.overflow),
+    Kind::Choice(&access!(display.overflow)),
     "What happens to intensities above 1, which a display cannot show.",
 )
 .symbol(Symbol::Intensity);
@@ -172,7 +171,7 @@ pub static OVERFLOW: Parameter = Parameter::new(
 pub static ENCODING: Parameter = Parameter::new(
     "display.encoding",
     "encoding",
-    choice!(Encoding, display.encoding),
+    Kind::Choice(&access!(display.encoding)),
     "How linear intensity becomes the stored value.",
 )
 .letter("I", Symbol::Intensity);

@@ -1,11 +1,8 @@
 //! The keys of each light.
 
 use super::super::{AreaShape, Attenuation, Light, LightKind, Projection, Scene, Viewer};
-use super::access::{access, choice};
+use super::access::access;
 use super::{Kind, Limits, Parameter, Slider, Symbol};
-
-/// What the keys of a light begin with.
-pub(super) const PREFIX: &str = "light.N.";
 
 pub(super) const ALL: &[&Parameter] = &[
     &NAME,
@@ -44,7 +41,7 @@ pub static NAME: Parameter = Parameter::new(
 .symbol(Symbol::Lights);
 
 pub static KIND: Parameter =
-    Parameter::new("light.N.kind", "kind", choice!(LightKind, light: kind), "The kind of light source.")
+    Parameter::new("light.N.kind", "kind", Kind::Choice(&access!(light: kind)), "The kind of light source.")
         .label("Kind")
         .symbol(Symbol::Lights);
 
@@ -140,7 +137,7 @@ fn no_area(scene: &Scene, index: usize) -> Option<&'static str> {
 }
 
 pub static SHAPE: Parameter =
-    Parameter::new("light.N.shape", "shape", choice!(AreaShape, light: shape), "The shape of an area light.")
+    Parameter::new("light.N.shape", "shape", Kind::Choice(&access!(light: shape)), "The shape of an area light.")
         .label("Shape")
         .symbol(Symbol::Light)
         .idle(no_area);
@@ -190,7 +187,7 @@ pub static SAMPLES: Parameter = Parameter::new(
 pub static ATTENUATION: Parameter = Parameter::new(
     "light.N.attenuation",
     "attenuation",
-    choice!(Attenuation, light: attenuation),
+    Kind::Choice(&access!(light: attenuation)),
     "How the light weakens with distance: d and r are distances to the light, or r to the viewer.",
 )
 .letter("f", Symbol::Attenuation);

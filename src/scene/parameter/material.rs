@@ -1,10 +1,9 @@
 //! The coefficients of the equation, its model of reflection, the pattern and the transparency.
 
 use super::super::{
-    AmbientSource, Backfacing, Distribution, Material, Pattern, PatternKind, Reflectance, ReflectionModel, Rgb, Scene,
-    Through, Transparency,
+    AmbientSource, Material, Pattern, PatternKind, Reflectance, ReflectionModel, Rgb, Scene, Transparency,
 };
-use super::access::{access, choice};
+use super::access::access;
 use super::{Kind, Limits, Parameter, Slider, Symbol};
 
 pub(super) const ALL: &[&Parameter] = &[
@@ -136,7 +135,7 @@ fn no_facets(scene: &Scene) -> Option<&'static str> {
 pub static REFLECTANCE: Parameter = Parameter::new(
     "material.reflectance",
     "reflectance by angle",
-    choice!(Reflectance, material.reflectance),
+    Kind::Choice(&access!(material.reflectance)),
     "W(θ), the fraction of light reflected at the angle of incidence θ. It multiplies Ks.",
 )
 .label("by angle")
@@ -176,7 +175,7 @@ pub static EXTINCTION: Parameter = Parameter::new(
 pub static MODEL: Parameter = Parameter::new(
     "reflection.model",
     "Reflection model",
-    choice!(ReflectionModel, reflection.model),
+    Kind::Choice(&access!(reflection.model)),
     "Which angle the specular term depends on: R against V (Phong 1975), N against H (Blinn 1977), or how many microfacets mirror the light (Cook and Torrance 1982).",
 )
 .label("Highlight")
@@ -186,7 +185,7 @@ pub static MODEL: Parameter = Parameter::new(
 pub static DISTRIBUTION: Parameter = Parameter::new(
     "reflection.distribution",
     "microfacet distribution",
-    choice!(Distribution, reflection.distribution),
+    Kind::Choice(&access!(reflection.distribution)),
     "How the slopes of the microfacets are distributed, and how much they hide each other.",
 )
 .label("facets")
@@ -196,7 +195,7 @@ pub static DISTRIBUTION: Parameter = Parameter::new(
 pub static BACKFACING: Parameter = Parameter::new(
     "reflection.backfacing",
     "Back side",
-    choice!(Backfacing, reflection.backfacing),
+    Kind::Choice(&access!(reflection.backfacing)),
     "What a light contributes where it is behind the surface, N·L < 0.",
 )
 .symbol(Symbol::Normal)
@@ -215,7 +214,7 @@ pub static AMBIENT_COLOR: Parameter = Parameter::new(
 pub static AMBIENT_SOURCE: Parameter = Parameter::new(
     "ambient.source",
     "ambient source",
-    choice!(AmbientSource, ambient.source),
+    Kind::Choice(&access!(ambient.source)),
     "What the ambient light is: a constant, or light that other surfaces of the scene have scattered once.",
 )
 .label("source")
@@ -228,7 +227,7 @@ pub static AMBIENT_SOURCE: Parameter = Parameter::new(
 pub static PATTERN_KIND: Parameter = Parameter::new(
     "pattern.kind",
     "Pattern",
-    choice!(PatternKind, pattern.kind),
+    Kind::Choice(&access!(pattern.kind)),
     "A second colour of the surface, laid out in space.",
 )
 .symbol(Symbol::Od)
@@ -291,7 +290,7 @@ pub static TRANSPARENCY_IOR: Parameter = Parameter::new(
 pub static THROUGH: Parameter = Parameter::new(
     "transparency.through",
     "Refraction",
-    choice!(Through, transparency.through),
+    Kind::Choice(&access!(transparency.through)),
     "How far the transmitted ray is followed.",
 )
 .symbol(Symbol::Transmitted)

@@ -1,15 +1,14 @@
 //! The object: its shape, its polygons and its vertex normals.
 
-use super::super::{FlatAt, NormalSource, Object, ObjectKind, Scene, ShadingMode, Weighting};
-use super::access::{access, choice};
+use super::super::{FlatAt, NormalSource, Object, ObjectKind, Scene, ShadingMode};
+use super::access::access;
 use super::{Kind, Limits, Parameter, Slider, Symbol};
-use toml::Value;
 
 pub(super) const ALL: &[&Parameter] =
     &[&KIND, &SEGMENTS, &RINGS, &NORMALS, &WEIGHTING, &PATH, &FIT, &VERTICES, &FACES, &VERTEX_NORMALS];
 
 pub static KIND: Parameter =
-    Parameter::new("object.kind", "Object kind", choice!(ObjectKind, object.kind), "The shape that is drawn.")
+    Parameter::new("object.kind", "Object kind", Kind::Choice(&access!(object.kind)), "The shape that is drawn.")
         .label("Shape");
 
 /// The slider of a number of divisions; more can be typed.
@@ -53,7 +52,7 @@ pub fn polygons_unused(scene: &Scene, _: usize) -> Option<&'static str> {
 pub static NORMALS: Parameter = Parameter::new(
     "object.normals",
     "Vertex normals",
-    choice!(NormalSource, object.normals),
+    Kind::Choice(&access!(object.normals)),
     "Where the normals at the vertices come from.",
 )
 .label("Normals")
@@ -63,7 +62,7 @@ pub static NORMALS: Parameter = Parameter::new(
 pub static WEIGHTING: Parameter = Parameter::new(
     "object.weighting",
     "Weighting",
-    choice!(Weighting, object.weighting),
+    Kind::Choice(&access!(object.weighting)),
     "The weight of each polygon in an averaged vertex normal.",
 )
 .label("Weights")
@@ -88,7 +87,7 @@ fn normals_unused(scene: &Scene, _: usize) -> Option<&'static str> {
 static PATH: Parameter = Parameter::new(
     "object.path",
     "Path",
-    Kind::Other { kind: "path", limits: "", value: |scene: &Scene| Value::try_from(scene.object.path.as_ref()?).ok() },
+    Kind::Other { at: &access!(object.path), kind: "path", limits: "" },
     "The model's Wavefront OBJ file, for `kind = \"obj\"`; relative to the scene file.",
 );
 
@@ -104,11 +103,7 @@ pub static FIT: Parameter = Parameter::new(
 static VERTICES: Parameter = Parameter::new(
     "object.vertices",
     "Vertices",
-    Kind::Other {
-        kind: "list of points",
-        limits: "at most 16384",
-        value: |scene: &Scene| Value::try_from(&scene.object.vertices).ok(),
-    },
+    Kind::Other { at: &access!(object.vertices), kind: "list of points", limits: "at most 16384" },
     "The vertices of the scene's own polygons, for `kind = \"polygons\"`.",
 )
 .unit("world units");
@@ -117,9 +112,9 @@ static FACES: Parameter = Parameter::new(
     "object.faces",
     "Faces",
     Kind::Other {
+        at: &access!(object.faces),
         kind: "list of lists of whole numbers",
         limits: "at most 16384, of 65536 corners in all",
-        value: |scene: &Scene| Value::try_from(&scene.object.faces).ok(),
     },
     "The scene's own polygons by the numbers of their vertices, from 0, counter-clockwise seen from outside.",
 );
@@ -128,9 +123,9 @@ static VERTEX_NORMALS: Parameter = Parameter::new(
     "object.vertex_normals",
     "Own vertex normals",
     Kind::Other {
+        at: &access!(object.vertex_normals),
         kind: "list of directions",
         limits: "none, or one for each vertex",
-        value: |scene: &Scene| Value::try_from(&scene.object.vertex_normals).ok(),
     },
     "The normals of the scene's own vertices, for `normals = \"file\"`.",
 );

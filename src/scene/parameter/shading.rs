@@ -1,7 +1,7 @@
 //! Where the equation is evaluated, and how values get from vertices to pixels.
 
-use super::super::{FlatAt, Interpolation, Scene, ShadingMode};
-use super::access::{access, choice};
+use super::super::{Scene, ShadingMode};
+use super::access::access;
 use super::{Kind, Parameter, Symbol};
 
 pub(super) const ALL: &[&Parameter] = &[&MODE, &FLAT_AT, &INTERPOLATION, &RENORMALISE, &SHADOWS];
@@ -9,7 +9,7 @@ pub(super) const ALL: &[&Parameter] = &[&MODE, &FLAT_AT, &INTERPOLATION, &RENORM
 pub static MODE: Parameter = Parameter::new(
     "shading.mode",
     "Shading mode",
-    choice!(ShadingMode, shading.mode),
+    Kind::Choice(&access!(shading.mode)),
     "Where the illumination equation is evaluated.",
 )
 .symbol(Symbol::Normal);
@@ -17,7 +17,7 @@ pub static MODE: Parameter = Parameter::new(
 pub static FLAT_AT: Parameter = Parameter::new(
     "shading.flat_at",
     "Flat at",
-    choice!(FlatAt, shading.flat_at),
+    Kind::Choice(&access!(shading.flat_at)),
     "Where the one intensity of a flat polygon is evaluated.",
 )
 .label("Evaluated at")
@@ -27,7 +27,7 @@ pub static FLAT_AT: Parameter = Parameter::new(
 pub static INTERPOLATION: Parameter = Parameter::new(
     "shading.interpolation",
     "Interpolation",
-    choice!(Interpolation, shading.interpolation),
+    Kind::Choice(&access!(shading.interpolation)),
     "How values between vertices are found.",
 )
 .symbol(Symbol::Normal)

@@ -1,10 +1,9 @@
 //! The ground, the backdrop, depth cueing and the comparison.
 
-use super::super::{Compare, CompareView, CuedBy, DifferenceKind, Material, PatternKind, Rgb, Scene};
-use super::access::{access, choice};
+use super::super::{Compare, CompareView, CuedBy, Material, Pane, PatternKind, Rgb, Scene};
+use super::access::access;
 use super::material::{FIELD, no_light};
 use super::{Kind, Limits, Parameter, Slider, Symbol};
-use toml::Value;
 
 pub(super) const ALL: &[&Parameter] = &[
     &GROUND_VISIBLE,
@@ -85,7 +84,7 @@ pub static GROUND_COLOR: Parameter = Parameter::new(
 pub static BACKDROP_PATTERN: Parameter = Parameter::new(
     "backdrop.pattern",
     "Backdrop",
-    choice!(PatternKind, backdrop.pattern),
+    Kind::Choice(&access!(backdrop.pattern)),
     "The pattern of a wall behind the object, perpendicular to the viewing direction; between its fields the background is seen.",
 );
 
@@ -125,7 +124,7 @@ pub static BACKDROP_DISTANCE: Parameter = Parameter::new(
 pub static CUED_BY: Parameter = Parameter::new(
     "depth_cueing.by",
     "Depth cueing",
-    choice!(CuedBy, depth_cueing.by),
+    Kind::Choice(&access!(depth_cueing.by)),
     "Whether distant parts fade into one colour, and where the fading is evaluated: s0·I + (1 − s0)·Idc is shown.",
 )
 .symbol(Symbol::Depth);
@@ -198,7 +197,7 @@ pub static CUE_COLOR: Parameter = cueing(
 pub static COMPARE_VIEW: Parameter = Parameter::new(
     "compare.view",
     "Comparison",
-    choice!(CompareView, compare.view),
+    Kind::Choice(&access!(compare.view)),
     "How the scene and its panes are shown.",
 );
 
@@ -217,7 +216,7 @@ fn no_difference(scene: &Scene, _: usize) -> Option<&'static str> {
 pub static DIFFERENCE: Parameter = Parameter::new(
     "compare.difference",
     "Difference kind",
-    choice!(DifferenceKind, compare.difference),
+    Kind::Choice(&access!(compare.difference)),
     "What the difference picture shows of each pixel's difference d.",
 )
 .idle(no_difference);
@@ -237,17 +236,13 @@ pub static GAIN: Parameter = Parameter::new(
 static PANE_NAME: Parameter = Parameter::new(
     "compare.pane.N.name",
     "Pane name",
-    Kind::Other {
-        kind: "text",
-        limits: "at most 64 characters in one line",
-        value: |_| Some(Value::String(String::new())),
-    },
+    Kind::Text { at: access!(pane: name), longest: Pane::MAX_NAME },
     "What a pane beside the scene is called; without a name it is called by its settings. At most 3 panes.",
 );
 
 static PANE_SET: Parameter = Parameter::new(
     "compare.pane.N.set",
     "Pane settings",
-    Kind::Other { kind: "list of settings", limits: "at most 64", value: |_| Some(Value::Array(Vec::new())) },
+    Kind::Other { at: &access!(pane: set), kind: "list of settings", limits: "at most 64" },
     "The keys that differ in a pane, each as `--set` takes it.",
 );

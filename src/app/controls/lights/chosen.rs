@@ -13,8 +13,8 @@ use eframe::egui::{RichText, Ui};
 use glam::DVec3;
 
 pub fn light_ui(ui: &mut Ui, state: &mut AppState) {
-    let (index, AppState { document, lit, sampling, .. }) = (state.light, state);
-    let scene = &mut document.scene;
+    let (index, AppState { shown, lit, sampling, .. }) = (state.light, state);
+    let scene = &mut shown.scene;
     parameter_of(ui, lit, scene, index, &NAME);
     switches_ui(ui, lit, scene, index);
     kind_ui(ui, lit, scene, index);
@@ -25,9 +25,9 @@ pub fn light_ui(ui: &mut Ui, state: &mut AppState) {
         }
     }
     if scene.lights.get(index).is_some_and(|light| light.kind == LightKind::Area) {
-        area::error_ui(ui, sampling, document, index);
+        area::error_ui(ui, sampling, shown, index);
     }
-    let scene = &mut document.scene;
+    let scene = &mut shown.scene;
     parameter_of(ui, lit, scene, index, &COLOR);
     parameter_of(ui, lit, scene, index, &ATTENUATION);
     let constants: &[_] = match scene.lights.get(index).map(|light| light.attenuation) {
@@ -49,7 +49,8 @@ fn switches_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, index: usize) {
     let name = format!("Light {}", index + 1);
     let tip = "A muted light is off. While any light is soloed, only soloed lights are on.";
     let about = About { label: "Switch", name: &name, tip, symbol: Some(Symbol::Lights), ..About::default() };
-    flags(ui, lit, &about, &mut [("mute", &mut light.mute), ("solo", &mut light.solo)]);
+    let (mute, solo) = lit.opened.lights.get(index).map_or((false, false), |light| (light.mute, light.solo));
+    flags(ui, lit, &about, &mut [("mute", mute, &mut light.mute), ("solo", solo, &mut light.solo)]);
 }
 
 fn kind_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, index: usize) {

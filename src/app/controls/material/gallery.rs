@@ -3,7 +3,6 @@
 use crate::app::gallery::{CELL, SPHERE};
 use crate::app::row::{About, row};
 use crate::app::state::AppState;
-use crate::scene::Material;
 use crate::scene::materials::{NAMED, NamedMaterial, OF_A_KIND, recognise};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -15,12 +14,13 @@ const KINDS: [&str; 4] = ["Stones", "Metals", "Plastics", "Rubbers"];
 
 /// A button that says which of the named materials this is, and opens all of them.
 pub fn gallery_ui(ui: &mut Ui, state: &mut AppState) {
-    let present = recognise(&state.document.scene.material);
+    let present = recognise(&state.shown.scene.material);
     let tip = "The 24 named materials of OpenGL's teapots (Kilgard 1994): Ka, Kd, Ks and n as published.";
     let about = About { label: "Material", name: "Materials", tip, ..About::default() };
-    let AppState { document, lit, gallery, .. } = state;
+    let AppState { shown, lit, gallery, .. } = state;
     let mut chosen = None;
-    let reset = row(ui, lit, &about, present.is_some(), |ui| {
+    let changed = shown.scene.material != lit.opened.material;
+    let reset = row(ui, lit, &about, changed, |ui| {
         let button = Button::new(present.map_or("choose…", |named| named.title)).min_size(vec2(92.0, 0.0));
         let response = ui.add(button);
         let enabled = ui.is_enabled();
@@ -47,10 +47,10 @@ pub fn gallery_ui(ui: &mut Ui, state: &mut AppState) {
         });
     });
     if reset {
-        document.scene.material = Material::default();
+        shown.scene.material = lit.opened.material.clone();
     }
     if let Some(material) = chosen {
-        document.scene.material = material;
+        shown.scene.material = material;
     }
 }
 

@@ -6,8 +6,8 @@ use crate::app::state::AppState;
 use eframe::egui::{RichText, Ui};
 
 pub fn polygons_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { document, lit, vertex, .. } = state;
-    let object = &mut document.scene.object;
+    let AppState { shown, lit, vertex, .. } = state;
+    let object = &mut shown.scene.object;
     let polygons = object.polygons();
     let count = polygons.vertices.len();
     let faces = polygons.faces.len();

@@ -1,0 +1,77 @@
+//! Choices: enumerations whose values have a word in the scene file, a label on screen and a meaning.
+
+/// One value of a choice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChoiceOption {
+    /// As in a scene file.
+    pub word: &'static str,
+    /// As on screen.
+    pub label: &'static str,
+    /// What it means; may be empty.
+    pub help: &'static str,
+}
+
+/// An enumeration whose values can be chosen.
+pub trait Choice: Copy + PartialEq + 'static {
+    const VALUES: &'static [Self];
+    /// What the values are called, in the same order.
+    const OPTIONS: &'static [ChoiceOption];
+
+    /// Its place among the values.
+    fn place(self) -> usize {
+        Self::VALUES.iter().position(|value| *value == self).unwrap_or(0)
+    }
+
+    /// As in a scene file.
+    fn word(self) -> &'static str {
+        Self::OPTIONS[self.place()].word
+    }
+
+    /// As on screen.
+    fn label(self) -> &'static str {
+        Self::OPTIONS[self.place()].label
+    }
+
+    /// What it means.
+    fn help(self) -> &'static str {
+        Self::OPTIONS[self.place()].help
+    }
+
+    fn from_word(word: &str) -> Option<Self> {
+        Self::OPTIONS.iter().position(|option| option.word == word).map(|place| Self::VALUES[place])
+    }
+}
+
+/// Defines an enumeration; each value has its word, label and meaning: `Flat = "flat", "Flat", "Once per polygon";`.
+macro_rules! choices {
+    ($(#[$about:meta])* pub enum $name:ident {
+        $($(#[$detail:meta])* $value:ident = $word:literal, $label:literal, $help:literal;)+
+    }) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum $name {
+            $(#[doc = $help] $(#[$detail])* $value,)+
+        }
+
+        impl $crate::scene::Choice for $name {
+            const VALUES: &'static [Self] = &[$(Self::$value),+];
+            const OPTIONS: &'static [$crate::scene::ChoiceOption] =
+                &[$($crate::scene::ChoiceOption { word: $word, label: $label, help: $help }),+];
+        }
+
+        impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.serialize_str($crate::scene::Choice::word(*self))
+            }
+        }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                let word = String::deserialize(deserializer)?;
+                $crate::scene::Choice::from_word(&word).ok_or_else(|| serde::de::Error::custom("no such choice"))
+            }
+        }
+    };
+}
+
+pub(super) use choices;
