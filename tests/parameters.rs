@@ -63,6 +63,9 @@ fn fields(scene: &Scene) -> BTreeMap<String, String> {
     for line in format!("{scene:#?}").lines() {
         let (depth, text) = ((line.len() - line.trim_start().len()) / 4, line.trim());
         path.resize(depth, String::new());
+        if text.trim_matches([')', ']', '}', ',']).is_empty() {
+            continue;
+        }
         let (name, value) = text.split_once(": ").filter(|(name, _)| !name.contains('"')).unwrap_or(("", text));
         path.push(name.replace("lights", "light").replace("panes", "pane"));
         let key = path.iter().filter(|name| !name.is_empty()).cloned().collect::<Vec<_>>().join(".");

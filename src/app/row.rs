@@ -78,7 +78,7 @@ pub fn row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, changed: bool, control
 
 /// A part of a row, laid out in `rect`, whose widgets keep their identity whatever rows come and go.
 fn part(ui: &mut Ui, salt: impl std::hash::Hash + std::fmt::Debug, rect: Rect, layout: Layout) -> Ui {
-    let mut child = ui.new_child(UiBuilder::new().id_salt(salt).max_rect(rect).layout(layout));
+    let mut child = ui.new_child(UiBuilder::new().scope_id(ui.scope_id().with(salt)).max_rect(rect).layout(layout));
     child.spacing_mut().item_spacing.x = 6.0;
     child
 }

@@ -7,7 +7,8 @@ use serde::Serialize;
 use shading_lab::analysis::word;
 use shading_lab::document::{Loaded, load_with};
 use shading_lab::scene::materials::{self, NamedMaterial};
-use shading_lab::scene::{Image, nearest, presets};
+use shading_lab::scene::parameter::Parameter;
+use shading_lab::scene::{Image, Scene, nearest, presets};
 use std::path::{Path, PathBuf};
 
 /// Files from this many bytes on get a progress bar while they are read.
@@ -55,20 +56,9 @@ impl SceneArguments {
 
 /// A named material as keys of a scene.
 fn assignments(named: &NamedMaterial) -> Vec<String> {
-    let material = named.material();
-    let triple = |value: shading_lab::scene::Rgb| format!("{:?}", value.to_array());
-    vec![
-        format!("material.ka={}", triple(material.ka)),
-        format!("material.kd={}", triple(material.kd)),
-        format!("material.ks={}", triple(material.ks)),
-        format!("material.n={:?}", material.n),
-        format!("material.roughness={:?}", material.roughness),
-        format!("material.color={}", triple(material.color)),
-        format!("material.specular_color={}", triple(material.specular_color)),
-        "material.reflectance=constant".to_owned(),
-        format!("material.ior={}", triple(material.ior)),
-        format!("material.extinction={}", triple(material.extinction)),
-    ]
+    let scene = Scene { material: named.material(), ..Scene::default() };
+    let keys = Parameter::all().filter(|parameter| parameter.section() == "material");
+    keys.map(|parameter| format!("{}={}", parameter.key, parameter.setting(&scene, 0))).collect()
 }
 
 /// The name of a material.
@@ -122,7 +112,6 @@ pub fn inside_picture(argument: &str, [x, y]: [u32; 2], [width, height]: [u32; 2
 #[cfg(test)]
 mod tests {
     use super::*;
-    use shading_lab::scene::Scene;
 
     #[test]
     fn sizes_are_read_within_their_bounds() {
