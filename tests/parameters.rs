@@ -92,11 +92,13 @@ fn its_access_reaches_the_field_of_its_key() {
             Kind::Other { .. } => parameter.copy(&Scene::default(), &mut other, 0),
             // Every word of a choice is one that `--set` takes, and leads to that option.
             Kind::Choice(choice) => {
+                let before = choice.chosen(&scene, 0).expect("a value");
                 for (place, option) in parameter.options().iter().enumerate() {
                     choice.choose(&mut other, 0, place);
                     assert_eq!(choice.chosen(&other, 0), Some(place), "{}", parameter.key);
                     assert_eq!(parameter.value(&other, 0), Some(Value::String(option.word.to_owned())));
                 }
+                choice.choose(&mut other, 0, (before + 1) % parameter.options().len());
             }
         }
         let (before, after) = (fields(&scene), fields(&other));
