@@ -59,7 +59,8 @@ pub use sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error, sampling_er
 pub(crate) use scan::scan_drawn;
 pub use scan::{
     Carried, Crossing, Grid, Mix, Rule, Scan, ScanCorner, ScanEdge, ScanError, ScanLevel, ScanLine, ScanPixel,
-    ScanPoint, ScanQuestion, ScanSpan, ScanStep, ScanStop, Stop, corner_name, face_at, lay_out_scan, scan, scan_room,
+    ScanPoint, ScanQuestion, ScanSpan, ScanStep, ScanStop, Stop, corner_name, face_at, lay_out_scan, scan,
+    scan_in_grid, scan_room,
 };
 pub use stability::{
     CASE_PICTURES, Case, CaseResult, Catalogue, Condition, HALF_A_CODE_VALUE, StabilityQuestion, Topic, Verdict,

@@ -4,6 +4,7 @@
 //! actions, which are done in one place at the end of the frame. Nothing is drawn again unless something has changed.
 
 mod action;
+mod background;
 mod code;
 mod commands;
 mod compare;
@@ -16,7 +17,6 @@ mod document;
 mod drawing;
 mod engine;
 mod equation;
-mod errand;
 mod files;
 mod filled;
 mod focus;
@@ -38,9 +38,11 @@ mod perform;
 mod picture;
 mod place;
 mod plan;
+mod plot;
 mod points;
 mod profile;
 mod recovery;
+mod report;
 mod row;
 mod sampling;
 mod scan;
@@ -229,7 +231,9 @@ impl App {
             Action::SaveTo(path) => self.save(ctx, path),
             Action::Export => self.state.dialog = Some(Dialog::Export(self.export_form())),
             Action::CopyPicture => self.copy_picture(ctx),
-            Action::SaveProfile(ending) => self.state.dialog = Some(profile::save_dialog(ending)),
+            Action::SaveAnswer(name, format) => {
+                self.state.dialog = Some(Dialog::SaveAnswer { path: format!("{name}.{}", format.ending()), format });
+            }
             Action::Code => self.state.dialog = Some(Dialog::Code(code::form::CodeForm::default())),
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),

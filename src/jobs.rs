@@ -61,7 +61,7 @@ struct Progress {
     share: AtomicU32,
 }
 
-/// Tells whoever waits to look again after a while.
+/// Asks whoever waits to look again after a while.
 type Wake = Arc<dyn Fn(Duration) + Send + Sync>;
 
 /// The job's side of it.
@@ -128,6 +128,11 @@ impl<W: Work> Job<W> {
                 }
             }
         }
+    }
+
+    /// Waits until it is over.
+    pub fn wait(self) {
+        while self.news.recv().is_ok_and(|news| matches!(news, News::SoFar(_))) {}
     }
 
     /// Takes a job out of `slot` when it is over.

@@ -1,8 +1,8 @@
 //! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
 
 use shading_lab::analysis::{
-    DrawnPane, ErrorFigures, LinearPicture, PaneArea, comparison_sheet, difference_picture, draw_panes, luminance,
-    pane_areas, pane_figures, panes_on_sheet, probe,
+    DrawnPane, ErrorFigures, LinearPicture, PaneArea, brightest, comparison_sheet, difference_picture, draw_panes,
+    error_figures, luminance, pane_areas, pane_figures, panes_on_sheet, probe,
 };
 use shading_lab::figure::palette;
 use shading_lab::render::Renderer;
@@ -220,4 +220,29 @@ fn each_kind_shows_what_it_says() {
     assert_eq!(shown(a, b, DifferenceKind::FalseColor, 64.0), [0xFF, 0xEA, 0x46]);
     assert_eq!(shown(a, a, DifferenceKind::FalseColor, 64.0), [0x00, 0x20, 0x4D]);
     assert_eq!(shown([0.5, 0.5, 0.5, 0.0], [0.1, 0.0, 0.0, 0.0], DifferenceKind::Absolute, 1.0), [0x26, 0x27, 0x2B]);
+}
+
+fn picture(pixels: &[[f32; 4]]) -> LinearPicture<'_> {
+    LinearPicture { width: 2, pixels, clamps: true }
+}
+
+#[test]
+fn figures_are_of_the_object_alone_and_clamped_as_the_display_does() {
+    let a = [[0.5, 0.5, 0.5, 1.0], [3.0, 1.0, 0.0, 1.0], [0.9, 0.9, 0.9, 0.0], [0.0, 0.0, 0.0, 0.0]];
+    let b = [[0.5, 0.25, 0.5, 1.0], [1.0, 1.0, 0.0, 1.0], [0.1, 0.1, 0.1, 0.0], [0.0, 0.0, 0.5, 1.0]];
+    let figures = error_figures(picture(&a), picture(&b));
+    let expected =
+        ErrorFigures { pixels: 3, mean: 0.75 / 9.0, rms: (0.3125_f64 / 9.0).sqrt(), greatest: 0.5, at: Some([1, 1]) };
+    assert_eq!(figures, expected);
+    let open = |pixels| LinearPicture { clamps: false, ..picture(pixels) };
+    assert_eq!(error_figures(open(&a), open(&b)).greatest, 2.0);
+    assert_eq!(error_figures(picture(&a), picture(&a)).at, None);
+}
+
+#[test]
+fn the_brightest_pixel_is_the_objects_and_not_clamped() {
+    let a = [[0.5, 0.5, 0.5, 1.0], [3.0, 3.0, 3.0, 1.0], [9.0, 9.0, 9.0, 0.0]];
+    let found = brightest(picture(&a)).expect("an object");
+    assert!((found.value - 3.0).abs() < 1e-12 && found.at == [1, 0], "{found:?}");
+    assert_eq!(brightest(picture(&a[2..])), None);
 }

@@ -501,7 +501,7 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
     undo(&mut harness);
     assert_eq!(scene(&harness).camera.roll, 30.0);
     press(&mut harness, "Show “Polygonal silhouette”");
-    let shown = |harness: &Harness<'_, App>| harness.query_by_label("pixels from the true outline at most").is_some();
+    let shown = |harness: &Harness<'_, App>| harness.query_by_label_contains("pixels from the true outline").is_some();
     assert!(wait(&mut harness, shown));
 }
 

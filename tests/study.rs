@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use serde_json::Value;
-use shading_lab::analysis::{Method, Study, StudyQuestion, Watch, study, study_plot, unwatched};
+use shading_lab::analysis::{
+    Method, Study, StudyQuestion, Watch, fit_line, order_of, student, study, study_plot, unwatched,
+};
 use shading_lab::scene::{Interpolation, Light, LightKind, Overflow, Projection, Rgb, Scene, presets};
 use std::process::Command;
 use std::sync::Mutex;
@@ -219,4 +221,30 @@ fn the_command_writes_table_and_plot_and_refuses_what_it_does_not_know() {
     }
     let cook = ["sphere", "--set", "reflection.model=cook-torrance", "--methods", "taylor"];
     assert!(run(&cook).2.contains("no single cosine"));
+}
+
+#[test]
+fn a_line_is_found_with_its_confidence() {
+    // Montgomery's kind of example, worked by hand: x̄ = 3, ȳ = 4, Sxx = 10, Sxy = 8, residuals' squares 3.6.
+    let points = [[1.0, 2.0], [2.0, 4.0], [3.0, 5.0], [4.0, 4.0], [5.0, 5.0]];
+    let fit = fit_line(&points).expect("five points");
+    assert!((fit.slope - 0.6).abs() < 1e-12 && (fit.offset - 2.2).abs() < 1e-12, "{fit:?}");
+    let expected = 3.182 * (2.4_f64 / 3.0 / 10.0).sqrt();
+    assert!((fit.confidence - expected).abs() < 1e-12, "{fit:?} is not {expected}");
+}
+
+#[test]
+fn a_power_is_its_order_and_what_is_rounding_is_left_out() {
+    let power = |h: f64| (h, 3.0 * h.powi(2));
+    let fit = order_of([0.5, 0.25, 0.125, 1e-9].map(power)).expect("three points");
+    assert!((fit.slope - 2.0).abs() < 1e-12 && fit.confidence < 1e-6 && fit.points == 3, "{fit:?}");
+    assert_eq!(order_of([power(0.5), power(0.1)]), None);
+    assert_eq!(order_of([power(0.5), power(0.5), power(0.5)]), None);
+}
+
+#[test]
+fn students_t_goes_on_beyond_its_table() {
+    for (freedom, expected) in [(1, 12.706), (30, 2.042), (31, 2.0395), (60, 2.0003), (1000, 1.9623)] {
+        assert!((student(freedom) - expected).abs() < 1e-3, "{freedom}: {}", student(freedom));
+    }
 }

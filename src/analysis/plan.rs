@@ -101,11 +101,6 @@ impl Saved {
 }
 
 impl FramePlan {
-    /// The terms that are left out.
-    pub fn left_out(&self) -> usize {
-        self.terms.iter().filter(|term| term.omitted.is_some()).count()
-    }
-
     /// A stage's name, with its time: the median where that was measured, otherwise whether it ran last.
     fn heading(&self, stage: Stage) -> String {
         let (name, _) = stage_words(stage);
@@ -127,7 +122,7 @@ impl Answer for FramePlan {
         let total: u64 = self.terms.iter().map(|term| term.evaluations).sum();
         let mut report = Report::new(match &self.measured {
             Some(Saved { frames, .. }) => format!("{}, median of {frames} frames drawn anew", about.heading()),
-            None => format!("{total} evaluations a frame, {} left out", self.left_out()),
+            None => format!("{total} evaluations a frame"),
         });
         if self.measured.is_none() {
             report.section("").note("■ ran after the last change   □ kept from before");

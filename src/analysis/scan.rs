@@ -218,5 +218,7 @@ pub(crate) fn scan_drawn(renderer: &Renderer, scene: &Scene, face: u32, rows: u3
     if covered { Ok(scan) } else { Err(ScanError::EdgeOn { face }) }
 }
 
-#[cfg(test)]
-mod tests;
+/// The same in any grid, which need not be about the face.
+pub fn scan_in_grid(renderer: &Renderer, scene: &Scene, face: u32, grid: Grid) -> Result<Scan, ScanError> {
+    Ok(convert::convert(&Shaded::new(renderer, scene, face)?, grid))
+}

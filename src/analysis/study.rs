@@ -58,7 +58,7 @@ pub struct StudyRow {
     pub evaluations: u64,
     /// Whether nothing else is both faster and nearer to the exact picture, among those that the engine draws.
     pub pareto: bool,
-    /// Whether the time is that of a scalar text in one thread, and not of the engine.
+    /// Whether the time is that of a scalar code in one thread, and not of the engine.
     pub scalar: bool,
 }
 
@@ -116,7 +116,7 @@ impl Study {
 }
 
 /// Measures `scene`, whose object of kind `obj` shows `model`. `clock` gives nanoseconds from any fixed moment. `watch` is
-/// told after each frame; when it stops the work, what is known by then is returned.
+/// called after each frame; when it stops the work, what is known by then is returned.
 pub fn study(
     scene: &Scene,
     model: Option<Arc<Mesh>>,

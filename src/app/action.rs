@@ -2,7 +2,7 @@
 
 use super::look::NumbersTab;
 use super::theme::ThemeChoice;
-use crate::analysis::ScanLevel;
+use crate::analysis::{Format, ScanLevel};
 use crate::scene::{CompareView, ShadingMode};
 use std::path::PathBuf;
 
@@ -23,8 +23,8 @@ pub enum Action {
     CopyPicture,
     /// Shows the scene as code.
     Code,
-    /// Asks where to save the profile, in the format of this ending.
-    SaveProfile(&'static str),
+    /// Asks where to save the answer of the analysis of this name, in this format.
+    SaveAnswer(&'static str, Format),
     Undo,
     Redo,
     ResetCamera,

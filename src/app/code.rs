@@ -38,7 +38,7 @@ pub fn width(ui: &Ui) -> f32 {
 pub fn save(state: &mut AppState, mut form: CodeForm) {
     if let (Some(path), Some(Ok(written))) = (&form.path, state.own.get().and_then(Writer::known)) {
         let target = PathBuf::from(path.trim());
-        form.told = Some(match save_code(&target, &written.export) {
+        form.message = Some(match save_code(&target, &written.export) {
             Ok(()) => {
                 form.path = None;
                 format!("saved {}", names(&target, written))
@@ -82,8 +82,8 @@ pub fn code_ui(ui: &mut Ui, form: &mut CodeForm, writer: &mut Writer, document: 
     // The tabs and the buttons stay where they are, whatever text there is.
     ui.add_space((bottom - ui.cursor().top()).max(0.0) + 8.0);
     let ready = answer.and_then(Result::ok);
-    if let Some(told) = &form.told {
-        ui.label(told);
+    if let Some(message) = &form.message {
+        ui.label(message);
     }
     if form.path.is_some() { path_ui(ui, form, ready) } else { buttons_ui(ui, form, ready, document) }
 }
@@ -172,11 +172,11 @@ fn buttons_ui(ui: &mut Ui, form: &mut CodeForm, ready: Option<&Written>, documen
         if let Some(part) = ready.and_then(|written| written.export.parts.get(form.part)) {
             if copy.clicked() {
                 ui.ctx().copy_text(part.text.clone());
-                form.told = Some(format!("copied the {}", part.title));
+                form.message = Some(format!("copied the {}", part.title));
             }
             if save.clicked() {
                 form.path = Some(document.suggested(part.ending));
-                form.told = None;
+                form.message = None;
             }
         }
         if ui.button("Close").clicked() {

@@ -3,13 +3,14 @@
 use super::action::Action;
 use super::engine::Engine;
 use super::points::ProbePoint;
+use super::report::{ReportView, export_ui};
 use super::row::parameter;
 use super::state::AppState;
-use crate::analysis::PaneFigures;
+use crate::analysis::{self, Answer, Comparison};
 use crate::scene::parameter::shading::{INTERPOLATION, MODE};
 use crate::scene::parameter::surroundings::{DIFFERENCE, GAIN};
 use crate::scene::{ChoiceOption, Compare, CompareView, Object, Pane, Scene, ShadingMode};
-use eframe::egui::{Align, Button, Grid, Layout, RichText, TextEdit, Ui};
+use eframe::egui::{Align, Button, Layout, RichText, TextEdit, Ui};
 
 /// The views with their names.
 pub const VIEWS: [(CompareView, &str, &str); 4] = [
@@ -179,42 +180,18 @@ fn figures_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     let figures = engine.figures();
     let (Some(reference), true) = (figures.last(), figures.len() > 1) else { return };
     ui.label(RichText::new(format!("Against {}", reference.name)).strong());
-    ui.label(RichText::new("Linear intensity: 1 is white, 1/255 = 0.0039 a code value").weak());
+    let mut view = ReportView::default();
+    view.set(Comparison(figures.to_vec()).report(&analysis::About { name: "", scene: &state.document.scene }));
+    view.ui(ui);
     let size = engine.size();
-    Grid::new("figures").num_columns(2).spacing([10.0, 3.0]).show(ui, |ui| {
-        for (pane, one) in engine.shown().iter().zip(figures) {
-            ui.label(RichText::new(format!("{} {}", pane + 1, one.name)).strong());
-            ui.end_row();
-            for (name, value) in rows(one) {
-                ui.label(name);
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(RichText::new(value).monospace()));
-                ui.end_row();
-            }
-            if let Some([x, y]) = one.error.and_then(|error| error.at) {
-                ui.label("at");
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    if ui.link(format!("pixel {x}, {y}")).on_hover_text("Puts the probe there").clicked() {
-                        state.probe = ProbePoint::at([x, y], size);
-                    }
-                });
-                ui.end_row();
-            }
+    for one in figures {
+        let Some([x, y]) = one.error.and_then(|error| error.at) else { continue };
+        let tip = format!("Puts the probe where {} differs most", one.name);
+        if ui.link(format!("pixel {x}, {y}")).on_hover_text(tip).clicked() {
+            state.probe = ProbePoint::at([x, y], size);
         }
-    });
-}
-
-/// The lines of a pane's figures.
-fn rows(figures: &PaneFigures) -> Vec<(&'static str, String)> {
-    let mut rows = Vec::new();
-    if let Some(brightest) = figures.brightest {
-        rows.push(("brightest", format!("{:.4}", brightest.value)));
     }
-    if let Some(error) = figures.error {
-        rows.push(("mean error", format!("{:.5}", error.mean)));
-        rows.push(("RMS error", format!("{:.5}", error.rms)));
-        rows.push(("greatest", format!("{:.5}", error.greatest)));
-    }
-    rows
+    export_ui(ui, state, "compare", || Some((Box::new(Comparison(figures.to_vec())), engine.drawn()?.clone())));
 }
 
 impl AppState {

@@ -2,6 +2,7 @@
 
 use super::code::form::{CodeForm, Language};
 use super::paths::complete_path;
+use crate::analysis::Format;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Key, ScrollArea, TextEdit, Ui, WidgetInfo};
 
@@ -20,9 +21,10 @@ pub enum Dialog {
     },
     Export(ExportForm),
     Code(CodeForm),
-    SaveProfile {
+    /// Where to save the answer of an analysis.
+    SaveAnswer {
         path: String,
-        ending: &'static str,
+        format: Format,
     },
     /// Whether to replace files that exist, before what another dialog asks for is done.
     Replace {
@@ -72,7 +74,7 @@ impl Dialog {
     pub fn take_path(&mut self, picked: String) {
         if let Self::Open { path }
         | Self::Save { path }
-        | Self::SaveProfile { path, .. }
+        | Self::SaveAnswer { path, .. }
         | Self::Export(ExportForm { path, .. }) = self
         {
             *path = picked;
@@ -98,7 +100,9 @@ impl Dialog {
         match self {
             Self::Save { path } => complete_path(path, "toml", &[]),
             Self::Export(form) => complete_path(&mut form.path, "png", &[]),
-            Self::SaveProfile { path, ending } => complete_path(path, ending, &["csv", "png", "svg"]),
+            Self::SaveAnswer { path, format } => {
+                complete_path(path, format.ending(), &["csv", "png", "svg", "json"]);
+            }
             Self::Code(form) => form.complete(),
             _ => {}
         }
@@ -112,7 +116,7 @@ pub enum Pick {
     SaveScene,
     SavePicture,
     SaveCode(Language),
-    SaveProfile,
+    SaveAnswer(Format),
 }
 
 /// A question with an answer a button.

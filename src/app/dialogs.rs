@@ -5,7 +5,7 @@ use super::code::{self, Writer, code_ui};
 use super::commands::COMMANDS;
 use super::dialog::{Choice, Dialog, ExportForm, Pick, buttons, message_ui, path_field, path_ui, question_ui};
 use super::files::Files;
-use super::profile;
+use super::report;
 use super::state::{AppState, Leaving};
 use crate::scene::Image;
 use eframe::egui::accesskit::Role;
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// Shows the dialog, if any, and how far work on a file has come.
 pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
     let browsing = state.dialog.is_some();
-    if let Some((what, fraction)) = files.progress().map(|(what, fraction)| (what.to_owned(), fraction)) {
+    if let Some((what, fraction)) = files.progress() {
         let shown = Modal::new(Id::unique("progress")).show(ctx, |ui| {
             ui.set_width(420.0);
             ui.label(what);
@@ -81,9 +81,9 @@ fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialo
         Dialog::Save { path } => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
         Dialog::Export(form) => files.export(ctx, state, &form),
         Dialog::Code(form) => code::save(state, form),
-        Dialog::SaveProfile { path, .. } => {
-            if let Err(text) = profile::save(state, Path::new(path.trim())) {
-                state.dialog = Some(Dialog::message("The profile was not saved", text));
+        Dialog::SaveAnswer { path, .. } => {
+            if let Err(text) = report::save(state, Path::new(path.trim())) {
+                state.dialog = Some(Dialog::message("The analysis was not saved", text));
             }
         }
         Dialog::Replace { then, .. } => perform(ctx, state, files, *then),
@@ -104,8 +104,9 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             path_ui(ui, "Open a scene, a model or an exported picture", "Open", path, hint, Pick::Open)
         }
         Dialog::Save { path } => path_ui(ui, "Save the scene", "Save", path, "scene.toml", Pick::SaveScene),
-        Dialog::SaveProfile { path, .. } => {
-            path_ui(ui, "Save the profile", "Save", path, "profile.csv, .png or .svg", Pick::SaveProfile)
+        Dialog::SaveAnswer { path, format } => {
+            let hint = format!("a name that ends in .{}", format.ending());
+            path_ui(ui, "Save the analysis", "Save", path, &hint, Pick::SaveAnswer(*format))
         }
         Dialog::Export(form) => export_ui(ui, form),
         Dialog::Code(form) => {
@@ -207,7 +208,7 @@ fn keys_ui(ui: &mut Ui) -> Choice {
 /// The files that accepting a dialog writes.
 fn targets(dialog: &Dialog, state: &AppState) -> Vec<PathBuf> {
     match dialog {
-        Dialog::Save { path } | Dialog::Export(ExportForm { path, .. }) | Dialog::SaveProfile { path, .. } => {
+        Dialog::Save { path } | Dialog::Export(ExportForm { path, .. }) | Dialog::SaveAnswer { path, .. } => {
             vec![PathBuf::from(path)]
         }
         Dialog::Code(form) => code::targets(state, form),

@@ -6,7 +6,7 @@ mod pane;
 use super::look::OverlayLook;
 use super::state::AppState;
 use crate::analysis::{
-    Brightest, ErrorFigures, Halo, Overlay, OverlayLayer, OverlayOptions, PaneFigures, Plot, Probe, Scan, ScanError,
+    Brightest, Curves, ErrorFigures, Halo, Overlay, OverlayLayer, OverlayOptions, PaneFigures, Probe, Scan, ScanError,
     brightest, curves, difference_picture, difference_scale, error_figures, scan_drawn,
 };
 use crate::render::{Frame, Report, Term, coarseness};
@@ -259,13 +259,12 @@ impl Engine {
     }
 
     /// The curves at the probe and of the light of index `light`, those that say something.
-    pub fn plots(&self, light: usize) -> Vec<Plot> {
+    pub fn curves(&self, light: usize) -> Option<Curves> {
         let pane = self.active();
-        let (Some((_, probe)), Some(scene), renderer) = (&pane.probed, pane.drawn(), pane.renderer()) else {
-            return vec![];
-        };
-        let plot = |kind| curves::plot(kind, renderer, scene, probe, light);
-        curves::shown_kinds(scene, light).into_iter().filter_map(plot).collect()
+        let ((_, probe), scene) = (pane.probed.as_ref()?, pane.drawn()?);
+        let plot = |kind| curves::plot(kind, pane.renderer(), scene, probe, light);
+        let plots = curves::shown_kinds(scene, light).into_iter().filter_map(plot).collect();
+        Some(Curves { pixel: probe.pixel, light, plots })
     }
 
     /// The active pane's scene as last drawn, in the picture's size.

@@ -1,6 +1,7 @@
-//! Files, on threads of their own: the window stays alive while a model is read or a picture is drawn.
+//! Files, in the background: the window stays alive while a model is read or a picture is drawn.
 
 use super::action::Action;
+use super::background::wake;
 use super::dialog::{Dialog, ExportForm, Pick};
 use super::document::Document;
 use super::engine::overlay_options;
@@ -11,43 +12,49 @@ use super::profile::look::ProfileLook;
 use super::recovery;
 use super::state::AppState;
 use crate::analysis::{
-    ProfileQuestion, comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe,
-    profile,
+    ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet,
+    probe, profile,
 };
 use crate::document::{Loaded, load_with, save_picture};
+use crate::jobs::{Job, Work};
 use crate::render::{Frame, Renderer, check_memory};
 use crate::scene::Scene;
 use eframe::egui::Context;
 use std::cell::Cell;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::thread;
 
-/// What comes back from a thread.
-enum Outcome {
-    Loaded(Box<Result<Loaded, String>>),
-    /// Unsaved work with what it was made from.
-    Restored(Box<Result<(Document, Document), String>>),
-    Exported(Result<PathBuf, String>),
-    /// A path picked in the desktop's own dialog; none where it was left or there is no such dialog.
-    Picked(Option<PathBuf>),
+/// Work on a file.
+enum FileWork {
+    Open(PathBuf),
+    /// Opens unsaved work that was left in a file.
+    Restore(PathBuf),
+    Export(Box<Export>),
+    /// Shows the desktop's own dialog.
+    Pick(Pick),
 }
 
-/// Work under way.
-struct Work {
-    what: String,
-    done: Arc<AtomicU64>,
-    total: Arc<AtomicU64>,
-    cancelled: Arc<AtomicBool>,
-    outcome: Receiver<Outcome>,
+/// A picture to be drawn and written.
+struct Export {
+    document: Document,
+    form: ExportForm,
+    over: Option<Over>,
+}
+
+/// What comes of it.
+#[derive(Clone)]
+enum Outcome {
+    Loaded(Box<Loaded>),
+    /// Unsaved work with what it was made from.
+    Restored(Box<(Document, Document)>),
+    Exported(PathBuf),
+    /// A path picked in the desktop's own dialog; none where it was left or there is no such dialog.
+    Picked(Option<PathBuf>),
 }
 
 /// The files' side of the window.
 #[derive(Default)]
 pub struct Files {
-    work: Option<Work>,
+    job: Option<Job<FileWork>>,
     /// The path that the desktop's own dialog gave, which has asked whether to replace the file.
     agreed: Option<PathBuf>,
 }
@@ -121,62 +128,112 @@ pub fn picture(
     panes.ok().map(|panes| comparison_sheet(scene, &panes, true))
 }
 
+impl Work for FileWork {
+    type Answer = Outcome;
+
+    fn run(&self, watch: &dyn Watch<Outcome>) -> Result<Outcome, String> {
+        match self {
+            Self::Open(path) => {
+                let mut progress = |read: u64, total: u64| _ = watch.at(read as f32 / total.max(1) as f32);
+                let loaded = load_with(path, &[] as &[&str], &mut progress);
+                loaded.map(|loaded| Outcome::Loaded(Box::new(loaded))).map_err(|error| error.to_string())
+            }
+            Self::Restore(path) => recovery::restore(path).map(|both| Outcome::Restored(Box::new(both))),
+            Self::Export(export) => export.run(watch),
+            Self::Pick(pick) => Ok(Outcome::Picked(pick.show())),
+        }
+    }
+}
+
+impl FileWork {
+    /// What is under way.
+    fn title(&self) -> String {
+        match self {
+            Self::Open(path) => format!("Opening {}", path.display()),
+            Self::Restore(_) => "Restoring unsaved work".to_owned(),
+            Self::Export(export) => format!("Drawing {}", export.form.path),
+            Self::Pick(_) => "Waiting for the desktop's file dialog".to_owned(),
+        }
+    }
+
+    /// What did not work.
+    fn failure(&self) -> &'static str {
+        match self {
+            Self::Open(_) => "The file was not opened",
+            Self::Restore(_) => "The unsaved work was not restored",
+            Self::Export(_) => "The picture was not exported",
+            Self::Pick(_) => "That did not work",
+        }
+    }
+}
+
+impl Export {
+    fn run(&self, watch: &dyn Watch<Outcome>) -> Result<Outcome, String> {
+        let Self { document, form, over } = self;
+        let mut scene = document.scene.clone();
+        scene.image.size = form.size;
+        check_memory(&scene).map_err(|error| error.to_string())?;
+        let total = f64::from(form.samples) * scene.shown_panes().len() as f64;
+        let mut renderer = Renderer::default();
+        renderer.set_model(document.model.clone());
+        let path = PathBuf::from(&form.path);
+        let mut progress = |done: u32| watch.at((f64::from(done) / total) as f32);
+        let frame = picture(&mut renderer, &scene, form.samples, over.as_ref(), &mut progress);
+        if let Some(frame) = frame.filter(|_| watch.at(1.0)) {
+            save_picture(&path, &frame, &scene).map_err(|error| error.to_string())?;
+        }
+        Ok(Outcome::Exported(path))
+    }
+}
+
+impl Pick {
+    fn show(self) -> Option<PathBuf> {
+        let dialog = rfd::FileDialog::new();
+        match self {
+            Self::Open => dialog.add_filter("Scenes, models, pictures", &["toml", "obj", "png"]).pick_file(),
+            Self::SaveScene => dialog.add_filter("Scene", &["toml"]).set_file_name("scene.toml").save_file(),
+            Self::SavePicture => dialog.add_filter("Picture", &["png"]).set_file_name("picture.png").save_file(),
+            Self::SaveAnswer(format) => dialog.add_filter("Analysis", &[format.ending()]).save_file(),
+            Self::SaveCode(language) => dialog.set_file_name(language.suggestion()).save_file(),
+        }
+    }
+}
+
 impl Files {
     /// What is under way, and how far it is from 0 to 1.
-    pub fn progress(&self) -> Option<(&str, f32)> {
-        let work = self.work.as_ref()?;
-        let (done, total) = (work.done.load(Ordering::Relaxed), work.total.load(Ordering::Relaxed));
-        let fraction = if total == 0 { 0.0 } else { done as f32 / total as f32 };
-        Some((&work.what, fraction))
+    pub fn progress(&self) -> Option<(String, f32)> {
+        self.job.as_ref().map(|job| (job.work.title(), job.share()))
     }
 
     /// Cancels the work under way: what is drawn stops at its next sample and is not written, other outcomes are ignored.
     pub fn cancel(&mut self) {
-        if let Some(work) = self.work.take() {
-            work.cancelled.store(true, Ordering::Relaxed);
-        }
-    }
-
-    /// Runs work on a thread. It reports how much is done, of how much, and is told whether to go on.
-    fn start(
-        &mut self,
-        ctx: &Context,
-        what: String,
-        run: impl FnOnce(&dyn Fn(u64, u64) -> bool) -> Outcome + Send + 'static,
-    ) {
-        let (sender, outcome) = channel();
-        let [done, total] = [(); 2].map(|()| Arc::new(AtomicU64::new(0)));
-        let cancelled = Arc::new(AtomicBool::new(false));
-        let shared = (Arc::clone(&done), Arc::clone(&total), Arc::clone(&cancelled));
-        self.work = Some(Work { what, done, total, cancelled, outcome });
-        let ctx = ctx.clone();
-        thread::spawn(move || {
-            let (done, total, cancelled) = shared;
-            let tell = |now: u64, of: u64| {
-                done.store(now, Ordering::Relaxed);
-                total.store(of, Ordering::Relaxed);
-                ctx.request_repaint();
-                !cancelled.load(Ordering::Relaxed)
-            };
-            // The receiver may be gone; dropping the outcome is fine.
-            let _ = sender.send(run(&tell));
-            ctx.request_repaint();
-        });
+        self.job = None;
     }
 
     /// Opens a scene, a model or a picture.
     pub fn open(&mut self, ctx: &Context, path: PathBuf) {
-        self.start(ctx, format!("Opening {}", path.display()), move |tell| {
-            let loaded = load_with(&path, &[] as &[&str], &mut |read, total| _ = tell(read, total));
-            Outcome::Loaded(Box::new(loaded.map_err(|error| error.to_string())))
-        });
+        self.start(ctx, FileWork::Open(path));
     }
 
     /// Opens unsaved work that was left in a file.
     pub fn restore(&mut self, ctx: &Context, path: PathBuf) {
-        self.start(ctx, "Restoring unsaved work".to_owned(), move |_| {
-            Outcome::Restored(Box::new(recovery::restore(&path)))
-        });
+        self.start(ctx, FileWork::Restore(path));
+    }
+
+    /// Draws and writes a picture of the document.
+    pub fn export(&mut self, ctx: &Context, state: &AppState, form: &ExportForm) {
+        let over = form.overlay.then(|| Over::of(state));
+        let export = Export { document: state.document.clone(), form: form.clone(), over };
+        self.start(ctx, FileWork::Export(Box::new(export)));
+    }
+
+    /// Shows the desktop's own dialog.
+    pub fn pick(&mut self, ctx: &Context, pick: Pick) {
+        self.start(ctx, FileWork::Pick(pick));
+    }
+
+    fn start(&mut self, ctx: &Context, work: FileWork) {
+        self.job = Some(Job::start(work, wake(ctx)));
     }
 
     /// Takes the path that may be replaced without another question, if any.
@@ -184,73 +241,21 @@ impl Files {
         self.agreed.take()
     }
 
-    /// Draws and writes a picture of `document`.
-    pub fn export(&mut self, ctx: &Context, state: &AppState, form: &ExportForm) {
-        let (document, form) = (state.document.clone(), form.clone());
-        let over = form.overlay.then(|| Over::of(state));
-        self.start(ctx, format!("Drawing {}", form.path), move |tell| {
-            let mut scene = document.scene;
-            scene.image.size = form.size;
-            let total = u64::from(form.samples) * scene.shown_panes().len() as u64;
-            let mut renderer = Renderer::default();
-            renderer.set_model(document.model);
-            let path = PathBuf::from(&form.path);
-            let mut draw =
-                || picture(&mut renderer, &scene, form.samples, over.as_ref(), &mut |n| tell(n.into(), total));
-            let drawn = check_memory(&scene).map_err(|error| error.to_string()).map(|()| draw());
-            let saved = drawn.and_then(|frame| match frame.filter(|_| tell(total, total)) {
-                Some(frame) => save_picture(&path, &frame, &scene).map_err(|error| error.to_string()),
-                None => Ok(()),
-            });
-            Outcome::Exported(saved.map(|()| path))
-        });
-    }
-
-    /// Shows the desktop's own dialog.
-    pub fn pick(&mut self, ctx: &Context, pick: Pick) {
-        self.start(ctx, "Waiting for the desktop's file dialog".to_owned(), move |_| {
-            let dialog = rfd::FileDialog::new();
-            Outcome::Picked(match pick {
-                Pick::Open => dialog.add_filter("Scenes, models, pictures", &["toml", "obj", "png"]).pick_file(),
-                Pick::SaveScene => dialog.add_filter("Scene", &["toml"]).set_file_name("scene.toml").save_file(),
-                Pick::SavePicture => dialog.add_filter("Picture", &["png"]).set_file_name("picture.png").save_file(),
-                Pick::SaveProfile => {
-                    dialog.add_filter("Profile", &["csv", "png", "svg"]).set_file_name("profile.csv").save_file()
-                }
-                Pick::SaveCode(language) => dialog.set_file_name(language.suggestion()).save_file(),
-            })
-        });
-    }
-
     /// Takes what the thread has brought.
     pub fn poll(&mut self, ctx: &Context, state: &mut AppState) {
-        let Some(work) = &self.work else { return };
-        let outcome = match work.outcome.try_recv() {
-            Err(TryRecvError::Empty) => return,
-            Err(TryRecvError::Disconnected) => None,
-            Ok(outcome) => Some(outcome),
-        };
-        self.work = None;
+        let Some((work, outcome)) = Job::take(&mut self.job) else { return };
         ctx.request_repaint();
         match outcome {
-            None => state.dialog = Some(Dialog::message("That did not work", "It ended without a result.".to_owned())),
-            Some(Outcome::Loaded(loaded)) => match *loaded {
-                Ok(loaded) => state.open(Document::from(loaded)),
-                Err(text) => state.dialog = Some(Dialog::message("The file was not opened", text)),
-            },
-            Some(Outcome::Restored(restored)) => match *restored {
-                Ok((document, original)) => {
-                    state.open(original);
-                    state.document = document;
-                    state.ask(Action::AdoptRestored);
-                }
-                Err(text) => state.dialog = Some(Dialog::message("The unsaved work was not restored", text)),
-            },
-            Some(Outcome::Exported(Ok(path))) => state.notice = Some(format!("exported {}", path.display())),
-            Some(Outcome::Exported(Err(text))) => {
-                state.dialog = Some(Dialog::message("The picture was not exported", text));
+            Err(text) => state.dialog = Some(Dialog::message(work.failure(), text)),
+            Ok(Outcome::Loaded(loaded)) => state.open(Document::from(*loaded)),
+            Ok(Outcome::Restored(both)) => {
+                let (document, original) = *both;
+                state.open(original);
+                state.document = document;
+                state.ask(Action::AdoptRestored);
             }
-            Some(Outcome::Picked(path)) => {
+            Ok(Outcome::Exported(path)) => state.notice = Some(format!("exported {}", path.display())),
+            Ok(Outcome::Picked(path)) => {
                 if let (Some(path), Some(dialog)) = (path, &mut state.dialog) {
                     dialog.take_path(path.display().to_string());
                     self.agreed = Some(path);

@@ -1,5 +1,8 @@
-//! Small spheres of the named materials, drawn beside the window once somebody looks.
+//! Small spheres of the named materials, drawn in the background once somebody looks.
 
+use super::background::wake;
+use crate::analysis::Watch;
+use crate::jobs::{Background, Work};
 use crate::render::Renderer;
 use crate::scene::materials::{NAMED, NamedMaterial};
 use crate::scene::{Ambient, Camera, Image, Light, Object, ObjectKind, Reflection, ReflectionModel, Rgb, Scene};
@@ -7,8 +10,6 @@ use crate::scene::{Shading, ShadingMode};
 use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureId, TextureOptions, Vec2};
 use glam::DVec3;
 use std::fmt;
-use std::sync::mpsc::{Receiver, channel};
-use std::thread;
 
 /// The side of a sphere's picture, points.
 pub const SPHERE: f32 = 48.0;
@@ -23,9 +24,7 @@ const SAMPLES: u32 = 4;
 pub struct Gallery {
     /// In the order of [`NAMED`], as far as they have come.
     textures: Vec<TextureHandle>,
-    work: Option<Receiver<ColorImage>>,
-    /// Pixels on a side.
-    side: u32,
+    work: Background<Spheres>,
 }
 
 impl fmt::Debug for Gallery {
@@ -34,22 +33,37 @@ impl fmt::Debug for Gallery {
     }
 }
 
+/// The spheres in pictures of so many pixels on a side.
+#[derive(PartialEq)]
+struct Spheres(u32);
+
+impl Work for Spheres {
+    type Answer = Vec<ColorImage>;
+
+    fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
+        let (mut renderer, mut pictures) = (Renderer::default(), Vec::new());
+        for named in NAMED {
+            pictures.push(picture(&mut renderer, named, self.0));
+            watch.found(&pictures);
+            if !watch.at(pictures.len() as f32 / NAMED.len() as f32) {
+                break;
+            }
+        }
+        Ok(pictures)
+    }
+}
+
 impl Gallery {
     /// Begins to draw the pictures, or takes those that have come.
     pub fn prepare(&mut self, ctx: &Context) {
-        let side = (SPHERE * ctx.pixels_per_point()).round().clamp(16.0, 512.0) as u32;
-        if self.side != side {
-            self.side = side;
-            self.textures.clear();
-            self.work = Some(draw(ctx, side));
-        }
-        let Some(work) = &self.work else { return };
-        for image in work.try_iter() {
-            let name = format!("material {}", self.textures.len());
-            self.textures.push(ctx.load_texture(name, image, TextureOptions::LINEAR));
-        }
-        if self.textures.len() == NAMED.len() {
-            self.work = None;
+        let side = Spheres((SPHERE * ctx.pixels_per_point()).round().clamp(16.0, 512.0) as u32);
+        self.work.keep_only(|known| *known == side);
+        self.work.ask(wake(ctx), |known| *known == side, || Spheres(side.0));
+        let pictures = self.work.answer().map_or(&[][..], Vec::as_slice);
+        self.textures.truncate(pictures.len());
+        for (index, image) in pictures.iter().enumerate().skip(self.textures.len()) {
+            let name = format!("material {index}");
+            self.textures.push(ctx.load_texture(name, image.clone(), TextureOptions::LINEAR));
         }
     }
 
@@ -58,23 +72,6 @@ impl Gallery {
         let place = NAMED.iter().position(|other| other == named)?;
         self.textures.get(place).map(TextureHandle::id)
     }
-}
-
-/// Draws one after the other on a thread of its own.
-fn draw(ctx: &Context, side: u32) -> Receiver<ColorImage> {
-    let (sender, receiver) = channel();
-    let ctx = ctx.clone();
-    thread::spawn(move || {
-        let mut renderer = Renderer::default();
-        for named in NAMED {
-            // Who has closed the window wants no more of them.
-            if sender.send(picture(&mut renderer, named, side)).is_err() {
-                return;
-            }
-            ctx.request_repaint();
-        }
-    });
-    receiver
 }
 
 /// The sphere as OpenGL lights it: N against H, a distant light from above, little ambient light.

@@ -9,11 +9,12 @@ use super::look::NumbersTab;
 use super::palette::vector_text;
 use super::plan::plan_ui;
 use super::profile::profile_ui;
+use super::report::export_ui;
 use super::scan::scan_ui;
 use super::stability::stability_ui;
 use super::state::AppState;
 use super::study::study_ui;
-use crate::analysis::{LightTerms, Probe, ProbeHit};
+use crate::analysis::{LightTerms, Probe, ProbeHit, Probed};
 use crate::figure::palette::Vector;
 use crate::scene::{Reflectance, ReflectionModel, Scene};
 use eframe::egui::accesskit::Role;
@@ -41,7 +42,7 @@ pub const TABS: [Tab; 9] = [
     Tab { key: NumbersTab::ScanLine, title: "Scan line", show: |ui, state, engine| with(ui, state, engine, scan_ui) },
     Tab { key: NumbersTab::Compare, title: "Compare", show: |ui, state, engine| with(ui, state, engine, compare_ui) },
     Tab { key: NumbersTab::Defects, title: "Defects", show: |ui, state, engine| with(ui, state, engine, defects_ui) },
-    Tab { key: NumbersTab::Plan, title: "Plan", show: plan_ui },
+    Tab { key: NumbersTab::Plan, title: "Plan", show: |ui, state, engine| with(ui, state, engine, plan_ui) },
     Tab { key: NumbersTab::Study, title: "Study", show: |ui, state, engine| with(ui, state, engine, study_ui) },
     Tab {
         key: NumbersTab::Stability,
@@ -89,6 +90,10 @@ fn equation_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         None => background_ui(ui, probe),
         Some(hit) => hit_ui(ui, state, probe, hit),
     }
+    export_ui(ui, state, "probe", || {
+        let sampling = vec![None; probe.hit.as_ref().map_or(0, |hit| hit.lights.len())];
+        Some((Box::new(Probed { probe: probe.clone(), sampling }), engine.drawn()?.clone()))
+    });
 }
 
 fn background_ui(ui: &mut Ui, probe: &Probe) {

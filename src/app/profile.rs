@@ -1,24 +1,25 @@
 //! The profile along the line in the picture: what is compared, who looks from where, and the plots.
 
 pub mod look;
-mod worker;
 
-pub use worker::{Profiles, save};
-
-use super::action::Action;
-use super::curves::{LETTERS, height, paper, plot_ui};
-use super::dialog::Dialog;
-use super::engine::Engine;
+use super::background::{ask, wake};
+use super::document::Document;
+use super::engine::{Engine, image_of};
 use super::look::NumbersTab;
+use super::report::{ReportView, export_ui};
 use super::row::{About, NumberRow, Rail, number};
 use super::state::AppState;
-use super::theme::TEXT;
-use crate::analysis::{Perception, ResponseModel, Viewing};
-use crate::figure::{PlotStyle, lay_out};
-use crate::scene::ShadingMode;
-use eframe::egui::{Button, RichText, Ui};
+use crate::analysis::{
+    self, Answer, PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel, Viewing, Watch,
+    perceived_picture,
+};
+use crate::jobs::{Asked, Background, Work};
+use crate::render::Frame;
+use crate::scene::{Scene, ShadingMode};
+use eframe::egui::{Button, Context, RichText, TextureHandle, TextureOptions, Ui};
 use glam::DVec2;
 use look::MODES;
+use std::fmt::{self, Debug, Formatter};
 
 /// The profile's tab.
 pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, engine: &Engine) {
@@ -34,21 +35,94 @@ pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, en
     let AppState { shown, look, .. } = state;
     if look.profile.perceived {
         profiles.ask_perceived(ui.ctx(), shown, size, &request);
-        if let Some(why) = profiles.not_perceived() {
+        if let Some(Err(why)) = profiles.seen.known() {
             ui.label(RichText::new(why).weak());
         }
     }
-    profiles.ask(ui.ctx(), shown, size, request);
+    profiles.ask(ui.ctx(), shown, size, &request);
     ui.add_space(4.0);
-    save_ui(ui, profiles, state);
+    export_ui(ui, state, "profile", || profiles.answer());
     ui.separator();
-    plots_ui(ui, profiles);
-    ui.label(
-        RichText::new(
-            "Phong shading weakens Mach bands, it does not abolish them: its slope still jumps, only by less.",
-        )
-        .weak(),
-    );
+    match profiles.taken.known() {
+        None => _ = ui.label("…"),
+        Some(Err(why)) => _ = ui.label(why),
+        Some(Ok(_)) => profiles.view.ui(ui),
+    }
+}
+
+/// The profile last taken with its plots, and the picture as it is perceived.
+#[derive(Default)]
+pub struct Profiles {
+    taken: Background<Asked<ProfileQuestion>>,
+    view: ReportView,
+    seen: Background<Perceived>,
+    texture: Option<TextureHandle>,
+}
+
+impl Debug for Profiles {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Profiles").field("taken", &self.taken).finish_non_exhaustive()
+    }
+}
+
+/// The whole picture as it is perceived.
+struct Perceived(Asked<ProfileQuestion>);
+
+impl Work for Perceived {
+    type Answer = Frame;
+
+    fn run(&self, _: &dyn Watch<Frame>) -> Result<Frame, String> {
+        let ProfileQuestion { viewing, perception, .. } = &self.0.question;
+        let [_, widest] = perception.widths(viewing.pixels_per_degree());
+        if widest > PERCEIVED_WIDTH {
+            return Err(format!("σs is {widest:.0} pixels, expected at most {PERCEIVED_WIDTH} for a whole picture"));
+        }
+        let subject = self.0.subject();
+        Ok(perceived_picture(&mut subject.renderer(), &subject.scene, viewing, perception))
+    }
+}
+
+impl Profiles {
+    /// Takes this profile in the background; until then the last one is shown.
+    fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: &ProfileQuestion) {
+        let new = ask(&mut self.taken, ctx, document, size, question);
+        if let Some(taken) = self.taken.answer().filter(|_| new) {
+            self.view.set(taken.report(&analysis::About { name: "", scene: &document.scene }));
+        }
+    }
+
+    /// Computes the picture as it is perceived in the background; until then the last one is shown.
+    fn ask_perceived(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: &ProfileQuestion) {
+        // The line does not matter to the whole picture.
+        let question = ProfileQuestion { from: DVec2::ZERO, to: DVec2::ZERO, modes: vec![], ..question.clone() };
+        let (scene, model) = (&document.scene, document.model.as_ref());
+        let same = |seen: &Perceived| seen.0.is(&question, scene, model, size);
+        let work = || Perceived(Asked::new(question.clone(), scene, model, size));
+        if self.seen.ask(wake(ctx), same, work) {
+            match (self.seen.answer().map(image_of), &mut self.texture) {
+                (Some(image), Some(texture)) => texture.set(image, TextureOptions::NEAREST),
+                (Some(image), texture) => {
+                    *texture = Some(ctx.load_texture("perceived", image, TextureOptions::NEAREST));
+                }
+                (None, texture) => *texture = None,
+            }
+            ctx.request_repaint();
+        }
+    }
+
+    /// The picture as it is perceived.
+    pub fn perceived(&self) -> Option<&TextureHandle> {
+        self.texture.as_ref()
+    }
+
+    /// The profile last taken.
+    pub fn profile(&self) -> Option<&Profile> {
+        self.taken.answer().map(|taken| &taken.profile)
+    }
+
+    fn answer(&self) -> Option<(Box<dyn Answer>, Scene)> {
+        Some((Box::new(self.taken.answer()?.clone()), self.taken.answered()?.subject().scene))
+    }
 }
 
 fn modes_ui(ui: &mut Ui, modes: &mut Vec<ShadingMode>) {
@@ -101,40 +175,7 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
     });
 }
 
-fn save_ui(ui: &mut Ui, profiles: &Profiles, state: &mut AppState) {
-    let ready = profiles.profile().is_some();
-    ui.horizontal(|ui| {
-        for (ending, tip) in [("csv", "The samples as a table"), ("png", "The plots"), ("svg", "The plots, to edit")] {
-            let button = ui.add_enabled(ready, Button::new(format!("{}…", ending.to_uppercase())));
-            if button.on_hover_text(tip).clicked() {
-                state.ask(Action::SaveProfile(ending));
-            }
-        }
-    });
-}
-
 /// Whether the picture is to be shown as it is perceived.
 pub fn shows_perceived(state: &AppState) -> bool {
     state.shows(NumbersTab::Profile) && state.look.profile.perceived
-}
-
-/// The dialog that asks where to.
-pub fn save_dialog(ending: &'static str) -> Dialog {
-    Dialog::SaveProfile { path: format!("profile.{ending}"), ending }
-}
-
-fn plots_ui(ui: &mut Ui, profiles: &mut Profiles) {
-    if let Some(why) = profiles.missing() {
-        ui.label(why);
-        return;
-    }
-    let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
-    let width = f64::from(ui.available_width());
-    let room = |plot: &_| DVec2::new(width, height(plot, width, style.text));
-    profiles.lay_out((style, ui.available_width()), |plot| lay_out(plot, room(plot), &style));
-    for (plot, drawing) in profiles.laid_out() {
-        ui.label(RichText::new(&plot.title).strong());
-        plot_ui(ui, plot, drawing, &style);
-        ui.add_space(12.0);
-    }
 }

@@ -5,12 +5,13 @@
 
 use super::document::{Document, Origin};
 use super::state::{AppState, Leaving};
-use crate::document::{SaveError, WriteError, load, write_whole};
-use crate::scene::presets;
+use crate::analysis::Watch;
+use crate::document::{WriteError, load, write_whole};
+use crate::jobs::{Job, Work};
+use crate::scene::{Scene, presets};
 use eframe::egui::Context;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 /// A change is kept after so many seconds, together with those that follow it in that time.
@@ -30,7 +31,25 @@ pub struct Recovery {
     due: Option<f64>,
     /// Whether there may be a file of this window's.
     written: bool,
-    writing: Option<JoinHandle<Result<(), SaveError>>>,
+    writing: Option<Job<Kept>>,
+}
+
+/// A scene to be written.
+struct Kept {
+    path: PathBuf,
+    scene: Scene,
+    origin: Origin,
+}
+
+impl Work for Kept {
+    type Answer = ();
+
+    fn run(&self, _: &dyn Watch<()>) -> Result<(), String> {
+        let origin = serde_json::to_string(&self.origin).unwrap_or_default();
+        let text = format!("{HEAD}{origin}\n{}", self.scene.to_toml());
+        let written = write_whole(&self.path, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io));
+        written.map_err(|error| error.to_string())
+    }
 }
 
 /// A file for kept work, which is this process's alone.
@@ -89,9 +108,7 @@ impl Recovery {
 
     /// Keeps the document a while after it has changed, and nothing once it is saved. Nothing runs in between.
     pub fn keep(&mut self, ctx: &Context, state: &mut AppState) {
-        if let Some(Err(error)) =
-            self.writing.take_if(|writing| writing.is_finished()).and_then(|done| done.join().ok())
-        {
+        if let Some((_, Err(error))) = Job::take(&mut self.writing) {
             state.notice = Some(format!("unsaved changes are not kept: {error}"));
         }
         if !state.modified() {
@@ -115,12 +132,8 @@ impl Recovery {
             return;
         }
         self.written = true;
-        let (path, scene, origin) = (self.own.path.clone(), document.scene.clone(), document.origin.clone());
-        self.writing = Some(thread::spawn(move || {
-            let origin = serde_json::to_string(&origin).unwrap_or_default();
-            let text = format!("{HEAD}{origin}\n{}", scene.to_toml());
-            write_whole(&path, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io))
-        }));
+        let kept = Kept { path: self.own.path.clone(), scene: document.scene.clone(), origin: document.origin.clone() };
+        self.writing = Some(Job::start(kept, |_| ()));
     }
 
     /// Removes what is kept of this window's work.
@@ -128,8 +141,7 @@ impl Recovery {
         (self.kept, self.due) = (None, None);
         if std::mem::take(&mut self.written) {
             if let Some(writing) = self.writing.take() {
-                // Whether it was written matters no more.
-                let _ = writing.join();
+                writing.wait();
             }
             // At worst it is offered once too often.
             let _ = fs::remove_file(&self.own.path);

@@ -9,13 +9,14 @@ mod view;
 pub use outline::paint;
 pub use view::ScanView;
 
-use super::curves::paper;
 use super::drawing::drawing_ui;
 use super::engine::Engine;
+use super::plot::plot_style;
+use super::report::export_ui;
 use super::row::{About, NumberRow, Rail, number, whole};
 use super::state::AppState;
 use super::theme::TEXT;
-use crate::analysis::Scan;
+use crate::analysis::{Scan, ScanStop};
 use crate::figure::PlotStyle;
 use eframe::egui::{Sense, Ui};
 
@@ -29,7 +30,7 @@ const TALLEST: f32 = 0.46;
 pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &Engine) {
     view.update(engine, state.document.model.as_ref());
     view.play(ui.ctx());
-    let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
+    let style = PlotStyle { text: LETTERS * f64::from(TEXT), ..plot_style(ui) };
     let width = ui.available_width();
     // In a window that is all but closed, nothing is in sight.
     let tallest = TALLEST * ui.clip_rect().height().max(0.0);
@@ -44,6 +45,10 @@ pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &
             ui.add_space(6.0);
             formula::formula_ui(ui, view, state);
             tables::tables_ui(ui, view);
+            export_ui(ui, state, "scanline", || {
+                let scan = view.ready()?.clone();
+                Some((Box::new(ScanStop { step: view.step(), scan }), engine.drawn()?.clone()))
+            });
         }
         Some(Err(why)) => {
             ui.label(format!("It cannot be scanned: {why}."));

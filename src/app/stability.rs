@@ -1,18 +1,51 @@
 //! The tab of stiff and extreme cases: what the textbook's way, the engine and a reference make of each, and by how much they
 //! differ.
 
-mod work;
-
+use super::background::wake;
 use super::engine::Engine;
+use super::report::{export_ui, words_ui};
 use super::state::AppState;
-use crate::analysis::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Topic, stability_cases};
+use crate::analysis::{
+    CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, Topic, stability_cases,
+};
+use crate::jobs::{Asked, Background};
 use crate::render::Frame;
 use crate::scene::Scene;
 use eframe::egui::{
-    Align, Button, ColorImage, Context, Image, Label, Layout, ProgressBar, RichText, TextureHandle, TextureOptions, Ui,
-    vec2,
+    Align, Button, ColorImage, Context, Image, Layout, ProgressBar, RichText, TextureHandle, TextureOptions, Ui, vec2,
 };
-pub use work::StabilityView;
+use std::fmt;
+
+/// The tab's state.
+#[derive(Default)]
+pub struct StabilityView {
+    work: Background<Asked<StabilityQuestion>>,
+    /// The case that is shown.
+    chosen: usize,
+    /// The pictures of the case that is shown.
+    shown: Option<[TextureHandle; 3]>,
+}
+
+impl StabilityView {
+    /// Draws the catalogue, once.
+    fn receive(&mut self, ctx: &Context) {
+        let ask = || Asked::new(StabilityQuestion::default(), &Scene::default(), None, [1, 1]);
+        self.work.ask(wake(ctx), |_| true, ask);
+    }
+
+    /// Shows another case.
+    fn choose(&mut self, index: usize) {
+        if index != self.chosen {
+            (self.chosen, self.shown) = (index, None);
+        }
+    }
+}
+
+impl fmt::Debug for StabilityView {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("StabilityView").field("work", &self.work).field("chosen", &self.chosen).finish()
+    }
+}
 
 /// Widths of the columns, points, and the height of a row.
 const NUMBER: f32 = 62.0;
@@ -23,27 +56,22 @@ const GAP: f32 = 6.0;
 /// The tab. The catalogue is drawn once, when the tab is first seen.
 pub fn stability_ui(ui: &mut Ui, view: &mut StabilityView, state: &mut AppState, _: &Engine) {
     view.receive(ui.ctx());
-    ui.label("Scenes at the edge of what numbers hold. A textbook's renderer fails; this one must not.");
+    ui.label("Scenes at the limits of floating point. A textbook's renderer fails; this one must not.");
     ui.add_space(4.0);
-    let (known, total) = (view.results.len(), stability_cases().count());
-    if known < total {
-        progress_ui(ui, view, known, total);
+    let (known, total) = (view.work.answer().map_or(0, |found| found.results.len()), stability_cases().count());
+    if view.work.progress().is_some() {
+        ui.add(ProgressBar::new(known as f32 / total as f32).text(format!("{known} of {total} cases")));
+        ui.add_space(4.0);
+    } else if let Some(Err(why)) = view.work.known() {
+        ui.label(RichText::new(why).color(ui.visuals().warn_fg_color));
     }
     let opened = table_ui(ui, view);
+    export_ui(ui, state, "stability", || Some((Box::new(view.work.answer()?.clone()), Scene::default())));
     if let Some(mut scene) = opened {
         // The window has its own size, and the picture is looked at in it.
         scene.image.size = state.document.scene.image.size;
         state.document.scene = scene;
     }
-}
-
-fn progress_ui(ui: &mut Ui, view: &StabilityView, known: usize, total: usize) {
-    if let Some(told) = &view.told {
-        ui.label(RichText::new(told).color(ui.visuals().warn_fg_color));
-        return;
-    }
-    ui.add(ProgressBar::new(known as f32 / total as f32).text(format!("{known} of {total} cases")));
-    ui.add_space(4.0);
 }
 
 /// A case with its pictures; returns whether it is asked for as a scene.
@@ -77,25 +105,12 @@ fn case_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) -> b
             });
         }
     });
-    let lost = result.naive_not_finite;
-    if lost > 0 {
-        let pixels = if lost == 1 { "1 pixel is" } else { &format!("{lost} pixels are") };
-        ui.label(RichText::new(format!("{pixels} infinite or no number, in magenta.")).weak());
-    }
-    said_ui(ui, "The textbook", result.case.wrong);
-    said_ui(ui, "This engine", result.case.robust);
-    if let Some(condition) = result.case.condition {
-        ui.label(RichText::new(format!("Condition number {condition}.")).weak());
-    }
+    let mut section = Section::default();
+    result.describe(&mut section);
+    section.parts.iter().for_each(|part| words_ui(ui, part));
     let tip = "The case becomes the scene in the window. Undo leads back";
     let open = Button::new("Open as the scene");
     result.scene.is_some() && ui.add(open).on_hover_text(tip).clicked()
-}
-
-fn said_ui(ui: &mut Ui, who: &str, what: &str) {
-    ui.add_space(3.0);
-    ui.label(RichText::new(who).strong());
-    ui.add(Label::new(what).wrap());
 }
 
 /// The cases by topic, the chosen one with all that is known of it below its row; returns the scene that is asked for.
@@ -105,7 +120,8 @@ fn table_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
     let mut topic: Option<Topic> = None;
     let (mut chosen, mut opened) = (view.chosen, None);
     let mut shown = view.shown.take();
-    for (index, result) in view.results.iter().enumerate() {
+    let results = view.work.answer().map_or(&[][..], |found| &found.results);
+    for (index, result) in results.iter().enumerate() {
         let case = result.case;
         if topic != Some(case.topic) {
             let first = topic.is_none();

@@ -2,8 +2,9 @@
 
 use super::engine::Engine;
 use super::look::NumbersTab;
-use super::plan::{grouped, left_out, words};
+use super::plan::{grouped, left_out};
 use super::state::AppState;
+use crate::analysis::stage_words;
 use crate::render::StageRun;
 use eframe::egui::{Align, Label, Layout, RichText, Sense, Ui};
 
@@ -47,7 +48,7 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
 }
 
 fn stage_ui(ui: &mut Ui, run: &StageRun) {
-    let (name, what) = words(run.stage);
+    let (name, what) = stage_words(run.stage);
     let text = if run.ran {
         RichText::new(format!("■ {name}")).strong()
     } else {

@@ -1,22 +1,57 @@
 //! The tab of error against run time: what to measure, the plot while points come in, and the table.
 
 mod figure;
-mod table;
-mod work;
 
+use super::background::{progress_ui, wake};
 use super::engine::Engine;
+use super::report::{ReportView, export_ui};
 use super::state::AppState;
-use crate::analysis::{Method, Setting, StudyQuestion};
+use crate::analysis::{About, Answer, Method, Part, Plot, Setting, Study, StudyQuestion, study_plot};
+use crate::figure::{Drawing, PlotStyle};
+use crate::jobs::{Asked, Background};
 use crate::scene::{Interpolation, Scene};
-use eframe::egui::{Button, ProgressBar, RichText, TextEdit, Ui};
+use eframe::egui::{Button, RichText, TextEdit, Ui};
 use figure::figure_ui;
-use table::{orders_ui, table_ui};
-pub use work::StudyView;
 
 /// Tessellations to choose from, in segments.
 const SEGMENTS: [u32; 8] = [4, 8, 16, 32, 64, 128, 256, 512];
 /// Frames timed for each setting, to choose from.
 const REPEATS: [u32; 3] = [3, 9, 27];
+
+/// The tab's state.
+#[derive(Debug, Default)]
+pub struct StudyView {
+    choices: Choices,
+    /// What became of the point that was chosen last.
+    message: Option<String>,
+    work: Background<Asked<StudyQuestion>>,
+    view: ReportView,
+    plot: Option<Plot>,
+    /// Laid out for this style and width.
+    drawing: Option<(Drawing, PlotStyle, f32)>,
+}
+
+impl StudyView {
+    fn study(&self) -> Option<&Study> {
+        self.work.answer()
+    }
+
+    /// Takes what is new; the plot is drawn apart, since its points can be chosen.
+    fn receive(&mut self, scene: &Scene) {
+        if !self.work.take() {
+            return;
+        }
+        let Some(study) = self.work.answer() else { return };
+        let mut report = study.report(&About { name: "", scene });
+        report.sections.iter_mut().for_each(|section| section.parts.retain(|part| !matches!(part, Part::Plot(_))));
+        (self.plot, self.drawing) = (study_plot(study), None);
+        self.view.set(report);
+    }
+
+    fn answer(&self) -> Option<(Box<dyn Answer>, Scene)> {
+        Some((Box::new(self.study()?.clone()), self.work.answered()?.subject().scene))
+    }
+}
 
 /// What is chosen to be measured.
 #[derive(Clone, Debug)]
@@ -78,22 +113,26 @@ pub fn study_ui(ui: &mut Ui, view: &mut StudyView, state: &mut AppState, engine:
     if size.contains(&0) {
         return;
     }
-    view.receive();
+    view.receive(&state.shown.scene);
     ui.label(
         "Every way of shading at every tessellation against the exact picture: how far off, and how long it takes.",
     );
     ui.add_space(4.0);
-    let running = view.progress();
-    ui.add_enabled_ui(running.is_none(), |ui| choices_ui(ui, &mut view.choices));
+    let running = view.work.progress().is_some();
+    ui.add_enabled_ui(!running, |ui| choices_ui(ui, &mut view.choices));
     ui.add_space(4.0);
-    start_ui(ui, view, state, size, running);
-    let mut asked = figure_ui(ui, view);
-    if let Some(told) = &view.told {
-        ui.label(RichText::new(told).weak());
+    if !progress_ui(ui, &view.work, "Keeps what is known so far") {
+        start_ui(ui, view, state, size);
     }
-    if let Some(study) = view.study() {
-        asked = table_ui(ui, study).or(asked);
-        orders_ui(ui, study);
+    let mut asked = figure_ui(ui, view);
+    let refused = view.work.known().and_then(|known| known.as_ref().err());
+    if let Some(message) = view.message.as_ref().or(refused) {
+        ui.label(RichText::new(message).weak());
+    }
+    if view.study().is_some() {
+        export_ui(ui, state, "study", || view.answer());
+        let row = view.view.picked_ui(ui);
+        asked = row.and_then(|row| Some(view.study()?.rows.get(row)?.setting)).or(asked);
     }
     if let Some(setting) = asked {
         load(view, state, &setting);
@@ -102,8 +141,8 @@ pub fn study_ui(ui: &mut Ui, view: &mut StudyView, state: &mut AppState, engine:
 
 /// Shows a setting in the picture, or says why it cannot.
 fn load(view: &mut StudyView, state: &mut AppState, setting: &Setting) {
-    let words = format!("{}, {}×{}", setting.method.title(), setting.segments, setting.rings);
-    view.told = Some(if setting.load(&mut state.shown.scene) {
+    let words = setting.title();
+    view.message = Some(if setting.load(&mut state.shown.scene) {
         format!("The picture shows {words}. Undo leads back.")
     } else {
         format!("{words}: this historic method is measured apart and is no mode of the picture; it cannot be shown.")
@@ -153,7 +192,7 @@ fn says(method: Method) -> &'static str {
         Method::Phong => "Normals interpolated and made unit vectors at each pixel",
         Method::PhongUnnormalised => "Normals interpolated and left as they are",
         Method::PhongScalar => {
-            "Phong shading in the scalar text of the two historic methods, to compare their times with"
+            "Phong shading in the scalar code of the two historic methods, to compare their times with"
         }
         Method::Taylor => {
             "Bishop and Weimer 1986: the cosines' Taylor expansion over each triangle, by forward differences"
@@ -162,25 +201,17 @@ fn says(method: Method) -> &'static str {
     }
 }
 
-/// Start, or stop with how far it is.
-fn start_ui(ui: &mut Ui, view: &mut StudyView, state: &AppState, size: [u32; 2], running: Option<f32>) {
-    if let Some(share) = running {
-        ui.horizontal(|ui| {
-            if ui.add(Button::new("Stop")).on_hover_text("Keeps what is known so far").clicked() {
-                view.stop();
-            }
-            ui.add(ProgressBar::new(share).show_percentage().desired_width(ui.available_width()));
-        });
-        return;
-    }
-    let request = view.choices.request(&state.shown.scene);
+fn start_ui(ui: &mut Ui, view: &mut StudyView, state: &AppState, size: [u32; 2]) {
+    let question = view.choices.request(&state.shown.scene);
     let tip = "Measures the active picture at its present size. Times are best while nothing else is touched";
-    let start = ui.add_enabled(request.is_ok(), Button::new("Start")).on_hover_text(tip);
-    match request {
-        Err(problem) => {
-            ui.label(RichText::new(problem).color(ui.visuals().warn_fg_color));
+    let start = ui.add_enabled(question.is_ok(), Button::new("Start")).on_hover_text(tip);
+    match question {
+        Err(problem) => _ = ui.label(RichText::new(problem).color(ui.visuals().warn_fg_color)),
+        Ok(question) if start.clicked() => {
+            let asked = Asked::new(question, &state.shown.scene, state.shown.model.as_ref(), size);
+            *view = StudyView { choices: view.choices.clone(), ..StudyView::default() };
+            view.work.start(asked, wake(ui.ctx()));
         }
-        Ok(request) if start.clicked() => view.start(ui.ctx(), &state.shown, size, request),
         Ok(_) => {}
     }
 }

@@ -30,7 +30,7 @@ pub trait Asks: Args {
         None
     }
 
-    /// Writes what else is asked for; tells whether there was anything.
+    /// Writes what else is asked for; returns whether there was anything.
     fn also(&self, _subject: &Subject) -> Result<bool, Failure> {
         Ok(false)
     }

@@ -10,12 +10,12 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Asked<Q> {
     pub question: Q,
-    scene: Scene,
-    model: Option<Arc<Mesh>>,
+    pub scene: Scene,
+    pub model: Option<Arc<Mesh>>,
     size: [u32; 2],
 }
 
-impl<Q: Question> Asked<Q> {
+impl<Q: PartialEq> Asked<Q> {
     pub fn new(question: Q, scene: &Scene, model: Option<&Arc<Mesh>>, size: [u32; 2]) -> Self {
         Self { question, scene: scene.clone(), model: model.cloned(), size }
     }
@@ -28,11 +28,11 @@ impl<Q: Question> Asked<Q> {
             && self.scene == *scene
     }
 
-    /// The scene, its picture of the size asked for.
-    pub fn sized(&self) -> Scene {
+    /// The scene, its picture of the size asked for, with the model.
+    pub fn subject(&self) -> Subject {
         let mut scene = self.scene.clone();
         scene.image.size = self.size;
-        scene
+        Subject { scene, model: self.model.clone(), clock: nanoseconds }
     }
 }
 
@@ -40,7 +40,6 @@ impl<Q: Question> Work for Asked<Q> {
     type Answer = Q::Answer;
 
     fn run(&self, watch: &dyn Watch<Q::Answer>) -> Result<Q::Answer, String> {
-        let subject = Subject { scene: self.sized(), model: self.model.clone(), clock: nanoseconds };
-        self.question.answer(&subject, watch)
+        self.question.answer(&self.subject(), watch)
     }
 }

@@ -26,7 +26,7 @@ impl<W: Work> Debug for Background<W> {
 }
 
 impl<W: Work> Background<W> {
-    /// Answers `work` in the background unless that is the `same` as what is known; the work under way is done first. Tells
+    /// Answers `work` in the background unless that is the `same` as what is known; the work under way is done first. Returns
     /// whether something new has come.
     pub fn ask(
         &mut self,
@@ -46,7 +46,7 @@ impl<W: Work> Background<W> {
         self.job = Some(Job::start(work, wake));
     }
 
-    /// Takes what has come; tells whether that is anything.
+    /// Takes what has come; returns whether that is anything.
     pub fn take(&mut self) -> bool {
         let Some((work, cancelled, news)) =
             self.job.as_ref().and_then(|job| Some((Arc::clone(&job.work), job.is_cancelled(), job.news()?)))

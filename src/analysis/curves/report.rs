@@ -18,7 +18,7 @@ pub struct CurvesQuestion {
 }
 
 /// The plots.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curves {
     pub pixel: [u32; 2],
     pub light: usize,

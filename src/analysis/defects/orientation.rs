@@ -10,7 +10,7 @@ use serde::Serialize;
 
 /// Degrees between two samples.
 const STEP: u32 = 3;
-/// Sides of the pictures that are turned: places in them are told apart to 1/256 of a pixel.
+/// Sides of the pictures that are turned: places in them differ by at least 1/256 of a pixel.
 const SIDE: u32 = 256;
 
 /// The dependence on orientation.

@@ -111,7 +111,7 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, watch: &dyn Watch<
 }
 
 /// How far the true outline is from `place` along `outwards`; negative inside. Nothing where there is none within `reach`, or none
-/// before the polygons' outline on the other side, that of another part of the object: `shown` tells where the polygons are.
+/// before the polygons' outline on the other side, that of another part of the object: `shown` says where the polygons are.
 fn distance(
     place: DVec2,
     outwards: DVec2,

@@ -7,7 +7,7 @@ use crate::scene::{Backfacing, PatternKind, ReflectionModel, Rgb, Scene};
 use glam::DVec3;
 use serde::{Serialize, Serializer};
 
-/// What makes a term 0. The first that holds everywhere is the one that is told.
+/// What makes a term 0. The first that holds everywhere is the one that is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ZeroCause {
@@ -74,7 +74,7 @@ impl ZeroCause {
             Self::OutsideCone => "the point lies outside the light's cone",
             Self::InShadow => "something stands before the light",
             Self::MissesViewer => "the highlight points away from the viewer",
-            Self::TooFaint => "it is too faint to be told from 0",
+            Self::TooFaint => "it is too faint to differ from 0",
         };
         clause.to_owned()
     }
@@ -184,9 +184,9 @@ pub(super) fn zero_causes(
     }
     let both = ZeroCauses(always[0].0 & always[1].0).first();
     [0, 1].map(|term| {
-        let told = [both, always[term].first(), ever[term]].into_iter().find(|causes| !causes.is_empty());
-        let told = told.unwrap_or(ZeroCause::TooFaint.into());
-        if values[term] == Rgb::ZERO { told } else { ZeroCauses::NONE }
+        let shown = [both, always[term].first(), ever[term]].into_iter().find(|causes| !causes.is_empty());
+        let shown = shown.unwrap_or(ZeroCause::TooFaint.into());
+        if values[term] == Rgb::ZERO { shown } else { ZeroCauses::NONE }
     })
 }
 

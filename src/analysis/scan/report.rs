@@ -5,7 +5,7 @@ use super::{Carried, Mix, Scan, ScanSpan, face_at, lay_out_scan, scan};
 use crate::analysis::report::{About, Answer, Column, Figure, Part, Report, Section, Table, cells, fixed};
 use crate::analysis::{Question, Subject, Watch, clearest_pixel};
 use crate::figure::{Paper, PlotStyle};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -128,13 +128,43 @@ impl Answer for ScanStop {
     }
 }
 
+/// Of polygons with more edges the table holds the active ones alone.
+const MOST_EDGES: usize = 64;
+
 impl Scan {
+    /// What has been found up to a step on its scan line: P, Q and the pixel, with what barycentric interpolation gives it.
+    pub fn found_table(&self, step: usize) -> Table {
+        let point = self.at(step);
+        let [a, b, c] = self.carried.components();
+        let show = |value: f64| number(value, 4);
+        let mut table = Table::new(["", "α", a, b, c].map(|head| Column::shown(head, show)));
+        let mut row = |name: &str, alpha: Option<f64>, value: DVec3| {
+            table.rows.push(cells![name, alpha, value.x, value.y, value.z]);
+        };
+        for (letter, crossing) in [("P", point.p), ("Q", point.q)] {
+            if let Some(crossing) = crossing {
+                let name = format!("{letter} on {}", self.edge_name(crossing.edge));
+                row(&name, Some(crossing.alpha), crossing.value);
+            }
+        }
+        if let Some(pixel) = point.pixel {
+            row("pixel", Some(pixel.alpha), pixel.value);
+            if self.carried == Carried::Normal {
+                row("I (r, g, b)", None, pixel.intensity);
+            }
+            row("barycentric", None, pixel.barycentric);
+            row("difference", None, pixel.intensity - pixel.barycentric);
+        }
+        table
+    }
+
     /// The edges, those that are active at a step marked.
     pub fn edge_table(&self, step: usize) -> Table {
         let active = &self.at(step).line.active;
         let columns = ["edge", "y_top", "y_bottom", "x_top", "dx/dy", ""];
         let mut table = Table::new(columns.map(|head| Column::shown(head, fixed::<3>)));
-        for (index, edge) in self.edges.iter().enumerate() {
+        let many = self.edges.len() > MOST_EDGES;
+        for (index, edge) in self.edges.iter().enumerate().filter(|(index, _)| !many || active.contains(index)) {
             let mark = if active.contains(&index) { "active" } else { "" };
             table.rows.push(cells![self.edge_name(index), edge.y_top, edge.y_bottom, edge.x_top, edge.dx_dy, mark]);
         }

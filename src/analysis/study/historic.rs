@@ -8,7 +8,7 @@
 //!   turn by equal angles along the edges and then along the span: N(i+1) = 2·cos Δ·N(i) − N(i−1), unit without a root.
 //!   Equal angles are equal steps in the picture, so that this is affine by construction.
 //!
-//! All is scalar text in double precision and in one thread, unlike the engine's kernels. Times are to be compared among the
+//! All is scalar code in double precision and in one thread, unlike the engine's kernels. Times are to be compared among the
 //! three of them, or as counts of operations ([`super::Method::pixel_cost`]), not with the engine's.
 
 mod angular;
@@ -69,7 +69,7 @@ fn carried_in_perspective(scene: &Scene) -> bool {
     scene.camera.projection == Projection::Perspective && scene.shading.interpolation == Interpolation::Perspective
 }
 
-/// Why the scalar text cannot draw a scene by `method`.
+/// Why the scalar code cannot draw a scene by `method`.
 pub fn cannot_draw(method: Method, scene: &Scene) -> Option<&'static str> {
     let rays = scene.shading.shadows
         || scene.ground.visible
@@ -77,10 +77,10 @@ pub fn cannot_draw(method: Method, scene: &Scene) -> Option<&'static str> {
         || scene.transparency.kt > 0.0
         || scene.ambient.source != AmbientSource::Constant;
     if rays {
-        return Some("the scalar text follows no rays");
+        return Some("the scalar code follows no rays");
     }
     if scene.depth_cueing.by != CuedBy::Off {
-        return Some("the scalar text knows no depth cueing");
+        return Some("the scalar code knows no depth cueing");
     }
     if method == Method::Angular && scene.shading.interpolation == Interpolation::Perspective {
         return (scene.camera.projection == Projection::Perspective)

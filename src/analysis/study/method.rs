@@ -3,7 +3,7 @@
 use crate::scene::{FlatAt, Scene, ShadingMode};
 use serde::{Deserialize, Serialize};
 
-/// A way of shading: one of the engine's modes, or one of the historic ones, in scalar text.
+/// A way of shading: one of the engine's modes, or one of the historic ones, in scalar code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
@@ -17,7 +17,7 @@ pub enum Method {
     Phong,
     /// Phong shading that forgets to make its normals unit vectors.
     PhongUnnormalised,
-    /// Phong shading once more, in the scalar text of the two below.
+    /// Phong shading once more, in the scalar code of the two below.
     PhongScalar,
     /// Bishop and Weimer 1986.
     Taylor,
@@ -85,7 +85,7 @@ impl Method {
         }
     }
 
-    /// Whether it is drawn by scalar text in one thread, and not by the engine.
+    /// Whether it is drawn by scalar code in one thread, and not by the engine.
     pub fn is_scalar(self) -> bool {
         matches!(self, Self::PhongScalar | Self::Taylor | Self::Angular)
     }

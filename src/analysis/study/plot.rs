@@ -42,7 +42,7 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
         title: "Error against run time".to_owned(),
         note:
             "Root mean square of the error inside (N·V ≥ 0.2) against the exact picture, linear intensity; numbers are \
-               segments. Rings: scalar text in one thread, not to be compared with the engine's times."
+               segments. Rings: scalar code in one thread, not to be compared with the engine's times."
                 .to_owned(),
         x: axis("time of a frame, ms", 0),
         y: axis("RMS error", 1),

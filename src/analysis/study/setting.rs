@@ -107,7 +107,7 @@ fn interpolations(method: Method, request: &StudyQuestion, scene: &Scene) -> Vec
     let flat = scene.camera.projection == Projection::Orthographic;
     let same = |interpolation: Interpolation| match interpolation {
         Interpolation::Affine if flat => Interpolation::Perspective,
-        // The scalar text carries over triangles, not along the scan lines of polygons.
+        // The scalar code carries over triangles, not along the scan lines of polygons.
         Interpolation::Scanline if method.is_scalar() => Interpolation::Affine,
         other => other,
     };

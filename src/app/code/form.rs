@@ -12,11 +12,11 @@ pub struct CodeForm {
     /// Where it is to be saved, while that is asked.
     pub path: Option<String>,
     /// What was last done, or why it was not.
-    pub told: Option<String>,
+    pub message: Option<String>,
 }
 
 impl CodeForm {
-    /// Goes back from the question where to save; tells whether it was asked.
+    /// Goes back from the question where to save; returns whether it was asked.
     pub fn step_back(&mut self) -> bool {
         self.path.take().is_some()
     }

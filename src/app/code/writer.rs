@@ -1,12 +1,14 @@
-//! The texts, written beside the window: once for what is asked, and again when the scene has become another.
+//! The texts, written in the background: once for what is asked, and again when the scene has become another.
 
+use super::super::background::wake;
 use super::super::document::Document;
-use super::super::errand::Errand;
 use super::form::Language;
+use crate::analysis::Watch;
 use crate::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
-use crate::geometry::tessellate;
+use crate::geometry::{Mesh, tessellate};
+use crate::jobs::{Asked, Background, Work};
+use crate::scene::Scene;
 use eframe::egui::Context;
-use std::fmt;
 use std::sync::Arc;
 
 /// Lines that are shown of a program: its polygons, which fill the rest, are not for reading.
@@ -15,9 +17,8 @@ const PROGRAM_LINES: usize = 200;
 const TEXT_LINES: usize = 2000;
 
 impl Language {
-    fn write(self, document: &Document) -> Result<Export, String> {
-        let scene = &document.scene;
-        let mesh = || document.model.clone().unwrap_or_else(|| Arc::new(tessellate(&scene.object)));
+    fn write(self, scene: &Scene, model: Option<&Arc<Mesh>>) -> Result<Export, String> {
+        let mesh = || model.cloned().unwrap_or_else(|| Arc::new(tessellate(&scene.object)));
         match self {
             Self::Calls => Ok(opengl_c_snippet(scene, &mesh())),
             Self::Shaders => Ok(glsl_330(scene)),
@@ -56,74 +57,40 @@ impl Shown {
     }
 }
 
-type Answer = Result<Written, String>;
+impl Work for Asked<Language> {
+    type Answer = Arc<Written>;
+
+    fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
+        let language = self.question;
+        let export = language.write(&self.scene, self.model.as_ref())?;
+        let shown = export.parts.iter().map(|part| Shown::of(part, language.shown_lines())).collect();
+        Ok(Arc::new(Written { export, shown }))
+    }
+}
 
 /// Writes one text at a time.
-#[derive(Default)]
-pub struct Writer {
-    known: Option<(Question, Answer)>,
-    work: Option<Errand<Question, Answer>>,
-}
-
-impl fmt::Debug for Writer {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // The text can be a hundred megabytes.
-        write!(f, "Writer, known: {}, at work: {}", self.known.is_some(), self.work.is_some())
-    }
-}
-
-struct Question {
-    document: Document,
-    language: Language,
-}
-
-impl Question {
-    fn is(&self, document: &Document, language: Language) -> bool {
-        let same = self.document.scene == document.scene && !self.document.model_differs(document);
-        same && self.language == language
-    }
-}
+#[derive(Debug, Default)]
+pub struct Writer(Background<Asked<Language>>);
 
 impl Writer {
     /// The text of `document`, or why there is none; nothing as long as it is being written.
     pub fn ask(&mut self, ctx: &Context, document: &Document, language: Language) -> Option<Result<&Written, &str>> {
-        self.take();
-        let asked = |question: &Question| question.is(document, language);
-        if !self.known.as_ref().is_some_and(|(known, _)| asked(known)) {
-            self.known = None;
-            if !self.work.as_ref().is_some_and(|work| asked(&work.question)) {
-                self.work = Some(start(ctx, document.clone(), language));
-            }
-        }
+        let Document { scene, model, .. } = document;
+        let same = |asked: &Asked<Language>| asked.is(&language, scene, model.as_ref(), scene.image.size);
+        self.0.keep_only(same);
+        self.0.ask(wake(ctx), same, || Asked::new(language, scene, model.as_ref(), scene.image.size));
         self.known()
     }
 
     /// What was last written.
     pub fn known(&self) -> Option<Result<&Written, &str>> {
-        self.known.as_ref().map(|(_, answer)| answer.as_ref().map_err(String::as_str))
+        self.0.known().map(|answer| answer.as_ref().map(|written| &**written).map_err(String::as_str))
     }
 
     /// Gives back the room that a text takes.
     pub fn forget(&mut self) {
         *self = Self::default();
     }
-
-    fn take(&mut self) {
-        if let Some((question, answer)) = Errand::take(&mut self.work) {
-            let answer = answer.unwrap_or_else(|| Err("Writing it ended without a result.".to_owned()));
-            self.known = Some((question, answer));
-        }
-    }
-}
-
-fn start(ctx: &Context, document: Document, language: Language) -> Errand<Question, Answer> {
-    let question = Question { document: document.clone(), language };
-    Errand::new(ctx, question, move || {
-        language.write(&document).map(|export| {
-            let shown = export.parts.iter().map(|part| Shown::of(part, language.shown_lines())).collect();
-            Written { export, shown }
-        })
-    })
 }
 
 #[cfg(test)]
@@ -165,8 +132,8 @@ mod tests {
     fn a_mesh_too_large_to_write_out_is_named() {
         let mut document = Document::default();
         (document.scene.object.segments, document.scene.object.rings) = (1024, 1024);
-        let error = Language::Program.write(&document).map(|_| ()).expect_err("two million triangles");
+        let error = Language::Program.write(&document.scene, None).map(|_| ()).expect_err("two million triangles");
         assert!(error.contains("triangles"), "{error}");
-        assert!(Language::Calls.write(&document).is_ok());
+        assert!(Language::Calls.write(&document.scene, None).is_ok());
     }
 }

@@ -1,5 +1,6 @@
 //! The formula of what was found last, in the textbook's letters and filled in with its numbers.
 
+use super::super::letter::lettered;
 use super::super::palette::{readable, vector_text};
 use super::super::state::AppState;
 use super::super::symbol::Symbol;
@@ -11,7 +12,7 @@ use crate::figure::palette::{ALPHA, Vector};
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align, Color32, CornerRadius, FontId, Id, Label, RichText, Sense, Stroke, StrokeKind, Ui, Visuals, WidgetInfo, vec2,
+    Color32, CornerRadius, FontId, Id, Label, Sense, Stroke, StrokeKind, Ui, Visuals, WidgetInfo, vec2,
 };
 
 /// Size of the formula's letters, points.
@@ -124,19 +125,6 @@ fn ordinary(name: &str) -> String {
     name.chars().map(|letter| Set::of(letter).letter).collect()
 }
 
-/// Text with lowered digits, which the fonts lack.
-pub fn lettered(text: &str, colour: Color32) -> LayoutJob {
-    let mut job = LayoutJob::default();
-    for character in text.chars() {
-        let set = Set::of(character);
-        let valign = if set.rise < 0.0 { Align::BOTTOM } else { Align::Center };
-        let font_id = FontId::proportional(TEXT * set.size);
-        let format = TextFormat { font_id, color: colour, valign, ..TextFormat::default() };
-        job.append(&set.letter.to_string(), 0.0, format);
-    }
-    job
-}
-
 fn lettered_ui(ui: &mut Ui, text: &str, colour: Color32) {
     ui.add(Label::new(lettered(text, colour)).wrap());
 }
@@ -149,9 +137,4 @@ fn component_ui(ui: &mut Ui, name: &str, numbers: &str) {
     job.append(&format!("{name}  "), 0.0, format(FontId::monospace(TEXT), weak));
     job.append(numbers, 0.0, format(FontId::proportional(TEXT), plain));
     ui.add(Label::new(job).wrap());
-}
-
-/// Weak text.
-pub fn faint(text: impl Into<String>) -> RichText {
-    RichText::new(text).weak()
 }

@@ -1,11 +1,10 @@
 //! The plot, whose points can be chosen.
 
-use super::super::curves::{LETTERS, boxed, height, paper};
 use super::super::drawing::drawing_ui;
-use super::super::theme::TEXT;
+use super::super::plot::{boxed, height, plot_style};
 use super::StudyView;
 use crate::analysis::{Setting, StudyRow, study_point};
-use crate::figure::{Drawing, PlotStyle, Text, lay_out};
+use crate::figure::{Drawing, Text, lay_out};
 use eframe::egui::{CursorIcon, Pos2, Rect, Sense, Ui, pos2};
 use glam::DVec2;
 
@@ -15,7 +14,7 @@ const NEAR: f32 = 16.0;
 /// The plot; returns the setting whose point is clicked.
 pub fn figure_ui(ui: &mut Ui, view: &mut StudyView) -> Option<Setting> {
     let plot = view.plot.as_ref()?;
-    let style = PlotStyle { paper: paper(ui), text: LETTERS * f64::from(TEXT), titled: false };
+    let style = plot_style(ui);
     let width = ui.available_width();
     let kept = view.drawing.take().filter(|(_, laid, wide)| *laid == style && *wide == width);
     let (drawing, ..) = &*view.drawing.insert(kept.unwrap_or_else(|| {
@@ -27,7 +26,7 @@ pub fn figure_ui(ui: &mut Ui, view: &mut StudyView) -> Option<Setting> {
     let (response, painter) = drawing_ui(ui, drawing, Sense::click(), words_for_readers)?;
     let rect = response.rect;
     let pointer = response.hover_pos()?;
-    let rows = view.study.as_ref().map_or(&[][..], |study| &study.rows);
+    let rows = view.work.answer().map_or(&[][..], |study| &study.rows);
     let row = nearest(rows, drawing, rect, pointer)?;
     ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
     let lines: Vec<Text> =
@@ -51,7 +50,7 @@ fn words(row: &StudyRow) -> [String; 4] {
     let setting = &row.setting;
     let go = if row.scalar { "a historic method: cannot be shown" } else { "click to show it" };
     [
-        format!("{} {}×{}, n = {}", setting.method.title(), setting.segments, setting.rings, setting.n),
+        format!("{}, n = {}", setting.title(), setting.n),
         format!("RMS {:.3}, greatest {:.2} code values", 255.0 * row.error_rms, 255.0 * row.error_max),
         format!("{:.3} ms ± {:.3}, {} evaluations", row.time_ms, row.spread_ms, row.evaluations),
         go.to_owned(),

@@ -128,7 +128,7 @@ pub const CASES: &[Case] = &[
         title: "Opposed vertex normals: the normal between them is zero",
         topic: Topic::Vectors,
         wrong: "Divides by the length of a vector that is zero: no number, in a whole column.",
-        robust: "A normal that is shorter than its rounding tells is not lengthened to 1: it has no direction and no light.",
+        robust: "A normal shorter than its own rounding error is not lengthened to 1: it has no direction and no light.",
         condition: None,
         subject: scene(|| {
             let mut scene = with_normals(|x, _| DVec3::new(x, 0.0, 0.0));

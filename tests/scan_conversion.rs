@@ -1,10 +1,15 @@
-use super::corners::Shaded;
-use super::*;
-use crate::analysis::probe;
-use crate::analysis::{About, Answer};
-use crate::geometry::{Corner, Mesh, NO_NORMAL};
-use crate::scene::{Interpolation, NormalSource, ObjectKind, Projection, presets};
+//! One polygon converted to pixels: against the picture, the probe and the formulas.
+
 use glam::Vec3;
+use glam::{DVec2, DVec3};
+use shading_lab::analysis::{
+    About, Answer, Grid, Rule, Scan, ScanError, ScanLevel, ScanLine, ScanPixel, ScanSpan, ScanStep, ScanStop,
+    corner_name, face_at, probe, scan, scan_in_grid,
+};
+use shading_lab::geometry::{Corner, Mesh, NO_NORMAL};
+use shading_lab::render::Renderer;
+use shading_lab::scene::{Interpolation, NormalSource, ObjectKind, Projection, presets};
+use shading_lab::scene::{Scene, ShadingMode};
 use std::sync::Arc;
 
 const MODES: [ShadingMode; 4] =
@@ -96,9 +101,8 @@ fn the_values_are_those_of_the_picture() {
             if scene.shading.shadows && mode == ShadingMode::Phong {
                 continue;
             }
-            let shaded = Shaded::new(&renderer, &scene, face).expect("a face in sight");
             let grid = Grid { columns: 120, rows: 90, scale: DVec2::ONE, origin: DVec2::ZERO };
-            let scan = convert::convert(&shaded, grid);
+            let scan = scan_in_grid(&renderer, &scene, face, grid).expect("a face in sight");
             let (mut compared, mut inside) = (0, 0);
             for (line, _, pixel) in pixels(&scan) {
                 inside += 1;
@@ -127,8 +131,8 @@ fn perspective_correct_interpolation_is_the_pictures_too() {
     {
         scene.shading.interpolation = interpolation;
         renderer.render(&scene);
-        let shaded = Shaded::new(&renderer, &scene, 0).expect("a face in sight");
-        let scan = convert::convert(&shaded, Grid { columns: 80, rows: 60, scale: DVec2::ONE, origin: DVec2::ZERO });
+        let grid = Grid { columns: 80, rows: 60, scale: DVec2::ONE, origin: DVec2::ZERO };
+        let scan = scan_in_grid(&renderer, &scene, 0, grid).expect("a face in sight");
         assert_eq!(scan.compared, compared);
         for (line, _, pixel) in pixels(&scan) {
             let Some(hit) = probe(&mut renderer, &scene, pixel.x, line.y).hit else { continue };

@@ -1,0 +1,39 @@
+//! Background work for the window: it is drawn again when an answer comes.
+
+use super::document::Document;
+use crate::analysis::Question;
+use crate::jobs::{Asked, Background, Work};
+use eframe::egui::{Button, Context, ProgressBar, Ui};
+use std::time::Duration;
+
+/// Draws the window again when there is something new.
+pub fn wake(ctx: &Context) -> impl Fn(Duration) + Send + Sync + use<> {
+    let ctx = ctx.clone();
+    move |after| ctx.request_repaint_after(after)
+}
+
+/// Has `question` answered about the document in a picture of `size`; until then the last answer stays. Returns whether something
+/// new has come.
+pub fn ask<Q: Question>(
+    background: &mut Background<Asked<Q>>,
+    ctx: &Context,
+    document: &Document,
+    size: [u32; 2],
+    question: &Q,
+) -> bool {
+    let Document { scene, model, .. } = document;
+    let same = |asked: &Asked<Q>| asked.is(question, scene, model.as_ref(), size);
+    background.ask(wake(ctx), same, || Asked::new(question.clone(), scene, model.as_ref(), size))
+}
+
+/// How far the work is, with a button that stops it; returns whether any runs.
+pub fn progress_ui<W: Work>(ui: &mut Ui, background: &Background<W>, tip: &str) -> bool {
+    let Some(share) = background.progress() else { return false };
+    ui.horizontal(|ui| {
+        if ui.add(Button::new("Stop")).on_hover_text(tip).clicked() {
+            background.stop();
+        }
+        ui.add(ProgressBar::new(share).show_percentage().desired_width(ui.available_width()));
+    });
+    true
+}
