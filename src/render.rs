@@ -1,53 +1,23 @@
-//! The rasterizer: plan → transform → clip → cover → shade → display.
+//! The rasterizer. [`Renderer::render`] reads as the pipeline: mesh, plan, place, points, cover, interpolate, rays, shade, display.
+//!
+//! - `renderer/`: the plan, the steps with what they keep, the equation at points and pixels, the display;
+//! - `rays/`: shadows, light through the object, one bounce, what is seen past the object;
+//! - `raster/`: transform, clip, cover, interpolate.
+//!
+//! Imports run downwards: a room knows those below it in this list, and lens, model, node and memory.
 
-mod account;
-mod beyond;
-mod bins;
-mod bounce;
-mod bvh;
-mod clip;
-mod cover;
-mod cue;
-mod display;
-mod draft;
-mod exact;
-mod facet;
-mod floor;
-mod fragments;
-mod frame;
-mod interpolate;
 mod lens;
 mod memory;
-mod mesh_source;
 mod model;
-mod painting;
-mod plan;
-mod points;
-mod polygon;
+mod node;
+mod raster;
 mod rays;
-mod reference;
 mod renderer;
-mod scan_line;
-mod section;
-mod shade;
-mod shadow;
-mod sites;
-mod solid;
-mod span;
-mod stage;
-mod surroundings;
-mod transform;
-mod transmission;
 
-pub use account::Term;
-pub use display::srgb;
-pub(crate) use display::stored_pixel;
-pub use draft::{coarseness, coarser_size};
-pub use frame::{Frame, Report, Stage, StageRun};
 pub use memory::Memory;
-pub use plan::{Cued, Facts, Per, Plan};
-pub(crate) use polygon::Polygon;
-pub(crate) use reference::{Evaluation, WeightedSite};
-pub use renderer::{Renderer, TooLarge, check_memory};
-pub(crate) use section::{Piece, displayed};
-pub use transmission::Transmission;
+pub use rays::Transmission;
+pub use renderer::{
+    Cued, Facts, Frame, Per, Plan, Renderer, Report, Stage, StageRun, Term, TooLarge, check_memory, coarseness,
+    coarser_size, srgb,
+};
+pub(crate) use renderer::{Evaluation, Piece, Polygon, WeightedPoint, displayed, stored_pixel};

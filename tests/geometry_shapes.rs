@@ -5,8 +5,8 @@ mod properties;
 
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
-use shading_lab::geometry::{Mesh, tessellate};
-use shading_lab::scene::{NormalSource, Object, ObjectKind, Weighting};
+use shading_lab::geometry::{Mesh, divisions_for, tessellate, triangles};
+use shading_lab::scene::{NormalSource, Object, ObjectKind, Scene, Weighting};
 use std::collections::HashSet;
 use std::f64::consts::PI;
 
@@ -216,4 +216,56 @@ proptest! {
             }
         }
     }
+}
+
+const KINDS: [ObjectKind; 8] = [
+    ObjectKind::Sphere,
+    ObjectKind::Torus,
+    ObjectKind::Cylinder,
+    ObjectKind::Cone,
+    ObjectKind::Cube,
+    ObjectKind::Plane,
+    ObjectKind::Teapot,
+    ObjectKind::Corrugated,
+];
+
+#[test]
+fn triangles_are_counted_as_they_are_made() {
+    for kind in KINDS {
+        for segments in [1, 3, 4, 7, 8, 12, 33] {
+            for rings in [1, 2, 3, 5, 8, 13] {
+                let object = Object { kind, segments, rings, ..Object::default() };
+                let made = tessellate(&object).triangle_count() as u64;
+                assert_eq!(triangles(&object), made, "{kind:?} {segments} × {rings}");
+            }
+        }
+    }
+}
+
+#[test]
+fn any_number_of_triangles_comes_near() {
+    for kind in KINDS {
+        let smallest = divisions_for(kind, 0);
+        let least = triangles(&Object { kind, segments: smallest[0], rings: smallest[1], ..Object::default() });
+        let mut before = 0;
+        for step in 0..400 {
+            let wanted = (1.05_f64.powi(step) as u64).max(least);
+            if wanted > 20_000_000 {
+                break;
+            }
+            let [segments, rings] = divisions_for(kind, wanted);
+            let object = Object { kind, segments, rings, ..Object::default() };
+            let found = triangles(&object);
+            // Half a row, or four of them where only every fourth division counts.
+            let row = if matches!(kind, ObjectKind::Cube | ObjectKind::Teapot) { 16.0 } else { 2.0 };
+            let slack = row * (wanted as f64).sqrt() + 64.0;
+            assert!(found.abs_diff(wanted) as f64 <= slack, "{kind:?}: {found} for {wanted}");
+            assert!(found >= before, "{kind:?}: {found} after {before}");
+            before = found;
+            let scene = Scene { object, ..Scene::default() };
+            assert_eq!(scene.validate(), Ok(()));
+        }
+    }
+    assert_eq!(divisions_for(ObjectKind::Sphere, 0), [3, 2]);
+    assert_eq!(divisions_for(ObjectKind::Sphere, u64::MAX), [Object::MAX_DIVISIONS; 2]);
 }

@@ -14,7 +14,7 @@ use shading_lab::geometry::read_obj;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Backfacing, Interpolation, Light, LightKind, NormalSource, ObjectKind, PatternKind, Projection, Rgb, Scene,
-    ShadingMode, View, presets,
+    ShadingMode, Shared, View, presets,
 };
 
 /// An odd side, so that a pixel's centre is the picture's middle.
@@ -383,6 +383,67 @@ proptest! {
         for [r, g, b, _] in renderer.linear().iter().filter(|pixel| pixel[3] > 0.0) {
             let inside = |v: f32| (low - SINGLE..=high + SINGLE).contains(&f64::from(v));
             prop_assert!(inside(*r) && inside(*g) && inside(*b), "{r}, expected {low} to {high}");
+        }
+    }
+}
+
+const SQUARE: u32 = 64;
+
+/// The linear picture of a polygon whose corners, in pixels, have these intensities.
+fn linear_polygon(corners: &[(DVec2, f64)], interpolation: Interpolation) -> Vec<[f32; 4]> {
+    let mut scene = Scene::default();
+    (scene.image.size, scene.image.background) = ([SQUARE; 2], Rgb::splat(9.0));
+    (scene.camera.projection, scene.camera.height) = (Projection::Orthographic, f64::from(SQUARE));
+    let half = f64::from(SQUARE / 2);
+    scene.object.kind = ObjectKind::Polygons;
+    scene.object.vertices = corners.iter().map(|(at, _)| DVec3::new(at.x - half, half - at.y, 0.0)).collect();
+    // Under light along −z, I is the normal's z.
+    scene.object.vertex_normals = corners.iter().map(|(_, i)| DVec3::new((1.0 - i * i).sqrt(), 0.0, *i)).collect();
+    scene.object.faces = vec![(0..corners.len() as u32).collect::<Shared<u32>>()].into();
+    scene.object.normals = NormalSource::File;
+    (scene.material.ka, scene.material.kd, scene.material.ks) = (Rgb::ZERO, Rgb::ONE, Rgb::ZERO);
+    scene.material.color = Rgb::ONE;
+    (scene.shading.mode, scene.shading.interpolation) = (ShadingMode::Gouraud, interpolation);
+    scene.lights = vec![Light { kind: LightKind::Directional, direction: DVec3::NEG_Z, ..Light::default() }];
+    assert_eq!(scene.validate(), Ok(()));
+    let mut renderer = Renderer::default();
+    renderer.keep_linear(true);
+    renderer.render(&scene);
+    renderer.linear().to_vec()
+}
+
+/// A place on the grid of the picture, off the rows of the pixels' centres.
+fn place() -> impl Strategy<Value = DVec2> {
+    [0..16_000u32, 0..16_000u32].prop_map(|xy| DVec2::from_array(xy.map(|k| (f64::from(k) + 64.0).floor() / 256.0)))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..properties::config(file!()) })]
+
+    #[test]
+    fn on_a_triangle_the_scan_line_is_affine(corners in prop::collection::vec((place(), 0.0..=1.0f64), 3)) {
+        let area = (corners[1].0 - corners[0].0).perp_dot(corners[2].0 - corners[0].0);
+        prop_assume!(area.abs() > 20.0);
+        let (line, affine) = (linear_polygon(&corners, Interpolation::Scanline), linear_polygon(&corners, Interpolation::Affine));
+        for (line, affine) in line.iter().zip(&affine) {
+            prop_assert!((line[0] - affine[0]).abs() < 1e-5, "{line:?} {affine:?}");
+        }
+    }
+
+    #[test]
+    fn on_a_quadrilateral_it_is_bilinear(parts in prop::collection::vec((0u32..3000, 0.0..=1.0f64), 4)) {
+        // A corner on each side of the picture, counter-clockwise, a quarter of a pixel off the centres' rows.
+        let along = |k: usize| f64::from(parts[k].0) / 256.0 + 20.25;
+        let at = [
+            DVec2::new(1.25, along(0)), DVec2::new(along(1), 62.25), DVec2::new(62.25, along(2)), DVec2::new(along(3), 1.25),
+        ];
+        prop_assume!([0, 2].iter().all(|&k| (at[k].y.fract() - 0.5).abs() > 0.01));
+        let corners: Vec<_> = at.into_iter().zip(parts).map(|(at, (_, i))| (at, i)).collect();
+        let picture = linear_polygon(&corners, Interpolation::Scanline);
+        for (k, pixel) in (0u32..).zip(&picture).filter(|(_, pixel)| pixel[0] < 2.0) {
+            let centre = DVec2::new(f64::from(k % SQUARE), f64::from(k / SQUARE)) + 0.5;
+            let expected = bilinear(&corners, centre);
+            prop_assert!((f64::from(pixel[0]) - expected).abs() < 1e-5, "{centre}: {pixel:?}, expected {expected}");
         }
     }
 }

@@ -70,7 +70,7 @@ pub struct VertexFace {
 impl NormalField {
     /// The normals of the object that `renderer` last drew, from `object`'s choice of source and weights.
     pub fn new(renderer: &Renderer, object: &Object) -> Self {
-        Self::of_mesh(Arc::clone(renderer.shared_mesh()), object.normals, object.weighting)
+        Self::of_mesh(Arc::clone(renderer.mesh_shown()), object.normals, object.weighting)
     }
 
     /// The normals of a mesh.
@@ -83,12 +83,12 @@ impl NormalField {
     /// Whether it is what `new` would make.
     pub fn holds(&self, renderer: &Renderer, object: &Object) -> bool {
         let same_weights = self.weighting == object.weighting || !self.weighs();
-        Arc::ptr_eq(&self.mesh, renderer.shared_mesh()) && self.source == object.normals && same_weights
+        Arc::ptr_eq(&self.mesh, renderer.mesh_shown()) && self.source == object.normals && same_weights
     }
 
     /// Whether points and faces have the numbers that they have in what `renderer` last drew, with whatever normals.
     pub fn of_equal_mesh(&self, renderer: &Renderer) -> bool {
-        let (own, other) = (&self.mesh, renderer.shared_mesh());
+        let (own, other) = (&self.mesh, renderer.mesh_shown());
         Arc::ptr_eq(own, other) || (own.starts == other.starts && own.corners == other.corners)
     }
 

@@ -168,7 +168,7 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
 
 /// The constant ambient term where the equation is evaluated.
 fn ambient(equation: &Equation<f64>, evaluation: &Evaluation<'_>) -> Rgb {
-    let color: Rgb = evaluation.sites.iter().map(|site| equation.pattern_color(site.point) * site.weight).sum();
+    let color: Rgb = evaluation.points.iter().map(|site| equation.pattern_color(site.point) * site.weight).sum();
     Rgb::from_array(equation.ambient) * color
 }
 
@@ -181,7 +181,7 @@ fn light_terms(
 ) -> LightTerms {
     let here = equation.respond_world(light, evaluation.position, evaluation.normal, None);
     let (mut diffuse, mut specular, mut reached) = (Rgb::ZERO, Rgb::ZERO, 0.0);
-    for site in &evaluation.sites {
+    for site in &evaluation.points {
         let response = shining.respond_world(light, site.point, site.normal, site.reached);
         diffuse += site.weight * response.diffuse;
         specular += site.weight * response.specular;

@@ -68,7 +68,7 @@ type Place = (f64, DVec3, DVec3);
 fn places(renderer: &Renderer, [width, height]: [u32; 2]) -> Vec<Vec<Place>> {
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     let seen = pixels.filter_map(|(x, y)| renderer.evaluation(x, y));
-    seen.map(|pixel| pixel.sites.iter().map(|site| (site.weight, site.point, site.normal)).collect()).collect()
+    seen.map(|pixel| pixel.points.iter().map(|site| (site.weight, site.point, site.normal)).collect()).collect()
 }
 
 fn difference(sites: &[Place], coarse: &Equation<f64>, fine: &Equation<f64>) -> Rgb {

@@ -3,7 +3,7 @@
 //! A polygon is drawn as a fan. That covers a convex one from any corner; of a concave one it may leave the outline. Such
 //! a polygon begins at a corner from which it does not, if there is one, or else is cut into triangles.
 
-use super::Corner;
+use super::mesh::Corner;
 use crate::scene::area_vector;
 use earcut::Earcut;
 use glam::DVec3;

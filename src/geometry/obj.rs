@@ -13,7 +13,7 @@ mod error;
 mod lines;
 mod prepare;
 
-use super::Mesh;
+use super::mesh::Mesh;
 pub use error::ObjError;
 use lines::Lines;
 use prepare::Prepared;

@@ -4,33 +4,17 @@
 //! along it; azimuth runs from +z towards +x, so that it is counter-clockwise seen from +y.
 
 mod angular;
-mod builder;
+pub(crate) mod builder;
 pub(crate) mod corrugated;
 mod count;
 mod polygons;
 mod round;
+pub(crate) mod sizes;
 mod teapot;
 
-use super::Mesh;
+use super::mesh::Mesh;
 use crate::scene::{Object, ObjectKind};
-pub(crate) use builder::Builder;
 pub use count::{divisions_for, triangles};
-
-pub(crate) const TORUS_RING: f64 = 0.7;
-pub(crate) const TORUS_TUBE: f64 = 0.3;
-pub(crate) const CYLINDER_RADIUS: f64 = 0.6;
-pub(crate) const CYLINDER_HALF_HEIGHT: f64 = 0.8;
-pub(crate) const CONE_RADIUS: f64 = 0.8;
-pub(crate) const CONE_BASE: f64 = -0.6;
-pub(crate) const CONE_APEX: f64 = 1.0;
-/// 1/√3: the corners of the cube lie on the unit sphere.
-pub(crate) const CUBE_HALF_EDGE: f64 = 0.577_350_269_189_625_8;
-
-/// Half the extent of the corrugated sheet across (x) and along its ridges (y): its corners lie in the unit sphere.
-pub(crate) const CORRUGATED_HALF_WIDTH: f64 = 0.75;
-pub(crate) const CORRUGATED_HALF_HEIGHT: f64 = 0.65;
-/// How far the ridges stand before the sheet's middle, and the troughs behind it.
-pub(crate) const CORRUGATED_RIDGE: f64 = 0.1;
 
 /// The polygons of an object; none for a model from a file, which brings its own.
 ///

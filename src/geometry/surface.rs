@@ -10,8 +10,10 @@ mod patches;
 mod polynomial;
 mod solids;
 mod torus;
+mod unit_ray;
 
-use crate::geometry::primitives::{CUBE_HALF_EDGE, CYLINDER_HALF_HEIGHT, CYLINDER_RADIUS};
+use self::unit_ray::UnitRay;
+use super::primitives::sizes::{CUBE_HALF_EDGE, CYLINDER_HALF_HEIGHT, CYLINDER_RADIUS};
 use crate::scene::{Object, ObjectKind};
 use glam::DVec3;
 
@@ -39,22 +41,6 @@ pub struct Surface {
     kind: ObjectKind,
     /// Of the corrugated sheet.
     slopes: u32,
-}
-
-/// A ray as the shapes see it: unit direction, origin nearest to the world's origin, `s` the length along it.
-#[derive(Clone, Copy, Debug)]
-struct UnitRay {
-    origin: DVec3,
-    direction: DVec3,
-    /// Only points beyond this are wanted.
-    s_min: f64,
-}
-
-/// A meeting with a shape: where along the [`UnitRay`], and the normal, not yet of unit length.
-#[derive(Clone, Copy, Debug)]
-struct Meeting {
-    s: f64,
-    normal: DVec3,
 }
 
 impl Surface {
@@ -105,11 +91,5 @@ impl Surface {
             ObjectKind::Obj | ObjectKind::Polygons => None,
         }?;
         Some(SurfaceHit { t: (meeting.s + shift) / length, normal: meeting.normal.normalize_or(DVec3::Y) })
-    }
-}
-
-impl UnitRay {
-    fn at(&self, s: f64) -> DVec3 {
-        self.origin + s * self.direction
     }
 }

@@ -4,11 +4,11 @@ use crate::scene::{Camera, Projection, View};
 use glam::{DVec2, DVec3};
 
 /// What is nearer to the eye than this many camera distances is clipped away.
-pub(super) const NEAR: f64 = 1e-3;
+pub const NEAR: f64 = 1e-3;
 
 /// What is farther from the eye than this many camera distances is lit as if it were no farther: nothing of it is told
 /// apart, and squares of distances stay within single precision.
-pub(super) const FARTHEST: f64 = 1e12;
+pub const FARTHEST: f64 = 1e12;
 
 /// The object reaches no farther from the eye than this many camera distances: where eye and target are so near to each other
 /// that it would, a camera distance is longer than from one to the other. Lights beside it are then still told from lights at
@@ -16,13 +16,13 @@ pub(super) const FARTHEST: f64 = 1e12;
 const DEEPEST: f64 = 1e8;
 
 /// World units to one camera distance, for an object that reaches as far as `farthest` from the eye.
-pub(super) fn camera_unit(camera: &Camera, farthest: f64) -> f64 {
+pub fn camera_unit(camera: &Camera, farthest: f64) -> f64 {
     camera.distance().max(farthest / DEEPEST)
 }
 
 /// Projection of one picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lens {
+pub struct Lens {
     pub eye: DVec3,
     /// World units to one camera distance.
     pub unit: f64,

@@ -1,5 +1,6 @@
 //! The geometry stage's output: a mesh as structures of arrays.
 
+use super::memory::{Holds, Memory, room, room_of_planes};
 use crate::geometry::VertexMesh;
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
@@ -7,15 +8,18 @@ use std::ops::Range;
 use std::sync::OnceLock;
 
 /// Arrays are filled up to a multiple of this, the widest vector's lanes.
-pub(super) const PADDING: usize = 16;
+pub const PADDING: usize = 16;
 
 /// The centre and the normal of a face of more corners than this are kept once they are asked for: a profile asks at every
 /// point of its line.
 const MANY: usize = 32;
 
+/// Three planes of numbers, one a component or a channel.
+pub type Planes = [Vec<f32>; 3];
+
 /// A mesh for the kernels.
 #[derive(Default)]
-pub(super) struct Model {
+pub struct Model {
     /// World position of (0, 0, 0) in the arrays.
     pub origin: DVec3,
     /// Vertices without the padding.
@@ -23,8 +27,8 @@ pub(super) struct Model {
     /// Radius about `origin` that holds every vertex, world units.
     pub radius: f64,
     /// Coordinates and normals of the vertices, padded by zeros.
-    pub position: [Vec<f32>; 3],
-    pub normal: [Vec<f32>; 3],
+    pub position: Planes,
+    pub normal: Planes,
     /// Vertices of each triangle, counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
     /// The face that each triangle belongs to.
@@ -133,6 +137,14 @@ impl Model {
         }
         let largest = sum.abs().max_element();
         if largest > 0.0 { (sum / largest).normalize_or_zero() } else { DVec3::ZERO }
+    }
+}
+
+impl Holds for Model {
+    fn memory(&self) -> Memory {
+        let vertices = room_of_planes(&self.position) + room_of_planes(&self.normal);
+        let triangles = room(&self.triangles) + room(&self.faces) + room(&self.starts) + room(&self.indices);
+        Memory { vertices, triangles, pixels: 0 }
     }
 }
 

@@ -105,13 +105,13 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, watch: &dyn Watch<
         return Err(why);
     }
     renderer.render(scene);
-    let touched = touched(renderer.mesh())?;
+    let touched = touched(renderer.mesh_shown())?;
     if touched.is_empty() {
         return Err("every vertex on an edge is shared by both of its sides");
     }
     let edges = touched.len();
     let equation = renderer.shining_equation(scene);
-    let mesh = renderer.mesh();
+    let mesh = renderer.mesh_shown();
     let each = mesh.corners.len() + SAMPLES as usize * PER_SOURCE * (1 + equation.sources.len());
     let every = edges.div_ceil((MOST_WORK / each).max(LEAST_EDGES));
     let count = edges.div_ceil(every);

@@ -72,7 +72,7 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene, watch: &dyn Watch<
     renderer.keep_linear(false);
     let mask = Mask { seen: renderer.linear().iter().map(|p| p[3] > 0.0).collect(), size: scene.image.size };
     let view = View::new(&scene.camera, scene.image.size);
-    let mut edges = outline(renderer.mesh(), scene, &view);
+    let mut edges = outline(renderer.mesh_shown(), scene, &view);
     let every = edges.len().div_ceil(MOST_EDGES).max(1);
     edges = edges.into_iter().step_by(every).collect();
     let mut exact = scene.clone();

@@ -30,7 +30,7 @@ pub(super) fn measure(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexN
         ShadingMode::Exact => return Err("exact shading uses the surface's own normals"),
     }
     let contrast = contrast(renderer, scene).ok_or("the object is not in the picture")?;
-    let mesh = renderer.mesh();
+    let mesh = renderer.mesh_shown();
     let vertices = mesh.with_vertex_normals(scene.object.normals, scene.object.weighting);
     let normals = &vertices.normals;
     let of_face = |f: usize| {

@@ -171,7 +171,7 @@ pub(super) fn zero_causes(
         return [cause.into(); 2];
     }
     let (mut always, mut ever) = ([ZeroCauses::ALL; 2], [ZeroCauses::NONE; 2]);
-    for site in evaluation.sites.iter().filter(|site| site.weight != 0.0) {
+    for site in evaluation.points.iter().filter(|site| site.weight != 0.0) {
         let mut kept = shining.sources_of(light);
         for index in all.sources_of(light) {
             let in_shadow = kept.next().zip(site.reached).is_some_and(|(kept, reached)| !reached.holds(kept));

@@ -2,7 +2,7 @@
 
 use super::{Carried, Rule, Scan, ScanError};
 use crate::illumination::Equation;
-use crate::render::{Cued, Polygon, Renderer, WeightedSite};
+use crate::render::{Cued, Polygon, Renderer, WeightedPoint};
 use crate::scene::{Encoding, Interpolation, Projection, Rgb, Scene, ShadingMode, View};
 use glam::{DVec2, DVec3};
 
@@ -100,7 +100,7 @@ fn seen(
         return None;
     }
     let view = View::new(&scene.camera, scene.image.size);
-    let evaluated = |site: &WeightedSite<'_>| {
+    let evaluated = |site: &WeightedPoint<'_>| {
         let intensity = equation.illuminate_world(site.point, site.normal, site.reached);
         cue.map_or(intensity, |color| intensity * site.scale + color * (1.0 - site.scale))
     };

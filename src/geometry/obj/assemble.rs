@@ -1,8 +1,8 @@
 //! Puts the pieces that `tobj` read together to one mesh over shared points.
 
-use super::ObjError;
+use super::error::ObjError;
 use crate::geometry::concave::fan_or_triangles;
-use crate::geometry::{Corner, Mesh, NO_NORMAL};
+use crate::geometry::mesh::{Corner, Mesh, NO_NORMAL};
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 

@@ -1,6 +1,6 @@
 //! A file as lines: continued ones joined, comments cut off, numbered from 1.
 
-use super::ObjError;
+use super::error::ObjError;
 use std::io::BufRead;
 
 /// The longest line, continuations included: a face of some 100 000 vertices. What is longer is no model, and would

@@ -5,8 +5,7 @@
 //! bytes for each face until its object ends; so normals that are missing get one of their own (0, 0, 0), the first, and
 //! objects end after [`PIECE`] corners.
 
-use super::ObjError;
-use super::error::quoted;
+use super::error::{ObjError, quoted};
 use super::lines::{Line, Lines};
 use crate::geometry::mesh::FAR;
 use glam::DVec3;

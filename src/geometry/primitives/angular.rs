@@ -1,7 +1,8 @@
 //! The cube and the plane.
 
-use super::{Builder, CUBE_HALF_EDGE};
-use crate::geometry::Mesh;
+use super::builder::Builder;
+use super::sizes::CUBE_HALF_EDGE;
+use crate::geometry::mesh::Mesh;
 use glam::DVec3;
 
 /// The square −1 ≤ x, y ≤ 1 at z = 0: `columns` across, `rows` from the top down.
@@ -14,12 +15,7 @@ pub fn plane(columns: u32, rows: u32) -> Mesh {
         }
     }
     let normal = builder.normal(DVec3::Z);
-    let at = |i, j| (j * (columns + 1) + i, normal);
-    for j in 0..rows {
-        for i in 0..columns {
-            builder.face([at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)]);
-        }
-    }
+    builder.grid(columns, rows, |i, j| (j * (columns + 1) + i, normal));
     builder.finish(false, false)
 }
 
@@ -37,20 +33,10 @@ pub fn cube(columns: u32, rows: u32) -> Mesh {
     lattice.add_points(&mut builder);
 
     let normal = builder.normal(DVec3::Y);
-    for k in 0..columns {
-        for i in 0..columns {
-            let cell = [(i, k), (i, k + 1), (i + 1, k + 1), (i + 1, k)];
-            builder.face(cell.map(|(i, k)| (lattice.in_level(i, k, 0), normal)));
-        }
-    }
+    builder.grid(columns, columns, |i, k| (lattice.in_level(i, k, 0), normal));
     for side in 0..4 {
         let normal = builder.normal([DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X][side as usize]);
-        for j in 0..rows {
-            for i in side * columns..(side + 1) * columns {
-                let cell = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
-                builder.face(cell.map(|(i, j)| (lattice.on_side(i, j), normal)));
-            }
-        }
+        builder.grid(columns, rows, |i, j| (lattice.on_side(side * columns + i, j), normal));
     }
     let normal = builder.normal(DVec3::NEG_Y);
     for k in 0..columns {

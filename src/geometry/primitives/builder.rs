@@ -1,6 +1,6 @@
 //! Puts a mesh together face by face.
 
-use crate::geometry::{Corner, Mesh};
+use crate::geometry::mesh::{Corner, Mesh};
 use glam::DVec3;
 
 /// A mesh under construction about the world's origin.
@@ -36,6 +36,15 @@ impl Builder {
     pub fn face(&mut self, corners: impl IntoIterator<Item = (u32, u32)>) {
         self.mesh.corners.extend(corners.into_iter().map(|(position, normal)| Corner { position, normal }));
         self.mesh.starts.push(self.mesh.corners.len() as u32);
+    }
+
+    /// Adds the quads of a grid, row by row: between columns i, i + 1 and rows j, j + 1 of the corners that `at(i, j)` gives.
+    pub fn grid(&mut self, columns: u32, rows: u32, at: impl Fn(u32, u32) -> (u32, u32)) {
+        for j in 0..rows {
+            for i in 0..columns {
+                self.face([at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)]);
+            }
+        }
     }
 
     /// Points at which the shape is cut out of one that goes on as its mirror image in x.

@@ -1,7 +1,8 @@
 //! The corrugated sheet.
 
-use super::{Builder, CORRUGATED_HALF_HEIGHT, CORRUGATED_HALF_WIDTH, CORRUGATED_RIDGE};
-use crate::geometry::Mesh;
+use super::builder::Builder;
+use super::sizes::{CORRUGATED_HALF_HEIGHT, CORRUGATED_HALF_WIDTH, CORRUGATED_RIDGE};
+use crate::geometry::mesh::Mesh;
 use glam::{DVec2, DVec3};
 
 /// `slopes` planes from one ridge or trough to the next, each divided into `strips`.

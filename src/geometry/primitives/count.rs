@@ -1,5 +1,6 @@
 //! How many triangles a tessellation has, and which tessellation has about so many.
 
+use super::sizes::{CYLINDER_HALF_HEIGHT, CYLINDER_RADIUS, TORUS_RING, TORUS_TUBE};
 use crate::scene::{Object, ObjectKind};
 use std::f64::consts::TAU;
 
@@ -46,8 +47,8 @@ fn first(least: u32, holds: impl Fn(u32) -> bool) -> u32 {
 /// How many polygons there are round the axis to one along it, where they are about as wide as high.
 fn segments_per_ring(kind: ObjectKind) -> f64 {
     match kind {
-        ObjectKind::Torus => super::TORUS_RING / super::TORUS_TUBE,
-        ObjectKind::Cylinder => TAU * super::CYLINDER_RADIUS / (2.0 * super::CYLINDER_HALF_HEIGHT),
+        ObjectKind::Torus => TORUS_RING / TORUS_TUBE,
+        ObjectKind::Cylinder => TAU * CYLINDER_RADIUS / (2.0 * CYLINDER_HALF_HEIGHT),
         ObjectKind::Sphere | ObjectKind::Cone => 2.0,
         // Counted round all four sides.
         ObjectKind::Cube => 4.0,
@@ -75,63 +76,5 @@ fn of(kind: ObjectKind, segments: u32, rings: u32) -> u64 {
         }
         ObjectKind::Corrugated => 2 * limited(segments, 2) * r,
         ObjectKind::Obj | ObjectKind::Polygons => 0,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::tessellate;
-
-    const KINDS: [ObjectKind; 8] = [
-        ObjectKind::Sphere,
-        ObjectKind::Torus,
-        ObjectKind::Cylinder,
-        ObjectKind::Cone,
-        ObjectKind::Cube,
-        ObjectKind::Plane,
-        ObjectKind::Teapot,
-        ObjectKind::Corrugated,
-    ];
-
-    #[test]
-    fn triangles_are_counted_as_they_are_made() {
-        for kind in KINDS {
-            for segments in [1, 3, 4, 7, 8, 12, 33] {
-                for rings in [1, 2, 3, 5, 8, 13] {
-                    let object = Object { kind, segments, rings, ..Object::default() };
-                    let made = tessellate(&object).triangle_count() as u64;
-                    assert_eq!(triangles(&object), made, "{kind:?} {segments} × {rings}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn any_number_of_triangles_comes_near() {
-        for kind in KINDS {
-            let smallest = divisions_for(kind, 0);
-            let least = of(kind, smallest[0], smallest[1]);
-            let mut before = 0;
-            for step in 0..400 {
-                let wanted = (1.05_f64.powi(step) as u64).max(least);
-                if wanted > 20_000_000 {
-                    break;
-                }
-                let [segments, rings] = divisions_for(kind, wanted);
-                let object = Object { kind, segments, rings, ..Object::default() };
-                let found = triangles(&object);
-                // Half a row, or four of them where only every fourth division counts.
-                let row = if matches!(kind, ObjectKind::Cube | ObjectKind::Teapot) { 16.0 } else { 2.0 };
-                let slack = row * (wanted as f64).sqrt() + 64.0;
-                assert!(found.abs_diff(wanted) as f64 <= slack, "{kind:?}: {found} for {wanted}");
-                assert!(found >= before, "{kind:?}: {found} after {before}");
-                before = found;
-                let scene = crate::scene::Scene { object, ..crate::scene::Scene::default() };
-                assert_eq!(scene.validate(), Ok(()));
-            }
-        }
-        assert_eq!(divisions_for(ObjectKind::Sphere, 0), [3, 2]);
-        assert_eq!(divisions_for(ObjectKind::Sphere, u64::MAX), [Object::MAX_DIVISIONS; 2]);
     }
 }

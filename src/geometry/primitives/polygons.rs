@@ -1,8 +1,7 @@
 //! The polygons that a scene gives itself.
 
 use crate::geometry::concave::fan_or_triangles;
-use crate::geometry::mesh::FAR;
-use crate::geometry::{Corner, Mesh, NO_NORMAL};
+use crate::geometry::mesh::{Corner, FAR, Mesh, NO_NORMAL};
 use crate::scene::{Object, Polygons};
 use glam::DVec3;
 

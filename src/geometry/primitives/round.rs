@@ -1,9 +1,8 @@
 //! Shapes of revolution about the y axis.
 
-use super::{
-    Builder, CONE_APEX, CONE_BASE, CONE_RADIUS, CYLINDER_HALF_HEIGHT, CYLINDER_RADIUS, TORUS_RING, TORUS_TUBE,
-};
-use crate::geometry::Mesh;
+use super::builder::Builder;
+use super::sizes::{CONE_APEX, CONE_BASE, CONE_RADIUS, CYLINDER_HALF_HEIGHT, CYLINDER_RADIUS, TORUS_RING, TORUS_TUBE};
+use crate::geometry::mesh::Mesh;
 use glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
@@ -30,14 +29,6 @@ fn revolved(radial: f64, y: f64, azimuth: DVec2) -> DVec3 {
     DVec3::new(radial * azimuth.x, y, radial * azimuth.y)
 }
 
-/// The quad between columns i, i + 1 and rows j, j + 1 of a grid with `columns` in a row, as (row, column) indices:
-/// a = (i, j), b = (i, j + 1), c = (i + 1, j + 1), d = (i + 1, j).
-fn quad(first: u32, columns: u32, i: u32, j: u32, next_row: u32) -> [u32; 4] {
-    let right = (i + 1) % columns;
-    let at = |i, j| first + j * columns + i;
-    [at(i, j), at(i, next_row), at(right, next_row), at(right, j)]
-}
-
 pub fn sphere(segments: u32, rings: u32) -> Mesh {
     let points = (segments as usize) * (rings as usize - 1) + 2;
     let mut builder = Builder::with_capacity(points, segments as usize * rings as usize);
@@ -56,19 +47,14 @@ pub fn sphere(segments: u32, rings: u32) -> Mesh {
     }
     let south = add(DVec3::NEG_Y);
 
+    let at = |i: u32, j: u32| 1 + j * segments + i % segments;
     let corner = |index| (index, index);
     for i in 0..segments {
-        let [_, b, c, _] = quad(1, segments, i, 0, 0);
-        builder.face([north, b, c].map(corner));
+        builder.face([north, at(i, 0), at(i + 1, 0)].map(corner));
     }
-    for j in 0..rings - 2 {
-        for i in 0..segments {
-            builder.face(quad(1, segments, i, j, j + 1).map(corner));
-        }
-    }
+    builder.grid(segments, rings - 2, |i, j| corner(at(i, j)));
     for i in 0..segments {
-        let [a, _, _, d] = quad(1, segments, i, rings - 2, rings - 2);
-        builder.face([a, south, d].map(corner));
+        builder.face([at(i, rings - 2), south, at(i + 1, rings - 2)].map(corner));
     }
     builder.finish(true, true)
 }
@@ -85,11 +71,8 @@ pub fn torus(segments: u32, rings: u32) -> Mesh {
             builder.normal(revolved(sin, cos, azimuth));
         }
     }
-    for j in 0..rings {
-        for i in 0..segments {
-            builder.face(quad(0, segments, i, j, (j + 1) % rings).map(|index| (index, index)));
-        }
-    }
+    let at = |i: u32, j: u32| j % rings * segments + i % segments;
+    builder.grid(segments, rings, |i, j| (at(i, j), at(i, j)));
     builder.finish(true, false)
 }
 
@@ -104,11 +87,7 @@ pub fn cylinder(segments: u32, rings: u32) -> Mesh {
         }
     }
     let side = normals_round(&mut builder, &azimuths, 1.0, 0.0);
-    for j in 0..rings {
-        for i in 0..segments {
-            builder.face(quad(0, segments, i, j, j + 1).map(|index| (index, side + index % segments)));
-        }
-    }
+    builder.grid(segments, rings, |i, j| (j * segments + i % segments, side + i % segments));
     let top = builder.normal(DVec3::Y);
     builder.face((0..segments).map(|i| (i, top)));
     base(&mut builder, segments, segments * rings);
@@ -131,16 +110,11 @@ pub fn cone(segments: u32, rings: u32) -> Mesh {
     let middles: Vec<DVec2> = (0..segments).map(|i| DVec2::from(turn(2 * i + 1, 2 * segments))).collect();
     let side = normals_round(&mut builder, &azimuths, slope.x, slope.y);
     let at_apex = normals_round(&mut builder, &middles, slope.x, slope.y);
-    let corner = |index: u32| (index, side + (index - 1) % segments);
+    let at = |i: u32, j: u32| (1 + j * segments + i % segments, side + i % segments);
     for i in 0..segments {
-        let [_, b, c, _] = quad(1, segments, i, 0, 0);
-        builder.face([(apex, at_apex + i), corner(b), corner(c)]);
+        builder.face([(apex, at_apex + i), at(i, 0), at(i + 1, 0)]);
     }
-    for j in 0..rings - 1 {
-        for i in 0..segments {
-            builder.face(quad(1, segments, i, j, j + 1).map(corner));
-        }
-    }
+    builder.grid(segments, rings - 1, at);
     base(&mut builder, segments, 1 + segments * (rings - 1));
     builder.finish(true, true)
 }

@@ -1,8 +1,8 @@
 //! The teapot as polygons.
 
-use super::Builder;
-use crate::geometry::Mesh;
+use super::builder::Builder;
 use crate::geometry::bezier::on_curve;
+use crate::geometry::mesh::Mesh;
 use crate::geometry::teapot::{Shell, TEAPOT, Teapot};
 use glam::DVec3;
 use std::collections::HashMap;

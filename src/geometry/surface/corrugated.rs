@@ -1,8 +1,8 @@
 //! The corrugated sheet: planes met one after the other.
 
-use super::{Meeting, UnitRay};
+use super::unit_ray::{Meeting, UnitRay};
 use crate::geometry::primitives::corrugated::{bend, normal};
-use crate::geometry::primitives::{CORRUGATED_HALF_HEIGHT, CORRUGATED_HALF_WIDTH, CORRUGATED_RIDGE};
+use crate::geometry::primitives::sizes::{CORRUGATED_HALF_HEIGHT, CORRUGATED_HALF_WIDTH, CORRUGATED_RIDGE};
 
 /// Follows the ray from slope to slope. Over each, its height above the sheet is linear in s, and where that changes its
 /// sign the ray meets the slope. Over a ridge both neighbours use the same height, so that no ray slips between them.

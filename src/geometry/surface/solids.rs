@@ -4,8 +4,8 @@
 //! part of the intervals is where it is inside; its two ends are the meetings. So neighbouring parts of the surface, a
 //! side and its cap, leave no crack between them.
 
-use super::{Meeting, UnitRay};
-use crate::geometry::primitives::{
+use super::unit_ray::{Meeting, UnitRay};
+use crate::geometry::primitives::sizes::{
     CONE_APEX, CONE_BASE, CONE_RADIUS, CUBE_HALF_EDGE, CYLINDER_HALF_HEIGHT, CYLINDER_RADIUS,
 };
 use glam::DVec3;

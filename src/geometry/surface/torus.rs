@@ -1,8 +1,8 @@
 //! The torus: a quartic in the length along the ray.
 
 use super::polynomial::depressed_quartic;
-use super::{Meeting, UnitRay};
-use crate::geometry::primitives::{TORUS_RING, TORUS_TUBE};
+use super::unit_ray::{Meeting, UnitRay};
+use crate::geometry::primitives::sizes::{TORUS_RING, TORUS_TUBE};
 use glam::DVec3;
 
 /// The surface is (|p|² + R² − r²)² = 4R²(x² + z²). With p = o + s·d, |d| = 1 and o·d = 0, |p|² is |o|² + s², and the

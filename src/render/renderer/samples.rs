@@ -1,8 +1,8 @@
 //! Pictures of several samples a pixel, and pictures too large to be drawn at once.
 
-use super::super::Frame;
-use super::super::display::{Linear, display};
-use super::{Renderer, sample_offset};
+use super::display::{Linear, display};
+use super::frame::Frame;
+use super::pipeline::{Renderer, Samples};
 use crate::scene::{AmbientSource, CompareView, Overflow, Scene};
 use glam::DVec2;
 
@@ -79,7 +79,7 @@ impl Renderer {
             strip.image.size = [width, rows.min(height - first)];
             let mut done = |sample| progress((index as u32 * samples + sample) / strips);
             let finished = self.draw_samples(&strip, samples, [first, height], &mut done);
-            pixels.extend_from_slice(&self.frame.pixels);
+            pixels.extend_from_slice(&self.frame().pixels);
             if !finished {
                 break;
             }
@@ -101,17 +101,15 @@ impl Renderer {
         let clamp = scene.display.overflow == Overflow::Clamp;
         let mut sum: Vec<Linear> = Vec::new();
         for sample in 0..samples {
-            let mut plan = self.plan_of(scene);
-            plan.whole_picture |= samples > 1;
-            self.report.stages.clear();
             let offset = sample_offset(sample, samples) + DVec2::new(0.0, f64::from(first));
-            self.draw(scene, plan, size, offset);
+            self.draw(scene, Samples { size, offset, linear: samples > 1 });
             let go_on = progress(sample + 1);
             if samples == 1 || !go_on {
                 return go_on;
             }
-            sum.resize(self.linear.len(), [0.0; 4]);
-            for (total, pixel) in sum.iter_mut().zip(&self.linear) {
+            let linear = &self.picture.output.linear;
+            sum.resize(linear.len(), [0.0; 4]);
+            for (total, pixel) in sum.iter_mut().zip(linear) {
                 for (total, value) in total.iter_mut().zip(pixel) {
                     *total += if clamp { value.min(1.0) } else { *value };
                 }
@@ -120,10 +118,19 @@ impl Renderer {
         #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2²⁴")]
         let factor = 1.0 / samples as f32;
         sum.iter_mut().flatten().for_each(|value| *value *= factor);
-        display(self.level, &sum, self.frame.width as usize, &scene.display, &mut self.frame.pixels);
-        self.linear = sum;
+        let Frame { width, pixels, .. } = &mut self.picture.output.frame;
+        display(self.level, &sum, *width as usize, &scene.display, pixels);
+        self.picture.output.linear = sum;
         true
     }
+}
+
+/// Place of sample `index` of `count` relative to the pixel's centre: a lattice of rank 1 with the golden section.
+fn sample_offset(index: u32, count: u32) -> DVec2 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let x = (f64::from(index) + 0.5) / f64::from(count);
+    let y = (f64::from(index) * GOLDEN + 0.5).fract();
+    DVec2::new(x - 0.5, y - 0.5)
 }
 
 #[cfg(test)]

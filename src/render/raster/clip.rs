@@ -1,0 +1,166 @@
+//! Clips triangles that reach behind the near plane or beyond the guard band.
+//!
+//! Sutherland and Hodgman's algorithm against five planes, in double precision. A corner that clipping makes remembers its
+//! weights over the triangle's vertices, so that whatever the vertices carry can be found for it later.
+
+use super::grid::{GUARD, Place, SUBPIXELS};
+use super::transform::Placed;
+use crate::render::lens::{Lens, NEAR};
+use crate::render::memory::{Holds, Memory, room};
+use crate::render::model::Model;
+use glam::DVec3;
+
+/// A vertex that clipping has made.
+#[derive(Clone, Copy, Debug)]
+pub struct Cut {
+    pub vertices: [u32; 3],
+    /// Barycentric weights over `vertices`, on the triangle in space.
+    pub weights: [f64; 3],
+}
+
+/// A corner during clipping: view components and weights.
+#[derive(Clone, Copy)]
+struct Corner {
+    view: DVec3,
+    weights: DVec3,
+}
+
+/// The clipper's output, beside the model's own triangles and vertices.
+#[derive(Default)]
+pub struct Clipped {
+    /// One per new vertex; vertex `model.padded_len() + i` is `cuts[i]`.
+    pub cuts: Vec<Cut>,
+    /// Triangle `model.triangles.len() + i` has these vertices and belongs to `parents[i]`'s face.
+    pub triangles: Vec<[u32; 3]>,
+    pub parents: Vec<u32>,
+}
+
+impl Clipped {
+    pub fn clear(&mut self) {
+        self.cuts.clear();
+        self.triangles.clear();
+        self.parents.clear();
+    }
+
+    /// Clips `triangle` and adds what is left, appending the new vertices to `placed`.
+    pub fn add(&mut self, lens: &Lens, model: &Model, triangle: u32, placed: &mut Placed) {
+        let vertices = model.triangles[triangle as usize];
+        let views = vertices.map(|v| lens.view_from_world(model.position(v)));
+        let polygon = clip(lens, views);
+        let Some((first, rest)) = polygon.split_first() else { return };
+        let mut add = |corner: &Corner| self.add_vertex(lens, vertices, corner, placed);
+        let hub = add(first);
+        let rim: Vec<u32> = rest.iter().map(&mut add).collect();
+        for pair in rim.windows(2) {
+            self.triangles.push([hub, pair[0], pair[1]]);
+            self.parents.push(triangle);
+        }
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "the guard band bounds the place, the near plane the key")]
+    fn add_vertex(&mut self, lens: &Lens, vertices: [u32; 3], corner: &Corner, placed: &mut Placed) -> u32 {
+        let index = placed.places.len();
+        // Rounding may take a cut off the plane by some part of the triangle's extent, however great that is.
+        let view = DVec3 { z: corner.view.z.max(NEAR), ..corner.view };
+        let place = (lens.picture_from_view(view) * f64::from(SUBPIXELS)).round();
+        let limit = f64::from(SUBPIXELS) * (GUARD + 1.0);
+        let place: Place = [place.x.clamp(-limit, limit) as i32, place.y.clamp(-limit, limit) as i32];
+        placed.places.push(place);
+        placed.keys.push(lens.key_from_depth(view.z) as f32);
+        self.cuts.push(Cut { vertices, weights: corner.weights.to_array() });
+        u32::try_from(index).unwrap_or(u32::MAX)
+    }
+}
+
+impl Holds for Clipped {
+    fn memory(&self) -> Memory {
+        Memory::of_triangles(room(&self.cuts) + room(&self.triangles) + room(&self.parents))
+    }
+}
+
+/// Clips the triangle with view components `views`; empty where nothing is left.
+fn clip(lens: &Lens, views: [DVec3; 3]) -> Vec<Corner> {
+    let mut polygon: Vec<Corner> =
+        views.into_iter().zip([DVec3::X, DVec3::Y, DVec3::Z]).map(|(view, weights)| Corner { view, weights }).collect();
+    cut(&mut polygon, |view| view.z - NEAR);
+    // How far the guard band reaches from the middle at depth 1 (or anywhere, without perspective).
+    let reach = |side: f64| (GUARD - side.abs()) / lens.focal;
+    let (across, down) = (reach(lens.middle.x), reach(lens.middle.y));
+    let depth = |view: DVec3| if lens.perspective { view.z } else { 1.0 };
+    cut(&mut polygon, |view| across * depth(view) - view.x);
+    cut(&mut polygon, |view| across * depth(view) + view.x);
+    cut(&mut polygon, |view| down * depth(view) - view.y);
+    cut(&mut polygon, |view| down * depth(view) + view.y);
+    if polygon.len() < 3 {
+        polygon.clear();
+    }
+    polygon
+}
+
+/// Keeps the part of the polygon where `distance`, linear in the view components, is not negative.
+fn cut(polygon: &mut Vec<Corner>, distance: impl Fn(DVec3) -> f64) {
+    let mut kept = Vec::with_capacity(polygon.len() + 1);
+    for (i, corner) in polygon.iter().enumerate() {
+        let next = &polygon[(i + 1) % polygon.len()];
+        let (d0, d1) = (distance(corner.view), distance(next.view));
+        if d0 >= 0.0 {
+            kept.push(*corner);
+        }
+        if (d0 >= 0.0) != (d1 >= 0.0) {
+            // Always from the inside out, so that both neighbours of an edge cut it at the same point.
+            let (a, b, t) = if d0 >= 0.0 { (corner, next, d0 / (d0 - d1)) } else { (next, corner, d1 / (d1 - d0)) };
+            if t.is_finite() {
+                kept.push(Corner { view: a.view.lerp(b.view, t), weights: a.weights.lerp(b.weights, t) });
+            }
+        }
+    }
+    *polygon = kept;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::properties;
+    use crate::scene::Camera;
+    use glam::DVec2;
+    use proptest::prelude::*;
+
+    fn area(corners: &[DVec3]) -> f64 {
+        let base = corners[0];
+        corners[1..].windows(2).map(|p| (p[0] - base).cross(p[1] - base).length()).sum::<f64>() / 2.0
+    }
+
+    proptest! {
+        #![proptest_config(properties::config(file!()))]
+
+        /// What a plane cuts off and what it keeps make up the triangle.
+        #[test]
+        fn a_cut_keeps_the_area(c in prop::array::uniform9(-3.0..3.0f64), nx in -1.0..1.0f64, ny in -1.0..1.0f64, d in -1.0..1.0f64) {
+            let points = [DVec3::new(c[0], c[1], c[2]), DVec3::new(c[3], c[4], c[5]), DVec3::new(c[6], c[7], c[8])];
+            let plane = |view: DVec3| view.x * nx + view.y * ny + view.z * 0.5 - d;
+            let corners = |side: f64| {
+                let mut polygon: Vec<Corner> = points.iter().map(|&view| Corner { view, weights: DVec3::ZERO }).collect();
+                cut(&mut polygon, |view| side * plane(view));
+                polygon.iter().map(|c| c.view).collect::<Vec<_>>()
+            };
+            let part = |side: f64| { let c = corners(side); if c.len() < 3 { 0.0 } else { area(&c) } };
+            prop_assert!((part(1.0) + part(-1.0) - area(&points)).abs() < 1e-9);
+        }
+
+        /// A kept corner lies before the near plane, inside the guard band, where its weights say.
+        #[test]
+        fn corners_are_where_their_weights_say(c in prop::array::uniform9(-5.0..5.0f64)) {
+            let lens = Lens::new(&Camera::default(), [640, 480], DVec2::ZERO, 4.0);
+            let views = [DVec3::new(c[0], c[1], c[2]), DVec3::new(c[3], c[4], c[5]), DVec3::new(c[6], c[7], c[8])];
+            for corner in clip(&lens, views) {
+                prop_assert!(corner.view.z >= NEAR * (1.0 - 1e-9));
+                let place = lens.picture_from_view(corner.view);
+                prop_assert!(place.abs().max_element() <= GUARD + 1e-3);
+                let w = corner.weights;
+                let sum = views[0] * w.x + views[1] * w.y + views[2] * w.z;
+                prop_assert!((sum - corner.view).length() < 1e-9);
+                prop_assert!((w.x + w.y + w.z - 1.0).abs() < 1e-12);
+            }
+        }
+    }
+}

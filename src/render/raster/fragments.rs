@@ -1,0 +1,197 @@
+//! Fragments: the four numbers interpolated for each pixel, stored in blocks that SIMD kernels load directly.
+//!
+//! ```text
+//!   row of a picture   │ block 0: 16 pixels             │ block 1                         │ …
+//!                      │ a×16 │ b×16 │ c×16 │ key×16    │ a×16 │ …
+//! ```
+//!
+//! A row starts with a block of its own; what its last block has beyond the picture is never shown.
+
+use crate::illumination::Lanes;
+use fearless_simd::{f32x4, prelude::*};
+use std::ops::Range;
+
+/// Three carried numbers and the depth key.
+pub type Fragment = [f32; 4];
+
+/// A pixel that does not see the object.
+pub const GAP: Fragment = [0.0, 0.0, 0.0, f32::MIN];
+
+/// The component of a fragment that is its depth key.
+const KEY: usize = 3;
+
+/// Pixels of a block: the widest vector's lanes.
+const PIXELS: usize = 16;
+
+/// Runs up to this length are written number by number.
+const SHORT: usize = 3;
+
+/// The fragments of pixels that lie side by side, component by component.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub struct Block {
+    planes: [[f32; PIXELS]; 4],
+}
+
+impl Block {
+    pub const GAP: Self = Self { planes: [[GAP[0]; PIXELS], [GAP[1]; PIXELS], [GAP[2]; PIXELS], [GAP[KEY]; PIXELS]] };
+    pub const PIXELS: usize = PIXELS;
+
+    /// Blocks of a row of `width` pixels.
+    pub const fn count(width: u32) -> usize {
+        (width as usize).div_ceil(PIXELS)
+    }
+
+    /// The blocks of a row that these columns lie in.
+    pub fn over(columns: &Range<u32>) -> Range<usize> {
+        if columns.is_empty() { 0..0 } else { columns.start as usize / PIXELS..Self::count(columns.end) }
+    }
+
+    /// Puts a fragment at pixel `index`.
+    #[inline(always)]
+    pub fn put(&mut self, index: usize, fragment: Fragment) {
+        for (plane, value) in self.planes.iter_mut().zip(fragment) {
+            plane[index] = value;
+        }
+    }
+
+    /// The lanes of each component from pixel `first` on.
+    #[inline(always)]
+    pub fn load<S: Simd>(&self, simd: S, first: usize) -> [Lanes<S>; 4] {
+        let [a, b, c, key] = &self.planes;
+        [
+            Lanes::load(simd, &a[first..]),
+            Lanes::load(simd, &b[first..]),
+            Lanes::load(simd, &c[first..]),
+            Lanes::load(simd, &key[first..]),
+        ]
+    }
+}
+
+/// The fragment of the pixel in column `x` of a row.
+#[inline(always)]
+pub fn fragment(line: &[Block], x: usize) -> Fragment {
+    let Block { planes: [a, b, c, key] } = &line[x / PIXELS];
+    let x = x % PIXELS;
+    [a[x], b[x], c[x], key[x]]
+}
+
+/// Puts a fragment into column `x` of a row.
+#[inline(always)]
+pub fn put(line: &mut [Block], x: usize, fragment: Fragment) {
+    line[x / PIXELS].put(x % PIXELS, fragment);
+}
+
+/// Makes the pixels of these blocks gaps.
+#[inline(always)]
+pub fn open(blocks: &mut [Block]) {
+    // Of a gap only the key is ever looked at.
+    blocks.iter_mut().for_each(|block| block.planes[KEY] = Block::GAP.planes[KEY]);
+}
+
+/// Whether a pixel with this fragment sees the object.
+#[inline(always)]
+pub fn is_seen(fragment: Fragment) -> bool {
+    fragment[KEY] > GAP[KEY]
+}
+
+/// Fills the columns of a row with numbers that start at `start` and grow by `step` a pixel.
+#[inline(always)]
+pub fn fill<S: Simd>(simd: S, line: &mut [Block], columns: Range<usize>, start: f32x4<S>, step: f32x4<S>) {
+    let Range { start: x0, end: x1 } = columns;
+    if x1 - x0 <= SHORT {
+        // A sliver's step may be beyond all numbers, but it has no second pixel then.
+        put(line, x0, start.into());
+        let mut k = f32x4::splat(simd, 1.0);
+        for x in x0 + 1..x1 {
+            put(line, x, step.mul_add(k, start).into());
+            k += 1.0;
+        }
+        return;
+    }
+    let (starts, steps): (Fragment, Fragment) = (start.into(), step.into());
+    let (zero, length) = (splat(simd, 0.0), splat(simd, (x1 - x0) as f32));
+    let starts = [splat(simd, starts[0]), splat(simd, starts[1]), splat(simd, starts[2]), splat(simd, starts[3])];
+    let steps = [splat(simd, steps[0]), splat(simd, steps[1]), splat(simd, steps[2]), splat(simd, steps[3])];
+    let count = Lanes::count_up(simd).0;
+    let lanes = Lanes::<S>::LEN;
+    // From the vector that the first pixel lies in.
+    let mut x = x0 / lanes * lanes;
+    while x < x1 {
+        let k = count + (x as f32 - x0 as f32);
+        let planes = &mut line[x / PIXELS].planes;
+        let columns = x % PIXELS..x % PIXELS + lanes;
+        if x0 <= x && x + lanes <= x1 {
+            for ((plane, start), step) in planes.iter_mut().zip(starts).zip(steps) {
+                step.mul_add(k, start).store_slice(&mut plane[columns.clone()]);
+            }
+        } else {
+            let inside = k.simd_ge(zero) & k.simd_lt(length);
+            for ((plane, start), step) in planes.iter_mut().zip(starts).zip(steps) {
+                let plane = &mut plane[columns.clone()];
+                let old = S::f32s::from_slice(simd, plane);
+                inside.select(step.mul_add(k, start), old).store_slice(plane);
+            }
+        }
+        x += lanes;
+    }
+}
+
+/// One plane a component to four numbers a pixel side by side, of one vector.
+#[inline(always)]
+pub fn join<S: Simd>(simd: S, planes: &[Lanes<S>; 4], pixels: &mut [[f32; 4]]) {
+    let [r, g, b, a] = planes;
+    let [r, g, b, a] = [r.0.as_slice(), g.0.as_slice(), b.0.as_slice(), a.0.as_slice()];
+    for (quad, start) in pixels.chunks_exact_mut(4).zip((0..).step_by(4)) {
+        let vectors = [
+            f32x4::from_slice(simd, &r[start..start + 4]),
+            f32x4::from_slice(simd, &g[start..start + 4]),
+            f32x4::from_slice(simd, &b[start..start + 4]),
+            f32x4::from_slice(simd, &a[start..start + 4]),
+        ];
+        f32x4::store_four_interleaved(vectors, quad.as_flattened_mut());
+    }
+}
+
+#[inline(always)]
+fn splat<S: Simd>(simd: S, value: f32) -> S::f32s {
+    S::f32s::simd_from(simd, value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fearless_simd::{Level, dispatch};
+
+    #[test]
+    fn a_run_fills_its_columns_and_no_others() {
+        for level in [Level::new(), Level::baseline()] {
+            for (x0, x1) in [(0, 1), (2, 4), (3, 7), (5, 21), (0, 48), (15, 17), (16, 32), (31, 47), (17, 48)] {
+                let mut line = [Block::GAP; 3];
+                dispatch!(level, simd => {
+                    let start = f32x4::simd_from(simd, [1.0, 2.0, 3.0, 4.0]);
+                    fill(simd, &mut line, x0..x1, start, f32x4::simd_from(simd, [0.5, -1.0, 0.0, 2.0]));
+                });
+                for x in 0..48 {
+                    let k = x as f32 - x0 as f32;
+                    let expected = [1.0 + 0.5 * k, 2.0 - k, 3.0, 4.0 + 2.0 * k];
+                    let expected = if (x0..x1).contains(&x) { expected } else { GAP };
+                    assert_eq!(fragment(&line, x), expected, "{x0}..{x1} at {x}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_sliver_of_one_pixel_has_its_start_whatever_the_step() {
+        let mut line = [Block::GAP];
+        let step = [f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 0.0];
+        dispatch!(Level::new(), simd => {
+            let start = f32x4::simd_from(simd, [1.0, 2.0, 3.0, 4.0]);
+            fill(simd, &mut line, 7..8, start, f32x4::simd_from(simd, step));
+        });
+        assert_eq!(fragment(&line, 7), [1.0, 2.0, 3.0, 4.0]);
+        open(&mut line);
+        assert!(!is_seen(fragment(&line, 7)));
+    }
+}

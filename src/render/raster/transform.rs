@@ -1,0 +1,140 @@
+//! Transforms vertices to fixed-point places in the picture.
+//!
+//! Places are fixed-point with [`SUBPIXEL_BITS`] fractional bits, so that coverage is decided in exact arithmetic. A vertex
+//! that is nearer than the near plane or farther out than the guard band has no place and sends its triangles to the clipper.
+
+use super::edge_table::EdgeTable;
+use super::grid::{GUARD, Place, SUBPIXELS, UNPLACED};
+use crate::illumination::{Lanes, Real, V3};
+use crate::render::lens::{Lens, NEAR};
+use crate::render::memory::{Holds, Memory, room};
+use crate::render::model::Model;
+use fearless_simd::{Level, dispatch, prelude::*};
+use rayon::prelude::*;
+use std::sync::OnceLock;
+
+/// Vertices that one task transforms: some microseconds of work.
+const CHUNK: usize = 4096;
+
+/// The transform stage's output.
+#[derive(Default)]
+pub struct Placed {
+    /// One per vertex, padding included; after them those that clipping adds.
+    pub places: Vec<Place>,
+    /// The depth key of each, see [`Lens::key_from_depth`].
+    pub keys: Vec<f32>,
+    /// Rows of the picture.
+    pub rows: u32,
+    /// What scan lines cross, once it is asked for.
+    pub edges: OnceLock<EdgeTable>,
+}
+
+impl Placed {
+    /// The places of a triangle's vertices.
+    #[inline(always)]
+    pub fn corners(&self, [a, b, c]: [u32; 3]) -> [Place; 3] {
+        [self.places[a as usize], self.places[b as usize], self.places[c as usize]]
+    }
+
+    pub fn run(&mut self, level: Level, lens: &Lens, model: &Model, height: u32) {
+        (self.rows, self.edges) = (height, OnceLock::new());
+        let rows = Rows::new(lens, model);
+        self.places.clear();
+        self.places.resize(model.padded_len(), [UNPLACED; 2]);
+        self.keys.clear();
+        self.keys.resize(model.padded_len(), 0.0);
+        let places = self.places.par_chunks_mut(CHUNK);
+        let keys = self.keys.par_chunks_mut(CHUNK);
+        places.zip(keys).enumerate().for_each(|(chunk, (places, keys))| {
+            let start = chunk * CHUNK;
+            let position = model.position.each_ref().map(|plane| &plane[start..start + places.len()]);
+            dispatch!(level, simd => transform(simd, &rows, position, places, keys));
+        });
+    }
+}
+
+impl Holds for Placed {
+    fn memory(&self) -> Memory {
+        let edges = self.edges.get().map_or(0, EdgeTable::room);
+        Memory::of_vertices(room(&self.places) + room(&self.keys) + edges)
+    }
+}
+
+/// The affine map from the model's coordinates to view components, and the lens.
+struct Rows {
+    right: [f32; 4],
+    up: [f32; 4],
+    forward: [f32; 4],
+    focal: f32,
+    middle: [f32; 2],
+    perspective: bool,
+}
+
+impl Rows {
+    /// The offset is taken in double precision: a model far from the world's origin loses nothing.
+    #[expect(clippy::cast_possible_truncation, reason = "the kernel's precision")]
+    fn new(lens: &Lens, model: &Model) -> Self {
+        let offset = lens.view_from_world(model.origin).to_array();
+        let row = |axis: glam::DVec3, offset: f64| {
+            let a = axis / lens.unit;
+            [a.x as f32, a.y as f32, a.z as f32, offset as f32]
+        };
+        Self {
+            right: row(lens.right, offset[0]),
+            up: row(lens.up, offset[1]),
+            forward: row(lens.forward, offset[2]),
+            focal: lens.focal as f32,
+            middle: lens.middle.as_vec2().to_array(),
+            perspective: lens.perspective,
+        }
+    }
+}
+
+/// One view component of a point.
+#[inline(always)]
+fn component<S: Simd>(p: V3<Lanes<S>>, [a, b, c, d]: [f32; 4]) -> Lanes<S> {
+    p.x.mul_add(p.x.constant(a), p.y.mul_add(p.x.constant(b), p.z.mul_add(p.x.constant(c), p.x.constant(d))))
+}
+
+/// Pixels to fixed point; [`UNPLACED`] where `outside`.
+#[inline(always)]
+fn fixed<S: Simd>(v: Lanes<S>, outside: S::mask32s) -> S::i32s {
+    let rounded = Lanes((v * as_f32(f64::from(SUBPIXELS))).0.round_ties_even());
+    S::i32s::truncate_from(Lanes::select(outside, v.constant(as_f32(f64::from(UNPLACED))), rounded).0)
+}
+
+#[inline(always)]
+fn transform<S: Simd>(simd: S, rows: &Rows, position: [&[f32]; 3], places: &mut [Place], keys: &mut [f32]) {
+    let lanes = Lanes::<S>::LEN;
+    let one = Lanes::splat(simd, 1.0);
+    let guard = Lanes::splat(simd, as_f32(GUARD));
+    let near = Lanes::splat(simd, as_f32(NEAR));
+    for start in (0..places.len()).step_by(lanes) {
+        let [px, py, pz] = position;
+        let p = V3::new(
+            Lanes::<S>::load(simd, &px[start..]),
+            Lanes::load(simd, &py[start..]),
+            Lanes::load(simd, &pz[start..]),
+        );
+        let depth = component(p, rows.forward);
+        let (scale, key) = if rows.perspective {
+            let inverse = one / depth;
+            (inverse * rows.focal, inverse)
+        } else {
+            (Lanes::splat(simd, rows.focal), -depth)
+        };
+        let x = component(p, rows.right).mul_add(scale, Lanes::splat(simd, rows.middle[0]));
+        let y = Lanes::splat(simd, rows.middle[1]) - component(p, rows.up) * scale;
+        let outside = near.greater_than(depth) | !guard.greater_than(x.abs()) | !guard.greater_than(y.abs());
+        let (fx, fy) = (fixed(x, outside), fixed(y, outside));
+        key.0.store_slice(&mut keys[start..start + lanes]);
+        for (lane, place) in places[start..start + lanes].iter_mut().enumerate() {
+            *place = [fx[lane], fy[lane]];
+        }
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "constants that single precision holds")]
+const fn as_f32(value: f64) -> f32 {
+    value as f32
+}

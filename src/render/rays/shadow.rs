@@ -1,0 +1,214 @@
+//! Shadows: clears the visibility bits of sources that the object hides from rows of points.
+//!
+//! Sixteen points are asked about together. What [`super::proof`] cannot decide waits until it fills a packet of rays.
+
+use super::packet::{Packet, RAYS};
+use super::point_row::PointRow;
+use super::proof::{AreaLight, Balls, Points, Target};
+use super::solid::Solid;
+use crate::illumination::Equation;
+use crate::scene::{Backfacing, LightKind, Scene};
+use fearless_simd::Simd;
+use glam::DVec3;
+use std::ops::Range;
+
+/// One light of the scene.
+struct Lamp {
+    sources: Range<usize>,
+    /// Whether any of them lies under the floor, and whether above.
+    sides: [bool; 2],
+    /// Where it is worth to ask about all of them at once.
+    area: Option<AreaLight>,
+}
+
+/// What casts shadows upon rows of points.
+pub struct ShadowCaster<'a> {
+    pub solid: Solid<'a>,
+    /// The height of the floor, if it is there.
+    ground: Option<f64>,
+    flip: bool,
+    targets: Vec<Target>,
+    lamps: Vec<Lamp>,
+    balls: Balls,
+    middle: DVec3,
+    /// Whether the points lie on the object as the picture shows it: each pixel or vertex is lifted by its own normal.
+    own: bool,
+}
+
+/// Rays that wait for their packet to be full, with the source and the point that they are of.
+#[derive(Default)]
+pub struct Waiting {
+    packet: Packet,
+    marks: [(u32, u32); RAYS],
+    count: usize,
+}
+
+/// Where the bits of a row go: a source has `stride` words.
+struct Sheet<'a> {
+    stride: usize,
+    words: &'a mut [u64],
+    waiting: &'a mut Waiting,
+}
+
+impl Sheet<'_> {
+    /// Clears bits of a source, `dark`'s lowest that of point `first`.
+    #[inline(always)]
+    fn darken(&mut self, source: usize, first: usize, dark: u32) {
+        self.words[source * self.stride + first / 64] &= !(u64::from(dark) << (first % 64));
+    }
+}
+
+/// Sixteen points of a row, on one side of the surface.
+struct Group<'a, S: Simd> {
+    row: &'a PointRow,
+    first: usize,
+    /// 1 on the side of the normals, −1 on the other.
+    side: f64,
+    points: Points<S>,
+}
+
+impl<'a> ShadowCaster<'a> {
+    /// The caster of the shadows of `solid` for the sources of `equation`; `own` says whether the points lie on the object.
+    pub fn new(scene: &Scene, solid: Solid<'a>, equation: &Equation<f64>, own: bool) -> Self {
+        let (middle, radius) = solid.ball();
+        let ground = scene.ground.visible.then_some(scene.ground.height);
+        let target = |source: usize| {
+            let (place, t_max) = equation.way_to(source, middle);
+            let parallel = t_max > 1.0;
+            let up = if parallel { place.y } else { ground.map_or(0.0, |ground| middle.y + place.y - ground) };
+            Target::new(place, parallel, up, radius)
+        };
+        let targets: Vec<Target> = (0..equation.sources.len()).map(target).collect();
+        let lamp = |light: usize| {
+            let sources = equation.sources_of(light);
+            let area = scene.lights.get(light).filter(|light| light.kind == LightKind::Area && sources.len() > 1);
+            let any = |sign: f32| targets[sources.clone()].iter().any(|target| target.rise * sign > 0.0);
+            let sides = [any(-1.0), any(1.0)];
+            Lamp { sides, sources, area: area.map(|light| AreaLight::new(light, middle, radius)) }
+        };
+        Self {
+            lamps: (0..equation.light_count()).map(lamp).collect(),
+            targets,
+            balls: Balls { outer: radius as f32, inner: solid.inner_radius() as f32 },
+            flip: scene.reflection.backfacing == Backfacing::Flip,
+            ground,
+            middle,
+            solid,
+            own,
+        }
+    }
+
+    /// Words of bits for one row of so many points; one more, since bits are read two words at a time.
+    pub fn words(&self, stride: usize) -> usize {
+        self.targets.len() * stride + 1
+    }
+
+    /// The height that the object's own points have at least: on an object that stands on the floor or above it none lies
+    /// beneath, though normals that lean out of its faces lift some there.
+    fn least_height(&self) -> f64 {
+        let ground = self.ground.filter(|ground| self.solid.lowest() >= ground - self.solid.clearance());
+        ground.unwrap_or(f64::NEG_INFINITY)
+    }
+
+    /// Whether it is plain that every source reaches every point: a convex solid shadows nothing on itself that faces a
+    /// source, and no floor parts them.
+    pub fn reaches_all(&self) -> bool {
+        let above = |ground: f64| self.least_height() >= ground && self.targets.iter().all(|target| target.rise > 0.0);
+        self.own && !self.flip && self.solid.is_convex() && self.ground.is_none_or(above)
+    }
+
+    /// A point of the world as rows hold it.
+    pub fn relative(&self, point: DVec3) -> DVec3 {
+        point - self.middle
+    }
+
+    /// Clears the bits of the sources that are hidden from a row's points; a source has `stride` words.
+    #[inline(always)]
+    pub fn mark_row<S: Simd>(&self, simd: S, row: &PointRow, stride: usize, words: &mut [u64], waiting: &mut Waiting) {
+        let mut sheet = Sheet { stride, words, waiting };
+        let least = if self.own { self.least_height() } else { f64::NEG_INFINITY };
+        let heights = [self.ground.unwrap_or(f64::NEG_INFINITY), least].map(|height| height - self.middle.y);
+        // Where light counts from either side, a ray starts on the side of its source.
+        let sides: &[f64] = if self.own && self.flip { &[1.0, -1.0] } else { &[1.0] };
+        for packet in (0..row.present.len()).filter(|packet| row.present[*packet] != 0) {
+            for &side in sides {
+                let lift = [side, self.solid.clearance()];
+                let points = Points::load(simd, row, packet, lift, heights, self.balls);
+                let group = Group { row, first: packet * RAYS, side, points };
+                for lamp in &self.lamps {
+                    self.mark_lamp(simd, &group, lamp, &mut sheet);
+                }
+            }
+        }
+        self.follow(simd, &mut sheet);
+    }
+
+    /// Asks about one light at sixteen points.
+    #[inline(always)]
+    fn mark_lamp<S: Simd>(&self, simd: S, group: &Group<'_, S>, lamp: &Lamp, sheet: &mut Sheet<'_>) {
+        let Group { row, first, side, points } = group;
+        let present = row.present[first / RAYS];
+        // A convex solid lies behind the tangent plane of each of its points.
+        let alone = self.own && *side > 0.0 && self.solid.is_convex();
+        let (hidden, mixed) = match &lamp.area {
+            _ if alone => (0, 0),
+            None => (0, present),
+            Some(area) => {
+                let hidden = points.hidden(simd, area, self.balls) & present;
+                (hidden, present & !hidden & !points.clear(simd, area, self.balls))
+            }
+        };
+        if hidden | mixed == 0 && !(self.ground.is_some() && points.floor_parts(simd, lamp.sides)) {
+            return;
+        }
+        for source in lamp.sources.clone() {
+            let target = &self.targets[source];
+            let way = points.way_to(simd, target);
+            let both = self.flip && !self.own;
+            let facing = if both { present } else { present & points.facing(simd, &way) };
+            let mut dark = facing & (hidden | points.beyond_floor(simd, target));
+            let unknown = facing & mixed & !dark;
+            if unknown != 0 {
+                let [open, shut] = points.decide(simd, &way, target, self.balls);
+                dark |= unknown & shut;
+                self.wait(simd, group, unknown & !open & !shut, source, sheet);
+            }
+            sheet.darken(source, *first, dark);
+        }
+    }
+
+    /// Lets rays wait for their packet.
+    #[inline(always)]
+    fn wait<S: Simd>(&self, simd: S, group: &Group<'_, S>, mut rays: u32, source: usize, sheet: &mut Sheet<'_>) {
+        let Target { place: to, parallel, .. } = self.targets[source];
+        while rays != 0 {
+            let point = group.first + rays.trailing_zeros() as usize;
+            rays &= rays - 1;
+            let start = group.row.lifted(point, group.side * self.solid.clearance());
+            let (direction, t_max) = if parallel { (to, f64::MAX) } else { (to - start, 1.0) };
+            let Waiting { packet, marks, count } = sheet.waiting;
+            packet.set(*count, start, direction, t_max);
+            marks[*count] = (source as u32, point as u32);
+            *count += 1;
+            if *count == RAYS {
+                self.follow(simd, sheet);
+            }
+        }
+    }
+
+    /// Follows the rays that wait.
+    #[inline(always)]
+    fn follow<S: Simd>(&self, simd: S, sheet: &mut Sheet<'_>) {
+        let count = std::mem::take(&mut sheet.waiting.count);
+        if count == 0 {
+            return;
+        }
+        let asked = u32::MAX >> (32 - count);
+        let mut blocked = self.solid.blocked(simd, &sheet.waiting.packet, asked);
+        while blocked != 0 {
+            let (source, point) = sheet.waiting.marks[blocked.trailing_zeros() as usize];
+            blocked &= blocked - 1;
+            sheet.darken(source as usize, point as usize, 1);
+        }
+    }
+}

@@ -1,0 +1,513 @@
+//! Sixteen rays at once through the boxes; a single ray is a packet of one.
+//!
+//! Boxes are tested in single precision, widened by more than the rounding, so that none that is met is missed. A triangle is
+//! first dismissed in single precision where it lies beside a ray by more than any rounding; what is left is decided in double
+//! precision, so that the answers depend neither on the SIMD level nor on which rays go together.
+
+use super::bvh::{Bvh, Node, STACK};
+use super::packet::{Packet, RAYS};
+use fearless_simd::{f32x16, f64x8, prelude::*};
+use glam::{DVec3, Vec3};
+
+/// Half a packet, the lanes of double precision.
+const HALF: usize = RAYS / 2;
+
+/// Edges are this much wider, as a part of the triangle, so that a ray through a shared edge misses neither.
+const SEAM: f64 = 1e-9;
+/// What the boxes are widened by, as a part of the greatest coordinate: four roundings.
+const WIDENING: f64 = 4.0 * f32::EPSILON as f64;
+/// Stands for a component of the direction that is 0.
+const LEVEL: f64 = 1e-30;
+
+/// Where a ray meets a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    pub t: f64,
+    pub triangle: u32,
+    /// Weights of the triangle's second and third corner.
+    pub weights: [f64; 2],
+}
+
+type Near<S> = [f32x16<S>; 3];
+type Exact<S> = [f64x8<S>; 3];
+
+impl Bvh {
+    /// On which of the rays whose bits are set in `asked` anything lies, for 0 < t < t_max.
+    #[inline(always)]
+    pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> u32 {
+        let Some(root) = self.nodes.first() else { return 0 };
+        let rays = Rays::new(simd, packet, f64::from(root.radius()));
+        let mut stack = [(0_u32, 0_u32); STACK];
+        let mut waiting = 0;
+        let mut open = asked;
+        let (mut here, mut among) = (0, rays.enter(simd, root).0 & asked);
+        loop {
+            let node = &self.nodes[here as usize];
+            if among == 0 {
+                // All rays that came here are blocked by now.
+            } else if node.count > 0 {
+                for corners in &self.corners[node.start as usize..(node.start + node.count) as usize] {
+                    let near = rays.pass_near(simd, corners) & among & open;
+                    if near != 0 {
+                        open &= !(meet_exactly(simd, packet, corners, near) & near);
+                    }
+                }
+                if open == 0 {
+                    return asked;
+                }
+            } else {
+                let (left, right) = (here + 1, node.start);
+                let in_left = rays.enter(simd, &self.nodes[left as usize]).0 & among;
+                let in_right = rays.enter(simd, &self.nodes[right as usize]).0 & among;
+                // First where more rays go: it is likelier to block them all.
+                let first = if in_left.count_ones() >= in_right.count_ones() {
+                    [(left, in_left), (right, in_right)]
+                } else {
+                    [(right, in_right), (left, in_left)]
+                };
+                if first[1].1 != 0 {
+                    stack[waiting] = first[1];
+                    waiting += 1;
+                }
+                if first[0].1 != 0 {
+                    (here, among) = first[0];
+                    continue;
+                }
+            }
+            if waiting == 0 {
+                return asked & !open;
+            }
+            waiting -= 1;
+            (here, among) = (stack[waiting].0, stack[waiting].1 & open);
+        }
+    }
+}
+
+/// The first triangles on the rays of a packet.
+pub struct Nearest {
+    t: [f64; RAYS],
+    triangle: [u32; RAYS],
+    weights: [[f64; RAYS]; 2],
+    met: u32,
+}
+
+impl Nearest {
+    pub fn of(&self, ray: usize) -> Option<Meeting> {
+        let weights = [self.weights[0][ray], self.weights[1][ray]];
+        (self.met >> ray & 1 == 1).then(|| Meeting { t: self.t[ray], triangle: self.triangle[ray], weights })
+    }
+
+    /// Takes over the meetings of half a packet.
+    #[inline(always)]
+    fn take<S: Simd>(&mut self, met: &Met<S>, asked: u32, first: usize, triangle: u32) -> bool {
+        let rays = met.rays & asked >> first;
+        for lane in (0..HALF).filter(|lane| rays >> lane & 1 == 1) {
+            let ray = first + lane;
+            self.t[ray] = met.t[lane];
+            self.triangle[ray] = triangle;
+            self.weights[0][ray] = met.weights[0][lane];
+            self.weights[1][ray] = met.weights[1][lane];
+        }
+        self.met |= rays << first;
+        rays != 0
+    }
+}
+
+impl Bvh {
+    /// The first triangle on each of the rays whose bits are set in `asked`, for 0 < t < t_max.
+    #[inline(always)]
+    pub fn nearest<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> Nearest {
+        let mut nearest = Nearest { t: packet.t_max, triangle: [0; RAYS], weights: [[0.0; RAYS]; 2], met: 0 };
+        let Some(root) = self.nodes.first() else { return nearest };
+        let mut rays = Rays::new(simd, packet, f64::from(root.radius()));
+        let mut stack = [(0_u32, 0_u32); STACK];
+        let mut waiting = 0;
+        let (mut here, mut among) = (0, rays.enter(simd, root).0 & asked);
+        loop {
+            let node = &self.nodes[here as usize];
+            if node.count > 0 && among != 0 {
+                let range = node.start as usize..(node.start + node.count) as usize;
+                let mut nearer = false;
+                for (corners, &triangle) in self.corners[range.clone()].iter().zip(&self.order[range]) {
+                    let near = rays.pass_near(simd, corners) & among;
+                    for first in [0, HALF] {
+                        if near >> first & 0xff != 0 {
+                            let met = meet_half(simd, packet, &nearest.t, corners, first);
+                            nearer |= nearest.take(&met, near, first, triangle);
+                        }
+                    }
+                }
+                if nearer {
+                    rays.end_at(simd, &nearest.t);
+                }
+            } else if among != 0 {
+                let (left, right) = (here + 1, node.start);
+                let (in_left, at_left) = rays.enter(simd, &self.nodes[left as usize]);
+                let (in_right, at_right) = rays.enter(simd, &self.nodes[right as usize]);
+                let (in_left, in_right) = (in_left & among, in_right & among);
+                // First where the first of the rays comes first.
+                let lead = among.trailing_zeros() as usize;
+                let left_first = in_right == 0 || (in_left != 0 && at_left[lead] <= at_right[lead]);
+                let (next, other) = if left_first {
+                    ((left, in_left), (right, in_right))
+                } else {
+                    ((right, in_right), (left, in_left))
+                };
+                if other.1 != 0 {
+                    stack[waiting] = other;
+                    waiting += 1;
+                }
+                if next.1 != 0 {
+                    (here, among) = next;
+                    continue;
+                }
+            }
+            if waiting == 0 {
+                return nearest;
+            }
+            waiting -= 1;
+            (here, among) = stack[waiting];
+            // Some may have met something nearer meanwhile.
+            among &= rays.enter(simd, &self.nodes[here as usize]).0;
+        }
+    }
+}
+
+/// In radii of the model: a ray from farther away starts near the model.
+const FAR: f64 = 64.0;
+
+/// Where rays that come from far away start near the model: twice its radius before their point nearest to its origin.
+#[inline(always)]
+fn starts(packet: &Packet, radius: f64) -> [f64; RAYS] {
+    let mut start = [0.0; RAYS];
+    for (ray, start) in start.iter_mut().enumerate() {
+        let (origin, direction, _) = packet.ray(ray);
+        let speed = direction.length();
+        if speed > 0.0 && origin.length_squared() > (FAR * radius).powi(2) {
+            *start = (-origin.dot(direction) / speed - 2.0 * radius).max(0.0) / speed;
+        }
+    }
+    start
+}
+
+/// A packet in single precision.
+struct Rays<S: Simd> {
+    /// The origin moved by the widening of the boxes, for their low sides and for their high ones.
+    from_low: Near<S>,
+    from_high: Near<S>,
+    inverse: Near<S>,
+    limit: f32x16<S>,
+    origin: Near<S>,
+    direction: Near<S>,
+    /// What a triple product of direction, an edge and the way from a corner may be wrong by, over the edge's length.
+    error: f32x16<S>,
+    /// The same for the product that gives the distance, over the square of the edge's length.
+    depth_error: f32x16<S>,
+    /// Where each ray starts here: those from far away start near the model, since single precision is relative to the origin.
+    start: [f64; RAYS],
+}
+
+impl<S: Simd> Rays<S> {
+    /// Roundings of a triple product in single precision, generously.
+    const ROUNDINGS: f64 = 24.0 * f32::EPSILON as f64;
+
+    /// Products below this may have lost digits to underflow.
+    const LEAST: f32 = 1e-30;
+
+    /// `radius` is that of a ball about the model's origin that holds every corner.
+    #[inline(always)]
+    #[expect(clippy::cast_possible_truncation, reason = "rounded to single precision, with room for it")]
+    fn new(simd: S, packet: &Packet, radius: f64) -> Self {
+        let start = starts(packet, radius);
+        let [mut widening, mut distance, mut speed, mut lost] = [[0.0_f64; RAYS]; 4];
+        let mut moved = packet.origin;
+        for (origins, directions) in moved.iter_mut().zip(&packet.direction) {
+            for ray in 0..RAYS {
+                let (origin, direction) = (origins[ray], directions[ray]);
+                let near = origin + start[ray] * direction;
+                origins[ray] = near;
+                // Two roundings of at most the origin's distance, where the ray was moved at all.
+                lost[ray] += if start[ray] > 0.0 { 4.0 * f64::EPSILON * origin.abs() } else { 0.0 };
+                widening[ray] = widening[ray].max(WIDENING * near.abs());
+                distance[ray] += near.abs();
+                speed[ray] += direction.abs();
+            }
+        }
+        for ray in 0..RAYS {
+            widening[ray] += lost[ray];
+            distance[ray] += lost[ray] / Self::ROUNDINGS;
+        }
+        let [mut low, mut high, mut inverse, mut near, mut way] = [[[0.0_f32; RAYS]; 3]; 5];
+        for axis in 0..3 {
+            for ray in 0..RAYS {
+                let (origin, direction) = (moved[axis][ray], packet.direction[axis][ray]);
+                let slope = if direction.abs() < LEVEL { LEVEL.copysign(direction) } else { direction };
+                low[axis][ray] = (origin + widening[ray]) as f32;
+                high[axis][ray] = (origin - widening[ray]) as f32;
+                inverse[axis][ray] = (1.0 / slope) as f32;
+                near[axis][ray] = origin as f32;
+                way[axis][ray] = direction as f32;
+            }
+        }
+        let mut errors = [[0.0_f32; RAYS]; 2];
+        for ray in 0..RAYS {
+            let error = Self::ROUNDINGS * (distance[ray] + radius);
+            errors[0][ray] = (error * speed[ray]) as f32;
+            errors[1][ray] = error as f32;
+        }
+        let mut rays = Self {
+            from_low: load(simd, &low),
+            from_high: load(simd, &high),
+            inverse: load(simd, &inverse),
+            origin: load(simd, &near),
+            direction: load(simd, &way),
+            limit: f32x16::splat(simd, 0.0),
+            error: f32x16::from_slice(simd, &errors[0]),
+            depth_error: f32x16::from_slice(simd, &errors[1]),
+            start,
+        };
+        rays.end_at(simd, &packet.t_max);
+        rays
+    }
+
+    /// Ends the rays at `t`, with room for rounding.
+    #[inline(always)]
+    #[expect(clippy::cast_possible_truncation, reason = "rounded to single precision, with room for it")]
+    fn end_at(&mut self, simd: S, t: &[f64; RAYS]) {
+        let mut limit = [0.0_f32; RAYS];
+        for ray in 0..RAYS {
+            limit[ray] = ((t[ray] - self.start[ray]) * (1.0 + 2e-6) + 4.0 * f64::EPSILON * self.start[ray]) as f32;
+        }
+        self.limit = f32x16::from_slice(simd, &limit);
+    }
+
+    /// Which of the rays enter a box before their limit, and where.
+    #[inline(always)]
+    fn enter(&self, simd: S, node: &Node) -> (u32, f32x16<S>) {
+        let mut near = f32x16::splat(simd, 0.0);
+        let mut far = f32x16::splat(simd, f32::INFINITY);
+        for axis in 0..3 {
+            let low = (f32x16::splat(simd, node.low[axis]) - self.from_low[axis]) * self.inverse[axis];
+            let high = (f32x16::splat(simd, node.high[axis]) - self.from_high[axis]) * self.inverse[axis];
+            near = near.max(low.min(high));
+            far = far.min(low.max(high));
+        }
+        (bits(near.simd_le(far * (1.0 + 1e-6)) & near.simd_le(self.limit)), near)
+    }
+
+    /// Which of the rays may meet a triangle: all that do, and few others.
+    #[inline(always)]
+    fn pass_near(&self, simd: S, &[a, b, c]: &[Vec3; 3]) -> u32 {
+        let (e1, e2) = (b - a, c - a);
+        let longest = e1.length().max(e2.length());
+        let from = [
+            self.origin[0] - f32x16::splat(simd, a.x),
+            self.origin[1] - f32x16::splat(simd, a.y),
+            self.origin[2] - f32x16::splat(simd, a.z),
+        ];
+        let (e1, e2) = (splat_near(simd, e1), splat_near(simd, e2));
+        let p = cross_near(&self.direction, &e2);
+        let q = cross_near(&from, &e1);
+        let determinant = dot_near(&e1, &p);
+        let one = f32x16::splat(simd, 1.0).copysign(determinant);
+        let size = determinant.abs();
+        let (w1, w2) = (dot_near(&from, &p) * one, dot_near(&self.direction, &q) * one);
+        let t = dot_near(&e2, &q) * one;
+        let error = self.error * longest;
+        let depth_error = self.depth_error * (longest * longest);
+        let beside = w1.simd_lt(-error) | w2.simd_lt(-error) | (w1 + w2).simd_gt(size + error * 3.0);
+        let behind = t.simd_lt(-depth_error);
+        // Without a sign of the determinant nothing is known.
+        !bits((beside | behind) & size.simd_gt(error + Self::LEAST))
+    }
+}
+
+/// Where half a packet meets a triangle.
+struct Met<S: Simd> {
+    rays: u32,
+    t: f64x8<S>,
+    weights: [f64x8<S>; 2],
+}
+
+/// Which of the rays in `near` meet a triangle before their limit.
+#[inline(always)]
+fn meet_exactly<S: Simd>(simd: S, packet: &Packet, corners: &[Vec3; 3], near: u32) -> u32 {
+    let low = if near & 0xff == 0 { 0 } else { meet_half(simd, packet, &packet.t_max, corners, 0).rays };
+    let high = if near >> HALF == 0 { 0 } else { meet_half(simd, packet, &packet.t_max, corners, HALF).rays };
+    low | high << HALF
+}
+
+/// Where eight rays meet a triangle (T. Möller and B. Trumbore, *Fast, minimum storage ray/triangle intersection*, 1997).
+#[inline(always)]
+fn meet_half<S: Simd>(simd: S, packet: &Packet, limit: &[f64; RAYS], corners: &[Vec3; 3], first: usize) -> Met<S> {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    let (e1, e2, corner) = (splat(simd, b - a), splat(simd, c - a), splat(simd, a));
+    let direction = half(simd, &packet.direction, first);
+    let origin = half(simd, &packet.origin, first);
+    let from = [origin[0] - corner[0], origin[1] - corner[1], origin[2] - corner[2]];
+    let p = cross(&direction, &e2);
+    let determinant = dot(&e1, &p);
+    let inverse = f64x8::splat(simd, 1.0) / determinant;
+    let w1 = dot(&from, &p) * inverse;
+    let q = cross(&from, &e1);
+    let w2 = dot(&direction, &q) * inverse;
+    let t = dot(&e2, &q) * inverse;
+    let (least, most) = (f64x8::splat(simd, -SEAM), f64x8::splat(simd, 1.0 + SEAM));
+    let zero = f64x8::splat(simd, 0.0);
+    let limit = f64x8::from_slice(simd, &limit[first..first + HALF]);
+    let within = w1.simd_ge(least) & w1.simd_le(most) & w2.simd_ge(least) & (w1 + w2).simd_le(most);
+    let met = within & t.simd_gt(zero) & t.simd_lt(limit) & determinant.simd_ne(zero);
+    Met { rays: met.to_bitmask() as u32, t, weights: [w1, w2] }
+}
+
+#[inline(always)]
+fn bits<S: Simd>(mask: fearless_simd::mask32x16<S>) -> u32 {
+    mask.to_bitmask() as u32
+}
+
+#[inline(always)]
+fn load<S: Simd>(simd: S, planes: &[[f32; RAYS]; 3]) -> Near<S> {
+    [f32x16::from_slice(simd, &planes[0]), f32x16::from_slice(simd, &planes[1]), f32x16::from_slice(simd, &planes[2])]
+}
+
+#[inline(always)]
+fn splat_near<S: Simd>(simd: S, v: Vec3) -> Near<S> {
+    [f32x16::splat(simd, v.x), f32x16::splat(simd, v.y), f32x16::splat(simd, v.z)]
+}
+
+#[inline(always)]
+fn cross_near<S: Simd>(a: &Near<S>, b: &Near<S>) -> Near<S> {
+    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
+}
+
+#[inline(always)]
+fn dot_near<S: Simd>(a: &Near<S>, b: &Near<S>) -> f32x16<S> {
+    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
+}
+
+#[inline(always)]
+fn half<S: Simd>(simd: S, planes: &[[f64; RAYS]; 3], first: usize) -> Exact<S> {
+    [
+        f64x8::from_slice(simd, &planes[0][first..first + HALF]),
+        f64x8::from_slice(simd, &planes[1][first..first + HALF]),
+        f64x8::from_slice(simd, &planes[2][first..first + HALF]),
+    ]
+}
+
+#[inline(always)]
+fn splat<S: Simd>(simd: S, v: DVec3) -> Exact<S> {
+    [f64x8::splat(simd, v.x), f64x8::splat(simd, v.y), f64x8::splat(simd, v.z)]
+}
+
+#[inline(always)]
+fn cross<S: Simd>(a: &Exact<S>, b: &Exact<S>) -> Exact<S> {
+    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
+}
+
+#[inline(always)]
+fn dot<S: Simd>(a: &Exact<S>, b: &Exact<S>) -> f64x8<S> {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::tessellate;
+    use crate::render::model::Model;
+    use crate::scene::{NormalSource, Object, ObjectKind, Weighting};
+    use fearless_simd::{Level, dispatch};
+
+    fn model(kind: ObjectKind) -> Model {
+        let mesh = tessellate(&Object { kind, segments: 40, rings: 23, ..Object::default() });
+        Model::new(mesh.with_vertex_normals(NormalSource::Exact, Weighting::Equal))
+    }
+
+    fn rays() -> Vec<(DVec3, DVec3)> {
+        let part = |k: u32, factor: f64| (f64::from(k) * factor).fract() * 2.0 - 1.0;
+        let ray = |k| {
+            let origin = DVec3::new(part(k, 0.618_034), part(k, 0.754_877), part(k, 0.569_84)) * 1.5;
+            (origin, DVec3::new(part(k, 0.438_579), part(k, 0.324_718), part(k, 0.220_744)))
+        };
+        (1..2000).map(ray).collect()
+    }
+
+    /// Where a ray meets a triangle with 0 < t < `limit`: one ray, in double precision.
+    fn meet(corners: [Vec3; 3], origin: DVec3, direction: DVec3, limit: f64) -> Option<f64> {
+        let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+        let (e1, e2, from) = (b - a, c - a, origin - a);
+        let (p, q) = (direction.cross(e2), from.cross(e1));
+        let inverse = 1.0 / e1.dot(p);
+        let (w1, w2, t) = (from.dot(p) * inverse, direction.dot(q) * inverse, e2.dot(q) * inverse);
+        (w1 >= -SEAM && w2 >= -SEAM && w1 + w2 <= 1.0 + SEAM && t > 0.0 && t < limit).then_some(t)
+    }
+
+    #[test]
+    fn packets_find_what_a_search_through_all_triangles_finds() {
+        let kinds = [ObjectKind::Torus, ObjectKind::Teapot, ObjectKind::Plane, ObjectKind::Sphere];
+        for (kind, away) in kinds.into_iter().flat_map(|kind| [0.0, 1e3, 1e7, 1e9].map(|away| (kind, away))) {
+            let model = model(kind);
+            let bvh = Bvh::new(&model);
+            let corners: Vec<[Vec3; 3]> = model.triangles.iter().map(|t| t.map(|v| model.place(v))).collect();
+            let mut found = 0;
+            for rays in rays().chunks_exact(RAYS) {
+                let mut packet = Packet::default();
+                for (k, (origin, direction)) in rays.iter().enumerate() {
+                    packet.set(k, *origin - *direction * away, *direction, away + 0.1 + 0.2 * k as f64);
+                }
+                let first = |k: usize| {
+                    let (origin, direction, t_max) = packet.ray(k);
+                    let nearer = |limit, corners: &[Vec3; 3]| meet(*corners, origin, direction, limit).unwrap_or(limit);
+                    Some(corners.iter().fold(t_max, nearer)).filter(|t| *t < t_max)
+                };
+                let expected: [Option<f64>; RAYS] = std::array::from_fn(first);
+                let met = (0..RAYS).fold(0, |bits, k| bits | u32::from(expected[k].is_some()) << k);
+                found += met.count_ones();
+                for level in [Level::new(), Level::baseline()] {
+                    for asked in [0xffff, 0xff0f, 0x00f0, 0x0008, 0] {
+                        let blocked = dispatch!(level, simd => bvh.blocked(simd, &packet, asked));
+                        assert_eq!(blocked, met & asked, "{kind:?}");
+                        let nearest = dispatch!(level, simd => bvh.nearest(simd, &packet, asked));
+                        for k in (0..RAYS).filter(|k| asked >> k & 1 == 1) {
+                            let alone = nearest.of(k).map(|meeting| meeting.t);
+                            assert!(alone.zip(expected[k]).is_none_or(|(a, b)| (a - b).abs() <= 1e-12 * b), "{kind:?}");
+                            assert_eq!(alone.is_some(), expected[k].is_some(), "{kind:?}");
+                        }
+                    }
+                }
+            }
+            assert!(found > 100, "{kind:?}: {found}");
+        }
+    }
+
+    #[test]
+    fn rays_from_far_away_enter_no_box_that_they_pass() {
+        let node = Node { low: [-1.0; 3], high: [1.0; 3], start: 0, count: 1 };
+        let mut packet = Packet::default();
+        for ray in 0..RAYS {
+            let towards = DVec3::new(0.0, 0.92 + 0.05 * ray as f64, 0.0);
+            let origin = DVec3::new(-1e9, 3e8, 7e8);
+            packet.set(ray, origin, towards - origin, f64::INFINITY);
+        }
+        let radius = f64::from(node.radius());
+        let entered = dispatch!(Level::new(), simd => Rays::new(simd, &packet, radius).enter(simd, &node).0);
+        assert_eq!(entered, 0x00ff, "those past y = 1.3 miss the corner");
+    }
+
+    #[test]
+    fn the_inner_ball_of_a_polygonal_sphere_touches_its_planes() {
+        let radius = Bvh::new(&model(ObjectKind::Sphere)).inner_radius;
+        assert!(radius > 0.98 && radius < 1.0, "{radius}");
+        assert_eq!(Bvh::new(&model(ObjectKind::Torus)).inner_radius, 0.0);
+    }
+
+    #[test]
+    fn a_model_of_one_place_is_built_and_searched() {
+        let model = Model { position: [vec![0.0; 16], vec![0.0; 16], vec![0.0; 16]], ..Model::default() };
+        let model = Model { triangles: vec![[0, 1, 2]; 1000], ..model };
+        let mut packet = Packet::default();
+        packet.set(0, DVec3::Z, -DVec3::Z, f64::INFINITY);
+        for bvh in [Bvh::new(&model), Bvh::new(&Model::default())] {
+            assert_eq!(dispatch!(Level::new(), simd => bvh.nearest(simd, &packet, 1)).of(0), None);
+        }
+    }
+}

@@ -1,0 +1,344 @@
+//! Coverage, interpolation and shading, band by band: a band goes through all three while it is in a core's cache.
+
+use super::display::{Linear, stored_pixel};
+use super::plan::{Per, Plan};
+use super::reference::{Evaluation, Reference};
+use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
+use crate::geometry::Surface;
+use crate::illumination::{Equation, FormTask, Specular};
+use crate::render::lens::Lens;
+use crate::render::memory::{Holds, Memory, room};
+use crate::render::model::Planes;
+use crate::render::raster::{
+    BAND, Band, BandPlace, Bins, Block, CarriedValues, DepthScratch, Fragment, ROWS, Rule, Triangles, fragment,
+    interpolate, is_seen, meet_band,
+};
+use crate::render::rays::Visibility;
+use crate::scene::{FlatAt, Scene};
+use fearless_simd::{Level, Simd, dispatch};
+use glam::DVec2;
+use rayon::prelude::*;
+use std::cell::RefCell;
+
+/// What interpolation keeps between frames.
+#[derive(Default)]
+pub struct Interpolated {
+    /// What each vertex carries to the pixels.
+    carried: Vec<Fragment>,
+    /// What each pixel was brought.
+    pub fragments: Vec<Block>,
+}
+
+impl Holds for Interpolated {
+    fn memory(&self) -> Memory {
+        Memory { vertices: room(&self.carried), triangles: 0, pixels: room(&self.fragments) }
+    }
+}
+
+/// Which of the bands' steps have to run again.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Stale {
+    pub coverage: bool,
+    pub interpolation: bool,
+}
+
+/// Where a picture goes.
+#[derive(Default)]
+pub struct Canvas<'a> {
+    pub pixels: &'a mut [[u8; 4]],
+    /// Filled instead of `pixels` where the display needs to see the whole picture first; otherwise empty.
+    pub linear: &'a mut [Linear],
+}
+
+/// What one run took and found.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tally {
+    pub overflowing: u64,
+    /// Nanoseconds of coverage, interpolation and shading.
+    pub nanoseconds: [u64; 3],
+}
+
+impl Tally {
+    fn and(self, other: Self) -> Self {
+        let nanoseconds = [0, 1, 2].map(|step| self.nanoseconds[step] + other.nanoseconds[step]);
+        Self { overflowing: self.overflowing + other.overflowing, nanoseconds }
+    }
+}
+
+/// What the bands are drawn from.
+#[derive(Clone, Copy)]
+pub struct BandPainter<'a> {
+    pub level: Level,
+    pub clock: fn() -> u64,
+    pub scene: &'a Scene,
+    pub plan: &'a Plan,
+    pub lens: &'a Lens,
+    pub equation: &'a Equation<f32>,
+    pub surface: Option<&'a Surface>,
+    pub triangles: Triangles<'a>,
+    pub bins: &'a Bins,
+    pub intensity: &'a Planes,
+    /// Which sources are seen from which pixels, where there are shadows.
+    pub visibility: Option<&'a Visibility>,
+    pub stale: Stale,
+    /// Whether the bands are shaded, or covered and interpolated only.
+    pub shades: bool,
+}
+
+/// One band's share of the buffers.
+struct Job<'a> {
+    place: BandPlace,
+    index: usize,
+    band: &'a mut Band,
+    fragments: &'a mut [Block],
+    pixels: &'a mut [[u8; 4]],
+    linear: &'a mut [Linear],
+}
+
+thread_local! {
+    static DEPTH: RefCell<DepthScratch> = RefCell::default();
+    /// The fragments of a band that are not kept.
+    static FRAGMENTS: RefCell<Vec<Block>> = RefCell::default();
+}
+
+impl BandPainter<'_> {
+    /// Runs what is stale. Times are summed over the threads and divided by their number.
+    pub fn run(&self, bands: &mut Vec<Band>, interpolated: &mut Interpolated, canvas: Canvas<'_>) -> Tally {
+        let began = (self.clock)();
+        let [width, height] = self.scene.image.size;
+        let Interpolated { carried, fragments } = interpolated;
+        bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
+        let blocks = if self.plan.keeps_fragments() { Block::count(width) * height as usize } else { 0 };
+        fragments.resize(blocks, Block::GAP);
+        if self.stale.interpolation && self.plan.interpolates() {
+            let planes = if self.plan.per == Per::Pixel { &self.triangles.model.normal } else { self.intensity };
+            let by_key = self.plan.carries && self.plan.perspective;
+            let values = CarriedValues { planes: planes.each_ref().map(Vec::as_slice), by_key };
+            values.carry(self.level, carried, &self.triangles);
+        }
+        let carrying = (self.clock)().saturating_sub(began);
+        let jobs = jobs(bands, fragments, canvas, [width, height]).into_par_iter();
+        let mut tally = jobs.map(|job| self.paint(job, carried)).reduce(Tally::default, Tally::and);
+        tally.nanoseconds = tally.nanoseconds.map(|time| time / rayon::current_num_threads().max(1) as u64);
+        tally.nanoseconds[1] += carrying;
+        tally
+    }
+
+    /// Whether fragments are to be made: those that are kept are as good as what they are made from.
+    pub fn interpolates(&self) -> bool {
+        self.plan.interpolates() && if self.plan.keeps_fragments() { self.stale.interpolation } else { self.shades }
+    }
+
+    fn paint(&self, job: Job<'_>, carried: &[Fragment]) -> Tally {
+        if !self.plan.has_fragments() || self.plan.keeps_fragments() {
+            return self.paint_with(job, carried);
+        }
+        FRAGMENTS.with_borrow_mut(|fragments| {
+            fragments.resize(ROWS * Block::count(job.place.width), Block::GAP);
+            self.paint_with(Job { fragments, ..job }, carried)
+        })
+    }
+
+    fn paint_with(&self, mut job: Job<'_>, carried: &[Fragment]) -> Tally {
+        let mut tally = Tally::default();
+        let mut last = (self.clock)();
+        let mut lap = |step: usize| {
+            let now = (self.clock)();
+            tally.nanoseconds[step] += now.saturating_sub(last);
+            last = now;
+        };
+        if self.stale.coverage {
+            self.cover(&mut job);
+            lap(0);
+        }
+        if self.interpolates() {
+            let Job { place, band, fragments, .. } = &mut job;
+            let rule = if self.plan.scanline { Rule::Scanline } else { Rule::Steps };
+            let sources = (self.triangles, carried);
+            dispatch!(self.level, simd => interpolate(simd, *place, band, sources, rule, fragments));
+            lap(1);
+        }
+        let overflowing = if self.shades { self.shade(&mut job) } else { 0 };
+        lap(2);
+        Tally { overflowing, ..tally }
+    }
+
+    fn cover(&self, job: &mut Job<'_>) {
+        let Job { place, index, band, fragments, .. } = job;
+        if self.plan.true_surface {
+            if let Some(surface) = self.surface {
+                meet_band(self.lens, surface, *place, band, fragments);
+            }
+            return;
+        }
+        let list = self.bins.band(*index);
+        let triangles = &self.triangles;
+        if self.plan.depth_test {
+            DEPTH.with_borrow_mut(|scratch| {
+                dispatch!(self.level, simd => vectorised(simd, #[inline(always)] || {
+                    band.cover_nearest(*place, triangles, list, scratch);
+                }));
+            });
+        } else {
+            dispatch!(self.level, simd => vectorised(simd, #[inline(always)] || {
+                band.cover_directly(*place, triangles, list);
+            }));
+        }
+    }
+
+    /// Shades a band; returns how many pixels overflow.
+    fn shade(&self, job: &mut Job<'_>) -> u64 {
+        let display = &self.scene.display;
+        let background = self.scene.image.background;
+        if job.linear.is_empty() {
+            let background = stored_pixel(background, display.encoding);
+            let encoding = display.encoding;
+            let target = Stored { pixels: &mut *job.pixels, background, encoding };
+            self.shade_into(job.place, job.band, job.fragments, target)
+        } else {
+            let [r, g, b] = background.as_vec3().to_array();
+            let target = Unstored { pixels: &mut *job.linear, background: [r, g, b, 0.0] };
+            self.shade_into(job.place, job.band, job.fragments, target)
+        }
+    }
+
+    fn shade_into(&self, place: BandPlace, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
+        if self.plan.pixels_in_double() {
+            return self.shade_in_double(place, band, fragments, target);
+        }
+        if !self.plan.has_fragments() {
+            return dispatch!(self.level, simd => self.fill_faces(simd, place, band, target));
+        }
+        if self.plan.per != Per::Pixel {
+            let carried = Carried { by_key: self.plan.carries && self.plan.perspective };
+            return dispatch!(self.level, simd => shade(simd, place, &band.extents, fragments, carried, &mut target));
+        }
+        self.equation.form().dispatch(ShadePixels { painter: self, place, band, fragments, target })
+    }
+
+    /// Flat shading: each run in its face's colour.
+    #[inline(always)]
+    fn fill_faces<S: Simd>(&self, simd: S, place: BandPlace, band: &Band, mut target: impl Target) -> u64 {
+        let width = place.width as usize;
+        for (row, extent) in band.extents.iter().enumerate() {
+            let line = row * width..(row + 1) * width;
+            // Runs that are not sorted leave no gaps between them.
+            if band.sorted || extent.is_empty() {
+                target.clear(line);
+            } else {
+                target.clear(line.start..line.start + extent.start as usize);
+                target.clear(line.start + extent.end as usize..line.end);
+            }
+        }
+        let mut over = 0;
+        let mut last = (u32::MAX, target.ink(simd, [0.0; 3]));
+        for run in &band.runs {
+            if last.0 != run.triangle {
+                last = (run.triangle, target.ink(simd, self.face_intensity(run.triangle)));
+            }
+            let row = usize::from(run.row) * width;
+            over += target.fill(row + usize::from(run.x0)..row + usize::from(run.x1), last.1);
+        }
+        over
+    }
+
+    #[inline(always)]
+    fn face_intensity(&self, triangle: u32) -> [f32; 3] {
+        let at = |point: u32| self.intensity.each_ref().map(|plane| plane[point as usize]);
+        let face = self.triangles.face(triangle);
+        let corners = self.triangles.model.face(face);
+        match self.scene.shading.flat_at {
+            FlatAt::Centre => at(face),
+            FlatAt::ProvokingVertex => at(self.triangles.provoking_vertex(triangle)),
+            FlatAt::VertexMean => {
+                #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
+                let share = 1.0 / corners.len().max(1) as f32;
+                let sum = corners.iter().map(|&v| at(v)).fold([0.0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
+                sum.map(|v| v * share)
+            }
+        }
+    }
+
+    /// Pixels one by one in `f64`.
+    fn shade_in_double(&self, place: BandPlace, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
+        let mut equation = Equation::<f64>::in_units(self.scene, self.lens.unit);
+        equation.retain_lights(|light| self.plan.lights[light]);
+        let Self { scene, plan, lens, triangles, surface, visibility, .. } = *self;
+        let reference = Reference { scene, plan, lens, triangles, surface, visibility, cue: None };
+        let width = place.width as usize;
+        target.clear(0..place.rows as usize * width);
+        let mut over = 0;
+        let mut put = |x: usize, row: usize, evaluation: Evaluation<'_>| {
+            let color = evaluation.intensity(&equation);
+            let at = row * width + x;
+            let ink = dispatch!(self.level, simd => target.ink(simd, color.as_vec3().to_array()));
+            over += target.fill(at..at + 1, ink);
+        };
+        let centre = |x: usize, row: usize| DVec2::new(x as f64 + 0.5, f64::from(place.first_row) + row as f64 + 0.5);
+        if plan.true_surface {
+            for (row, line) in fragments.chunks(Block::count(place.width)).enumerate() {
+                for x in (0..width).filter(|x| is_seen(fragment(line, *x))) {
+                    if let Some(evaluation) = reference.of_surface(centre(x, row)) {
+                        put(x, row, evaluation);
+                    }
+                }
+            }
+        }
+        for run in &band.runs {
+            for x in run.x0..run.x1 {
+                let (x, row) = (usize::from(x), usize::from(run.row));
+                put(x, row, reference.of_triangle(run.triangle, centre(x, row)));
+            }
+        }
+        over
+    }
+}
+
+/// Shading at pixels, compiled for each specular form.
+struct ShadePixels<'a, T> {
+    painter: &'a BandPainter<'a>,
+    place: BandPlace,
+    band: &'a Band,
+    fragments: &'a [Block],
+    target: T,
+}
+
+impl<T: Target> FormTask for ShadePixels<'_, T> {
+    type Output = u64;
+
+    fn run<F: Specular>(mut self, _: F) -> u64 {
+        let Self { painter, place, band, fragments, .. } = self;
+        let BandPainter { plan, lens, equation, visibility, .. } = *painter;
+        let by_key = plan.perspective && !plan.true_surface;
+        let evaluated = Evaluated::<F>::new(equation, lens, by_key, plan.renormalise, visibility);
+        dispatch!(painter.level, simd => shade(simd, place, &band.extents, fragments, evaluated, &mut self.target))
+    }
+}
+
+/// Lets what is inlined into `work` use the level's instructions.
+#[inline(always)]
+fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
+    work();
+}
+
+/// Splits the buffers into bands.
+fn jobs<'a>(
+    bands: &'a mut [Band],
+    fragments: &'a mut [Block],
+    canvas: Canvas<'a>,
+    [width, height]: [u32; 2],
+) -> Vec<Job<'a>> {
+    let share = (BAND * width) as usize;
+    let mut fragments = fragments.chunks_mut(ROWS * Block::count(width));
+    let (mut pixels, mut linear) = (canvas.pixels.chunks_mut(share), canvas.linear.chunks_mut(share));
+    let bands = bands.iter_mut().zip((0..height).step_by(ROWS)).enumerate();
+    let job = |(index, (band, first_row)): (usize, (&'a mut Band, u32))| Job {
+        place: BandPlace { first_row, rows: BAND.min(height - first_row), width },
+        index,
+        band,
+        fragments: fragments.next().unwrap_or_default(),
+        pixels: pixels.next().unwrap_or_default(),
+        linear: linear.next().unwrap_or_default(),
+    };
+    bands.map(job).collect()
+}

@@ -1,0 +1,215 @@
+//! Turns linear intensities into stored values.
+
+use crate::illumination::{Lanes, Real};
+use crate::scene::{Display, Encoding, Overflow, Rgb};
+use fearless_simd::{Level, dispatch, f32x4, i32x4, prelude::*};
+use rayon::prelude::*;
+
+/// A picture before the display: linear red, green, blue, and 1 where the object is seen.
+pub type Linear = [f32; 4];
+
+/// The transfer function of IEC 61966-2-1 for 0 ≤ v ≤ 1.
+pub fn srgb(v: f64) -> f64 {
+    if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// The stored value of a linear intensity: clamped, encoded, times 255, rounded.
+pub fn stored(v: f64, encoding: Encoding) -> u8 {
+    let clamped = v.clamp(0.0, 1.0);
+    let encoded = match encoding {
+        Encoding::Raw => clamped,
+        Encoding::Srgb => srgb(clamped),
+    };
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
+    {
+        (encoded * 255.0 + 0.5) as u8
+    }
+}
+
+/// The stored pixel of a linear colour.
+pub(crate) fn stored_pixel(color: Rgb, encoding: Encoding) -> [u8; 4] {
+    let [r, g, b] = color.to_array().map(|v| stored(v, encoding));
+    [r, g, b, 255]
+}
+
+/// Intensities already within 0..1 to code values 0..255 and a half, to be cut off.
+#[inline(always)]
+fn encode<S: Simd>(v: Lanes<S>, encoding: Encoding) -> Lanes<S> {
+    let half = v.constant(0.5);
+    if encoding == Encoding::Raw {
+        return v.mul_add(v.constant(255.0), half);
+    }
+    let low = v.mul_add(v.constant(12.92 * 255.0), half);
+    let root = (v.max(v.constant(1e-6)).log2() * (1.0 / 2.4)).exp2();
+    let high = root.mul_add(v.constant(1.055 * 255.0), v.constant(0.5 - 0.055 * 255.0));
+    Lanes::select(v.greater_than(v.constant(0.003_130_8)), high, low)
+}
+
+/// Intensities to code values: clamped, encoded, rounded.
+#[inline(always)]
+fn code<S: Simd>(v: Lanes<S>, encoding: Encoding) -> S::i32s {
+    let clamped = v.max(v.constant(0.0)).min(v.constant(1.0));
+    S::i32s::truncate_from(encode(clamped, encoding).0)
+}
+
+/// The pixel of a colour that is stored as it is: bit for bit what [`pack`] makes of it.
+#[inline(always)]
+pub fn raw<S: Simd>(simd: S, [r, g, b]: [f32; 3]) -> [u8; 4] {
+    let color = f32x4::simd_from(simd, [r, g, b, 1.0]).max(0.0).min(1.0);
+    let codes: [i32; 4] = i32x4::truncate_from(color.mul_add(255.0, 0.5)).into();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
+    codes.map(
+        #[inline(always)]
+        |code| code as u8,
+    )
+}
+
+/// Packs a vector of colours into pixels and returns which lanes overflow. Lanes outside `covered` get `background`.
+#[inline(always)]
+pub fn pack<S: Simd>(
+    simd: S,
+    color: [Lanes<S>; 3],
+    covered: S::mask32s,
+    background: S::i32s,
+    encoding: Encoding,
+) -> (S::u8s, u64) {
+    let one = Lanes::splat(simd, 1.0);
+    let peak = color[0].max(color[1]).max(color[2]);
+    let over = (peak.greater_than(one) & covered).to_bitmask();
+    let [r, g, b] = color;
+    let (r, g, b) = (code(r, encoding), code(g, encoding), code(b, encoding));
+    let pixel = r | (g << 8) | (b << 16) | S::i32s::simd_from(simd, i32::from_le_bytes([0, 0, 0, 255]));
+    (covered.select(pixel, background).bitcast(), over)
+}
+
+/// Turns a linear picture of `width` columns into stored pixels by the policies that need to see all of it. Returns what
+/// its intensities were divided by.
+pub fn display(level: Level, linear: &[Linear], width: usize, policy: &Display, out: &mut [[u8; 4]]) -> f64 {
+    // The fourth component is 1 at most.
+    let peak = |line: &[Linear]| dispatch!(level, simd => greatest(simd, line.as_flattened()));
+    let divisor = match policy.overflow {
+        Overflow::Scale => linear.par_chunks_exact(width).map(peak).reduce(|| 1.0, f32::max),
+        Overflow::Clamp | Overflow::Mark => 1.0,
+    };
+    let factor = 1.0 / divisor;
+    let lines = linear.par_chunks_exact(width).zip(out.par_chunks_exact_mut(width));
+    lines.enumerate().for_each(|(row, (line, pixels))| {
+        dispatch!(level, simd => store_line(simd, (row, line), factor, policy, pixels));
+    });
+    f64::from(divisor)
+}
+
+/// The greatest of some numbers and 1.
+#[inline(always)]
+fn greatest<S: Simd>(simd: S, values: &[f32]) -> f32 {
+    let vectors = values.chunks_exact(Lanes::<S>::LEN);
+    let rest = vectors.remainder().iter().copied().fold(1.0, f32::max);
+    let mut most = Lanes::splat(simd, rest);
+    for vector in vectors {
+        most = most.max(Lanes::load(simd, vector));
+    }
+    most.0.as_slice().iter().copied().fold(rest, f32::max)
+}
+
+#[inline(always)]
+fn store_line<S: Simd>(
+    simd: S,
+    (row, line): (usize, &[Linear]),
+    factor: f32,
+    policy: &Display,
+    pixels: &mut [[u8; 4]],
+) {
+    let lanes = Lanes::<S>::LEN;
+    let (all, nothing) = (S::mask32s::splat(simd, true), S::i32s::simd_from(simd, 0));
+    let mut planes = [[0.0; WIDEST]; 4];
+    for (first, (colors, pixels)) in (0..).step_by(lanes).zip(line.chunks(lanes).zip(pixels.chunks_mut(lanes))) {
+        separate(simd, colors, &mut planes);
+        let [r, g, b, _] = &planes;
+        let color = [Lanes::load(simd, r) * factor, Lanes::load(simd, g) * factor, Lanes::load(simd, b) * factor];
+        let (packed, mut over) = pack(simd, color, all, nothing, policy.encoding);
+        let bytes = pixels.as_flattened_mut();
+        bytes.copy_from_slice(&packed.as_slice()[..bytes.len()]);
+        if policy.overflow == Overflow::Mark {
+            over &= u64::MAX >> (64 - pixels.len());
+            while over != 0 {
+                let lane = over.trailing_zeros() as usize;
+                over &= over - 1;
+                pixels[lane] = hatching(first + lane, row);
+            }
+        }
+    }
+}
+
+/// The widest vector's lanes.
+pub const WIDEST: usize = 16;
+
+/// Colours to one plane a component.
+#[inline(always)]
+fn separate<S: Simd>(simd: S, colors: &[Linear], planes: &mut [[f32; WIDEST]; 4]) {
+    let quads = colors.chunks_exact(4);
+    let (rest, whole) = (quads.remainder(), colors.len() / 4 * 4);
+    for (quad, start) in quads.zip((0..).step_by(4)) {
+        let vectors = f32x4::load_four_interleaved(simd, quad.as_flattened());
+        for (plane, vector) in planes.iter_mut().zip(vectors) {
+            vector.store_slice(&mut plane[start..start + 4]);
+        }
+    }
+    for (color, index) in rest.iter().zip(whole..) {
+        for (plane, value) in planes.iter_mut().zip(color) {
+            plane[index] = *value;
+        }
+    }
+}
+
+/// Black and white diagonal stripes, three pixels wide, which no shading looks like.
+fn hatching(x: usize, y: usize) -> [u8; 4] {
+    if ((x + y) / 3).is_multiple_of(2) { [0, 0, 0, 255] } else { [255, 255, 255, 255] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_code_value_survives_its_own_intensity() {
+        for code in 0..=255_u8 {
+            assert_eq!(stored(f64::from(code) / 255.0, Encoding::Raw), code);
+        }
+    }
+
+    #[test]
+    fn lanes_store_what_single_numbers_do() {
+        // A width that fills no vector, and an intensity on either side of each step.
+        let linear: Vec<Linear> = (0..37 * 29)
+            .map(|k| [0, 1, 2].map(|c| ((k * 7 + c * 311) % 1300) as f32 / 1150.0))
+            .map(|[r, g, b]| [r, g, b, 1.0])
+            .collect();
+        for level in [Level::new(), Level::baseline()] {
+            for overflow in [Overflow::Clamp, Overflow::Scale, Overflow::Mark] {
+                for encoding in [Encoding::Raw, Encoding::Srgb] {
+                    let mut out = vec![[0; 4]; linear.len()];
+                    let divisor = display(level, &linear, 37, &Display { overflow, encoding }, &mut out);
+                    assert_eq!(divisor > 1.1, overflow == Overflow::Scale, "{divisor}");
+                    for (index, (color, pixel)) in linear.iter().zip(&out).enumerate() {
+                        if overflow == Overflow::Mark && color.iter().any(|&v| v > 1.0) {
+                            assert_eq!(*pixel, hatching(index % 37, index / 37));
+                            continue;
+                        }
+                        for channel in 0..3 {
+                            let expected = stored(f64::from(color[channel]) / divisor, encoding);
+                            assert!(pixel[channel].abs_diff(expected) <= 1, "{color:?}: {pixel:?}, {expected}");
+                        }
+                        assert_eq!(pixel[3], 255);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn srgb_passes_through_its_published_points() {
+        assert!((srgb(0.003_130_8) - 0.040_45).abs() < 1e-5);
+        assert!((srgb(1.0) - 1.0).abs() < 1e-12);
+        assert!((srgb(0.214_041_14) - 0.5).abs() < 1e-6);
+    }
+}

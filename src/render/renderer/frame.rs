@@ -1,0 +1,109 @@
+//! A finished picture, and the report of how it was made.
+
+/// A picture as stored: 8 bits a channel, rows from the top.
+#[derive(Clone, Debug, Default)]
+pub struct Frame {
+    pub width: u32,
+    pub height: u32,
+    /// `[r, g, b, 255]`, row by row, `width * height` of them.
+    pub pixels: Vec<[u8; 4]>,
+}
+
+impl Frame {
+    /// The stored colour of a pixel inside the picture.
+    pub fn pixel(&self, x: u32, y: u32) -> Option<[u8; 3]> {
+        let index = y as usize * self.width as usize + x as usize;
+        let [r, g, b, _] = *self.pixels.get(index).filter(|_| x < self.width)?;
+        Some([r, g, b])
+    }
+}
+
+/// The stages of a frame, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stage {
+    /// Tessellation, or the model as loaded, with its vertex normals.
+    Geometry,
+    /// Vertices to the picture; clipping.
+    Transform,
+    /// Which polygon each pixel sees.
+    Coverage,
+    /// Rays: which light reaches what is evaluated, what is seen through the object and past it, and what other surfaces
+    /// scatter.
+    Rays,
+    /// The equation at vertices or faces.
+    VertexShading,
+    /// Normals or intensities carried to the pixels, and what depth cueing leaves of them there.
+    Interpolation,
+    /// The equation at pixels.
+    PixelShading,
+    /// Intensities to stored values.
+    Display,
+}
+
+/// One stage of one frame.
+#[derive(Clone, Copy, Debug, serde::Serialize)]
+pub struct StageRun {
+    pub stage: Stage,
+    /// False where the last output still held.
+    pub ran: bool,
+    /// Time by the renderer's clock, summed over threads and divided by their number; 0 without a clock.
+    pub nanoseconds: u64,
+    /// Evaluations of the illumination equation.
+    pub evaluations: u64,
+}
+
+/// What the last call of `render` did.
+#[derive(Clone, Debug, Default, serde::Serialize)]
+pub struct Report {
+    pub stages: Vec<StageRun>,
+    pub nanoseconds: u64,
+    /// Triangles of the mesh, before culling.
+    pub triangles: u64,
+    /// Polygons of the mesh.
+    pub faces: u64,
+    /// Vertices of the mesh: points with one normal.
+    pub vertices: u64,
+    /// Vertices or faces at which the equation is evaluated; 0 where that is done at pixels.
+    pub points: u64,
+    /// Triangles that show their front, or their back where backs are drawn, with a pixel centre in their bounds.
+    pub candidates: u64,
+    /// Triangles that clipping made of those that cross the near plane or reach far out of the picture.
+    pub clipped: u64,
+    /// Pixels that triangles cover, those counted that another triangle hides.
+    pub drawn: u64,
+    /// Pixels that show the object.
+    pub covered: u64,
+    /// Pixels with a channel above 1 before the display.
+    pub overflowing: u64,
+    /// What the intensities were divided by where the display scales the picture; otherwise 1.
+    pub divisor: f64,
+    /// The Ia that stands for one bounce of light between surfaces best, where that is gathered.
+    pub ambient_fit: Option<[f64; 3]>,
+}
+
+impl Report {
+    /// Starts the account of a frame: no stage has run.
+    pub(super) fn begin(&mut self) {
+        let order = [
+            Stage::Geometry,
+            Stage::Transform,
+            Stage::VertexShading,
+            Stage::Rays,
+            Stage::Coverage,
+            Stage::Interpolation,
+            Stage::PixelShading,
+            Stage::Display,
+        ];
+        self.stages = order.map(|stage| StageRun { stage, ran: false, nanoseconds: 0, evaluations: 0 }).to_vec();
+    }
+
+    /// Notes that a stage has run, with the time it took and its evaluations of the equation.
+    pub(super) fn ran(&mut self, stage: Stage, nanoseconds: u64, evaluations: u64) {
+        for run in self.stages.iter_mut().filter(|run| run.stage == stage) {
+            run.ran = true;
+            run.nanoseconds += nanoseconds;
+            run.evaluations += evaluations;
+        }
+    }
+}

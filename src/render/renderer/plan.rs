@@ -1,0 +1,314 @@
+//! What a frame will do, decided before a pixel is touched: where the equation is evaluated and what is left out.
+//!
+//! Leaving out never changes a stored pixel (`tests/omissions.rs`). The renderer executes the plan; `account.rs` tells it to
+//! the reader, term by term.
+
+use crate::illumination::SpecularForm;
+use crate::render::lens::{NEAR, camera_unit};
+use crate::render::rays::Surroundings;
+use crate::scene::{
+    AmbientSource, Backfacing, Camera, CuedBy, FlatAt, Interpolation, Light, LightKind, NormalSource, Overflow,
+    PatternKind, Projection, Rgb, Scene, ShadingMode,
+};
+use glam::DVec3;
+use serde::Serialize;
+
+/// How often something is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Per {
+    Frame,
+    Face,
+    Vertex,
+    Pixel,
+    /// Not at all.
+    None,
+}
+
+/// Where the intensity is made to fade with the depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Cued {
+    Nowhere,
+    /// Where the equation is evaluated, at vertices or faces: the intensity fades before it is carried to the pixels.
+    AtPoints,
+    /// s0 is found at the vertices and carried to the pixels.
+    AtVertices,
+    /// s0 is found at each pixel.
+    AtPixels,
+}
+
+/// Facts about the geometry that the plan depends on.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Facts {
+    /// Every edge has two faces and they face outwards.
+    pub closed: bool,
+    pub convex: bool,
+    /// A ball that holds the model, world.
+    pub centre: DVec3,
+    pub radius: f64,
+}
+
+impl Facts {
+    /// World units to one camera distance.
+    pub fn unit(&self, camera: &Camera) -> f64 {
+        camera_unit(camera, (self.centre - camera.eye).length() + self.radius)
+    }
+}
+
+/// The plan of a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Where the equation is evaluated.
+    pub per: Per,
+    /// What the equation is evaluated with, or its result, varies over a face.
+    pub carries: bool,
+    /// The normals that the vertices are given.
+    pub normals: NormalSource,
+    /// Whether pixels meet the true surface instead of polygons.
+    pub true_surface: bool,
+    /// Whether the equation is evaluated in double precision.
+    pub double: bool,
+    /// Back faces are dropped.
+    pub cull: bool,
+    /// The nearest of several faces is searched.
+    pub depth_test: bool,
+    /// Interpolation is perspective-correct.
+    pub perspective: bool,
+    pub scanline: bool,
+    pub renormalise: bool,
+    pub form: SpecularForm,
+    /// For each light of the scene whether it can add anything.
+    pub lights: Vec<bool>,
+    /// Rays find out which lights reach what is evaluated.
+    pub shadows: bool,
+    /// Something besides the equation makes up the picture: a floor, a wall, what is seen through the object, light from
+    /// other surfaces.
+    pub composes: bool,
+    /// Depth cueing.
+    pub cued: Cued,
+    /// The display needs to see the whole picture before it can store a pixel.
+    pub whole_picture: bool,
+    /// Whether what cannot change a stored pixel is left out.
+    pub leaves_out: bool,
+}
+
+impl Plan {
+    /// The plan of `scene` on geometry with `facts`.
+    pub fn for_scene(scene: &Scene, facts: &Facts) -> Self {
+        let mode = scene.shading.mode;
+        let per = match mode {
+            ShadingMode::Flat => Per::Face,
+            ShadingMode::Interpolated | ShadingMode::Gouraud => Per::Vertex,
+            ShadingMode::Phong | ShadingMode::Exact => Per::Pixel,
+        };
+        let has_surface = scene.object.kind.has_surface();
+        let outside = !sees_inside(&scene.camera, facts);
+        let interpolation =
+            if mode == ShadingMode::Exact { Interpolation::Perspective } else { scene.shading.interpolation };
+        let composes =
+            Surroundings::any(scene) || scene.transparency.kt > 0.0 || scene.ambient.source != AmbientSource::Constant;
+        let mut plan = Self {
+            per: if mode == ShadingMode::Flat && scene.shading.flat_at != FlatAt::Centre { Per::Vertex } else { per },
+            carries: mode != ShadingMode::Flat,
+            normals: Self::normals(scene),
+            true_surface: Self::shows_surface(scene),
+            double: (mode == ShadingMode::Exact && !has_surface) || stiff(scene, facts).is_some(),
+            cull: facts.closed && outside,
+            depth_test: !(facts.convex && facts.closed && outside),
+            perspective: interpolation == Interpolation::Perspective
+                && scene.camera.projection == Projection::Perspective,
+            scanline: interpolation == Interpolation::Scanline && per != Per::Face,
+            renormalise: scene.shading.renormalise || mode != ShadingMode::Phong,
+            form: SpecularForm::of(scene),
+            lights: silences(scene, facts).iter().map(Option::is_none).collect(),
+            shadows: false,
+            composes,
+            cued: Cued::Nowhere,
+            whole_picture: scene.display.overflow != Overflow::Clamp || composes,
+            leaves_out: true,
+        };
+        plan.shadows = casts_shadows(scene, facts, &plan.lights).is_none();
+        if not_cued(scene, facts).is_none() {
+            plan.cued = cued(scene, plan.per);
+        }
+        plan.whole_picture |= matches!(plan.cued, Cued::AtVertices | Cued::AtPixels);
+        plan
+    }
+
+    /// The normals that the vertices are given.
+    pub fn normals(scene: &Scene) -> NormalSource {
+        match scene.shading.mode {
+            ShadingMode::Interpolated => NormalSource::Facet,
+            _ => scene.object.normals,
+        }
+    }
+
+    /// Whether pixels meet the true surface instead of polygons.
+    pub fn shows_surface(scene: &Scene) -> bool {
+        scene.shading.mode == ShadingMode::Exact && scene.object.kind.has_surface()
+    }
+
+    /// Puts back in what had been left out, where that can be done without another result by definition: lights that add
+    /// nothing, back faces, the depth test, and rays to lights that nothing can hide.
+    pub fn leave_nothing_out(&mut self, scene: &Scene) {
+        self.lights.fill(true);
+        (self.cull, self.depth_test) = (false, true);
+        self.shadows = scene.shading.shadows && !scene.lights.is_empty();
+        self.leaves_out = false;
+    }
+
+    /// Whether pixels are evaluated one by one in double precision.
+    pub fn pixels_in_double(&self) -> bool {
+        self.double && self.per == Per::Pixel
+    }
+
+    /// Whether values are carried from vertices to pixels.
+    pub fn interpolates(&self) -> bool {
+        self.carries && !self.true_surface && !self.pixels_in_double()
+    }
+
+    /// Whether rays start from what the pixels see.
+    pub fn follows_rays(&self) -> bool {
+        self.composes || (self.shadows && self.per == Per::Pixel)
+    }
+
+    /// Whether s0 is wanted at each pixel.
+    pub fn cues_pixels(&self) -> bool {
+        match self.cued {
+            Cued::Nowhere => false,
+            Cued::AtPoints => self.composes,
+            Cued::AtVertices | Cued::AtPixels => true,
+        }
+    }
+
+    /// Whether every pixel is brought a normal or an intensity of its own.
+    pub fn has_fragments(&self) -> bool {
+        self.carries && (self.true_surface || !self.pixels_in_double())
+    }
+
+    /// Whether these are kept for the next picture: normals serve the equation again when only its numbers have changed, but
+    /// intensities have changed with them.
+    pub fn keeps_fragments(&self) -> bool {
+        self.has_fragments() && self.per == Per::Pixel
+    }
+}
+
+/// Why nothing is done that lights are needed for.
+pub const NO_LIGHT: &str = "no light adds anything";
+
+/// Past this n the rounding of unit vectors in single precision is seen in the highlight.
+const STIFF_FROM: f64 = 1e7;
+/// An eye this many radii of the model away sees it in fewer digits than single precision needs: places are kept relative to
+/// the eye.
+const FAR_FROM: f64 = 1e4;
+
+/// Why single precision does not do for the equation, if it does not.
+pub fn stiff(scene: &Scene, facts: &Facts) -> Option<&'static str> {
+    let powers = matches!(
+        SpecularForm::of(scene),
+        SpecularForm::PhongCosine | SpecularForm::PhongChord | SpecularForm::BlinnCosine | SpecularForm::BlinnChord
+    );
+    if powers && scene.material.n > STIFF_FROM {
+        return Some("n is past 10⁷");
+    }
+    let far = facts.radius > 0.0 && scene.camera.distance() > FAR_FROM * facts.radius;
+    far.then_some("the eye is over 10⁴ radii of the object away")
+}
+
+/// The eye may be inside the model, or so near that the near plane opens it.
+fn sees_inside(camera: &Camera, facts: &Facts) -> bool {
+    let reach = facts.radius * (1.0 + 1e-5) + NEAR * facts.unit(camera) * 2.0;
+    (camera.eye - facts.centre).length() <= reach
+}
+
+/// The greatest part of a light that the material takes, diffuse and specular together.
+fn reflected(scene: &Scene) -> Rgb {
+    let material = &scene.material;
+    let color = if scene.pattern.kind == PatternKind::None { Rgb::ZERO } else { scene.pattern.color } + material.color;
+    material.kd * color + material.ks * material.specular_color
+}
+
+/// Why each light adds nothing, if it does not.
+pub fn silences(scene: &Scene, facts: &Facts) -> Vec<Option<&'static str>> {
+    let (soloing, reflected) = (scene.soloing(), reflected(scene));
+    scene.lights.iter().map(|light| silent(scene, facts, light, soloing, reflected)).collect()
+}
+
+fn silent(scene: &Scene, facts: &Facts, light: &Light, soloing: bool, reflected: Rgb) -> Option<&'static str> {
+    if light.mute {
+        Some("it is muted")
+    } else if !light.shines(soloing) {
+        Some("another light is soloed")
+    } else if light.color == Rgb::ZERO {
+        Some("it is black")
+    } else if light.color * reflected == Rgb::ZERO {
+        Some("the material takes no part of it")
+    } else {
+        misses(scene, facts, light).then_some("its cone passes the object by")
+    }
+}
+
+/// A cone must pass the model by this angle, radians, and its light be away from it by this part of the distances that single
+/// precision has to hold: so far no rounding of L reaches, which is then below 10⁻³.
+const CONE_MARGIN: f64 = 0.01;
+const NEAREST_CONE: f64 = 1e-3;
+
+/// Whether the whole model lies outside a spot light's cone.
+fn misses(scene: &Scene, facts: &Facts, light: &Light) -> bool {
+    let polygons =
+        scene.shading.mode != ShadingMode::Exact && scene.shading.interpolation == Interpolation::Perspective;
+    // The true surface bulges out of its polygons, and other interpolations take points off them.
+    let radius = facts.radius * if polygons { 1.0 + 1e-5 } else { 3.0 };
+    let (way, from_eye) = (facts.centre - light.position, (light.position - scene.camera.eye).length());
+    let (distance, axis) = (way.length(), light.direction.normalize_or_zero());
+    let spread = from_eye + distance + radius;
+    if light.kind != LightKind::Spot || axis == DVec3::ZERO || !spread.is_finite() {
+        return false;
+    }
+    // Lights farther than this may be treated as parallel.
+    let near = from_eye < 1e8 * scene.camera.distance();
+    let clear = distance - radius > NEAREST_CONE * spread;
+    let between = (axis.dot(way) / distance).clamp(-1.0, 1.0).acos();
+    near && clear && between - (radius / distance).asin() > light.cone.to_radians() + CONE_MARGIN
+}
+
+/// Why nothing lies in the shadow of the object.
+pub fn casts_shadows(scene: &Scene, facts: &Facts, lights: &[bool]) -> Option<&'static str> {
+    if !scene.shading.shadows {
+        return Some("switched off");
+    }
+    if !lights.contains(&true) {
+        return Some(NO_LIGHT);
+    }
+    // Where surfaces turned away are lit all the same, the solid stands between them and the light.
+    let clamped = scene.reflection.backfacing == Backfacing::Clamp;
+    let alone = facts.convex && facts.closed && !scene.ground.visible && clamped;
+    alone.then_some("a convex solid casts no shadow on itself")
+}
+
+/// Why nothing fades with the depth.
+pub fn not_cued(scene: &Scene, facts: &Facts) -> Option<&'static str> {
+    let cueing = &scene.depth_cueing;
+    if cueing.by == CuedBy::Off {
+        return Some("switched off");
+    }
+    if cueing.front_scale == 1.0 && cueing.back_scale == 1.0 {
+        return Some("its scales are 1: nothing fades");
+    }
+    let forward = (scene.camera.target - scene.camera.eye).normalize_or_zero();
+    let middle = (facts.centre - scene.camera.eye).dot(forward);
+    // The ball holds the model but for a rounding.
+    let farthest = middle + facts.radius * (1.0 + 1e-5);
+    let near = cueing.front_scale == 1.0 && farthest + middle.abs() * 1e-9 < cueing.front;
+    near.then_some("the object is nearer than where the cue begins")
+}
+
+/// Where s0 is evaluated, for an equation evaluated `per` something.
+fn cued(scene: &Scene, per: Per) -> Cued {
+    match (scene.depth_cueing.by, scene.shading.mode) {
+        (CuedBy::Off, _) => Cued::Nowhere,
+        (CuedBy::Pixel, _) | (_, ShadingMode::Exact) => Cued::AtPixels,
+        (CuedBy::Vertex, _) if per == Per::Pixel => Cued::AtVertices,
+        (CuedBy::Vertex, _) => Cued::AtPoints,
+    }
+}
