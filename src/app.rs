@@ -7,6 +7,7 @@ mod action;
 mod background;
 mod code;
 mod commands;
+mod commit;
 mod compare;
 mod controls;
 mod curves;

@@ -11,6 +11,7 @@ mod compare;
 mod depth_cueing;
 mod format;
 mod light;
+mod limits;
 mod material;
 pub mod materials;
 mod nearest;
@@ -32,6 +33,7 @@ pub use choice::{Choice, ChoiceOption};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};
 pub use depth_cueing::{CuedBy, DepthCueing};
 pub use light::{Ambient, AmbientSource, AreaShape, Attenuation, Light, LightKind};
+pub use limits::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
 pub use material::{Material, Reflectance};
 pub use nearest::nearest;
 pub use object::{NormalSource, Object, ObjectKind, Weighting};
@@ -44,7 +46,6 @@ pub use settings::{
 };
 pub use shared::Shared;
 pub use surroundings::{Backdrop, Ground, Pattern, PatternKind, Through, Transparency};
-pub use validation::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
 pub use view::View;
 
 /// Red, green and blue, linear.

@@ -13,7 +13,9 @@ mod simd;
 use dice::Dice;
 use fearless_simd::{Level, dispatch, prelude::*};
 use glam::DVec3;
-use shading_lab::illumination::{FormTask, Lanes, Lobe, PhongChord, PhongCosine, Site, Specular, SpecularForm, V3};
+use shading_lab::illumination::{
+    FormTask, Lanes, Lobe, PhongChord, PhongCosine, ShadingPoint, Specular, SpecularForm, V3,
+};
 use shading_lab::scene::{Material, ReflectionModel, Scene};
 use simd::levels;
 use std::f64::consts::TAU;
@@ -112,7 +114,7 @@ fn factors<S: Simd, F: Specular>(simd: S, lobe: &Lobe<f32>, directions: &[Direct
         };
         let vector = |k: usize| V3::new(component(k, 0), component(k, 1), component(k, 2));
         let [normal, l, view] = [0, 1, 2].map(vector);
-        let site = Site { normal, position: -view, view, inverse_distance: Lanes::splat(simd, 1.0) };
+        let site = ShadingPoint { normal, position: -view, view, inverse_distance: Lanes::splat(simd, 1.0) };
         let factor = F::factor(&site, l, normal.dot(l), lobe);
         all.extend(&factor.0.as_slice()[..chunk.len()]);
     }

@@ -1,7 +1,7 @@
 //! The lobe of reflection: what a point sends to every side from one light.
 
 use super::ProbeHit;
-use crate::illumination::{Equation, LightResponse, Site, Source, V3};
+use crate::illumination::{Equation, LightResponse, ShadingPoint, Source, V3};
 use crate::scene::{Backfacing, Light, LightKind, Rgb, Scene};
 use glam::DVec3;
 
@@ -33,7 +33,7 @@ impl Response {
 #[derive(Clone, Debug)]
 pub struct ReflectionLobe {
     equation: Equation<f64>,
-    site: Site<f64>,
+    site: ShadingPoint<f64>,
     od: Rgb,
     /// N, unit, on the side of the light.
     pub n: DVec3,
@@ -100,7 +100,7 @@ impl ReflectionLobe {
         if v.dot(self.n) < -1e-12 {
             return response;
         }
-        let site = Site { view: V3::from(v), ..self.site };
+        let site = ShadingPoint { view: V3::from(v), ..self.site };
         for source in &self.equation.sources {
             let terms = self.equation.respond_to(source, &site);
             let w = self.equation.reflectance(terms.incidence);

@@ -115,6 +115,32 @@ pub struct LightTerms {
     pub specular_zero: ZeroCauses,
 }
 
+impl LightTerms {
+    /// Why the diffuse term is 0, in a clause; nothing where it adds something.
+    pub fn why_no_diffuse(&self) -> Option<String> {
+        (!self.diffuse_zero.is_empty()).then(|| self.diffuse_zero.clauses("Kd·Od"))
+    }
+
+    /// Why the specular term is 0 likewise.
+    pub fn why_no_specular(&self) -> Option<String> {
+        let coefficient = if self.reflectance == Rgb::ONE { "Ks·Os" } else { "Ks·Os·W" };
+        (!self.specular_zero.is_empty()).then(|| self.specular_zero.clauses(coefficient))
+    }
+
+    /// Why the light adds nothing, in a clause; nothing where it adds something.
+    pub fn why_nothing(&self) -> Option<String> {
+        let (diffuse, specular) = (self.why_no_diffuse()?, self.why_no_specular()?);
+        Some(if diffuse == specular { diffuse } else { format!("{diffuse}, and {specular}") })
+    }
+
+    /// The same in a word or two.
+    pub fn why_nothing_in_short(&self) -> Option<&'static str> {
+        self.why_nothing()?;
+        let one = self.diffuse_zero == self.specular_zero && self.diffuse_zero.first() == self.diffuse_zero;
+        Some(self.diffuse_zero.iter().next().filter(|_| one).map_or("adds nothing", ZeroCause::short))
+    }
+}
+
 /// Evaluates the equation at pixel (`x`, `y`) of `scene`, drawing it first if it is not the picture last drawn.
 ///
 /// The sum is what the picture shows there, to the rounding of single precision: it is evaluated where the shading mode

@@ -20,9 +20,12 @@ pub use picture::{PERCEIVED_WIDTH, perceived_picture};
 pub use plots::profile_plots;
 pub use report::TakenProfile;
 
+pub use line::Sample;
+pub use source::luminance;
+
 use super::perception::{Perception, Viewing, blur_line};
 use crate::render::{Piece, Renderer};
-use crate::scene::{Rgb, Scene, ShadingMode};
+use crate::scene::{Scene, ShadingMode};
 use glam::DVec2;
 use line::Line;
 use serde::{Deserialize, Serialize};
@@ -97,15 +100,6 @@ pub struct Profile {
     pub widths: [f64; 2],
 }
 
-/// A place of the line.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Sample {
-    pub x: f64,
-    pub y: f64,
-    /// 0 at the line's beginning, 1 at its end.
-    pub t: f64,
-}
-
 /// One mode's values, one per sample.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Trace {
@@ -151,11 +145,6 @@ impl Trace {
             ShadingMode::Exact => "exact",
         }
     }
-}
-
-/// Rec. 709 luminance of a linear colour.
-pub fn luminance(color: Rgb) -> f64 {
-    color.dot(Rgb::new(0.2126, 0.7152, 0.0722))
 }
 
 /// Takes the profile of `scene`, which is drawn once for each mode.

@@ -8,6 +8,10 @@
 //! The chosen light shows where it shines as well (see [`beam`]).
 
 mod beam;
+mod handle;
+
+pub use handle::Handle;
+
 pub mod line;
 pub mod turn;
 pub mod vertex;
@@ -24,30 +28,14 @@ use crate::scene::{Camera, Light, LightKind, Rgb, View};
 use beam::Beam;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 use glam::{DVec2, DVec3};
+use handle::MARGIN;
 
 /// Radius of the sphere that directional lights' handles slide on, in heights of the picture at the target's depth.
 const SPHERE: f64 = 0.42;
-/// How far a marker keeps from the picture's edge, points.
-const MARGIN: f32 = 22.0;
 /// Radius of a handle, points.
 const RADIUS: f32 = 8.0;
 /// Radius of the handles of a light's axis and edge, points.
 const SMALL: f32 = 5.0;
-
-/// How a light shows in the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Handle {
-    /// A point light in the picture.
-    Point,
-    /// A directional light; `front` on the viewer's side of the sphere.
-    Directional { front: bool },
-    /// A light that is not in the picture; the unit vector points to where it is.
-    Edge(Vec2),
-    /// Where the chosen light's axis goes; `front` where that is nearer to the viewer than the light.
-    Aim { front: bool },
-    /// The edge of the chosen spot light's cone; the unit vector points away from its axis.
-    Rim(Vec2),
-}
 
 /// A handle in its place on the screen.
 #[derive(Clone, Copy, Debug)]

@@ -7,11 +7,10 @@ use super::engine::Engine;
 use super::report::{ReportView, export_ui};
 use super::state::AppState;
 use crate::analysis::{About, Answer, Method, Part, Plot, Setting, Study, StudyQuestion, study_plot};
-use crate::figure::{Drawing, PlotStyle};
 use crate::jobs::{Asked, Background};
 use crate::scene::{Interpolation, Scene};
 use eframe::egui::{Button, RichText, TextEdit, Ui};
-use figure::figure_ui;
+use figure::{LaidOut, figure_ui};
 
 /// Tessellations to choose from, in segments.
 const SEGMENTS: [u32; 8] = [4, 8, 16, 32, 64, 128, 256, 512];
@@ -27,8 +26,7 @@ pub struct StudyView {
     work: Background<Asked<StudyQuestion>>,
     view: ReportView,
     plot: Option<Plot>,
-    /// Laid out for this style and width.
-    drawing: Option<(Drawing, PlotStyle, f32)>,
+    drawing: Option<LaidOut>,
 }
 
 impl StudyView {
@@ -124,7 +122,8 @@ pub fn study_ui(ui: &mut Ui, view: &mut StudyView, state: &mut AppState, engine:
     if !progress_ui(ui, &view.work, "Keeps what is known so far") {
         start_ui(ui, view, state, size);
     }
-    let mut asked = figure_ui(ui, view);
+    let rows = view.work.answer().map_or(&[][..], |study| &study.rows);
+    let mut asked = view.plot.as_ref().and_then(|plot| figure_ui(ui, plot, &mut view.drawing, rows));
     let refused = view.work.known().and_then(|known| known.as_ref().err());
     if let Some(message) = view.message.as_ref().or(refused) {
         ui.label(RichText::new(message).weak());

@@ -19,7 +19,7 @@ use super::labels::Area;
 use axes::ticks;
 use glam::DVec2;
 use legend::Legend;
-use paper::dashes;
+use paper::{dashes, grid};
 
 /// Lays `plot` out in a room of `size` (width, height).
 pub fn lay_out(plot: &Plot, size: DVec2, style: &PlotStyle) -> Drawing {
@@ -39,17 +39,6 @@ pub fn lay_out_sheet(plots: &[Plot], size: DVec2, style: &PlotStyle) -> Drawing 
         fill(&mut drawing, plot, Area { min, max: min + cell }, style);
     }
     drawing
-}
-
-/// Columns and rows of a sheet of so many plots: two side by side where it is wide, and in any case from three on.
-fn grid(plots: usize, wide: bool) -> DVec2 {
-    match plots {
-        0 | 1 => DVec2::ONE,
-        2 if wide => DVec2::new(2.0, 1.0),
-        2 => DVec2::new(1.0, 2.0),
-        #[expect(clippy::cast_precision_loss, reason = "a sheet has few plots")]
-        _ => DVec2::new(2.0, plots.div_ceil(2) as f64),
-    }
 }
 
 fn fill(drawing: &mut Drawing, plot: &Plot, room: Area, style: &PlotStyle) {

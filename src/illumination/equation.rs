@@ -4,24 +4,12 @@ use super::fresnel::{Fresnel, Index};
 use super::microfacet::greatest_factor;
 use super::pattern::Fields;
 use super::source::{BRIGHTEST, Share};
-use super::{FormTask, Lobe, Real, Scalar, Source, Specular, SpecularForm, V3, specular};
+use super::{FormTask, Lobe, Real, Scalar, ShadingPoint, Source, Specular, SpecularForm, V3, specular};
 use crate::scene::{Backfacing, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer};
 use glam::DVec3;
 use std::ops::Range;
 
-/// A point where the equation is evaluated. Lengths are camera distances, positions relative to the eye.
-#[derive(Clone, Copy, Debug)]
-pub struct Site<R> {
-    /// N, unit unless the shading mode forgets to make it so.
-    pub normal: V3<R>,
-    pub position: V3<R>,
-    /// V, unit.
-    pub view: V3<R>,
-    /// 1/distance from the eye.
-    pub inverse_distance: R,
-}
-
-/// What one source does at a site.
+/// What one source does at a shading point.
 #[derive(Clone, Copy, Debug)]
 pub struct LightResponse<R> {
     /// L, unit.
@@ -40,29 +28,29 @@ pub struct LightResponse<R> {
     pub incidence: R,
 }
 
-/// Which of the sources reach which of the sites, a bit each.
+/// Which of the sources reach which of the shading points, a bit each.
 #[derive(Clone, Copy, Debug)]
 pub struct Reached<'a> {
     /// One row of bits a source, `stride` words each, and one word more at the end.
     pub words: &'a [u64],
     pub stride: usize,
-    /// The bit of the first lane's site.
+    /// The bit of the first lane's shading point.
     pub first: usize,
 }
 
 impl Reached<'_> {
-    /// The same bits for lanes that start at site `first`.
+    /// The same bits for lanes that start at shading point `first`.
     #[inline(always)]
     pub fn starting_at(self, first: usize) -> Self {
         Self { first, ..self }
     }
 
-    /// Whether `source` reaches the first site.
+    /// Whether `source` reaches the first shading point.
     pub(crate) fn holds(self, source: usize) -> bool {
         self.bits(source) & 1 == 1
     }
 
-    /// The bits of `source`, the lowest that of the first lane's site.
+    /// The bits of `source`, the lowest that of the first lane's shading point.
     #[inline(always)]
     fn bits(&self, source: usize) -> u64 {
         let (word, shift) = (source * self.stride + self.first / 64, self.first % 64);
@@ -219,20 +207,24 @@ impl<T: Scalar> Equation<T> {
         (world - self.eye) / self.unit
     }
 
-    /// The site of a point relative to the eye.
+    /// The shading point of a point relative to the eye.
     #[inline(always)]
-    pub fn site<R: Real<Scalar = T>>(&self, position: V3<R>, normal: V3<R>) -> Site<R> {
+    pub fn site<R: Real<Scalar = T>>(&self, position: V3<R>, normal: V3<R>) -> ShadingPoint<R> {
         let inverse_distance = position.dot(position).inverse_sqrt();
         let view = match self.infinite_view {
             Some(view) => V3::constant(position.x, view),
             None => -position.scale(inverse_distance),
         };
-        Site { normal, position, view, inverse_distance }
+        ShadingPoint { normal, position, view, inverse_distance }
     }
 
-    /// What `source` does at `site`: direction, attenuation, Lambert's cosine and the specular factor.
+    /// What `source` does at `shading point`: direction, attenuation, Lambert's cosine and the specular factor.
     #[inline(always)]
-    pub fn respond<R: Real<Scalar = T>, F: Specular>(&self, source: &Source<T>, site: &Site<R>) -> LightResponse<R> {
+    pub fn respond<R: Real<Scalar = T>, F: Specular>(
+        &self,
+        source: &Source<T>,
+        site: &ShadingPoint<R>,
+    ) -> LightResponse<R> {
         let (l, attenuation, nearness) = source.reach(site.position, site.inverse_distance);
         let spot = source.spot(l);
         let strength = attenuation * spot;
@@ -257,9 +249,13 @@ impl<T: Scalar> Equation<T> {
         LightResponse { l, attenuation, spot, n_dot_l, diffuse, specular, incidence: F::incidence(site, l, n_dot_l) }
     }
 
-    /// I at `site`, per channel. Sources that are not among `reached` are in shadow; none casts a shadow without it.
+    /// I at `shading point`, per channel. Sources that are not among `reached` are in shadow; none casts a shadow without it.
     #[inline(always)]
-    pub fn illuminate<R: Real<Scalar = T>, F: Specular>(&self, site: &Site<R>, reached: Option<Reached<'_>>) -> [R; 3] {
+    pub fn illuminate<R: Real<Scalar = T>, F: Specular>(
+        &self,
+        site: &ShadingPoint<R>,
+        reached: Option<Reached<'_>>,
+    ) -> [R; 3] {
         let like = site.inverse_distance;
         let V3 { x: r, y: g, z: b } = V3::constant(like, self.ambient);
         let mut sum = [r, g, b];
@@ -394,7 +390,7 @@ impl Equation<f64> {
     }
 
     /// [`Self::respond`] with the scene's specular form.
-    pub fn respond_to(&self, source: &Source<f64>, site: &Site<f64>) -> LightResponse<f64> {
+    pub fn respond_to(&self, source: &Source<f64>, site: &ShadingPoint<f64>) -> LightResponse<f64> {
         self.form.dispatch(Respond { equation: self, source, site })
     }
 
@@ -437,7 +433,7 @@ impl Equation<f64> {
 
 struct Illuminate<'a> {
     equation: &'a Equation<f64>,
-    site: &'a Site<f64>,
+    site: &'a ShadingPoint<f64>,
     reached: Option<Reached<'a>>,
 }
 
@@ -452,7 +448,7 @@ impl FormTask for Illuminate<'_> {
 struct Respond<'a> {
     equation: &'a Equation<f64>,
     source: &'a Source<f64>,
-    site: &'a Site<f64>,
+    site: &'a ShadingPoint<f64>,
 }
 
 impl FormTask for Respond<'_> {

@@ -7,7 +7,7 @@
 
 use super::lobe::Lobe;
 use super::microfacet::{beckmann, geometric_over_view, ggx, seen, smith_over_view};
-use super::{Real, Scalar, Site, V3};
+use super::{Real, Scalar, ShadingPoint, V3};
 use crate::scene::{Distribution, ReflectionModel, Rgb, Scene, ShadingMode};
 
 /// Which form of the specular factor a scene needs.
@@ -87,12 +87,12 @@ pub trait Specular: Copy + Send + Sync + 'static {
     /// Whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
     const AT_HALFWAY: bool = false;
 
-    /// S at `site` for the unit direction `l` to the light and `n_dot_l` = N·L.
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R;
+    /// S at `shading point` for the unit direction `l` to the light and `n_dot_l` = N·L.
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R;
 
     /// The cosine of the angle of incidence.
     #[inline(always)]
-    fn incidence<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R) -> R {
+    fn incidence<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R) -> R {
         if Self::AT_HALFWAY {
             // |L + V|/2 is the cosine of half the angle between them.
             let sum = l + site.view;
@@ -125,7 +125,7 @@ impl Specular for NoSpecular {
     const PRESENT: bool = false;
 
     #[inline(always)]
-    fn factor<R: Real>(_: &Site<R>, _: V3<R>, n_dot_l: R, _: &Lobe<R::Scalar>) -> R {
+    fn factor<R: Real>(_: &ShadingPoint<R>, _: V3<R>, n_dot_l: R, _: &Lobe<R::Scalar>) -> R {
         n_dot_l.constant(R::Scalar::default())
     }
 }
@@ -171,7 +171,7 @@ fn power_of_chord<R: Real>(a: V3<R>, b: V3<R>, lobe: &Lobe<R::Scalar>) -> R {
 
 impl Specular for PhongCosine {
     #[inline(always)]
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
         // R·V without R: 2(N·L)(N·V) − L·V.
         let n_dot_v = site.normal.dot(site.view);
         power_of_cosine((n_dot_l + n_dot_l).mul_add(n_dot_v, -l.dot(site.view)), lobe)
@@ -180,7 +180,7 @@ impl Specular for PhongCosine {
 
 impl Specular for PhongChord {
     #[inline(always)]
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
         power_of_chord(reflect(site.normal, l, n_dot_l), site.view, lobe)
     }
 }
@@ -189,7 +189,7 @@ impl Specular for BlinnCosine {
     const AT_HALFWAY: bool = true;
 
     #[inline(always)]
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
         power_of_cosine(site.normal.dot(halfway(l, site.view)), lobe)
     }
 }
@@ -198,7 +198,7 @@ impl Specular for BlinnChord {
     const AT_HALFWAY: bool = true;
 
     #[inline(always)]
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
         power_of_chord(site.normal, halfway(l, site.view), lobe)
     }
 }
@@ -211,7 +211,7 @@ impl Specular for Beckmann {
     const AT_HALFWAY: bool = true;
 
     #[inline(always)]
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
         let f = Facet::new(site, l);
         f.factor(beckmann(f.gap, lobe), geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h))
     }
@@ -221,7 +221,7 @@ impl Specular for Ggx {
     const AT_HALFWAY: bool = true;
 
     #[inline(always)]
-    fn factor<R: Real>(site: &Site<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
         let f = Facet::new(site, l);
         f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
     }
@@ -238,7 +238,7 @@ struct Facet<R> {
 
 impl<R: Real> Facet<R> {
     #[inline(always)]
-    fn new(site: &Site<R>, l: V3<R>) -> Self {
+    fn new(site: &ShadingPoint<R>, l: V3<R>) -> Self {
         let h = halfway(l, site.view);
         let chord = site.normal - h;
         let one = l.x.constant(R::Scalar::from_f64(1.0));

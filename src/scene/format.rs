@@ -12,9 +12,8 @@ use super::problem::{Cause, Place, Problem, SceneError};
 use reader::{Finding, read};
 use toml::de::{DeTable, DeValue};
 
-pub(super) use datum::{Datum, Wrong, read_coefficient};
+pub(super) use datum::{Datum, Wrong, read_coefficient, value_text};
 pub(super) use reader::set;
-pub(super) use writer::text;
 
 impl Scene {
     /// The version of the format that this program reads and writes.

@@ -15,7 +15,7 @@ mod symbol;
 pub use access::{Access, ChoiceField, Field, List};
 pub use symbol::Symbol;
 
-use super::format::{Datum, Wrong, read_coefficient, text};
+use super::format::{Datum, Wrong, read_coefficient, value_text};
 use super::{ChoiceOption, GREATEST_INTENSITY, GREATEST_LENGTH, Rgb, Scene};
 use glam::DVec3;
 use std::sync::LazyLock;
@@ -277,7 +277,7 @@ impl Parameter {
     pub fn setting(&self, scene: &Scene, index: usize) -> String {
         match self.value(scene, index) {
             Some(Value::String(word)) if is_word(&word) => word,
-            value => value.as_ref().map_or_else(String::new, text),
+            value => value.as_ref().map_or_else(String::new, value_text),
         }
     }
 

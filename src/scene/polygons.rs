@@ -5,9 +5,10 @@
 //! the edge of another.
 
 use super::Object;
+use super::limits::LEAST_LENGTH;
 use super::problem::Cause;
 use super::shared::Shared;
-use super::validation::{Checks, LEAST_LENGTH};
+use super::validation::Checks;
 use glam::{DVec2, DVec3};
 use std::sync::LazyLock;
 

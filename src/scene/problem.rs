@@ -1,7 +1,6 @@
 //! What can be wrong with a scene, where, and what was expected instead.
 
 use super::nearest::nearest;
-use super::parameter::Parameter;
 use std::fmt;
 
 /// Everything that is wrong with a scene: one problem or more.
@@ -83,8 +82,8 @@ pub enum Cause {
     TooLong,
     /// The file's version is not one that this program reads.
     Version { found: String },
-    /// No such key in a table, which is named as the table of parameters has it.
-    UnknownKey { table: String },
+    /// No such key in a table; the keys that it has.
+    UnknownKey { known: Vec<&'static str> },
     /// A choice that is not offered; the words that are.
     UnknownWord { word: String, known: Vec<&'static str> },
     /// A value that cannot be what the key means, by its type or by its number.
@@ -136,9 +135,9 @@ impl Cause {
                 write!(f, "`version` is {found}, expected {version}: shading-lab {program} reads version {version}, ")?;
                 write!(f, "for a later one take a later shading-lab")
             }
-            Self::UnknownKey { table } => {
+            Self::UnknownKey { known } => {
                 write!(f, "unknown key `{key}`, ")?;
-                choices(f, key.rsplit('.').next().unwrap_or(key), &Parameter::names_in(table))
+                choices(f, key.rsplit('.').next().unwrap_or(key), known)
             }
             Self::UnknownWord { word, known } => {
                 write!(f, "`{key}` is {}, ", quoted(word))?;

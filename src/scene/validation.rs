@@ -1,6 +1,7 @@
 //! What a valid scene is: every value within the limits of its parameter, and no two that contradict each other.
 
 use super::compare;
+use super::limits::{GREATEST_LENGTH, LEAST_LENGTH};
 use super::parameter::{Kind, Limits, Parameter, is_grey};
 use super::problem::{Cause, Place, Problem, SceneError};
 use super::{
@@ -10,16 +11,6 @@ use super::{
 use glam::DVec3;
 use std::fmt;
 use std::ops::RangeInclusive;
-
-/// Greatest coordinate and greatest length, world units: its square stays far below the greatest `f64`, and so do the
-/// squares' sums.
-pub const GREATEST_LENGTH: f64 = 1e30;
-
-/// Shortest length that counts as one, world units: its square is still a normal number.
-pub const LEAST_LENGTH: f64 = 1e-30;
-
-/// Greatest intensity of a light or of the background, in units of the display's white.
-pub const GREATEST_INTENSITY: f64 = 1e30;
 
 /// Greatest ambient term in a picture that shows one bounce in its right half in place of it: the bounce is added as a difference,
 /// in single precision.

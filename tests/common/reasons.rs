@@ -9,7 +9,7 @@ use shading_lab::scene::{
 };
 
 /// A point with its normal.
-type Site = (DVec3, DVec3);
+type ShadingPoint = (DVec3, DVec3);
 
 /// A term of a light: its value, and why that is 0.
 struct Term {
@@ -56,14 +56,14 @@ impl<'a> Judge<'a> {
     }
 
     /// Where the equation is evaluated; several sets where that depends on how a polygon is cut.
-    fn sites(&self, hit: &ProbeHit) -> Vec<Vec<Site>> {
+    fn sites(&self, hit: &ProbeHit) -> Vec<Vec<ShadingPoint>> {
         let Some(face) = hit.face.map(|face| face as usize) else { return vec![vec![(hit.position, hit.normal)]] };
         let mesh = &self.vertices;
         let at = |v: u32| {
             let v = v as usize;
             (mesh.origin + mesh.positions[v].as_dvec3(), mesh.normals[v].as_dvec3())
         };
-        let corners: Vec<Site> = mesh.face(face).iter().map(|&v| at(v)).collect();
+        let corners: Vec<ShadingPoint> = mesh.face(face).iter().map(|&v| at(v)).collect();
         match (self.scene.shading.mode, self.scene.shading.flat_at) {
             (ShadingMode::Phong | ShadingMode::Exact, _) => vec![vec![(hit.position, hit.normal)]],
             (ShadingMode::Flat, FlatAt::Centre) => vec![vec![(mesh.face_centre(face), mesh.face_normal(face))]],
@@ -73,9 +73,9 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Whether the causes of a term are real with these sites: one alone for all of them and all points of the light,
+    /// Whether the causes of a term are real with these shading points: one alone for all of them and all points of the light,
     /// each of several somewhere.
-    fn holds(&self, light: &Light, sites: &[Site], term: &Term) -> bool {
+    fn holds(&self, light: &Light, sites: &[ShadingPoint], term: &Term) -> bool {
         let points = if light.kind == LightKind::Area { area_samples(light) } else { vec![light.position] };
         let pairs = || sites.iter().flat_map(|site| points.iter().map(move |point| (*site, *point)));
         let one = term.causes.iter().count() == 1;
@@ -85,7 +85,7 @@ impl<'a> Judge<'a> {
         })
     }
 
-    fn is_real(&self, cause: ZeroCause, light: &Light, (p, n): Site, point: DVec3, specular: bool) -> bool {
+    fn is_real(&self, cause: ZeroCause, light: &Light, (p, n): ShadingPoint, point: DVec3, specular: bool) -> bool {
         let scene = self.scene;
         let (l, blur) = self.towards(light, p, point);
         let lambert = n.dot(l);
@@ -148,7 +148,7 @@ impl<'a> Judge<'a> {
     }
 
     /// R·V, or for the other models the least of N·H and what is left of N·V above −¼.
-    fn lobe_cosine(&self, (p, n): Site, l: DVec3) -> f64 {
+    fn lobe_cosine(&self, (p, n): ShadingPoint, l: DVec3) -> f64 {
         let camera = &self.scene.camera;
         let from = if camera.viewer == Viewer::Infinite { camera.target } else { p };
         let v = (camera.eye - from).normalize();
@@ -163,9 +163,9 @@ impl<'a> Judge<'a> {
         sides.into_iter().map(cosine).fold(1.0, f64::min)
     }
 
-    /// Whether the floor, the surface or one of the polygons stands between a site and a point of the light; what does so by
+    /// Whether the floor, the surface or one of the polygons stands between a shading point and a point of the light; what does so by
     /// the breadth of a rounding counts.
-    fn is_blocked(&self, light: &Light, (p, n): Site, point: DVec3) -> bool {
+    fn is_blocked(&self, light: &Light, (p, n): ShadingPoint, point: DVec3) -> bool {
         let (way, end) = match light.kind {
             LightKind::Directional => (-light.direction, f64::INFINITY),
             _ => (point - p, 1.0 + 1e-6),
@@ -188,7 +188,7 @@ impl<'a> Judge<'a> {
 
     fn is_met(&self, face: usize, start: DVec3, way: DVec3, end: f64) -> bool {
         let at = |v: &u32| (self.vertices.origin + self.vertices.positions[*v as usize].as_dvec3(), DVec3::ZERO);
-        let corners: Vec<Site> = self.vertices.face(face).iter().map(at).collect();
+        let corners: Vec<ShadingPoint> = self.vertices.face(face).iter().map(at).collect();
         triples(&corners).iter().any(|triangle| {
             let [a, b, c] = [triangle[0].0, triangle[1].0, triangle[2].0];
             let across = (b - a).cross(c - a);
@@ -202,7 +202,7 @@ impl<'a> Judge<'a> {
 }
 
 /// Every triangle over the corners of a polygon.
-fn triples(corners: &[Site]) -> Vec<Vec<Site>> {
+fn triples(corners: &[ShadingPoint]) -> Vec<Vec<ShadingPoint>> {
     let count = corners.len();
     let mut all = Vec::new();
     for a in 0..count {

@@ -1,7 +1,6 @@
 //! Why a light adds nothing at a pixel, found for each of its points and at each place where the equation is evaluated.
 
-use super::LightTerms;
-use crate::illumination::{Equation, LightResponse, Site, V3};
+use crate::illumination::{Equation, LightResponse, ShadingPoint, V3};
 use crate::render::Evaluation;
 use crate::scene::{Backfacing, PatternKind, ReflectionModel, Rgb, Scene};
 use glam::DVec3;
@@ -48,7 +47,7 @@ impl ZeroCause {
     ];
 
     /// In a word or two.
-    fn short(self) -> &'static str {
+    pub(super) fn short(self) -> &'static str {
         match self {
             Self::Muted => "muted",
             Self::NotSoloed => "another is soloed",
@@ -98,7 +97,7 @@ impl ZeroCauses {
     }
 
     /// The first alone.
-    fn first(self) -> Self {
+    pub(super) fn first(self) -> Self {
         Self(self.0 & self.0.wrapping_neg())
     }
 
@@ -108,7 +107,7 @@ impl ZeroCauses {
         }
     }
 
-    fn clauses(self, coefficient: &str) -> String {
+    pub(super) fn clauses(self, coefficient: &str) -> String {
         let clauses: Vec<_> = self.iter().map(|cause| cause.clause(coefficient)).collect();
         if let [clause] = &clauses[..] { clause.clone() } else { format!("in part {}", clauses.join("; in part ")) }
     }
@@ -123,32 +122,6 @@ impl From<ZeroCause> for ZeroCauses {
 impl Serialize for ZeroCauses {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(self.iter())
-    }
-}
-
-impl LightTerms {
-    /// Why the diffuse term is 0, in a clause; nothing where it adds something.
-    pub fn why_no_diffuse(&self) -> Option<String> {
-        (!self.diffuse_zero.is_empty()).then(|| self.diffuse_zero.clauses("Kd·Od"))
-    }
-
-    /// Why the specular term is 0 likewise.
-    pub fn why_no_specular(&self) -> Option<String> {
-        let coefficient = if self.reflectance == Rgb::ONE { "Ks·Os" } else { "Ks·Os·W" };
-        (!self.specular_zero.is_empty()).then(|| self.specular_zero.clauses(coefficient))
-    }
-
-    /// Why the light adds nothing, in a clause; nothing where it adds something.
-    pub fn why_nothing(&self) -> Option<String> {
-        let (diffuse, specular) = (self.why_no_diffuse()?, self.why_no_specular()?);
-        Some(if diffuse == specular { diffuse } else { format!("{diffuse}, and {specular}") })
-    }
-
-    /// The same in a word or two.
-    pub fn why_nothing_in_short(&self) -> Option<&'static str> {
-        self.why_nothing()?;
-        let one = self.diffuse_zero == self.specular_zero && self.diffuse_zero.first() == self.diffuse_zero;
-        Some(self.diffuse_zero.iter().next().filter(|_| one).map_or("adds nothing", ZeroCause::short))
     }
 }
 
@@ -245,7 +218,7 @@ impl Place<'_> {
     }
 
     /// Whether the highlight points away from the viewer, so that S is 0.
-    fn misses_the_viewer(&self, site: &Site<f64>, response: &LightResponse<f64>) -> bool {
+    fn misses_the_viewer(&self, site: &ShadingPoint<f64>, response: &LightResponse<f64>) -> bool {
         let (l, v) = (DVec3::from(response.l), DVec3::from(site.view));
         let flips = self.scene.reflection.backfacing == Backfacing::Flip && self.normal.dot(l) < 0.0;
         let n = if flips { -self.normal } else { self.normal };

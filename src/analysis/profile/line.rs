@@ -1,7 +1,16 @@
 //! The places of a profile: equally spaced along the line and past its ends, as far as an eye's surround reaches.
 
-use super::Sample;
 use glam::DVec2;
+use serde::Serialize;
+
+/// A place of the line.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Sample {
+    pub x: f64,
+    pub y: f64,
+    /// 0 at the line's beginning, 1 at its end.
+    pub t: f64,
+}
 
 /// Samples to a pixel along the longer side of the line, and the length from which on there is one.
 const FINENESS: f64 = 4.0;

@@ -1,6 +1,6 @@
 //! One mode's intensity at any place of a line.
 
-use super::{Line, luminance};
+use super::line::Line;
 use crate::illumination::Equation;
 use crate::render::{Piece, Renderer};
 use crate::scene::{Rgb, Scene, ShadingMode};
@@ -149,4 +149,9 @@ fn bilinear(pixels: &[f64], [width, height]: [u32; 2], place: DVec2) -> f64 {
     let at = |x: usize, y: usize| pixels.get(y * width as usize + x).copied().unwrap_or_default();
     let row = |y| at(x0, y) * (1.0 - u) + at(x1, y) * u;
     row(y0) * (1.0 - v) + row(y1) * v
+}
+
+/// Rec. 709 luminance of a linear colour.
+pub fn luminance(color: Rgb) -> f64 {
+    color.dot(Rgb::new(0.2126, 0.7152, 0.0722))
 }

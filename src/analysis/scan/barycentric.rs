@@ -1,16 +1,7 @@
 //! What the scan line's values are compared with: barycentric weights on the triangles that the polygon is drawn as.
 
-use super::ScanCorner;
+use super::data::{Rule, ScanCorner};
 use glam::DVec2;
-use serde::Serialize;
-
-/// Linear on the triangle in the picture, or linear on it in space.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Rule {
-    Affine,
-    Perspective,
-}
 
 impl Rule {
     /// In words.

@@ -24,7 +24,7 @@ use crate::scene::{
     AmbientSource, CuedBy, Interpolation, PatternKind, Projection, Reflectance, ReflectionModel, Scene,
 };
 use angular::Angular;
-use kernel::Shade;
+use kernel::{Shade, carried_in_perspective};
 use phong::Phong;
 use raster::Raster;
 use taylor::Taylor;
@@ -62,11 +62,6 @@ impl Historic {
         let code = |value: f32| (255.0 * value.clamp(0.0, 1.0) + 0.5) as u8;
         self.stored.extend(self.linear.iter().map(|[r, g, b, _]| [code(*r), code(*g), code(*b)]));
     }
-}
-
-/// Whether values between vertices are linear in space and not in the picture.
-fn carried_in_perspective(scene: &Scene) -> bool {
-    scene.camera.projection == Projection::Perspective && scene.shading.interpolation == Interpolation::Perspective
 }
 
 /// Why the scalar code cannot draw a scene by `method`.

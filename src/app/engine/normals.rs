@@ -1,8 +1,8 @@
 //! Normals over the active pane: needles, kept until something moves, and the faces of the vertex under the pointer.
 
 use super::super::state::AppState;
+use super::images::{drawing, is_dark, overlay_options, upload};
 use super::pane::PaneEngine;
-use super::{drawing, is_dark, overlay_options, upload};
 use crate::analysis::{LitVertex, Needles, NormalField, OverlayOptions, SeenNormals};
 use crate::scene::{Camera, Scene, ShadingMode, View};
 use eframe::egui::{Context, TextureHandle, TextureOptions};

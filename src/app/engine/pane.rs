@@ -4,7 +4,7 @@
 //! of its own, so that the whole one's stages are kept.
 
 use super::super::document::same_model;
-use super::{image_of, upload};
+use super::images::{image_of, upload};
 use crate::analysis::{LinearPicture, Probe, probe};
 use crate::geometry::Mesh;
 use crate::jobs::nanoseconds;

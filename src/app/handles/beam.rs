@@ -5,7 +5,7 @@
 //! that even a cone as wide as a half-space has one. Pulled past the sphere's outline, the head goes round to the other
 //! side.
 
-use super::{Handle, MARGIN};
+use super::handle::{Handle, MARGIN};
 use crate::app::lines::{line, outline};
 use crate::app::palette;
 use crate::app::place::Place;

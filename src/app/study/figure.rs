@@ -2,22 +2,23 @@
 
 use super::super::drawing::drawing_ui;
 use super::super::plot::{boxed, height, plot_style};
-use super::StudyView;
 use crate::analysis::{Setting, StudyRow, study_point};
-use crate::figure::{Drawing, Text, lay_out};
+use crate::figure::{Drawing, Plot, PlotStyle, Text, lay_out};
 use eframe::egui::{CursorIcon, Pos2, Rect, Sense, Ui, pos2};
 use glam::DVec2;
 
 /// A point is meant within this many points of the pointer.
 const NEAR: f32 = 16.0;
 
+/// A plot laid out for a style and a width.
+pub type LaidOut = (Drawing, PlotStyle, f32);
+
 /// The plot; returns the setting whose point is clicked.
-pub fn figure_ui(ui: &mut Ui, view: &mut StudyView) -> Option<Setting> {
-    let plot = view.plot.as_ref()?;
+pub fn figure_ui(ui: &mut Ui, plot: &Plot, laid_out: &mut Option<LaidOut>, rows: &[StudyRow]) -> Option<Setting> {
     let style = plot_style(ui);
     let width = ui.available_width();
-    let kept = view.drawing.take().filter(|(_, laid, wide)| *laid == style && *wide == width);
-    let (drawing, ..) = &*view.drawing.insert(kept.unwrap_or_else(|| {
+    let kept = laid_out.take().filter(|(_, laid, wide)| *laid == style && *wide == width);
+    let (drawing, ..) = &*laid_out.insert(kept.unwrap_or_else(|| {
         let room = DVec2::new(width.into(), height(plot, width.into(), style.text) + 0.3 * f64::from(width));
         (lay_out(plot, room, &style), style, width)
     }));
@@ -26,7 +27,6 @@ pub fn figure_ui(ui: &mut Ui, view: &mut StudyView) -> Option<Setting> {
     let (response, painter) = drawing_ui(ui, drawing, Sense::click(), words_for_readers)?;
     let rect = response.rect;
     let pointer = response.hover_pos()?;
-    let rows = view.work.answer().map_or(&[][..], |study| &study.rows);
     let row = nearest(rows, drawing, rect, pointer)?;
     ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
     let lines: Vec<Text> =

@@ -1,7 +1,6 @@
 //! The paper a plot is drawn on: its greys, the colours of curves on it, and their dashes.
 
 use super::data::{Dash, Ink};
-use super::grid;
 use crate::figure::palette::{Rgb8, Vector, readable};
 use glam::DVec2;
 
@@ -98,5 +97,16 @@ pub(super) fn dashes(dash: Dash) -> &'static [f32] {
         Dash::Dashed => &[4.5, 2.5],
         Dash::DashDot => &[5.5, 2.0, 1.3, 2.0],
         Dash::Dotted => &[1.3, 1.7],
+    }
+}
+
+/// Columns and rows of a sheet of so many plots: two side by side where it is wide, and in any case from three on.
+pub fn grid(plots: usize, wide: bool) -> DVec2 {
+    match plots {
+        0 | 1 => DVec2::ONE,
+        2 if wide => DVec2::new(2.0, 1.0),
+        2 => DVec2::new(1.0, 2.0),
+        #[expect(clippy::cast_precision_loss, reason = "a sheet has few plots")]
+        _ => DVec2::new(2.0, plots.div_ceil(2) as f64),
     }
 }

@@ -208,7 +208,7 @@ impl<S: Simd> Points<S> {
         bits(clear & sound)
     }
 
-    /// For which of the points the ball lies beside the pyramid over a rectangle: beyond a plane through the site and an edge.
+    /// For which of the points the ball lies beside the pyramid over a rectangle: beyond a plane through the shading point and an edge.
     #[inline(always)]
     fn beside(&self, simd: S, area: &AreaLight, way: &Vector<S>, balls: Balls) -> mask32x16<S> {
         let one = f32x16::splat(simd, 1.0);

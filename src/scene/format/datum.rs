@@ -244,3 +244,13 @@ pub fn integer(number: &DeInteger<'_>) -> Option<i64> {
 fn named(number: &DeFloat<'_>) -> bool {
     number.as_str().ends_with("inf") || number.as_str().ends_with("nan")
 }
+
+/// A value as it stands in a scene file. Rust writes numbers as TOML does, extreme ones with an exponent.
+pub fn value_text(value: &Value) -> String {
+    match value {
+        Value::Float(number) if number.is_nan() => "nan".to_owned(),
+        Value::Float(number) => format!("{number:?}"),
+        Value::Array(list) => format!("[{}]", list.iter().map(value_text).collect::<Vec<_>>().join(", ")),
+        value => value.to_string(),
+    }
+}

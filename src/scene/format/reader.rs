@@ -67,7 +67,7 @@ pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Fi
     match key.node() {
         Node::Unknown => {
             let table = key.pattern.rsplit_once('.').map_or("", |(table, _)| table).to_owned();
-            return key.finding(Cause::UnknownKey { table });
+            return key.finding(Cause::UnknownKey { known: Parameter::names_in(&table) });
         }
         Node::Table => reader.clear(&key),
         Node::Parameter(_) | Node::List(_) => {}
@@ -159,7 +159,7 @@ impl Reader<'_> {
         for (name, value) in table {
             let (offset, inner) = (name.span().start, key.inside(name.get_ref()));
             if name.get_ref().contains('.') || matches!(inner.node(), Node::Unknown) {
-                let cause = Cause::UnknownKey { table: key.pattern.clone() };
+                let cause = Cause::UnknownKey { known: Parameter::names_in(&key.pattern) };
                 self.findings.push(Finding { offset, key: inner.text, cause });
             } else {
                 self.value(&inner, offset, value);

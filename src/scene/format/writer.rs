@@ -2,6 +2,7 @@
 
 use super::super::Scene;
 use super::super::parameter::{Kind, List, Parameter};
+use super::datum::value_text;
 use toml::Value;
 
 /// Tables that are left out where all of it has its default.
@@ -42,10 +43,10 @@ fn section(text: &mut String, head: &str, scene: &Scene, index: usize, keys: imp
             // A list of lists has a line for each.
             Value::Array(list) if list.first().is_some_and(Value::is_array) => {
                 text.push_str("[\n");
-                list.iter().for_each(|element| text.extend(["    ", &self::text(element), ",\n"]));
+                list.iter().for_each(|element| text.extend(["    ", &value_text(element), ",\n"]));
                 text.push(']');
             }
-            value => text.push_str(&self::text(value)),
+            value => text.push_str(&value_text(value)),
         }
         text.push('\n');
     }
@@ -60,14 +61,4 @@ fn is_left_out(parameter: &Parameter, value: &Value, scene: &Scene, index: usize
     };
     let off = matches!(parameter.kind, Kind::Switch(_)) || (parameter.idle)(scene, index).is_some();
     empty || (parameter.of_light() && off && Some(value) == parameter.default().as_ref())
-}
-
-/// A value as it stands in a scene file. Rust writes numbers as TOML does, extreme ones with an exponent.
-pub fn text(value: &Value) -> String {
-    match value {
-        Value::Float(number) if number.is_nan() => "nan".to_owned(),
-        Value::Float(number) => format!("{number:?}"),
-        Value::Array(list) => format!("[{}]", list.iter().map(text).collect::<Vec<_>>().join(", ")),
-        value => value.to_string(),
-    }
 }

@@ -1,6 +1,7 @@
 //! Which vectors and angles the equation has at a point: those of all lights, and of the one that is looked at in full.
 
-use super::{Arc, Arrow, LETTERED, angles, construction, lobe, side, vectors};
+use super::parts::{Arc, Arrow, LETTERED};
+use super::{angles, construction, lobe, side, vectors};
 use crate::analysis::overlay::Sketch;
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
 use crate::analysis::{LightTerms, ProbeHit, ReflectionLobe};

@@ -1,6 +1,6 @@
 //! Where the lights are: a sun for one that stands somewhere, parallel rays for one that only has a direction.
 
-use super::{LETTERED, LightHandle};
+use super::parts::{LETTERED, LightHandle};
 use crate::analysis::overlay::Sketch;
 use crate::figure::Area;
 use crate::figure::Shape;

@@ -1,7 +1,7 @@
 //! What the methods share: the projected triangle, the point that a pixel sees, and the equation there.
 
 use crate::illumination::{Equation, Real, V3};
-use crate::scene::{Projection, Rgb, Scene, View};
+use crate::scene::{Interpolation, Projection, Rgb, Scene, View};
 use glam::{DVec2, DVec3};
 
 /// A vertex in the picture.
@@ -126,4 +126,9 @@ impl Shade {
         let p: DVec3 = self.position([offset.x, offset.y], key).into();
         self.equation.illuminate_world(self.view.eye + p * self.unit, n, None)
     }
+}
+
+/// Whether values between vertices are linear in space and not in the picture.
+pub fn carried_in_perspective(scene: &Scene) -> bool {
+    scene.camera.projection == Projection::Perspective && scene.shading.interpolation == Interpolation::Perspective
 }

@@ -1,8 +1,7 @@
 //! Taylor's expansion of the cosines over a triangle, by forward differences (Bishop and Weimer 1986).
 
-use super::carried_in_perspective;
 use super::jet::Jet;
-use super::kernel::{Corner, Kernel, Shade, Span, linear};
+use super::kernel::{Corner, Kernel, Shade, Span, carried_in_perspective, linear};
 use super::phong::carried;
 use crate::illumination::V3;
 use crate::scene::{Backfacing, Projection, ReflectionModel, Rgb, Scene};
