@@ -291,7 +291,7 @@ fn lights_unfold_by_keyboard_and_their_symbols_lead_to_their_controls() {
 #[test]
 fn every_way_of_evaluating_fills_the_equation_in() {
     let mut harness = window("soft-shadow");
-    assert!(harness.query_by_label_contains("A sum over 64 points of the light").is_some());
+    assert!(harness.query_by_label_contains("Evaluated at 64 points of the light").is_some());
     for key in [Key::Num1, Key::Num2, Key::Num3] {
         harness.key_press(key);
         harness.run();

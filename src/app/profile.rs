@@ -7,7 +7,7 @@ use super::document::Document;
 use super::engine::{Engine, image_of};
 use super::look::NumbersTab;
 use super::report::{ReportView, export_ui};
-use super::row::{About, NumberRow, Rail, number};
+use super::row::{About, NumberRow, SliderRange, number};
 use super::state::AppState;
 use crate::analysis::{
     self, Answer, PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel, Viewing, Watch,
@@ -150,8 +150,8 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
         });
         let mut row = |label, tip, [low, high]: [f64; 2], default, value: &mut f64| {
             let about = About { label, tip, ..About::default() };
-            let rail = Rail { limits: low..=high, ..Rail::logarithmic(low..=high) };
-            number(ui, lit, &NumberRow { about, rail, default }, value);
+            let range = SliderRange { limits: low..=high, ..SliderRange::logarithmic(low..=high) };
+            number(ui, lit, &NumberRow { about, range, default }, value);
         };
         let (usual, eye) = (Viewing::default(), Perception::default());
         row(

@@ -11,7 +11,7 @@ mod text;
 
 pub use choice::{choice_of, toggle};
 pub use colour::{colour, swatch, vector};
-pub use number::{NumberRow, Rail, coefficient, display, field_pair, number, triple, whole};
+pub use number::{NumberRow, SliderRange, coefficient, display, field_pair, number, triple, whole};
 pub use parameter::{View, parameter, parameter_of, parameter_with, parameters};
 pub use text::{flags, text};
 

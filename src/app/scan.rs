@@ -13,7 +13,7 @@ use super::drawing::drawing_ui;
 use super::engine::Engine;
 use super::plot::plot_style;
 use super::report::export_ui;
-use super::row::{About, NumberRow, Rail, number, whole};
+use super::row::{About, NumberRow, SliderRange, number, whole};
 use super::state::AppState;
 use super::theme::TEXT;
 use crate::analysis::{Scan, ScanStop};
@@ -70,10 +70,10 @@ fn settings_ui(ui: &mut Ui, scan: &mut ScanView, state: &mut AppState) {
     let lit = &mut state.lit;
     let usual = ScanView::default();
     let about = About { label: "speed", name: "Scan speed", tip: "Steps a second while it plays.", ..About::default() };
-    let rail = Rail { limits: ScanView::SPEEDS, decimals: 1, ..Rail::logarithmic(ScanView::SPEEDS) };
-    number(ui, lit, &NumberRow { about, rail, default: usual.speed }, &mut scan.speed);
+    let range = SliderRange { limits: ScanView::SPEEDS, decimals: 1, ..SliderRange::logarithmic(ScanView::SPEEDS) };
+    number(ui, lit, &NumberRow { about, range, default: usual.speed }, &mut scan.speed);
     let about = About { label: "rows", name: "Scan rows", tip: "Rows of enlarged pixels.", ..About::default() };
     let span = f64::from(*Scan::ROWS.start())..=f64::from(*Scan::ROWS.end());
-    let rail = Rail { limits: span.clone(), decimals: 0, ..Rail::linear(span) };
-    whole(ui, lit, &NumberRow { about, rail, default: f64::from(usual.rows) }, &mut scan.rows);
+    let range = SliderRange { limits: span.clone(), decimals: 0, ..SliderRange::linear(span) };
+    whole(ui, lit, &NumberRow { about, range, default: f64::from(usual.rows) }, &mut scan.rows);
 }

@@ -1,4 +1,4 @@
-//! Depth cueing: what is far fades into one colour, as if through mist.
+//! Depth cueing: what is far fades into one colour, as if through fog.
 
 use super::Rgb;
 use super::choice::choices;

@@ -64,13 +64,13 @@ pub enum Kind {
         limits: Limits,
         slider: Slider,
     },
-    /// A number for each channel, or one for all of them.
+    /// RGB values, or one for all channels.
     Coefficient {
         at: Access<Rgb>,
         limits: Limits,
         slider: Slider,
     },
-    /// A number for each channel that is no colour.
+    /// RGB values that are no colour.
     Channels {
         at: Access<Rgb>,
         limits: Limits,

@@ -1,7 +1,7 @@
 //! How finely the object is made of polygons, by one number, and what it then consists of.
 
 use crate::app::plan::grouped;
-use crate::app::row::{About, NumberRow, Rail, number};
+use crate::app::row::{About, NumberRow, SliderRange, number};
 use crate::app::symbol::{Lit, Symbol};
 use crate::geometry::{divisions_for, triangles};
 use crate::render::Report;
@@ -25,10 +25,10 @@ pub fn triangles_ui(ui: &mut Ui, lit: &mut Lit, idle: Option<&str>, object: &mut
         idle,
         ..About::default()
     };
-    let rail = Rail { limits: least..=MOST, decimals: 0, ..Rail::logarithmic(least..=SLIDER) };
+    let range = SliderRange { limits: least..=MOST, decimals: 0, ..SliderRange::logarithmic(least..=SLIDER) };
     let (now, default) = (triangles(object) as f64, triangles(&plain) as f64);
     let mut wanted = now;
-    number(ui, lit, &NumberRow { about, rail, default }, &mut wanted);
+    number(ui, lit, &NumberRow { about, range, default }, &mut wanted);
     if wanted == now {
         return;
     }

@@ -1,6 +1,6 @@
 //! Rows for colours and for points and directions.
 
-use super::number::{Rail, field, three_fields};
+use super::number::{SliderRange, field, three_fields};
 use super::{About, row};
 use crate::app::symbol::Lit;
 use crate::scene::Rgb;
@@ -85,9 +85,9 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
 pub fn vector(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, default: DVec3, value: &mut DVec3) {
     let reset = row(ui, lit, about, *value != default, |ui| {
         let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x).max(0.0) / 3.0;
-        let rail = Rail { limits: -1e15..=1e15, decimals: 2, ..Rail::linear(-5.0..=5.0) };
+        let range = SliderRange { limits: -1e15..=1e15, decimals: 2, ..SliderRange::linear(-5.0..=5.0) };
         for (axis, part) in ["x", "y", "z"].into_iter().zip(value.as_mut()) {
-            field(ui, &format!("{} {axis}", about.name()), part, &rail, width);
+            field(ui, &format!("{} {axis}", about.name()), part, &range, width);
         }
     });
     if reset {

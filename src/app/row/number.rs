@@ -13,7 +13,7 @@ const INFINITY_SWITCH: f32 = 26.0;
 
 /// The slider of a number and the limits of what may be typed.
 #[derive(Clone, Debug)]
-pub struct Rail {
+pub struct SliderRange {
     /// What the slider spans.
     pub span: RangeInclusive<f64>,
     /// What the field takes.
@@ -27,7 +27,7 @@ pub struct Rail {
     pub suffix: &'static str,
 }
 
-impl Rail {
+impl SliderRange {
     /// A linear slider over `span`, with three decimals and no limit but to be finite and not negative.
     pub fn linear(span: RangeInclusive<f64>) -> Self {
         Self { span, limits: 0.0..=f64::MAX, refuses: false, logarithmic: false, decimals: 3, suffix: "" }
@@ -42,14 +42,14 @@ impl Rail {
 /// A row for one number; `default` is what resetting gives.
 pub struct NumberRow<'a> {
     pub about: About<'a>,
-    pub rail: Rail,
+    pub range: SliderRange,
     pub default: f64,
 }
 
 impl NumberRow<'_> {
     /// Whether infinity is one of the values, with a switch of its own.
     fn reaches_infinity(&self) -> bool {
-        *self.rail.limits.end() == f64::INFINITY
+        *self.range.limits.end() == f64::INFINITY
     }
 }
 
@@ -74,14 +74,14 @@ pub fn coefficient(
     ui: &mut Ui,
     lit: &mut Lit,
     about: &About<'_>,
-    rail: &Rail,
+    range: &SliderRange,
     default: Rgb,
     channels: bool,
     value: &mut Rgb,
 ) {
     let largest = value.max_element();
     let mut scalar = largest;
-    let spec = NumberRow { about: about.clone(), rail: rail.clone(), default: default.max_element() };
+    let spec = NumberRow { about: about.clone(), range: range.clone(), default: default.max_element() };
     if row(ui, lit, about, *value != default, |ui| slider_and_field(ui, &spec, &mut scalar)) {
         *value = default;
     } else if scalar.to_bits() != largest.to_bits() {
@@ -97,22 +97,29 @@ pub fn coefficient(
 
 /// Red, green and blue as three fields.
 pub fn three_fields(ui: &mut Ui, name: &str, value: &mut Rgb) {
-    fields(ui, name, &Rail { decimals: 2, ..Rail::linear(0.0..=1.0) }, value);
+    fields(ui, name, &SliderRange { decimals: 2, ..SliderRange::linear(0.0..=1.0) }, value);
 }
 
-/// A number for each channel, in the limits of `rail`.
-pub fn triple(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, rail: &Rail, default: Rgb, value: &mut Rgb) {
-    if row(ui, lit, about, *value != default, |ui| fields(ui, about.name(), rail, value)) {
+/// RGB values within the limits of `range`.
+pub fn triple(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, range: &SliderRange, default: Rgb, value: &mut Rgb) {
+    if row(ui, lit, about, *value != default, |ui| fields(ui, about.name(), range, value)) {
         *value = default;
     }
 }
 
 /// Two numbers side by side.
-pub fn field_pair(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, rail: &Rail, default: [f64; 2], value: &mut [f64; 2]) {
+pub fn field_pair(
+    ui: &mut Ui,
+    lit: &mut Lit,
+    about: &About<'_>,
+    range: &SliderRange,
+    default: [f64; 2],
+    value: &mut [f64; 2],
+) {
     let reset = row(ui, lit, about, *value != default, |ui| {
         let width = (ui.available_width() - ui.spacing().item_spacing.x).max(0.0) / 2.0;
         for (side, part) in ["width", "height"].into_iter().zip(value.iter_mut()) {
-            field(ui, &format!("{} {side}", about.name()), part, rail, width);
+            field(ui, &format!("{} {side}", about.name()), part, range, width);
         }
     });
     if reset {
@@ -120,10 +127,10 @@ pub fn field_pair(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, rail: &Rail, de
     }
 }
 
-fn fields(ui: &mut Ui, name: &str, rail: &Rail, value: &mut Rgb) {
+fn fields(ui: &mut Ui, name: &str, range: &SliderRange, value: &mut Rgb) {
     let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x).max(0.0) / 3.0;
     for (channel, part) in ["red", "green", "blue"].into_iter().zip(value.as_mut()) {
-        field(ui, &format!("{name} {channel}"), part, rail, width);
+        field(ui, &format!("{name} {channel}"), part, range, width);
     }
 }
 
@@ -135,7 +142,7 @@ fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
         ui.visuals_mut().selection.bg_fill = tint;
     }
     let slider = slider(ui, spec, value);
-    let field = field(ui, spec.about.name(), value, &spec.rail, FIELD);
+    let field = field(ui, spec.about.name(), value, &spec.range, FIELD);
     if !spec.about.tip.is_empty() {
         slider.on_hover_text(spec.about.tip);
         field.on_hover_text(spec.about.tip);
@@ -160,19 +167,19 @@ fn infinity_switch(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
         } else if spec.default.is_finite() {
             spec.default
         } else {
-            *spec.rail.span.end()
+            *spec.range.span.end()
         };
     }
 }
 
 fn slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) -> Response {
-    let (rail, before) = (&spec.rail, *value);
-    let mut slider = Slider::new(value, rail.span.clone())
+    let (range, before) = (&spec.range, *value);
+    let mut slider = Slider::new(value, range.span.clone())
         .show_value(false)
         .clamping(SliderClamping::Edits)
-        .logarithmic(rail.logarithmic)
-        .smallest_positive(rail.span.start().max(1e-6));
-    if rail.decimals == 0 {
+        .logarithmic(range.logarithmic)
+        .smallest_positive(range.span.start().max(1e-6));
+    if range.decimals == 0 {
         slider = slider.integer();
     }
     let response = ui.add(slider);
@@ -186,28 +193,28 @@ fn slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) -> Response {
 }
 
 /// A field for one number, which takes its limits, `inf` and `∞`.
-pub fn field(ui: &mut Ui, name: &str, value: &mut f64, rail: &Rail, width: f32) -> Response {
+pub fn field(ui: &mut Ui, name: &str, value: &mut f64, range: &SliderRange, width: f32) -> Response {
     let size = vec2(width, ui.spacing().interact_size.y);
-    let (decimals, before) = (rail.decimals, *value);
+    let (decimals, before) = (range.decimals, *value);
     let speed =
-        if rail.logarithmic { value.abs().max(1e-3) * 0.01 } else { (rail.span.end() - rail.span.start()) * 0.002 };
-    let range = if rail.refuses { f64::MIN..=f64::INFINITY } else { rail.limits.clone() };
+        if range.logarithmic { value.abs().max(1e-3) * 0.01 } else { (range.span.end() - range.span.start()) * 0.002 };
+    let allowed = if range.refuses { f64::MIN..=f64::INFINITY } else { range.limits.clone() };
     let widget = DragValue::new(value)
-        .range(range)
+        .range(allowed)
         .clamp_existing_to_range(false)
         .speed(if decimals == 0 { speed.max(0.1) } else { speed })
-        .suffix(rail.suffix)
+        .suffix(range.suffix)
         .update_while_editing(false)
         .custom_formatter(move |value, _| display(value, decimals))
         .custom_parser(parse);
     let response = ui.add_sized(size, widget);
     focus::register(&response);
-    // A screen reader's number comes past the widget's own range, and may be none.
+    // A screen reader's number comes past the widget's own allowed, and may be none.
     if value.is_nan() {
         *value = before;
     }
-    if response.changed() && (!rail.refuses || response.dragged()) {
-        *value = value.clamp(*rail.limits.start(), *rail.limits.end());
+    if response.changed() && (!range.refuses || response.dragged()) {
+        *value = value.clamp(*range.limits.start(), *range.limits.end());
     }
     let (enabled, shown) = (ui.is_enabled(), *value);
     response.widget_info(|| WidgetInfo { label: Some(name.to_owned()), ..WidgetInfo::drag_value(enabled, shown) });

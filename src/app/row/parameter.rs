@@ -1,7 +1,8 @@
 //! The row of a parameter: a control for its kind of value; all that it says comes from the parameter's description.
 
 use super::{
-    About, NumberRow, Rail, choice_of, coefficient, colour, field_pair, number, text, toggle, triple, vector, whole,
+    About, NumberRow, SliderRange, choice_of, coefficient, colour, field_pair, number, text, toggle, triple, vector,
+    whole,
 };
 use crate::app::palette::{Term, term_text, vector_text};
 use crate::app::symbol::{Lit, Symbol};
@@ -61,22 +62,22 @@ pub fn parameter_with(
         symbol: parameter.symbol,
         idle: (parameter.idle)(scene, index),
     };
-    let rail = rail(scene, parameter, view);
+    let range = range(scene, parameter, view);
     match &parameter.kind {
         Kind::Number { at, .. } => edit(at, lit, scene, index, |lit, value, default| {
-            number(ui, lit, &NumberRow { about, rail, default }, value);
+            number(ui, lit, &NumberRow { about, range, default }, value);
         }),
         Kind::Whole { at, .. } => edit(at, lit, scene, index, |lit, value, default| {
-            whole(ui, lit, &NumberRow { about, rail, default: default.into() }, value);
+            whole(ui, lit, &NumberRow { about, range, default: default.into() }, value);
         }),
         Kind::Pair { at, .. } => {
-            edit(at, lit, scene, index, |lit, value, default| field_pair(ui, lit, &about, &rail, default, value));
+            edit(at, lit, scene, index, |lit, value, default| field_pair(ui, lit, &about, &range, default, value));
         }
         Kind::Coefficient { at, .. } => edit(at, lit, scene, index, |lit, value, default| {
-            coefficient(ui, lit, &about, &rail, default, view.channels, value);
+            coefficient(ui, lit, &about, &range, default, view.channels, value);
         }),
         Kind::Channels { at, .. } => {
-            edit(at, lit, scene, index, |lit, value, default| triple(ui, lit, &about, &rail, default, value));
+            edit(at, lit, scene, index, |lit, value, default| triple(ui, lit, &about, &range, default, value));
         }
         Kind::Colour { at, .. } => {
             edit(at, lit, scene, index, |lit, value, default| colour(ui, lit, &about, default, value));
@@ -120,10 +121,10 @@ fn edit<T: Clone>(
 }
 
 /// The slider of a parameter, with the limits and the unit of its field.
-fn rail(scene: &Scene, parameter: &Parameter, view: &View) -> Rail {
+fn range(scene: &Scene, parameter: &Parameter, view: &View) -> SliderRange {
     let slider = view.slider.or(parameter.slider()).unwrap_or(Slider::UNIT);
     let Limits { least, greatest } = parameter.limits(scene).unwrap_or(Limits::FINITE);
-    Rail {
+    SliderRange {
         span: slider.from.max(least)..=slider.to,
         limits: least..=greatest,
         refuses: true,

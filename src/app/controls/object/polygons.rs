@@ -1,7 +1,7 @@
 //! The scene's own polygons: how many there are, how they are edited, and the chosen vertex in numbers.
 
 use crate::app::handles::vertex::{MOST, go};
-use crate::app::row::{About, NumberRow, Rail, vector, whole};
+use crate::app::row::{About, NumberRow, SliderRange, vector, whole};
 use crate::app::state::AppState;
 use eframe::egui::{RichText, Ui};
 
@@ -22,10 +22,10 @@ pub fn polygons_ui(ui: &mut Ui, state: &mut AppState) {
     let Some(at) = polygons.vertices.get(*vertex).copied() else { return };
     let mut number = u32::try_from(*vertex).unwrap_or(u32::MAX);
     let last = (count - 1) as f64;
-    let rail = Rail { limits: 0.0..=last, decimals: 0, ..Rail::linear(0.0..=last) };
+    let range = SliderRange { limits: 0.0..=last, decimals: 0, ..SliderRange::linear(0.0..=last) };
     let tip = "The vertex whose place is given below, by its number in the scene file.";
     let about = About { label: "Vertex", tip, ..About::default() };
-    whole(ui, lit, &NumberRow { about, rail, default: 0.0 }, &mut number);
+    whole(ui, lit, &NumberRow { about, range, default: 0.0 }, &mut number);
     *vertex = number as usize;
     let tip =
         "Where the vertex is; world units. It goes no farther than its polygons allow without crossing themselves.";
