@@ -158,6 +158,9 @@ fn episode(seed: u64, told: bool) {
     diary(|diary| {
         *diary = Diary { seed, steps: vec![format!("opens {}", loaded.name)], frame: Instant::now() };
     });
+    if told {
+        eprintln!("opens {}\n{}", loaded.name, loaded.scene.to_toml());
+    }
     let began = Instant::now();
     // A window shows a box for a letter that its fonts lack.
     let builder = Harness::builder().with_size([800.0, 500.0]).allow_missing_glyphs().renderer(hands::Nowhere);

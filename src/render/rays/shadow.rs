@@ -12,6 +12,10 @@ use fearless_simd::Simd;
 use glam::DVec3;
 use std::ops::Range;
 
+/// From how many times the light's distance a shadow ray is followed from the light to the point: the rounding of a place so far
+/// away would be as large as the model's details.
+const FAR_POINT: f64 = 1e9;
+
 /// One light of the scene.
 struct Lamp {
     sources: Range<usize>,
@@ -185,9 +189,15 @@ impl<'a> ShadowCaster<'a> {
             let point = group.first + rays.trailing_zeros() as usize;
             rays &= rays - 1;
             let start = group.row.lifted(point, group.side * self.solid.clearance());
-            let (direction, t_max) = if parallel { (to, f64::MAX) } else { (to - start, 1.0) };
+            let (origin, direction, t_max) = if parallel {
+                (start, to, f64::MAX)
+            } else if start.length_squared() > (FAR_POINT * to.length()).powi(2) {
+                (to, start - to, 1.0)
+            } else {
+                (start, to - start, 1.0)
+            };
             let Waiting { packet, marks, count } = sheet.waiting;
-            packet.set(*count, start, direction, t_max);
+            packet.set(*count, origin, direction, t_max);
             marks[*count] = (source as u32, point as u32);
             *count += 1;
             if *count == RAYS {
