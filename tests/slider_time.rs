@@ -6,8 +6,10 @@ mod hands;
 
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
-use hands::{picture, scene, window};
+use hands::{picture, scene, window_of};
+use shading_lab::document::load;
 use shading_lab::render::Renderer;
+use std::path::Path;
 use std::time::Instant;
 
 /// Drags that are measured, each of so many frames, of which the first does not count: it still shows the numbers of a
@@ -29,11 +31,21 @@ fn median(mut values: Vec<f64>) -> f64 {
 #[test]
 #[ignore = "measures times"]
 fn a_slider_costs_little_more_than_its_picture() {
-    for (name, start, step) in [("Ka ambient coefficient", 0.2, 0.001), ("n specular exponent", 20.0, 0.1)] {
-        let mut harness = window("sphere");
-        let mut renderer = Renderer::default();
+    let fine = ["object.segments=512", "object.rings=257"];
+    for (name, settings) in [("teapot", &[][..]), ("sphere", &[]), ("torus", &[]), ("sphere", &fine)] {
+        measure(name, settings);
+    }
+}
+
+fn measure(built_in: &str, settings: &[&str]) {
+    let settings: Vec<_> = settings.iter().map(|&setting| setting.to_owned()).collect();
+    let mut loaded = load(Path::new(built_in)).expect("a built-in scene");
+    loaded.scene = loaded.scene.with_overrides(&settings).expect("settings");
+    let mut harness = window_of(loaded);
+    let mut renderer = Renderer::default();
+    for (name, step) in [("Ka ambient coefficient", 0.001), ("n specular exponent", 0.1)] {
         let (mut changed, mut unchanged, mut engine, mut alone) = (vec![], vec![], vec![], vec![]);
-        let mut value = start;
+        let mut value = if name.starts_with('n') { scene(&harness).material.n } else { 0.2 };
         for _ in 0..DRAGS {
             harness.run();
             unchanged.extend((0..FRAMES).map(|_| milliseconds(|| harness.step())));
@@ -59,8 +71,8 @@ fn a_slider_costs_little_more_than_its_picture() {
         }
         let [changed, unchanged, engine, alone] = [changed, unchanged, engine, alone].map(median);
         println!(
-            "{name}: the window's frame {changed:.2} ms, unchanged {unchanged:.2} ms, the engine {engine:.2} ms in it and \
-             {alone:.2} ms alone: what the change adds is {:.2} times the engine's time",
+            "{built_in} {settings:?}, {name}: the window's frame {changed:.2} ms, unchanged {unchanged:.2} ms, the engine \
+             {engine:.2} ms in it and {alone:.2} ms alone: what the change adds is {:.2} times the engine's time",
             (changed - unchanged) / engine
         );
     }
