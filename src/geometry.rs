@@ -5,14 +5,13 @@ mod concave;
 mod mesh;
 mod obj;
 mod primitives;
+mod sizes;
 mod surface;
 mod teapot;
-mod topology;
 mod vertex_normals;
-mod vertex_shares;
 
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use obj::{ObjError, read_obj};
 pub use primitives::{divisions_for, tessellate, triangles};
 pub use surface::{Ray, Surface, SurfaceHit};
-pub use vertex_shares::{FaceShare, NormalOrigin, VertexShares};
+pub use vertex_normals::{FaceShare, NormalOrigin, VertexShares};

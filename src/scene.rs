@@ -4,48 +4,45 @@
 //! are world units, angles degrees, intensities linear with 1 the display's white. The types hold any number; a scene
 //! that came through [`Scene::parse`], [`Scene::with_override`] or [`Scene::validate`] is sound (see there).
 
-mod about;
-mod camera;
+pub mod camera;
 mod choice;
-mod compare;
-mod depth_cueing;
+pub mod compare;
 mod format;
-mod light;
-mod limits;
-mod material;
+pub mod light;
+pub mod material;
 pub mod materials;
 mod nearest;
-mod object;
+pub mod object;
 mod overrides;
 pub mod parameter;
 mod polygons;
 pub mod presets;
 mod problem;
-mod settings;
+pub mod shading;
 mod shared;
-mod surroundings;
+pub mod surroundings;
+mod symbol;
 mod validation;
 mod view;
 
-pub use about::About;
-pub use camera::{Camera, Projection, Viewer};
+pub use camera::{About, Camera, Display, Encoding, Image, Overflow, Projection, Viewer};
 pub use choice::{Choice, ChoiceOption};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};
-pub use depth_cueing::{CuedBy, DepthCueing};
-pub use light::{Ambient, AmbientSource, AreaShape, Attenuation, Light, LightKind};
-pub use limits::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
-pub use material::{Material, Reflectance};
+pub use light::{AreaShape, Attenuation, Light, LightKind};
+pub use material::{
+    Ambient, AmbientSource, Backfacing, Distribution, Material, Pattern, PatternKind, Reflectance, Reflection,
+    ReflectionModel, Through, Transparency,
+};
 pub use nearest::nearest;
 pub use object::{NormalSource, Object, ObjectKind, Weighting};
+pub use parameter::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
 pub use polygons::Polygons;
 pub(crate) use polygons::area_vector;
 pub use problem::{Cause, Place, Problem, SceneError};
-pub use settings::{
-    Backfacing, Display, Distribution, Encoding, FlatAt, Image, Interpolation, Overflow, Reflection, ReflectionModel,
-    Shading, ShadingMode,
-};
+pub use shading::{FlatAt, Interpolation, Shading, ShadingMode};
 pub use shared::Shared;
-pub use surroundings::{Backdrop, Ground, Pattern, PatternKind, Through, Transparency};
+pub use surroundings::{Backdrop, CuedBy, DepthCueing, Ground};
+pub use symbol::Symbol;
 pub use view::View;
 
 /// Red, green and blue, linear.

@@ -321,3 +321,13 @@ fn samples_fade_as_pixels_do() {
         assert!((0..3).all(|c| pair[0][c].abs_diff(pair[1][c]) <= 1), "{x},{y}: {pair:?}");
     }
 }
+
+#[test]
+fn s0_is_linear_between_its_two_depths_and_constant_beside_them() {
+    let cueing = DepthCueing { front_scale: 0.9, back_scale: 0.1, ..DepthCueing::default() };
+    for (depth, scale) in [(-1e30, 0.9), (3.0, 0.9), (3.5, 0.7), (4.0, 0.5), (5.0, 0.1), (1e30, 0.1)] {
+        assert!((cueing.scale_at(depth) - scale).abs() < 1e-15, "{depth}");
+    }
+    let step = DepthCueing { back: 3.0 + f64::EPSILON * 2.0, ..DepthCueing::default() };
+    assert_eq!([step.scale_at(3.0), step.scale_at(step.back)], [1.0, 0.0]);
+}

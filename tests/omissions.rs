@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use shading_lab::render::{Frame, Per, Renderer, Term};
 use shading_lab::scene::{
-    Attenuation, Backfacing, CuedBy, Distribution, Interpolation, Light, LightKind, NormalSource, ObjectKind,
+    Attenuation, Backfacing, Choice, CuedBy, Distribution, Interpolation, Light, LightKind, NormalSource, ObjectKind,
     Projection, Reflectance, ReflectionModel, Rgb, Scene, ShadingMode, Viewer, presets,
 };
 
@@ -92,16 +92,8 @@ fn light() -> impl Strategy<Value = Light> {
 
 /// Scenes with much to leave out.
 fn scene() -> impl Strategy<Value = Scene> {
-    let kind = pick(&[
-        ObjectKind::Sphere,
-        ObjectKind::Torus,
-        ObjectKind::Cylinder,
-        ObjectKind::Cone,
-        ObjectKind::Cube,
-        ObjectKind::Plane,
-        ObjectKind::Teapot,
-        ObjectKind::Corrugated,
-    ]);
+    let shapes: Vec<_> = ObjectKind::VALUES.iter().copied().filter(|kind| kind.has_surface()).collect();
+    let kind = pick(&shapes);
     let normals = pick(&[NormalSource::Averaged, NormalSource::Exact, NormalSource::Facet]);
     let object = (kind, 3..24_u32, 3..16_u32, normals, place(4.5), any::<[bool; 4]>());
     let material = (colour(), colour(), colour(), pick(&[0.0, 1.0, 7.5, 40.0, 64.0, 300.0, 1e5]), colour());

@@ -80,16 +80,16 @@ fn its_access_reaches_the_field_of_its_key() {
     for parameter in Parameter::all() {
         let mut other = scene.clone();
         match &parameter.kind {
-            Kind::Number { at, .. } => *(at.get_mut)(&mut other, 0).expect("a value") += 0.5,
-            Kind::Whole { at, .. } => *(at.get_mut)(&mut other, 0).expect("a value") += 1,
-            Kind::Pair { at, .. } => (at.get_mut)(&mut other, 0).expect("a value")[0] += 0.5,
-            Kind::Coefficient { at, .. } | Kind::Channels { at, .. } | Kind::Colour { at, .. } => {
+            Kind::Number(at, ..) => *(at.get_mut)(&mut other, 0).expect("a value") += 0.5,
+            Kind::Whole(at, ..) => *(at.get_mut)(&mut other, 0).expect("a value") += 1,
+            Kind::Pair(at, ..) => (at.get_mut)(&mut other, 0).expect("a value")[0] += 0.5,
+            Kind::Coefficient(at, ..) | Kind::Channels(at, ..) | Kind::Colour(at, _) => {
                 (at.get_mut)(&mut other, 0).expect("a value").x += 0.5;
             }
-            Kind::Point(at) | Kind::Direction { at, .. } => (at.get_mut)(&mut other, 0).expect("a value").x += 0.5,
+            Kind::Point(at) | Kind::Direction(at, _) => (at.get_mut)(&mut other, 0).expect("a value").x += 0.5,
             Kind::Switch(at) => *(at.get_mut)(&mut other, 0).expect("a value") ^= true,
-            Kind::Text { at, .. } => (at.get_mut)(&mut other, 0).expect("a value").push('x'),
-            Kind::Other { .. } => parameter.copy(&Scene::default(), &mut other, 0),
+            Kind::Text(at, _) => (at.get_mut)(&mut other, 0).expect("a value").push('x'),
+            Kind::Other(..) => parameter.copy(&Scene::default(), &mut other, 0),
             // Every word of a choice is one that `--set` takes, and leads to that option.
             Kind::Choice(choice) => {
                 let before = choice.chosen(&scene, 0).expect("a value");
@@ -124,10 +124,10 @@ fn a_scene_is_held_to_the_limits_of_the_table() {
             let mut other = scene.clone();
             let sound = (least..=greatest).contains(&value);
             match &parameter.kind {
-                Kind::Number { at, .. } => *(at.get_mut)(&mut other, 0).expect("a light") = value,
-                Kind::Whole { at, .. } => *(at.get_mut)(&mut other, 0).expect("a light") = value as u32,
-                Kind::Pair { at, .. } => (at.get_mut)(&mut other, 0).expect("a light")[1] = value,
-                Kind::Coefficient { at, .. } | Kind::Channels { at, .. } | Kind::Colour { at, .. } => {
+                Kind::Number(at, ..) => *(at.get_mut)(&mut other, 0).expect("a light") = value,
+                Kind::Whole(at, ..) => *(at.get_mut)(&mut other, 0).expect("a light") = value as u32,
+                Kind::Pair(at, ..) => (at.get_mut)(&mut other, 0).expect("a light")[1] = value,
+                Kind::Coefficient(at, ..) | Kind::Channels(at, ..) | Kind::Colour(at, _) => {
                     (at.get_mut)(&mut other, 0).expect("a light").y = value;
                 }
                 _ => continue,

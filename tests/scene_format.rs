@@ -1,7 +1,9 @@
 //! The scene file: what reading it says about mistakes, and that its documentation is true.
 
 use glam::DVec3;
-use shading_lab::scene::{Cause, Light, LightKind, Material, ObjectKind, Rgb, Scene, ShadingMode};
+use shading_lab::scene::{
+    About, Cause, Choice, Light, LightKind, Material, ObjectKind, Rgb, Scene, ShadingMode, materials, nearest, presets,
+};
 
 /// Everything that reading `text` as the file `s.toml` objects to, a line each.
 fn objections(text: &str) -> String {
@@ -343,7 +345,8 @@ fn a_scene_made_in_the_program_is_checked_too() {
     let error = scene.validate().expect_err("two numbers that are none");
     let keys: Vec<_> = error.problems().iter().map(|problem| problem.key.as_str()).collect();
     assert_eq!(keys, ["camera.eye", "material.n"]);
-    assert!(error.problems().iter().all(|problem| matches!(problem.cause, Cause::Value { .. })));
+    let is_value = |cause: &Cause| matches!(cause, Cause::Key(words) if words.starts_with(" is "));
+    assert!(error.problems().iter().all(|problem| is_value(&problem.cause)));
 }
 
 #[test]
@@ -489,9 +492,94 @@ fn quoted(cell: &str) -> Vec<&str> {
 #[test]
 fn the_readme_names_every_built_in_scene_under_its_topic() {
     let readme = include_str!("../README.md");
-    for preset in shading_lab::scene::presets::ALL {
+    for preset in presets::ALL {
         let row = readme.lines().find(|line| line.starts_with(&format!("| {} |", preset.about().topic)));
         let named = row.is_some_and(|row| quoted(row).contains(&preset.name));
         assert!(named, "{} is not named under {}", preset.name, preset.about().topic);
     }
+}
+
+#[test]
+fn a_key_that_is_not_written_is_at_fault_in_the_line_of_its_table() {
+    let text =
+        "[camera]\neye = [0, 4, 0]\n\n[[light]]\nkind = \"area\"\n[object]\nkind = \"obj\"\n[[light]]\nc1 = -1\n";
+    let found = objections(text);
+    for line in
+        ["s.toml:1: `camera.up` is parallel", "s.toml:6: `object.path` is missing", "s.toml:9: `light.1.c1` is -1"]
+    {
+        assert!(found.contains(line), "{found}");
+    }
+}
+
+#[test]
+fn every_scene_is_read_and_survives_its_file() {
+    for preset in presets::ALL {
+        let scene = preset.scene();
+        assert_eq!(Scene::parse(&scene.to_toml(), preset.name), Ok(scene), "{}", preset.name);
+    }
+}
+
+#[test]
+fn every_name_is_its_own_and_every_scene_says_what_it_is_about() {
+    let files = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes")).expect("a folder");
+    assert_eq!(files.count(), presets::ALL.len(), "every file is listed");
+    for preset in presets::ALL {
+        assert!(preset.name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", preset.name);
+        let About { title, sentence, topic, view } = preset.about();
+        assert!(std::ptr::eq(presets::find(preset.name).expect("listed"), preset));
+        assert!(!title.is_empty() && sentence.ends_with('.') && !topic.is_empty(), "{}", preset.name);
+        assert_eq!(view.is_empty(), preset.name == presets::DEFAULT, "{}", preset.name);
+    }
+    let mut sorted = presets::topics();
+    sorted.sort_unstable();
+    sorted.dedup();
+    assert_eq!(sorted.len(), presets::topics().len(), "scenes of a topic stand together");
+}
+
+#[test]
+fn every_shape_without_a_file_is_shown() {
+    let shapes: Vec<_> = presets::ALL.iter().map(|preset| preset.scene().object.kind).collect();
+    for kind in ObjectKind::VALUES.iter().filter(|kind| **kind != ObjectKind::Obj) {
+        assert!(shapes.contains(kind), "{kind:?}");
+    }
+}
+
+#[test]
+fn every_material_is_sound_and_survives_its_file() {
+    assert_eq!(materials::NAMED.len(), 4 * materials::OF_A_KIND);
+    for named in materials::NAMED {
+        let scene = Scene { material: named.material(), ..Scene::default() };
+        assert_eq!(scene.validate(), Ok(()), "{}", named.name);
+        assert_eq!(Scene::parse(&scene.to_toml(), named.name), Ok(scene), "{}", named.name);
+    }
+}
+
+#[test]
+fn every_material_is_found_by_its_name_and_by_its_numbers() {
+    for named in materials::NAMED {
+        assert!(named.name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", named.name);
+        assert_eq!(materials::find(named.name), Some(named));
+        assert_eq!(materials::recognise(&named.material()), Some(named), "{}", named.name);
+    }
+    assert_eq!(materials::recognise(&Material::default()), None);
+}
+
+#[test]
+fn the_numbers_are_the_published_ones() {
+    let gold = materials::find("gold").expect("a named material").material();
+    assert_eq!((gold.ka, gold.n), (Rgb::new(0.24725, 0.1995, 0.0745), 51.2));
+    let pearl = materials::find("pearl").expect("a named material").material();
+    assert_eq!((pearl.kd, pearl.n), (Rgb::new(1.0, 0.829, 0.829), 11.264));
+}
+
+#[test]
+fn the_nearest_word_is_found_and_a_distant_one_is_not() {
+    let known = ["flat", "interpolated", "gouraud", "phong", "exact"];
+    assert_eq!(nearest("gouraux", known), Some("gouraud"));
+    assert_eq!(nearest("Pohng", known), Some("phong"));
+    assert_eq!(nearest("inter", known), Some("interpolated"));
+    assert_eq!(nearest("toon", known), None);
+    assert_eq!(nearest("", known), None);
+    assert_eq!(nearest("x", ["k"]), None);
+    assert_eq!(nearest(&"p".repeat(1 << 20), known), None);
 }

@@ -7,8 +7,8 @@ use super::report::{ReportView, export_ui};
 use super::row::parameter;
 use super::state::AppState;
 use crate::analysis::{self, Answer, Comparison};
-use crate::scene::parameter::shading::{INTERPOLATION, MODE};
-use crate::scene::parameter::surroundings::{DIFFERENCE, GAIN};
+use crate::scene::compare::{DIFFERENCE, GAIN};
+use crate::scene::shading::{INTERPOLATION, MODE};
 use crate::scene::{ChoiceOption, Compare, CompareView, Object, Pane, Scene, ShadingMode};
 use eframe::egui::{Align, Button, Layout, RichText, TextEdit, Ui};
 

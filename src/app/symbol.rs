@@ -1,7 +1,7 @@
 //! Which symbol of the equation is lit, with the control that it belongs to.
 
 use crate::scene::Scene;
-pub use crate::scene::parameter::Symbol;
+pub use crate::scene::Symbol;
 
 /// Which symbol is lit. What the pointer is over this frame is shown the next, so that the order of painting does not
 /// matter.

@@ -42,7 +42,7 @@ fn meaning(parameter: &Parameter) -> String {
 fn object(parameter: &'static Parameter) -> Value {
     let Parameter { key, letter, name, unit, help, .. } = parameter;
     let limits = match (&parameter.kind, parameter.limits(&Scene::default())) {
-        (Kind::Other { limits, .. }, _) => json!(limits),
+        (Kind::Other(.., limits), _) => json!(limits),
         // Infinity becomes null: no limit.
         (_, Some(limits)) => json!([limits.least, limits.greatest]),
         _ => Value::Null,

@@ -1,23 +1,43 @@
 //! Wavefront OBJ models.
 //!
-//! In: the file's bytes. Out: one [`Mesh`] of all its polygons, or what is wrong in which line. Three steps:
-//!
-//! 1. `lines` joins continued lines, counts them and refuses what is not text;
-//! 2. `prepare` checks every vertex, normal and face and writes them anew, plainly, for
-//! 3. the crate `tobj`, which reads them into pieces; `assemble` puts these together.
+//! In: the file's bytes. Out: one [`Mesh`] of all its polygons, or what is wrong in which line. The file is read once, line by
+//! line: `prepare` checks every vertex, normal and face and writes them anew, plainly, for the crate `tobj`, which reads them
+//! into pieces; here these are put together over shared points.
 //!
 //! Texture coordinates, materials, groups, lines, points and free-form surfaces are passed over.
 
-mod assemble;
-mod error;
-mod lines;
 mod prepare;
 
-use super::mesh::Mesh;
-pub use error::ObjError;
-use lines::Lines;
-use prepare::Prepared;
-use std::io::BufRead;
+use super::concave::fan_or_triangles;
+use super::mesh::{Corner, Mesh, NO_NORMAL};
+use glam::{DVec3, Vec3};
+use prepare::{Lines, Prepared};
+use std::collections::HashMap;
+use std::io::{BufRead, BufReader};
+
+/// Why a model could not be read. The message says what is wrong and what was expected, [`ObjError::line`] where.
+#[derive(Debug, thiserror::Error)]
+pub enum ObjError {
+    #[error("cannot be read: {0}")]
+    Read(#[from] std::io::Error),
+    #[error("{what}")]
+    Line { line: u64, what: String },
+    #[error("the file is empty, expected an OBJ model with `v` and `f` lines")]
+    Empty,
+    #[error("there is no face with three different corners, expected at least one `f` line")]
+    NoFace,
+    #[error("the model has more than {} corners, expected fewer", u32::MAX)]
+    TooLarge,
+    #[error("the model was refused: {0}")]
+    Refused(tobj::LoadError),
+}
+
+impl ObjError {
+    /// The line, from 1, where it is known; of a continued line the first.
+    pub fn line(&self) -> Option<u64> {
+        if let Self::Line { line, .. } = self { Some(*line) } else { None }
+    }
+}
 
 /// Reads a model; `progress` is told now and then how many bytes have been read.
 ///
@@ -34,8 +54,84 @@ use std::io::BufRead;
 pub fn read_obj(reader: impl BufRead, progress: &mut dyn FnMut(u64)) -> Result<Mesh, ObjError> {
     let mut prepared = Prepared::new(Lines::new(reader, progress));
     // No piece names a material library, so the loader of those is never asked.
-    let loaded = tobj::load_obj_buf(&mut prepared, &tobj::LoadOptions::default(), |_| Err(tobj::LoadError::ReadError));
+    let no_materials = |_: &std::path::Path| Err(tobj::LoadError::ReadError);
+    let loaded = tobj::load_obj_buf(&mut BufReader::new(&mut prepared), &tobj::LoadOptions::default(), no_materials);
     let origin = prepared.finish()?;
-    let (models, _) = loaded.map_err(ObjError::Refused)?;
-    assemble::mesh(models, origin)
+    let (pieces, _) = loaded.map_err(ObjError::Refused)?;
+    put_together(pieces, origin)
+}
+
+/// The mesh of all pieces, with positions relative to `origin`. Each piece is let go once it is in.
+fn put_together(pieces: Vec<tobj::Model>, origin: DVec3) -> Result<Mesh, ObjError> {
+    let corners: usize = pieces.iter().map(|piece| piece.mesh.indices.len()).sum();
+    if u32::try_from(corners).is_err() {
+        return Err(ObjError::TooLarge);
+    }
+    let mut mesh = Mesh { origin, starts: vec![0], ..Mesh::default() };
+    mesh.corners.reserve_exact(corners);
+    mesh.starts.reserve_exact(pieces.iter().map(|piece| face_count(&piece.mesh)).sum());
+    // The point at each place, by the bits of its coordinates.
+    let mut points = HashMap::new();
+    for piece in pieces {
+        add_piece(&mut mesh, &mut points, &piece.mesh);
+    }
+    mesh.positions.shrink_to_fit();
+    mesh.normals.shrink_to_fit();
+    mesh.starts.shrink_to_fit();
+    if mesh.face_count() == 0 { Err(ObjError::NoFace) } else { Ok(mesh.with_closedness_detected()) }
+}
+
+fn add_piece(mesh: &mut Mesh, known: &mut HashMap<[u32; 3], u32>, piece: &tobj::Mesh) {
+    let Mesh { positions, normals, starts, corners, .. } = mesh;
+    let points: Vec<u32> = vectors(&piece.positions)
+        .map(|position| {
+            // Adding zero makes −0 and 0 one.
+            let position = position + 0.0;
+            *known.entry(position.to_array().map(f32::to_bits)).or_insert_with(|| {
+                positions.push(position);
+                positions.len() as u32 - 1
+            })
+        })
+        .collect();
+    let given: Vec<u32> = vectors(&piece.normals)
+        .map(|normal| {
+            if normal == Vec3::ZERO {
+                return NO_NORMAL;
+            }
+            normals.push(normal);
+            normals.len() as u32 - 1
+        })
+        .collect();
+    let mut face = Vec::new();
+    let mut begin = 0;
+    for f in 0..face_count(piece) {
+        let end = begin + piece.face_arities.get(f).map_or(3, |&arity| arity as usize);
+        face.clear();
+        face.extend((begin..end).map(|c| Corner {
+            position: points[piece.indices[c] as usize],
+            normal: piece.normal_indices.get(c).map_or(NO_NORMAL, |&normal| given[normal as usize]),
+        }));
+        begin = end;
+        // A corner that repeats the one before is left out.
+        face.dedup_by_key(|corner| corner.position);
+        while face.len() > 1 && face.first().map(|c| c.position) == face.last().map(|c| c.position) {
+            face.pop();
+        }
+        if face.len() >= 3 {
+            let at = |corner: &Corner| positions[corner.position as usize].as_dvec3();
+            fan_or_triangles(&mut face, at, |polygon| {
+                corners.extend_from_slice(polygon);
+                starts.push(corners.len() as u32);
+            });
+        }
+    }
+}
+
+/// Faces of a piece, which lists no arities where all are triangles.
+fn face_count(piece: &tobj::Mesh) -> usize {
+    if piece.face_arities.is_empty() { piece.indices.len() / 3 } else { piece.face_arities.len() }
+}
+
+fn vectors(numbers: &[f32]) -> impl Iterator<Item = Vec3> {
+    numbers.chunks_exact(3).map(Vec3::from_slice)
 }

@@ -3,16 +3,12 @@
 //! In: an [`Object`]. Out: a [`Mesh`] whose points lie on the surface. `segments` counts polygons round the axis, `rings`
 //! along it; azimuth runs from +z towards +x, so that it is counter-clockwise seen from +y.
 
-mod angular;
-pub(crate) mod builder;
-pub(crate) mod corrugated;
 mod count;
-mod polygons;
-mod round;
-pub(crate) mod sizes;
+mod shapes;
 mod teapot;
 
 use super::mesh::Mesh;
+use super::sizes::{CONE, CYLINDER};
 use crate::scene::{Object, ObjectKind};
 pub use count::{divisions_for, triangles};
 
@@ -37,14 +33,14 @@ pub fn tessellate(object: &Object) -> Mesh {
     let segments = divisions(object.segments, 3);
     let rings = divisions(object.rings, 1);
     match object.kind {
-        ObjectKind::Sphere => round::sphere(segments, rings.max(2)),
-        ObjectKind::Torus => round::torus(segments, rings.max(3)),
-        ObjectKind::Cylinder => round::cylinder(segments, rings),
-        ObjectKind::Cone => round::cone(segments, rings),
-        ObjectKind::Cube => angular::cube((segments / 4).max(1), rings),
-        ObjectKind::Plane => angular::plane(divisions(object.segments, 1), rings),
-        ObjectKind::Corrugated => corrugated::corrugated(divisions(object.segments, 2), rings),
-        ObjectKind::Polygons => polygons::polygons(object),
+        ObjectKind::Sphere => shapes::sphere(segments, rings.max(2)),
+        ObjectKind::Torus => shapes::torus(segments, rings.max(3)),
+        ObjectKind::Cylinder => shapes::frustum(&CYLINDER, segments, rings),
+        ObjectKind::Cone => shapes::frustum(&CONE, segments, rings),
+        ObjectKind::Cube => shapes::cube((segments / 4).max(1), rings),
+        ObjectKind::Plane => shapes::plane(divisions(object.segments, 1), rings),
+        ObjectKind::Corrugated => shapes::corrugated(divisions(object.segments, 2), rings),
+        ObjectKind::Polygons => shapes::polygons(object),
         ObjectKind::Teapot => teapot::teapot((rings / 4).max(1), (segments / 4).max(1)),
         ObjectKind::Obj => Mesh { starts: vec![0], ..Mesh::default() },
     }

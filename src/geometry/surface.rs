@@ -4,16 +4,13 @@
 //! surface lies within [`Surface::BOUND`] of the world's origin, so a ray is first brought to unit direction and to its point
 //! nearest the origin: the equations then see numbers about 1 however far away the eye is.
 
-mod corrugated;
 mod patch_ray;
 mod patches;
 mod polynomial;
 mod solids;
-mod torus;
-mod unit_ray;
 
-use self::unit_ray::UnitRay;
-use super::primitives::sizes::{CUBE_HALF_EDGE, CYLINDER_HALF_HEIGHT, CYLINDER_RADIUS};
+use self::solids::UnitRay;
+use super::sizes::{CONE, CUBE_HALF_EDGE, CYLINDER};
 use crate::scene::{Object, ObjectKind};
 use glam::DVec3;
 
@@ -58,7 +55,7 @@ impl Surface {
     pub fn inner_radius(&self) -> f64 {
         match self.kind {
             ObjectKind::Sphere => 1.0,
-            ObjectKind::Cylinder => CYLINDER_RADIUS.min(CYLINDER_HALF_HEIGHT),
+            ObjectKind::Cylinder => CYLINDER.bottom.min(CYLINDER.high),
             ObjectKind::Cube => CUBE_HALF_EDGE,
             _ => 0.0,
         }
@@ -81,13 +78,13 @@ impl Surface {
         let ray = UnitRay { origin, direction, s_min: t_min * length - shift };
         let meeting = match self.kind {
             ObjectKind::Sphere => solids::sphere(&ray),
-            ObjectKind::Torus => torus::torus(&ray),
-            ObjectKind::Cylinder => solids::cylinder(&ray),
-            ObjectKind::Cone => solids::cone(&ray),
+            ObjectKind::Torus => solids::torus(&ray),
+            ObjectKind::Cylinder => solids::frustum(&CYLINDER, &ray),
+            ObjectKind::Cone => solids::frustum(&CONE, &ray),
             ObjectKind::Cube => solids::cube(&ray),
             ObjectKind::Plane => solids::plane(&ray),
             ObjectKind::Teapot => patches::teapot(&ray),
-            ObjectKind::Corrugated => corrugated::corrugated(&ray, self.slopes),
+            ObjectKind::Corrugated => solids::corrugated(&ray, self.slopes),
             ObjectKind::Obj | ObjectKind::Polygons => None,
         }?;
         Some(SurfaceHit { t: (meeting.s + shift) / length, normal: meeting.normal.normalize_or(DVec3::Y) })

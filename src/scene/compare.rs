@@ -1,21 +1,33 @@
 //! Several pictures of one scene side by side: each pane is the scene with a few of its keys replaced.
 
-use super::choice::Choice;
-use super::choice::choices;
-use super::problem::{Cause, Place, Problem, SceneError};
-use super::{Display, Scene, ShadingMode};
+use super::Scene;
+use super::camera::Overflow;
+use super::choice::{Choice, choices};
+use super::overrides::is_inside;
+use super::parameter::{Limits, Slider, table};
+use super::problem::{Cause, Finding, Place, Problem, SceneError};
+use super::shading::ShadingMode;
 
-/// What is compared and how. The first pane is the scene itself; the last one is what the others are measured against.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Compare {
-    pub view: CompareView,
-    /// Where a wipe's line stands, 0 (left) to 1: the scene is seen to its left, the last pane to its right.
-    pub wipe: f64,
-    pub difference: DifferenceKind,
-    /// What the difference is multiplied by before it is shown, 1 to [`Compare::MAX_GAIN`].
-    pub gain: f64,
-    /// The panes beside the scene itself, at most [`Compare::MAX_PANES`].
-    pub panes: Vec<Pane>,
+table! {
+    /// What is compared and how. The first pane is the scene itself; the last one is what the others are measured against.
+    pub struct Compare = "compare" in compare with (panes: Vec<Pane> = vec![]) {
+        COMPARE_VIEW view: CompareView = CompareView::Single, Choice, "Comparison",
+            "How the scene and its panes are shown.";
+        /// The scene is seen to its left, the last pane to its right.
+        WIPE wipe: f64 = 0.5, Number(Limits::UNIT, Slider::UNIT), "Wipe position",
+            "Where the line of a wipe is, from 0 at the left to 1 at the right."
+            .idle(|scene, _| (scene.compare.view != CompareView::Wipe).then_some("The comparison is not a wipe"));
+        DIFFERENCE difference: DifferenceKind = DifferenceKind::Signed, Choice, "Difference kind",
+            "What the difference picture shows of each pixel's difference d.".idle(no_difference);
+        GAIN gain: f64 = 8.0, Number(Limits::new(1.0, Compare::MAX_GAIN), GAINS), "Gain",
+            "The factor that the difference is multiplied by before it is shown.".idle(no_difference);
+    }
+}
+
+const GAINS: Slider = Slider::logarithmic(1.0, Compare::MAX_GAIN).decimals(1);
+
+fn no_difference(scene: &Scene, _: usize) -> Option<&'static str> {
+    (scene.compare.view != CompareView::Difference).then_some("The comparison shows no difference picture")
 }
 
 impl Compare {
@@ -25,13 +37,6 @@ impl Compare {
     pub const MAX_GAIN: f64 = 64.0;
     /// Most keys that one pane replaces.
     pub const MAX_SETTINGS: usize = 64;
-}
-
-impl Default for Compare {
-    fn default() -> Self {
-        let (view, difference) = (CompareView::Single, DifferenceKind::Signed);
-        Self { view, wipe: 0.5, difference, gain: 8.0, panes: vec![] }
-    }
 }
 
 choices! {
@@ -53,13 +58,14 @@ choices! {
     }
 }
 
-/// A pane: what is different in it.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Pane {
-    /// What it is called; empty names it by what is different.
-    pub name: String,
-    /// Keys of the scene with their values, each as `--set` takes it: `shading.mode=exact`.
-    pub set: Vec<String>,
+table! {
+    /// A pane beside the scene itself: what is different in it.
+    pub struct Pane = "compare.pane.N" in [compare.panes] {
+        PANE_NAME name: String = String::new(), Text(Pane::MAX_NAME), "Pane name",
+            "What a pane beside the scene is called; without a name it is called by its settings. At most 3 panes.";
+        PANE_SET set: Vec<String> = vec![], Other("list of settings", "at most 64"), "Pane settings",
+            "The keys that differ in a pane, each as `--set` takes it.";
+    }
 }
 
 impl Pane {
@@ -129,7 +135,8 @@ impl Scene {
             return pane.name.clone();
         }
         let shading = self.pane(index).map_or_else(|_| self.shading.clone(), |scene| scene.shading);
-        let mut words = vec![mode_name(shading.mode, shading.renormalise).to_owned()];
+        let plain = shading.mode != ShadingMode::Phong || shading.renormalise;
+        let mut words = vec![if plain { shading.mode.label() } else { "Phong, not renormalised" }.to_owned()];
         for setting in pane.iter().flat_map(|pane| &pane.set) {
             let Some((key, value)) = setting.split_once('=') else { continue };
             let (section, name) = key.trim().rsplit_once('.').unwrap_or(("", key.trim()));
@@ -147,60 +154,47 @@ impl Scene {
 
     /// Whether what the display clamps is to be compared clamped.
     pub fn clamps(&self) -> bool {
-        let Display { overflow, encoding: _ } = self.display;
-        overflow == super::Overflow::Clamp
+        self.display.overflow == Overflow::Clamp
     }
-}
-
-/// The name of a shading mode.
-fn mode_name(mode: ShadingMode, renormalise: bool) -> &'static str {
-    if mode == ShadingMode::Phong && !renormalise { "Phong, not renormalised" } else { mode.label() }
 }
 
 /// Tables and keys that all panes share.
 const SHARED: [&str; 5] = ["version", "camera", "image", "compare", "object.path"];
 
-/// What is wrong with the panes of a scene that is otherwise sound, as keys and causes.
-pub(super) fn problems(scene: &Scene) -> Vec<(String, Cause)> {
-    let mut found = Vec::new();
-    let panes = &scene.compare.panes;
+/// What is wrong with the panes of a scene that is otherwise sound.
+pub(super) fn problems(scene: &Scene) -> Vec<Finding> {
+    let Compare { panes, view, .. } = &scene.compare;
     if panes.len() > Compare::MAX_PANES {
         let expected = format!("at most {} beside the scene itself", Compare::MAX_PANES);
-        let cause = Cause::Value { found: format!("a list of {}", panes.len()), expected };
-        return vec![("compare.pane".to_owned(), cause)];
+        let found = format!("a list of {}", panes.len());
+        return vec![Finding::new("compare.pane", Cause::value(found, expected))];
     }
-    if scene.compare.view != CompareView::Single && panes.is_empty() {
-        let cause = Cause::Conflict { is: "compares with nothing", expected: "a [[compare.pane]]" };
-        found.push(("compare.view".to_owned(), cause));
+    if *view != CompareView::Single && panes.is_empty() {
+        let words = " compares with nothing, expected a [[compare.pane]]";
+        return vec![Finding::new("compare.view", Cause::Key(words.to_owned()))];
     }
-    for (index, pane) in panes.iter().enumerate() {
-        found.extend(pane_problems(scene, index, pane));
-    }
-    found
+    panes.iter().enumerate().flat_map(|(index, pane)| pane_problems(scene, index, pane)).collect()
 }
 
-fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<(String, Cause)> {
-    let key = format!("compare.pane.{index}");
+fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
+    let key = format!("compare.pane.{index}.set");
     if pane.set.len() > Compare::MAX_SETTINGS {
         let expected = format!("at most {}", Compare::MAX_SETTINGS);
-        return vec![(format!("{key}.set"), Cause::Value { found: format!("a list of {}", pane.set.len()), expected })];
+        return vec![Finding::new(key, Cause::value(format_args!("a list of {}", pane.set.len()), expected))];
     }
     let shared = |setting: &String| {
         let name = setting.split_once('=').map_or("", |(name, _)| name.trim());
-        SHARED
-            .iter()
-            .any(|shared| name.strip_prefix(shared).is_some_and(|rest| rest.is_empty() || rest.starts_with('.')))
+        SHARED.iter().any(|shared| is_inside(name, shared))
     };
     if let Some(at) = pane.set.iter().position(shared) {
-        let expected = "a key that panes may differ in (they share camera, image and model)".into();
-        let found = format!("{:?}", pane.set[at]);
-        return vec![(format!("{key}.set.{at}"), Cause::Value { found, expected })];
+        let expected = "a key that panes may differ in (they share camera, image and model)";
+        return vec![Finding::new(format!("{key}.{at}"), Cause::value(format_args!("{:?}", pane.set[at]), expected))];
     }
     let Err(error) = scene.pane(index + 1) else { return vec![] };
-    let placed = |problem: &Problem| {
+    let found = |problem: &Problem| {
         let at = pane.set.iter().position(|setting| matches!(&problem.place, Place::Override(text) if text == setting));
-        let key = at.map_or_else(|| format!("{key}.set"), |at| format!("{key}.set.{at}"));
-        (key, Cause::Other(problem.in_words()))
+        let key = at.map_or_else(|| key.clone(), |at| format!("{key}.{at}"));
+        Finding::new(key, Cause::Key(format!(": {}", Finding::in_words(&problem.key, &problem.cause))))
     };
-    error.problems().iter().map(placed).collect()
+    error.problems().iter().map(found).collect()
 }

@@ -5,15 +5,19 @@
 
 mod datum;
 mod reader;
-mod writer;
 
 use super::Scene;
-use super::problem::{Cause, Place, Problem, SceneError};
-use reader::{Finding, read};
+use super::parameter::{Kind, List, Parameter};
+use super::problem::{Cause, Finding, Place, SceneError};
+use reader::read;
+use toml::Value;
 use toml::de::{DeTable, DeValue};
 
-pub(super) use datum::{Datum, Wrong, read_coefficient, value_text};
+pub(super) use datum::{Datum, read_coefficient, value_text};
 pub(super) use reader::set;
+
+/// Tables that are left out where all of it has its default.
+const OPTIONAL: [&str; 7] = ["about", "pattern", "transparency", "ground", "backdrop", "depth_cueing", "compare"];
 
 impl Scene {
     /// The version of the format that this program reads and writes.
@@ -32,32 +36,95 @@ impl Scene {
     /// Not TOML, another version, unknown keys or words, values of a wrong type or out of range: each with its line.
     pub fn parse(text: &str, name: &str) -> Result<Self, SceneError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let at = |line: usize| Place::Line { file: name.to_owned(), line };
+        let mut lines = Lines { text: text.as_bytes(), offset: 0, line: 1 };
+        let (mut scene, mut findings) = (Self::default(), vec![]);
+        let mut whole = |offset: usize, words: String| {
+            findings.push(Finding { offset: Some(offset), ..Finding::new("", Cause::Text(words)) });
+        };
         if text.len() > Self::MAX_TEXT {
-            return Err(Problem { place: at(1), key: String::new(), cause: Cause::TooLong }.into());
-        }
-        let document = DeTable::parse(text).map_err(|error| {
-            let place = at(Lines::of(text).line_of(error.span().map_or(0, |span| span.start)));
-            Problem { place, key: String::new(), cause: Cause::Syntax(error.message().to_owned()) }
-        })?;
-        let (scene, mut findings) = read(document.get_ref());
-        if findings.iter().all(|finding| matches!(finding.cause, Cause::UnknownKey { .. })) {
-            for (key, cause) in scene.range_problems() {
-                findings.push(Finding { offset: offset_of(document.get_ref(), &key), key, cause });
+            whole(0, format!("longer than {} MiB, expected a scene", Self::MAX_TEXT >> 20));
+        } else {
+            match DeTable::parse(text) {
+                Err(error) => whole(error.span().map_or(0, |span| span.start), error.message().to_owned()),
+                Ok(document) => {
+                    (scene, findings) = read(document.get_ref());
+                    if findings.iter().all(|finding| matches!(finding.cause, Cause::UnknownKey { .. })) {
+                        findings.extend(scene.range_problems().into_iter().map(|finding| Finding {
+                            offset: Some(offset_of(document.get_ref(), &finding.key)),
+                            ..finding
+                        }));
+                    }
+                }
             }
         }
         findings.sort_by_key(|finding| finding.offset);
-        let mut lines = Lines::of(text);
-        let mut placed = |Finding { offset, key, cause }| Problem { place: at(lines.line_of(offset)), key, cause };
-        SceneError::check(findings.into_iter().map(&mut placed).collect())?;
+        SceneError::check(findings, |finding| Place::Line {
+            file: name.to_owned(),
+            line: lines.line_of(finding.offset.unwrap_or(0)),
+        })?;
         Ok(scene)
     }
 
     /// The scene as the text of a scene file. Keys of a light that its kind and attenuation do not read are left out
     /// where they have their default.
     pub fn to_toml(&self) -> String {
-        writer::write(self)
+        let mut text = format!("# A scene of shading-lab\nversion = {}\n", self.version);
+        if self.lights.is_empty() {
+            text.push_str("light = []\n");
+        }
+        let mut tables: Vec<&str> = Parameter::all().filter_map(Parameter::table).collect();
+        tables.dedup();
+        for table in tables {
+            let keys = || Parameter::all().filter(|parameter| parameter.table() == Some(table));
+            match List::of(&format!("{table}.")) {
+                Some(list) => {
+                    let head = format!("[[{}]]", list.key());
+                    (0..list.len(self)).for_each(|index| write_table(&mut text, &head, self, index, keys()));
+                }
+                None if OPTIONAL.contains(&table) && keys().all(|key| key.value(self, 0) == key.default()) => {}
+                None => write_table(&mut text, &format!("[{table}]"), self, 0, keys()),
+            }
+        }
+        text
     }
+}
+
+fn write_table(
+    text: &mut String,
+    head: &str,
+    scene: &Scene,
+    index: usize,
+    keys: impl Iterator<Item = &'static Parameter>,
+) {
+    text.extend(["\n", head, "\n"]);
+    for parameter in keys {
+        let Some(value) = parameter.value(scene, index) else { continue };
+        if is_left_out(parameter, &value, scene, index) {
+            continue;
+        }
+        text.extend([parameter.key.rsplit('.').next().unwrap_or(parameter.key), " = "]);
+        match &value {
+            // A list of lists has a line for each.
+            Value::Array(list) if list.first().is_some_and(Value::is_array) => {
+                text.push_str("[\n");
+                list.iter().for_each(|element| text.extend(["    ", &value_text(element), ",\n"]));
+                text.push(']');
+            }
+            value => text.push_str(&value_text(value)),
+        }
+        text.push('\n');
+    }
+}
+
+/// Empty texts and lists are left out, and keys of a light that have their default and no effect.
+fn is_left_out(parameter: &Parameter, value: &Value, scene: &Scene, index: usize) -> bool {
+    let empty = match value {
+        Value::String(text) => text.is_empty(),
+        Value::Array(list) => list.is_empty(),
+        _ => false,
+    };
+    let off = matches!(parameter.kind, Kind::Switch(_)) || (parameter.idle)(scene, index).is_some();
+    empty || (parameter.of_light() && off && Some(value) == parameter.default().as_ref())
 }
 
 /// Counts lines, going through the text once however many are asked for in their order.
@@ -67,11 +134,7 @@ struct Lines<'a> {
     line: usize,
 }
 
-impl<'a> Lines<'a> {
-    fn of(text: &'a str) -> Self {
-        Self { text: text.as_bytes(), offset: 0, line: 1 }
-    }
-
+impl Lines<'_> {
     /// The line of a byte, counted from 1. Offsets must not decrease from call to call.
     fn line_of(&mut self, offset: usize) -> usize {
         let passed = self.text.get(self.offset..offset.min(self.text.len())).unwrap_or_default();
@@ -87,44 +150,15 @@ fn offset_of(document: &DeTable<'_>, key: &str) -> usize {
     let Some((name, mut value)) = segments.next().and_then(|first| document.get_key_value(first)) else { return 0 };
     let mut offset = name.span().start;
     for segment in segments {
-        match value.get_ref() {
-            DeValue::Table(table) => match table.get_key_value(segment) {
-                Some((name, inner)) => (offset, value) = (name.span().start, inner),
-                None => break,
-            },
-            DeValue::Array(list) => match segment.parse().ok().and_then(|i: usize| list.get(i)) {
-                Some(inner) => (offset, value) = (inner.span().start, inner),
-                None => break,
-            },
-            _ => break,
-        }
+        let inner = match value.get_ref() {
+            DeValue::Table(table) => table.get_key_value(segment).map(|(name, inner)| (name.span(), inner)),
+            DeValue::Array(list) => {
+                segment.parse().ok().and_then(|i: usize| list.get(i)).map(|inner| (inner.span(), inner))
+            }
+            _ => None,
+        };
+        let Some((span, inner)) = inner else { break };
+        (offset, value) = (span.start, inner);
     }
     offset
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_are_counted_from_one() {
-        let text = "a\nb\n\nc";
-        let mut counted = Lines::of(text);
-        let lines: Vec<_> = (0..=text.len() + 1).map(|offset| counted.line_of(offset)).collect();
-        assert_eq!(lines, [1, 1, 2, 2, 3, 4, 4, 4]);
-        let mut counted = Lines::of(text);
-        assert_eq!([0, 5, 5, 9].map(|offset| counted.line_of(offset)), [1, 4, 4, 4]);
-    }
-
-    #[test]
-    fn a_key_is_found_or_the_table_round_it() {
-        let text = "[camera]\neye = [1, 2, 3]\n[[light]]\nk = 1\n[[light]]\nc1 = 2\n";
-        let document = DeTable::parse(text).expect("sound TOML");
-        let line = |key| Lines::of(text).line_of(offset_of(document.get_ref(), key));
-        assert_eq!(line("camera.eye"), 2);
-        assert_eq!(line("camera.up"), 1);
-        assert_eq!(line("light.1.c1"), 6);
-        assert_eq!(line("light.1.k"), 5);
-        assert_eq!(line("material.n"), 1);
-    }
 }

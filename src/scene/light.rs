@@ -1,109 +1,129 @@
 //! Light sources and their attenuation.
 
+use super::camera::{Projection, Viewer};
 use super::choice::choices;
+use super::parameter::{Limits, Slider, table};
+use super::symbol::Symbol;
 use super::{Rgb, Scene};
 use glam::DVec3;
+use std::ops::RangeInclusive;
 
-#[derive(Clone, Debug, PartialEq)]
-pub struct Ambient {
-    /// Ia, per channel.
-    pub color: Rgb,
-    /// What stands for the light that arrives from all sides.
-    pub source: AmbientSource,
-}
+/// The sliders of an area light's lengths and of a constant of the attenuation.
+const LENGTHS: Slider = Slider::linear(0.0, 4.0);
+const CONSTANT: Slider = Slider::linear(0.0, 2.0);
+const ANGLE: Slider = Slider::linear(1.0, 90.0).decimals(1);
+const EXPONENTS: Slider = Slider::logarithmic(0.0, Light::MAX_EXPONENT).decimals(2);
+const COUNT: Slider = Slider::logarithmic(1.0, Light::MAX_SAMPLES as f64).decimals(0);
 
-impl Ambient {
-    /// Ia as the equation has it: nothing where light from other surfaces takes its place in the whole picture.
-    pub fn constant(&self) -> Rgb {
-        if self.source == AmbientSource::Bounce { Rgb::ZERO } else { self.color }
+table! {
+    /// One light source. Fields that its kind or its attenuation does not read keep their value, so that switching back
+    /// and forth loses nothing.
+    pub struct Light = "light.N" in [lights] {
+        NAME name: String = String::new(), Text(Light::MAX_NAME), "name",
+            "What the light is called; may be empty.".label("Name").symbol(Symbol::Lights);
+        KIND kind: LightKind = LightKind::Point, Choice, "kind",
+            "The kind of light source.".label("Kind").symbol(Symbol::Lights);
+        MUTE mute: bool = false, Switch, "mute",
+            "Whether the light is switched off.".label("Mute").symbol(Symbol::Lights);
+        SOLO solo: bool = false, Switch, "solo",
+            "While any light has this, only the lights that have it are on.".label("Solo").symbol(Symbol::Lights);
+        POSITION position: DVec3 = DVec3::new(2.0, 2.0, 3.0), Point, "position",
+            "Where the light is, or the centre of an area light: x to the right, y up, z towards the default camera."
+            .letter("L", Symbol::Light).unit("world units")
+            .idle(|scene, index| unless(scene, index, |light| light.kind.has_position(), "A directional light has no position"));
+        DIRECTION direction: DVec3 = DVec3::new(-2.0, -2.0, -3.0), Direction(has_direction), "direction",
+            "The direction in which directional light travels, the axis of a spot light's cone, or the side that a rectangle faces; of any length but zero."
+            .letter("D", Symbol::Light)
+            .idle(|scene, index| unless(scene, index, Light::has_direction, "This light shines equally in all directions"));
+        COLOR color: Rgb = Rgb::ONE, Colour(Limits::INTENSITY), "intensity",
+            "The linear intensity of the light per channel; 1 is white. An area light's is that of all its samples together."
+            .letter("Ip", Symbol::Ip);
+        CONE cone: f64 = 20.0, Number(Limits::within(&Light::CONE), ANGLE), "cone",
+            "The angle between a spot light's axis and the edge of its cone."
+            .letter("δ", Symbol::Light).unit("degrees").idle(no_spot);
+        EXPONENT exponent: f64 = 4.0, Number(Limits::new(0.0, Light::MAX_EXPONENT), EXPONENTS), "exponent",
+            "How fast a spot light falls off: as the e-th power of the cosine of the angle to its axis."
+            .label("fall-off").letter("e", Symbol::Light).idle(no_spot);
+        SOFTNESS softness: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT), "softness",
+            "The outer fraction of a spot light's cone over which the light fades; 0 is a hard edge."
+            .label("Softness").symbol(Symbol::Light).idle(no_spot);
+        SHAPE shape: AreaShape = AreaShape::Rectangle, Choice, "shape",
+            "The shape of an area light.".label("Shape").symbol(Symbol::Light).idle(no_area);
+        EXTENT extent: [f64; 2] = [1.0, 1.0], Pair(Limits::LENGTH, LENGTHS), "extent",
+            "Width and height of a rectangular light; its width is level."
+            .label("Extent").symbol(Symbol::Light).unit("world units").idle(no_rectangle);
+        RADIUS radius: f64 = 0.5, Number(Limits::LENGTH, LENGTHS), "radius",
+            "The radius of a spherical light."
+            .label("Radius").symbol(Symbol::Light).unit("world units").idle(no_sphere);
+        SAMPLES samples: u32 = 16, Whole(|_| Limits::new(1.0, Light::MAX_SAMPLES as f64), COUNT), "samples",
+            "The number of points that stand for an area light. The work grows with N; the error falls about as 1/N."
+            .letter("N", Symbol::Light).idle(no_area);
+        ATTENUATION attenuation: Attenuation = Attenuation::None, Choice, "attenuation",
+            "How the light weakens with distance: d and r are distances to the light, or r to the viewer."
+            .letter("f", Symbol::Attenuation);
+        K k: f64 = 1.0, Number(Limits::LENGTH, CONSTANT), "k",
+            "The constant that keeps 1/(r + k) finite."
+            .label("constant").letter("k", Symbol::Attenuation).unit("world units").idle(no_sum);
+        C1 c1: f64 = 0.25, Number(Limits::LENGTH, CONSTANT), "c1",
+            "The constant coefficient of the quadratic attenuation. One of c1, c2, c3 is above 0."
+            .label("constant").letter("c1", Symbol::Attenuation).idle(no_quadratic);
+        C2 c2: f64 = 0.1, Number(Limits::LENGTH, CONSTANT), "c2",
+            "The linear coefficient of the quadratic attenuation."
+            .label("linear").letter("c2", Symbol::Attenuation).unit("per world unit").idle(no_quadratic);
+        C3 c3: f64 = 0.05, Number(Limits::LENGTH, CONSTANT), "c3",
+            "The quadratic coefficient of the quadratic attenuation."
+            .label("quadratic").letter("c3", Symbol::Attenuation).unit("per world unit squared").idle(no_quadratic);
     }
 }
 
-impl Default for Ambient {
-    fn default() -> Self {
-        Self { color: Rgb::ONE, source: AmbientSource::Constant }
-    }
+/// `reason`, where the light does not satisfy `used`.
+fn unless(scene: &Scene, index: usize, used: fn(&Light) -> bool, reason: &'static str) -> Option<&'static str> {
+    scene.lights.get(index).is_none_or(|light| !used(light)).then_some(reason)
 }
 
-choices! {
-    /// What stands for the light that arrives from all sides.
-    pub enum AmbientSource {
-        /// The constant Ia.
-        Constant = "constant", "constant", "Ia everywhere";
-        /// Light that other surfaces of the scene have scattered once.
-        Bounce = "bounce", "one bounce", "Light that other surfaces of the scene have scattered once";
-        /// The constant in the left half of the picture, one bounce in the right half.
-        Split = "split", "compare halves", "The constant in the left half of the picture, one bounce in the right half";
-    }
+fn has_direction(scene: &Scene, index: usize) -> bool {
+    scene.lights.get(index).is_some_and(Light::has_direction)
 }
 
-/// One light source. Fields that its kind or its attenuation does not read keep their value, so that switching back
-/// and forth loses nothing.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Light {
-    /// What its author calls it; may be empty.
-    pub name: String,
-    pub kind: LightKind,
-    /// Switched off.
-    pub mute: bool,
-    /// While any light has this, only those that have it shine.
-    pub solo: bool,
-    /// Where the light stands, world: the middle of an area light.
-    pub position: DVec3,
-    /// The way a directional light travels, the axis of a spot light's cone, the side that a rectangle faces; any length
-    /// but zero.
-    pub direction: DVec3,
-    /// Ip, per channel. An area light's is that of all its samples together.
-    pub color: Rgb,
-    /// Angle between a spot light's axis and the edge of its cone, degrees.
-    pub cone: f64,
-    /// A spot light's intensity falls with this power of the cosine of the angle to its axis.
-    pub exponent: f64,
-    /// The outer part of a spot light's cone over which the light fades, 0 (a hard edge) to 1 (from the axis on).
-    pub softness: f64,
-    /// What an area light looks like.
-    pub shape: AreaShape,
-    /// Width and height of a rectangle, world units. Its width runs level.
-    pub extent: [f64; 2],
-    /// Radius of a sphere, world units.
-    pub radius: f64,
-    /// Points that an area light is replaced by.
-    pub samples: u32,
-    pub attenuation: Attenuation,
-    /// The constant of `1/(r + k)`, world units.
-    pub k: f64,
-    /// Constant coefficient of the quadratic attenuation.
-    pub c1: f64,
-    /// Linear coefficient, per world unit.
-    pub c2: f64,
-    /// Quadratic coefficient, per world unit squared.
-    pub c3: f64,
+fn no_spot(scene: &Scene, index: usize) -> Option<&'static str> {
+    unless(scene, index, |light| light.kind == LightKind::Spot, "The light is not a spot light")
 }
 
-impl Default for Light {
-    fn default() -> Self {
-        Self {
-            name: String::new(),
-            kind: LightKind::Point,
-            mute: false,
-            solo: false,
-            position: DVec3::new(2.0, 2.0, 3.0),
-            direction: DVec3::new(-2.0, -2.0, -3.0),
-            color: Rgb::ONE,
-            cone: 20.0,
-            exponent: 4.0,
-            softness: 0.0,
-            shape: AreaShape::Rectangle,
-            extent: [1.0, 1.0],
-            radius: 0.5,
-            samples: 16,
-            attenuation: Attenuation::None,
-            k: 1.0,
-            c1: 0.25,
-            c2: 0.1,
-            c3: 0.05,
-        }
-    }
+fn no_area(scene: &Scene, index: usize) -> Option<&'static str> {
+    unless(scene, index, |light| light.kind == LightKind::Area, "The light is not an area light")
+}
+
+fn no_rectangle(scene: &Scene, index: usize) -> Option<&'static str> {
+    no_area(scene, index).or(unless(scene, index, |light| light.shape == AreaShape::Rectangle, "The light is a sphere"))
+}
+
+fn no_sphere(scene: &Scene, index: usize) -> Option<&'static str> {
+    no_area(scene, index).or(unless(scene, index, |light| light.shape == AreaShape::Sphere, "The light is a rectangle"))
+}
+
+/// Why the constant of 1/(r + k) has no effect.
+fn no_sum(scene: &Scene, index: usize) -> Option<&'static str> {
+    unused(scene, index, |form| matches!(form, Attenuation::Viewer | Attenuation::Light))
+}
+
+fn no_quadratic(scene: &Scene, index: usize) -> Option<&'static str> {
+    unused(scene, index, |form| form == Attenuation::Quadratic)
+}
+
+/// Why a constant that these forms of the attenuation read has no effect.
+fn unused(scene: &Scene, index: usize, read: fn(Attenuation) -> bool) -> Option<&'static str> {
+    let light = scene.lights.get(index)?;
+    let far = light.kind == LightKind::Directional && light.attenuation != Attenuation::Viewer;
+    (!read(light.attenuation))
+        .then_some("This form of attenuation does not use it")
+        .or(far.then_some("A directional light is infinitely far away and is not attenuated"))
+}
+
+/// Whether the attenuation follows the eye although V is taken as constant.
+pub fn viewer_far(scene: &Scene, index: usize) -> bool {
+    let camera = &scene.camera;
+    let constant = camera.viewer == Viewer::Infinite || camera.projection == Projection::Orthographic;
+    constant && scene.lights.get(index).is_some_and(|light| light.attenuation == Attenuation::Viewer)
 }
 
 choices! {
@@ -123,6 +143,15 @@ impl LightKind {
 }
 
 impl Light {
+    /// Degrees from a spot light's axis to the edge of its cone.
+    pub const CONE: RangeInclusive<f64> = 0.1..=90.0;
+
+    /// Greatest exponent of a spot light: its beam is then 4° wide.
+    pub const MAX_EXPONENT: f64 = 1e3;
+
+    /// Most characters of a light's name.
+    pub const MAX_NAME: usize = 64;
+
     /// Most points that one area light is replaced by.
     pub const MAX_SAMPLES: u32 = 1024;
 

@@ -86,37 +86,3 @@ impl NamedMaterial {
         Material { ka, kd, ks, n, roughness: (2.0 / (n + 2.0)).sqrt(), color: Rgb::ONE, ..Material::default() }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::Scene;
-
-    #[test]
-    fn every_material_is_sound_and_survives_its_file() {
-        assert_eq!(NAMED.len(), 4 * OF_A_KIND);
-        for named in NAMED {
-            let scene = Scene { material: named.material(), ..Scene::default() };
-            assert_eq!(scene.validate(), Ok(()), "{}", named.name);
-            assert_eq!(Scene::parse(&scene.to_toml(), named.name), Ok(scene), "{}", named.name);
-        }
-    }
-
-    #[test]
-    fn every_material_is_found_by_its_name_and_by_its_numbers() {
-        for named in NAMED {
-            assert!(named.name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", named.name);
-            assert_eq!(find(named.name), Some(named));
-            assert_eq!(recognise(&named.material()), Some(named), "{}", named.name);
-        }
-        assert_eq!(recognise(&Material::default()), None);
-    }
-
-    #[test]
-    fn the_numbers_are_the_published_ones() {
-        let gold = find("gold").expect("a named material").material();
-        assert_eq!((gold.ka, gold.n), (Rgb::new(0.24725, 0.1995, 0.0745), 51.2));
-        let pearl = find("pearl").expect("a named material").material();
-        assert_eq!((pearl.kd, pearl.n), (Rgb::new(1.0, 0.829, 0.829), 11.264));
-    }
-}

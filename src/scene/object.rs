@@ -1,51 +1,100 @@
 //! The object: which shape, how finely it is made of polygons, and where its vertex normals come from.
 
-use super::Shared;
 use super::choice::choices;
+use super::parameter::{Limits, Slider, table};
+use super::shading::{FlatAt, ShadingMode};
+use super::symbol::Symbol;
+use super::{Scene, Shared};
 use glam::DVec3;
 use std::path::PathBuf;
 
-#[derive(Clone, Debug, PartialEq)]
-pub struct Object {
-    pub kind: ObjectKind,
-    /// Polygons round the axis, 3 to [`Object::MAX_DIVISIONS`].
-    pub segments: u32,
-    /// Polygons along the axis, 1 to [`Object::MAX_DIVISIONS`] (a sphere and a torus need 2 and 3).
-    pub rings: u32,
-    pub normals: NormalSource,
-    pub weighting: Weighting,
-    /// The model's file, `kind = "obj"` only; in a scene file relative to that file.
-    pub path: Option<PathBuf>,
-    /// Whether a model is centred and scaled into the unit sphere, `kind = "obj"` only.
-    pub fit: bool,
-    /// Vertices that `faces` are made over, `kind = "polygons"` only; world.
-    pub vertices: Shared<DVec3>,
-    /// The vertices of each polygon by their numbers from 0, counter-clockwise from outside, `kind = "polygons"` only.
-    pub faces: Shared<Shared<u32>>,
-    /// The normal at each of `vertices`, of any length but zero, for `normals = "file"`; or none.
-    pub vertex_normals: Shared<DVec3>,
+/// The slider of a number of divisions; more can be typed.
+const DIVISIONS: Slider = Slider::logarithmic(1.0, 512.0).decimals(0);
+
+table! {
+    /// The object: which shape, how finely it is made of polygons, and where its vertex normals come from.
+    pub struct Object = "object" in object {
+        KIND kind: ObjectKind = ObjectKind::Sphere, Choice, "Object kind", "The shape that is drawn.".label("Shape");
+        SEGMENTS segments: u32 = 32, Whole(|scene| divisions(scene.object.min_segments()), DIVISIONS), "Segments",
+            "The number of polygons round the axis; of a corrugated sheet, its slopes from left to right."
+            .symbol(Symbol::Normal).idle(polygons_unused);
+        RINGS rings: u32 = 16, Whole(|scene| divisions(scene.object.min_rings()), DIVISIONS), "Rings",
+            "The number of polygons along the axis; of a corrugated sheet, the strips of each slope."
+            .symbol(Symbol::Normal).idle(polygons_unused);
+        NORMALS normals: NormalSource = NormalSource::Averaged, Choice, "Vertex normals",
+            "Where the normals at the vertices come from.".label("Normals").symbol(Symbol::Normal).idle(normals_unused);
+        WEIGHTING weighting: Weighting = Weighting::Equal, Choice, "Weighting",
+            "The weight of each polygon in an averaged vertex normal."
+            .label("Weights").symbol(Symbol::Normal).idle(not_averaged);
+        PATH path: Option<PathBuf> = None, Other("path", ""), "Path",
+            "The model's Wavefront OBJ file, for `kind = \"obj\"`; relative to the scene file.";
+        FIT fit: bool = true, Switch, "Fit model",
+            "Whether a model is centred and scaled into the unit sphere, or stays as its file has it."
+            .label("Fit").idle(|scene, _| (scene.object.kind != ObjectKind::Obj).then_some("The object is not a model from a file"));
+        VERTICES vertices: Shared<DVec3> = Shared::default(), Other("list of points", "at most 16384"), "Vertices",
+            "The vertices of the scene's own polygons, for `kind = \"polygons\"`.".unit("world units");
+        FACES faces: Shared<Shared<u32>> = Shared::default(),
+            Other("list of lists of whole numbers", "at most 16384, of 65536 corners in all"), "Faces",
+            "The scene's own polygons by the numbers of their vertices, from 0, counter-clockwise seen from outside.";
+        /// Of any length but zero.
+        VERTEX_NORMALS vertex_normals: Shared<DVec3> = Shared::default(),
+            Other("list of directions", "none, or one for each vertex"), "Own vertex normals",
+            "The normals of the scene's own vertices, for `normals = \"file\"`.";
+    }
 }
 
 impl Object {
     /// The finest tessellation in either direction: 4096 × 4096 quads are 33 million triangles.
     pub const MAX_DIVISIONS: u32 = 4096;
-}
 
-impl Default for Object {
-    fn default() -> Self {
-        Self {
-            kind: ObjectKind::Sphere,
-            segments: 32,
-            rings: 16,
-            normals: NormalSource::Averaged,
-            weighting: Weighting::Equal,
-            path: None,
-            fit: true,
-            vertices: Shared::default(),
-            faces: Shared::default(),
-            vertex_normals: Shared::default(),
+    /// Fewest polygons round the axis: fewer than three enclose nothing. A plane's are counted across it, and so are a
+    /// corrugated sheet's slopes, at least one up and one down.
+    pub fn min_segments(&self) -> u32 {
+        match self.kind {
+            ObjectKind::Plane => 1,
+            ObjectKind::Corrugated => 2,
+            _ => 3,
         }
     }
+
+    /// Fewest polygons along the axis: a sphere needs both of its caps, the tube of a torus encloses something.
+    pub fn min_rings(&self) -> u32 {
+        match self.kind {
+            ObjectKind::Sphere => 2,
+            ObjectKind::Torus => 3,
+            _ => 1,
+        }
+    }
+}
+
+fn divisions(least: u32) -> Limits {
+    Limits::new(f64::from(least), f64::from(Object::MAX_DIVISIONS))
+}
+
+/// Why the number of polygons makes no difference.
+pub fn polygons_unused(scene: &Scene, _: usize) -> Option<&'static str> {
+    match scene.object.kind {
+        ObjectKind::Obj | ObjectKind::Polygons => Some("The polygons of this object are given one by one"),
+        _ => (scene.shading.mode == ShadingMode::Exact)
+            .then_some("Exact shading draws the true surface, which has no polygons"),
+    }
+}
+
+fn normals_unused(scene: &Scene, _: usize) -> Option<&'static str> {
+    match (scene.shading.mode, scene.shading.flat_at) {
+        (ShadingMode::Exact, _) if scene.object.kind.has_surface() => {
+            Some("Exact shading uses the true surface's normal at every pixel")
+        }
+        (ShadingMode::Interpolated, _) | (ShadingMode::Flat, FlatAt::Centre) => {
+            Some("This shading uses the polygon's own normal, not vertex normals")
+        }
+        _ => None,
+    }
+}
+
+fn not_averaged(scene: &Scene, index: usize) -> Option<&'static str> {
+    let other = scene.object.normals != NormalSource::Averaged;
+    normals_unused(scene, index).or(other.then_some("The vertex normals are not averaged"))
 }
 
 choices! {

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::format::set;
-use super::problem::{Cause, Place, Problem, SceneError};
+use super::problem::{Cause, Finding, Place, SceneError};
 use std::borrow::Cow;
 use toml::Spanned;
 use toml::de::DeValue;
@@ -24,23 +24,26 @@ impl Scene {
     /// As [`Scene::parse`], each in the place of the override at fault.
     pub fn with_overrides(&self, assignments: &[impl AsRef<str>]) -> Result<Self, SceneError> {
         let mut scene = self.clone();
-        assignments.iter().try_for_each(|assignment| replace(&mut scene, assignment.as_ref()))?;
-        let problem = |(key, cause): (String, Cause)| {
-            let place = at_fault(&key, assignments).map_or(Place::Scene, |text| Place::Override(text.to_owned()));
-            Problem { place, key, cause }
-        };
-        SceneError::check(scene.range_problems().into_iter().map(problem).collect())?;
+        for assignment in assignments.iter().map(AsRef::as_ref) {
+            SceneError::check(replace(&mut scene, assignment), |_| Place::Override(assignment.to_owned()))?;
+        }
+        SceneError::check(scene.range_problems(), |finding| {
+            at_fault(&finding.key, assignments).map_or(Place::Scene, |text| Place::Override(text.to_owned()))
+        })?;
         Ok(scene)
     }
 }
 
 /// Replaces one key; limits are not looked at.
-fn replace(scene: &mut Scene, assignment: &str) -> Result<(), SceneError> {
-    let problem = |key: String, cause| Problem { place: Place::Override(assignment.to_owned()), key, cause };
-    let (key, value) = key_and_value(assignment).ok_or_else(|| problem(String::new(), Cause::NotAnAssignment))?;
-    let value = parse_value(value).map_err(|cause| problem(key.to_owned(), cause))?;
-    let findings = set(scene, key, value).into_iter();
-    SceneError::check(findings.map(|finding| problem(finding.key, finding.cause)).collect())
+fn replace(scene: &mut Scene, assignment: &str) -> Vec<Finding> {
+    let Some((key, value)) = key_and_value(assignment) else {
+        let words = "no `=` after a key, expected KEY=VALUE, for example material.n=50";
+        return vec![Finding::new("", Cause::Text(words.to_owned()))];
+    };
+    match parse_value(value) {
+        Ok(value) => set(scene, key, value),
+        Err(cause) => vec![Finding::new(key, cause)],
+    }
 }
 
 fn key_and_value(assignment: &str) -> Option<(&str, &str)> {
@@ -53,25 +56,26 @@ fn key_and_value(assignment: &str) -> Option<(&str, &str)> {
 fn parse_value(text: &str) -> Result<Spanned<DeValue<'_>>, Cause> {
     match DeValue::parse(text) {
         Ok(value) => Ok(value),
-        Err(error) if text.is_empty() || text.starts_with(['[', '{', '"', '\'']) => Err(Cause::Value {
-            found: format!("not a value ({})", error.message()),
-            expected: "one as in a file".into(),
-        }),
+        Err(error) if text.is_empty() || text.starts_with(['[', '{', '"', '\'']) => {
+            Err(Cause::value(format_args!("not a value ({})", error.message()), "one as in a file"))
+        }
         Err(_) => Ok(Spanned::new(0..0, DeValue::String(Cow::Borrowed(text)))),
     }
 }
 
 /// The last override that has to do with `key`: of the key itself, of its table, of something inside, or at all.
 fn at_fault<'a>(key: &str, assignments: &'a [impl AsRef<str>]) -> Option<&'a str> {
-    let inside = |inner: &str, outer: &str| {
-        inner.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-    };
     let section = key.split('.').next().unwrap_or(key);
     let last = |wanted: &dyn Fn(&str) -> bool| {
         let mut texts = assignments.iter().rev().map(AsRef::as_ref);
         texts.find(|text| key_and_value(text).is_some_and(|(key, _)| wanted(key)))
     };
-    last(&|set| inside(key, set) || inside(set, key))
-        .or_else(|| last(&|set| inside(set, section)))
+    last(&|set| is_inside(key, set) || is_inside(set, key))
+        .or_else(|| last(&|set| is_inside(set, section)))
         .or_else(|| last(&|_| true))
+}
+
+/// Whether a key is `outer` or something inside it.
+pub(super) fn is_inside(key: &str, outer: &str) -> bool {
+    key.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }

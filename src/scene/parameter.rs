@@ -1,26 +1,30 @@
 //! Every key of a scene, described once: what it is called, its unit, limits, default and help, and where its value lives.
 //!
 //! Validation, the window's controls, undo, `docs/scene-file.md` and `shading-lab parameters` all read this table. No other
-//! place states a parameter's limits. Each is a constant of its section: `parameter::material::N`. What several parameters must be together is in `validation.rs`.
+//! place states a parameter's limits. Each is a line of the [`table!`] that defines its struct, and a constant beside it, for
+//! example `material::N`. What several parameters must be together is in `validation.rs`.
 
-mod access;
-pub mod camera;
-pub mod light;
-pub mod material;
-pub mod object;
-pub mod shading;
-pub mod surroundings;
-mod symbol;
-
-pub use access::{Access, ChoiceField, Field, List};
-pub use symbol::Symbol;
-
-use super::format::{Datum, Wrong, read_coefficient, value_text};
-use super::{ChoiceOption, GREATEST_INTENSITY, GREATEST_LENGTH, Rgb, Scene};
+use super::choice::{Choice, ChoiceOption};
+use super::format::{Datum, read_coefficient, value_text};
+use super::problem::Finding;
+use super::symbol::Symbol;
+use super::{Rgb, Scene};
 use glam::DVec3;
+use std::fmt::{self, Debug};
+use std::ops::RangeInclusive;
 use std::sync::LazyLock;
 use toml::de::DeValue;
 use toml::{Spanned, Value};
+
+/// Greatest coordinate and greatest length, world units: its square stays far below the greatest `f64`, and so do the
+/// squares' sums.
+pub const GREATEST_LENGTH: f64 = 1e30;
+
+/// Shortest length that counts as one, world units: its square is still a normal number.
+pub const LEAST_LENGTH: f64 = 1e-30;
+
+/// Greatest intensity of a light or of the background, in units of the display's white.
+pub const GREATEST_INTENSITY: f64 = 1e30;
 
 /// One key of a scene.
 #[derive(Debug)]
@@ -44,61 +48,241 @@ pub struct Parameter {
     pub idle: fn(&Scene, usize) -> Option<&'static str>,
 }
 
-/// What values a parameter has, and where they live.
+/// What values a parameter has, where they live, the limits of a number and its slider.
 #[derive(Debug)]
 pub enum Kind {
-    Number {
-        at: Access<f64>,
-        limits: Limits,
-        slider: Slider,
-    },
+    Number(&'static Access<f64>, Limits, Slider),
     /// A whole number; its limits may depend on the scene.
-    Whole {
-        at: Access<u32>,
-        limits: fn(&Scene) -> Limits,
-        slider: Slider,
-    },
+    Whole(&'static Access<u32>, fn(&Scene) -> Limits, Slider),
     /// Two lengths.
-    Pair {
-        at: Access<[f64; 2]>,
-        limits: Limits,
-        slider: Slider,
-    },
+    Pair(&'static Access<[f64; 2]>, Limits, Slider),
     /// RGB values, or one for all channels.
-    Coefficient {
-        at: Access<Rgb>,
-        limits: Limits,
-        slider: Slider,
-    },
+    Coefficient(&'static Access<Rgb>, Limits, Slider),
     /// RGB values that are no colour.
-    Channels {
-        at: Access<Rgb>,
-        limits: Limits,
-        slider: Slider,
-    },
-    Colour {
-        at: Access<Rgb>,
-        limits: Limits,
-    },
-    Point(Access<DVec3>),
-    /// Any length but zero where `needed`.
-    Direction {
-        at: Access<DVec3>,
-        needed: fn(&Scene, usize) -> bool,
-    },
+    Channels(&'static Access<Rgb>, Limits, Slider),
+    Colour(&'static Access<Rgb>, Limits),
+    Point(&'static Access<DVec3>),
+    /// Of any length but zero where that is needed.
+    Direction(&'static Access<DVec3>, fn(&Scene, usize) -> bool),
     Choice(&'static dyn ChoiceField),
-    Switch(Access<bool>),
-    Text {
-        at: Access<String>,
-        longest: usize,
-    },
-    /// What has its own checks and controls.
-    Other {
-        at: &'static dyn Field,
-        kind: &'static str,
-        limits: &'static str,
-    },
+    Switch(&'static Access<bool>),
+    /// A line of so many characters at most.
+    Text(&'static Access<String>, usize),
+    /// What has its own checks and controls; its kind and its limits in words.
+    Other(&'static dyn Field, &'static str, &'static str),
 }
+
+/// The field of a scene that holds a value. `usize` is the number of the light or the pane that it belongs to.
+pub struct Access<T: 'static> {
+    pub get: fn(&Scene, usize) -> Option<&T>,
+    pub get_mut: fn(&mut Scene, usize) -> Option<&mut T>,
+}
+
+impl<T> Debug for Access<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Access")
+    }
+}
+
+/// A field of a scene, whatever its type.
+pub trait Field: Debug + Sync {
+    /// Its value, as a scene file holds it; none where the scene has no such light.
+    fn value(&self, scene: &Scene, index: usize) -> Option<Value>;
+    /// Sets it to a value of a scene file; its limits are not looked at.
+    fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Finding>;
+    /// Sets it to what it is in another scene.
+    fn copy(&self, from: &Scene, to: &mut Scene, index: usize);
+    /// Whether two scenes agree in it, for numbers bit by bit.
+    fn agrees(&self, a: &Scene, b: &Scene, index: usize) -> bool;
+}
+
+impl<T: Datum> Field for Access<T> {
+    fn value(&self, scene: &Scene, index: usize) -> Option<Value> {
+        (self.get)(scene, index)?.value()
+    }
+
+    fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Finding> {
+        let value = T::read(value)?;
+        (self.get_mut)(scene, index).into_iter().for_each(|place| place.clone_from(&value));
+        Ok(())
+    }
+
+    fn copy(&self, from: &Scene, to: &mut Scene, index: usize) {
+        if let (Some(value), Some(place)) = ((self.get)(from, index), (self.get_mut)(to, index)) {
+            place.clone_from(value);
+        }
+    }
+
+    fn agrees(&self, a: &Scene, b: &Scene, index: usize) -> bool {
+        match ((self.get)(a, index), (self.get)(b, index)) {
+            (Some(a), Some(b)) => a.same(b),
+            (a, b) => a.is_none() && b.is_none(),
+        }
+    }
+}
+
+/// A field that holds one of several values, by their places among the options.
+pub trait ChoiceField: Field {
+    fn options(&self) -> &'static [ChoiceOption];
+    fn chosen(&self, scene: &Scene, index: usize) -> Option<usize>;
+    fn choose(&self, scene: &mut Scene, index: usize, option: usize);
+}
+
+impl<T: Choice + Datum> ChoiceField for Access<T> {
+    fn options(&self) -> &'static [ChoiceOption] {
+        T::OPTIONS
+    }
+
+    fn chosen(&self, scene: &Scene, index: usize) -> Option<usize> {
+        (self.get)(scene, index).map(|value| value.place())
+    }
+
+    fn choose(&self, scene: &mut Scene, index: usize, option: usize) {
+        if let (Some(place), Some(value)) = ((self.get_mut)(scene, index), T::VALUES.get(option)) {
+            *place = *value;
+        }
+    }
+}
+
+/// A list of a scene whose elements are tables of keys.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum List {
+    Lights,
+    Panes,
+}
+
+impl List {
+    /// How the keys of its elements begin.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Lights => "light",
+            Self::Panes => "compare.pane",
+        }
+    }
+
+    /// The list that a key belongs to, as the table of parameters has it.
+    pub fn of(key: &str) -> Option<Self> {
+        [Self::Lights, Self::Panes]
+            .into_iter()
+            .find(|list| key.strip_prefix(list.key()).is_some_and(|rest| rest.starts_with(".N")))
+    }
+
+    pub fn len(self, scene: &Scene) -> usize {
+        match self {
+            Self::Lights => scene.lights.len(),
+            Self::Panes => scene.compare.panes.len(),
+        }
+    }
+
+    /// Replaces it by `count` elements that have only defaults.
+    pub fn renew(self, scene: &mut Scene, count: usize) {
+        match self {
+            Self::Lights => scene.lights = vec![Default::default(); count],
+            Self::Panes => scene.compare.panes = vec![Default::default(); count],
+        }
+    }
+}
+
+/// A struct whose fields are the keys of a table of the scene file.
+pub(super) trait Table: Sized + 'static {
+    const PARAMETERS: &'static [&'static Parameter];
+    fn of(scene: &Scene, index: usize) -> Option<&Self>;
+    fn of_mut(scene: &mut Scene, index: usize) -> Option<&mut Self>;
+}
+
+/// Defines a struct of a scene, which is a table of the scene file, and describes each of its keys: the parameter's constant,
+/// the field with its type and default, the kind with its limits and slider, the name and the help. What else there is to
+/// say follows as calls:
+///
+/// `ROLL roll: f64 = 0.0, Number(Limits::FINITE, SLIDER), "Roll", "The angle by which …".unit("degrees");`
+///
+/// `in material` says which field of the scene the struct is; `in [lights]`, that the scene has a list of them.
+macro_rules! table {
+    (
+        $(#[$about:meta])*
+        pub struct $struct:ident = $table:literal in $place:tt $(with ($other:ident: $other_type:ty = $none:expr))? {
+            $(
+                $(#[$detail:meta])*
+                $NAME:ident $field:ident: $type:ty = $default:expr,
+                $kind:ident $(($($argument:expr),+))?, $title:literal, $help:literal $(.$say:ident($($what:expr),+))*;
+            )+
+        }
+    ) => {
+        $(#[$about])*
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct $struct {
+            $(#[doc = $help] $(#[$detail])* pub $field: $type,)+
+            $(pub $other: $other_type,)?
+        }
+
+        impl Default for $struct {
+            fn default() -> Self {
+                Self { $($field: $default,)+ $($other: $none,)? }
+            }
+        }
+
+        $(
+            pub static $NAME: $crate::scene::parameter::Parameter = $crate::scene::parameter::Parameter::new(
+                concat!($table, ".", stringify!($field)),
+                $title,
+                $crate::scene::parameter::Kind::$kind(
+                    &$crate::scene::parameter::Access {
+                        get: |scene, index| {
+                            <$struct as $crate::scene::parameter::Table>::of(scene, index).map(|table| &table.$field)
+                        },
+                        get_mut: |scene, index| {
+                            <$struct as $crate::scene::parameter::Table>::of_mut(scene, index)
+                                .map(|table| &mut table.$field)
+                        },
+                    }
+                    $($(, $argument)+)?
+                ),
+                $help,
+            )$(.$say($($what),+))*;
+        )+
+
+        $crate::scene::parameter::table!(@place $struct [$(&$NAME),+] $place);
+    };
+    (@place $struct:ident $parameters:tt [$($list:ident).+]) => {
+        impl $crate::scene::parameter::Table for $struct {
+            const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &$parameters;
+
+            fn of(scene: &$crate::scene::Scene, index: usize) -> Option<&Self> {
+                scene.$($list).+.get(index)
+            }
+
+            fn of_mut(scene: &mut $crate::scene::Scene, index: usize) -> Option<&mut Self> {
+                scene.$($list).+.get_mut(index)
+            }
+        }
+    };
+    (@place $struct:ident $parameters:tt $section:ident) => {
+        impl $crate::scene::parameter::Table for $struct {
+            const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &$parameters;
+
+            fn of(scene: &$crate::scene::Scene, _: usize) -> Option<&Self> {
+                Some(&scene.$section)
+            }
+
+            fn of_mut(scene: &mut $crate::scene::Scene, _: usize) -> Option<&mut Self> {
+                Some(&mut scene.$section)
+            }
+        }
+    };
+}
+
+pub(super) use table;
+
+static VERSION: Parameter = Parameter::new(
+    "version",
+    "version",
+    Kind::Other(
+        &Access { get: |scene, _| Some(&scene.version), get_mut: |scene, _| Some(&mut scene.version) },
+        "whole number",
+        "1",
+    ),
+    "The version of the scene file's format.",
+);
 
 /// The least and the greatest value that a scene may have.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -119,6 +303,10 @@ impl Limits {
 
     pub const fn new(least: f64, greatest: f64) -> Self {
         Self { least, greatest }
+    }
+
+    pub const fn within(range: &RangeInclusive<f64>) -> Self {
+        Self::new(*range.start(), *range.end())
     }
 
     /// False for what is not a number.
@@ -155,36 +343,53 @@ impl Slider {
 
 impl Parameter {
     /// A parameter without a letter or a unit, which always has an effect.
-    const fn new(key: &'static str, name: &'static str, kind: Kind, help: &'static str) -> Self {
+    pub(super) const fn new(key: &'static str, name: &'static str, kind: Kind, help: &'static str) -> Self {
         let idle = |_: &Scene, _: usize| None;
         Self { key, letter: "", symbol: None, name, label: name, unit: "", help, kind, idle }
     }
 
-    const fn label(self, label: &'static str) -> Self {
+    pub(super) const fn label(self, label: &'static str) -> Self {
         Self { label, ..self }
     }
 
-    const fn letter(self, letter: &'static str, symbol: Symbol) -> Self {
+    pub(super) const fn letter(self, letter: &'static str, symbol: Symbol) -> Self {
         Self { letter, symbol: Some(symbol), ..self }
     }
 
-    const fn symbol(self, symbol: Symbol) -> Self {
+    pub(super) const fn symbol(self, symbol: Symbol) -> Self {
         Self { symbol: Some(symbol), ..self }
     }
 
-    const fn unit(self, unit: &'static str) -> Self {
+    pub(super) const fn unit(self, unit: &'static str) -> Self {
         Self { unit, ..self }
     }
 
-    const fn idle(self, idle: fn(&Scene, usize) -> Option<&'static str>) -> Self {
+    pub(super) const fn idle(self, idle: fn(&Scene, usize) -> Option<&'static str>) -> Self {
         Self { idle, ..self }
     }
 
     /// Every parameter, in the order of the scene file.
     pub fn all() -> impl Iterator<Item = &'static Self> {
-        let tables: [&[&Self]; 6] =
-            [camera::ALL, object::ALL, material::ALL, shading::ALL, surroundings::ALL, light::ALL];
-        tables.into_iter().flatten().copied()
+        let tables = [
+            super::About::PARAMETERS,
+            super::Camera::PARAMETERS,
+            super::Image::PARAMETERS,
+            super::Display::PARAMETERS,
+            super::Object::PARAMETERS,
+            super::Material::PARAMETERS,
+            super::Reflection::PARAMETERS,
+            super::Ambient::PARAMETERS,
+            super::Pattern::PARAMETERS,
+            super::Transparency::PARAMETERS,
+            super::Shading::PARAMETERS,
+            super::Ground::PARAMETERS,
+            super::Backdrop::PARAMETERS,
+            super::DepthCueing::PARAMETERS,
+            super::Compare::PARAMETERS,
+            super::Pane::PARAMETERS,
+            super::Light::PARAMETERS,
+        ];
+        std::iter::once(&VERSION).chain(tables.into_iter().flatten().copied())
     }
 
     /// Those in a table of the scene file and in the tables inside it.
@@ -210,17 +415,12 @@ impl Parameter {
 
     /// Whether each light has one of its own.
     pub fn of_light(&self) -> bool {
-        self.list() == Some(List::Lights)
-    }
-
-    /// The list of which each element has one of its own.
-    fn list(&self) -> Option<List> {
-        List::of(self.key)
+        List::of(self.key) == Some(List::Lights)
     }
 
     /// How many of it a scene has: one, or one for each light or pane.
     pub fn count(&self, scene: &Scene) -> usize {
-        self.list().map_or(1, |list| list.len(scene))
+        List::of(self.key).map_or(1, |list| list.len(scene))
     }
 
     /// The table of the scene file that it stands in, for example `material`.
@@ -235,22 +435,18 @@ impl Parameter {
 
     /// Its value, as a scene file holds it; none where the scene has no such light.
     pub fn value(&self, scene: &Scene, index: usize) -> Option<Value> {
-        match &self.kind {
-            Kind::Coefficient { at, .. } if is_grey(*(at.get)(scene, index)?) => (at.get)(scene, index)?.x.value(),
+        match self.kind {
+            Kind::Coefficient(at, ..) if is_grey(*(at.get)(scene, index)?) => (at.get)(scene, index)?.x.value(),
             _ => self.field().value(scene, index),
         }
     }
 
     /// Sets it to a value of a scene file; its limits are not looked at.
-    pub(super) fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Wrong> {
-        match &self.kind {
-            Kind::Coefficient { at, .. } => {
-                let value = read_coefficient(value)?;
-                (at.get_mut)(scene, index).into_iter().for_each(|place| *place = value);
-                Ok(())
-            }
-            _ => self.field().read(scene, index, value),
-        }
+    pub(super) fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Finding> {
+        let Kind::Coefficient(at, ..) = self.kind else { return self.field().read(scene, index, value) };
+        let value = read_coefficient(value)?;
+        (at.get_mut)(scene, index).into_iter().for_each(|place| *place = value);
+        Ok(())
     }
 
     /// Sets it to what it is in another scene.
@@ -259,17 +455,17 @@ impl Parameter {
     }
 
     /// Where its value lives.
-    pub(super) fn field(&self) -> &dyn Field {
-        match &self.kind {
-            Kind::Number { at, .. } => at,
-            Kind::Whole { at, .. } => at,
-            Kind::Pair { at, .. } => at,
-            Kind::Coefficient { at, .. } | Kind::Channels { at, .. } | Kind::Colour { at, .. } => at,
-            Kind::Point(at) | Kind::Direction { at, .. } => at,
-            Kind::Choice(at) => *at,
+    pub(super) fn field(&self) -> &'static dyn Field {
+        match self.kind {
+            Kind::Number(at, ..) => at,
+            Kind::Whole(at, ..) => at,
+            Kind::Pair(at, ..) => at,
+            Kind::Coefficient(at, ..) | Kind::Channels(at, ..) | Kind::Colour(at, _) => at,
+            Kind::Point(at) | Kind::Direction(at, _) => at,
+            Kind::Choice(at) => at,
             Kind::Switch(at) => at,
-            Kind::Text { at, .. } => at,
-            Kind::Other { at, .. } => *at,
+            Kind::Text(at, _) => at,
+            Kind::Other(at, ..) => at,
         }
     }
 
@@ -303,11 +499,11 @@ impl Parameter {
     /// What its slider spans, where it has one.
     pub fn slider(&self) -> Option<Slider> {
         match self.kind {
-            Kind::Number { slider, .. }
-            | Kind::Whole { slider, .. }
-            | Kind::Pair { slider, .. }
-            | Kind::Coefficient { slider, .. }
-            | Kind::Channels { slider, .. } => Some(slider),
+            Kind::Number(.., slider)
+            | Kind::Whole(.., slider)
+            | Kind::Pair(.., slider)
+            | Kind::Coefficient(.., slider)
+            | Kind::Channels(.., slider) => Some(slider),
             _ => None,
         }
     }
@@ -315,31 +511,31 @@ impl Parameter {
     /// What kind of value it has, in a word or two.
     pub fn kind_name(&self) -> &'static str {
         match self.kind {
-            Kind::Number { .. } => "number",
-            Kind::Whole { .. } => "whole number",
-            Kind::Pair { .. } => "two numbers",
-            Kind::Coefficient { .. } => "number or colour",
-            Kind::Channels { .. } => "number per channel",
-            Kind::Colour { .. } => "colour",
+            Kind::Number(..) => "number",
+            Kind::Whole(..) => "whole number",
+            Kind::Pair(..) => "two numbers",
+            Kind::Coefficient(..) => "number or colour",
+            Kind::Channels(..) => "number per channel",
+            Kind::Colour(..) => "colour",
             Kind::Point(_) => "point",
-            Kind::Direction { .. } => "direction",
+            Kind::Direction(..) => "direction",
             Kind::Choice(_) => "choice",
             Kind::Switch(_) => "switch",
-            Kind::Text { .. } => "text",
-            Kind::Other { kind, .. } => kind,
+            Kind::Text(..) => "text",
+            Kind::Other(_, kind, _) => kind,
         }
     }
 
     /// The limits of a number, or of each number in it.
     pub fn limits(&self, scene: &Scene) -> Option<Limits> {
-        match &self.kind {
-            Kind::Number { limits, .. }
-            | Kind::Pair { limits, .. }
-            | Kind::Coefficient { limits, .. }
-            | Kind::Channels { limits, .. }
-            | Kind::Colour { limits, .. } => Some(*limits),
-            Kind::Whole { limits, .. } => Some(limits(scene)),
-            Kind::Point(_) | Kind::Direction { .. } => Some(Limits::COORDINATE),
+        match self.kind {
+            Kind::Number(_, limits, _)
+            | Kind::Pair(_, limits, _)
+            | Kind::Coefficient(_, limits, _)
+            | Kind::Channels(_, limits, _)
+            | Kind::Colour(_, limits) => Some(limits),
+            Kind::Whole(_, limits, _) => Some(limits(scene)),
+            Kind::Point(_) | Kind::Direction(..) => Some(Limits::COORDINATE),
             _ => None,
         }
     }
@@ -351,12 +547,12 @@ impl Parameter {
 
     /// What it can be set to, in words.
     pub fn range_text(&self) -> String {
-        match &self.kind {
-            Kind::Other { limits, .. } => (*limits).to_owned(),
+        match self.kind {
+            Kind::Other(.., limits) => limits.to_owned(),
             Kind::Choice(_) => self.options().iter().map(|option| option.word).collect::<Vec<_>>().join(", "),
             Kind::Switch(_) => "true, false".to_owned(),
-            Kind::Text { longest, .. } => format!("at most {longest} characters in one line"),
-            Kind::Direction { .. } => "not zero".to_owned(),
+            Kind::Text(_, longest) => format!("at most {longest} characters in one line"),
+            Kind::Direction(..) => "not zero".to_owned(),
             Kind::Point(_) => String::new(),
             _ => self.limits(defaults()).map_or_else(String::new, |limits| limits.to_string()),
         }

@@ -5,10 +5,9 @@
 //! the edge of another.
 
 use super::Object;
-use super::limits::LEAST_LENGTH;
-use super::problem::Cause;
+use super::parameter::LEAST_LENGTH;
 use super::shared::Shared;
-use super::validation::Checks;
+use super::validation::{Checks, direction_outside, point_outside};
 use glam::{DVec2, DVec3};
 use std::sync::LazyLock;
 
@@ -86,18 +85,17 @@ impl Object {
             return;
         }
         for (v, vertex) in vertices.iter().enumerate() {
-            sound &= checks.point(&format!("object.vertices.{v}"), *vertex);
+            sound &= checks.within(&format!("object.vertices.{v}"), point_outside(*vertex));
         }
         for (v, normal) in vertex_normals.iter().enumerate() {
-            checks.direction(&format!("object.vertex_normals.{v}"), *normal);
+            checks.within(&format!("object.vertex_normals.{v}"), direction_outside(*normal));
         }
         if !vertex_normals.is_empty() && vertex_normals.len() != vertices.len() {
             let expected = format!("{}, one for each vertex, or none", vertices.len());
             checks.value("object.vertex_normals", format!("a list of {}", vertex_normals.len()), expected);
         }
         if faces.is_empty() && !vertices.is_empty() {
-            let expected = "at least one polygon since there are `object.vertices`";
-            checks.found("object.faces", Cause::Conflict { is: "is empty", expected });
+            checks.found("object.faces", "is empty, expected at least one polygon since there are `object.vertices`");
         }
         for (f, face) in faces.iter().enumerate() {
             check_face(&format!("object.faces.{f}"), face, vertices, sound, checks);

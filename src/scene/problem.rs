@@ -16,22 +16,17 @@ pub struct SceneError {
 const MOST_LISTED: usize = 100;
 
 impl SceneError {
-    /// `Err` with the problems, or `Ok` where there are none.
-    pub(super) fn check(mut problems: Vec<Problem>) -> Result<(), Self> {
-        let unlisted = problems.len().saturating_sub(MOST_LISTED);
-        problems.truncate(MOST_LISTED);
+    /// `Err` with what was found, or `Ok` where that is nothing.
+    pub(super) fn check(findings: Vec<Finding>, mut place: impl FnMut(&Finding) -> Place) -> Result<(), Self> {
+        let unlisted = findings.len().saturating_sub(MOST_LISTED);
+        let placed = |finding: Finding| Problem { place: place(&finding), key: finding.key, cause: finding.cause };
+        let problems: Vec<Problem> = findings.into_iter().take(MOST_LISTED).map(placed).collect();
         if problems.is_empty() { Ok(()) } else { Err(Self { problems, unlisted }) }
     }
 
     /// At least one, and the first hundred at most, in the order of their lines.
     pub fn problems(&self) -> &[Problem] {
         &self.problems
-    }
-}
-
-impl From<Problem> for SceneError {
-    fn from(problem: Problem) -> Self {
-        Self { problems: vec![problem], unlisted: 0 }
     }
 }
 
@@ -76,40 +71,65 @@ pub enum Place {
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cause {
-    /// The text is not TOML; the parser's words.
-    Syntax(String),
-    /// The text is longer than [`Scene::MAX_TEXT`](super::Scene::MAX_TEXT) bytes.
-    TooLong,
-    /// The file's version is not one that this program reads.
-    Version { found: String },
     /// No such key in a table; the keys that it has.
     UnknownKey { known: Vec<&'static str> },
-    /// A choice that is not offered; the words that are.
-    UnknownWord { word: String, known: Vec<&'static str> },
-    /// A value that cannot be what the key means, by its type or by its number.
-    Value { found: String, expected: String },
-    /// A value, or its absence, that does not go with those of other keys.
-    Conflict { is: &'static str, expected: &'static str },
-    /// An override that is not `KEY=VALUE`.
-    NotAnAssignment,
-    /// An override of something inside a value that has no parts.
-    NoParts { part: String },
-    /// An override of an element beyond the end of a list of `count`.
-    NoElement { index: usize, count: usize },
-    /// Whatever else a type objects to.
-    Other(String),
+    /// What is wrong with a key: the words that follow it in a message.
+    Key(String),
+    /// What is wrong with a text as a whole, in a sentence.
+    Text(String),
 }
 
-impl Problem {
+impl Cause {
+    /// A value that cannot be what the key means, by its type or by its number.
+    pub(super) fn value(found: impl fmt::Display, expected: impl fmt::Display) -> Self {
+        Self::Key(format!(" is {found}, expected {expected}"))
+    }
+
+    /// A choice that is not offered.
+    pub(super) fn unknown_word(word: &str, known: &[&'static str]) -> Self {
+        Self::Key(format!(" is {}, {}", quoted(word), choices(word, known)))
+    }
+
+    /// The file's version is not one that this program reads.
+    pub(super) fn version(found: impl fmt::Display) -> Self {
+        let (program, version) = (env!("CARGO_PKG_VERSION"), super::Scene::VERSION);
+        Self::Text(format!(
+            "`version` is {found}, expected {version}: shading-lab {program} reads version {version}, \
+             for a later one take a later shading-lab"
+        ))
+    }
+}
+
+/// Something to object to, before its place is known.
+#[derive(Debug)]
+pub struct Finding {
+    /// The key; while a value is read, what follows the value's own key, for example `.2`.
+    pub key: String,
+    /// The byte of the text, where that is not the key's own.
+    pub offset: Option<usize>,
+    pub cause: Cause,
+}
+
+impl Finding {
+    pub fn new(key: impl Into<String>, cause: Cause) -> Self {
+        Self { key: key.into(), offset: None, cause }
+    }
+
+    /// Of the value that is being read.
+    pub fn value(found: impl fmt::Display, expected: impl fmt::Display) -> Self {
+        Self::new("", Cause::value(found, expected))
+    }
+
     /// What is wrong, without the place.
-    pub(super) fn in_words(&self) -> String {
-        struct Words<'a>(&'a Problem);
-        impl fmt::Display for Words<'_> {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                self.0.cause.describe(f, &shortened(&self.0.key))
+    pub fn in_words(key: &str, cause: &Cause) -> String {
+        let short = shortened(key);
+        match cause {
+            Cause::UnknownKey { known } => {
+                format!("unknown key `{short}`, {}", choices(short.rsplit('.').next().unwrap_or(&short), known))
             }
+            Cause::Key(words) => format!("`{short}`{words}"),
+            Cause::Text(sentence) => sentence.clone(),
         }
-        Words(self).to_string()
     }
 }
 
@@ -120,55 +140,15 @@ impl fmt::Display for Problem {
             Place::Override(assignment) => write!(f, "--set {}: ", shortened(assignment))?,
             Place::Scene => {}
         }
-        self.cause.describe(f, &shortened(&self.key))
-    }
-}
-
-impl Cause {
-    fn describe(&self, f: &mut fmt::Formatter<'_>, key: &str) -> fmt::Result {
-        match self {
-            Self::Syntax(message) => write!(f, "{message}"),
-            Self::TooLong => write!(f, "longer than {} MiB, expected a scene", super::Scene::MAX_TEXT >> 20),
-            Self::Version { found } => {
-                let program = env!("CARGO_PKG_VERSION");
-                let version = super::Scene::VERSION;
-                write!(f, "`version` is {found}, expected {version}: shading-lab {program} reads version {version}, ")?;
-                write!(f, "for a later one take a later shading-lab")
-            }
-            Self::UnknownKey { known } => {
-                write!(f, "unknown key `{key}`, ")?;
-                choices(f, key.rsplit('.').next().unwrap_or(key), known)
-            }
-            Self::UnknownWord { word, known } => {
-                write!(f, "`{key}` is {}, ", quoted(word))?;
-                choices(f, word, known)
-            }
-            Self::Value { found, expected } => write!(f, "`{key}` is {found}, expected {expected}"),
-            Self::Conflict { is, expected } => write!(f, "`{key}` {is}, expected {expected}"),
-            Self::NotAnAssignment => write!(f, "no `=` after a key, expected KEY=VALUE, for example material.n=50"),
-            Self::NoParts { part } => {
-                write!(f, "`{key}` is a single value, expected no `{}` after it", shortened(part))
-            }
-            Self::NoElement { index, count } => {
-                write!(f, "`{key}` has no element {index}, expected ")?;
-                match count {
-                    0 => write!(f, "none, since it is empty"),
-                    1 => write!(f, "0, its only one"),
-                    _ => write!(f, "0 to {}", count - 1),
-                }
-            }
-            Self::Other(message) => write!(f, "`{key}`: {message}"),
-        }
+        f.write_str(&Finding::in_words(&self.key, &self.cause))
     }
 }
 
 /// The words to choose from, with the one probably meant.
-fn choices(f: &mut fmt::Formatter<'_>, word: &str, known: &[&'static str]) -> fmt::Result {
-    write!(f, "expected {}{}", if known.len() > 1 { "one of " } else { "" }, known.join(", "))?;
-    match nearest(word, known.iter().copied()) {
-        Some(meant) => write!(f, " (did you mean {meant}?)"),
-        None => Ok(()),
-    }
+fn choices(word: &str, known: &[&'static str]) -> String {
+    let meant = nearest(word, known.iter().copied());
+    let hint = meant.map_or_else(String::new, |meant| format!(" (did you mean {meant}?)"));
+    format!("expected {}{}{hint}", if known.len() > 1 { "one of " } else { "" }, known.join(", "))
 }
 
 /// A piece of the user's text in quotation marks, short and without control characters.
@@ -179,7 +159,7 @@ pub(super) fn quoted(text: &str) -> String {
 /// The longest piece of the user's text that a message repeats, in characters.
 const LONGEST_QUOTE: usize = 80;
 
-fn shortened(text: &str) -> String {
+pub(super) fn shortened(text: &str) -> String {
     let mut short: String = text.chars().take(LONGEST_QUOTE).flat_map(char::escape_debug).collect();
     if text.chars().nth(LONGEST_QUOTE).is_some() {
         short.push('…');

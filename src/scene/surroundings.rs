@@ -1,94 +1,104 @@
-//! What is not the object: the pattern on it, its transparency, the ground under it and the wall behind it.
+//! What is not the object: the ground under it, the wall behind it, and the fog before it.
 
-use super::Rgb;
 use super::choice::choices;
+use super::material::{COEFFICIENT, FIELD, FIELD_SLIDER, PatternKind, no_ambient, no_light};
+use super::parameter::{Limits, Slider, table};
+use super::symbol::Symbol;
+use super::{Rgb, Scene};
 
-/// A second colour of the surface, laid out by object coordinates, so that no picture file is needed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Pattern {
-    pub kind: PatternKind,
-    /// Od where the pattern lies; the material's colour is seen between.
-    pub color: Rgb,
-    /// Width of one field, world units.
-    pub scale: f64,
+table! {
+    /// A level floor that receives light and shadows: it is seen from above, behind the object, and before what of the wall
+    /// is farther away.
+    pub struct Ground = "ground" in ground {
+        GROUND_VISIBLE visible: bool = false, Switch, "Ground",
+            "Whether there is a level floor, which receives light and shadows and hides no part of the object.";
+        GROUND_HEIGHT height: f64 = -1.0, Number(Limits::COORDINATE, Slider::linear(-3.0, 3.0)), "Ground height",
+            "The floor's y coordinate.".label("Height").unit("world units").idle(no_ground);
+        GROUND_KA ka: f64 = 0.1, Number(COEFFICIENT, Slider::UNIT), "Ground Ka",
+            "The floor's ambient coefficient."
+            .label("Ka ambient").idle(|scene, index| no_ground(scene, index).or(no_ambient(scene)));
+        GROUND_KD kd: f64 = 0.7, Number(COEFFICIENT, Slider::UNIT), "Ground Kd",
+            "The floor's diffuse coefficient; it has no highlight."
+            .label("Kd diffuse").idle(|scene, index| no_ground(scene, index).or(no_light(scene, index)));
+        GROUND_COLOR color: Rgb = Rgb::new(0.8, 0.8, 0.8), Colour(COEFFICIENT), "Ground colour",
+            "The floor's own colour Od, linear.".label("Od colour").idle(no_ground);
+    }
 }
 
-impl Default for Pattern {
-    fn default() -> Self {
-        Self { kind: PatternKind::None, color: Rgb::new(0.95, 0.92, 0.85), scale: 0.25 }
+fn no_ground(scene: &Scene, _: usize) -> Option<&'static str> {
+    (!scene.ground.visible).then_some("There is no ground")
+}
+
+table! {
+    /// A patterned wall behind the object, upright to the viewing direction, without end. Between the pattern it has the
+    /// background's colour; it hides what of the ground lies beyond it.
+    pub struct Backdrop = "backdrop" in backdrop {
+        BACKDROP_PATTERN pattern: PatternKind = PatternKind::None, Choice, "Backdrop",
+            "The pattern of a wall behind the object, perpendicular to the viewing direction; between its fields the background is seen.";
+        BACKDROP_COLOR color: Rgb = Rgb::new(0.85, 0.83, 0.78), Colour(Limits::INTENSITY), "Backdrop colour",
+            "The linear colour of the backdrop's pattern, which no light changes.".label("Colour").idle(no_backdrop);
+        BACKDROP_SCALE scale: f64 = 0.4, Number(FIELD, FIELD_SLIDER), "Backdrop scale",
+            "The width of one field of the backdrop's pattern.".label("Field width").unit("world units").idle(no_backdrop);
+        BACKDROP_DISTANCE distance: f64 = 2.0, Number(Limits::COORDINATE, Slider::linear(0.0, 10.0)), "Backdrop distance",
+            "How far the backdrop is behind the camera's target.".label("Distance").unit("world units").idle(no_backdrop);
+    }
+}
+
+fn no_backdrop(scene: &Scene, _: usize) -> Option<&'static str> {
+    (scene.backdrop.pattern == PatternKind::None).then_some("There is no backdrop")
+}
+
+const DEPTHS: Slider = Slider::linear(0.0, 10.0);
+
+table! {
+    /// Depth cueing after Foley, van Dam, Feiner and Hughes 1990, section 16.1.4: `I' = s0·I + (1 − s0)·Idc`.
+    ///
+    /// s0 depends on the depth z, the distance from the eye along the viewing direction: it is [`Self::front_scale`] up to
+    /// [`Self::front`], [`Self::back_scale`] from [`Self::back`] on, and linear between the two. It is the object that
+    /// fades; ground, backdrop and background keep their colours.
+    #[derive(Copy)]
+    pub struct DepthCueing = "depth_cueing" in depth_cueing {
+        CUED_BY by: CuedBy = CuedBy::Off, Choice, "Depth cueing",
+            "Whether distant parts fade into one colour, and where the fading is evaluated: s0·I + (1 − s0)·Idc is shown."
+            .symbol(Symbol::Depth);
+        FRONT front: f64 = 3.0, Number(Limits::LENGTH, DEPTHS), "start of fading",
+            "The depth where fading begins. Depth is the distance from the eye along the viewing direction."
+            .label("begins at").letter("z", Symbol::Depth).unit("world units").idle(no_cueing);
+        BACK back: f64 = 5.0, Number(Limits::LENGTH, DEPTHS), "end of fading",
+            "The depth where fading is complete, greater than the depth where it begins."
+            .label("complete at").letter("z", Symbol::Depth).unit("world units").idle(no_cueing);
+        FRONT_SCALE front_scale: f64 = 1.0, Number(Limits::UNIT, Slider::UNIT), "remaining intensity in front",
+            "The fraction of the intensity that remains where fading begins."
+            .label("in front").letter("s0", Symbol::Depth).idle(no_cueing);
+        BACK_SCALE back_scale: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT), "remaining intensity at the back",
+            "The fraction of the intensity that remains where fading is complete."
+            .label("at the back").letter("s0", Symbol::Depth).idle(no_cueing);
+        CUE_COLOR color: Rgb = Rgb::ZERO, Colour(Limits::INTENSITY), "fading colour",
+            "The linear colour that the object fades into. With the background's colour it disappears in the distance."
+            .label("colour").letter("Idc", Symbol::Depth).idle(no_cueing);
+    }
+}
+
+fn no_cueing(scene: &Scene, _: usize) -> Option<&'static str> {
+    (scene.depth_cueing.by == CuedBy::Off).then_some("Depth cueing is off")
+}
+
+impl DepthCueing {
+    /// s0 at `depth`: what is left of the intensity there.
+    pub fn scale_at(&self, depth: f64) -> f64 {
+        // 1 at the front, 0 at the back.
+        let nearness = ((self.back - depth) / (self.back - self.front)).clamp(0.0, 1.0);
+        nearness * self.front_scale + (1.0 - nearness) * self.back_scale
     }
 }
 
 choices! {
-    /// The patterns. Fields are counted from the origin, the first of them centred there.
-    pub enum PatternKind {
-        None = "none", "none", "No pattern";
-        Checker = "checker", "checker", "Cubes, every other one coloured";
-        Stripes = "stripes", "stripes", "Level layers";
-        Rings = "rings", "rings", "Shells about the axis";
-    }
-}
-
-/// Light that passes through the surface: `I = (1 − kt)·Irefl + kt·Itrans`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Transparency {
-    /// Kt, the part of the transmitted light, 0 (opaque) to 1.
-    pub kt: f64,
-    /// η, the index of refraction inside relative to that outside.
-    pub ior: f64,
-    pub through: Through,
-}
-
-impl Default for Transparency {
-    fn default() -> Self {
-        Self { kt: 0.0, ior: 1.5, through: Through::Solid }
-    }
-}
-
-choices! {
-    /// How far a transmitted ray is followed.
-    pub enum Through {
-        Surface = "surface", "one surface", "Refracted once: what lies behind is inside the material as well";
-        Solid = "solid", "solid", "Refracted on its way in and out, and reflected inside where it cannot leave";
-    }
-}
-
-/// A level floor that receives light and shadows: it is seen from above, behind the object, and before what of the wall is
-/// farther away.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Ground {
-    pub visible: bool,
-    /// Its y coordinate, world.
-    pub height: f64,
-    /// Ambient coefficient.
-    pub ka: f64,
-    /// Diffuse coefficient.
-    pub kd: f64,
-    /// Od of the floor.
-    pub color: Rgb,
-}
-
-impl Default for Ground {
-    fn default() -> Self {
-        Self { visible: false, height: -1.0, ka: 0.1, kd: 0.7, color: Rgb::new(0.8, 0.8, 0.8) }
-    }
-}
-
-/// A patterned wall behind the object, upright to the viewing direction, without end. Between the pattern it has the
-/// background's colour; it hides what of the ground lies beyond it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Backdrop {
-    /// None: there is no wall.
-    pub pattern: PatternKind,
-    pub color: Rgb,
-    /// Width of one field, world units.
-    pub scale: f64,
-    /// How far it stands behind the camera's target, world units.
-    pub distance: f64,
-}
-
-impl Default for Backdrop {
-    fn default() -> Self {
-        Self { pattern: PatternKind::None, color: Rgb::new(0.85, 0.83, 0.78), scale: 0.4, distance: 2.0 }
+    /// Where s0 is evaluated.
+    pub enum CuedBy {
+        Off = "off", "off", "No fading";
+        /// Where intensities live at vertices or faces, they fade there, before they are interpolated; in Phong shading s0
+        /// itself is interpolated between the vertices. Exact shading has no vertices and takes each pixel's.
+        Vertex = "vertex", "at vertices", "Intensities fade at the vertices; in Phong shading s0 is interpolated";
+        Pixel = "pixel", "at pixels", "By each pixel's own depth";
     }
 }

@@ -9,7 +9,7 @@ use dice::Dice;
 use glam::DVec3;
 use shading_lab::geometry::Mesh;
 use shading_lab::scene::{
-    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Compare, CompareView, CuedBy,
+    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Choice, Compare, CompareView, CuedBy,
     DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt, GREATEST_INTENSITY, GREATEST_LENGTH, Ground,
     Image, Interpolation, LEAST_LENGTH, Light, LightKind, Material, NormalSource, Object, ObjectKind, Overflow, Pane,
     Pattern, PatternKind, Projection, Reflectance, Reflection, ReflectionModel, Rgb, Scene, Shading, ShadingMode,
@@ -215,20 +215,9 @@ impl Author {
     }
 
     fn object(&mut self) -> Object {
-        let kind = self.dice.of(&[
-            ObjectKind::Sphere,
-            ObjectKind::Torus,
-            ObjectKind::Cylinder,
-            ObjectKind::Cone,
-            ObjectKind::Cube,
-            ObjectKind::Plane,
-            ObjectKind::Corrugated,
-            ObjectKind::Polygons,
-            ObjectKind::Polygons,
-            ObjectKind::Polygons,
-            ObjectKind::Obj,
-            ObjectKind::Obj,
-        ]);
+        let shapes = ObjectKind::VALUES.iter().filter(|kind| kind.has_surface() && **kind != ObjectKind::Teapot);
+        let kinds: Vec<_> = shapes.copied().chain([ObjectKind::Polygons; 3]).chain([ObjectKind::Obj; 2]).collect();
+        let kind = self.dice.of(&kinds);
         let kind = if self.chance(0.01) { ObjectKind::Teapot } else { kind };
         let mut object = Object {
             kind,

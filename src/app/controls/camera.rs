@@ -4,7 +4,7 @@ use crate::app::action::Action;
 use crate::app::row::parameters;
 use crate::app::state::AppState;
 use crate::scene::Projection;
-use crate::scene::parameter::camera::{EYE, FOV_Y, HEIGHT, PROJECTION, ROLL, TARGET, VIEWER};
+use crate::scene::camera::{EYE, FOV_Y, HEIGHT, PROJECTION, ROLL, TARGET, VIEWER};
 use eframe::egui::{Button, Ui};
 
 pub fn camera_ui(ui: &mut Ui, state: &mut AppState) {

@@ -3,7 +3,7 @@
 use crate::app::row::{View, parameter, parameter_with, parameters};
 use crate::app::state::AppState;
 use crate::scene::parameter::Slider;
-use crate::scene::parameter::surroundings::{BACK, BACK_SCALE, CUE_COLOR, CUED_BY, FRONT, FRONT_SCALE};
+use crate::scene::surroundings::{BACK, BACK_SCALE, CUE_COLOR, CUED_BY, FRONT, FRONT_SCALE};
 use crate::scene::{CuedBy, DepthCueing, GREATEST_LENGTH, ShadingMode};
 use eframe::egui::{RichText, Ui};
 

@@ -4,7 +4,7 @@ use crate::app::engine::Engine;
 use crate::app::plan::grouped;
 use crate::app::row::{parameter, parameters};
 use crate::app::state::AppState;
-use crate::scene::parameter::camera::{BACKGROUND, ENCODING, OVERFLOW};
+use crate::scene::camera::{BACKGROUND, ENCODING, OVERFLOW};
 use eframe::egui::{RichText, Ui};
 
 pub fn display_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {

@@ -8,7 +8,7 @@ use crate::app::row::{parameter, swatch};
 use crate::app::state::AppState;
 use crate::app::symbol::Symbol;
 use crate::scene::Light;
-use crate::scene::parameter::material::AMBIENT_COLOR;
+use crate::scene::material::AMBIENT_COLOR;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Atom, Button, IdSalt, RichText, Sense, Stroke, Ui, WidgetInfo, vec2};
 

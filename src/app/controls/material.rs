@@ -5,7 +5,7 @@ mod matching;
 
 use crate::app::row::{View, parameter, parameter_with, parameters};
 use crate::app::state::AppState;
-use crate::scene::parameter::material::{
+use crate::scene::material::{
     BACKFACING, COLOR, DISTRIBUTION, EXTINCTION, IOR, KA, KD, KS, MODEL, N, PATTERN_COLOR, PATTERN_KIND, PATTERN_SCALE,
     REFLECTANCE, ROUGHNESS, SPECULAR_COLOR,
 };

@@ -8,7 +8,7 @@ use crate::app::engine::Engine;
 use crate::app::row::{View, parameter, parameter_with};
 use crate::app::state::AppState;
 use crate::app::symbol::Lit;
-use crate::scene::parameter::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING, polygons_unused};
+use crate::scene::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING, polygons_unused};
 use crate::scene::{ChoiceOption, NormalSource, ObjectKind, Scene};
 use eframe::egui::{Button, RichText, Ui};
 

@@ -2,7 +2,7 @@
 
 use crate::app::row::parameter;
 use crate::app::state::AppState;
-use crate::scene::parameter::shading::{FLAT_AT, INTERPOLATION, RENORMALISE};
+use crate::scene::shading::{FLAT_AT, INTERPOLATION, RENORMALISE};
 use crate::scene::{Choice, ShadingMode};
 use eframe::egui::{RichText, Ui};
 

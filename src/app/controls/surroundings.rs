@@ -4,9 +4,9 @@ use crate::app::engine::Engine;
 use crate::app::row::{About, parameter, parameters, row};
 use crate::app::state::AppState;
 use crate::app::symbol::{Lit, Symbol};
-use crate::scene::parameter::material::AMBIENT_SOURCE;
-use crate::scene::parameter::shading::SHADOWS;
-use crate::scene::parameter::surroundings::{
+use crate::scene::material::AMBIENT_SOURCE;
+use crate::scene::shading::SHADOWS;
+use crate::scene::surroundings::{
     BACKDROP_COLOR, BACKDROP_DISTANCE, BACKDROP_PATTERN, BACKDROP_SCALE, GROUND_COLOR, GROUND_HEIGHT, GROUND_KA,
     GROUND_KD, GROUND_VISIBLE,
 };

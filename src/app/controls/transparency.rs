@@ -2,7 +2,7 @@
 
 use crate::app::row::parameters;
 use crate::app::state::AppState;
-use crate::scene::parameter::material::{KT, THROUGH, TRANSPARENCY_IOR};
+use crate::scene::material::{KT, THROUGH, TRANSPARENCY_IOR};
 use eframe::egui::Ui;
 
 pub fn transparency_ui(ui: &mut Ui, state: &mut AppState) {

@@ -63,26 +63,26 @@ pub fn parameter_with(
         idle: (parameter.idle)(scene, index),
     };
     let range = range(scene, parameter, view);
-    match &parameter.kind {
-        Kind::Number { at, .. } => edit(at, lit, scene, index, |lit, value, default| {
+    match parameter.kind {
+        Kind::Number(at, ..) => edit(at, lit, scene, index, |lit, value, default| {
             number(ui, lit, &NumberRow { about, range, default }, value);
         }),
-        Kind::Whole { at, .. } => edit(at, lit, scene, index, |lit, value, default| {
+        Kind::Whole(at, ..) => edit(at, lit, scene, index, |lit, value, default| {
             whole(ui, lit, &NumberRow { about, range, default: default.into() }, value);
         }),
-        Kind::Pair { at, .. } => {
+        Kind::Pair(at, ..) => {
             edit(at, lit, scene, index, |lit, value, default| field_pair(ui, lit, &about, &range, default, value));
         }
-        Kind::Coefficient { at, .. } => edit(at, lit, scene, index, |lit, value, default| {
+        Kind::Coefficient(at, ..) => edit(at, lit, scene, index, |lit, value, default| {
             coefficient(ui, lit, &about, &range, default, view.channels, value);
         }),
-        Kind::Channels { at, .. } => {
+        Kind::Channels(at, ..) => {
             edit(at, lit, scene, index, |lit, value, default| triple(ui, lit, &about, &range, default, value));
         }
-        Kind::Colour { at, .. } => {
+        Kind::Colour(at, _) => {
             edit(at, lit, scene, index, |lit, value, default| colour(ui, lit, &about, default, value));
         }
-        Kind::Point(at) | Kind::Direction { at, .. } => {
+        Kind::Point(at) | Kind::Direction(at, _) => {
             edit(at, lit, scene, index, |lit, value, default| vector(ui, lit, &about, default, value));
         }
         Kind::Choice(access) => {
@@ -99,10 +99,10 @@ pub fn parameter_with(
         Kind::Switch(at) => {
             edit(at, lit, scene, index, |lit, value, default| toggle(ui, lit, &about, default, value));
         }
-        Kind::Text { at, longest } => {
-            edit(at, lit, scene, index, |lit, value, default| text(ui, lit, &about, *longest, default, value));
+        Kind::Text(at, longest) => {
+            edit(at, lit, scene, index, |lit, value, default| text(ui, lit, &about, longest, default, value));
         }
-        Kind::Other { .. } => {}
+        Kind::Other(..) => {}
     }
 }
 

@@ -5,8 +5,7 @@
 //! bytes for each face until its object ends; so normals that are missing get one of their own (0, 0, 0), the first, and
 //! objects end after [`PIECE`] corners.
 
-use super::error::{ObjError, quoted};
-use super::lines::{Line, Lines};
+use super::ObjError;
 use crate::geometry::mesh::FAR;
 use glam::DVec3;
 use std::io::{self, BufRead, Read, Write};
@@ -17,6 +16,101 @@ const PIECE: usize = (1 << 17) - 64;
 
 /// Bytes written before they are passed on.
 const CHUNK: usize = 1 << 16;
+
+/// The longest line, continuations included: a face of some 100 000 vertices. What is longer is no model, and would
+/// otherwise be read into memory as a whole.
+const LONGEST: usize = 1 << 20;
+
+/// Progress is told whenever so many more bytes have been read.
+const PROGRESS_STEP: u64 = 1 << 18;
+
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+
+/// A file as lines: continued ones joined, comments cut off, numbered from 1.
+pub struct Lines<'a, R> {
+    reader: R,
+    progress: &'a mut dyn FnMut(u64),
+    /// The line being put together.
+    text: Vec<u8>,
+    /// Lines read so far.
+    count: u64,
+    bytes: u64,
+    told: u64,
+}
+
+/// One line.
+struct Line<'a> {
+    /// Of the first of the lines joined.
+    number: u64,
+    /// Without line end, comment and continuation marks.
+    text: &'a [u8],
+    /// Whether it ended in a line end, and not with the file.
+    ended: bool,
+}
+
+impl<'a, R: BufRead> Lines<'a, R> {
+    pub fn new(reader: R, progress: &'a mut dyn FnMut(u64)) -> Self {
+        Self { reader, progress, text: Vec::new(), count: 0, bytes: 0, told: 0 }
+    }
+
+    /// The next line; none at the end of the file.
+    fn next(&mut self) -> Result<Option<Line<'_>>, ObjError> {
+        self.text.clear();
+        let number = self.count + 1;
+        let mut ended = true;
+        while ended {
+            let before = self.text.len();
+            let room = (LONGEST - before + 1) as u64;
+            let read = self.reader.by_ref().take(room).read_until(b'\n', &mut self.text)?;
+            if read == 0 && before == 0 {
+                (self.progress)(self.bytes);
+                return Ok(None);
+            }
+            self.tell(read as u64);
+            self.count += u64::from(read > 0);
+            ended = self.text.ends_with(b"\n");
+            self.text.truncate(self.text.len() - usize::from(ended));
+            if self.text[before..].contains(&0) {
+                return Err(not_text(number));
+            }
+            if self.text.len() > LONGEST {
+                return Err(at(number, format!("the line is longer than {LONGEST} bytes, expected an OBJ model")));
+            }
+            self.trim(before);
+            if !(ended && self.text.ends_with(b"\\")) {
+                break;
+            }
+            self.text.pop();
+            self.text.push(b' ');
+        }
+        // Control characters that no text has; tab, form feed, escape and the end mark of old systems are let through.
+        if self.text.iter().any(|byte| matches!(byte, 0..=8 | 14..=25 | 28..=31)) {
+            return Err(not_text(number));
+        }
+        Ok(Some(Line { number, text: &self.text, ended }))
+    }
+
+    fn tell(&mut self, read: u64) {
+        self.bytes += read;
+        if self.bytes - self.told >= PROGRESS_STEP {
+            self.told = self.bytes;
+            (self.progress)(self.bytes);
+        }
+    }
+
+    /// Cuts byte order mark, comment and blanks from what was appended after `before`.
+    fn trim(&mut self, before: usize) {
+        if self.count == 1 && self.text.starts_with(BYTE_ORDER_MARK) {
+            self.text.drain(..BYTE_ORDER_MARK.len());
+        }
+        if let Some(comment) = self.text[before..].iter().position(|&byte| byte == b'#') {
+            self.text.truncate(before + comment);
+        }
+        while self.text.len() > before && self.text.last().is_some_and(u8::is_ascii_whitespace) {
+            self.text.pop();
+        }
+    }
+}
 
 /// A model written anew, to be read by `tobj`.
 pub struct Prepared<'a, R> {
@@ -47,7 +141,7 @@ impl<'a, R: BufRead> Prepared<'a, R> {
     /// After the last byte: the origin that positions are relative to, or what was wrong.
     pub fn finish(self) -> Result<DVec3, ObjError> {
         self.outcome?;
-        if self.lines.bytes() == 0 {
+        if self.lines.bytes == 0 {
             return Err(ObjError::Empty);
         }
         if self.writer.faces == 0 { Err(ObjError::NoFace) } else { Ok(self.writer.origin) }
@@ -64,26 +158,16 @@ impl<'a, R: BufRead> Prepared<'a, R> {
     }
 }
 
-impl<R: BufRead> BufRead for Prepared<'_, R> {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        if self.taken >= self.writer.text.len() {
+impl<R: BufRead> Read for Prepared<'_, R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        if self.taken == self.writer.text.len() {
             self.outcome = self.refill();
             if self.outcome.is_err() {
                 return Err(io::Error::other("the model is not sound"));
             }
         }
-        Ok(&self.writer.text[self.taken..])
-    }
-
-    fn consume(&mut self, amount: usize) {
-        self.taken += amount;
-    }
-}
-
-impl<R: BufRead> Read for Prepared<'_, R> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let read = self.fill_buf()?.read(buffer)?;
-        self.consume(read);
+        let read = (&self.writer.text[self.taken..]).read(buffer)?;
+        self.taken += read;
         Ok(read)
     }
 }
@@ -100,16 +184,13 @@ impl Writer {
     }
 
     fn position<'w>(&mut self, line: u64, mut words: impl Iterator<Item = &'w [u8]>) -> Result<(), ObjError> {
-        const EXPECTED: &str = "three coordinates x y z";
-        let mut xyz = [&[][..]; 3];
-        let mut point = DVec3::ZERO;
-        for k in 0..3 {
-            xyz[k] = words.next().ok_or(ObjError::TooFewNumbers { line, found: k, expected: EXPECTED })?;
-            point[k] = number(line, xyz[k], "a coordinate")?;
-        }
+        let (mut point, xyz) = vector(line, &mut words, "a coordinate", "three coordinates x y z")?;
         if let (Some(weight), None) = (words.next(), words.next()) {
             point /= match number(line, weight, "a weight")? {
-                0.0 => return Err(ObjError::ZeroWeight { line }),
+                0.0 => {
+                    let what = "a vertex of weight 0 is at infinity, expected a weight that is not zero";
+                    return Err(at(line, what));
+                }
                 weight => weight,
             };
         }
@@ -117,10 +198,10 @@ impl Writer {
             self.origin = point.round();
         }
         let relative = (point - self.origin).as_vec3();
-        for k in 0..3 {
-            if !relative[k].is_finite() {
-                return Err(ObjError::NotFinite { line, word: quoted(xyz[k]) });
-            }
+        if let Some(k) = (0..3).find(|&k| !relative[k].is_finite()) {
+            let word = quoted(xyz[k]);
+            let expected = "expected a number between -3.4e38 and 3.4e38";
+            return Err(at(line, format!("the coordinate {word} is not finite in single precision, {expected}")));
         }
         self.positions += 1;
         self.write(format_args!("v {:e} {:e} {:e}\n", relative.x, relative.y, relative.z));
@@ -128,12 +209,7 @@ impl Writer {
     }
 
     fn normal<'w>(&mut self, line: u64, mut words: impl Iterator<Item = &'w [u8]>) -> Result<(), ObjError> {
-        let mut normal = DVec3::ZERO;
-        for k in 0..3 {
-            let expected = "three components of a normal";
-            let word = words.next().ok_or(ObjError::TooFewNumbers { line, found: k, expected })?;
-            normal[k] = number(line, word, "a component of a normal")?;
-        }
+        let (normal, _) = vector(line, &mut words, "a component of a normal", "three components of a normal")?;
         if self.normals == 0 {
             // Faces so far have no normals; what they become must not have any either.
             self.end_piece();
@@ -152,7 +228,7 @@ impl Writer {
             corners.push(self.corner(line, word)?);
         }
         if corners.len() < 3 {
-            return Err(ObjError::TooFewCorners { line: line.number, found: corners.len() });
+            return Err(at(line.number, format!("a face of {} vertices, expected at least 3", corners.len())));
         }
         if self.corners_in_piece + corners.len() > PIECE {
             self.end_piece();
@@ -176,21 +252,14 @@ impl Writer {
     /// The numbers, from 1, of the position and normal of a corner; 0 for no normal.
     fn corner(&self, line: &Line, word: &[u8]) -> Result<(u64, u64), ObjError> {
         const EXPECTED: &str = "a corner of a face, v, v/vt, v//vn or v/vt/vn with whole numbers";
-        let malformed = || ObjError::Malformed { line: line.number, word: quoted(word), expected: EXPECTED };
         let mut fields = word.split(|&byte| byte == b'/');
-        let position = fields.next().ok_or_else(malformed)?;
-        let [texture, normal] = [fields.next(), fields.next()].map(Option::unwrap_or_default);
-        let is_whole = |field: &[u8]| whole(field).is_some();
-        let empty_or_whole = |field: &[u8]| field.is_empty() || is_whole(field);
+        let [position, texture, normal] = [fields.next(), fields.next(), fields.next()].map(Option::unwrap_or_default);
+        let empty_or_whole = |field: &[u8]| field.is_empty() || whole(field).is_some();
         // A file that ends behind a slash has been cut off.
         let cut_off = !line.ended && line.text.ends_with(b"/") && line.text.ends_with(word);
-        if fields.next().is_some()
-            || cut_off
-            || !is_whole(position)
-            || !empty_or_whole(texture)
-            || !empty_or_whole(normal)
-        {
-            return Err(malformed());
+        let sound = whole(position).is_some() && empty_or_whole(texture) && empty_or_whole(normal);
+        if fields.next().is_some() || cut_off || !sound {
+            return Err(malformed(line.number, word, EXPECTED));
         }
         let position = absolute(line.number, "vertex", position, self.positions)?;
         let normal = if normal.is_empty() { 0 } else { absolute(line.number, "normal", normal, self.normals)? };
@@ -208,10 +277,45 @@ impl Writer {
     }
 }
 
+fn at(line: u64, what: impl Into<String>) -> ObjError {
+    ObjError::Line { line, what: what.into() }
+}
+
+fn not_text(line: u64) -> ObjError {
+    at(line, "this is not text, expected an OBJ model in ASCII or UTF-8")
+}
+
+fn malformed(line: u64, word: &[u8], expected: &str) -> ObjError {
+    at(line, format!("`{}` is not {expected}", quoted(word)))
+}
+
+/// A word of the file for a message: valid text, and no longer than a message may be.
+fn quoted(word: &[u8]) -> String {
+    const LONGEST_QUOTE: usize = 40;
+    let text = String::from_utf8_lossy(&word[..word.len().min(LONGEST_QUOTE)]);
+    if word.len() > LONGEST_QUOTE { format!("{text}…") } else { text.into_owned() }
+}
+
+/// Three numbers, finite or not, and the words that they stand as.
+fn vector<'w>(
+    line: u64,
+    words: &mut impl Iterator<Item = &'w [u8]>,
+    one: &str,
+    three: &str,
+) -> Result<(DVec3, [&'w [u8]; 3]), ObjError> {
+    let mut xyz = [&[][..]; 3];
+    let mut vector = DVec3::ZERO;
+    for k in 0..3 {
+        xyz[k] = words.next().ok_or_else(|| at(line, format!("{k} numbers, expected {three}")))?;
+        vector[k] = number(line, xyz[k], one)?;
+    }
+    Ok((vector, xyz))
+}
+
 /// The number that a word stands for, finite or not.
-fn number(line: u64, word: &[u8], expected: &'static str) -> Result<f64, ObjError> {
-    let malformed = || ObjError::Malformed { line, word: quoted(word), expected };
-    std::str::from_utf8(word).ok().and_then(|text| text.parse().ok()).ok_or_else(malformed)
+fn number(line: u64, word: &[u8], expected: &str) -> Result<f64, ObjError> {
+    let number = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
+    number.ok_or_else(|| malformed(line, word, expected))
 }
 
 /// Sign and digits of a whole number of any length; none if it is not one.
@@ -225,11 +329,13 @@ fn whole(field: &[u8]) -> Option<(bool, &[u8])> {
 }
 
 /// The number from 1 of the thing that a face names, of which `count` come before it.
-fn absolute(line: u64, kind: &'static str, field: &[u8], count: u64) -> Result<u64, ObjError> {
+fn absolute(line: u64, kind: &str, field: &[u8], count: u64) -> Result<u64, ObjError> {
     let resolved = whole(field).and_then(|(negative, digits)| {
         let number: u64 = std::str::from_utf8(digits).ok()?.parse().ok()?;
-        let in_range = (1..=count).contains(&number);
-        in_range.then(|| if negative { count + 1 - number } else { number })
+        (1..=count).contains(&number).then(|| if negative { count + 1 - number } else { number })
     });
-    resolved.ok_or_else(|| ObjError::OutOfRange { line, kind, index: quoted(field), count })
+    resolved.ok_or_else(|| {
+        let expected = format!("expected 1 to {count} or -{count} to -1, as {count} of them come before this line");
+        at(line, format!("the face names {kind} {}, {expected}", quoted(field)))
+    })
 }

@@ -1,6 +1,6 @@
 //! How many triangles a tessellation has, and which tessellation has about so many.
 
-use super::sizes::{CYLINDER_HALF_HEIGHT, CYLINDER_RADIUS, TORUS_RING, TORUS_TUBE};
+use crate::geometry::sizes::{CYLINDER, TORUS_RING, TORUS_TUBE};
 use crate::scene::{Object, ObjectKind};
 use std::f64::consts::TAU;
 
@@ -48,7 +48,7 @@ fn first(least: u32, holds: impl Fn(u32) -> bool) -> u32 {
 fn segments_per_ring(kind: ObjectKind) -> f64 {
     match kind {
         ObjectKind::Torus => TORUS_RING / TORUS_TUBE,
-        ObjectKind::Cylinder => TAU * CYLINDER_RADIUS / (2.0 * CYLINDER_HALF_HEIGHT),
+        ObjectKind::Cylinder => TAU * CYLINDER.bottom / (CYLINDER.high - CYLINDER.low),
         ObjectKind::Sphere | ObjectKind::Cone => 2.0,
         // Counted round all four sides.
         ObjectKind::Cube => 4.0,

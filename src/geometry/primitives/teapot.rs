@@ -1,6 +1,6 @@
 //! The teapot as polygons.
 
-use super::builder::Builder;
+use super::shapes::Builder;
 use crate::geometry::bezier::on_curve;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::teapot::{Shell, TEAPOT, Teapot};

@@ -4,7 +4,7 @@
 //! outline.
 
 use super::patch_ray::meet;
-use super::unit_ray::{Meeting, UnitRay};
+use super::solids::{Meeting, UnitRay};
 use crate::geometry::bezier::Patch;
 use crate::geometry::teapot::TEAPOT;
 use glam::{DVec2, DVec3};

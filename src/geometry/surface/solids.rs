@@ -1,14 +1,37 @@
-//! The sphere, cylinder, cone, cube and plane in closed form.
+//! The shapes of which a ray meets the surface in closed form, and the torus, whose meetings are the roots of a quartic.
 //!
 //! A convex solid is the common part of simpler ones, and a ray passes through each of those in an interval. The common
 //! part of the intervals is where it is inside; its two ends are the meetings. So neighbouring parts of the surface, a
 //! side and its cap, leave no crack between them.
 
-use super::unit_ray::{Meeting, UnitRay};
-use crate::geometry::primitives::sizes::{
-    CONE_APEX, CONE_BASE, CONE_RADIUS, CUBE_HALF_EDGE, CYLINDER_HALF_HEIGHT, CYLINDER_RADIUS,
+use super::polynomial::depressed_quartic;
+use crate::geometry::sizes::{
+    CORRUGATED_HALF_HEIGHT, CORRUGATED_HALF_WIDTH, CORRUGATED_RIDGE, CUBE_HALF_EDGE, Frustum, TORUS_RING, TORUS_TUBE,
+    corrugated_normal, corrugated_point,
 };
 use glam::DVec3;
+
+/// A ray as the shapes see it: unit direction, origin nearest to the world's origin, `s` the length along it.
+#[derive(Clone, Copy, Debug)]
+pub struct UnitRay {
+    pub origin: DVec3,
+    pub direction: DVec3,
+    /// Only points beyond this are wanted.
+    pub s_min: f64,
+}
+
+/// A meeting with a shape: where along the [`UnitRay`], and the normal, not yet of unit length.
+#[derive(Clone, Copy, Debug)]
+pub struct Meeting {
+    pub s: f64,
+    pub normal: DVec3,
+}
+
+impl UnitRay {
+    pub fn at(&self, s: f64) -> DVec3 {
+        self.origin + s * self.direction
+    }
+}
 
 /// The part of a ray inside a convex solid, with the face met at either end.
 struct Inside<F> {
@@ -85,53 +108,110 @@ enum Part {
     Bottom,
 }
 
-pub fn cylinder(ray: &UnitRay) -> Option<Meeting> {
-    let (p, d) = (ray.origin, ray.direction);
-    let a = d.x * d.x + d.z * d.z;
-    let b = p.x * d.x + p.z * d.z;
-    let c = p.x * p.x + p.z * p.z - CYLINDER_RADIUS * CYLINDER_RADIUS;
-    let round = if a == 0.0 {
+/// The side is x² + z² = ρ² with a radius ρ that is linear in y; that of a cone is a double cone, whose upper half touches the
+/// solid's height in the apex only.
+pub fn frustum(shape: &Frustum, ray: &UnitRay) -> Option<Meeting> {
+    let (p, d, slope) = (ray.origin, ray.direction, shape.slope());
+    let radius = shape.top + slope * (shape.high - p.y);
+    let a = d.x * d.x + d.z * d.z - slope * slope * d.y * d.y;
+    let b = p.x * d.x + p.z * d.z + slope * radius * d.y;
+    let c = p.x * p.x + p.z * p.z - radius * radius;
+    let side = if a == 0.0 && slope == 0.0 {
         (c <= 0.0).then_some((f64::NEG_INFINITY, f64::INFINITY))?
     } else {
         let (s0, s1) = quadratic(a, b, c)?;
-        (s0.min(s1), s0.max(s1))
+        let (low, high) = (s0.min(s1), s0.max(s1));
+        if a > 0.0 {
+            (low, high)
+        } else if d.y < 0.0 {
+            // Steeper than the side: inside the upper half before the first root, inside the lower after the last finite one.
+            (if high.is_finite() { high } else { low }, f64::INFINITY)
+        } else {
+            (f64::NEG_INFINITY, if low.is_finite() { low } else { high })
+        }
     };
-    let side = Inside { enter: (round.0, Part::Side), leave: (round.1, Part::Side) };
-    let height = slab(p.y, d.y, (-CYLINDER_HALF_HEIGHT, Part::Bottom), (CYLINDER_HALF_HEIGHT, Part::Top))?;
+    let side = Inside { enter: (side.0, Part::Side), leave: (side.1, Part::Side) };
+    let height = slab(p.y, d.y, (shape.low, Part::Bottom), (shape.high, Part::Top))?;
     side.and(height).meeting(ray, |part, point| match part {
-        Part::Side => DVec3::new(point.x, 0.0, point.z),
+        Part::Side => DVec3::new(point.x, slope * point.x.hypot(point.z), point.z),
         Part::Top => DVec3::Y,
         Part::Bottom => DVec3::NEG_Y,
     })
 }
 
-/// The side is x² + z² = k²·(1 − y)² with k the slope; that is a double cone, whose upper half touches y ≤ 1 in the apex
-/// only.
-pub fn cone(ray: &UnitRay) -> Option<Meeting> {
-    const SLOPE: f64 = CONE_RADIUS / (CONE_APEX - CONE_BASE);
+/// The surface is (|p|² + R² − r²)² = 4R²(x² + z²). With p = o + s·d, |d| = 1 and o·d = 0, |p|² is |o|² + s², and the
+/// cubic term of the quartic in s vanishes.
+pub fn torus(ray: &UnitRay) -> Option<Meeting> {
+    /// Widens the search so that rounding at its ends loses no root.
+    const MARGIN: f64 = 1e-9;
+    const FOUR_RING_SQUARED: f64 = 4.0 * TORUS_RING * TORUS_RING;
     let (p, d) = (ray.origin, ray.direction);
-    let depth = CONE_APEX - p.y;
-    let a = d.x * d.x + d.z * d.z - SLOPE * SLOPE * d.y * d.y;
-    let b = p.x * d.x + p.z * d.z + SLOPE * SLOPE * depth * d.y;
-    let c = p.x * p.x + p.z * p.z - SLOPE * SLOPE * depth * depth;
-    let (s0, s1) = quadratic(a, b, c)?;
-    let (low, high) = (s0.min(s1), s0.max(s1));
-    let side = if a > 0.0 {
-        (low, high)
-    } else if d.y < 0.0 {
-        // Steeper than the side: inside the upper half before the first root, inside the lower after the last finite one.
-        (if high.is_finite() { high } else { low }, f64::INFINITY)
-    } else {
-        (f64::NEG_INFINITY, if low.is_finite() { low } else { high })
+    if p.length_squared() > 1.0 {
+        return None;
+    }
+    // The torus lies in the unit sphere and between two planes; only there are roots worth the search.
+    let half_chord = (1.0 - p.length_squared()).sqrt() + MARGIN;
+    let (mut low, mut high) = (-half_chord, half_chord);
+    if d.y != 0.0 {
+        let middle = -p.y / d.y;
+        let reach = TORUS_TUBE / d.y.abs() + MARGIN;
+        (low, high) = (low.max(middle - reach), high.min(middle + reach));
+    }
+    if low >= high {
+        return None;
+    }
+    let k = p.length_squared() + TORUS_RING * TORUS_RING - TORUS_TUBE * TORUS_TUBE;
+    let c2 = 2.0 * k - FOUR_RING_SQUARED * (d.x * d.x + d.z * d.z);
+    let c1 = -2.0 * FOUR_RING_SQUARED * (p.x * d.x + p.z * d.z);
+    let c0 = k * k - FOUR_RING_SQUARED * (p.x * p.x + p.z * p.z);
+    let roots = depressed_quartic(c2, c1, c0, low, high);
+    let s = *roots.as_slice().iter().find(|s| **s > ray.s_min)?;
+    let point = ray.at(s);
+    let ring = DVec3::new(point.x, 0.0, point.z).normalize_or_zero() * TORUS_RING;
+    Some(Meeting { s, normal: point - ring })
+}
+
+/// Follows the ray from slope to slope. Over each, its height above the sheet is linear in s, and where that changes its
+/// sign the ray meets the slope. Over a ridge both neighbours use the same height, so that no ray slips between them.
+pub fn corrugated(ray: &UnitRay, slopes: u32) -> Option<Meeting> {
+    /// Lets rays begin before the ridges and end behind the troughs, so that those are met.
+    const WIDER: f64 = 1.0 + 1e-9;
+    let (p, d) = (ray.origin, ray.direction);
+    let part = |position: f64, speed: f64, bound: f64| slab(position, speed, (-bound, ()), (bound, ()));
+    let sheet = part(p.x, d.x, CORRUGATED_HALF_WIDTH)?.and(part(p.y, d.y, CORRUGATED_HALF_HEIGHT)?);
+    let inside = sheet.and(part(p.z, d.z, CORRUGATED_RIDGE * WIDER)?);
+    let (mut s, end) = (inside.enter.0.max(ray.s_min), inside.leave.0);
+    if s > end {
+        return None;
+    }
+    let width = 2.0 * CORRUGATED_HALF_WIDTH / f64::from(slopes);
+    let slope_at = |s: f64| {
+        let slope = ((ray.at(s).x + CORRUGATED_HALF_WIDTH) / width).floor();
+        slope.clamp(0.0, f64::from(slopes - 1)) as u32
     };
-    let side = Inside { enter: (side.0, Part::Side), leave: (side.1, Part::Side) };
-    let height = slab(p.y, d.y, (CONE_BASE, Part::Bottom), (CONE_APEX, Part::Top))?;
-    side.and(height).meeting(ray, |part, point| match part {
-        Part::Side => {
-            let radial = point.x.hypot(point.z);
-            DVec3::new(point.x, SLOPE * radial, point.z)
+    let height = |s: f64, slope: u32| {
+        let point = ray.at(s);
+        let t = (point.x + CORRUGATED_HALF_WIDTH) / width - f64::from(slope);
+        point.z - corrugated_point(slopes, slope, t).y
+    };
+    let mut slope = slope_at(s);
+    let mut above = height(s, slope);
+    loop {
+        let next = if d.x > 0.0 { slope + 1 } else { slope };
+        let border = if d.x == 0.0 { end } else { (corrugated_point(slopes, next, 0.0).x - p.x) / d.x };
+        let last = border >= end || next == 0 || next == slopes;
+        let until = if last { end } else { border.max(s) };
+        let above_then = height(until, slope);
+        if (above > 0.0) != (above_then > 0.0) {
+            let met = s + (until - s) * (above / (above - above_then));
+            if met > ray.s_min {
+                return Some(Meeting { s: met, normal: corrugated_normal(slopes, slope) });
+            }
         }
-        Part::Top => DVec3::Y,
-        Part::Bottom => DVec3::NEG_Y,
-    })
+        if last {
+            return None;
+        }
+        slope = if d.x > 0.0 { slope + 1 } else { slope - 1 };
+        (s, above) = (until, above_then);
+    }
 }

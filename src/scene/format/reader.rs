@@ -1,19 +1,11 @@
 //! From parsed TOML to a [`Scene`]: each key is looked up in the table of parameters, which knows how its value is read.
 
+use super::super::Scene;
 use super::super::parameter::{List, Parameter, defaults};
-use super::super::problem::Cause;
-use super::super::{Light, Pane, Scene};
-use super::datum::{Wrong, found, integer};
+use super::super::problem::{Cause, Finding, shortened};
+use super::datum::{found, integer};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-
-/// Something to object to, at a byte of the text.
-#[derive(Debug)]
-pub struct Finding {
-    pub offset: usize,
-    pub key: String,
-    pub cause: Cause,
-}
 
 /// Reads a document: the scene, and everything found on the way. Limits are not looked at.
 pub fn read(document: &DeTable<'_>) -> (Scene, Vec<Finding>) {
@@ -31,9 +23,9 @@ pub fn read(document: &DeTable<'_>) -> (Scene, Vec<Finding>) {
 fn wrong_version(document: &DeTable<'_>) -> Option<Finding> {
     let (key, value) = document.get_key_value("version")?;
     let DeValue::Integer(number) = value.get_ref() else { return None };
-    let cause = Cause::Version { found: number.to_string() };
     let known = integer(number) == Some(i64::from(Scene::VERSION));
-    (!known).then(|| Finding { offset: key.span().start, key: "version".into(), cause })
+    let finding = Finding::new("version", Cause::version(number));
+    (!known).then(|| Finding { offset: Some(key.span().start), ..finding })
 }
 
 /// Puts a value at a key of a scene: at a parameter, at an element of its list (`camera.eye.1`), or at a table or a list of
@@ -84,7 +76,10 @@ fn element_of<'v, 'i, 'p>(
 ) -> Result<&'v mut DeValue<'i>, Vec<Finding>> {
     let mut key = key.clone();
     for part in path {
-        let DeValue::Array(list) = value else { return Err(key.finding(Cause::NoParts { part: part.to_owned() })) };
+        let DeValue::Array(list) = value else {
+            let words = format!(" is a single value, expected no `{}` after it", shortened(part));
+            return Err(key.finding(Cause::Key(words)));
+        };
         let index = element(part, list.len()).map_err(|cause| key.finding(cause))?;
         value = list.get_mut(index).ok_or_else(Vec::new)?.get_mut();
         key = key.inside(part);
@@ -94,9 +89,14 @@ fn element_of<'v, 'i, 'p>(
 
 /// The number of an element of a list.
 fn element(part: &str, count: usize) -> Result<usize, Cause> {
-    let expected = || Cause::Value { found: "a list".into(), expected: "a number from 0 after it".into() };
-    let index = part.parse().map_err(|_| expected())?;
-    if index < count { Ok(index) } else { Err(Cause::NoElement { index, count }) }
+    let index = part.parse().map_err(|_| Cause::value("a list", "a number from 0 after it"))?;
+    let expected = match count {
+        _ if index < count => return Ok(index),
+        0 => "none, since it is empty".to_owned(),
+        1 => "0, its only one".to_owned(),
+        _ => format!("0 to {}", count - 1),
+    };
+    Err(Cause::Key(format!(" has no element {index}, expected {expected}")))
 }
 
 /// The name of a table, a list or a value.
@@ -129,7 +129,7 @@ impl Key {
     }
 
     fn finding(&self, cause: Cause) -> Vec<Finding> {
-        vec![Finding { offset: 0, key: self.text.clone(), cause }]
+        vec![Finding::new(&self.text, cause)]
     }
 
     fn node(&self) -> Node {
@@ -160,7 +160,7 @@ impl Reader<'_> {
             let (offset, inner) = (name.span().start, key.inside(name.get_ref()));
             if name.get_ref().contains('.') || matches!(inner.node(), Node::Unknown) {
                 let cause = Cause::UnknownKey { known: Parameter::names_in(&key.pattern) };
-                self.findings.push(Finding { offset, key: inner.text, cause });
+                self.findings.push(Finding { offset: Some(offset), key: inner.text, cause });
             } else {
                 self.value(&inner, offset, value);
             }
@@ -177,15 +177,15 @@ impl Reader<'_> {
                 }
                 Ok(())
             }
-            (Node::List(_), other) => Err(Wrong::value(found(other), "a list of tables")),
+            (Node::List(_), other) => Err(Finding::value(found(other), "a list of tables")),
             (_, DeValue::Table(table)) => {
                 self.table(key, table);
                 Ok(())
             }
-            (_, other) => Err(Wrong::value(found(other), "a table of keys")),
+            (_, other) => Err(Finding::value(found(other), "a table of keys")),
         };
         if let Err(wrong) = read {
-            let (offset, key) = (wrong.offset.unwrap_or(offset), format!("{}{}", key.text, wrong.path));
+            let (offset, key) = (wrong.offset.or(Some(offset)), format!("{}{}", key.text, wrong.key));
             self.findings.push(Finding { offset, key, cause: wrong.cause });
         }
     }
@@ -194,9 +194,9 @@ impl Reader<'_> {
     fn clear(&mut self, key: &Key) {
         for parameter in Parameter::in_table(&key.pattern) {
             match List::of(parameter.key) {
-                Some(List::Lights) => self.scene.lights[key.index] = Light::default(),
+                Some(List::Lights) => self.scene.lights[key.index] = Default::default(),
                 Some(List::Panes) if key.pattern == "compare" => self.scene.compare.panes.clear(),
-                Some(List::Panes) => self.scene.compare.panes[key.index] = Pane::default(),
+                Some(List::Panes) => self.scene.compare.panes[key.index] = Default::default(),
                 None => parameter.field().copy(defaults(), self.scene, 0),
             }
         }

@@ -4,7 +4,7 @@ use super::area;
 use crate::app::row::{About, flags, parameter_of};
 use crate::app::state::AppState;
 use crate::app::symbol::{Lit, Symbol};
-use crate::scene::parameter::light::{
+use crate::scene::light::{
     ATTENUATION, C1, C2, C3, COLOR, CONE, DIRECTION, EXPONENT, EXTENT, K, KIND, NAME, POSITION, RADIUS, SAMPLES, SHAPE,
     SOFTNESS, viewer_far,
 };

@@ -3,7 +3,7 @@
 use crate::app::row::{About, display, row};
 use crate::app::symbol::{Lit, Symbol};
 use crate::illumination::{blinn_from_phong, phong_from_blinn, roughness_from_exponent};
-use crate::scene::parameter::material::no_highlight;
+use crate::scene::material::no_highlight;
 use crate::scene::{Distribution, Material, ReflectionModel, Scene};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Ui, WidgetInfo};
