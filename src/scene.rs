@@ -4,6 +4,7 @@
 //! are world units, angles degrees, intensities linear with 1 the display's white. The types hold any number; a scene
 //! that came through [`Scene::parse`], [`Scene::with_override`] or [`Scene::validate`] is sound (see there).
 
+mod access;
 pub mod camera;
 mod choice;
 pub mod compare;

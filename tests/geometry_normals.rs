@@ -139,7 +139,7 @@ proptest! {
                 let vertices = mesh.with_vertex_normals(source, weighting);
                 prop_assert!(vertices.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-6));
                 let farthest = vertices.positions.iter().map(|p| p.as_dvec3().length()).fold(0.0, f64::max);
-                prop_assert!(farthest <= vertices.radius);
+                prop_assert!(farthest <= vertices.radius());
             }
         }
         prop_assert!(mesh.clone().fitted().positions.iter().all(|p| p.length() < 1.0 + 1e-6));

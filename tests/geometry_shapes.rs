@@ -166,7 +166,7 @@ fn points_lie_on_the_surface_and_normals_are_its_gradient() {
 fn every_shape_fits_where_it_should() {
     for kind in CLOSED {
         let vertices = mesh(kind, 40, 20).with_vertex_normals(NormalSource::Exact, Weighting::Equal);
-        assert!((vertices.radius - 1.0).abs() < 1e-6, "{kind:?} {}", vertices.radius);
+        assert!((vertices.radius() - 1.0).abs() < 1e-6, "{kind:?} {}", vertices.radius());
     }
     let plane = mesh(ObjectKind::Plane, 2, 2);
     assert!(plane.positions.iter().all(|p| p.abs().max_element() <= 1.0 && p.z == 0.0));
@@ -196,7 +196,7 @@ fn a_smooth_shape_has_one_vertex_a_point_and_a_crease_splits_them() {
     assert_eq!(averaged.positions.len(), 32 * 5);
     assert_eq!(exact.positions.len(), 32 * 7);
     let cube = mesh(ObjectKind::Cube, 4, 1).with_vertex_normals(NormalSource::Facet, Weighting::Equal);
-    assert_eq!((cube.positions.len(), cube.indices.len()), (24, 24));
+    assert_eq!((cube.positions.len(), cube.corners.len()), (24, 24));
 }
 
 proptest! {
@@ -212,7 +212,7 @@ proptest! {
                 let vertices = mesh.with_vertex_normals(source, weighting);
                 prop_assert_eq!(vertices.positions.len(), vertices.normals.len());
                 prop_assert!(vertices.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-6));
-                prop_assert!(vertices.indices.iter().all(|&i| (i as usize) < vertices.positions.len()));
+                prop_assert!(vertices.corners.iter().all(|&i| (i as usize) < vertices.positions.len()));
             }
         }
     }

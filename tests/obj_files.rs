@@ -107,9 +107,9 @@ fn given_normals_missing_ones_and_useless_ones() {
     let slanted = Vec3::new(0.6, 0.0, 0.8);
     assert_eq!(given, [None, None, None, Some(Vec3::Z), Some(slanted), None, None, None, Some(slanted)]);
     let vertices = mesh.with_vertex_normals(NormalSource::File, Weighting::Equal);
-    assert_eq!(vertices.normals[vertices.indices[3] as usize], Vec3::Z);
-    assert_eq!(vertices.normals[vertices.indices[4] as usize], slanted);
-    assert_eq!(vertices.normals[vertices.indices[7] as usize], Vec3::Z, "averaged");
+    assert_eq!(vertices.normals[vertices.corners[3] as usize], Vec3::Z);
+    assert_eq!(vertices.normals[vertices.corners[4] as usize], slanted);
+    assert_eq!(vertices.normals[vertices.corners[7] as usize], Vec3::Z, "averaged");
     let none = good(square("f 1 2 3 4\n"));
     for source in [NormalSource::File, NormalSource::Exact] {
         assert_eq!(none.with_vertex_normals(source, Weighting::Area).normals, vec![Vec3::Z; 4]);
@@ -388,7 +388,7 @@ proptest! {
                     for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
                         let vertices = mesh.with_vertex_normals(source, weighting);
                         prop_assert!(vertices.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-5));
-                        prop_assert!(vertices.radius.is_finite());
+                        prop_assert!(vertices.radius().is_finite());
                     }
                 }
             }

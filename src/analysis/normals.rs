@@ -133,7 +133,7 @@ impl NormalField {
     /// A vertex at a point of the mesh.
     pub fn vertex_at(&self, point: u32) -> Option<u32> {
         let corner = self.mesh.corners.iter().position(|corner| corner.position == point)?;
-        Some(self.vertices.indices[corner])
+        Some(self.vertices.corners[corner])
     }
 
     /// What is known of a vertex; nothing where there is no such vertex. Takes time in proportion to the mesh's corners.

@@ -5,7 +5,7 @@ use glam::{DVec3, Vec3};
 use std::ops::Range;
 
 /// A corner of a polygon: which point, and which given normal there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Corner {
     /// Index into [`Mesh::positions`].
     pub position: u32,
@@ -16,6 +16,24 @@ pub struct Corner {
 /// A corner without a given normal.
 pub const NO_NORMAL: u32 = u32::MAX;
 
+/// What says which point a corner of a polygon is at.
+pub trait AtPoint: Copy {
+    /// Index into [`Mesh::positions`].
+    fn point(self) -> usize;
+}
+
+impl AtPoint for Corner {
+    fn point(self) -> usize {
+        self.position as usize
+    }
+}
+
+impl AtPoint for u32 {
+    fn point(self) -> usize {
+        self as usize
+    }
+}
+
 /// Nearer to the origin than this, single precision resolves a model whose parts are about 10⁻³ apart and larger.
 pub(crate) const FAR: f64 = 1000.0;
 
@@ -25,7 +43,7 @@ pub(crate) const FAR: f64 = 1000.0;
 /// so that averaging sees them all; `normals` may give each corner its own. Drawn as triangles, a polygon is a fan from
 /// its first corner.
 #[derive(Clone, Debug, Default)]
-pub struct Mesh {
+pub struct Mesh<C = Corner> {
     /// World position of (0, 0, 0) in `positions`: large offsets stay in double precision.
     pub origin: DVec3,
     /// Distinct points, relative to `origin`.
@@ -34,7 +52,7 @@ pub struct Mesh {
     pub normals: Vec<Vec3>,
     /// Face f has the corners `corners[starts[f]..starts[f + 1]]`; one entry more than faces.
     pub starts: Vec<u32>,
-    pub corners: Vec<Corner>,
+    pub corners: Vec<C>,
     /// Points at which the shape goes on beyond its border as its own mirror image in x: averaged normals there are
     /// those of both together.
     pub mirrored: Vec<u32>,
@@ -44,25 +62,11 @@ pub struct Mesh {
     pub convex: bool,
 }
 
-/// A mesh ready to be shaded: a vertex is a point with one normal.
-#[derive(Clone, Debug, Default)]
-pub struct VertexMesh {
-    /// World position of (0, 0, 0) in `positions`.
-    pub origin: DVec3,
-    /// One per vertex, relative to `origin`.
-    pub positions: Vec<Vec3>,
-    /// One per vertex, unit.
-    pub normals: Vec<Vec3>,
-    /// Face f has the vertices `indices[starts[f]..starts[f + 1]]`.
-    pub starts: Vec<u32>,
-    pub indices: Vec<u32>,
-    /// Radius of a sphere about `origin` that holds every position.
-    pub radius: f64,
-    pub closed: bool,
-    pub convex: bool,
-}
+/// A mesh ready to be shaded: a vertex is a point with one normal, at the same place in `positions` and in `normals`, and a
+/// corner is a vertex.
+pub type VertexMesh = Mesh<u32>;
 
-impl Mesh {
+impl<C: AtPoint> Mesh<C> {
     /// Number of polygons.
     pub fn face_count(&self) -> usize {
         self.starts.len().saturating_sub(1)
@@ -70,44 +74,66 @@ impl Mesh {
 
     /// Number of triangles that the polygons are drawn as.
     pub fn triangle_count(&self) -> usize {
-        triangle_count(&self.starts)
+        self.starts.windows(2).map(|pair| ((pair[1] - pair[0]) as usize).saturating_sub(2)).sum()
     }
 
     /// The corners of face `f`, counter-clockwise from outside.
     ///
     /// # Panics
     /// If there is no face `f`.
-    pub fn face(&self, f: usize) -> &[Corner] {
-        &self.corners[face_range(&self.starts, f)]
+    pub fn face(&self, f: usize) -> &[C] {
+        &self.corners[self.starts[f] as usize..self.starts[f + 1] as usize]
     }
 
     /// The points of face `f`, relative to `origin`, in double precision.
     pub(crate) fn face_points(&self, f: usize) -> impl Iterator<Item = DVec3> + Clone {
-        self.face(f).iter().map(|corner| self.positions[corner.position as usize].as_dvec3())
+        self.face(f).iter().map(|corner| self.positions[corner.point()].as_dvec3())
     }
 
-    /// The unit normal of face `f` by Newell's formula; zero where the face has no area, or none beyond its points' rounding.
+    /// The normal of face `f` by Newell's formula with its area as length; zero where the area is no more than the rounding of
+    /// corners to single precision can make it, so that it tells no direction.
+    fn area_vector(&self, f: usize) -> DVec3 {
+        /// Half a unit in the last place of a coordinate, in all of a corner's coordinates, at all corners; twice that.
+        const ROUNDING: f64 = 4.0 / (1 << 24) as f64;
+        let area = area_vector(self.face_points(f));
+        let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (low, high) = self.face_points(f).fold(nothing, |(low, high), point| (low.min(point), high.max(point)));
+        let (extent, farthest) = ((high - low).max_element(), low.abs().max(high.abs()).max_element());
+        if area.length() > ROUNDING * extent * farthest { area } else { DVec3::ZERO }
+    }
+
+    /// The unit normal of face `f`; zero where the face has no area, or none beyond its points' rounding.
     pub fn face_normal(&self, f: usize) -> DVec3 {
-        sure_area_vector(self.face_points(f), self.face_points(f)).normalize_or_zero()
+        self.area_vector(f).normalize_or_zero()
     }
 
     /// The unit normal and the area of face `f`; nothing for a face without area, which does not count in an average.
     pub(super) fn normal_and_area(&self, f: usize) -> Option<(DVec3, f64)> {
-        let area_vector = sure_area_vector(self.face_points(f), self.face_points(f));
+        let area_vector = self.area_vector(f);
         let area = area_vector.length();
         (area > 0.0).then(|| (area_vector / area, area))
     }
 
     /// The mean of the points of face `f`, in the world.
     pub fn face_centre(&self, f: usize) -> DVec3 {
-        self.origin + mean(self.face_points(f))
+        let count = self.face(f).len().max(1) as f64;
+        self.origin + self.face_points(f).sum::<DVec3>() / count
     }
 
+    /// Radius of the smallest sphere about `origin` that holds every point.
+    pub fn radius(&self) -> f64 {
+        let squared = self.positions.iter().map(|p| p.as_dvec3().length_squared()).fold(0.0, f64::max);
+        if squared > 0.0 { squared.sqrt().next_up() } else { 0.0 }
+    }
+}
+
+impl Mesh {
     /// The mesh centred and scaled into the unit sphere: the middle of its bounding box comes to the world's origin, the
     /// farthest point to distance 1. A mesh of a single point is only centred, one without points stays as it is.
     pub fn fitted(mut self) -> Self {
-        let Some((low, high)) = bounding_box(&self.positions) else { return self };
-        let centre = (low + high) / 2.0;
+        let Some(&first) = self.positions.first() else { return self };
+        let (low, high) = self.positions.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
+        let centre = (low.as_dvec3() + high.as_dvec3()) / 2.0;
         let radius = self.positions.iter().map(|p| p.as_dvec3().distance_squared(centre)).fold(0.0, f64::max).sqrt();
         let scale = if radius > 0.0 { 1.0 / radius } else { 1.0 };
         for position in &mut self.positions {
@@ -116,83 +142,7 @@ impl Mesh {
         self.origin = DVec3::ZERO;
         self
     }
-}
 
-impl VertexMesh {
-    /// Number of polygons.
-    pub fn face_count(&self) -> usize {
-        self.starts.len().saturating_sub(1)
-    }
-
-    /// Number of triangles that the polygons are drawn as.
-    pub fn triangle_count(&self) -> usize {
-        triangle_count(&self.starts)
-    }
-
-    /// The vertices of face `f`, counter-clockwise from outside.
-    ///
-    /// # Panics
-    /// If there is no face `f`.
-    pub fn face(&self, f: usize) -> &[u32] {
-        &self.indices[face_range(&self.starts, f)]
-    }
-
-    fn face_points(&self, f: usize) -> impl Iterator<Item = DVec3> + Clone {
-        self.face(f).iter().map(|&vertex| self.positions[vertex as usize].as_dvec3())
-    }
-
-    /// The unit normal of face `f` by Newell's formula; zero where the face has no area, or none beyond its points' rounding.
-    pub fn face_normal(&self, f: usize) -> DVec3 {
-        sure_area_vector(self.face_points(f), self.face_points(f)).normalize_or_zero()
-    }
-
-    /// The mean of the points of face `f`, in the world.
-    pub fn face_centre(&self, f: usize) -> DVec3 {
-        self.origin + mean(self.face_points(f))
-    }
-}
-
-/// A polygon's normal with its area as length, of corners that are told twice; zero where the area is no more than the rounding
-/// of corners to single precision can make it, so that it tells no direction.
-fn sure_area_vector(corners: impl Iterator<Item = DVec3>, again: impl Iterator<Item = DVec3>) -> DVec3 {
-    /// Half a unit in the last place of a coordinate, in all of a corner's coordinates, at all corners; twice that.
-    const ROUNDING: f64 = 4.0 / (1 << 24) as f64;
-    let area = area_vector(corners);
-    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for corner in again {
-        (low, high) = (low.min(corner), high.max(corner));
-    }
-    let (extent, farthest) = ((high - low).max_element(), low.abs().max(high.abs()).max_element());
-    if area.length() > ROUNDING * extent * farthest { area } else { DVec3::ZERO }
-}
-
-fn face_range(starts: &[u32], f: usize) -> Range<usize> {
-    starts[f] as usize..starts[f + 1] as usize
-}
-
-fn triangle_count(starts: &[u32]) -> usize {
-    starts.windows(2).map(|pair| ((pair[1] - pair[0]) as usize).saturating_sub(2)).sum()
-}
-
-fn mean(points: impl Iterator<Item = DVec3>) -> DVec3 {
-    let (sum, count) = points.fold((DVec3::ZERO, 0.0), |(sum, count), p| (sum + p, count + 1.0));
-    if count > 0.0 { sum / count } else { DVec3::ZERO }
-}
-
-/// The lowest and the highest coordinates of some points, if there are any.
-fn bounding_box(positions: &[Vec3]) -> Option<(DVec3, DVec3)> {
-    let first = *positions.first()?;
-    let (low, high) = positions.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
-    Some((low.as_dvec3(), high.as_dvec3()))
-}
-
-/// Radius of the smallest sphere about (0, 0, 0) that holds every point.
-pub(crate) fn radius_about_origin(positions: &[Vec3]) -> f64 {
-    let squared = positions.iter().map(|p| p.as_dvec3().length_squared()).fold(0.0, f64::max);
-    if squared > 0.0 { squared.sqrt().next_up() } else { 0.0 }
-}
-
-impl Mesh {
     /// Sets `closed` from the polygons themselves: true if every directed edge occurs once and its opposite once, and
     /// every connected part encloses a positive volume. `convex` becomes false, as it is not looked for.
     ///
@@ -224,7 +174,7 @@ impl Mesh {
     }
 
     /// The directed edges of the mesh as pairs of points.
-    fn edges(&self) -> impl Iterator<Item = (u32, u32)> {
+    fn edges(&self) -> impl Iterator<Item = (u32, u32)> + Clone {
         (0..self.face_count()).flat_map(|f| {
             let face = self.face(f);
             let next = face.iter().cycle().skip(1);
@@ -233,38 +183,15 @@ impl Mesh {
     }
 
     fn edges_pair_up(&self) -> bool {
-        let (ends, targets) = self.targets_by_start();
-        let run = |point: u32| {
-            let begin = if point == 0 { 0 } else { ends[point as usize - 1] };
-            &targets[begin as usize..ends[point as usize] as usize]
-        };
-        (0..self.positions.len() as u32).all(|point| {
-            let targets = run(point);
-            let once = targets.windows(2).all(|pair| pair[0] < pair[1]);
-            once && targets.iter().all(|&target| target != point && run(target).binary_search(&point).is_ok())
+        let count = self.positions.len();
+        let mut targets = ByPoint::new(count, self.edges());
+        (0..count).for_each(|point| targets.at_mut(point).sort_unstable());
+        (0..count).all(|point| {
+            let own = targets.at(point);
+            let returns = |target: u32| targets.at(target as usize).binary_search(&(point as u32)).is_ok();
+            let once = own.windows(2).all(|pair| pair[0] < pair[1]);
+            once && own.iter().all(|&target| target as usize != point && returns(target))
         })
-    }
-
-    /// Where the directed edges from each point lead, sorted, as one list and the end of each point's run in it.
-    fn targets_by_start(&self) -> (Vec<u32>, Vec<u32>) {
-        let mut ends = vec![0; self.positions.len()];
-        self.edges().for_each(|(from, _)| ends[from as usize] += 1);
-        let mut begin = 0;
-        for end in &mut ends {
-            begin += std::mem::replace(end, begin);
-        }
-        let mut targets = vec![0; self.corners.len()];
-        for (from, to) in self.edges() {
-            let slot = &mut ends[from as usize];
-            targets[*slot as usize] = to;
-            *slot += 1;
-        }
-        let mut begin = 0;
-        for &end in &ends {
-            targets[begin as usize..end as usize].sort_unstable();
-            begin = end;
-        }
-        (ends, targets)
     }
 
     fn parts_face_outwards(&self) -> bool {
@@ -279,6 +206,46 @@ impl Mesh {
         }
         (0..self.face_count())
             .all(|f| self.face(f).first().is_none_or(|c| volumes[parts.of(c.position) as usize] > 0.0))
+    }
+}
+
+/// What belongs to each point, as one list cut into runs.
+pub(super) struct ByPoint {
+    /// The run of point p ends at `ends[p]` and begins where that of p − 1 ends.
+    ends: Vec<u32>,
+    list: Vec<u32>,
+}
+
+impl ByPoint {
+    /// Puts what comes with each point into its run, in the order in which it comes.
+    pub fn new(points: usize, items: impl Iterator<Item = (u32, u32)> + Clone) -> Self {
+        let mut ends = vec![0; points];
+        items.clone().for_each(|(point, _)| ends[point as usize] += 1);
+        let mut begin = 0;
+        for end in &mut ends {
+            begin += std::mem::replace(end, begin);
+        }
+        let mut list = vec![0; begin as usize];
+        for (point, item) in items {
+            let slot = &mut ends[point as usize];
+            list[*slot as usize] = item;
+            *slot += 1;
+        }
+        Self { ends, list }
+    }
+
+    fn run(&self, point: usize) -> Range<usize> {
+        let begin = if point == 0 { 0 } else { self.ends[point - 1] };
+        begin as usize..self.ends[point] as usize
+    }
+
+    pub fn at(&self, point: usize) -> &[u32] {
+        &self.list[self.run(point)]
+    }
+
+    pub fn at_mut(&mut self, point: usize) -> &mut [u32] {
+        let run = self.run(point);
+        &mut self.list[run]
     }
 }
 

@@ -1,7 +1,7 @@
 //! Vertex normals: from a mesh with shared points to vertices with one normal each; which faces one of them comes from, and
 //! what each of them counts for.
 
-use super::mesh::{Mesh, NO_NORMAL, VertexMesh, radius_about_origin};
+use super::mesh::{ByPoint, Mesh, NO_NORMAL, VertexMesh};
 use crate::scene::{NormalSource, Weighting};
 use glam::{DVec3, DVec4, Vec3};
 use std::f64::consts::TAU;
@@ -31,16 +31,17 @@ impl Mesh {
         }
     }
 
-    fn vertex_mesh(&self, positions: Vec<Vec3>, normals: Vec<Vec3>, indices: Vec<u32>) -> VertexMesh {
+    fn vertex_mesh(&self, positions: Vec<Vec3>, normals: Vec<Vec3>, corners: Vec<u32>) -> VertexMesh {
+        let &Self { origin, closed, convex, .. } = self;
         VertexMesh {
-            origin: self.origin,
-            radius: radius_about_origin(&positions),
+            origin,
             positions,
             normals,
             starts: self.starts.clone(),
-            indices,
-            closed: self.closed,
-            convex: self.convex,
+            corners,
+            mirrored: vec![],
+            closed,
+            convex,
         }
     }
 
@@ -94,7 +95,8 @@ impl Mesh {
 
     /// One vertex for each distinct normal at each point.
     fn with_split_points(&self, normal_at: impl Fn(u32) -> Vec3) -> VertexMesh {
-        let mut around = CornersByPoint::of(self);
+        let corners = (0..).zip(&self.corners).map(|(c, corner)| (corner.position, c));
+        let mut around = ByPoint::new(self.positions.len(), corners);
         let mut positions = Vec::with_capacity(self.positions.len());
         let mut normals: Vec<Vec3> = Vec::with_capacity(self.positions.len());
         let mut indices = vec![0; self.corners.len()];
@@ -189,38 +191,6 @@ fn unit_or(normal: DVec3, fallback: Vec3) -> Vec3 {
     if normal == DVec3::ZERO { fallback } else { normal.as_vec3() }
 }
 
-/// The corners round each point, as one list cut into runs.
-struct CornersByPoint {
-    /// The run of point p ends at `ends[p]` and begins where that of p − 1 ends.
-    ends: Vec<u32>,
-    corners: Vec<u32>,
-}
-
-impl CornersByPoint {
-    fn of(mesh: &Mesh) -> Self {
-        let mut ends = vec![0; mesh.positions.len()];
-        for corner in &mesh.corners {
-            ends[corner.position as usize] += 1;
-        }
-        let mut begin = 0;
-        for end in &mut ends {
-            begin += std::mem::replace(end, begin);
-        }
-        let mut corners = vec![0; mesh.corners.len()];
-        for (c, corner) in mesh.corners.iter().enumerate() {
-            let slot = &mut ends[corner.position as usize];
-            corners[*slot as usize] = c as u32;
-            *slot += 1;
-        }
-        Self { ends, corners }
-    }
-
-    fn at_mut(&mut self, point: usize) -> &mut [u32] {
-        let begin = if point == 0 { 0 } else { self.ends[point - 1] };
-        &mut self.corners[begin as usize..self.ends[point] as usize]
-    }
-}
-
 /// Where the normal of one vertex comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NormalOrigin {
@@ -265,7 +235,7 @@ impl Mesh {
     /// The point of vertex `vertex` of `vertices`, which [`Mesh::with_vertex_normals`] made of this mesh. Nothing for a
     /// vertex of no face.
     pub fn point_of_vertex(&self, vertices: &VertexMesh, vertex: u32) -> Option<u32> {
-        let corner = vertices.indices.iter().position(|index| *index == vertex)?;
+        let corner = vertices.corners.iter().position(|index| *index == vertex)?;
         Some(self.corners[corner].position)
     }
 
@@ -285,7 +255,7 @@ impl Mesh {
             NormalSource::Facet => self.shares_of(vertices, vertex, NormalOrigin::Facet),
             NormalSource::Averaged => self.averaged_shares(point, weighting),
             NormalSource::Exact | NormalSource::File => {
-                let own = |(c, _): &(usize, _)| vertices.indices[*c] == vertex;
+                let own = |(c, _): &(usize, _)| vertices.corners[*c] == vertex;
                 let given = self.corners.iter().enumerate().find(own).is_some_and(|(_, c)| c.normal != NO_NORMAL);
                 if given {
                     self.shares_of(vertices, vertex, NormalOrigin::Given)
@@ -308,7 +278,7 @@ impl Mesh {
     /// The faces that have `vertex` itself among their corners; a facet counts whole, any other not at all.
     fn shares_of(&self, vertices: &VertexMesh, vertex: u32, origin: NormalOrigin) -> VertexShares {
         let one = f64::from(u8::from(origin == NormalOrigin::Facet));
-        let corners = self.corners_where(|c| vertices.indices[c] == vertex);
+        let corners = self.corners_where(|c| vertices.corners[c] == vertex);
         let share = |(f, _)| FaceShare { face: f as u32, normal: self.face_normal(f), weight: one, share: one };
         let faces: Vec<FaceShare> = corners.map(share).collect();
         let sum = faces.iter().map(|face| face.normal * face.share).sum();

@@ -44,7 +44,7 @@ pub struct Model {
 
 impl Model {
     pub fn new(mesh: VertexMesh) -> Self {
-        let triangles = fan(&mesh.starts, &mesh.indices);
+        let triangles = fan(&mesh.starts, &mesh.corners);
         let count = mesh.starts.len().saturating_sub(1);
         let mut faces = Vec::with_capacity(triangles.len());
         for face in 0..count {
@@ -54,13 +54,13 @@ impl Model {
         Self {
             origin: mesh.origin,
             vertex_count: mesh.positions.len(),
-            radius: mesh.radius,
+            radius: mesh.radius(),
             position: planes(&mesh.positions),
             normal: planes(&mesh.normals),
             triangles,
             faces,
             starts: trimmed(mesh.starts),
-            indices: trimmed(mesh.indices),
+            indices: trimmed(mesh.corners),
             closed: mesh.closed,
             convex: mesh.convex,
             large: OnceLock::new(),

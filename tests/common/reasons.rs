@@ -176,7 +176,7 @@ impl<'a> Judge<'a> {
             return true;
         }
         let side = n * n.dot(way).signum();
-        let lifts = [-1e-6, 0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2].map(|lift| p + side * (lift * self.vertices.radius));
+        let lifts = [-1e-6, 0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2].map(|lift| p + side * (lift * self.vertices.radius()));
         lifts.into_iter().any(|start| match &self.surface {
             Some(surface) => {
                 let ray = Ray { origin: start, direction: way };

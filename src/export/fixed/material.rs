@@ -68,7 +68,7 @@ fn polygons(scene: &Scene, mesh: &VertexMesh) -> String {
         ShadingMode::Interpolated => ("GL_SMOOTH", "intensities interpolated, between vertices with the polygon's N"),
         _ => ("GL_SMOOTH", "Gouraud's: intensities interpolated between vertices"),
     };
-    let eye_outside = (scene.camera.eye - mesh.origin).length() > mesh.radius * 1.01;
+    let eye_outside = (scene.camera.eye - mesh.origin).length() > mesh.radius() * 1.01;
     let culling = if mesh.closed && eye_outside {
         "    glCullFace(GL_BACK);\n    glEnable(GL_CULL_FACE); /* a closed solid hides its back faces */\n"
     } else {

@@ -47,7 +47,7 @@ impl<'a> Raster<'a> {
         let mesh = self.mesh;
         // An eye inside a closed solid sees its back faces.
         let eye = self.shade.view.eye - mesh.origin;
-        let culls = mesh.closed && eye.length() > mesh.radius;
+        let culls = mesh.closed && eye.length() > mesh.radius();
         let mut evaluations = 0;
         for face in 0..mesh.face_count() {
             let Some((&first, rest)) = mesh.face(face).split_first() else { continue };

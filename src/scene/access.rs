@@ -1,0 +1,120 @@
+//! Where a parameter's value lives in a scene, and how it is read and written.
+
+use super::Scene;
+use super::choice::{Choice, ChoiceOption};
+use super::format::Datum;
+use super::problem::Finding;
+use std::fmt::{self, Debug};
+use toml::de::DeValue;
+use toml::{Spanned, Value};
+
+/// The field of a scene that holds a value. `usize` is the number of the light or the pane that it belongs to.
+pub struct Access<T: 'static> {
+    pub get: fn(&Scene, usize) -> Option<&T>,
+    pub get_mut: fn(&mut Scene, usize) -> Option<&mut T>,
+}
+
+impl<T> Debug for Access<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Access")
+    }
+}
+
+/// A field of a scene, whatever its type.
+pub trait Field: Debug + Sync {
+    /// Its value, as a scene file holds it; none where the scene has no such light.
+    fn value(&self, scene: &Scene, index: usize) -> Option<Value>;
+    /// Sets it to a value of a scene file; its limits are not looked at.
+    fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Finding>;
+    /// Sets it to what it is in another scene.
+    fn copy(&self, from: &Scene, to: &mut Scene, index: usize);
+    /// Whether two scenes agree in it, for numbers bit by bit.
+    fn agrees(&self, a: &Scene, b: &Scene, index: usize) -> bool;
+}
+
+impl<T: Datum> Field for Access<T> {
+    fn value(&self, scene: &Scene, index: usize) -> Option<Value> {
+        (self.get)(scene, index)?.value()
+    }
+
+    fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Finding> {
+        let value = T::read(value)?;
+        (self.get_mut)(scene, index).into_iter().for_each(|place| place.clone_from(&value));
+        Ok(())
+    }
+
+    fn copy(&self, from: &Scene, to: &mut Scene, index: usize) {
+        if let (Some(value), Some(place)) = ((self.get)(from, index), (self.get_mut)(to, index)) {
+            place.clone_from(value);
+        }
+    }
+
+    fn agrees(&self, a: &Scene, b: &Scene, index: usize) -> bool {
+        match ((self.get)(a, index), (self.get)(b, index)) {
+            (Some(a), Some(b)) => a.same(b),
+            (a, b) => a.is_none() && b.is_none(),
+        }
+    }
+}
+
+/// A field that holds one of several values, by their places among the options.
+pub trait ChoiceField: Field {
+    fn options(&self) -> &'static [ChoiceOption];
+    fn chosen(&self, scene: &Scene, index: usize) -> Option<usize>;
+    fn choose(&self, scene: &mut Scene, index: usize, option: usize);
+}
+
+impl<T: Choice + Datum> ChoiceField for Access<T> {
+    fn options(&self) -> &'static [ChoiceOption] {
+        T::OPTIONS
+    }
+
+    fn chosen(&self, scene: &Scene, index: usize) -> Option<usize> {
+        (self.get)(scene, index).map(|value| value.place())
+    }
+
+    fn choose(&self, scene: &mut Scene, index: usize, option: usize) {
+        if let (Some(place), Some(value)) = ((self.get_mut)(scene, index), T::VALUES.get(option)) {
+            *place = *value;
+        }
+    }
+}
+
+/// A list of a scene whose elements are tables of keys.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum List {
+    Lights,
+    Panes,
+}
+
+impl List {
+    /// How the keys of its elements begin.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Lights => "light",
+            Self::Panes => "compare.pane",
+        }
+    }
+
+    /// The list that a key belongs to, as the table of parameters has it.
+    pub fn of(key: &str) -> Option<Self> {
+        [Self::Lights, Self::Panes]
+            .into_iter()
+            .find(|list| key.strip_prefix(list.key()).is_some_and(|rest| rest.starts_with(".N")))
+    }
+
+    pub fn len(self, scene: &Scene) -> usize {
+        match self {
+            Self::Lights => scene.lights.len(),
+            Self::Panes => scene.compare.panes.len(),
+        }
+    }
+
+    /// Replaces it by `count` elements that have only defaults.
+    pub fn renew(self, scene: &mut Scene, count: usize) {
+        match self {
+            Self::Lights => scene.lights = vec![Default::default(); count],
+            Self::Panes => scene.compare.panes = vec![Default::default(); count],
+        }
+    }
+}
