@@ -112,7 +112,7 @@ fn face_normal_and_centre() {
     let vertices = averaged(&mesh, Weighting::Equal);
     assert_eq!((vertices.face_normal(2), vertices.face_centre(3)), (mesh.face_normal(2), mesh.face_centre(3)));
     assert_eq!((mesh.triangle_count(), vertices.triangle_count()), (6, 6));
-    assert_eq!(Mesh::default().face_count(), 0);
+    assert_eq!(<Mesh>::default().face_count(), 0);
 }
 
 proptest! {

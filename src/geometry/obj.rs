@@ -11,33 +11,10 @@ mod prepare;
 use super::concave::fan_or_triangles;
 use super::mesh::{Corner, Mesh, NO_NORMAL};
 use glam::{DVec3, Vec3};
+pub use prepare::ObjError;
 use prepare::{Lines, Prepared};
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader};
-
-/// Why a model could not be read. The message says what is wrong and what was expected, [`ObjError::line`] where.
-#[derive(Debug, thiserror::Error)]
-pub enum ObjError {
-    #[error("cannot be read: {0}")]
-    Read(#[from] std::io::Error),
-    #[error("{what}")]
-    Line { line: u64, what: String },
-    #[error("the file is empty, expected an OBJ model with `v` and `f` lines")]
-    Empty,
-    #[error("there is no face with three different corners, expected at least one `f` line")]
-    NoFace,
-    #[error("the model has more than {} corners, expected fewer", u32::MAX)]
-    TooLarge,
-    #[error("the model was refused: {0}")]
-    Refused(tobj::LoadError),
-}
-
-impl ObjError {
-    /// The line, from 1, where it is known; of a continued line the first.
-    pub fn line(&self) -> Option<u64> {
-        if let Self::Line { line, .. } = self { Some(*line) } else { None }
-    }
-}
 
 /// Reads a model; `progress` is told now and then how many bytes have been read.
 ///

@@ -5,10 +5,33 @@
 //! bytes for each face until its object ends; so normals that are missing get one of their own (0, 0, 0), the first, and
 //! objects end after [`PIECE`] corners.
 
-use super::ObjError;
 use crate::geometry::mesh::FAR;
 use glam::DVec3;
 use std::io::{self, BufRead, Read, Write};
+
+/// Why a model could not be read. The message says what is wrong and what was expected, [`ObjError::line`] where.
+#[derive(Debug, thiserror::Error)]
+pub enum ObjError {
+    #[error("cannot be read: {0}")]
+    Read(#[from] std::io::Error),
+    #[error("{what}")]
+    Line { line: u64, what: String },
+    #[error("the file is empty, expected an OBJ model with `v` and `f` lines")]
+    Empty,
+    #[error("there is no face with three different corners, expected at least one `f` line")]
+    NoFace,
+    #[error("the model has more than {} corners, expected fewer", u32::MAX)]
+    TooLarge,
+    #[error("the model was refused: {0}")]
+    Refused(tobj::LoadError),
+}
+
+impl ObjError {
+    /// The line, from 1, where it is known; of a continued line the first.
+    pub fn line(&self) -> Option<u64> {
+        if let Self::Line { line, .. } = self { Some(*line) } else { None }
+    }
+}
 
 /// Most corners in a piece, but for one large face: some megabytes of memory in `tobj`, and a little less than a power of
 /// two, to which its lists grow.
