@@ -13,7 +13,7 @@ use std::io::{self, BufRead, Read, Write};
 #[derive(Debug, thiserror::Error)]
 pub enum ObjError {
     #[error("cannot be read: {0}")]
-    Read(#[from] std::io::Error),
+    Read(#[from] io::Error),
     #[error("{what}")]
     Line { line: u64, what: String },
     #[error("the file is empty, expected an OBJ model with `v` and `f` lines")]
