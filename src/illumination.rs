@@ -4,34 +4,22 @@
 //! coefficients of a scene in single or double precision; [`Equation::illuminate`] evaluates it for as many points as the
 //! number type [`Real`] has lanes: one for `f64` (the probe, the reference), sixteen for the widest vectors.
 
-mod area;
 mod equation;
 mod fresnel;
 mod lanes;
-mod lobe;
-mod matching;
-mod microfacet;
 mod pattern;
 mod real;
-mod shading_point;
-mod snell;
 mod source;
 mod specular;
-mod vector;
 
-pub use area::{area_hull, area_rows, area_samples, rectangle_axes};
 pub use equation::{Equation, LightAt, LightResponse, Reached};
-pub use fresnel::Index;
+pub use fresnel::{Index, critical_angle, mirror, refract};
 pub use lanes::Lanes;
-pub use lobe::Lobe;
-pub use matching::{blinn_from_phong, half_width, phong_from_blinn, roughness_from_exponent};
 pub use pattern::Fields;
-pub use real::{Real, Scalar};
-pub use shading_point::ShadingPoint;
-pub use snell::{critical_angle, mirror, refract};
+pub use real::{Real, Scalar, V3};
 pub(crate) use source::direction;
-pub use source::{BRIGHTEST, Falloff, Source, attenuation_at};
+pub use source::{BRIGHTEST, Source, area_hull, area_samples, attenuation_at, rectangle_axes};
 pub use specular::{
-    Beckmann, BlinnChord, BlinnCosine, FormTask, Ggx, NoSpecular, PhongChord, PhongCosine, Specular, SpecularForm,
+    Beckmann, BlinnChord, BlinnCosine, Ggx, Lobe, NoSpecular, PhongChord, PhongCosine, ShadingPoint, Specular,
+    SpecularForm, blinn_from_phong, half_width, phong_from_blinn, roughness_from_exponent,
 };
-pub use vector::V3;

@@ -4,17 +4,16 @@
 //! - `rays/`: shadows, light through the object, one bounce, what is seen past the object;
 //! - `raster/`: transform, clip, cover, interpolate.
 //!
-//! Imports run downwards: a room knows those below it in this list, and lens, model, node and memory.
+//! Imports run downwards: a room knows those below it in this list, and lens, model and node.
 
 mod lens;
-mod memory;
 mod model;
 mod node;
 mod raster;
 mod rays;
 mod renderer;
 
-pub use memory::Memory;
+pub use node::Memory;
 pub use rays::Transmission;
 pub use renderer::{
     Cued, Facts, Frame, Per, Plan, Renderer, Report, Stage, StageRun, Term, TooLarge, check_memory, coarseness,

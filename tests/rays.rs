@@ -7,6 +7,7 @@ use shading_lab::scene::{
     AmbientSource, AreaShape, Ground, Light, LightKind, NormalSource, ObjectKind, PatternKind, Rgb, Scene, ShadingMode,
     Through, presets,
 };
+use std::time::Instant;
 
 const SIDE: u32 = 160;
 
@@ -72,6 +73,42 @@ fn a_spheres_shadow_on_the_floor_is_where_rays_to_the_light_meet_it() {
         }
         assert!(dark > 300 && lit > 3000, "{dark} {lit}");
     }
+}
+
+/// The rounding of a point 10¹⁵ away is as large as the object, so rays between it and the light start at the light.
+#[test]
+fn points_extremely_far_away_lie_in_the_shadow_and_cost_no_more_than_near_ones() {
+    const SIDE: u32 = 48;
+    let lamp = DVec3::new(0.0, 3.0, 0.0);
+    let seen_from = |away: f64| {
+        let mut scene = over_floor();
+        scene.image.size = [SIDE; 2];
+        (scene.object.segments, scene.object.rings) = (256, 128);
+        scene.lights = vec![Light { position: lamp, ..Light::default() }];
+        (scene.camera.eye, scene.camera.target) = (DVec3::new(0.0, away, 0.3 * away), DVec3::ZERO);
+        scene.ground.height = -away;
+        let mut renderer = Renderer::default();
+        let began = Instant::now();
+        (renderer.render(&scene).clone(), began.elapsed(), scene)
+    };
+    let (_, near, _) = seen_from(20.0);
+    let (frame, far, scene) = seen_from(1e15);
+    let (mut dark, mut lit) = (0, 0);
+    for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
+        let (origin, direction) = eye_ray(&scene, x, y);
+        let p = origin + direction * ((scene.ground.height - origin.y) / direction.y);
+        // From the light: from the point nothing would be left of the object's size.
+        let approach = nearest_approach(lamp, p - lamp).unwrap_or(9.0);
+        if (approach - 1.0).abs() < 5e-3 {
+            continue;
+        }
+        let red = frame.pixel(x, y).expect("inside")[0];
+        let expected = if approach < 1.0 { 0.0 } else { (lamp - p).normalize().y * 255.0 };
+        assert!((f64::from(red) - expected).abs() <= 1.0, "{x},{y}: {red}, expected {expected}");
+        if approach < 1.0 { dark += 1 } else { lit += 1 }
+    }
+    assert!(dark > 200 && lit > 500, "{dark} {lit}");
+    assert!(far < 4 * near, "{far:?} from far away, {near:?} from near");
 }
 
 /// Facets that only stand for a smooth surface cast no shadow on each other, however grazing the light.

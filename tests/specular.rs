@@ -13,10 +13,9 @@ mod simd;
 use dice::Dice;
 use fearless_simd::{Level, dispatch, prelude::*};
 use glam::DVec3;
-use shading_lab::illumination::{
-    FormTask, Lanes, Lobe, PhongChord, PhongCosine, ShadingPoint, Specular, SpecularForm, V3,
-};
+use shading_lab::illumination::{Lanes, Lobe, PhongChord, PhongCosine, ShadingPoint, Specular, SpecularForm, V3};
 use shading_lab::scene::{Material, ReflectionModel, Scene};
+use shading_lab::with_form;
 use simd::levels;
 use std::f64::consts::TAU;
 
@@ -86,21 +85,6 @@ fn directions(dice: &mut Dice, model: ReflectionModel, n: f64) -> Directions {
     Directions::rounded([normal, l, v])
 }
 
-/// The factor of as many configurations as there are lanes, all at one exponent.
-struct Factors<'a> {
-    level: Level,
-    lobe: Lobe<f32>,
-    directions: &'a [Directions],
-}
-
-impl FormTask for Factors<'_> {
-    type Output = Vec<f32>;
-
-    fn run<F: Specular>(self, _: F) -> Vec<f32> {
-        dispatch!(self.level, simd => factors::<_, F>(simd, &self.lobe, self.directions))
-    }
-}
-
 #[inline(always)]
 fn factors<S: Simd, F: Specular>(simd: S, lobe: &Lobe<f32>, directions: &[Directions]) -> Vec<f32> {
     let mut all = Vec::with_capacity(directions.len());
@@ -139,7 +123,9 @@ fn the_factor_is_right_at_every_exponent_and_level() {
         let directions: Vec<Directions> = (0..EACH).map(|_| directions(&mut dice, model, n)).collect();
         let lobe = Lobe::of(&scene.material);
         for &level in &levels {
-            let factors = SpecularForm::of(&scene).dispatch(Factors { level, lobe, directions: &directions });
+            let factors = with_form!(SpecularForm::of(&scene), F => {
+                dispatch!(level, simd => factors::<_, F>(simd, &lobe, &directions))
+            });
             for (factor, directions) in factors.iter().zip(&directions) {
                 let cosine = directions.cosine(model);
                 if n > 0.0 && n < RIM.0 && cosine.abs() < RIM.1 {

@@ -5,7 +5,7 @@
 mod dice;
 
 use dice::Dice;
-use shading_lab::render::{Renderer, Stage};
+use shading_lab::render::{Renderer, Stage, coarseness, coarser_size};
 use shading_lab::scene::{Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer};
 
 const MODES: [ShadingMode; 5] =
@@ -201,4 +201,13 @@ fn an_infinite_viewer_and_far_lights_change_the_picture() {
     assert!(local.pixels != infinite.pixels);
     scene.reflection.model = ReflectionModel::Blinn;
     assert!(renderer.render(&scene).pixels != infinite.pixels);
+}
+
+/// What is dragged is drawn no coarser than it must be to keep up, and never so coarse that it is not recognised.
+#[test]
+fn a_picture_that_keeps_up_is_drawn_whole() {
+    let in_ms = |ms: u64| coarseness(ms * 1_000_000);
+    assert_eq!([0, 5, 26, 27, 104, 105, 700, 100_000].map(in_ms), [1, 1, 1, 2, 2, 3, 6, 8]);
+    assert_eq!(coarser_size([641, 480], 2), [321, 240]);
+    assert_eq!(coarser_size([3, 1], 8), [1, 1]);
 }

@@ -1,11 +1,12 @@
 //! The equation itself.
 
 use super::fresnel::{Fresnel, Index};
-use super::microfacet::greatest_factor;
 use super::pattern::Fields;
 use super::source::{BRIGHTEST, Share};
-use super::{FormTask, Lobe, Real, Scalar, ShadingPoint, Source, Specular, SpecularForm, V3, specular};
+use super::specular::{greatest_factor, halfway, reflect};
+use super::{Lobe, Real, Scalar, ShadingPoint, Source, Specular, SpecularForm, V3};
 use crate::scene::{Backfacing, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer};
+use crate::with_form;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -228,12 +229,12 @@ impl<T: Scalar> Equation<T> {
         let (l, attenuation, nearness) = source.reach(site.position, site.inverse_distance);
         let spot = source.spot(l);
         let strength = attenuation * spot;
-        let zero = l.x.constant(T::default());
+        let zero = l.x.number(0.0);
         let mut turned = *site;
         let mut n_dot_l = site.normal.dot(l);
         if self.backfacing == Backfacing::Flip {
             let away = zero.greater_than(n_dot_l);
-            let sign = R::select(away, zero.constant(T::from_f64(-1.0)), zero.constant(T::from_f64(1.0)));
+            let sign = R::select(away, zero.number(-1.0), zero.number(1.0));
             turned.normal = site.normal.scale(sign);
             n_dot_l = n_dot_l.abs();
         }
@@ -269,7 +270,7 @@ impl<T: Scalar> Equation<T> {
             }
             let mut response = self.respond::<R, F>(source, site);
             if let Some(reached) = reached {
-                let (lit, zero) = (like.mask_of_bits(reached.bits(index)), like.constant(T::default()));
+                let (lit, zero) = (like.mask_of_bits(reached.bits(index)), like.number(0.0));
                 response.diffuse = R::select(lit, response.diffuse, zero);
                 response.specular = R::select(lit, response.specular, zero);
             }
@@ -386,12 +387,12 @@ impl Equation<f64> {
     /// I at a point of the world with normal `n`, per channel: the reference. Without `reached` all sources reach it.
     pub fn illuminate_world(&self, point: DVec3, n: DVec3, reached: Option<Reached<'_>>) -> Rgb {
         let site = self.site(V3::from(self.from_world(point)), V3::from(n));
-        Rgb::from_array(self.form.dispatch(Illuminate { equation: self, site: &site, reached }))
+        Rgb::from_array(with_form!(self.form, F => self.illuminate::<f64, F>(&site, reached)))
     }
 
     /// [`Self::respond`] with the scene's specular form.
     pub fn respond_to(&self, source: &Source<f64>, site: &ShadingPoint<f64>) -> LightResponse<f64> {
-        self.form.dispatch(Respond { equation: self, source, site })
+        with_form!(self.form, F => self.respond::<f64, F>(source, site))
     }
 
     /// What the light of index `light` does at a point of the world with normal `n`.
@@ -402,7 +403,6 @@ impl Equation<f64> {
         let site = self.site(V3::from(self.from_world(point)), V3::from(n));
         let color = self.pattern_color(point);
         let range = self.sources_of(light);
-        #[expect(clippy::cast_precision_loss, reason = "at most 4096 samples")]
         let share = 1.0 / range.len().max(1) as f64;
         let mut sum = LightAt { v: site.view.into(), ..LightAt::default() };
         for index in range {
@@ -422,39 +422,11 @@ impl Equation<f64> {
         }
         sum.l = sum.l.normalize_or(n);
         let l = V3::from(sum.l);
-        sum.r = specular::reflect(site.normal, l, site.normal.dot(l)).into();
-        sum.h = specular::halfway(l, site.view).into();
+        sum.r = reflect(site.normal, l, site.normal.dot(l)).into();
+        sum.h = halfway(l, site.view).into();
         let n_dot_l = n.dot(sum.l);
         let cosine = if self.form.at_halfway() { sum.l.dot(sum.h) } else { n_dot_l.abs() };
         sum.incidence = cosine.clamp(-1.0, 1.0).acos();
         sum
-    }
-}
-
-struct Illuminate<'a> {
-    equation: &'a Equation<f64>,
-    site: &'a ShadingPoint<f64>,
-    reached: Option<Reached<'a>>,
-}
-
-impl FormTask for Illuminate<'_> {
-    type Output = [f64; 3];
-
-    fn run<F: Specular>(self, _: F) -> [f64; 3] {
-        self.equation.illuminate::<f64, F>(self.site, self.reached)
-    }
-}
-
-struct Respond<'a> {
-    equation: &'a Equation<f64>,
-    source: &'a Source<f64>,
-    site: &'a ShadingPoint<f64>,
-}
-
-impl FormTask for Respond<'_> {
-    type Output = LightResponse<f64>;
-
-    fn run<F: Specular>(self, _: F) -> LightResponse<f64> {
-        self.equation.respond::<f64, F>(self.source, self.site)
     }
 }

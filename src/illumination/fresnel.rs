@@ -1,4 +1,4 @@
-//! W(θ): what a smooth surface reflects at the angle of incidence θ, by Fresnel's formulas.
+//! W(θ): what a smooth surface reflects at the angle of incidence θ, by Fresnel's formulas; and T, where light goes that passes.
 //!
 //! For a complex index of refraction η + ik, per channel and for unpolarised light (M. Born and E. Wolf, *Principles of
 //! Optics*, 13.2; in this form P. Lapierre and S. Lagarde, *Fresnel term approximations for metals*, 2008). With
@@ -14,6 +14,7 @@
 
 use super::{Real, Scalar};
 use crate::scene::{Material, Reflectance, Rgb};
+use glam::DVec3;
 
 /// A complex index of refraction for red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,26 +72,50 @@ impl<T: Scalar> Fresnel<T> {
     /// W per channel.
     #[inline(always)]
     pub fn reflectance<R: Real<Scalar = T>>(&self, cosine: R) -> [R; 3] {
-        let one = cosine.constant(T::from_f64(1.0));
-        let cosine = cosine.max(cosine.constant(T::default())).min(one);
+        let cosine = cosine.max(cosine.number(0.0)).min(cosine.number(1.0));
         [self.channel(cosine, 0), self.channel(cosine, 1), self.channel(cosine, 2)]
     }
 
     #[inline(always)]
     fn channel<R: Real<Scalar = T>>(&self, c: R, channel: usize) -> R {
         let half = T::from_f64(0.5);
-        let one = c.constant(T::from_f64(1.0));
-        let c2 = c * c;
-        let s2 = one - c2;
+        let (zero, c2) = (c.number(0.0), c * c);
+        let s2 = c.number(1.0) - c2;
         // η² − k² − s² = (η² − k² − 1) + c².
         let inner = c2 + c.constant(self.excess[channel]);
         let modulus = inner.mul_add(inner, c.constant(self.product[channel])).sqrt();
-        let a = ((modulus + inner) * half).max(c.constant(T::default())).sqrt();
+        let a = ((modulus + inner) * half).max(zero).sqrt();
         let twice = (a + a) * c;
-        let perpendicular = (modulus + c2 - twice).max(c.constant(T::default())) * (modulus + c2 + twice).reciprocal();
+        let perpendicular = (modulus + c2 - twice).max(zero) * (modulus + c2 + twice).reciprocal();
         let level = c2.mul_add(modulus, s2 * s2);
         let tilt = twice * s2;
-        let ratio = (level - tilt).max(c.constant(T::default())) * (level + tilt).reciprocal();
+        let ratio = (level - tilt).max(zero) * (level + tilt).reciprocal();
         perpendicular.mul_add(ratio, perpendicular) * half
     }
+}
+
+/// The direction T of a ray that travels along `incident` and passes a surface with normal `n`, by Snell's law
+/// `sin θ₁ = η·sin θ₂`; none where it is totally reflected.
+///
+/// `incident` and `n` are unit vectors, `incident·n` ≤ 0: the ray comes from the side that `n` points to. `eta` is the index
+/// of refraction beyond the surface relative to that before it. T is a unit vector (A. S. Glassner, *An Introduction to
+/// Ray Tracing*, 1989, 4.3):
+/// `T = I/η + (c/η − √(1 − (1 − c²)/η²))·n`, c = −I·n. At η = 1 the ray goes straight on. There is no T where
+/// `sin θ₁ > η`, beyond the critical angle arcsin η, for η < 1.
+pub fn refract(incident: DVec3, n: DVec3, eta: f64) -> Option<DVec3> {
+    let cosine = -incident.dot(n);
+    // From the cross product: 1 − cos² would lose what is left of it near the normal.
+    let sine_squared = incident.cross(n).length_squared() / (eta * eta);
+    let rest = 1.0 - sine_squared;
+    (rest >= 0.0).then(|| ((incident + n * cosine) / eta - n * rest.sqrt()).normalize_or(incident))
+}
+
+/// The direction of a ray that travels along `incident` and is mirrored at a surface with normal `n`, unit vectors.
+pub fn mirror(incident: DVec3, n: DVec3) -> DVec3 {
+    incident - 2.0 * incident.dot(n) * n
+}
+
+/// The angle of incidence beyond which nothing is transmitted, radians; none for η ≥ 1.
+pub fn critical_angle(eta: f64) -> Option<f64> {
+    (eta < 1.0).then(|| eta.asin())
 }

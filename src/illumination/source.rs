@@ -1,9 +1,10 @@
-//! Light sources, prepared: each yields a direction and an attenuation at a point.
+//! Light sources, prepared: each yields a direction and an attenuation at a point. Area lights are sets of points.
 
-use super::area::area_samples;
 use super::{Real, Scalar, V3};
-use crate::scene::{Attenuation, Light, LightKind, Rgb};
+use crate::scene::{AreaShape, Attenuation, Light, LightKind, Rgb};
 use glam::DVec3;
+use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// A light farther away than this many camera distances shines in parallel: over an object as large as the camera distance
 /// its direction turns by less than 10⁻¹², over the largest, of 10⁸ camera distances, by less than can be seen.
@@ -63,13 +64,13 @@ impl<T: Scalar> Cone<T> {
     /// The part of the intensity that is sent in the direction −`l`.
     #[inline(always)]
     fn factor<R: Real<Scalar = T>>(&self, l: V3<R>) -> R {
-        let (zero, one) = (l.x.constant(T::default()), l.x.constant(T::from_f64(1.0)));
-        let tiny = l.x.constant(T::from_f64(f64::from(f32::MIN_POSITIVE)));
+        let (zero, one) = (l.x.number(0.0), l.x.number(1.0));
+        let tiny = l.x.number(f64::from(f32::MIN_POSITIVE));
         let gap = self.gap(l);
         let power = ((one - gap).max(tiny).log2() * self.exponent).exp2();
         let inside = ((l.x.constant(self.edge) - gap) * self.inverse_fade).max(zero).min(one);
         // Hermite's cubic: level at both ends of the edge.
-        let soft = inside * inside * (l.x.constant(T::from_f64(3.0)) - inside - inside);
+        let soft = inside * inside * (l.x.number(3.0) - inside - inside);
         power * soft
     }
 }
@@ -88,7 +89,7 @@ enum Place<T> {
 /// The attenuation factor f as a function of a distance in camera distances. It is not greater than the source's intensity
 /// allows (see `Share`): divisors are lifted to `least`, or f is lowered to `greatest`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Falloff<T> {
+enum Falloff<T> {
     /// f is the same everywhere.
     Constant(T),
     /// `1/(scale·r + k)`, r to the viewer.
@@ -114,7 +115,6 @@ impl Share {
     /// The share of one of `count` sources of a surface whose colour multiplies by `color` at most, and whose specular factor
     /// by `specular`.
     pub fn new(count: usize, color: f64, specular: f64) -> Self {
-        #[expect(clippy::cast_precision_loss, reason = "at most 4096 sources")]
         let each = 0.5 * BRIGHTEST / count.max(1) as f64;
         Self { diffuse: each / color.max(1.0), specular: each / specular.max(1.0) }
     }
@@ -172,10 +172,9 @@ impl<T: Scalar> Source<T> {
     #[inline(always)]
     pub fn reach<R: Real<Scalar = T>>(&self, position: V3<R>, inverse_depth: R) -> (V3<R>, R, R) {
         let like = position.x;
-        let shortest = like.constant(T::from_f64(SHORTEST));
-        let one = like.constant(T::from_f64(1.0));
+        let (shortest, one) = (like.number(SHORTEST), like.number(1.0));
         let (l, inverse_distance, nearness) = match self.place {
-            Place::Towards(l) => (V3::constant(like, l), one, like.constant(T::default())),
+            Place::Towards(l) => (V3::constant(like, l), one, like.number(0.0)),
             Place::At(place) => {
                 let to_light = V3::constant(like, place) - position;
                 let inverse = to_light.dot(to_light).max(shortest * shortest).inverse_sqrt_of_sound();
@@ -268,23 +267,18 @@ impl<T: Scalar> Falloff<T> {
     /// depends on the distance to it leaves it as it is.
     fn new(light: &Light, unit: f64, far: Option<f64>, greatest: f64) -> Self {
         let t = T::from_f64;
-        let least = t(SHORTEST.max(1.0 / greatest));
-        let by_distance = light.kind.has_position();
-        match light.attenuation {
-            Attenuation::Viewer => Self::Viewer { scale: t(unit), k: t(light.k), least },
-            _ if !by_distance => Self::Constant(t(1.0)),
-            Attenuation::None => Self::Constant(t(1.0)),
-            attenuation => {
-                if let Some(distance) = far {
-                    return Self::Constant(t(attenuation_at(light, attenuation, distance * unit).min(greatest)));
-                }
-                match attenuation {
-                    Attenuation::Light => Self::Light { scale: t(unit), k: t(light.k), least },
-                    Attenuation::InverseSquare => {
-                        Self::InverseSquare { factor: t(1.0 / (unit * unit)), greatest: t(greatest) }
-                    }
-                    _ => Self::Quadratic { c1: t(light.c1), c2: t(light.c2 * unit), c3: t(light.c3 * unit * unit) },
-                }
+        let (least, scale, k) = (t(SHORTEST.max(1.0 / greatest)), t(unit), t(light.k));
+        match (light.attenuation, far) {
+            (Attenuation::Viewer, _) => Self::Viewer { scale, k, least },
+            (Attenuation::None, _) => Self::Constant(t(1.0)),
+            _ if !light.kind.has_position() => Self::Constant(t(1.0)),
+            (law, Some(distance)) => Self::Constant(t(attenuation_at(light, law, distance * unit).min(greatest))),
+            (Attenuation::Light, None) => Self::Light { scale, k, least },
+            (Attenuation::InverseSquare, None) => {
+                Self::InverseSquare { factor: t(1.0 / (unit * unit)), greatest: t(greatest) }
+            }
+            (Attenuation::Quadratic, None) => {
+                Self::Quadratic { c1: t(light.c1), c2: t(light.c2 * unit), c3: t(light.c3 * unit * unit) }
             }
         }
     }
@@ -315,4 +309,76 @@ pub(crate) fn direction(v: DVec3) -> DVec3 {
 
 fn scalars<T: Scalar>(v: DVec3) -> [T; 3] {
     v.to_array().map(T::from_f64)
+}
+
+/// The golden section turns each row of a sphere's samples against the last.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// The points that replace an area light, world: the middles of `light.samples` strata of equal area.
+///
+/// The unit square is cut into about √N rows as high as their number of cells, so that all N cells have equal areas. It is
+/// laid over the rectangle, or over the sphere by Archimedes' projection. The midpoint rule's error falls as 1/N where the
+/// integrand is smooth. A sphere of one sample shines from its centre: a point of its surface would light one side alone.
+pub fn area_samples(light: &Light) -> Vec<DVec3> {
+    let samples = strata(light.samples).into_iter();
+    match light.shape {
+        AreaShape::Rectangle => {
+            let [across, up] = rectangle_axes(light);
+            samples.map(|([u, v], _)| light.position + across * (u - 0.5) + up * (v - 0.5)).collect()
+        }
+        AreaShape::Sphere if light.samples == 1 => vec![light.position],
+        AreaShape::Sphere => {
+            let at = |([u, v], row): ([f64; 2], usize)| {
+                let height = 1.0 - 2.0 * v;
+                let (sine, cosine) = (TAU * (u + GOLDEN * row as f64)).sin_cos();
+                let level = (1.0 - height * height).max(0.0).sqrt();
+                light.position + light.radius * DVec3::new(level * cosine, height, level * sine)
+            };
+            samples.map(at).collect()
+        }
+    }
+}
+
+/// The two sides of a rectangular light, world units long: its width runs level, unless it faces straight up or down.
+pub fn rectangle_axes(light: &Light) -> [DVec3; 2] {
+    let facing = light.direction.normalize_or(DVec3::NEG_Z);
+    let level = DVec3::Y.cross(facing).try_normalize().unwrap_or(DVec3::X);
+    let up = facing.cross(level);
+    [level * light.extent[0], up * light.extent[1]]
+}
+
+/// The samples of each row of a rectangular light of `count` samples: those of a row lie on a line.
+fn area_rows(count: u32) -> impl Iterator<Item = Range<u32>> {
+    let rows = row_count(count);
+    let end = move |row: u32| (u64::from(count) * u64::from(row) / u64::from(rows)) as u32;
+    (0..rows).map(move |row| end(row)..end(row + 1))
+}
+
+fn row_count(count: u32) -> u32 {
+    (f64::from(count).sqrt().round() as u32).clamp(1, count.max(1))
+}
+
+/// Corners of a polyhedron that holds an area light: a rectangle's own, in their order; those of the cube about a sphere.
+pub fn area_hull(light: &Light) -> Vec<DVec3> {
+    match light.shape {
+        AreaShape::Rectangle => {
+            let [across, up] = rectangle_axes(light).map(|side| side * 0.5);
+            [across + up, across - up, -across - up, up - across].map(|corner| light.position + corner).to_vec()
+        }
+        AreaShape::Sphere => {
+            let sign = |bit: u32, k: u32| if k >> bit & 1 == 0 { -light.radius } else { light.radius };
+            (0..8).map(|k| light.position + DVec3::new(sign(0, k), sign(1, k), sign(2, k))).collect()
+        }
+    }
+}
+
+/// The middles of `count` cells of equal area in the unit square, and the row that each stands in.
+fn strata(count: u32) -> Vec<([f64; 2], usize)> {
+    let mut middles = Vec::with_capacity(count as usize);
+    for (row, range) in area_rows(count).enumerate() {
+        let cells = range.len();
+        let v = (f64::from(range.start) + 0.5 * cells as f64) / f64::from(count);
+        middles.extend((0..cells).map(|cell| ([(cell as f64 + 0.5) / cells as f64, v], row)));
+    }
+    middles
 }

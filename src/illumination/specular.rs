@@ -1,14 +1,27 @@
-//! The specular factor S: Phong's `(R·V)^n` and Blinn's `(N·H)^n`, each in two forms, and Cook and Torrance's microfacets.
+//! The specular factor S: Phong's `(R·V)^n` and Blinn's `(N·H)^n`, each in two forms, and Cook and Torrance's microfacets; and
+//! how wide a highlight is.
 //!
 //! A power of a cosine is stiff: an error δ of the cosine becomes n·δ of the result, and near the lobe's axis the cosine
 //! itself is rounded to a few 10⁻⁸ in single precision. With the chord between the two unit vectors,
 //! `1 − a·b = |a − b|²/2`, the distance from the axis keeps its digits, and `(a·b)^n = exp(n·ln(1 − |a − b|²/2))`. At
 //! small n the plain cosine is the better form, because the lobe is wide and the chord long.
 
-use super::lobe::Lobe;
-use super::microfacet::{beckmann, geometric_over_view, ggx, seen, smith_over_view};
-use super::{Real, Scalar, ShadingPoint, V3};
-use crate::scene::{Distribution, ReflectionModel, Rgb, Scene, ShadingMode};
+use super::{Real, Scalar, V3};
+use crate::scene::{Distribution, Material, ReflectionModel, Rgb, Scene, ShadingMode};
+use crate::with_form;
+use std::f64::consts::{FRAC_PI_2, LN_2, LOG2_E};
+
+/// A point where the equation is evaluated. Lengths are camera distances, positions relative to the eye.
+#[derive(Clone, Copy, Debug)]
+pub struct ShadingPoint<R> {
+    /// N, unit unless the shading mode forgets to make it so.
+    pub normal: V3<R>,
+    pub position: V3<R>,
+    /// V, unit.
+    pub view: V3<R>,
+    /// 1/distance from the eye.
+    pub inverse_distance: R,
+}
 
 /// Which form of the specular factor a scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -35,59 +48,52 @@ impl SpecularForm {
         if lit { Self::of_model(scene) } else { Self::None }
     }
 
+    /// Whether W depends on the angle between L and H instead of that between L and N.
+    pub fn at_halfway(self) -> bool {
+        with_form!(self, F => F::AT_HALFWAY)
+    }
+
     /// The form that `scene` would need whatever its coefficients.
     pub(super) fn of_model(scene: &Scene) -> Self {
         let shading = &scene.shading;
         let unit_normals = shading.renormalise || shading.mode != ShadingMode::Phong;
         let chord = scene.material.n >= Self::CHORD_FROM && unit_normals;
-        match scene.reflection.model {
-            ReflectionModel::Phong if chord => Self::PhongChord,
-            ReflectionModel::Phong => Self::PhongCosine,
-            ReflectionModel::Blinn if chord => Self::BlinnChord,
-            ReflectionModel::Blinn => Self::BlinnCosine,
-            ReflectionModel::CookTorrance => match scene.reflection.distribution {
-                Distribution::Beckmann => Self::Beckmann,
-                Distribution::Ggx => Self::Ggx,
-            },
+        match (scene.reflection.model, scene.reflection.distribution) {
+            (ReflectionModel::Phong, _) if chord => Self::PhongChord,
+            (ReflectionModel::Phong, _) => Self::PhongCosine,
+            (ReflectionModel::Blinn, _) if chord => Self::BlinnChord,
+            (ReflectionModel::Blinn, _) => Self::BlinnCosine,
+            (ReflectionModel::CookTorrance, Distribution::Beckmann) => Self::Beckmann,
+            (ReflectionModel::CookTorrance, Distribution::Ggx) => Self::Ggx,
         }
     }
 }
 
-/// Work that is compiled once for each specular form.
-pub trait FormTask {
-    type Output;
-
-    fn run<F: Specular>(self, form: F) -> Self::Output;
-}
-
-impl SpecularForm {
-    /// Whether W depends on the angle between L and H instead of that between L and N.
-    pub fn at_halfway(self) -> bool {
-        matches!(self, Self::BlinnCosine | Self::BlinnChord | Self::Beckmann | Self::Ggx)
-    }
-
-    /// Runs `task` with the type that stands for this form.
-    pub fn dispatch<T: FormTask>(self, task: T) -> T::Output {
-        match self {
-            Self::None => task.run(NoSpecular),
-            Self::PhongCosine => task.run(PhongCosine),
-            Self::PhongChord => task.run(PhongChord),
-            Self::BlinnCosine => task.run(BlinnCosine),
-            Self::BlinnChord => task.run(BlinnChord),
-            Self::Beckmann => task.run(Beckmann),
-            Self::Ggx => task.run(Ggx),
+/// Evaluates an expression that is compiled once for each [`SpecularForm`], with the type `$type` that stands for it.
+#[macro_export]
+macro_rules! with_form {
+    ($form:expr, $type:ident => $body:expr) => {
+        $crate::with_form!($form, $type => $body; None NoSpecular, PhongCosine PhongCosine, PhongChord PhongChord,
+            BlinnCosine BlinnCosine, BlinnChord BlinnChord, Beckmann Beckmann, Ggx Ggx)
+    };
+    ($form:expr, $type:ident => $body:expr; $($variant:ident $stands:ident),*) => {
+        match $form {
+            $($crate::illumination::SpecularForm::$variant => {
+                type $type = $crate::illumination::$stands;
+                $body
+            })*
         }
-    }
+    };
 }
 
 /// The specular factor of one light, a type for each form so that loops carry no choice.
-pub trait Specular: Copy + Send + Sync + 'static {
+pub trait Specular: 'static {
     const PRESENT: bool = true;
 
     /// Whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
-    const AT_HALFWAY: bool = false;
+    const AT_HALFWAY: bool = true;
 
-    /// S at `shading point` for the unit direction `l` to the light and `n_dot_l` = N·L.
+    /// S at a shading point for the unit direction `l` to the light and `n_dot_l` = N·L.
     fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R;
 
     /// The cosine of the angle of incidence.
@@ -104,29 +110,73 @@ pub trait Specular: Copy + Send + Sync + 'static {
 }
 
 /// ks = 0.
-#[derive(Clone, Copy, Debug)]
 pub struct NoSpecular;
-#[derive(Clone, Copy, Debug)]
 pub struct PhongCosine;
-#[derive(Clone, Copy, Debug)]
 pub struct PhongChord;
-#[derive(Clone, Copy, Debug)]
 pub struct BlinnCosine;
-#[derive(Clone, Copy, Debug)]
 pub struct BlinnChord;
 /// Cook and Torrance's model with Beckmann's distribution.
-#[derive(Clone, Copy, Debug)]
 pub struct Beckmann;
 /// The same with the distribution of Walter et al.
-#[derive(Clone, Copy, Debug)]
 pub struct Ggx;
 
 impl Specular for NoSpecular {
     const PRESENT: bool = false;
+    const AT_HALFWAY: bool = false;
 
     #[inline(always)]
     fn factor<R: Real>(_: &ShadingPoint<R>, _: V3<R>, n_dot_l: R, _: &Lobe<R::Scalar>) -> R {
-        n_dot_l.constant(R::Scalar::default())
+        n_dot_l.number(0.0)
+    }
+}
+
+impl Specular for PhongCosine {
+    const AT_HALFWAY: bool = false;
+
+    #[inline(always)]
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+        // R·V without R: 2(N·L)(N·V) − L·V.
+        let n_dot_v = site.normal.dot(site.view);
+        power_of_cosine((n_dot_l + n_dot_l).mul_add(n_dot_v, -l.dot(site.view)), lobe)
+    }
+}
+
+impl Specular for PhongChord {
+    const AT_HALFWAY: bool = false;
+
+    #[inline(always)]
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+        power_of_chord(reflect(site.normal, l, n_dot_l), site.view, lobe)
+    }
+}
+
+impl Specular for BlinnCosine {
+    #[inline(always)]
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
+        power_of_cosine(site.normal.dot(halfway(l, site.view)), lobe)
+    }
+}
+
+impl Specular for BlinnChord {
+    #[inline(always)]
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
+        power_of_chord(site.normal, halfway(l, site.view), lobe)
+    }
+}
+
+impl Specular for Beckmann {
+    #[inline(always)]
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+        let f = Facet::new(site, l);
+        f.factor(beckmann(f.gap, lobe), geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h))
+    }
+}
+
+impl Specular for Ggx {
+    #[inline(always)]
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+        let f = Facet::new(site, l);
+        f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
     }
 }
 
@@ -145,12 +195,11 @@ pub(super) fn halfway<R: Real>(l: V3<R>, v: V3<R>) -> V3<R> {
 /// `max(c, 0)^n`, from the cosine, which rounding may take past 1.
 #[inline(always)]
 fn power_of_cosine<R: Real>(c: R, lobe: &Lobe<R::Scalar>) -> R {
-    let zero = c.constant(R::Scalar::default());
+    let (zero, one) = (c.number(0.0), c.number(1.0));
     if !R::any(c.greater_than(c.constant(lobe.faint))) {
         return zero;
     }
-    let tiny = c.constant(R::Scalar::from_f64(f64::from(f32::MIN_POSITIVE)));
-    let one = c.constant(R::Scalar::from_f64(1.0));
+    let tiny = c.number(f64::from(f32::MIN_POSITIVE));
     let power = (c.max(tiny).min(one).log2() * lobe.n).exp2();
     R::select(c.greater_than(zero), power, c.constant(lobe.at_zero))
 }
@@ -160,8 +209,7 @@ fn power_of_cosine<R: Real>(c: R, lobe: &Lobe<R::Scalar>) -> R {
 fn power_of_chord<R: Real>(a: V3<R>, b: V3<R>, lobe: &Lobe<R::Scalar>) -> R {
     let chord = a - b;
     let t = chord.dot(chord) * R::Scalar::from_f64(0.5);
-    let limit = t.constant(R::Scalar::from_f64(0.29));
-    let (zero, one) = (t.constant(R::Scalar::default()), t.constant(R::Scalar::from_f64(1.0)));
+    let (limit, zero, one) = (t.number(0.29), t.number(0.0), t.number(1.0));
     if !R::any((one - t).greater_than(t.constant(lobe.faint)) & limit.greater_than(t)) {
         return zero;
     }
@@ -169,65 +217,68 @@ fn power_of_chord<R: Real>(a: V3<R>, b: V3<R>, lobe: &Lobe<R::Scalar>) -> R {
     R::select(limit.greater_than(t), power, zero)
 }
 
-impl Specular for PhongCosine {
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        // R·V without R: 2(N·L)(N·V) − L·V.
-        let n_dot_v = site.normal.dot(site.view);
-        power_of_cosine((n_dot_l + n_dot_l).mul_add(n_dot_v, -l.dot(site.view)), lobe)
+/// What narrows the highlight, prepared: the exponent n, or the microfacets' roughness.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lobe<T> {
+    /// n, finite: a mirror's is so large that all but the axis itself vanishes.
+    n: T,
+    /// `0^n`: 1 for n = 0, otherwise 0.
+    at_zero: T,
+    /// Cosines up to this one need no power: what it would add is not seen.
+    faint: T,
+    /// The square of the roughness.
+    roughness_squared: T,
+    /// 1 over the square of the roughness.
+    inverse_roughness_squared: T,
+}
+
+/// Stands for n = ∞: any angle that single precision can tell from 0 gives 0; rounding errors of double precision give 1.
+const MIRROR: f64 = 1e24;
+
+/// Below all cosines.
+const NEVER_FAINT: f64 = -2.0;
+
+/// Adding this to an intensity changes no stored value: it is below half a unit in the last place, in single precision, of
+/// any intensity that is not stored as 0.
+const UNSEEN: f64 = 1.0 / (1_u64 << 38) as f64;
+
+/// Powers of two per step of a highlight's brightness.
+const STEP: f64 = 4.0;
+
+impl<T: Scalar> Lobe<T> {
+    /// The lobe of `material`, whose n may be infinite.
+    pub fn of(material: &Material) -> Self {
+        Self::new(material.n, material.roughness)
+    }
+
+    fn new(n: f64, roughness: f64) -> Self {
+        Self {
+            n: T::from_f64(n.min(MIRROR)),
+            at_zero: T::from_f64(if n == 0.0 { 1.0 } else { 0.0 }),
+            faint: T::from_f64(NEVER_FAINT),
+            roughness_squared: T::from_f64(roughness * roughness),
+            inverse_roughness_squared: T::from_f64(1.0 / (roughness * roughness)),
+        }
     }
 }
 
-impl Specular for PhongChord {
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        power_of_chord(reflect(site.normal, l, n_dot_l), site.view, lobe)
+impl Lobe<f32> {
+    /// Leaves out powers that add nothing to be seen where a highlight of all sources together adds `most`.
+    pub(super) fn leave_out_faint(&mut self, most: f64) {
+        let n = f64::from(self.n);
+        if n > 0.0 && most > 0.0 {
+            // In steps, so that the factors rarely change with the coefficients.
+            let steps = (most.log2() / STEP).ceil().max(1.0);
+            self.faint = f32::from_f64(((UNSEEN.log2() - STEP * steps) / n).exp2());
+        }
     }
 }
 
-impl Specular for BlinnCosine {
-    const AT_HALFWAY: bool = true;
-
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
-        power_of_cosine(site.normal.dot(halfway(l, site.view)), lobe)
-    }
-}
-
-impl Specular for BlinnChord {
-    const AT_HALFWAY: bool = true;
-
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
-        power_of_chord(site.normal, halfway(l, site.view), lobe)
-    }
-}
-
-/// `D·G·π/(4·(N·V))`; F is W(θ), per channel, and multiplied outside.
+/// The microfacets that mirror the light to the viewer: those whose normal is H (Cook and Torrance, ACM Transactions on Graphics
+/// 1 (1), 1982).
 ///
-/// With a light's intensity so counted that Lambert's term is `kd·(N·L)`, a BRDF f contributes `π·f·(N·L)`, and Cook and
-/// Torrance's is `D·F·G/(4·(N·L)·(N·V))`.
-impl Specular for Beckmann {
-    const AT_HALFWAY: bool = true;
-
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        let f = Facet::new(site, l);
-        f.factor(beckmann(f.gap, lobe), geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h))
-    }
-}
-
-impl Specular for Ggx {
-    const AT_HALFWAY: bool = true;
-
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        let f = Facet::new(site, l);
-        f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
-    }
-}
-
-/// The microfacets that mirror the light to the viewer: those whose normal is H.
+/// S is `D·G·π/(4·(N·V))`; F is W(θ), per channel, and multiplied outside. With a light's intensity so counted that Lambert's
+/// term is `kd·(N·L)`, a BRDF f contributes `π·f·(N·L)`, and Cook and Torrance's is `D·F·G/(4·(N·L)·(N·V))`.
 struct Facet<R> {
     n_dot_h: R,
     n_dot_v: R,
@@ -241,18 +292,127 @@ impl<R: Real> Facet<R> {
     fn new(site: &ShadingPoint<R>, l: V3<R>) -> Self {
         let h = halfway(l, site.view);
         let chord = site.normal - h;
-        let one = l.x.constant(R::Scalar::from_f64(1.0));
-        let gap = (chord.dot(chord) * R::Scalar::from_f64(0.5)).min(one);
+        let gap = (chord.dot(chord) * R::Scalar::from_f64(0.5)).min(l.x.number(1.0));
         Self { n_dot_h: site.normal.dot(h), n_dot_v: site.normal.dot(site.view), v_dot_h: site.view.dot(h), gap }
     }
 
     /// S from `π·D` and `G/(N·V)`; no facet faces inwards.
     #[inline(always)]
     fn factor(&self, distribution: R, geometry: R) -> R {
-        let zero = geometry.constant(R::Scalar::default());
+        let zero = geometry.number(0.0);
         let factor = distribution * seen(self.n_dot_v) * geometry * R::Scalar::from_f64(0.25);
         R::select(self.n_dot_h.greater_than(zero), factor, zero)
     }
+}
+
+/// Cosines are lifted to this before anything is divided by them. The quotients stay finite and go to their limits.
+const SMALLEST_COSINE: f64 = 1e-4;
+
+/// Upper bound of `π·D·G/(4(N·V))` at roughness m for both distributions: π·D is below 1.5/m², and G/(N·V) below 1 over the
+/// smallest cosine for cavities, below 4 times that for Smith's G over α.
+pub(super) fn greatest_factor(roughness: f64) -> f64 {
+    1.0 / (SMALLEST_COSINE * roughness * roughness)
+}
+
+/// `π·D` of Beckmann's distribution, `exp(−tan²α/m²)/(m²·cos⁴α)`, for `gap` = 1 − cos α.
+///
+/// m is the root mean square slope. sin²α = gap·(2 − gap) keeps its digits near α = 0, where the lobe is stiff.
+#[inline(always)]
+fn beckmann<R: Real>(gap: R, lobe: &Lobe<R::Scalar>) -> R {
+    let (cos2, sin2) = squares(gap);
+    // Lifted so that neither the quotient nor the fourth power leaves the range of single precision.
+    let cos2 = cos2.max(gap.number(1e-8));
+    let tan2 = sin2 / cos2;
+    let power = (tan2 * lobe.inverse_roughness_squared * R::Scalar::from_f64(-LOG2_E)).exp2();
+    power * lobe.inverse_roughness_squared / (cos2 * cos2)
+}
+
+/// `π·D` of the distribution of Walter et al. (EGSR 2007), `α²/((α² − 1)·cos² + 1)²`, for `gap` = 1 − cos.
+#[inline(always)]
+fn ggx<R: Real>(gap: R, lobe: &Lobe<R::Scalar>) -> R {
+    let (cos2, sin2) = squares(gap);
+    // (α² − 1)·cos² + 1 = α²·cos² + sin².
+    let sum = (cos2 * lobe.roughness_squared) + sin2;
+    let quotient = sum.constant(lobe.roughness_squared) / sum;
+    quotient * quotient * lobe.inverse_roughness_squared
+}
+
+/// cos² and sin² of the angle whose 1 − cos is `gap`.
+#[inline(always)]
+fn squares<R: Real>(gap: R) -> (R, R) {
+    let one = gap.number(1.0);
+    let cosine = one - gap;
+    (cosine * cosine, gap * (one + cosine))
+}
+
+/// `G/(N·V)` of the V-shaped cavities of Torrance and Sparrow (J. Opt. Soc. Am. 57, 1967):
+/// G = min(1, 2(N·H)(N·V)/(V·H), 2(N·H)(N·L)/(V·H)).
+#[inline(always)]
+fn geometric_over_view<R: Real>(n_dot_h: R, n_dot_l: R, n_dot_v: R, v_dot_h: R) -> R {
+    let least = n_dot_v.number(SMALLEST_COSINE);
+    let inverse_view = n_dot_v.number(1.0) / n_dot_v.max(least);
+    let cavity = (n_dot_h + n_dot_h) / v_dot_h.max(least);
+    inverse_view.min(cavity).min(cavity * n_dot_l * inverse_view)
+}
+
+/// `min(1, max(0, 1 + 4·N·V))`: 1 where the surface faces the viewer. At the outline of a coarse mesh the interpolated
+/// normal turns some degrees away from the viewer; there the limit of `G/(N·V)` at N·V = 0 fades out until N·V = −¼. This is
+/// our choice: the published models end at N·V = 0, which would cut the rim off.
+#[inline(always)]
+fn seen<R: Real>(n_dot_v: R) -> R {
+    let (zero, one) = (n_dot_v.number(0.0), n_dot_v.number(1.0));
+    (n_dot_v * R::Scalar::from_f64(4.0) + one).max(zero).min(one)
+}
+
+/// `G/(N·V)` by Smith's method for the distribution of Walter et al.: G = G₁(N·L)·G₁(N·V) with
+/// G₁(x) = 2x/(x + √(α² + (1 − α²)x²)).
+#[inline(always)]
+fn smith_over_view<R: Real>(n_dot_l: R, n_dot_v: R, lobe: &Lobe<R::Scalar>) -> R {
+    let least = n_dot_v.number(SMALLEST_COSINE);
+    let (l, v) = (n_dot_l.max(least), n_dot_v.max(least));
+    let four = l * R::Scalar::from_f64(4.0);
+    four / (smith_divisor(l, lobe) * smith_divisor(v, lobe))
+}
+
+/// `x + √(α² + (1 − α²)x²)`.
+#[inline(always)]
+fn smith_divisor<R: Real>(x: R, lobe: &Lobe<R::Scalar>) -> R {
+    let squared = x.constant(lobe.roughness_squared);
+    x + (x.number(1.0) - squared).mul_add(x * x, squared).sqrt()
+}
+
+/// The angle φ at which cosⁿφ has fallen to one half, radians: half the width of the lobe at half its height. From
+/// cos φ = 2^(−1/n); 0 for a mirror, a right angle for n = 0, where nothing falls.
+pub fn half_width(n: f64) -> f64 {
+    let exponent = LN_2 / n;
+    // 1 − cos φ = 1 − e^(−x) and φ = 2·asin(√((1 − cos φ)/2)): no digits are lost for large n.
+    2.0 * (0.5 * -(-exponent).exp_m1()).sqrt().asin()
+}
+
+/// The n of `(N·H)^n` whose highlight is as wide as that of `(R·V)^n` with `n`: in the plane of incidence H turns by half
+/// the angle of R, so half its half-width is wanted. About 4n.
+pub fn blinn_from_phong(n: f64) -> f64 {
+    of_half_width(0.5 * half_width(n), 4.0 * n)
+}
+
+/// The inverse of [`blinn_from_phong`], as far as there is one: a half-width over 45° has no n for Phong's model and gives 0.
+pub fn phong_from_blinn(n: f64) -> f64 {
+    of_half_width(2.0 * half_width(n), 0.25 * n)
+}
+
+/// Beckmann's m whose highlight is as narrow as that of `(N·H)^n`: m = √(2/(n + 2)) (Walter et al. 2007, appendix).
+pub fn roughness_from_exponent(n: f64) -> f64 {
+    (2.0 / (n + 2.0)).sqrt()
+}
+
+/// n = −ln 2/ln cos φ, or `narrow` where the angle is too small for its cosine to be told from 1.
+fn of_half_width(angle: f64, narrow: f64) -> f64 {
+    if angle >= FRAC_PI_2 {
+        return 0.0;
+    }
+    let half_sine = (0.5 * angle).sin();
+    let n = -LN_2 / (-2.0 * half_sine * half_sine).ln_1p();
+    if n.is_finite() { n } else { narrow }
 }
 
 #[cfg(test)]
@@ -260,14 +420,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_ends_of_the_exponent() {
+    fn the_ends_of_the_exponent_and_the_fading_past_the_outline() {
         let at = |cosine: f64, n: f64| power_of_cosine(cosine, &Lobe::new(n, 1.0));
         assert_eq!((at(0.0, 0.0), at(0.5, 0.0), at(-0.5, 0.0)), (1.0, 1.0, 1.0));
         assert_eq!((at(0.0, 2.0), at(-1.0, 0.3)), (0.0, 0.0));
-        let axis = V3::new(0.0, 0.0, 1.0);
-        let near = V3::new(1e-6, 0.0, 1.0);
+        let (axis, near) = (V3::new(0.0, 0.0, 1.0), V3::new(1e-6, 0.0, 1.0));
         let mirror = Lobe::new(f64::INFINITY, 1.0);
-        assert_eq!(power_of_chord(axis, axis, &mirror), 1.0);
-        assert_eq!(power_of_chord(axis, near, &mirror), 0.0);
+        assert_eq!((power_of_chord(axis, axis, &mirror), power_of_chord(axis, near, &mirror)), (1.0, 0.0));
+        let faded = [1.0, 1e-3, 0.0, -0.125, -0.25, -0.9].map(seen::<f64>);
+        assert_eq!(faded, [1.0, 1.0, 1.0, 0.5, 0.0, 0.0]);
     }
 }

@@ -20,6 +20,11 @@ pub fn camera_unit(camera: &Camera, farthest: f64) -> f64 {
     camera.distance().max(farthest / DEEPEST)
 }
 
+/// The centre of a pixel.
+pub fn pixel_centre(x: usize, y: usize) -> DVec2 {
+    DVec2::new(x as f64 + 0.5, y as f64 + 0.5)
+}
+
 /// Projection of one picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
@@ -76,6 +81,12 @@ impl Lens {
         let across =
             self.right * ((place.x - self.middle.x) / self.focal) - self.up * ((place.y - self.middle.y) / self.focal);
         if self.perspective { (DVec3::ZERO, self.forward + across) } else { (across, self.forward) }
+    }
+
+    /// The ray from the eye through the centre of a pixel: a point and a unit direction, world.
+    pub fn eye_ray(&self, x: usize, y: usize) -> (DVec3, DVec3) {
+        let (point, direction) = self.ray(pixel_centre(x, y));
+        (self.world(point), direction.normalize())
     }
 
     /// The key of the farthest depth.

@@ -1,11 +1,12 @@
-//! The geometry stage's output: a mesh as structures of arrays.
+//! The geometry stage's output: polygons, and a mesh as structures of arrays.
 
-use super::memory::{Holds, Memory, room, room_of_planes};
-use crate::geometry::VertexMesh;
+use super::node::{Memory, room, room_of_planes};
+use crate::geometry::{Mesh, VertexMesh, tessellate};
+use crate::scene::Object;
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 use std::ops::Range;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Arrays are filled up to a multiple of this, the widest vector's lanes.
 pub const PADDING: usize = 16;
@@ -16,6 +17,38 @@ const MANY: usize = 32;
 
 /// Three planes of numbers, one a component or a channel.
 pub type Planes = [Vec<f32>; 3];
+
+/// A model's own polygons, or those of a shape.
+///
+/// Once a shape's have gone into the arrays that are drawn they would only take room, so they are let go, and made again
+/// when somebody asks for them.
+#[derive(Default)]
+pub struct MeshSource {
+    pub mesh: OnceLock<Arc<Mesh>>,
+    /// What they are made from; none for a model.
+    pub shape: Option<Object>,
+}
+
+impl MeshSource {
+    pub fn mesh(&self) -> &Arc<Mesh> {
+        self.mesh.get_or_init(|| self.shape.as_ref().map_or_else(Arc::default, |shape| Arc::new(tessellate(shape))))
+    }
+
+    /// Lets a shape's polygons go, unless somebody shares them.
+    pub fn release(&mut self) {
+        let shared = self.mesh.get().is_some_and(|mesh| Arc::strong_count(mesh) > 1);
+        if self.shape.is_some() && !shared {
+            self.mesh.take();
+        }
+    }
+
+    pub fn count(&self, memory: &mut Memory) {
+        if let Some(mesh) = self.mesh.get() {
+            memory.vertices += room(&mesh.positions) + room(&mesh.normals) + room(&mesh.mirrored);
+            memory.triangles += room(&mesh.starts) + room(&mesh.corners);
+        }
+    }
+}
 
 /// A mesh for the kernels.
 #[derive(Default)]
@@ -65,6 +98,11 @@ impl Model {
             convex: mesh.convex,
             large: OnceLock::new(),
         }
+    }
+
+    pub fn count(&self, memory: &mut Memory) {
+        memory.vertices += room_of_planes(&self.position) + room_of_planes(&self.normal);
+        memory.triangles += room(&self.triangles) + room(&self.faces) + room(&self.starts) + room(&self.indices);
     }
 
     pub fn face_count(&self) -> usize {
@@ -119,7 +157,6 @@ impl Model {
     fn mean(&self, face: u32) -> DVec3 {
         let corners = self.face(face);
         let sum: DVec3 = corners.iter().map(|&v| at(&self.position, v).as_dvec3()).sum();
-        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
         let count = corners.len().max(1) as f64;
         sum / count
     }
@@ -137,14 +174,6 @@ impl Model {
         }
         let largest = sum.abs().max_element();
         if largest > 0.0 { (sum / largest).normalize_or_zero() } else { DVec3::ZERO }
-    }
-}
-
-impl Holds for Model {
-    fn memory(&self) -> Memory {
-        let vertices = room_of_planes(&self.position) + room_of_planes(&self.normal);
-        let triangles = room(&self.triangles) + room(&self.faces) + room(&self.starts) + room(&self.indices);
-        Memory { vertices, triangles, pixels: 0 }
     }
 }
 
@@ -179,4 +208,26 @@ fn fan(starts: &[u32], indices: &[u32]) -> Vec<[u32; 3]> {
         }
     }
     triangles
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shapes_polygons_are_let_go_and_made_again_but_a_model_is_kept() {
+        let mut source = MeshSource { shape: Some(Object::default()), ..MeshSource::default() };
+        let first = Arc::clone(source.mesh());
+        source.release();
+        assert!(Arc::ptr_eq(&first, source.mesh()), "what is shared is kept");
+        let (positions, corners) = (first.positions.clone(), first.corners.clone());
+        drop(first);
+        source.release();
+        assert!(source.mesh.get().is_none());
+        assert_eq!((&source.mesh().positions, &source.mesh().corners), (&positions, &corners));
+        let model = Arc::new(tessellate(&Object::default()));
+        let mut source = MeshSource { mesh: Arc::clone(&model).into(), shape: None };
+        source.release();
+        assert!(Arc::ptr_eq(&model, source.mesh()));
+    }
 }

@@ -1,22 +1,19 @@
-//! A node of the frame: a step's last output, kept together with the key of what it read.
+//! Nodes of the frame: what its steps keep, each with the key of what it was made from, and the memory that takes.
 
-/// The output of a step, and the key of what it was made from.
-pub struct Node<K, T> {
-    key: Option<K>,
-    /// Counts the runs: steps that read this output have the stamp in their key.
-    stamp: u64,
+use std::any::Any;
+
+/// The last output of a step. Its key is a tuple of all that the step reads; the stamp stands for the outputs of other nodes.
+#[derive(Default)]
+pub struct Node<T> {
+    key: Option<Box<dyn Any + Send + Sync>>,
+    /// Counts the runs.
+    pub stamp: u64,
     pub output: T,
 }
 
-impl<K, T: Default> Default for Node<K, T> {
-    fn default() -> Self {
-        Self { key: None, stamp: 0, output: T::default() }
-    }
-}
-
-impl<K: PartialEq, T> Node<K, T> {
+impl<T> Node<T> {
     /// Runs the step if its key differs from the last one; tells whether it ran.
-    pub fn update(&mut self, key: K, run: impl FnOnce(&mut T)) -> bool {
+    pub fn update<K: PartialEq + Any + Send + Sync>(&mut self, key: K, run: impl FnOnce(&mut T)) -> bool {
         let outdated = self.outdate(key);
         if outdated {
             run(&mut self.output);
@@ -25,23 +22,48 @@ impl<K: PartialEq, T> Node<K, T> {
     }
 
     /// Takes over a key. Tells whether it differs from the last one: then the caller makes the output anew.
-    pub fn outdate(&mut self, key: K) -> bool {
-        let key = Some(key);
-        let outdated = self.key != key;
-        self.stamp += u64::from(outdated);
-        self.key = key;
+    pub fn outdate<K: PartialEq + Any + Send + Sync>(&mut self, key: K) -> bool {
+        let outdated = self.key.as_ref().and_then(|last| last.downcast_ref()) != Some(&key);
+        if outdated {
+            self.stamp += 1;
+            self.key = Some(Box::new(key));
+        }
         outdated
-    }
-}
-
-impl<K, T> Node<K, T> {
-    /// Which run the output is of.
-    pub fn stamp(&self) -> u64 {
-        self.stamp
     }
 
     /// The next update runs, whatever its key.
     pub fn forget(&mut self) {
         self.key = None;
     }
+}
+
+/// The memory that a renderer holds between frames, bytes, each buffer under what it grows with.
+///
+/// Counted is the room of the buffers, used or not. What does not grow (a scene, a plan, a curved surface's patches, a list for
+/// each of the picture's bands of rows, and a band's depths for each thread) is not.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+pub struct Memory {
+    /// Positions and normals of the vertices, their places in the picture, and what they carry to the pixels.
+    pub vertices: u64,
+    /// The polygons and their corners, lists of those in sight, and boxes about them where rays are followed.
+    pub triangles: u64,
+    /// The picture, what each pixel was brought, and which triangles are seen.
+    pub pixels: u64,
+}
+
+impl Memory {
+    /// All of it, bytes.
+    pub fn total(self) -> u64 {
+        self.vertices + self.triangles + self.pixels
+    }
+}
+
+/// The room of a buffer, bytes.
+pub fn room<T>(buffer: &Vec<T>) -> u64 {
+    (buffer.capacity() * size_of::<T>()) as u64
+}
+
+/// The room of planes, bytes.
+pub fn room_of_planes<T>(planes: &[Vec<T>; 3]) -> u64 {
+    planes.iter().map(room).sum()
 }

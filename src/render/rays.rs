@@ -1,30 +1,22 @@
 //! Rays: boxes, shadows, light through the object, one bounce, and the surroundings.
 
 mod bounce;
-mod bounce_grid;
 mod bvh;
-mod diffuse;
 mod floor;
 mod packet;
-mod pixels;
-mod point_row;
 mod primary_hit;
 mod proof;
 mod shadow;
 mod solid;
-mod surroundings;
 mod transmission;
 mod traverse;
-mod visibility;
+mod world;
 
-pub use bounce::Gathering;
+pub use bounce::Bounced;
 pub use bvh::Bvh;
-pub use diffuse::{DiffuseSurface, LightScratch, any_light, diffuse_scene};
-pub use floor::FloorView;
-pub use pixels::{Background, Bounced, bounce, see_background, shadow_pixels, shadow_points};
+pub use packet::{BLOCK, Visibility};
 pub use primary_hit::PrimaryHits;
 pub use shadow::ShadowCaster;
 pub use solid::Solid;
-pub use surroundings::Surroundings;
-pub use transmission::{Glass, Transmission};
-pub use visibility::{BLOCK, Visibility};
+pub use transmission::Transmission;
+pub use world::{DiffuseSurface, LightScratch, World, matt_scene};

@@ -6,8 +6,8 @@
 use super::grid::{GUARD, Place, SUBPIXELS};
 use super::transform::Placed;
 use crate::render::lens::{Lens, NEAR};
-use crate::render::memory::{Holds, Memory, room};
 use crate::render::model::Model;
+use crate::render::node::{Memory, room};
 use glam::DVec3;
 
 /// A vertex that clipping has made.
@@ -36,6 +36,10 @@ pub struct Clipped {
 }
 
 impl Clipped {
+    pub fn count(&self, memory: &mut Memory) {
+        memory.triangles += room(&self.cuts) + room(&self.triangles) + room(&self.parents);
+    }
+
     pub fn clear(&mut self) {
         self.cuts.clear();
         self.triangles.clear();
@@ -57,7 +61,6 @@ impl Clipped {
         }
     }
 
-    #[expect(clippy::cast_possible_truncation, reason = "the guard band bounds the place, the near plane the key")]
     fn add_vertex(&mut self, lens: &Lens, vertices: [u32; 3], corner: &Corner, placed: &mut Placed) -> u32 {
         let index = placed.places.len();
         // Rounding may take a cut off the plane by some part of the triangle's extent, however great that is.
@@ -69,12 +72,6 @@ impl Clipped {
         placed.keys.push(lens.key_from_depth(view.z) as f32);
         self.cuts.push(Cut { vertices, weights: corner.weights.to_array() });
         u32::try_from(index).unwrap_or(u32::MAX)
-    }
-}
-
-impl Holds for Clipped {
-    fn memory(&self) -> Memory {
-        Memory::of_triangles(room(&self.cuts) + room(&self.triangles) + room(&self.parents))
     }
 }
 

@@ -1,8 +1,14 @@
-//! Scan-converts the triangles of a band into horizontal runs of covered pixels.
+//! Which triangle each pixel sees: scan-converts the triangles of a band into horizontal runs of covered pixels. Where the true
+//! surface is drawn, rays meet it instead, in double precision.
 
-use super::grid::{BandPlace, HALF, Place, SUBPIXELS};
+use super::fragments::{Block, Fragment, fragment, open, put};
+use super::grid::{BAND, BandPlace, HALF, Place, SUBPIXELS};
 use super::span::scan;
 use super::triangles::Triangles;
+use crate::geometry::{Ray, Surface, SurfaceHit};
+use crate::render::lens::{Lens, NEAR, pixel_centre};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
 use std::ops::Range;
 
 /// Pixels x0..x1 of a row that see one triangle.
@@ -18,7 +24,6 @@ pub struct Run {
 impl Run {
     /// The pixel row, in a band that begins at row `first`.
     #[inline(always)]
-    #[expect(clippy::cast_possible_wrap, reason = "pictures are at most 16384 pixels high")]
     pub fn y(self, first: u32) -> i32 {
         (first + u32::from(self.row)) as i32
     }
@@ -64,7 +69,6 @@ pub struct Weights {
 
 impl Weights {
     #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, reason = "steps multiply single-precision values")]
     pub fn new([a, b, c]: [Place; 3]) -> Self {
         let e1 = [f64::from(b[0]) - f64::from(a[0]), f64::from(b[1]) - f64::from(a[1])];
         let e2 = [f64::from(c[0]) - f64::from(a[0]), f64::from(c[1]) - f64::from(a[1])];
@@ -76,7 +80,6 @@ impl Weights {
     /// The second and third weight at the centre of a pixel. The products are exact, so that inside the triangle no
     /// weight leaves 0..1 by more than a rounding, however thin it is.
     #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, reason = "weights multiply single-precision values")]
     pub fn at(&self, x: i32, y: i32) -> [f32; 2] {
         let px = f64::from(x * SUBPIXELS + HALF) - f64::from(self.origin[0]);
         let py = f64::from(y * SUBPIXELS + HALF) - f64::from(self.origin[1]);
@@ -91,8 +94,8 @@ impl Band {
     /// Covers the band by triangles of which no two overlap: no depth is needed.
     #[inline(always)]
     pub fn cover_directly(&mut self, place: BandPlace, shape: &Triangles<'_>, triangles: impl Iterator<Item = u32>) {
-        self.begin_sorted(place, false);
-        let width = as_i32(place.width);
+        self.begin(place, false);
+        let width = place.width as i32;
         for triangle in triangles {
             let corners = shape.corners(triangle);
             scan(
@@ -101,12 +104,9 @@ impl Band {
                 width,
                 #[inline(always)]
                 |y, x0, x1| {
-                    let row = as_u32(y) - place.first_row;
-                    let extent = &mut self.extents[row as usize];
-                    extent.start = extent.start.min(as_u32(x0));
-                    extent.end = extent.end.max(as_u32(x1));
-                    self.covered += u64::from(as_u32(x1 - x0));
-                    self.runs.push(Run { triangle, row: as_u16(as_i32(row)), x0: as_u16(x0), x1: as_u16(x1) });
+                    let row = y as u32 - place.first_row;
+                    self.extend(row as usize, x0 as u32, x1 as u32);
+                    self.runs.push(Run { triangle, row: row as u16, x0: x0 as u16, x1: x1 as u16 });
                 },
             );
         }
@@ -122,7 +122,7 @@ impl Band {
         triangles: impl Iterator<Item = u32>,
         scratch: &mut DepthScratch,
     ) {
-        self.begin_sorted(place, true);
+        self.begin(place, true);
         let pixels = (place.rows * place.width) as usize;
         scratch.keys.clear();
         scratch.keys.resize(pixels, f32::MIN);
@@ -145,11 +145,7 @@ impl Band {
     }
 
     /// Forgets what was covered.
-    pub fn begin(&mut self, place: BandPlace) {
-        self.begin_sorted(place, true);
-    }
-
-    fn begin_sorted(&mut self, place: BandPlace, sorted: bool) {
+    fn begin(&mut self, place: BandPlace, sorted: bool) {
         self.runs.clear();
         self.sorted = sorted;
         (self.covered, self.drawn) = (0, 0);
@@ -157,9 +153,16 @@ impl Band {
         self.extents.resize(place.rows as usize, place.width..0);
     }
 
+    /// Counts the pixels x0..x1 of a row as covered.
+    #[inline(always)]
+    fn extend(&mut self, row: usize, x0: u32, x1: u32) {
+        let extent = &mut self.extents[row];
+        (extent.start, extent.end) = (extent.start.min(x0), extent.end.max(x1));
+        self.covered += u64::from(x1 - x0);
+    }
+
     /// Turns a row of seen triangles into runs.
     #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, reason = "pictures are at most 16384 pixels wide")]
     fn collect(&mut self, row: u32, seen: &[u32]) {
         let mut x = 0;
         while x < seen.len() {
@@ -167,10 +170,7 @@ impl Band {
             let length = seen[x..].iter().take_while(|&&t| t == triangle).count();
             if triangle != NONE {
                 let (x0, x1) = (x as u32, (x + length) as u32);
-                let extent = &mut self.extents[row as usize];
-                extent.start = extent.start.min(x0);
-                extent.end = x1;
-                self.covered += length as u64;
+                self.extend(row as usize, x0, x1);
                 self.runs.push(Run { triangle, row: row as u16, x0: x0 as u16, x1: x1 as u16 });
             }
             x += length;
@@ -189,12 +189,12 @@ impl DepthScratch {
         scan(
             corners,
             place.row_range(),
-            as_i32(place.width),
+            place.width as i32,
             #[inline(always)]
             |y, x0, x1| {
                 let [w1, w2] = weights.at(x0, y);
                 let start = keys[0] + w1 * d1 + w2 * d2;
-                let base = ((as_u32(y) - place.first_row) * place.width) as usize;
+                let base = ((y as u32 - place.first_row) * place.width) as usize;
                 let range = base + x0 as usize..base + x1 as usize;
                 self.drawn += range.len() as u64;
                 let depths = &mut self.keys[range.clone()];
@@ -209,20 +209,64 @@ impl DepthScratch {
     }
 }
 
-#[inline(always)]
-#[expect(clippy::cast_sign_loss, reason = "pixel coordinates inside the picture")]
-fn as_u32(v: i32) -> u32 {
-    v as u32
+/// Rows of a band.
+pub const ROWS: usize = BAND as usize;
+
+/// The bands of a picture from the top, with their fragments where these are kept.
+#[derive(Clone, Copy)]
+pub struct Coverage<'a> {
+    pub size: [u32; 2],
+    pub bands: &'a [Band],
+    pub fragments: &'a [Block],
 }
 
-#[inline(always)]
-#[expect(clippy::cast_sign_loss, clippy::cast_possible_truncation, reason = "pictures are at most 16384 pixels wide")]
-fn as_u16(v: i32) -> u16 {
-    v as u16
+impl<'a> Coverage<'a> {
+    /// The bands one by one, each with its fragments.
+    pub fn parts(self) -> impl IndexedParallelIterator<Item = (BandPlace, &'a Band, &'a [Block])> {
+        let [width, height] = self.size;
+        let share = ROWS * Block::count(width);
+        self.bands.par_iter().enumerate().map(move |(index, band)| {
+            let first_row = index as u32 * BAND;
+            let fragments = &self.fragments[(index * share).min(self.fragments.len())..];
+            let place = BandPlace { first_row, rows: BAND.min(height.saturating_sub(first_row)), width };
+            (place, band, &fragments[..share.min(fragments.len())])
+        })
+    }
+
+    /// The fragment of a pixel, where they are kept.
+    pub fn fragment_at(self, [x, y]: [u32; 2]) -> Option<Fragment> {
+        let count = Block::count(self.size[0]);
+        let line = self.fragments.get(y as usize * count..(y as usize + 1) * count)?;
+        (x < self.size[0]).then(|| fragment(line, x as usize))
+    }
+
+    /// The triangle that a pixel sees.
+    pub fn triangle_at(self, [x, y]: [u32; 2]) -> Option<u32> {
+        let runs = &self.bands.get((y / BAND) as usize)?.runs;
+        let sees = |run: &&Run| u32::from(run.row) == y % BAND && (u32::from(run.x0)..u32::from(run.x1)).contains(&x);
+        runs.iter().find(sees).map(|run| run.triangle)
+    }
 }
 
-#[inline(always)]
-#[expect(clippy::cast_possible_wrap, reason = "pictures are at most 16384 pixels wide")]
-fn as_i32(v: u32) -> i32 {
-    v as i32
+/// Where the ray through a place in the picture meets the surface: the depth in camera distances and the hit.
+pub fn meet(lens: &Lens, surface: &Surface, place: DVec2) -> Option<(DVec3, SurfaceHit)> {
+    let (point, direction) = lens.ray(place);
+    let ray = Ray { origin: lens.world(point), direction: direction * lens.unit };
+    let hit = surface.intersect(&ray, NEAR)?;
+    Some((ray.origin + ray.direction * hit.t, hit))
+}
+
+/// Fills the fragments of a band and its extents.
+pub fn meet_band(lens: &Lens, surface: &Surface, place: BandPlace, band: &mut Band, fragments: &mut [Block]) {
+    band.begin(place, true);
+    for (row, line) in fragments.chunks_exact_mut(Block::count(place.width)).take(place.rows as usize).enumerate() {
+        open(line);
+        for x in 0..place.width as usize {
+            let centre = pixel_centre(x, place.first_row as usize + row);
+            let Some((_, hit)) = meet(lens, surface, centre) else { continue };
+            let [nx, ny, nz] = hit.normal.as_vec3().to_array();
+            put(line, x, [nx, ny, nz, lens.key_from_depth(hit.t) as f32]);
+            band.extend(row, x as u32, x as u32 + 1);
+        }
+    }
 }

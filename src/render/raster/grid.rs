@@ -46,7 +46,6 @@ pub struct BandPlace {
 }
 
 impl BandPlace {
-    #[expect(clippy::cast_possible_wrap, reason = "pictures are at most 16384 pixels high")]
     pub fn row_range(self) -> Range<i32> {
         self.first_row as i32..(self.first_row + self.rows) as i32
     }

@@ -4,7 +4,7 @@
 //! For perspective-correct interpolation the three are multiplied by the key (1/depth), which makes them linear in the
 //! picture; the kernels that read the fragments divide again where it matters.
 
-use super::cover::{Band, Weights};
+use super::cover::{Band, Run, Weights};
 use super::fragments::{self, Block, Fragment, join};
 use super::grid::{BandPlace, HALF, SUBPIXELS};
 use super::scan_line::{Crossing, Outlines, crossing_pair};
@@ -39,7 +39,6 @@ impl CarriedValues<'_> {
         });
         for (cut, key) in clipped.cuts.iter().zip(&placed.keys[carried.len()..]) {
             let factor = if self.by_key { *key } else { 1.0 };
-            #[expect(clippy::cast_possible_truncation, reason = "back to the precision of the vertices")]
             let [a, b, c] = self.planes.map(|plane| {
                 let parts = cut.vertices.iter().zip(cut.weights);
                 parts.map(|(&v, w)| f64::from(plane[v as usize]) * w).sum::<f64>() as f32 * factor
@@ -133,7 +132,6 @@ impl Span {
 
     /// From the pixel in column `x` on: the value there, the step to the next pixel, and the column where they end to hold, at
     /// most `end`. Beside P and Q a pixel has their value, so that none leaves the range between them.
-    #[expect(clippy::cast_possible_truncation, reason = "fragments are single precision; the guard band bounds places")]
     fn from<S: Simd>(&self, simd: S, x: u16, end: u16) -> (f32x4<S>, f32x4<S>, u16) {
         let ([xp, xq], [p, q]) = (self.x, self.values);
         let pixel = f64::from(SUBPIXELS);
@@ -161,9 +159,32 @@ pub fn interpolate<S: Simd>(
     fragments: &mut [Block],
 ) {
     open_gaps(place, band, fragments);
-    match rule {
-        Rule::Scanline => fill_by_spans(simd, place, band, (triangles, carried), fragments),
-        Rule::Steps => fill_by_steps(simd, place, band, (triangles, carried), fragments),
+    let count = Block::count(place.width);
+    let line = |run: &Run| usize::from(run.row) * count..(usize::from(run.row) + 1) * count;
+    if rule == Rule::Steps {
+        let mut rule = Barycentric::new(simd, triangles, carried);
+        for run in &band.runs {
+            rule.take(simd, run.triangle);
+            let [s1, s2] = rule.weights.step;
+            let start = rule.at(simd, rule.weights.at(i32::from(run.x0), run.y(place.first_row)));
+            let step = rule.d1.mul_add(s1, rule.d2 * s2);
+            fragments::fill(simd, &mut fragments[line(run)], usize::from(run.x0)..usize::from(run.x1), start, step);
+        }
+        return;
+    }
+    let mut outlines = Outlines::new(triangles, place, band.sorted);
+    for run in &band.runs {
+        let line = &mut fragments[line(run)];
+        let crossings = outlines.crossings(run.triangle, run.y(place.first_row));
+        let mut x = run.x0;
+        while x < run.x1 {
+            let centre = f64::from(i32::from(x) * SUBPIXELS + HALF);
+            // A row that sees the polygon crosses its outline.
+            let Some(pair) = crossing_pair(crossings, centre) else { break };
+            let (start, step, end) = Span::new(pair, carried).from(simd, x, run.x1);
+            fragments::fill(simd, line, usize::from(x)..usize::from(end), start, step);
+            x = end;
+        }
     }
 }
 
@@ -180,53 +201,6 @@ fn open_gaps(place: BandPlace, band: &Band, fragments: &mut [Block]) {
             // Runs leave no gaps between them.
             fragments::open(&mut line[blocks.start..=blocks.start]);
             fragments::open(&mut line[blocks.end - 1..blocks.end]);
-        }
-    }
-}
-
-#[inline(always)]
-fn fill_by_steps<S: Simd>(
-    simd: S,
-    place: BandPlace,
-    band: &Band,
-    (triangles, carried): (Triangles<'_>, &[Fragment]),
-    fragments: &mut [Block],
-) {
-    let count = Block::count(place.width);
-    let mut rule = Barycentric::new(simd, triangles, carried);
-    for run in &band.runs {
-        rule.take(simd, run.triangle);
-        let [s1, s2] = rule.weights.step;
-        let start = rule.at(simd, rule.weights.at(i32::from(run.x0), run.y(place.first_row)));
-        let step = rule.d1.mul_add(s1, rule.d2 * s2);
-        let row = usize::from(run.row) * count;
-        let line = &mut fragments[row..row + count];
-        fragments::fill(simd, line, usize::from(run.x0)..usize::from(run.x1), start, step);
-    }
-}
-
-#[inline(always)]
-fn fill_by_spans<S: Simd>(
-    simd: S,
-    place: BandPlace,
-    band: &Band,
-    (triangles, carried): (Triangles<'_>, &[Fragment]),
-    fragments: &mut [Block],
-) {
-    let count = Block::count(place.width);
-    let mut outlines = Outlines::new(triangles, place, band.sorted);
-    for run in &band.runs {
-        let row = usize::from(run.row) * count;
-        let line = &mut fragments[row..row + count];
-        let crossings = outlines.crossings(run.triangle, run.y(place.first_row));
-        let mut x = run.x0;
-        while x < run.x1 {
-            let centre = f64::from(i32::from(x) * SUBPIXELS + HALF);
-            // A row that sees the polygon crosses its outline.
-            let Some(pair) = crossing_pair(crossings, centre) else { break };
-            let (start, step, end) = Span::new(pair, carried).from(simd, x, run.x1);
-            fragments::fill(simd, line, usize::from(x)..usize::from(end), start, step);
-            x = end;
         }
     }
 }

@@ -11,8 +11,8 @@
 //! The picture and the reference take their crossings from here. Whether an edge is crossed is decided on the grid of the
 //! picture's places, so that both see the same pairs.
 
-use super::edge_table::{BAND_HEIGHT, EdgeTable, MANY, edges, is_whole};
 use super::grid::{BandPlace, HALF, Place, SUBPIXELS};
+use super::transform::{BAND_HEIGHT, EdgeTable, MANY, edges, is_whole};
 use super::triangles::Triangles;
 use std::collections::HashMap;
 

@@ -33,7 +33,6 @@ impl Edge {
 
     /// The first pixel of row `y` whose centre is not left of the edge.
     #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, reason = "the guard band bounds it")]
     fn first_right(&self, y: i32) -> i32 {
         let line = f64::from(y * SUBPIXELS + HALF);
         ((self.slope * line + self.constant) / self.divisor).ceil() as i32

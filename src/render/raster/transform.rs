@@ -3,14 +3,14 @@
 //! Places are fixed-point with [`SUBPIXEL_BITS`] fractional bits, so that coverage is decided in exact arithmetic. A vertex
 //! that is nearer than the near plane or farther out than the guard band has no place and sends its triangles to the clipper.
 
-use super::edge_table::EdgeTable;
-use super::grid::{GUARD, Place, SUBPIXELS, UNPLACED};
+use super::grid::{BAND, GUARD, Place, SUBPIXELS, UNPLACED};
 use crate::illumination::{Lanes, Real, V3};
 use crate::render::lens::{Lens, NEAR};
-use crate::render::memory::{Holds, Memory, room};
 use crate::render::model::Model;
+use crate::render::node::{Memory, room};
 use fearless_simd::{Level, dispatch, prelude::*};
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::sync::OnceLock;
 
 /// Vertices that one task transforms: some microseconds of work.
@@ -30,6 +30,11 @@ pub struct Placed {
 }
 
 impl Placed {
+    pub fn count(&self, memory: &mut Memory) {
+        let edges = self.edges.get().into_iter().flat_map(|table| table.faces.values().flatten().flatten());
+        memory.vertices += room(&self.places) + room(&self.keys) + edges.map(room).sum::<u64>();
+    }
+
     /// The places of a triangle's vertices.
     #[inline(always)]
     pub fn corners(&self, [a, b, c]: [u32; 3]) -> [Place; 3] {
@@ -53,13 +58,6 @@ impl Placed {
     }
 }
 
-impl Holds for Placed {
-    fn memory(&self) -> Memory {
-        let edges = self.edges.get().map_or(0, EdgeTable::room);
-        Memory::of_vertices(room(&self.places) + room(&self.keys) + edges)
-    }
-}
-
 /// The affine map from the model's coordinates to view components, and the lens.
 struct Rows {
     right: [f32; 4],
@@ -72,7 +70,6 @@ struct Rows {
 
 impl Rows {
     /// The offset is taken in double precision: a model far from the world's origin loses nothing.
-    #[expect(clippy::cast_possible_truncation, reason = "the kernel's precision")]
     fn new(lens: &Lens, model: &Model) -> Self {
         let offset = lens.view_from_world(model.origin).to_array();
         let row = |axis: glam::DVec3, offset: f64| {
@@ -99,16 +96,16 @@ fn component<S: Simd>(p: V3<Lanes<S>>, [a, b, c, d]: [f32; 4]) -> Lanes<S> {
 /// Pixels to fixed point; [`UNPLACED`] where `outside`.
 #[inline(always)]
 fn fixed<S: Simd>(v: Lanes<S>, outside: S::mask32s) -> S::i32s {
-    let rounded = Lanes((v * as_f32(f64::from(SUBPIXELS))).0.round_ties_even());
-    S::i32s::truncate_from(Lanes::select(outside, v.constant(as_f32(f64::from(UNPLACED))), rounded).0)
+    let rounded = Lanes((v * SUBPIXELS as f32).0.round_ties_even());
+    S::i32s::truncate_from(Lanes::select(outside, v.constant(UNPLACED as f32), rounded).0)
 }
 
 #[inline(always)]
 fn transform<S: Simd>(simd: S, rows: &Rows, position: [&[f32]; 3], places: &mut [Place], keys: &mut [f32]) {
     let lanes = Lanes::<S>::LEN;
     let one = Lanes::splat(simd, 1.0);
-    let guard = Lanes::splat(simd, as_f32(GUARD));
-    let near = Lanes::splat(simd, as_f32(NEAR));
+    let guard = Lanes::splat(simd, GUARD as f32);
+    let near = Lanes::splat(simd, NEAR as f32);
     for start in (0..places.len()).step_by(lanes) {
         let [px, py, pz] = position;
         let p = V3::new(
@@ -134,7 +131,45 @@ fn transform<S: Simd>(simd: S, rows: &Rows, position: [&[f32]; 3], places: &mut 
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "constants that single precision holds")]
-const fn as_f32(value: f64) -> f32 {
-    value as f32
+/// Polygons of more corners than this have their edges sorted into bands, once for all pictures of one view.
+pub const MANY: usize = 32;
+
+/// The edges of a polygon, each by its two vertices.
+pub fn edges(polygon: &[u32]) -> impl Iterator<Item = [u32; 2]> {
+    polygon.iter().zip(polygon.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
+}
+
+/// Whether a polygon has lost no corner to clipping.
+pub fn is_whole(polygon: &[u32], places: &[Place]) -> bool {
+    polygon.iter().all(|&v| places[v as usize][0] != UNPLACED)
+}
+
+/// The edges of polygons of many corners, by the bands of rows that they cross. Others are taken as they come.
+#[derive(Default)]
+pub struct EdgeTable {
+    /// For each such face its edges, band by band; none where it has lost corners to clipping.
+    pub faces: HashMap<u32, Option<Vec<Vec<[u32; 2]>>>>,
+}
+
+/// Height of a band, fixed point.
+pub const BAND_HEIGHT: i32 = BAND.cast_signed() * SUBPIXELS;
+
+impl EdgeTable {
+    /// The table of a model's faces in a picture of so many rows.
+    pub fn new(model: &Model, places: &[Place], rows: u32) -> Self {
+        let many = (0..model.face_count() as u32).map(|face| (face, model.face(face)));
+        let many = many.filter(|(_, polygon)| polygon.len() > MANY);
+        let last = rows.div_ceil(BAND).cast_signed() - 1;
+        let bands = |polygon: &[u32]| {
+            let mut bands = vec![Vec::new(); rows.div_ceil(BAND) as usize];
+            for ends in edges(polygon) {
+                let [a, b] = ends.map(|v| places[v as usize][1].div_euclid(BAND_HEIGHT));
+                for band in a.min(b).max(0)..=a.max(b).min(last) {
+                    bands[band as usize].push(ends);
+                }
+            }
+            bands
+        };
+        Self { faces: many.map(|(face, polygon)| (face, is_whole(polygon, places).then(|| bands(polygon)))).collect() }
+    }
 }

@@ -5,16 +5,19 @@
 //! the distance in the picture and vanish on another surface (after W. J. Ward et al., *A ray tracing solution for diffuse
 //! interreflection*, 1988: indirect light changes slowly but at creases).
 
-use super::bounce_grid::{Grid, Receiver};
-use super::diffuse::{DiffuseSurface, LightScratch};
+use super::floor::FloorScratch;
 use super::packet::{Packet, RAYS};
-use super::solid::Solid;
-use super::surroundings::{Beyond, Surroundings};
+use super::world::{Beyond, DiffuseSurface, LightScratch, World, in_range};
+use crate::illumination::{Lanes, Real, V3};
+use crate::render::lens::FARTHEST;
+use crate::render::node::{Memory, room};
+use crate::render::raster::{Coverage, ROWS};
 use crate::scene::Rgb;
-use fearless_simd::{Level, dispatch};
+use fearless_simd::{dispatch, prelude::*};
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// Directions from a point: rows times columns.
 const DIRECTIONS: [usize; 2] = [8, 8];
@@ -22,15 +25,39 @@ const DIRECTIONS: [usize; 2] = [8, 8];
 const ALL: u32 = u32::MAX >> (32 - RAYS);
 /// Points of the grid along the picture's longer side: light from other surfaces changes over the object, not over pixels.
 const POINTS: usize = 72;
+/// Weights below this tell nothing; the pixel gathers for itself.
+const LEAST_WEIGHT: f32 = 0.02;
+/// A grid point's weight falls to nothing so many cells away.
+const WIDTH: f32 = 2.5;
+/// Cells on either side within that.
+const NEIGHBOURS: usize = 2;
 
-/// What light is gathered from.
-#[derive(Clone, Copy)]
-pub struct Gathering<'a> {
-    pub solid: Solid<'a>,
-    pub surroundings: &'a Surroundings,
-    /// The object's diffuse reflection without its ambient light, and the floor's.
-    pub object: &'a DiffuseSurface<'a>,
-    pub floor: &'a DiffuseSurface<'a>,
+/// A point to gather at.
+#[derive(Clone, Copy, Debug, Default)]
+struct Receiver {
+    /// Relative to the eye, camera distances.
+    place: Vec3,
+    /// Unit; zero where there is nothing.
+    normal: Vec3,
+    on_object: bool,
+}
+
+impl Receiver {
+    fn is_there(&self) -> bool {
+        self.normal != Vec3::ZERO
+    }
+}
+
+/// Light that arrives at the pixels from other surfaces, and the constant that stands for it best.
+#[derive(Default)]
+pub struct Bounced {
+    /// The mean intensity that arrives, times what the surface scatters of it, less the constant ambient term as far as the
+    /// equation has it.
+    pub difference: Vec<Vec3>,
+    /// The Ia whose constant term differs least from it: least squares over all pixels that see a surface.
+    pub fit: Option<Rgb>,
+    /// Where the pixels gather; kept for its room.
+    receivers: Vec<Receiver>,
 }
 
 /// What a thread keeps from one receiver to the next.
@@ -41,88 +68,167 @@ struct Scratch {
     light: LightScratch,
 }
 
-impl Gathering<'_> {
-    /// The mean intensity that arrives from other surfaces at every pixel of a picture `width` wide; `world` gives a
-    /// receiver's point.
-    pub fn gather(
-        &self,
-        level: Level,
-        receivers: &[Receiver],
-        width: usize,
-        world: impl Fn(Vec3) -> DVec3 + Sync,
-        gathered: &mut Vec<Vec3>,
-    ) {
-        gathered.resize(receivers.len(), Vec3::ZERO);
-        if receivers.is_empty() || width == 0 {
-            return;
-        }
-        let height = receivers.len() / width;
-        let step = (width.max(height) / POINTS).max(1);
-        let columns = width.div_ceil(step);
-        let at = |receiver: &Receiver, salt: usize, scratch: &mut Scratch| {
-            let point = world(receiver.place);
-            self.at(level, receiver, point, salt, scratch).min(Rgb::splat(1e36)).as_vec3()
-        };
-        let pick = |column: usize, row: usize| {
-            let (x, y) = ((column * step + step / 2).min(width - 1), (row * step + step / 2).min(height - 1));
-            receivers[y * width + x]
-        };
-        let points: Vec<(Receiver, Vec3)> = (0..height.div_ceil(step) * columns)
-            .into_par_iter()
-            .map_init(Scratch::default, |scratch, cell| {
-                let receiver = pick(cell % columns, cell / columns);
-                let light = if receiver.is_there() { at(&receiver, cell, scratch) } else { Vec3::ZERO };
-                (receiver, light)
-            })
-            .collect();
-        let grid = Grid { points, columns, step };
-        let lines = gathered.par_chunks_mut(width).zip(receivers.par_chunks(width)).enumerate();
-        lines.for_each_init(Scratch::default, |scratch, (y, (line, receivers))| {
-            dispatch!(level, simd => grid.carry_row(simd, y, receivers, line));
-            for (x, (light, receiver)) in line.iter_mut().zip(receivers).enumerate() {
-                if !receiver.is_there() {
-                    *light = Vec3::ZERO;
-                } else if light.is_nan() {
-                    *light = at(receiver, y * width + x, scratch);
-                }
-            }
-        });
+impl Bounced {
+    pub fn count(&self, memory: &mut Memory) {
+        memory.pixels += room(&self.difference) + room(&self.receivers);
     }
 
-    /// The mean intensity from other surfaces at a receiver's point, world. `salt` turns the directions, so that their
-    /// number does not show as steps.
-    fn at(&self, level: Level, receiver: &Receiver, point: DVec3, salt: usize, scratch: &mut Scratch) -> Rgb {
-        let n = receiver.normal.as_dvec3();
-        let start = point + n * self.solid.clearance();
-        let (middle, _) = self.solid.ball();
-        let directions = directions(n, salt);
-        let Scratch { on_object, on_floor, light } = scratch;
-        on_object.clear();
-        on_floor.clear();
-        let mut see_past = |direction: DVec3| match self.surroundings.meet(start, direction) {
-            Beyond::Floor(point) => on_floor.push((point, DVec3::Y)),
-            Beyond::Elsewhere(_) => {}
-        };
-        // A convex solid lies behind the tangent plane of each of its points.
-        if receiver.on_object && self.solid.is_convex() {
-            directions.into_iter().for_each(see_past);
-        } else {
-            let mut packet = Packet::default();
-            for directions in directions.chunks_exact(RAYS) {
-                for (ray, direction) in directions.iter().enumerate() {
-                    packet.set(ray, start - middle, *direction, f64::INFINITY);
+    /// Gathers light from other surfaces at every pixel. Neither the world's floor nor `object` has the ambient light that the
+    /// bounce takes the place of.
+    pub fn run(&mut self, world: &World<'_>, object: &DiffuseSurface<'_>, coverage: Coverage<'_>) {
+        let (scene, lens) = (world.scene, world.hits.lens);
+        let [width, height] = scene.image.size.map(|side| side as usize);
+        let Self { difference, receivers, .. } = self;
+        receivers.clear();
+        receivers.resize(width * height, Receiver::default());
+        find_receivers(world, coverage, width, receivers);
+        gather(world, object, receivers, width, difference);
+        let share = ROWS * width;
+        let parts = difference.par_chunks_mut(share).zip(receivers.par_chunks(share));
+        let sums: Vec<[Rgb; 2]> = parts
+            .map(|(part, receivers)| {
+                let (mut products, mut squares) = (Rgb::ZERO, Rgb::ZERO);
+                for (light, receiver) in part.iter_mut().zip(receivers).filter(|(_, receiver)| receiver.is_there()) {
+                    let point = lens.world(receiver.place.as_dvec3());
+                    let [constant, scattered] = returned(world, object, point, receiver.on_object);
+                    let arrived = light.as_dvec3() * scattered;
+                    products += constant * arrived;
+                    squares += constant * constant;
+                    *light = in_range(arrived - constant * scene.ambient.constant());
                 }
-                self.solid.nearest(level, &packet, ALL, |ray, hit| match hit {
-                    Some(hit) => on_object.push((hit.point, hit.normal)),
-                    None => see_past(directions[ray]),
-                });
+                [products, squares]
+            })
+            .collect();
+        // Added in the order of the bands, whichever was done first.
+        let [products, squares] =
+            sums.iter().fold([Rgb::ZERO; 2], |[p, s], [products, squares]| [p + products, s + squares]);
+        self.fit = (squares.min_element() > 0.0).then(|| products / squares);
+    }
+}
+
+/// What a surface returns of the constant ambient light, and of light from other surfaces.
+fn returned(world: &World<'_>, object: &DiffuseSurface<'_>, point: DVec3, on_object: bool) -> [Rgb; 2] {
+    let (material, ground) = (&world.scene.material, &world.scene.ground);
+    if on_object {
+        let pattern = &object.equation;
+        let color = if pattern.has_pattern() { pattern.pattern_color(point) } else { material.color };
+        [material.ka * color, material.kd * color]
+    } else {
+        [ground.color * ground.ka, ground.color * ground.kd]
+    }
+}
+
+/// Finds the points that pixels see of the object and the floor.
+fn find_receivers(world: &World<'_>, coverage: Coverage<'_>, width: usize, receivers: &mut [Receiver]) {
+    let (hits, lens) = (&world.hits, world.hits.lens);
+    let farthest = DVec3::splat(FARTHEST);
+    let near = |point: DVec3| ((point - lens.eye) / lens.unit).clamp(-farthest, farthest).as_vec3();
+    let parts = receivers.par_chunks_mut(ROWS * width).zip(coverage.parts());
+    parts.for_each_init(FloorScratch::default, |scratch, (part, (place, band, fragments))| {
+        hits.walk(place, band, fragments, |x, row, hit| {
+            part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), on_object: true };
+        });
+        if world.ground.is_none() {
+            return;
+        }
+        for (y, line) in (place.first_row as usize..).zip(part.chunks_mut(width)) {
+            dispatch!(hits.solid.level, simd => {
+                world.find_row(simd, y, width, #[inline(always)] |x| !line[x].on_object, scratch)
+            });
+            for (x, receiver) in line.iter_mut().enumerate() {
+                if let Some(place) = scratch.seen(x) {
+                    *receiver = Receiver { place, normal: Vec3::Y, on_object: false };
+                }
             }
         }
-        let mut sum = Rgb::ZERO;
-        self.object.light(level, on_object, light, |_, intensity| sum += intensity);
-        self.floor.light(level, on_floor, light, |_, intensity| sum += intensity);
-        sum / directions.len() as f64
+    });
+}
+
+/// The mean intensity that arrives from other surfaces at every pixel of a picture `width` wide.
+fn gather(
+    world: &World<'_>,
+    object: &DiffuseSurface<'_>,
+    receivers: &[Receiver],
+    width: usize,
+    gathered: &mut Vec<Vec3>,
+) {
+    gathered.resize(receivers.len(), Vec3::ZERO);
+    if receivers.is_empty() || width == 0 {
+        return;
     }
+    let height = receivers.len() / width;
+    let step = (width.max(height) / POINTS).max(1);
+    let columns = width.div_ceil(step);
+    let at = |receiver: &Receiver, salt: usize, scratch: &mut Scratch| {
+        arriving(world, object, receiver, salt, scratch).min(Rgb::splat(1e36)).as_vec3()
+    };
+    let pick = |column: usize, row: usize| {
+        let (x, y) = ((column * step + step / 2).min(width - 1), (row * step + step / 2).min(height - 1));
+        receivers[y * width + x]
+    };
+    let points: Vec<(Receiver, Vec3)> = (0..height.div_ceil(step) * columns)
+        .into_par_iter()
+        .map_init(Scratch::default, |scratch, cell| {
+            let receiver = pick(cell % columns, cell / columns);
+            let light = if receiver.is_there() { at(&receiver, cell, scratch) } else { Vec3::ZERO };
+            (receiver, light)
+        })
+        .collect();
+    let grid = Grid { points, columns, step };
+    let lines = gathered.par_chunks_mut(width).zip(receivers.par_chunks(width)).enumerate();
+    lines.for_each_init(Scratch::default, |scratch, (y, (line, receivers))| {
+        dispatch!(world.hits.solid.level, simd => grid.carry_row(simd, y, receivers, line));
+        for (x, (light, receiver)) in line.iter_mut().zip(receivers).enumerate() {
+            if !receiver.is_there() {
+                *light = Vec3::ZERO;
+            } else if light.is_nan() {
+                *light = at(receiver, y * width + x, scratch);
+            }
+        }
+    });
+}
+
+/// The mean intensity from other surfaces at a receiver. `salt` turns the directions, so that their number does not show as
+/// steps.
+fn arriving(
+    world: &World<'_>,
+    object: &DiffuseSurface<'_>,
+    receiver: &Receiver,
+    salt: usize,
+    scratch: &mut Scratch,
+) -> Rgb {
+    let (lens, solid) = (world.hits.lens, &world.hits.solid);
+    let n = receiver.normal.as_dvec3();
+    let start = lens.world(receiver.place.as_dvec3()) + n * solid.clearance();
+    let (middle, _) = solid.ball();
+    let directions = directions(n, salt);
+    let Scratch { on_object, on_floor, light } = scratch;
+    on_object.clear();
+    on_floor.clear();
+    let mut see_past = |direction: DVec3| {
+        if let Beyond::Floor(point) = world.meet(start, direction) {
+            on_floor.push((point, DVec3::Y));
+        }
+    };
+    // A convex solid lies behind the tangent plane of each of its points.
+    if receiver.on_object && solid.is_convex() {
+        directions.into_iter().for_each(see_past);
+    } else {
+        let mut packet = Packet::default();
+        for directions in directions.chunks_exact(RAYS) {
+            for (ray, direction) in directions.iter().enumerate() {
+                packet.set(ray, start - middle, *direction, f64::INFINITY);
+            }
+            solid.nearest(&packet, ALL, |ray, hit| match hit {
+                Some(hit) => on_object.push((hit.point, hit.normal)),
+                None => see_past(directions[ray]),
+            });
+        }
+    }
+    let mut sum = Rgb::ZERO;
+    object.light(on_object, light, |_, intensity| sum += intensity);
+    world.floor.light(on_floor, light, |_, intensity| sum += intensity);
+    sum / directions.len() as f64
 }
 
 /// Directions about `n`, spread as the cosine to it and turned by `salt`.
@@ -137,4 +243,111 @@ fn directions(n: DVec3, salt: usize) -> [DVec3; DIRECTIONS[0] * DIRECTIONS[1]] {
         let (radius, (sine, cosine)) = (height.sqrt(), angle.sin_cos());
         tangent * (radius * cosine) + bitangent * (radius * sine) + n * (1.0 - height).sqrt()
     })
+}
+
+/// Points of the picture at which light was gathered: the middles of square cells.
+struct Grid {
+    points: Vec<(Receiver, Vec3)>,
+    columns: usize,
+    /// Pixels along a cell.
+    step: usize,
+}
+
+/// Pixels in lanes.
+struct Pixels<S: Simd> {
+    x: Lanes<S>,
+    place: V3<Lanes<S>>,
+    normal: V3<Lanes<S>>,
+    /// 1 over the distance of two planes that are taken for one.
+    inverse_gap: Lanes<S>,
+}
+
+impl Grid {
+    /// The weighted mean of the grid's points about each pixel of row `y`; not a number where none of them lies on the same
+    /// surface.
+    #[inline(always)]
+    fn carry_row<S: Simd>(&self, simd: S, y: usize, receivers: &[Receiver], light: &mut [Vec3]) {
+        let lanes = Lanes::<S>::LEN;
+        let rows = self.around(y, y, self.points.len() / self.columns);
+        for (x, (receivers, light)) in (0..).step_by(lanes).zip(receivers.chunks(lanes).zip(light.chunks_mut(lanes))) {
+            if !receivers.iter().any(Receiver::is_there) {
+                continue;
+            }
+            let pixels = Pixels::load(simd, x, receivers);
+            let zero = Lanes::splat(simd, 0.0);
+            let (mut sum, mut weights) = (V3::new(zero, zero, zero), zero);
+            for row in rows.clone() {
+                let share = self.tent(row, y);
+                for column in self.around(x, x + receivers.len() - 1, self.columns) {
+                    let (other, arriving) = &self.points[row * self.columns + column];
+                    if share > 0.0 && other.is_there() {
+                        let across = pixels.tent(self.middle(column), self.step as f32) * share;
+                        let weight = across * pixels.likeness(other);
+                        sum = V3::constant(zero, arriving.to_array()).scale_add(weight, sum);
+                        weights = weights + weight;
+                    }
+                }
+            }
+            let known = weights.greater_than(Lanes::splat(simd, LEAST_WEIGHT));
+            let inverse = Lanes::select(known, Lanes::splat(simd, 1.0) / weights, Lanes::splat(simd, f32::NAN));
+            let mean = sum.scale(inverse);
+            for (lane, light) in light.iter_mut().enumerate() {
+                *light = Vec3::new(mean.x.0[lane], mean.y.0[lane], mean.z.0[lane]);
+            }
+        }
+    }
+
+    /// The cells that have a weight at any of the pixels `first` to `last` of a row or column.
+    fn around(&self, first: usize, last: usize, count: usize) -> Range<usize> {
+        (first / self.step).saturating_sub(NEIGHBOURS)..(last / self.step + NEIGHBOURS + 1).min(count)
+    }
+
+    fn middle(&self, cell: usize) -> f32 {
+        (cell * self.step + self.step / 2) as f32
+    }
+
+    /// Falls from 1 at the cell's middle to 0.
+    fn tent(&self, cell: usize, pixel: usize) -> f32 {
+        (1.0 - (self.middle(cell) - pixel as f32).abs() / (WIDTH * self.step as f32)).max(0.0)
+    }
+}
+
+impl<S: Simd> Pixels<S> {
+    #[inline(always)]
+    fn load(simd: S, x: usize, receivers: &[Receiver]) -> Self {
+        let mut planes = [[0.0_f32; 16]; 6];
+        for (lane, receiver) in receivers.iter().enumerate() {
+            for axis in 0..3 {
+                planes[axis][lane] = receiver.place[axis];
+                planes[3 + axis][lane] = receiver.normal[axis];
+            }
+        }
+        let [px, py, pz, nx, ny, nz] = &planes;
+        let place = V3::new(Lanes::load(simd, px), Lanes::load(simd, py), Lanes::load(simd, pz));
+        let normal = V3::new(Lanes::load(simd, nx), Lanes::load(simd, ny), Lanes::load(simd, nz));
+        let one = Lanes::splat(simd, 1.0);
+        let gap = place.dot(place).sqrt().mul_add(Lanes::splat(simd, 0.01), Lanes::splat(simd, 1e-6));
+        Self { x: Lanes::count_up(simd) + Lanes::splat(simd, x as f32), place, normal, inverse_gap: one / gap }
+    }
+
+    /// Falls from 1 at a cell's middle to 0.
+    #[inline(always)]
+    fn tent(&self, middle: f32, step: f32) -> Lanes<S> {
+        let one = self.x.constant(1.0);
+        let distance = (self.x - self.x.constant(middle)).abs();
+        distance.mul_add(self.x.constant(-1.0 / (WIDTH * step)), one).max(self.x.constant(0.0))
+    }
+
+    /// 1 for points in one plane, towards 0 where the normals or the planes part.
+    #[inline(always)]
+    fn likeness(&self, other: &Receiver) -> Lanes<S> {
+        let (zero, one) = (self.x.constant(0.0), self.x.constant(1.0));
+        let cosine = self.normal.dot(V3::constant(zero, other.normal.to_array())).max(zero);
+        let square = cosine * cosine;
+        let fourth = square * square;
+        let eighth = fourth * fourth;
+        let apart = (self.place - V3::constant(zero, other.place.to_array())).dot(self.normal) * self.inverse_gap;
+        let square = apart * apart;
+        eighth * eighth / square.mul_add(square, one)
+    }
 }

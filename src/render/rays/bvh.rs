@@ -3,8 +3,8 @@
 //! Boxes are split where the surface area heuristic is least over a few bins (I. Wald, *On fast construction of SAH-based
 //! bounding volume hierarchies*, 2007). Coordinates are those of the model, relative to its origin.
 
-use crate::render::memory::{Holds, Memory, room};
 use crate::render::model::Model;
+use crate::render::node::{Memory, room};
 use glam::Vec3;
 use rayon::join;
 
@@ -80,12 +80,6 @@ struct Item {
     triangle: u32,
 }
 
-impl Holds for Bvh {
-    fn memory(&self) -> Memory {
-        Memory::of_triangles(room(&self.nodes) + room(&self.corners) + room(&self.order))
-    }
-}
-
 impl Bvh {
     pub fn new(model: &Model) -> Self {
         let corner = |v: u32| model.place(v);
@@ -107,6 +101,10 @@ impl Bvh {
         let corners: Vec<_> = order.iter().map(|&triangle| corners_of(&model.triangles[triangle as usize])).collect();
         let inner_radius = if model.closed && model.convex { inner_radius(&corners) } else { 0.0 };
         Self { nodes, corners, order, inner_radius }
+    }
+
+    pub fn count(&self, memory: &mut Memory) {
+        memory.triangles += room(&self.nodes) + room(&self.corners) + room(&self.order);
     }
 
     /// The height of the lowest corner.

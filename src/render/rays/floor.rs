@@ -1,65 +1,41 @@
 //! The floor as pixels see it, a row at a time: where the eye's rays meet it in double precision, its shadows by packets of
 //! rays, and the equation in lanes.
 
-use super::packet::RAYS;
-use super::point_row::PointRow;
-use super::shadow::{ShadowCaster, Waiting};
-use crate::illumination::{Equation, Lanes, NoSpecular, Reached, V3};
+use super::packet::{PointRow, RAYS};
+use super::world::{LightScratch, World};
+use crate::illumination::{Lanes, NoSpecular, Reached, V3};
 use crate::render::lens::{FARTHEST, Lens};
 use fearless_simd::{f64x8, prelude::*};
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, Vec3};
 
 /// Pixels whose rays are met with the floor at a time.
 const EIGHT: usize = 8;
 
-/// What the floor's pixels are found and lit by.
-pub struct FloorView<'a> {
-    pub lens: &'a Lens,
-    pub height: f64,
-    /// How far along the viewing direction a wall hides it.
-    pub wall_depth: f64,
-    /// The floor's own equation: it reflects diffusely.
-    pub equation: Equation<f32>,
-    /// The object's shadow.
-    pub caster: Option<&'a ShadowCaster<'a>>,
-    /// The middle of the object's ball, which rows of points are relative to.
-    pub middle: DVec3,
+/// What a thread keeps from one row to the next.
+#[derive(Default)]
+pub struct FloorScratch {
+    light: LightScratch,
+    /// Relative to the eye, camera distances.
+    position: [Vec<f32>; 3],
 }
 
 impl FloorScratch {
     /// The point that a pixel of the row sees of the floor, relative to the eye, camera distances.
     pub fn seen(&self, x: usize) -> Option<Vec3> {
         let [px, py, pz] = &self.position;
-        (self.row.present[x / RAYS] >> (x % RAYS) & 1 == 1).then(|| Vec3::new(px[x], py[x], pz[x]))
+        (self.light.row.present[x / RAYS] >> (x % RAYS) & 1 == 1).then(|| Vec3::new(px[x], py[x], pz[x]))
     }
 }
 
-/// What a thread keeps from one row to the next.
-#[derive(Default)]
-pub struct FloorScratch {
-    row: PointRow,
-    waiting: Waiting,
-    words: Vec<u64>,
-    /// Relative to the eye, camera distances.
-    position: [Vec<f32>; 3],
-}
-
-impl FloorView<'_> {
+impl World<'_> {
     /// Puts the floor's intensity into the unset (NaN) pixels of row `y` that see the floor.
     #[inline(always)]
     pub fn light_row<S: Simd>(&self, simd: S, y: usize, line: &mut [Vec3], scratch: &mut FloorScratch) {
-        if !self.find_row(simd, y, line.len(), |x| line[x].x.is_nan(), scratch) {
-            return;
+        if self.find_row(simd, y, line.len(), |x| line[x].x.is_nan(), scratch) {
+            let FloorScratch { light: LightScratch { row, words, waiting }, position } = scratch;
+            let reached = self.floor.reached(line.len().div_ceil(64), row, words, waiting);
+            self.light_found(simd, row, position, reached, line);
         }
-        let FloorScratch { row, waiting, words, position } = scratch;
-        let stride = line.len().div_ceil(64);
-        if let Some(caster) = self.caster {
-            words.clear();
-            words.resize(caster.words(stride), u64::MAX);
-            caster.mark_row(simd, row, stride, words, waiting);
-        }
-        let reached = self.caster.map(|_| Reached { words, stride, first: 0 });
-        self.light(simd, row, position, reached, line);
     }
 
     /// Finds the points of the floor that the `wanted` pixels of row `y` see; tells whether there are any.
@@ -72,7 +48,8 @@ impl FloorView<'_> {
         wanted: impl Fn(usize) -> bool,
         scratch: &mut FloorScratch,
     ) -> bool {
-        let FloorScratch { row, position, .. } = scratch;
+        let Some(ground) = self.ground else { return false };
+        let FloorScratch { light: LightScratch { row, .. }, position } = scratch;
         row.clear(width);
         position.iter_mut().for_each(|plane| plane.resize(width.next_multiple_of(RAYS), 0.0));
         let mut any = false;
@@ -82,7 +59,7 @@ impl FloorView<'_> {
                 eight |= u32::from(wanted(x + lane)) << lane;
             }
             if eight != 0 {
-                any |= self.meet(simd, x, y, eight, row, position);
+                any |= self.meet_eight(simd, ground, [x, y], eight, row, position);
             }
         }
         any
@@ -90,22 +67,22 @@ impl FloorView<'_> {
 
     /// Finds the points of the floor that eight pixels from column `x` on see; tells whether any does.
     #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, reason = "lit in single precision")]
-    fn meet<S: Simd>(
+    fn meet_eight<S: Simd>(
         &self,
         simd: S,
-        x: usize,
-        y: usize,
+        height: f64,
+        [x, y]: [usize; 2],
         wanted: u32,
         row: &mut PointRow,
         position: &mut [Vec<f32>; 3],
     ) -> bool {
-        let Lens { eye, unit, right, focal, middle, perspective, .. } = *self.lens;
-        let (point, direction) = self.lens.ray(DVec2::new(middle.x, y as f64 + 0.5));
+        let lens = self.hits.lens;
+        let Lens { eye, unit, right, focal, middle, perspective, .. } = *lens;
+        let (point, direction) = lens.ray(DVec2::new(middle.x, y as f64 + 0.5));
         let columns: [f64; EIGHT] = [0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5];
         let across = (f64x8::from_slice(simd, &columns) + (x as f64 - middle.x)) / focal;
         let splat = |v: f64| f64x8::splat(simd, v);
-        let drop = (self.height - eye.y) / unit;
+        let drop = (height - eye.y) / unit;
         let (from, along) = if perspective { (splat(0.0), across) } else { (across, splat(0.0)) };
         let from_y = from * right.y + point.y;
         let along_y = along * right.y + direction.y;
@@ -123,10 +100,11 @@ impl FloorView<'_> {
             return false;
         }
         row.present[x / RAYS] |= seen << (x % RAYS);
-        let base = eye - self.middle;
+        let (ball, _) = self.hits.solid.ball();
+        let base = eye - ball;
         (px * unit + base.x).store_slice(&mut row.start[0][x..x + EIGHT]);
         (pz * unit + base.z).store_slice(&mut row.start[2][x..x + EIGHT]);
-        row.start[1][x..x + EIGHT].fill(self.height - self.middle.y);
+        row.start[1][x..x + EIGHT].fill(height - ball.y);
         row.normal[0][x..x + EIGHT].fill(0.0);
         row.normal[1][x..x + EIGHT].fill(1.0);
         row.normal[2][x..x + EIGHT].fill(0.0);
@@ -140,7 +118,7 @@ impl FloorView<'_> {
 
     /// I at the points found.
     #[inline(always)]
-    fn light<S: Simd>(
+    fn light_found<S: Simd>(
         &self,
         simd: S,
         row: &PointRow,
@@ -157,12 +135,12 @@ impl FloorView<'_> {
             }
             let position =
                 V3::new(Lanes::load(simd, &px[x..]), Lanes::load(simd, &py[x..]), Lanes::load(simd, &pz[x..]));
-            let point = self.equation.site(position, V3::new(zero, one, zero));
+            let point = self.floor_lanes.site(position, V3::new(zero, one, zero));
             let reached = reached.map(
                 #[inline(always)]
                 |reached| reached.starting_at(x),
             );
-            let [r, g, b] = self.equation.illuminate::<Lanes<S>, NoSpecular>(&point, reached);
+            let [r, g, b] = self.floor_lanes.illuminate::<Lanes<S>, NoSpecular>(&point, reached);
             for (lane, pixel) in pixels.iter_mut().enumerate().filter(|(lane, _)| present >> lane & 1 == 1) {
                 *pixel = Vec3::new(r.0[lane], g.0[lane], b.0[lane]);
             }

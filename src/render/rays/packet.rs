@@ -1,9 +1,13 @@
-//! Sixteen rays that are asked about together.
+//! Rays and points side by side, as lanes take them, and bits that tell which of them see a light.
 
-use glam::DVec3;
+use crate::illumination::Reached;
+use fearless_simd::{f32x16, mask32x16, prelude::*};
+use glam::{DVec3, Vec3};
+use std::ops::{Mul, Sub};
 
 /// Rays of a packet.
 pub const RAYS: usize = 16;
+
 /// Rays that are asked about together, relative to the model's origin.
 #[derive(Clone, Default)]
 pub struct Packet {
@@ -30,4 +34,104 @@ impl Packet {
 /// The rays whose bits are set.
 pub fn rays_of(bits: u32) -> impl Iterator<Item = usize> {
     (0..RAYS).filter(move |ray| bits >> ray & 1 == 1)
+}
+
+/// The points that a row of pixels sees, or a block of vertices or faces.
+#[derive(Default)]
+pub struct PointRow {
+    /// Where rays start but for their clearance, relative to the middle of the object's ball, world units.
+    pub start: [Vec<f64>; 3],
+    /// Unit.
+    pub normal: [Vec<f64>; 3],
+    /// A bit for each of [`RAYS`] points: whether it is there.
+    pub present: Vec<u32>,
+}
+
+impl PointRow {
+    /// Room for `count` points, none of them there.
+    pub fn clear(&mut self, count: usize) {
+        let packets = count.div_ceil(RAYS);
+        for plane in self.start.iter_mut().chain(&mut self.normal) {
+            plane.resize(packets * RAYS, 0.0);
+        }
+        self.present.clear();
+        self.present.resize(packets, 0);
+    }
+
+    pub fn set(&mut self, index: usize, start: DVec3, normal: DVec3) {
+        for axis in 0..3 {
+            self.start[axis][index] = start[axis];
+            self.normal[axis][index] = normal[axis];
+        }
+        self.present[index / RAYS] |= 1 << (index % RAYS);
+    }
+
+    /// The point, `clearance` away along its normal.
+    pub fn lifted(&self, index: usize, clearance: f64) -> DVec3 {
+        DVec3::from_array([0, 1, 2].map(|axis| self.start[axis][index] + self.normal[axis][index] * clearance))
+    }
+}
+
+/// Points of a block where the equation is evaluated at vertices or faces.
+pub const BLOCK: usize = 4096;
+
+/// Which source is seen from which point: blocks of points, each with a row of bits a source. A block is a row of pixels, or
+/// [`BLOCK`] vertices or faces.
+#[derive(Default)]
+pub struct Visibility {
+    pub words: Vec<u64>,
+    /// Words of one block.
+    pub block: usize,
+    /// Words of one source within a block.
+    pub stride: usize,
+}
+
+impl Visibility {
+    /// Room for `blocks` blocks of `points` points, none in shadow.
+    pub fn clear(&mut self, blocks: usize, points: usize, sources: usize) {
+        self.stride = points.div_ceil(64);
+        // One word more, since bits are read two words at a time.
+        self.block = sources * self.stride + 1;
+        self.words.clear();
+        self.words.resize(blocks * self.block, u64::MAX);
+    }
+
+    /// The bits from point `first` of a block on.
+    pub fn at(&self, block: usize, first: usize) -> Option<Reached<'_>> {
+        let words = self.words.get(block * self.block..(block + 1) * self.block)?;
+        (self.block > 0).then_some(Reached { words, stride: self.stride, first })
+    }
+}
+
+/// Sixteen vectors in single precision.
+pub type Vectors<S> = [f32x16<S>; 3];
+
+#[inline(always)]
+pub fn splat<S: Simd>(simd: S, v: Vec3) -> Vectors<S> {
+    [f32x16::splat(simd, v.x), f32x16::splat(simd, v.y), f32x16::splat(simd, v.z)]
+}
+
+#[inline(always)]
+pub fn load<S: Simd>(simd: S, x: &[f32; RAYS], y: &[f32; RAYS], z: &[f32; RAYS]) -> Vectors<S> {
+    [f32x16::from_slice(simd, x), f32x16::from_slice(simd, y), f32x16::from_slice(simd, z)]
+}
+
+#[inline(always)]
+pub fn bits<S: Simd>(mask: mask32x16<S>) -> u32 {
+    mask.to_bitmask() as u32
+}
+
+#[inline(always)]
+pub fn dot<S: Simd>(a: &Vectors<S>, b: &Vectors<S>) -> f32x16<S> {
+    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
+}
+
+#[inline(always)]
+pub fn sub<V: Copy + Sub<Output = V>>(a: &[V; 3], b: &[V; 3]) -> [V; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+pub fn cross<V: Copy + Mul<Output = V> + Sub<Output = V>>(a: &[V; 3], b: &[V; 3]) -> [V; 3] {
+    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
 }

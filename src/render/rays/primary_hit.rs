@@ -1,7 +1,7 @@
 //! What pixels see of the object, in double precision: where rays start.
 
 use super::solid::Solid;
-use crate::render::lens::Lens;
+use crate::render::lens::{Lens, pixel_centre};
 use crate::render::raster::{Band, BandPlace, Block, Fragment, Triangles, fragment, is_seen};
 use glam::{DVec2, DVec3};
 use std::ops::Range;
@@ -37,7 +37,7 @@ impl PrimaryHits<'_> {
     ) {
         if self.solid.surface.is_some() {
             for (x, row, fragment) in seen_fragments(place, band, fragments) {
-                each(x, row, self.of_fragment(pixel(x, place.first_row as usize + row), fragment));
+                each(x, row, self.of_fragment(pixel_centre(x, place.first_row as usize + row), fragment));
             }
             return;
         }
@@ -49,7 +49,7 @@ impl PrimaryHits<'_> {
             };
             let row = usize::from(run.row);
             for x in usize::from(run.x0)..usize::from(run.x1) {
-                each(x, row, facet.at(pixel(x, place.first_row as usize + row)));
+                each(x, row, facet.at(pixel_centre(x, place.first_row as usize + row)));
             }
         }
     }
@@ -100,11 +100,6 @@ fn seen_fragments<'a>(
     let seen = lines
         .flat_map(|(row, (line, extent))| extent.clone().map(move |x| (x as usize, row, fragment(line, x as usize))));
     seen.filter(|(_, _, fragment)| is_seen(*fragment))
-}
-
-/// The centre of a pixel.
-fn pixel(x: usize, y: usize) -> DVec2 {
-    DVec2::new(x as f64 + 0.5, y as f64 + 0.5)
 }
 
 /// One triangle of the model, seen through a lens: what is the same for all its pixels is worked out once.

@@ -4,8 +4,7 @@
 //! and ends outside must cross the surface. Margins are wider than the rounding; outside the range of sizes that they were
 //! derived for, the answer is "unknown".
 
-use super::packet::RAYS;
-use super::point_row::PointRow;
+use super::packet::{PointRow, RAYS, Vectors, bits, cross, dot, load, splat, sub};
 use crate::illumination::area_hull;
 use crate::scene::{AreaShape, Light};
 use fearless_simd::{f32x16, mask32x16, prelude::*};
@@ -18,8 +17,6 @@ const WIDER: f64 = 1.0 + 1e-5;
 /// Radii of the object and squares of lengths whose products stay far from the ends of single precision.
 const RADII: [f32; 2] = [1e-6, 1e9];
 const SQUARES: [f32; 2] = [1e-24, 1e24];
-
-type Vector<S> = [f32x16<S>; 3];
 
 /// A source as rays see it.
 #[derive(Clone, Copy)]
@@ -74,8 +71,8 @@ pub struct Balls {
 /// Sixteen points.
 pub struct Points<S: Simd> {
     /// Where their rays start, relative to the middle of the balls.
-    from: Vector<S>,
-    normal: Vector<S>,
+    from: Vectors<S>,
+    normal: Vectors<S>,
     /// From the middle of the balls.
     distance: f32x16<S>,
     /// How far the rounding may move a point of a ray.
@@ -111,33 +108,27 @@ impl<S: Simd> Points<S> {
             planes[6][lane] = ((heights[lane] + slopes[lane] * lift).max(least) - ground) as f32;
         }
         let [x, y, z, nx, ny, nz, above] = &planes;
-        let from = [lanes(simd, x), lanes(simd, y), lanes(simd, z)];
-        let normal = [lanes(simd, nx), lanes(simd, ny), lanes(simd, nz)];
+        let (from, above) = (load(simd, x, y, z), f32x16::from_slice(simd, above));
         let distance = dot(&from, &from).sqrt();
-        Self { from, normal, distance, error: (distance + balls.outer) * ROUNDINGS, above: lanes(simd, above) }
+        Self { from, normal: load(simd, nx, ny, nz), distance, error: (distance + balls.outer) * ROUNDINGS, above }
     }
 
     /// The ways to a source.
     #[inline(always)]
-    pub fn way_to(&self, simd: S, target: &Target) -> Vector<S> {
+    pub fn way_to(&self, simd: S, target: &Target) -> Vectors<S> {
         let place = target.place.as_vec3();
-        if target.parallel {
-            [f32x16::splat(simd, place.x), f32x16::splat(simd, place.y), f32x16::splat(simd, place.z)]
-        } else {
-            self.way_from(simd, place)
-        }
+        if target.parallel { splat(simd, place) } else { self.way_from(simd, place) }
     }
 
     /// The ways to a point.
     #[inline(always)]
-    fn way_from(&self, simd: S, to: Vec3) -> Vector<S> {
-        let [x, y, z] = self.from;
-        [f32x16::splat(simd, to.x) - x, f32x16::splat(simd, to.y) - y, f32x16::splat(simd, to.z) - z]
+    fn way_from(&self, simd: S, to: Vec3) -> Vectors<S> {
+        sub(&splat(simd, to), &self.from)
     }
 
     /// Which of the points face the source that lies this way.
     #[inline(always)]
-    pub fn facing(&self, simd: S, way: &Vector<S>) -> u32 {
+    pub fn facing(&self, simd: S, way: &Vectors<S>) -> u32 {
         bits(dot(way, &self.normal).simd_gt(f32x16::splat(simd, 0.0)))
     }
 
@@ -157,7 +148,7 @@ impl<S: Simd> Points<S> {
 
     /// Which of the rays certainly pass the balls, and which certainly meet the object within.
     #[inline(always)]
-    pub fn decide(&self, simd: S, way: &Vector<S>, target: &Target, balls: Balls) -> [u32; 2] {
+    pub fn decide(&self, simd: S, way: &Vectors<S>, target: &Target, balls: Balls) -> [u32; 2] {
         let most = if target.parallel { f32::INFINITY } else { 1.0 };
         let (square, sound) = self.approach(simd, way, most, balls);
         let outer = self.error + balls.outer;
@@ -170,7 +161,7 @@ impl<S: Simd> Points<S> {
     /// The squared distance from the middle at which rays pass it between t = 0 and t = `most`, where that is to be relied
     /// upon.
     #[inline(always)]
-    fn approach(&self, simd: S, way: &Vector<S>, most: f32, balls: Balls) -> (f32x16<S>, mask32x16<S>) {
+    fn approach(&self, simd: S, way: &Vectors<S>, most: f32, balls: Balls) -> (f32x16<S>, mask32x16<S>) {
         let length = dot(way, way);
         let t = (-dot(&self.from, way) / length).max(f32x16::splat(simd, 0.0)).min(f32x16::splat(simd, most));
         let [x, y, z] = self.from;
@@ -210,7 +201,7 @@ impl<S: Simd> Points<S> {
 
     /// For which of the points the ball lies beside the pyramid over a rectangle: beyond a plane through the shading point and an edge.
     #[inline(always)]
-    fn beside(&self, simd: S, area: &AreaLight, way: &Vector<S>, balls: Balls) -> mask32x16<S> {
+    fn beside(&self, simd: S, area: &AreaLight, way: &Vectors<S>, balls: Balls) -> mask32x16<S> {
         let one = f32x16::splat(simd, 1.0);
         let mut beside = mask32x16::splat(simd, false);
         let Some(last) = area.corners.last() else { return beside };
@@ -228,24 +219,4 @@ impl<S: Simd> Points<S> {
         }
         beside
     }
-}
-
-#[inline(always)]
-fn lanes<S: Simd>(simd: S, values: &[f32; RAYS]) -> f32x16<S> {
-    f32x16::from_slice(simd, values)
-}
-
-#[inline(always)]
-fn bits<S: Simd>(mask: mask32x16<S>) -> u32 {
-    mask.to_bitmask() as u32
-}
-
-#[inline(always)]
-fn dot<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> f32x16<S> {
-    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
-}
-
-#[inline(always)]
-fn cross<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
-    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
 }

@@ -2,14 +2,16 @@
 //!
 //! Sixteen points are asked about together. What [`super::proof`] cannot decide waits until it fills a packet of rays.
 
-use super::packet::{Packet, RAYS};
-use super::point_row::PointRow;
+use super::packet::{BLOCK, Packet, PointRow, RAYS, Visibility};
+use super::primary_hit::{PrimaryHit, PrimaryHits};
 use super::proof::{AreaLight, Balls, Points, Target};
 use super::solid::Solid;
 use crate::illumination::Equation;
+use crate::render::raster::{Coverage, ROWS};
 use crate::scene::{Backfacing, LightKind, Scene};
-use fearless_simd::Simd;
+use fearless_simd::{Simd, dispatch};
 use glam::DVec3;
+use rayon::prelude::*;
 use std::ops::Range;
 
 /// From how many times the light's distance a shadow ray is followed from the light to the point: the rounding of a place so far
@@ -116,9 +118,53 @@ impl<'a> ShadowCaster<'a> {
 
     /// Whether it is plain that every source reaches every point: a convex solid shadows nothing on itself that faces a
     /// source, and no floor parts them.
-    pub fn reaches_all(&self) -> bool {
+    fn reaches_all(&self) -> bool {
         let above = |ground: f64| self.least_height() >= ground && self.targets.iter().all(|target| target.rise > 0.0);
         self.own && !self.flip && self.solid.is_convex() && self.ground.is_none_or(above)
+    }
+
+    /// Marks which sources are seen from which pixels, a block of bits a row.
+    pub fn mark_pixels(&self, coverage: Coverage<'_>, hits: &PrimaryHits<'_>, visibility: &mut Visibility) {
+        let [width, height] = coverage.size.map(|side| side as usize);
+        visibility.clear(height, width, self.targets.len());
+        if self.reaches_all() {
+            return;
+        }
+        let (block, stride) = (visibility.block, visibility.stride);
+        let bands = visibility.words.par_chunks_mut(ROWS * block).zip(coverage.parts());
+        bands.for_each_init(
+            <(Vec<PointRow>, Waiting)>::default,
+            |(rows, waiting), (words, (place, band, fragments))| {
+                rows.resize_with(ROWS, PointRow::default);
+                rows.iter_mut().for_each(|row| row.clear(width));
+                hits.walk(place, band, fragments, |x, row, PrimaryHit { normal, lifted, .. }| {
+                    rows[row].set(x, self.relative(lifted), normal);
+                });
+                for (row, words) in rows.iter().zip(words.chunks_mut(block)) {
+                    dispatch!(self.solid.level, simd => self.mark_row(simd, row, stride, words, waiting));
+                }
+            },
+        );
+    }
+
+    /// Marks which sources are seen from which of `count` vertices or faces; `point` gives a point, world, and its normal.
+    pub fn mark_points(
+        &self,
+        count: usize,
+        point: impl Fn(usize) -> (DVec3, DVec3) + Sync,
+        visibility: &mut Visibility,
+    ) {
+        visibility.clear(count.div_ceil(BLOCK), BLOCK, self.targets.len());
+        let (block, stride) = (visibility.block, visibility.stride);
+        let chunks = visibility.words.par_chunks_mut(block).enumerate();
+        chunks.for_each_init(<(PointRow, Waiting)>::default, |(row, waiting), (chunk, words)| {
+            row.clear(BLOCK);
+            for index in 0..BLOCK.min(count - chunk * BLOCK) {
+                let (point, normal) = point(chunk * BLOCK + index);
+                row.set(index, self.relative(point), normal);
+            }
+            dispatch!(self.solid.level, simd => self.mark_row(simd, row, stride, words, waiting));
+        });
     }
 
     /// A point of the world as rows hold it.

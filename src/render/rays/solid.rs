@@ -17,6 +17,7 @@ const CLEAR_OF_SURFACE: f64 = 1e-5;
 /// The object as rays see it.
 #[derive(Clone, Copy)]
 pub struct Solid<'a> {
+    pub level: Level,
     pub model: &'a Model,
     pub bvh: &'a Bvh,
     /// The true surface, if that is drawn.
@@ -86,7 +87,7 @@ impl Solid<'_> {
 
     /// The first point of the object on each of the rays whose bits are set in `asked`; the rays are relative to the ball's
     /// middle. Calls `each` with the ray and what it meets.
-    pub fn nearest(&self, level: Level, packet: &Packet, asked: u32, mut each: impl FnMut(usize, Option<SolidHit>)) {
+    pub fn nearest(&self, packet: &Packet, asked: u32, mut each: impl FnMut(usize, Option<SolidHit>)) {
         let (middle, _) = self.ball();
         if let Some(surface) = self.surface {
             for ray in rays_of(asked) {
@@ -98,7 +99,7 @@ impl Solid<'_> {
             }
             return;
         }
-        let nearest = dispatch!(level, simd => self.bvh.nearest(simd, packet, asked));
+        let nearest = dispatch!(self.level, simd => self.bvh.nearest(simd, packet, asked));
         for ray in rays_of(asked) {
             let (origin, direction, _) = packet.ray(ray);
             each(ray, nearest.of(ray).map(|meeting| self.hit(middle + origin, direction, meeting)));

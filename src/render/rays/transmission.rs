@@ -1,14 +1,15 @@
-//! Light through the object: a ray refracted at the surface, or through the whole solid.
+//! What pixels see past the object, and through it: rays refracted at the surface, or through the whole solid.
 
-use super::diffuse::{DiffuseSurface, LightScratch};
+use super::floor::FloorScratch;
 use super::packet::{Packet, RAYS};
 use super::primary_hit::PrimaryHit;
-use super::solid::Solid;
-use super::surroundings::{Beyond, Surroundings};
+use super::world::{Beyond, LightScratch, World, in_range};
 use crate::illumination::{mirror, refract};
-use crate::scene::{Rgb, Scene, Through, Transparency};
-use fearless_simd::Level;
-use glam::DVec3;
+use crate::render::raster::{Coverage, ROWS};
+use crate::scene::{Rgb, Through};
+use fearless_simd::dispatch;
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
 
 /// Surfaces that a ray passes or is mirrored at before what it carries counts for nothing.
 const MOST_EVENTS: u32 = 16;
@@ -26,48 +27,42 @@ pub struct Transmission {
     pub seen: Rgb,
 }
 
-/// What light passes through.
-pub struct Glass<'a> {
-    solid: Solid<'a>,
-    surroundings: &'a Surroundings,
-    floor: &'a DiffuseSurface<'a>,
-    eta: f64,
-    through: Through,
+#[derive(Clone, Copy)]
+struct Path {
+    point: DVec3,
+    direction: DVec3,
+    told: Transmission,
 }
 
-impl<'a> Glass<'a> {
-    pub fn new(scene: &Scene, solid: Solid<'a>, surroundings: &'a Surroundings, floor: &'a DiffuseSurface<'a>) -> Self {
-        let Transparency { ior: eta, through, .. } = scene.transparency;
-        Self { solid, surroundings, floor, eta, through }
-    }
-
-    /// Follows as many rays at once as a packet has: each travels along its direction, unit, and meets the surface at the hit
-    /// beside it. Calls `each` with what they do.
+impl World<'_> {
+    /// Follows as many rays at once as a packet has: each travels along its direction, unit, and meets the surface at its hit.
+    /// Calls `each` with a ray's number and what it does.
     pub fn transmit(
         &self,
-        level: Level,
-        rays: &[(PrimaryHit, DVec3)],
+        rays: &[(usize, PrimaryHit, DVec3)],
         scratch: &mut LightScratch,
         mut each: impl FnMut(usize, Transmission),
     ) {
+        let solid = &self.hits.solid;
         let none = Transmission { t: None, refractions: 0, total_reflections: 0, seen: Rgb::ZERO };
         let mut paths = [Path { point: DVec3::ZERO, direction: DVec3::X, told: none }; RAYS];
-        for (path, (hit, incident)) in paths.iter_mut().zip(rays) {
+        for (path, (_, hit, incident)) in paths.iter_mut().zip(rays) {
             (path.point, path.direction) = (hit.point, *incident);
             path.told.t = self.pass(path, hit.normal);
         }
         let mut packet = Packet::default();
-        let (middle, _) = self.solid.ball();
-        let mut inside = if self.through == Through::Solid { u32::MAX >> (32 - rays.len().clamp(1, RAYS)) } else { 0 };
-        let convex = self.solid.is_convex();
+        let (middle, _) = solid.ball();
+        let whole = self.scene.transparency.through == Through::Solid;
+        let mut inside = if whole { u32::MAX >> (32 - rays.len().clamp(1, RAYS)) } else { 0 };
+        let convex = solid.is_convex();
         let mut lost = 0_u32;
         while inside != 0 {
             for (ray, path) in paths.iter().enumerate() {
-                let start = path.point + path.direction * self.solid.clearance() - middle;
-                packet.set(ray, self.solid.past_inner_ball(start, path.direction), path.direction, f64::INFINITY);
+                let start = path.point + path.direction * solid.clearance() - middle;
+                packet.set(ray, solid.past_inner_ball(start, path.direction), path.direction, f64::INFINITY);
             }
             let mut on = 0;
-            self.solid.nearest(level, &packet, inside, |ray, hit| {
+            solid.nearest(&packet, inside, |ray, hit| {
                 let (Some(hit), path) = (hit, &mut paths[ray]) else { return };
                 path.point = hit.point;
                 self.pass(path, hit.normal);
@@ -82,7 +77,7 @@ impl<'a> Glass<'a> {
         let mut on_floor = [(0, (DVec3::ZERO, DVec3::Y)); RAYS];
         let mut count = 0;
         for (ray, path) in paths.iter_mut().enumerate().take(rays.len()).filter(|(ray, _)| lost >> ray & 1 == 0) {
-            match self.surroundings.meet(path.point, path.direction) {
+            match self.meet(path.point, path.direction) {
                 Beyond::Elsewhere(color) => path.told.seen = color,
                 Beyond::Floor(point) => {
                     on_floor[count] = (ray, (point, DVec3::Y));
@@ -91,18 +86,18 @@ impl<'a> Glass<'a> {
             }
         }
         let points = on_floor.map(|(_, point)| point);
-        self.floor.light(level, &points[..count], scratch, |index, color| paths[on_floor[index].0].told.seen = color);
-        paths.iter().take(rays.len()).enumerate().for_each(|(ray, path)| each(ray, path.told));
+        self.floor.light(&points[..count], scratch, |index, color| paths[on_floor[index].0].told.seen = color);
+        rays.iter().zip(&paths).for_each(|((number, ..), path)| each(*number, path.told));
     }
 
     /// Refracts the path at a surface whose outward normal is `n`, or mirrors it where it cannot leave.
     fn pass(&self, path: &mut Path, n: DVec3) -> Option<DVec3> {
-        let enters = path.direction.dot(n) <= 0.0;
+        let (eta, enters) = (self.scene.transparency.ior, path.direction.dot(n) <= 0.0);
         // A single surface has the same medium before it whichever way it is turned.
-        let (n, eta) = match (enters, self.through) {
-            (true, _) => (n, self.eta),
-            (false, Through::Solid) => (-n, 1.0 / self.eta),
-            (false, Through::Surface) => (-n, self.eta),
+        let (n, eta) = match (enters, self.scene.transparency.through) {
+            (true, _) => (n, eta),
+            (false, Through::Solid) => (-n, 1.0 / eta),
+            (false, Through::Surface) => (-n, eta),
         };
         let refracted = refract(path.direction, n, eta);
         match refracted {
@@ -112,11 +107,49 @@ impl<'a> Glass<'a> {
         path.direction = refracted.unwrap_or_else(|| mirror(path.direction, n));
         refracted
     }
-}
 
-#[derive(Clone, Copy)]
-struct Path {
-    point: DVec3,
-    direction: DVec3,
-    told: Transmission,
+    /// What each pixel sees past the object, and behind its surface where light passes through that.
+    pub fn see_background(&self, coverage: Coverage<'_>, seen: &mut Vec<Vec3>) {
+        let (hits, passes) = (&self.hits, self.scene.transparency.kt > 0.0);
+        let width = coverage.size[0] as usize;
+        seen.clear();
+        seen.resize(width * coverage.size[1] as usize, Vec3::NAN);
+        let parts = seen.par_chunks_mut(ROWS * width).zip(coverage.parts());
+        parts.for_each_init(<(LightScratch, FloorScratch)>::default, |(scratch, floor_scratch), (part, job)| {
+            let (place, band, fragments) = job;
+            let first_row = place.first_row as usize;
+            hits.walk_covered(place, band, fragments, |row, columns| {
+                part[row * width..(row + 1) * width][columns].fill(Vec3::ZERO);
+            });
+            if passes {
+                let mut follow = |rays: &mut Vec<_>| {
+                    self.transmit(rays, scratch, |pixel, path| part[pixel] = in_range(path.seen));
+                    rays.clear();
+                };
+                let mut waiting = Vec::with_capacity(RAYS);
+                hits.walk(place, band, fragments, |x, row, hit| {
+                    waiting.push((row * width + x, hit, hits.lens.eye_ray(x, first_row + row).1));
+                    if waiting.len() == RAYS {
+                        follow(&mut waiting);
+                    }
+                });
+                if !waiting.is_empty() {
+                    follow(&mut waiting);
+                }
+            }
+            for (y, line) in (first_row..).zip(part.chunks_mut(width)) {
+                dispatch!(hits.solid.level, simd => self.light_row(simd, y, line, floor_scratch));
+                self.fill_row(y, line);
+                for (x, pixel) in line.iter_mut().enumerate().filter(|(_, pixel)| pixel.is_nan()) {
+                    let (origin, direction) = hits.lens.eye_ray(x, y);
+                    match self.meet(origin, direction) {
+                        Beyond::Elsewhere(color) => *pixel = in_range(color),
+                        Beyond::Floor(point) => {
+                            self.floor.light(&[(point, DVec3::Y)], scratch, |_, color| *pixel = in_range(color));
+                        }
+                    }
+                }
+            }
+        });
+    }
 }

@@ -5,7 +5,7 @@
 //! precision, so that the answers depend neither on the SIMD level nor on which rays go together.
 
 use super::bvh::{Bvh, Node, STACK};
-use super::packet::{Packet, RAYS};
+use super::packet::{self, Packet, RAYS, Vectors, bits, cross, load, sub};
 use fearless_simd::{f32x16, f64x8, prelude::*};
 use glam::{DVec3, Vec3};
 
@@ -28,7 +28,6 @@ pub struct Meeting {
     pub weights: [f64; 2],
 }
 
-type Near<S> = [f32x16<S>; 3];
 type Exact<S> = [f64x8<S>; 3];
 
 impl Bvh {
@@ -193,12 +192,12 @@ fn starts(packet: &Packet, radius: f64) -> [f64; RAYS] {
 /// A packet in single precision.
 struct Rays<S: Simd> {
     /// The origin moved by the widening of the boxes, for their low sides and for their high ones.
-    from_low: Near<S>,
-    from_high: Near<S>,
-    inverse: Near<S>,
+    from_low: Vectors<S>,
+    from_high: Vectors<S>,
+    inverse: Vectors<S>,
     limit: f32x16<S>,
-    origin: Near<S>,
-    direction: Near<S>,
+    origin: Vectors<S>,
+    direction: Vectors<S>,
     /// What a triple product of direction, an edge and the way from a corner may be wrong by, over the edge's length.
     error: f32x16<S>,
     /// The same for the product that gives the distance, over the square of the edge's length.
@@ -216,7 +215,6 @@ impl<S: Simd> Rays<S> {
 
     /// `radius` is that of a ball about the model's origin that holds every corner.
     #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, reason = "rounded to single precision, with room for it")]
     fn new(simd: S, packet: &Packet, radius: f64) -> Self {
         let start = starts(packet, radius);
         let [mut widening, mut distance, mut speed, mut lost] = [[0.0_f64; RAYS]; 4];
@@ -256,11 +254,11 @@ impl<S: Simd> Rays<S> {
             errors[1][ray] = error as f32;
         }
         let mut rays = Self {
-            from_low: load(simd, &low),
-            from_high: load(simd, &high),
-            inverse: load(simd, &inverse),
-            origin: load(simd, &near),
-            direction: load(simd, &way),
+            from_low: load(simd, &low[0], &low[1], &low[2]),
+            from_high: load(simd, &high[0], &high[1], &high[2]),
+            inverse: load(simd, &inverse[0], &inverse[1], &inverse[2]),
+            origin: load(simd, &near[0], &near[1], &near[2]),
+            direction: load(simd, &way[0], &way[1], &way[2]),
             limit: f32x16::splat(simd, 0.0),
             error: f32x16::from_slice(simd, &errors[0]),
             depth_error: f32x16::from_slice(simd, &errors[1]),
@@ -272,7 +270,6 @@ impl<S: Simd> Rays<S> {
 
     /// Ends the rays at `t`, with room for rounding.
     #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, reason = "rounded to single precision, with room for it")]
     fn end_at(&mut self, simd: S, t: &[f64; RAYS]) {
         let mut limit = [0.0_f32; RAYS];
         for ray in 0..RAYS {
@@ -300,19 +297,14 @@ impl<S: Simd> Rays<S> {
     fn pass_near(&self, simd: S, &[a, b, c]: &[Vec3; 3]) -> u32 {
         let (e1, e2) = (b - a, c - a);
         let longest = e1.length().max(e2.length());
-        let from = [
-            self.origin[0] - f32x16::splat(simd, a.x),
-            self.origin[1] - f32x16::splat(simd, a.y),
-            self.origin[2] - f32x16::splat(simd, a.z),
-        ];
-        let (e1, e2) = (splat_near(simd, e1), splat_near(simd, e2));
-        let p = cross_near(&self.direction, &e2);
-        let q = cross_near(&from, &e1);
-        let determinant = dot_near(&e1, &p);
+        let from = sub(&self.origin, &packet::splat(simd, a));
+        let (e1, e2) = (packet::splat(simd, e1), packet::splat(simd, e2));
+        let (p, q) = (cross(&self.direction, &e2), cross(&from, &e1));
+        let determinant = packet::dot(&e1, &p);
         let one = f32x16::splat(simd, 1.0).copysign(determinant);
         let size = determinant.abs();
-        let (w1, w2) = (dot_near(&from, &p) * one, dot_near(&self.direction, &q) * one);
-        let t = dot_near(&e2, &q) * one;
+        let (w1, w2) = (packet::dot(&from, &p) * one, packet::dot(&self.direction, &q) * one);
+        let t = packet::dot(&e2, &q) * one;
         let error = self.error * longest;
         let depth_error = self.depth_error * (longest * longest);
         let beside = w1.simd_lt(-error) | w2.simd_lt(-error) | (w1 + w2).simd_gt(size + error * 3.0);
@@ -344,7 +336,7 @@ fn meet_half<S: Simd>(simd: S, packet: &Packet, limit: &[f64; RAYS], corners: &[
     let (e1, e2, corner) = (splat(simd, b - a), splat(simd, c - a), splat(simd, a));
     let direction = half(simd, &packet.direction, first);
     let origin = half(simd, &packet.origin, first);
-    let from = [origin[0] - corner[0], origin[1] - corner[1], origin[2] - corner[2]];
+    let from = sub(&origin, &corner);
     let p = cross(&direction, &e2);
     let determinant = dot(&e1, &p);
     let inverse = f64x8::splat(simd, 1.0) / determinant;
@@ -361,31 +353,6 @@ fn meet_half<S: Simd>(simd: S, packet: &Packet, limit: &[f64; RAYS], corners: &[
 }
 
 #[inline(always)]
-fn bits<S: Simd>(mask: fearless_simd::mask32x16<S>) -> u32 {
-    mask.to_bitmask() as u32
-}
-
-#[inline(always)]
-fn load<S: Simd>(simd: S, planes: &[[f32; RAYS]; 3]) -> Near<S> {
-    [f32x16::from_slice(simd, &planes[0]), f32x16::from_slice(simd, &planes[1]), f32x16::from_slice(simd, &planes[2])]
-}
-
-#[inline(always)]
-fn splat_near<S: Simd>(simd: S, v: Vec3) -> Near<S> {
-    [f32x16::splat(simd, v.x), f32x16::splat(simd, v.y), f32x16::splat(simd, v.z)]
-}
-
-#[inline(always)]
-fn cross_near<S: Simd>(a: &Near<S>, b: &Near<S>) -> Near<S> {
-    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
-}
-
-#[inline(always)]
-fn dot_near<S: Simd>(a: &Near<S>, b: &Near<S>) -> f32x16<S> {
-    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
-}
-
-#[inline(always)]
 fn half<S: Simd>(simd: S, planes: &[[f64; RAYS]; 3], first: usize) -> Exact<S> {
     [
         f64x8::from_slice(simd, &planes[0][first..first + HALF]),
@@ -397,11 +364,6 @@ fn half<S: Simd>(simd: S, planes: &[[f64; RAYS]; 3], first: usize) -> Exact<S> {
 #[inline(always)]
 fn splat<S: Simd>(simd: S, v: DVec3) -> Exact<S> {
     [f64x8::splat(simd, v.x), f64x8::splat(simd, v.y), f64x8::splat(simd, v.z)]
-}
-
-#[inline(always)]
-fn cross<S: Simd>(a: &Exact<S>, b: &Exact<S>) -> Exact<S> {
-    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
 }
 
 #[inline(always)]

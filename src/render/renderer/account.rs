@@ -60,19 +60,11 @@ const SURFACE: &str = "rays meet the true surface";
 impl Account<'_> {
     /// All terms and steps, in the order of the stages.
     pub fn terms(&self) -> Vec<Term> {
-        let mut terms = self.geometry();
-        terms.extend(self.coverage());
-        terms.extend(self.rays());
-        let (before, after) = (self.equation(), self.interpolation());
+        let mut shading = [self.equation(), self.interpolation()];
         if self.plan.per == Per::Pixel {
-            terms.extend(after);
-            terms.extend(before);
-        } else {
-            terms.extend(before);
-            terms.extend(after);
+            shading.reverse();
         }
-        terms.extend(self.display());
-        terms
+        [self.geometry(), self.coverage(), self.rays(), shading.concat(), self.display()].concat()
     }
 
     fn term(&self, stage: Stage, name: &str, (per, evaluations): (Per, u64), omitted: Option<&'static str>) -> Term {
@@ -85,7 +77,7 @@ impl Account<'_> {
         let backs = self.backs;
         let surface = self.plan.true_surface.then_some(SURFACE);
         let whole = (clipped == 0).then_some("nothing in sight crosses the near plane");
-        let culled = if self.plan.cull { Some("a closed solid hides them") } else { None };
+        let culled = self.plan.cull.then_some("a closed solid hides them");
         let none = (backs == 0).then_some("none is in the picture");
         let mesh = if self.scene.object.kind == ObjectKind::Obj { "vertices of the model" } else { "tessellation" };
         let transform = |name, count, omitted| self.term(Stage::Transform, name, count, omitted);
@@ -119,12 +111,14 @@ impl Account<'_> {
         let (per, points) = self.shading_points();
         let shadows = (!self.plan.shadows)
             .then(|| casts_shadows(scene, self.facts, &self.plan.lights).unwrap_or("nothing casts a shadow"));
+        let lights = scene.lights.iter().zip(&self.plan.lights).filter(|(_, kept)| **kept);
+        let sources: u64 = lights.map(|(light, _)| u64::from(light.sample_count().max(1))).sum();
         let opaque = (scene.transparency.kt == 0.0).then_some("Kt is 0");
         let plain = (!self.plan.composes).then_some("the background is plain");
         let constant = (scene.ambient.source == AmbientSource::Constant).then_some("Ia is constant");
         let term = |name, count, omitted| self.term(Stage::Rays, name, count, omitted);
         vec![
-            term("shadows", (per, points * self.sources().iter().sum::<u64>()), shadows)
+            term("shadows", (per, points * sources), shadows)
                 .noted("one question a source; rays that are proven free are not followed"),
             term("transmission", (Per::Pixel, self.report.covered), opaque),
             term("surroundings", (Per::Pixel, self.pixels() - self.report.covered.min(self.pixels())), plain),
@@ -136,17 +130,19 @@ impl Account<'_> {
     /// The equation, wherever it is evaluated.
     fn equation(&self) -> Vec<Term> {
         let (scene, kept) = (self.scene, !self.plan.leaves_out);
-        let stage = self.stage();
         let count = self.shading_points();
-        let term = |name: &str, count, omitted| self.term(stage, name, count, omitted);
+        let term = |name: &str, count, omitted| self.term(self.stage(), name, count, omitted);
         let dark = (!self.plan.lights.contains(&true)).then_some(NO_LIGHT);
-        let equation = self.prepared();
+        let mut equation = Equation::<f64>::new(scene);
+        equation.retain_lights(|light| self.plan.lights[light]);
         let no_specular = (equation.form() == SpecularForm::None && !kept).then(|| no_specular(&scene.material));
         let infinite = scene.camera.viewer == Viewer::Infinite;
         let constant = (scene.pattern.kind == PatternKind::None).then_some("one colour everywhere");
         let clamped = (scene.reflection.backfacing == Backfacing::Clamp).then_some("surfaces turned away get none");
+        let unit = (self.plan.per != Per::Pixel).then_some("unit vectors by construction");
+        let short = (!self.plan.renormalise).then_some("switched off");
         let mut terms = vec![
-            term("N of unit length", count, self.unit_normals()),
+            term("N of unit length", count, unit.or(short)),
             term("place of the point", count, None),
             term("V", if infinite { (Per::Frame, 1) } else { count }, dark.or(no_specular)),
             term("pattern", count, constant),
@@ -169,13 +165,6 @@ impl Account<'_> {
             terms.extend(self.light(light, &equation, no_specular));
         }
         terms
-    }
-
-    /// The equation as it is evaluated.
-    fn prepared(&self) -> Equation<f64> {
-        let mut equation = Equation::new(self.scene);
-        equation.retain_lights(|light| self.plan.lights[light]);
-        equation
     }
 
     /// What the equation asks of one light.
@@ -253,14 +242,6 @@ impl Account<'_> {
         ]
     }
 
-    /// Why normals are not made unit vectors.
-    fn unit_normals(&self) -> Option<&'static str> {
-        if self.plan.per != Per::Pixel {
-            return Some("unit vectors by construction");
-        }
-        (!self.plan.renormalise).then_some("switched off")
-    }
-
     /// The stage that evaluates the equation.
     fn stage(&self) -> Stage {
         if self.plan.per == Per::Pixel { Stage::PixelShading } else { Stage::VertexShading }
@@ -270,16 +251,6 @@ impl Account<'_> {
     fn shading_points(&self) -> (Per, u64) {
         let Report { points, covered, .. } = *self.report;
         (self.plan.per, if self.plan.per == Per::Pixel { covered } else { points })
-    }
-
-    /// How many sources each light has that is not left out.
-    fn sources(&self) -> Vec<u64> {
-        let samples = |light: &crate::scene::Light| match light.kind {
-            LightKind::Area => u64::from(light.samples.max(1)),
-            _ => 1,
-        };
-        let lights = self.scene.lights.iter().zip(&self.plan.lights);
-        lights.filter(|(_, kept)| **kept).map(|(light, _)| samples(light)).collect()
     }
 
     fn pixels(&self) -> u64 {

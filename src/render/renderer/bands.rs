@@ -1,22 +1,21 @@
 //! Coverage, interpolation and shading, band by band: a band goes through all three while it is in a core's cache.
 
 use super::display::{Linear, stored_pixel};
-use super::plan::{Per, Plan};
-use super::reference::{Evaluation, Reference};
+use super::inputs::Inputs;
+use super::plan::Per;
+use super::reference::Evaluation;
 use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
-use crate::geometry::Surface;
-use crate::illumination::{Equation, FormTask, Specular};
-use crate::render::lens::Lens;
-use crate::render::memory::{Holds, Memory, room};
+use crate::illumination::Equation;
+use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
+use crate::render::node::{Memory, room};
 use crate::render::raster::{
-    BAND, Band, BandPlace, Bins, Block, CarriedValues, DepthScratch, Fragment, ROWS, Rule, Triangles, fragment,
-    interpolate, is_seen, meet_band,
+    BAND, Band, BandPlace, Bins, Block, CarriedValues, DepthScratch, Fragment, ROWS, Rule, fragment, interpolate,
+    is_seen, meet_band,
 };
-use crate::render::rays::Visibility;
-use crate::scene::{FlatAt, Scene};
-use fearless_simd::{Level, Simd, dispatch};
-use glam::DVec2;
+use crate::scene::FlatAt;
+use crate::with_form;
+use fearless_simd::{Simd, dispatch};
 use rayon::prelude::*;
 use std::cell::RefCell;
 
@@ -29,9 +28,10 @@ pub struct Interpolated {
     pub fragments: Vec<Block>,
 }
 
-impl Holds for Interpolated {
-    fn memory(&self) -> Memory {
-        Memory { vertices: room(&self.carried), triangles: 0, pixels: room(&self.fragments) }
+impl Interpolated {
+    pub fn count(&self, memory: &mut Memory) {
+        memory.vertices += room(&self.carried);
+        memory.pixels += room(&self.fragments);
     }
 }
 
@@ -68,18 +68,12 @@ impl Tally {
 /// What the bands are drawn from.
 #[derive(Clone, Copy)]
 pub struct BandPainter<'a> {
-    pub level: Level,
+    pub inputs: Inputs<'a>,
     pub clock: fn() -> u64,
-    pub scene: &'a Scene,
-    pub plan: &'a Plan,
-    pub lens: &'a Lens,
     pub equation: &'a Equation<f32>,
-    pub surface: Option<&'a Surface>,
-    pub triangles: Triangles<'a>,
     pub bins: &'a Bins,
+    /// At vertices or faces.
     pub intensity: &'a Planes,
-    /// Which sources are seen from which pixels, where there are shadows.
-    pub visibility: Option<&'a Visibility>,
     pub stale: Stale,
     /// Whether the bands are shaded, or covered and interpolated only.
     pub shades: bool,
@@ -105,16 +99,17 @@ impl BandPainter<'_> {
     /// Runs what is stale. Times are summed over the threads and divided by their number.
     pub fn run(&self, bands: &mut Vec<Band>, interpolated: &mut Interpolated, canvas: Canvas<'_>) -> Tally {
         let began = (self.clock)();
-        let [width, height] = self.scene.image.size;
+        let Inputs { level, plan, triangles, .. } = self.inputs;
+        let [width, height] = self.inputs.scene.image.size;
         let Interpolated { carried, fragments } = interpolated;
         bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
-        let blocks = if self.plan.keeps_fragments() { Block::count(width) * height as usize } else { 0 };
+        let blocks = if plan.keeps_fragments() { Block::count(width) * height as usize } else { 0 };
         fragments.resize(blocks, Block::GAP);
-        if self.stale.interpolation && self.plan.interpolates() {
-            let planes = if self.plan.per == Per::Pixel { &self.triangles.model.normal } else { self.intensity };
-            let by_key = self.plan.carries && self.plan.perspective;
+        if self.stale.interpolation && plan.interpolates() {
+            let planes = if plan.per == Per::Pixel { &triangles.model.normal } else { self.intensity };
+            let by_key = plan.carries && plan.perspective;
             let values = CarriedValues { planes: planes.each_ref().map(Vec::as_slice), by_key };
-            values.carry(self.level, carried, &self.triangles);
+            values.carry(level, carried, &triangles);
         }
         let carrying = (self.clock)().saturating_sub(began);
         let jobs = jobs(bands, fragments, canvas, [width, height]).into_par_iter();
@@ -126,11 +121,12 @@ impl BandPainter<'_> {
 
     /// Whether fragments are to be made: those that are kept are as good as what they are made from.
     pub fn interpolates(&self) -> bool {
-        self.plan.interpolates() && if self.plan.keeps_fragments() { self.stale.interpolation } else { self.shades }
+        let plan = self.inputs.plan;
+        plan.interpolates() && if plan.keeps_fragments() { self.stale.interpolation } else { self.shades }
     }
 
     fn paint(&self, job: Job<'_>, carried: &[Fragment]) -> Tally {
-        if !self.plan.has_fragments() || self.plan.keeps_fragments() {
+        if !self.inputs.plan.has_fragments() || self.inputs.plan.keeps_fragments() {
             return self.paint_with(job, carried);
         }
         FRAGMENTS.with_borrow_mut(|fragments| {
@@ -153,9 +149,9 @@ impl BandPainter<'_> {
         }
         if self.interpolates() {
             let Job { place, band, fragments, .. } = &mut job;
-            let rule = if self.plan.scanline { Rule::Scanline } else { Rule::Steps };
-            let sources = (self.triangles, carried);
-            dispatch!(self.level, simd => interpolate(simd, *place, band, sources, rule, fragments));
+            let rule = if self.inputs.plan.scanline { Rule::Scanline } else { Rule::Steps };
+            let sources = (self.inputs.triangles, carried);
+            dispatch!(self.inputs.level, simd => interpolate(simd, *place, band, sources, rule, fragments));
             lap(1);
         }
         let overflowing = if self.shades { self.shade(&mut job) } else { 0 };
@@ -165,35 +161,33 @@ impl BandPainter<'_> {
 
     fn cover(&self, job: &mut Job<'_>) {
         let Job { place, index, band, fragments, .. } = job;
-        if self.plan.true_surface {
-            if let Some(surface) = self.surface {
-                meet_band(self.lens, surface, *place, band, fragments);
+        let Inputs { level, plan, lens, triangles, surface, .. } = self.inputs;
+        if plan.true_surface {
+            if let Some(surface) = surface {
+                meet_band(lens, surface, *place, band, fragments);
             }
             return;
         }
         let list = self.bins.band(*index);
-        let triangles = &self.triangles;
-        if self.plan.depth_test {
+        if plan.depth_test {
             DEPTH.with_borrow_mut(|scratch| {
-                dispatch!(self.level, simd => vectorised(simd, #[inline(always)] || {
-                    band.cover_nearest(*place, triangles, list, scratch);
+                dispatch!(level, simd => vectorised(simd, #[inline(always)] || {
+                    band.cover_nearest(*place, &triangles, list, scratch);
                 }));
             });
         } else {
-            dispatch!(self.level, simd => vectorised(simd, #[inline(always)] || {
-                band.cover_directly(*place, triangles, list);
+            dispatch!(level, simd => vectorised(simd, #[inline(always)] || {
+                band.cover_directly(*place, &triangles, list);
             }));
         }
     }
 
     /// Shades a band; returns how many pixels overflow.
     fn shade(&self, job: &mut Job<'_>) -> u64 {
-        let display = &self.scene.display;
-        let background = self.scene.image.background;
+        let encoding = self.inputs.scene.display.encoding;
+        let background = self.inputs.scene.image.background;
         if job.linear.is_empty() {
-            let background = stored_pixel(background, display.encoding);
-            let encoding = display.encoding;
-            let target = Stored { pixels: &mut *job.pixels, background, encoding };
+            let target = Stored { pixels: &mut *job.pixels, background: stored_pixel(background, encoding), encoding };
             self.shade_into(job.place, job.band, job.fragments, target)
         } else {
             let [r, g, b] = background.as_vec3().to_array();
@@ -203,17 +197,22 @@ impl BandPainter<'_> {
     }
 
     fn shade_into(&self, place: BandPlace, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
-        if self.plan.pixels_in_double() {
+        let Inputs { level, plan, lens, visibility, .. } = self.inputs;
+        if plan.pixels_in_double() {
             return self.shade_in_double(place, band, fragments, target);
         }
-        if !self.plan.has_fragments() {
-            return dispatch!(self.level, simd => self.fill_faces(simd, place, band, target));
+        if !plan.has_fragments() {
+            return dispatch!(level, simd => self.fill_faces(simd, place, band, target));
         }
-        if self.plan.per != Per::Pixel {
-            let carried = Carried { by_key: self.plan.carries && self.plan.perspective };
-            return dispatch!(self.level, simd => shade(simd, place, &band.extents, fragments, carried, &mut target));
+        if plan.per != Per::Pixel {
+            let carried = Carried { by_key: plan.carries && plan.perspective };
+            return dispatch!(level, simd => shade(simd, place, &band.extents, fragments, carried, &mut target));
         }
-        self.equation.form().dispatch(ShadePixels { painter: self, place, band, fragments, target })
+        let by_key = plan.perspective && !plan.true_surface;
+        with_form!(self.equation.form(), F => {
+            let evaluated = Evaluated::<F>::new(self.equation, lens, by_key, plan.renormalise, visibility);
+            dispatch!(level, simd => shade(simd, place, &band.extents, fragments, evaluated, &mut target))
+        })
     }
 
     /// Flat shading: each run in its face's colour.
@@ -244,14 +243,14 @@ impl BandPainter<'_> {
 
     #[inline(always)]
     fn face_intensity(&self, triangle: u32) -> [f32; 3] {
+        let Inputs { triangles, scene, .. } = &self.inputs;
         let at = |point: u32| self.intensity.each_ref().map(|plane| plane[point as usize]);
-        let face = self.triangles.face(triangle);
-        let corners = self.triangles.model.face(face);
-        match self.scene.shading.flat_at {
+        let face = triangles.face(triangle);
+        let corners = triangles.model.face(face);
+        match scene.shading.flat_at {
             FlatAt::Centre => at(face),
-            FlatAt::ProvokingVertex => at(self.triangles.provoking_vertex(triangle)),
+            FlatAt::ProvokingVertex => at(corners.first().copied().unwrap_or_default()),
             FlatAt::VertexMean => {
-                #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
                 let share = 1.0 / corners.len().max(1) as f32;
                 let sum = corners.iter().map(|&v| at(v)).fold([0.0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
                 sum.map(|v| v * share)
@@ -261,24 +260,21 @@ impl BandPainter<'_> {
 
     /// Pixels one by one in `f64`.
     fn shade_in_double(&self, place: BandPlace, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
-        let mut equation = Equation::<f64>::in_units(self.scene, self.lens.unit);
-        equation.retain_lights(|light| self.plan.lights[light]);
-        let Self { scene, plan, lens, triangles, surface, visibility, .. } = *self;
-        let reference = Reference { scene, plan, lens, triangles, surface, visibility, cue: None };
+        let (inputs, equation) = (&self.inputs, self.inputs.equation());
         let width = place.width as usize;
         target.clear(0..place.rows as usize * width);
         let mut over = 0;
         let mut put = |x: usize, row: usize, evaluation: Evaluation<'_>| {
             let color = evaluation.intensity(&equation);
             let at = row * width + x;
-            let ink = dispatch!(self.level, simd => target.ink(simd, color.as_vec3().to_array()));
+            let ink = dispatch!(inputs.level, simd => target.ink(simd, color.as_vec3().to_array()));
             over += target.fill(at..at + 1, ink);
         };
-        let centre = |x: usize, row: usize| DVec2::new(x as f64 + 0.5, f64::from(place.first_row) + row as f64 + 0.5);
-        if plan.true_surface {
+        let centre = |x: usize, row: usize| pixel_centre(x, place.first_row as usize + row);
+        if inputs.plan.true_surface {
             for (row, line) in fragments.chunks(Block::count(place.width)).enumerate() {
                 for x in (0..width).filter(|x| is_seen(fragment(line, *x))) {
-                    if let Some(evaluation) = reference.of_surface(centre(x, row)) {
+                    if let Some(evaluation) = inputs.of_surface(centre(x, row)) {
                         put(x, row, evaluation);
                     }
                 }
@@ -287,31 +283,10 @@ impl BandPainter<'_> {
         for run in &band.runs {
             for x in run.x0..run.x1 {
                 let (x, row) = (usize::from(x), usize::from(run.row));
-                put(x, row, reference.of_triangle(run.triangle, centre(x, row)));
+                put(x, row, inputs.of_triangle(run.triangle, centre(x, row)));
             }
         }
         over
-    }
-}
-
-/// Shading at pixels, compiled for each specular form.
-struct ShadePixels<'a, T> {
-    painter: &'a BandPainter<'a>,
-    place: BandPlace,
-    band: &'a Band,
-    fragments: &'a [Block],
-    target: T,
-}
-
-impl<T: Target> FormTask for ShadePixels<'_, T> {
-    type Output = u64;
-
-    fn run<F: Specular>(mut self, _: F) -> u64 {
-        let Self { painter, place, band, fragments, .. } = self;
-        let BandPainter { plan, lens, equation, visibility, .. } = *painter;
-        let by_key = plan.perspective && !plan.true_surface;
-        let evaluated = Evaluated::<F>::new(equation, lens, by_key, plan.renormalise, visibility);
-        dispatch!(painter.level, simd => shade(simd, place, &band.extents, fragments, evaluated, &mut self.target))
     }
 }
 

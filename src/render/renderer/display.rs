@@ -1,12 +1,57 @@
-//! Turns linear intensities into stored values.
+//! Puts the linear picture together and turns its intensities into stored values.
 
-use crate::illumination::{Lanes, Real};
-use crate::scene::{Display, Encoding, Overflow, Rgb};
+use crate::illumination::{BRIGHTEST, Lanes, Real};
+use crate::scene::{AmbientSource, Display, Encoding, Overflow, Rgb, Scene};
 use fearless_simd::{Level, dispatch, f32x4, i32x4, prelude::*};
+use glam::Vec3;
 use rayon::prelude::*;
 
 /// A picture before the display: linear red, green, blue, and 1 where the object is seen.
 pub type Linear = [f32; 4];
+
+/// Puts together what the equation gave, what is seen beyond and what other surfaces scatter; returns how many pixels
+/// overflow.
+///
+/// What the equation gave may have faded with the depth already, where it was found at vertices or faces. Then `faded` has
+/// s0 at each pixel, for what is added there.
+pub fn compose(scene: &Scene, [seen, bounced]: [&[Vec3]; 2], faded: Option<&[f32]>, linear: &mut [Linear]) -> u64 {
+    let width = scene.image.size[0] as usize;
+    let kt = scene.transparency.kt as f32;
+    let side = scene.ambient.source;
+    let veil = scene.depth_cueing.color.as_vec3();
+    let whole = linear.par_chunks_mut(width.max(1)).enumerate();
+    let overflowing = whole.map(|(row, line)| {
+        let mut over = 0;
+        for (x, pixel) in line.iter_mut().enumerate() {
+            let index = row * width + x;
+            let covered = pixel[3] > 0.0;
+            let beyond = seen.get(index).copied().unwrap_or(Vec3::ZERO);
+            let mut color = if covered { Vec3::from_slice(&pixel[..3]) } else { beyond };
+            let s0 = faded.filter(|_| covered).and_then(|faded| faded.get(index)).copied().unwrap_or(1.0);
+            if let Some(difference) = bounced.get(index).filter(|_| bounces_at(side, x, width)) {
+                // What has faded holds its veil already, which no lack of light takes away.
+                color = (color + s0 * *difference).max((1.0 - s0) * veil);
+            }
+            if covered && kt > 0.0 {
+                color = color * (1.0 - kt) + (s0 * beyond + (1.0 - s0) * veil) * kt;
+            }
+            color = color.min(Vec3::splat(BRIGHTEST as f32));
+            over += u64::from(color.max_element() > 1.0);
+            pixel[..3].copy_from_slice(&color.to_array());
+        }
+        over
+    });
+    overflowing.sum()
+}
+
+/// Whether a pixel's ambient light is gathered from other surfaces.
+pub fn bounces_at(source: AmbientSource, x: usize, width: usize) -> bool {
+    match source {
+        AmbientSource::Constant => false,
+        AmbientSource::Bounce => true,
+        AmbientSource::Split => 2 * x >= width,
+    }
+}
 
 /// The transfer function of IEC 61966-2-1 for 0 ≤ v ≤ 1.
 pub fn srgb(v: f64) -> f64 {
@@ -20,10 +65,7 @@ pub fn stored(v: f64, encoding: Encoding) -> u8 {
         Encoding::Raw => clamped,
         Encoding::Srgb => srgb(clamped),
     };
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
-    {
-        (encoded * 255.0 + 0.5) as u8
-    }
+    (encoded * 255.0 + 0.5) as u8
 }
 
 /// The stored pixel of a linear colour.
@@ -57,7 +99,6 @@ fn code<S: Simd>(v: Lanes<S>, encoding: Encoding) -> S::i32s {
 pub fn raw<S: Simd>(simd: S, [r, g, b]: [f32; 3]) -> [u8; 4] {
     let color = f32x4::simd_from(simd, [r, g, b, 1.0]).max(0.0).min(1.0);
     let codes: [i32; 4] = i32x4::truncate_from(color.mul_add(255.0, 0.5)).into();
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
     codes.map(
         #[inline(always)]
         |code| code as u8,

@@ -1,4 +1,4 @@
-//! A finished picture, and the report of how it was made.
+//! A finished picture, the report of how it was made, and how coarse it is drawn while something is dragged.
 
 /// A picture as stored: 8 bits a channel, rows from the top.
 #[derive(Clone, Debug, Default)]
@@ -18,7 +18,7 @@ impl Frame {
     }
 }
 
-/// The stages of a frame, in their order.
+/// The stages of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stage {
@@ -26,19 +26,27 @@ pub enum Stage {
     Geometry,
     /// Vertices to the picture; clipping.
     Transform,
-    /// Which polygon each pixel sees.
-    Coverage,
+    /// The equation at vertices or faces.
+    VertexShading,
     /// Rays: which light reaches what is evaluated, what is seen through the object and past it, and what other surfaces
     /// scatter.
     Rays,
-    /// The equation at vertices or faces.
-    VertexShading,
+    /// Which polygon each pixel sees.
+    Coverage,
     /// Normals or intensities carried to the pixels, and what depth cueing leaves of them there.
     Interpolation,
     /// The equation at pixels.
     PixelShading,
     /// Intensities to stored values.
     Display,
+}
+
+impl Stage {
+    /// In their order.
+    const ALL: [Self; 8] = {
+        use Stage::{Coverage, Display, Geometry, Interpolation, PixelShading, Rays, Transform, VertexShading};
+        [Geometry, Transform, VertexShading, Rays, Coverage, Interpolation, PixelShading, Display]
+    };
 }
 
 /// One stage of one frame.
@@ -85,17 +93,8 @@ pub struct Report {
 impl Report {
     /// Starts the account of a frame: no stage has run.
     pub(super) fn begin(&mut self) {
-        let order = [
-            Stage::Geometry,
-            Stage::Transform,
-            Stage::VertexShading,
-            Stage::Rays,
-            Stage::Coverage,
-            Stage::Interpolation,
-            Stage::PixelShading,
-            Stage::Display,
-        ];
-        self.stages = order.map(|stage| StageRun { stage, ran: false, nanoseconds: 0, evaluations: 0 }).to_vec();
+        let run = |stage| StageRun { stage, ran: false, nanoseconds: 0, evaluations: 0 };
+        self.stages = Stage::ALL.map(run).to_vec();
     }
 
     /// Notes that a stage has run, with the time it took and its evaluations of the equation.
@@ -106,4 +105,19 @@ impl Report {
             run.evaluations += evaluations;
         }
     }
+}
+
+/// A frame is to take no longer, nanoseconds: thirty of them in a second, and room for the window round the picture.
+const BUDGET: u64 = 26_000_000;
+/// No coarser: what is dragged must still be recognised.
+pub const COARSEST: u32 = 8;
+
+/// Downscale factor that keeps a frame of this cost within the budget; 1 for none.
+pub fn coarseness(nanoseconds: u64) -> u32 {
+    (1..COARSEST).find(|coarser| nanoseconds / u64::from(coarser * coarser) <= BUDGET).unwrap_or(COARSEST)
+}
+
+/// A picture's size drawn coarser.
+pub fn coarser_size(size: [u32; 2], coarser: u32) -> [u32; 2] {
+    size.map(|side| side.div_ceil(coarser.max(1)).max(1))
 }

@@ -2,25 +2,24 @@
 
 use super::account::{Account, Term};
 use super::bands::{BandPainter, Canvas, Interpolated, Stale};
-use super::compose::compose;
-use super::cue::{Cue, CueKey, CueLayer, Found, fade_pixels};
-use super::display::{Linear, display};
+use super::cue::{CueLayer, fade_pixels};
+use super::display::{Linear, compose, display};
 use super::frame::{Frame, Report, Stage};
-use super::keys::{CoverageKey, InterpolationKey, MeshKey, ModelKey, PictureKey, PlacedKey, PointsKey};
-use super::mesh_source::MeshSource;
+use super::inputs::{Cue, Inputs};
 use super::plan::{Cued, Facts, Per, Plan};
-use super::points::{PointShading, face_points};
-use super::ray_nodes::{RayInputs, RayNodes};
+use super::points::{face_points, shade_points, shade_points_in_double};
+use super::ray_nodes::RayNodes;
 use crate::geometry::{Mesh, Surface};
 use crate::illumination::Equation;
 use crate::render::lens::Lens;
-use crate::render::memory::{Holds, Memory, room, room_of_planes};
-use crate::render::model::{Model, Planes};
-use crate::render::node::Node;
-use crate::render::raster::{Band, Coverage, PlacedTriangles, Triangles};
+use crate::render::model::{MeshSource, Model, Planes};
+use crate::render::node::{Memory, Node, room, room_of_planes};
+use crate::render::raster::{Band, Coverage, PlacedTriangles};
 use crate::scene::{AmbientSource, NormalSource, Object, ObjectKind, Scene, Weighting};
+use crate::with_form;
 use fearless_simd::Level;
 use glam::DVec2;
+use std::mem::take;
 use std::sync::Arc;
 
 /// Draws scenes, keeping each step's output for the next call.
@@ -29,27 +28,26 @@ pub struct Renderer {
     clock: fn() -> u64,
     /// What an object of kind `obj` shows, and how often that has changed.
     given: (Option<Arc<Mesh>>, u64),
-    pub(super) mesh: Node<MeshKey, MeshSource>,
-    pub(super) model: Node<ModelKey, Model>,
-    pub(super) surface: Node<Object, Option<Surface>>,
-    pub(super) placed: Node<PlacedKey, PlacedTriangles>,
+    mesh: Node<MeshSource>,
+    pub(super) model: Node<Model>,
+    surface: Node<Option<Surface>>,
+    placed: Node<PlacedTriangles>,
     /// The middles and the normals of the faces, where these are shaded.
-    faces: Node<u64, [Planes; 2]>,
+    faces: Node<[Planes; 2]>,
     /// Intensities at vertices or faces.
-    points: Node<PointsKey, Planes>,
-    bands: Node<CoverageKey, Vec<Band>>,
-    interpolated: Node<InterpolationKey, Interpolated>,
+    points: Node<Planes>,
+    bands: Node<Vec<Band>>,
+    interpolated: Node<Interpolated>,
     pub(super) rays: RayNodes,
-    cue: Node<CueKey, CueLayer>,
-    pub(super) picture: Node<PictureKey, Picture>,
+    cue: Node<CueLayer>,
+    pub(super) picture: Node<Picture>,
     /// Steps of the present frame that the bands have yet to go through.
     stale: Stale,
-    /// Whether the present frame is shaded anew.
-    shaded: bool,
     pub(super) keeps_linear: bool,
     leaves_nothing_out: bool,
-    pub(super) drawn: Option<Drawn>,
-    pub(super) report: Report,
+    /// What the last picture was drawn from.
+    pub(super) drawn: Option<Job>,
+    report: Report,
 }
 
 #[derive(Default)]
@@ -57,13 +55,6 @@ pub(super) struct Picture {
     pub frame: Frame,
     /// Before the display; empty where nobody needs it.
     pub linear: Vec<Linear>,
-}
-
-/// What the last picture was drawn from.
-pub(super) struct Drawn {
-    pub scene: Scene,
-    pub plan: Plan,
-    pub lens: Lens,
 }
 
 /// Which samples a picture shows.
@@ -77,11 +68,11 @@ pub(super) struct Samples {
     pub linear: bool,
 }
 
-/// What the steps of a frame read.
-struct Job<'a> {
-    scene: &'a Scene,
-    plan: Plan,
-    lens: Lens,
+/// What a frame is drawn from.
+pub(super) struct Job {
+    pub scene: Scene,
+    pub plan: Plan,
+    pub lens: Lens,
     equation: Equation<f32>,
 }
 
@@ -110,7 +101,6 @@ impl Renderer {
             cue: Node::default(),
             picture: Node::default(),
             stale: Stale::default(),
-            shaded: false,
             keeps_linear: false,
             leaves_nothing_out: false,
             drawn: None,
@@ -127,12 +117,7 @@ impl Renderer {
 
     /// The mesh that an object of kind `obj` shows; none shows nothing. Another `Arc` is another model.
     pub fn set_model(&mut self, model: Option<Arc<Mesh>>) {
-        let same = match (&self.given.0, &model) {
-            (Some(old), Some(new)) => Arc::ptr_eq(old, new),
-            (None, None) => true,
-            _ => false,
-        };
-        if !same {
+        if self.given.0.as_ref().map(Arc::as_ptr) != model.as_ref().map(Arc::as_ptr) {
             self.given = (model, self.given.1 + 1);
         }
     }
@@ -188,9 +173,10 @@ impl Renderer {
         self.cover(&job);
         self.interpolate(&job);
         self.rays(&job);
-        self.shade(&job);
-        self.display(&job);
-        self.drawn = Some(Drawn { scene: scene.clone(), plan: job.plan, lens: job.lens });
+        if self.shade(&job) {
+            self.display(&job);
+        }
+        self.drawn = Some(job);
         self.report.nanoseconds = self.since(began);
         &self.picture.output.frame
     }
@@ -201,31 +187,25 @@ impl Renderer {
         self.report.begin();
         let object = &scene.object;
         let shows_model = object.kind == ObjectKind::Obj;
-        let key = MeshKey {
-            kind: object.kind,
-            segments: object.segments,
-            rings: object.rings,
-            given: if shows_model { self.given.1 } else { 0 },
-            polygons: (object.kind == ObjectKind::Polygons).then(|| object.polygons()),
-        };
-        let mut ran = self.mesh.update(key, |mesh| {
+        let given = if shows_model { self.given.1 } else { 0 };
+        let polygons = (object.kind == ObjectKind::Polygons).then(|| object.polygons());
+        let mut ran = self.mesh.update((object.kind, object.segments, object.rings, given, polygons), |mesh| {
             *mesh = if shows_model {
-                MeshSource::of_model(self.given.0.clone().unwrap_or_default())
+                MeshSource { mesh: self.given.0.clone().unwrap_or_default().into(), shape: None }
             } else {
-                MeshSource::of_shape(object.clone())
+                MeshSource { shape: Some(object.clone()), ..MeshSource::default() }
             };
         });
         let normals = Plan::normals(scene);
         let averages = matches!(normals, NormalSource::Averaged | NormalSource::File);
         let weighting = if averages { object.weighting } else { Weighting::Equal };
-        let key = ModelKey { mesh: self.mesh.stamp(), normals, weighting };
-        ran |= self.model.update(key, |model| {
+        ran |= self.model.update((self.mesh.stamp, normals, weighting), |model| {
             *model = Model::new(self.mesh.output.mesh().with_vertex_normals(normals, weighting));
             self.mesh.output.release();
         });
         if Plan::shows_surface(scene) {
-            let key = Object { path: None, ..object.clone() };
-            ran |= self.surface.update(key, |surface| *surface = Surface::of(object));
+            let shape = Object { path: None, ..object.clone() };
+            ran |= self.surface.update(shape, |surface| *surface = Surface::of(object));
         }
         self.note(Stage::Geometry, ran, began, 0);
         let (model, report) = (&self.model.output, &mut self.report);
@@ -235,7 +215,7 @@ impl Renderer {
     }
 
     /// What is done where, and what is left out.
-    fn plan_frame<'a>(&mut self, scene: &'a Scene, samples: Samples) -> Job<'a> {
+    fn plan_frame(&mut self, scene: &Scene, samples: Samples) -> Job {
         let facts = self.facts();
         let mut plan = Plan::for_scene(scene, &facts);
         if self.leaves_nothing_out {
@@ -253,18 +233,18 @@ impl Renderer {
         } else {
             equation.leave_nothing_out(scene);
         }
-        Job { scene, plan, lens, equation }
+        Job { scene: scene.clone(), plan, lens, equation }
     }
 
     /// The triangles to where they lie in the picture, clipped and sorted into bands of rows.
-    fn place(&mut self, job: &Job<'_>) {
+    fn place(&mut self, job: &Job) {
         let began = (self.clock)();
         if job.plan.true_surface {
             (self.report.candidates, self.report.clipped) = (0, 0);
             return;
         }
         let (size, cull) = (job.scene.image.size, job.plan.cull);
-        let key = PlacedKey { model: self.model.stamp(), lens: job.lens, size, cull };
+        let key = (self.model.stamp, job.lens, size, cull);
         let (level, model) = (self.level, &self.model.output);
         let ran = self.placed.update(key, |placed| placed.run(level, &job.lens, model, size, cull));
         let PlacedTriangles { clipped, bins, .. } = &self.placed.output;
@@ -273,7 +253,7 @@ impl Renderer {
     }
 
     /// The equation at vertices or faces, where the mode evaluates it there.
-    fn points(&mut self, job: &Job<'_>) {
+    fn points(&mut self, job: &Job) {
         let Job { scene, plan, lens, equation } = job;
         self.report.points = 0;
         if plan.per == Per::Pixel {
@@ -283,142 +263,119 @@ impl Renderer {
         let count = if at_faces { self.model.output.face_count() } else { self.model.output.vertex_count };
         if plan.shadows {
             let began = (self.clock)();
-            let triangles = self.placed.output.triangles(&self.model.output);
-            let object = self.model.stamp();
-            let inputs = RayInputs { level: self.level, scene, plan, lens, triangles, surface: None, object };
-            let ran = self.rays.shadow_points(&inputs, count);
+            let mut rays = take(&mut self.rays);
+            let ran = rays.shadow_points(&self.inputs(job), self.model.stamp, count);
+            self.rays = rays;
             self.note(Stage::Rays, ran, began, 0);
         }
         let began = (self.clock)();
-        let (level, model) = (self.level, &self.model.output);
         if at_faces {
-            self.faces.update(self.model.stamp(), |faces| *faces = face_points(model));
+            self.faces.update(self.model.stamp, |faces| *faces = face_points(&self.model.output));
         }
-        let [centre, facing] = &self.faces.output;
-        let (position, normal) = if at_faces { (centre, facing) } else { (&model.position, &model.normal) };
-        let key = PointsKey {
-            model: self.model.stamp(),
-            equation: equation.clone(),
-            per: plan.per,
-            double: plan.double,
-            visibility: plan.shadows.then(|| self.rays.stamps()[0]),
-            cue: Cue::for_plan(scene, plan, lens).filter(|_| plan.cued == Cued::AtPoints),
-        };
-        let (cue, visibility) = (key.cue, self.rays.visibility(plan));
-        let ran = self.points.update(key, |intensity| {
-            let shading =
-                PointShading { level, equation, lens, model, position, normal, intensity: &mut *intensity, visibility };
+        let cue = Cue::for_plan(scene, plan, lens).filter(|_| plan.cued == Cued::AtPoints);
+        let visibility = plan.shadows.then(|| self.rays.stamps()[0]);
+        let key = (self.model.stamp, equation.clone(), plan.per, plan.double, visibility, cue);
+        let mut points = take(&mut self.points);
+        let ran = points.update(key, |intensity| {
+            let (inputs, model) = (self.inputs(job), &self.model.output);
+            let [centre, facing] = &self.faces.output;
+            let at = if at_faces { [centre, facing] } else { [&model.position, &model.normal] };
             if plan.double {
-                let mut equation = Equation::<f64>::in_units(scene, lens.unit);
-                equation.retain_lights(|light| plan.lights[light]);
-                shading.run_in_double(&equation);
+                shade_points_in_double(&inputs, at, intensity);
             } else {
-                equation.form().dispatch(shading);
+                with_form!(equation.form(), F => shade_points::<F>(&inputs, equation, at, intensity));
             }
             if let Some(cue) = cue {
-                cue.fade_points(model.origin, position, intensity);
+                cue.fade_points(model.origin, at[0], intensity);
             }
         });
+        self.points = points;
         self.report.points = count as u64;
         self.note(Stage::VertexShading, ran, began, count as u64);
     }
 
     /// Which triangle each pixel sees.
-    fn cover(&mut self, Job { scene, plan, lens, .. }: &Job<'_>) {
-        self.stale.coverage = self.bands.outdate(CoverageKey {
-            size: scene.image.size,
-            source: if plan.true_surface { self.surface.stamp() } else { self.placed.stamp() },
-            lens: plan.true_surface.then_some(*lens),
-            depth_test: plan.depth_test,
-        });
+    fn cover(&mut self, Job { scene, plan, lens, .. }: &Job) {
+        let source = if plan.true_surface { self.surface.stamp } else { self.placed.stamp };
+        // Rays to the true surface depend on the lens; placed triangles have taken it in.
+        let lens = plan.true_surface.then_some(*lens);
+        self.stale.coverage = self.bands.outdate((scene.image.size, source, lens, plan.depth_test));
     }
 
     /// What is carried to each pixel.
-    fn interpolate(&mut self, Job { scene, plan, .. }: &Job<'_>) {
-        let carried = if plan.per == Per::Pixel { self.model.stamp() } else { self.points.stamp() };
-        self.stale.interpolation = self.interpolated.outdate(InterpolationKey {
-            coverage: self.bands.stamp(),
-            source: if plan.true_surface { 0 } else { carried },
-            per: plan.per,
-            carries: plan.interpolates(),
-            perspective: plan.perspective,
-            scanline: plan.scanline,
-            flat_at: (!plan.carries).then_some(scene.shading.flat_at),
-        });
+    fn interpolate(&mut self, Job { scene, plan, .. }: &Job) {
+        let source = match plan.per {
+            _ if plan.true_surface => 0,
+            Per::Pixel => self.model.stamp,
+            _ => self.points.stamp,
+        };
+        let rule = (plan.interpolates(), plan.perspective, plan.scanline);
+        let flat_at = (!plan.carries).then_some(scene.shading.flat_at);
+        self.stale.interpolation = self.interpolated.outdate((self.bands.stamp, source, plan.per, rule, flat_at));
     }
 
     /// Rays that start from what the pixels see.
-    fn rays(&mut self, job: &Job<'_>) {
-        let Job { scene, plan, lens, .. } = job;
-        if !plan.follows_rays() {
+    fn rays(&mut self, job: &Job) {
+        if !job.plan.follows_rays() {
             return;
         }
         if self.stale.interpolation {
             self.paint(job, false);
         }
         let began = (self.clock)();
-        let object = if plan.true_surface { self.surface.stamp() } else { self.model.stamp() };
-        let (triangles, surface) = (self.placed.output.triangles(&self.model.output), self.surface.output.as_ref());
-        let inputs = RayInputs { level: self.level, scene, plan, lens, triangles, surface, object };
-        let (bands, fragments) = (&*self.bands.output, &*self.interpolated.output.fragments);
-        let coverage = Coverage { size: scene.image.size, bands, fragments };
-        let ran = self.rays.follow(&inputs, coverage, self.bands.stamp());
+        let object = if job.plan.true_surface { self.surface.stamp } else { self.model.stamp };
+        let mut rays = take(&mut self.rays);
+        let ran = rays.follow(&self.inputs(job), self.coverage(&job.scene), [object, self.bands.stamp]);
+        self.rays = rays;
         self.note(Stage::Rays, ran, began, 0);
     }
 
-    /// The equation at pixels, or the colours that were carried to them; s0 at the pixels where intensities fade there.
-    fn shade(&mut self, job: &Job<'_>) {
+    /// The equation at pixels, or the colours that were carried to them; s0 at the pixels where intensities fade there. Tells
+    /// whether the picture is shaded anew.
+    fn shade(&mut self, job: &Job) -> bool {
         let Job { scene, plan, lens, equation } = job;
-        let cue = Cue::for_plan(scene, plan, lens).filter(|_| plan.cues_pixels()).map(|cue| CueKey {
+        let flat_at = (!plan.carries).then_some(scene.shading.flat_at);
+        let cue = Cue::for_plan(scene, plan, lens).filter(|_| plan.cues_pixels()).map(|cue| {
+            let rule = (plan.perspective, plan.scanline, plan.keeps_fragments(), flat_at);
+            (cue, plan.cued, *lens, scene.image.size, self.model.stamp, self.bands.stamp, rule)
+        });
+        let shaded = self.picture.outdate((
+            self.interpolated.stamp,
+            (plan.per == Per::Pixel).then(|| equation.clone()),
+            scene.image.background.to_array(),
+            scene.display.clone(),
+            plan.whole_picture,
+            plan.renormalise,
+            plan.double,
+            // Shadow bits are kept while shadows are off.
+            plan.shadows,
+            plan.follows_rays().then(|| self.rays.stamps()),
+            // How what is seen beyond is mixed in.
+            plan.composes.then_some((scene.transparency.kt, scene.ambient.source)),
             cue,
-            cued: plan.cued,
-            lens: *lens,
-            size: scene.image.size,
-            model: self.model.stamp(),
-            coverage: self.bands.stamp(),
-            perspective: plan.perspective,
-            scanline: plan.scanline,
-            keeps_fragments: plan.keeps_fragments(),
-            flat_at: (!plan.carries).then_some(scene.shading.flat_at),
-        });
-        self.shaded = self.picture.outdate(PictureKey {
-            interpolation: self.interpolated.stamp(),
-            equation: (plan.per == Per::Pixel).then(|| equation.clone()),
-            background: scene.image.background.to_array(),
-            display: scene.display.clone(),
-            whole_picture: plan.whole_picture,
-            renormalise: plan.renormalise,
-            double: plan.double,
-            shadows: plan.shadows,
-            rays: plan.follows_rays().then(|| self.rays.stamps()),
-            composition: plan.composes.then_some((scene.transparency.kt, scene.ambient.source)),
-            cue: cue.clone(),
-        });
-        if self.shaded {
+        ));
+        if shaded {
             self.paint(job, true);
         }
-        let Some(cue) = cue else { return };
-        let began = (self.clock)();
-        let (bands, fragments) = (&*self.bands.output, &*self.interpolated.output.fragments);
-        let found = Found {
-            level: self.level,
-            coverage: Coverage { size: scene.image.size, bands, fragments },
-            triangles: self.placed.output.triangles(&self.model.output),
-            middles: &self.faces.output[0],
-        };
-        let ran = self.cue.update(cue.clone(), |layer| layer.run(&cue, &found));
-        self.note(Stage::Interpolation, ran, began, 0);
+        if let Some(key) = cue {
+            let began = (self.clock)();
+            let mut cue = take(&mut self.cue);
+            let run = |layer: &mut CueLayer| {
+                layer.run(&self.inputs(job), self.coverage(scene), &self.faces.output[0]);
+            };
+            let ran = cue.update(key, run);
+            self.cue = cue;
+            self.note(Stage::Interpolation, ran, began, 0);
+        }
+        shaded
     }
 
     /// What needs to see the whole picture: what is mixed in, fading, and the display's policy.
-    fn display(&mut self, Job { scene, plan, .. }: &Job<'_>) {
+    fn display(&mut self, Job { scene, plan, .. }: &Job) {
+        let began = (self.clock)();
         let report = &mut self.report;
         let fit = self.rays.fit().filter(|_| scene.ambient.source != AmbientSource::Constant);
         report.ambient_fit = fit.map(|fit| fit.to_array());
-        if !self.shaded {
-            return;
-        }
-        let began = (self.clock)();
         let Picture { frame, linear } = &mut self.picture.output;
         let layer = &self.cue.output;
         if plan.composes {
@@ -437,28 +394,24 @@ impl Renderer {
     }
 
     /// Takes every band through what is stale, and through shading if the frame is to be shaded.
-    fn paint(&mut self, job: &Job<'_>, shades: bool) {
-        let Job { scene, plan, lens, equation } = job;
-        let stale = std::mem::take(&mut self.stale);
+    fn paint(&mut self, job: &Job, shades: bool) {
+        let (plan, stale) = (&job.plan, take(&mut self.stale));
+        let (mut bands, mut interpolated, mut picture) =
+            (take(&mut self.bands), take(&mut self.interpolated), take(&mut self.picture));
         let painter = BandPainter {
-            level: self.level,
+            inputs: Inputs { cue: None, ..self.inputs(job) },
             clock: self.clock,
-            scene,
-            plan,
-            lens,
-            equation,
-            surface: self.surface.output.as_ref(),
-            triangles: self.placed.output.triangles(&self.model.output),
+            equation: &job.equation,
             bins: &self.placed.output.bins,
             intensity: &self.points.output,
-            visibility: self.rays.visibility(plan).filter(|_| plan.per == Per::Pixel),
             stale,
             shades,
         };
         let canvas =
-            if shades { self.picture.output.canvas(scene.image.size, plan.whole_picture) } else { Canvas::default() };
+            if shades { picture.output.canvas(job.scene.image.size, plan.whole_picture) } else { Canvas::default() };
         let interpolates = painter.interpolates();
-        let tally = painter.run(&mut self.bands.output, &mut self.interpolated.output, canvas);
+        let tally = painter.run(&mut bands.output, &mut interpolated.output, canvas);
+        (self.bands, self.interpolated, self.picture) = (bands, interpolated, picture);
         let [covering, interpolating, shading] = tally.nanoseconds;
         let (bands, report) = (&self.bands.output, &mut self.report);
         report.covered = bands.iter().map(|band| band.covered).sum();
@@ -493,48 +446,64 @@ impl Renderer {
         Facts { closed: model.closed, convex: model.convex, centre: model.origin, radius: model.radius }
     }
 
-    /// The triangles of the last picture where they lie in it.
-    pub(super) fn triangles(&self) -> Triangles<'_> {
-        self.placed.output.triangles(&self.model.output)
+    /// What the steps of a frame read.
+    pub(super) fn inputs<'a>(&'a self, Job { scene, plan, lens, .. }: &'a Job) -> Inputs<'a> {
+        Inputs {
+            level: self.level,
+            scene,
+            plan,
+            lens,
+            triangles: self.placed.output.triangles(&self.model.output),
+            surface: self.surface.output.as_ref(),
+            visibility: self.rays.visibility(plan),
+            cue: Cue::for_plan(scene, plan, lens),
+        }
     }
 
-    /// Which triangle each pixel of the last picture sees.
-    pub(super) fn coverage(&self) -> Coverage<'_> {
-        let Frame { width, height, .. } = self.picture.output.frame;
-        Coverage { size: [width, height], bands: &self.bands.output, fragments: &self.interpolated.output.fragments }
+    /// Which triangle each pixel of a picture sees, once it is covered.
+    pub(super) fn coverage(&self, scene: &Scene) -> Coverage<'_> {
+        let (bands, fragments) = (&self.bands.output, &self.interpolated.output.fragments);
+        Coverage { size: scene.image.size, bands, fragments }
+    }
+
+    /// The polygons of the last picture, before they were given vertex normals; shared, to be kept and known again.
+    pub(crate) fn mesh_shown(&self) -> &Arc<Mesh> {
+        self.mesh.output.mesh()
+    }
+
+    /// What the last call of [`Renderer::render`] did.
+    pub fn report(&self) -> &Report {
+        &self.report
     }
 
     /// The terms and steps of the last picture: how often each is evaluated, or why it is left out.
     pub fn terms(&self) -> Vec<Term> {
-        self.drawn.as_ref().map_or_else(Vec::new, |Drawn { scene, plan, .. }| {
-            let culled = plan.cull || plan.true_surface;
-            let triangles = self.triangles();
-            let backs = if culled { 0 } else { self.placed.output.bins.backs(|index| triangles.corners(index)) };
-            let inks = if plan.carries { 0 } else { self.bands.output.iter().map(Band::ink_count).sum() };
-            Account { scene, plan, facts: &self.facts(), report: &self.report, backs, inks }.terms()
-        })
+        let Some(job) = &self.drawn else { return Vec::new() };
+        let (Job { scene, plan, .. }, triangles) = (job, self.inputs(job).triangles);
+        let culled = plan.cull || plan.true_surface;
+        let backs = if culled { 0 } else { self.placed.output.bins.backs(|index| triangles.corners(index)) };
+        let inks = if plan.carries { 0 } else { self.bands.output.iter().map(Band::ink_count).sum() };
+        Account { scene, plan, facts: &self.facts(), report: &self.report, backs, inks }.terms()
     }
 
     /// The memory that is held for the next picture. A model's polygons, which its owner shares, count as well.
     pub fn memory(&self) -> Memory {
         let per = self.plan().map_or(Per::Pixel, |plan| plan.per);
-        let [centres, normals] = &self.faces.output;
-        let intensity = room_of_planes(&self.points.output);
         let Picture { frame, linear } = &self.picture.output;
-        let parts = [
-            self.mesh.output.memory(),
-            self.model.output.memory(),
-            self.placed.output.memory(),
-            Memory::of_triangles(room_of_planes(centres) + room_of_planes(normals)),
-            if per == Per::Face { Memory::of_triangles(intensity) } else { Memory::of_vertices(intensity) },
-            // Each run has a pixel of its own at least, so that runs grow with the pixels.
-            Memory::of_pixels(self.bands.output.iter().map(|band| room(&band.runs) + room(&band.extents)).sum()),
-            self.interpolated.output.memory(),
-            self.cue.output.memory(),
-            self.rays.memory(per),
-            Memory::of_pixels(room(&frame.pixels) + room(linear)),
-        ];
-        parts.into_iter().sum()
+        let mut memory = Memory::default();
+        self.mesh.output.count(&mut memory);
+        self.model.output.count(&mut memory);
+        self.placed.output.count(&mut memory);
+        self.interpolated.output.count(&mut memory);
+        self.cue.output.count(&mut memory);
+        self.rays.count(per, &mut memory);
+        memory.triangles += self.faces.output.iter().map(room_of_planes).sum::<u64>();
+        let points = if per == Per::Face { &mut memory.triangles } else { &mut memory.vertices };
+        *points += room_of_planes(&self.points.output);
+        // Each run has a pixel of its own at least, so that runs grow with the pixels.
+        memory.pixels += self.bands.output.iter().map(|band| room(&band.runs) + room(&band.extents)).sum::<u64>();
+        memory.pixels += room(&frame.pixels) + room(linear);
+        memory
     }
 }
 

@@ -5,7 +5,7 @@
 
 use crate::illumination::SpecularForm;
 use crate::render::lens::{NEAR, camera_unit};
-use crate::render::rays::Surroundings;
+use crate::render::rays::World;
 use crate::scene::{
     AmbientSource, Backfacing, Camera, CuedBy, FlatAt, Interpolation, Light, LightKind, NormalSource, Overflow,
     PatternKind, Projection, Rgb, Scene, ShadingMode,
@@ -105,8 +105,9 @@ impl Plan {
         let outside = !sees_inside(&scene.camera, facts);
         let interpolation =
             if mode == ShadingMode::Exact { Interpolation::Perspective } else { scene.shading.interpolation };
-        let composes =
-            Surroundings::any(scene) || scene.transparency.kt > 0.0 || scene.ambient.source != AmbientSource::Constant;
+        let composes = World::has_surroundings(scene)
+            || scene.transparency.kt > 0.0
+            || scene.ambient.source != AmbientSource::Constant;
         let mut plan = Self {
             per: if mode == ShadingMode::Flat && scene.shading.flat_at != FlatAt::Centre { Per::Vertex } else { per },
             carries: mode != ShadingMode::Flat,

@@ -1,10 +1,11 @@
 //! Evaluates the equation at vertices or faces.
 
-use crate::illumination::{Equation, FormTask, Lanes, Reached, Specular, V3};
-use crate::render::lens::{FARTHEST, Lens};
+use super::inputs::Inputs;
+use crate::illumination::{Equation, Lanes, Reached, Specular, V3};
+use crate::render::lens::FARTHEST;
 use crate::render::model::{Model, PADDING, Planes};
-use crate::render::rays::{BLOCK, Visibility};
-use fearless_simd::{Level, dispatch, prelude::*};
+use crate::render::rays::BLOCK;
+use fearless_simd::{dispatch, prelude::*};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -16,7 +17,6 @@ pub fn face_points(model: &Model) -> [Planes; 2] {
         .map(|face| (model.face_centre(face) - model.origin, model.face_normal(face)))
         .collect();
     let plane = |get: &dyn Fn(&(DVec3, DVec3)) -> f64| -> Vec<f32> {
-        #[expect(clippy::cast_possible_truncation, reason = "the kernel's precision")]
         let mut plane: Vec<f32> = points.iter().map(|p| get(p) as f32).collect();
         plane.resize(count.next_multiple_of(PADDING), 0.0);
         plane
@@ -24,58 +24,43 @@ pub fn face_points(model: &Model) -> [Planes; 2] {
     [[0, 1, 2].map(|axis| plane(&|p| p.0[axis])), [0, 1, 2].map(|axis| plane(&|p| p.1[axis]))]
 }
 
-/// The equation at points, [`BLOCK`] of them a task.
-pub struct PointShading<'a> {
-    pub level: Level,
-    pub equation: &'a Equation<f32>,
-    pub lens: &'a Lens,
-    /// The model whose vertices or faces the points are.
-    pub model: &'a Model,
-    pub position: &'a Planes,
-    pub normal: &'a Planes,
-    pub intensity: &'a mut Planes,
-    /// Which sources are seen from which points, where there are shadows.
-    pub visibility: Option<&'a Visibility>,
+/// Evaluates the equation at the vertices or faces of the model, [`BLOCK`] of them a task.
+pub fn shade_points<F: Specular>(
+    inputs: &Inputs<'_>,
+    equation: &Equation<f32>,
+    [position, normal]: [&Planes; 2],
+    intensity: &mut Planes,
+) {
+    let Inputs { lens, triangles, visibility, .. } = *inputs;
+    let model = triangles.model;
+    fit(intensity, position[0].len());
+    let scale = (1.0 / lens.unit).min(FARTHEST / model.radius.max(f64::MIN_POSITIVE)) as f32;
+    let offset = (model.origin - lens.eye) / lens.unit;
+    let offset = offset.clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST)).as_vec3().to_array();
+    let [r, g, b] = intensity;
+    let out = r.par_chunks_mut(BLOCK).zip(g.par_chunks_mut(BLOCK)).zip(b.par_chunks_mut(BLOCK));
+    out.enumerate().for_each(|(chunk, ((r, g), b))| {
+        let range = chunk * BLOCK..chunk * BLOCK + r.len();
+        let position = position.each_ref().map(|plane| &plane[range.clone()]);
+        let normal = normal.each_ref().map(|plane| &plane[range.clone()]);
+        let reached = visibility.and_then(|bits| bits.at(chunk, 0));
+        let points = Points { equation, scale, offset, position, normal, reached };
+        dispatch!(inputs.level, simd => points.shade::<_, F>(simd, [r, g, b]));
+    });
 }
 
-impl FormTask for PointShading<'_> {
-    type Output = ();
-
-    fn run<F: Specular>(self, _: F) {
-        let count = self.position[0].len();
-        fit(self.intensity, count);
-        #[expect(clippy::cast_possible_truncation, reason = "the kernel's precision")]
-        let scale = (1.0 / self.lens.unit).min(FARTHEST / self.model.radius.max(f64::MIN_POSITIVE)) as f32;
-        let offset = (self.model.origin - self.lens.eye) / self.lens.unit;
-        let offset = offset.clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST)).as_vec3().to_array();
-        let [r, g, b] = self.intensity;
-        let out = r.par_chunks_mut(BLOCK).zip(g.par_chunks_mut(BLOCK)).zip(b.par_chunks_mut(BLOCK));
-        out.enumerate().for_each(|(chunk, ((r, g), b))| {
-            let range = chunk * BLOCK..chunk * BLOCK + r.len();
-            let position = self.position.each_ref().map(|plane| &plane[range.clone()]);
-            let normal = self.normal.each_ref().map(|plane| &plane[range.clone()]);
-            let reached = self.visibility.and_then(|bits| bits.at(chunk, 0));
-            let points = Points { equation: self.equation, scale, offset, position, normal, reached };
-            dispatch!(self.level, simd => points.shade::<_, F>(simd, [r, g, b]));
-        });
-    }
-}
-
-impl PointShading<'_> {
-    /// The same in double precision, by `equation`.
-    pub fn run_in_double(self, equation: &Equation<f64>) {
-        let count = self.position[0].len();
-        fit(self.intensity, count);
-        let [r, g, b] = self.intensity;
-        let at =
-            |planes: &Planes, index: usize| DVec3::from_array([0, 1, 2].map(|axis| f64::from(planes[axis][index])));
-        let out = r.par_iter_mut().zip(g.par_iter_mut()).zip(b.par_iter_mut());
-        out.enumerate().for_each(|(index, ((r, g), b))| {
-            let reached = self.visibility.and_then(|bits| bits.at(index / BLOCK, index % BLOCK));
-            let (point, normal) = (self.model.origin + at(self.position, index), at(self.normal, index));
-            [*r, *g, *b] = equation.illuminate_world(point, normal, reached).as_vec3().to_array();
-        });
-    }
+/// The same in double precision.
+pub fn shade_points_in_double(inputs: &Inputs<'_>, [position, normal]: [&Planes; 2], intensity: &mut Planes) {
+    let equation = inputs.equation();
+    fit(intensity, position[0].len());
+    let [r, g, b] = intensity;
+    let at = |planes: &Planes, index: usize| DVec3::from_array([0, 1, 2].map(|axis| f64::from(planes[axis][index])));
+    let out = r.par_iter_mut().zip(g.par_iter_mut()).zip(b.par_iter_mut());
+    out.enumerate().for_each(|(index, ((r, g), b))| {
+        let reached = inputs.visibility.and_then(|bits| bits.at(index / BLOCK, index % BLOCK));
+        let (point, normal) = (inputs.triangles.model.origin + at(position, index), at(normal, index));
+        [*r, *g, *b] = equation.illuminate_world(point, normal, reached).as_vec3().to_array();
+    });
 }
 
 /// Gives the planes their length, and no more room than that takes.

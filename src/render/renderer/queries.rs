@@ -1,32 +1,26 @@
 //! What can be asked about the last picture.
 
-use super::cue::Cue;
-use super::frame::{Frame, Report};
-use super::pipeline::{Drawn, Renderer, Samples};
+use super::frame::Frame;
+use super::inputs::Inputs;
+use super::pipeline::{Job, Renderer, Samples};
 use super::plan::Plan;
-use super::ray_nodes::{RayInputs, SeenAt};
-use super::reference::{Evaluation, Reference};
-use crate::geometry::Mesh;
+use super::ray_nodes::Mixture;
+use super::reference::{Evaluation, WeightedPoint};
 use crate::illumination::Equation;
-use crate::render::lens::Lens;
+use crate::render::lens::{Lens, NEAR, pixel_centre};
 use crate::render::raster::{PlacedTriangles, UNPLACED};
-use crate::render::rays::Transmission;
 use crate::scene::{Rgb, Scene};
-use glam::DVec2;
-use std::sync::Arc;
+use glam::{DVec2, DVec3};
 
-/// What is mixed into the equation's value at a pixel.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Mixture {
-    /// Where light passes through the surface.
-    pub transmission: Option<Transmission>,
-    /// What light from other surfaces has in excess of the constant ambient term that it takes the place of.
-    pub bounced: Option<Rgb>,
-}
-
-/// The centre of a pixel.
-fn centre([x, y]: [u32; 2]) -> DVec2 {
-    DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5)
+/// A polygon of the last picture, as it is shaded.
+#[derive(Clone, Debug)]
+pub(crate) struct Polygon<'a> {
+    /// Its corners, counter-clockwise from outside, each with the normal that the shading mode gives it.
+    pub corners: Vec<WeightedPoint<'a>>,
+    /// Where flat shading evaluates the equation.
+    pub flat: Vec<WeightedPoint<'a>>,
+    /// Whether all of it lies beyond the near plane.
+    pub before_the_eye: bool,
 }
 
 impl Renderer {
@@ -41,19 +35,9 @@ impl Renderer {
         &self.picture.output.linear
     }
 
-    /// What the last call of [`Renderer::render`] did.
-    pub fn report(&self) -> &Report {
-        &self.report
-    }
-
     /// The plan of the last picture.
     pub fn plan(&self) -> Option<&Plan> {
         self.drawn.as_ref().map(|drawn| &drawn.plan)
-    }
-
-    /// The polygons of the last picture, before they were given vertex normals; shared, to be kept and known again.
-    pub(crate) fn mesh_shown(&self) -> &Arc<Mesh> {
-        self.mesh.output.mesh()
     }
 
     /// Draws `scene`, which is exact, and says whether the picture shows a surface beyond its polygons.
@@ -84,25 +68,34 @@ impl Renderer {
         equation
     }
 
+    /// What the evaluation of the last picture's pixels reads.
+    pub(super) fn last(&self) -> Option<Inputs<'_>> {
+        self.drawn.as_ref().map(|drawn| self.inputs(drawn))
+    }
+
     /// Where the equation is evaluated for a pixel of the last picture; nothing where the background is seen.
     pub(crate) fn evaluation(&self, x: u32, y: u32) -> Option<Evaluation<'_>> {
-        self.evaluation_seen(centre([x, y]))
+        self.evaluation_seen(pixel_centre(x as usize, y as usize))
     }
 
     /// The same for any place of the last picture, on the polygon that its pixel sees.
     pub(crate) fn evaluation_seen(&self, place: DVec2) -> Option<Evaluation<'_>> {
-        let reference = self.reference()?;
-        if reference.plan.true_surface {
-            return reference.of_surface(place);
+        let last = self.last()?;
+        if last.plan.true_surface {
+            return last.of_surface(place);
         }
-        let triangle = self.coverage().triangle_at([place.x as u32, place.y as u32])?;
-        Some(reference.of_triangle(triangle, place))
+        Some(last.of_triangle(self.seen([place.x as u32, place.y as u32])?, place))
     }
 
     /// The model's triangle that a pixel of the last picture sees.
     pub(crate) fn triangle_at(&self, pixel: [u32; 2]) -> Option<u32> {
-        let triangle = self.coverage().triangle_at(pixel)?;
-        Some(self.triangles().whole(triangle) as u32)
+        let triangle = self.seen(pixel)?;
+        Some(self.last()?.triangles.whole(triangle) as u32)
+    }
+
+    /// The triangle that a pixel of the last picture sees, one of the model's or of the clipper's.
+    fn seen(&self, pixel: [u32; 2]) -> Option<u32> {
+        self.coverage(&self.drawn.as_ref()?.scene).triangle_at(pixel)
     }
 
     /// I where `triangle` is seen at `place` in the picture of `scene`, which casts no shadows and has the last picture's
@@ -121,34 +114,56 @@ impl Renderer {
         turned.placed.run(self.level, &lens, model, size[1]);
         let triangles = turned.triangles(model);
         let whole = triangles.corners(triangle).iter().all(|corner| corner[0] != UNPLACED);
-        let reference =
-            Reference { scene, plan: &plan, lens: &lens, triangles, surface: None, visibility: None, cue: None };
-        whole.then(|| reference.of_triangle(triangle, place).intensity(equation))
-    }
-
-    /// What evaluations of the last picture read.
-    pub(super) fn reference(&self) -> Option<Reference<'_>> {
-        let Drawn { scene, plan, lens } = self.drawn.as_ref()?;
-        let (surface, visibility) = (self.surface.output.as_ref(), self.rays.visibility(plan));
-        let cue = Cue::for_plan(scene, plan, lens);
-        Some(Reference { scene, plan, lens, triangles: self.triangles(), surface, visibility, cue })
+        let (plan, lens) = (&plan, &lens);
+        let inputs =
+            Inputs { level: self.level, scene, plan, lens, triangles, surface: None, visibility: None, cue: None };
+        whole.then(|| inputs.of_triangle(triangle, place).intensity(equation))
     }
 
     /// What is mixed into the equation's value at a pixel of the last picture that shows the object.
     pub(crate) fn mixture(&self, x: u32, y: u32) -> Option<Mixture> {
-        let Drawn { scene, plan, lens } = self.drawn.as_ref()?;
-        if !plan.composes {
-            return None;
-        }
-        let (triangles, surface) = (self.triangles(), self.surface.output.as_ref());
-        let inputs = RayInputs { level: self.level, scene, plan, lens, triangles, surface, object: 0 };
-        let seen = if plan.true_surface {
-            SeenAt::Surface(self.coverage().fragment_at([x, y])?)
-        } else {
-            SeenAt::Triangle(self.coverage().triangle_at([x, y])?)
-        };
-        let passes = scene.transparency.kt > 0.0;
-        let transmission = if passes { self.rays.transmission_at(&inputs, centre([x, y]), seen) } else { None };
-        Some(Mixture { transmission, bounced: self.rays.bounced_at(scene, x, y) })
+        let Job { scene, plan, .. } = self.drawn.as_ref()?;
+        let last = self.last().filter(|_| plan.composes)?;
+        self.rays.mixture_at(&last, self.coverage(scene), [x, y])
     }
+
+    /// Polygons of the last picture's object.
+    pub(crate) fn polygon_count(&self) -> usize {
+        if self.drawn.is_some() { self.model.output.face_count() } else { 0 }
+    }
+
+    /// Face `face` of the last picture's object, if there is one of that index.
+    pub(crate) fn polygon(&self, face: u32) -> Option<Polygon<'_>> {
+        let last = self.last().filter(|last| (face as usize) < last.triangles.model.face_count())?;
+        let corners = last.corner_points(face);
+        let before_the_eye = corners.iter().all(|at| last.lens.view_from_world(at.point).z >= NEAR);
+        Some(Polygon { flat: last.flat_points(face), corners, before_the_eye })
+    }
+
+    /// The polygon that a pixel of the last picture sees. A picture of the true surface shows none: there it is the polygon
+    /// that stands for what is seen.
+    pub(crate) fn polygon_at(&self, x: u32, y: u32) -> Option<u32> {
+        let last = self.last()?;
+        if !last.plan.true_surface {
+            return self.evaluation(x, y)?.face;
+        }
+        let (model, lens) = (last.triangles.model, last.lens);
+        let (origin, along) = lens.ray(pixel_centre(x as usize, y as usize));
+        let distance = |vertices: &[u32; 3]| {
+            let [a, b, c] = vertices.map(|v| (model.position(v) - lens.eye) / lens.unit);
+            distance_to([a, b, c], origin, along).filter(|distance| *distance >= NEAR)
+        };
+        let hits = model.triangles.iter().zip(&model.faces);
+        let hits = hits.filter_map(|(vertices, face)| Some((distance(vertices)?, *face)));
+        hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, face)| face)
+    }
+}
+
+/// How far along a ray it meets a triangle, in lengths of its direction (Möller and Trumbore 1997).
+fn distance_to([a, b, c]: [DVec3; 3], origin: DVec3, along: DVec3) -> Option<f64> {
+    let (e1, e2, from) = (b - a, c - a, origin - a);
+    let (p, q) = (along.cross(e2), from.cross(e1));
+    let determinant = e1.dot(p);
+    let [u, v, distance] = [from.dot(p), along.dot(q), e2.dot(q)].map(|part| part / determinant);
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance.is_finite()).then_some(distance)
 }

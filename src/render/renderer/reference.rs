@@ -3,15 +3,14 @@
 //! The modes differ only in where the equation is evaluated; so a pixel's value is a weighted sum of the equation at a few
 //! points, and [`Evaluation`] lists them: one at the face's centre, three at vertices, one at the pixel.
 
-use super::cue::Cue;
-use super::plan::{Cued, Per, Plan};
-use crate::geometry::Surface;
+use super::inputs::Inputs;
+use super::plan::{Cued, Per};
 use crate::illumination::{Equation, Reached};
-use crate::render::lens::{Lens, NEAR};
+use crate::render::lens::NEAR;
 use crate::render::model::Model;
-use crate::render::raster::{Crossing, Outline, SHORTEST_NORMAL, SUBPIXELS, Triangles, crossing_pair, meet};
-use crate::render::rays::{BLOCK, Visibility};
-use crate::scene::{FlatAt, Rgb, Scene, ShadingMode};
+use crate::render::raster::{Crossing, Outline, SHORTEST_NORMAL, SUBPIXELS, crossing_pair, meet};
+use crate::render::rays::BLOCK;
+use crate::scene::{FlatAt, Rgb, ShadingMode};
 use glam::{DVec2, DVec3};
 
 /// Where the equation is evaluated for a pixel, and with what weight each point enters.
@@ -42,17 +41,21 @@ pub(crate) struct WeightedPoint<'a> {
     pub reached: Option<Reached<'a>>,
 }
 
-impl<'a> Evaluation<'a> {
+impl WeightedPoint<'_> {
+    fn value(&self, equation: &Equation<f64>) -> Rgb {
+        equation.illuminate_world(self.point, self.normal, self.reached)
+    }
+}
+
+impl Evaluation<'_> {
     /// I at the pixel, before the display.
     pub fn intensity(&self, equation: &Equation<f64>) -> Rgb {
-        let value = |at: &WeightedPoint<'a>| equation.illuminate_world(at.point, at.normal, at.reached);
-        self.points.iter().map(|at| value(at) * at.weight).sum()
+        self.points.iter().map(|at| at.value(equation) * at.weight).sum()
     }
 
     /// What is left of I at the pixel: each point's share fades by its own s0.
     pub fn kept(&self, equation: &Equation<f64>) -> Rgb {
-        let value = |at: &WeightedPoint<'a>| equation.illuminate_world(at.point, at.normal, at.reached);
-        self.points.iter().map(|at| value(at) * (at.weight * at.scale)).sum()
+        self.points.iter().map(|at| at.value(equation) * (at.weight * at.scale)).sum()
     }
 
     /// s0 at the pixel.
@@ -71,27 +74,14 @@ impl<'a> Evaluation<'a> {
     }
 }
 
-/// What the evaluation of a pixel reads.
-#[derive(Clone, Copy)]
-pub struct Reference<'a> {
-    pub scene: &'a Scene,
-    pub plan: &'a Plan,
-    pub lens: &'a Lens,
-    pub triangles: Triangles<'a>,
-    pub surface: Option<&'a Surface>,
-    /// Which sources are seen from which pixels, faces or vertices, where there are shadows.
-    pub visibility: Option<&'a Visibility>,
-    pub cue: Option<Cue>,
-}
-
-impl<'a> Reference<'a> {
+impl<'a> Inputs<'a> {
     /// The pixel whose sample lies at `place` meets the true surface.
     pub fn of_surface(&self, place: DVec2) -> Option<Evaluation<'a>> {
         let (position, hit) = meet(self.lens, self.surface?, place)?;
         let depth = (position - self.lens.eye).dot(self.lens.forward);
         let (normal, reached) = (hit.normal, self.visible_at_pixel(place));
-        let seen = WeightedPoint { weight: 1.0, point: position, normal, scale: self.scale(position), reached };
-        Some(Evaluation { position, normal, depth, face: None, cue: self.cue_color(), points: vec![seen] })
+        let points = vec![self.point(position, normal, reached)];
+        Some(Evaluation { position, normal, depth, face: None, cue: self.cue_color(), points })
     }
 
     /// The pixel whose sample lies at `place` sees `triangle`, one of the model's or of the clipper's.
@@ -111,14 +101,12 @@ impl<'a> Reference<'a> {
                 Some(carried.iter().map(|&(v, weight)| weight * self.scale(self.model().position(v))).sum())
             }
         };
-        let at_vertex = |v: u32, weight: f64| self.vertex_point(v, weight);
         let mut points = match self.scene.shading.mode {
             ShadingMode::Phong | ShadingMode::Exact => {
-                let (scale, reached) = (self.scale(position), self.visible_at_pixel(place));
-                vec![WeightedPoint { weight: 1.0, point: position, normal, scale, reached }]
+                vec![self.point(position, normal, self.visible_at_pixel(place))]
             }
             ShadingMode::Interpolated | ShadingMode::Gouraud => {
-                carried.iter().map(|&(v, weight)| at_vertex(v, weight)).collect()
+                carried.iter().map(|&(v, weight)| self.vertex_point(v, weight)).collect()
             }
             ShadingMode::Flat => self.flat_points(face),
         };
@@ -145,18 +133,11 @@ impl<'a> Reference<'a> {
     /// Where flat shading evaluates the equation for a face.
     pub fn flat_points(&self, face: u32) -> Vec<WeightedPoint<'a>> {
         let corners = self.model().face(face);
-        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
         let share = 1.0 / corners.len().max(1) as f64;
         match self.scene.shading.flat_at {
             FlatAt::Centre => {
                 let (point, normal) = (self.model().face_centre(face), self.model().face_normal(face));
-                vec![WeightedPoint {
-                    weight: 1.0,
-                    point,
-                    normal,
-                    scale: self.scale(point),
-                    reached: self.visible_at_point(face),
-                }]
+                vec![self.point(point, normal, self.visible_at_point(face))]
             }
             FlatAt::VertexMean => corners.iter().map(|&v| self.vertex_point(v, share)).collect(),
             FlatAt::ProvokingVertex => corners.iter().take(1).map(|&v| self.vertex_point(v, 1.0)).collect(),
@@ -164,8 +145,13 @@ impl<'a> Reference<'a> {
     }
 
     fn vertex_point(&self, v: u32, weight: f64) -> WeightedPoint<'a> {
-        let (point, normal) = (self.model().position(v), self.model().normal(v));
-        WeightedPoint { weight, point, normal, scale: self.scale(point), reached: self.visible_at_point(v) }
+        let point = self.point(self.model().position(v), self.model().normal(v), self.visible_at_point(v));
+        WeightedPoint { weight, ..point }
+    }
+
+    /// A point of weight 1.
+    fn point(&self, point: DVec3, normal: DVec3, reached: Option<Reached<'a>>) -> WeightedPoint<'a> {
+        WeightedPoint { weight: 1.0, point, normal, scale: self.scale(point), reached }
     }
 
     /// The sources that reach a pixel.

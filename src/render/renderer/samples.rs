@@ -115,7 +115,6 @@ impl Renderer {
                 }
             }
         }
-        #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2²⁴")]
         let factor = 1.0 / samples as f32;
         sum.iter_mut().flatten().for_each(|value| *value *= factor);
         let Frame { width, pixels, .. } = &mut self.picture.output.frame;

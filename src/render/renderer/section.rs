@@ -11,6 +11,7 @@
 
 use super::display::{Linear, display};
 use super::frame::Frame;
+use super::inputs::Inputs;
 use super::pipeline::Renderer;
 use super::plan::Plan;
 use super::reference::Evaluation;
@@ -50,8 +51,9 @@ impl Renderer {
     /// The polygons that the line between two places of the last picture sees, in its order. Nothing where the picture
     /// shows the true surface, which has none.
     pub(crate) fn section(&self, from: DVec2, to: DVec2) -> Vec<Piece> {
-        let Some(plan) = self.plan().filter(|plan| !plan.true_surface) else { return Vec::new() };
-        let triangles = self.triangles();
+        let Some(Inputs { plan, triangles, .. }) = self.last().filter(|last| !last.plan.true_surface) else {
+            return Vec::new();
+        };
         let count = triangles.model.triangles.len() + triangles.clipped.triangles.len();
         let ends = [from, to].map(|end| end * f64::from(SUBPIXELS));
         let meet = |triangle| meet(triangle, &triangles, plan, ends);
@@ -63,11 +65,11 @@ impl Renderer {
     /// What is evaluated at any place of the last picture, where the line of a section sees `piece`. The place may lie
     /// beside the piece: its triangle's plane goes on. In a picture of the true surface the piece says nothing.
     pub(crate) fn evaluation_at(&self, place: DVec2, piece: Option<&Piece>) -> Option<Evaluation<'_>> {
-        let reference = self.reference()?;
-        if reference.plan.true_surface {
-            return reference.of_surface(place);
+        let last = self.last()?;
+        if last.plan.true_surface {
+            return last.of_surface(place);
         }
-        Some(reference.of_triangle(piece?.triangle, place))
+        Some(last.of_triangle(piece?.triangle, place))
     }
 }
 
@@ -122,7 +124,6 @@ fn meet(triangle: u32, triangles: &Triangles<'_>, plan: &Plan, ends: [DVec2; 2])
         }
     }
     let keys = vertices.map(|v| f64::from(triangles.placed.keys[v as usize]));
-    #[expect(clippy::cast_precision_loss, reason = "under 2⁴⁸")]
     let size = area.unsigned_abs() as f64;
     let keys = weights.map(|w| (w[0] * keys[0] + w[1] * keys[1] + w[2] * keys[2]) / size);
     (to - from > LEAST).then_some(Interval { triangle, from, to, keys })
