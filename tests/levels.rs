@@ -123,3 +123,10 @@ fn every_level_draws_the_same_with_any_number_of_threads_and_is_near_double_prec
     }
     assert!(wrong.is_empty(), "{} pixels, {:#?}", wrong.len(), &wrong[..wrong.len().min(5)]);
 }
+
+#[test]
+fn srgb_passes_through_its_published_points() {
+    for (linear, encoded, within) in [(0.003_130_8, 0.040_45, 1e-5), (0.214_041_14, 0.5, 1e-6), (1.0, 1.0, 1e-12)] {
+        assert!((srgb(linear) - encoded).abs() < within, "{linear}");
+    }
+}

@@ -42,8 +42,9 @@ pub struct Reached<'a> {
 impl Reached<'_> {
     /// The same bits for lanes that start at shading point `first`.
     #[inline(always)]
-    pub fn starting_at(self, first: usize) -> Self {
-        Self { first, ..self }
+    pub fn starting_at(this: Option<Self>, first: usize) -> Option<Self> {
+        let reached = this?;
+        Some(Self { first, ..reached })
     }
 
     /// Whether `source` reaches the first shading point.
@@ -364,9 +365,14 @@ impl Equation<f64> {
         (DVec3::from(way) * self.unit, times)
     }
 
+    /// A point of the world with normal `n`.
+    fn site_at(&self, point: DVec3, n: DVec3) -> ShadingPoint<f64> {
+        self.site(V3::from(self.from_world(point)), V3::from(n))
+    }
+
     /// V at a point of the world.
     pub fn view_at(&self, point: DVec3) -> DVec3 {
-        self.site(V3::from(self.from_world(point)), V3::from(DVec3::ZERO)).view.into()
+        self.site_at(point, DVec3::ZERO).view.into()
     }
 
     /// Whether a pattern varies Od.
@@ -386,7 +392,7 @@ impl Equation<f64> {
 
     /// I at a point of the world with normal `n`, per channel: the reference. Without `reached` all sources reach it.
     pub fn illuminate_world(&self, point: DVec3, n: DVec3, reached: Option<Reached<'_>>) -> Rgb {
-        let site = self.site(V3::from(self.from_world(point)), V3::from(n));
+        let site = self.site_at(point, n);
         Rgb::from_array(with_form!(self.form, F => self.illuminate::<f64, F>(&site, reached)))
     }
 
@@ -400,7 +406,7 @@ impl Equation<f64> {
     /// # Panics
     /// If there is no such light.
     pub fn respond_world(&self, light: usize, point: DVec3, n: DVec3, reached: Option<Reached<'_>>) -> LightAt {
-        let site = self.site(V3::from(self.from_world(point)), V3::from(n));
+        let site = self.site_at(point, n);
         let color = self.pattern_color(point);
         let range = self.sources_of(light);
         let share = 1.0 / range.len().max(1) as f64;

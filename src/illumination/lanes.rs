@@ -109,6 +109,16 @@ fn ln_one_plus<S: Simd>(x: Lanes<S>) -> Lanes<S> {
     (square * x).mul_add(p, square.mul_add(x.constant(-0.5), x))
 }
 
+/// The functions that vectors have themselves.
+macro_rules! in_lanes {
+    ($($name:ident($($other:ident)?)),*) => {
+        $(#[inline(always)]
+        fn $name(self $(, $other: Self)?) -> Self {
+            Self(self.0.$name($($other.0)?))
+        })*
+    };
+}
+
 impl<S: Simd> Real for Lanes<S> {
     type Scalar = f32;
     type Mask = S::mask32s;
@@ -123,25 +133,7 @@ impl<S: Simd> Real for Lanes<S> {
         Self(self.0.mul_add(a.0, b.0))
     }
 
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        Self(self.0.max(other.0))
-    }
-
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        Self(self.0.min(other.0))
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Self(self.0.abs())
-    }
-
-    #[inline(always)]
-    fn floor(self) -> Self {
-        Self(self.0.floor())
-    }
+    in_lanes!(max(other), min(other), abs(), floor());
 
     #[inline(always)]
     fn inverse_sqrt(self) -> Self {

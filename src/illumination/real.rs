@@ -17,6 +17,7 @@ impl Scalar for f32 {
     const GRID: f64 = 1.0 / 256.0;
     const ROUNDING: f64 = 4e-7;
 
+    #[inline(always)]
     fn from_f64(value: f64) -> Self {
         (value as f32).clamp(f32::MIN, f32::MAX)
     }
@@ -26,6 +27,7 @@ impl Scalar for f64 {
     const GRID: f64 = 0.0;
     const ROUNDING: f64 = 1e-13;
 
+    #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value.clamp(f64::MIN, f64::MAX)
     }
@@ -55,7 +57,9 @@ pub trait Real:
         self.constant(Self::Scalar::from_f64(value))
     }
     /// `self · a + b`, fused where the machine can.
-    fn mul_add(self, a: Self, b: Self) -> Self;
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
     fn max(self, other: Self) -> Self;
     fn min(self, other: Self) -> Self;
     fn abs(self) -> Self;
@@ -82,7 +86,9 @@ pub trait Real:
     /// The truth values of as many lanes as there are, the lowest bit the first lane's.
     fn mask_of_bits(self, bits: u64) -> Self::Mask;
     /// Whether all of those truth values are false.
-    fn holds_none(self, bits: u64) -> bool;
+    fn holds_none(self, bits: u64) -> bool {
+        !Self::any(self.mask_of_bits(bits))
+    }
 
     /// `√self` for `self` ≥ 0.
     #[inline(always)]
@@ -100,6 +106,15 @@ pub trait Real:
 /// Smaller divisors are raised to this.
 const SHORTEST_DIVISOR: f64 = 1e-20;
 
+/// The functions that `f64` has itself.
+macro_rules! from_std {
+    ($($name:ident($($other:ident)?)),*) => {
+        $(fn $name(self $(, $other: Self)?) -> Self {
+            Self::$name(self $(, $other)?)
+        })*
+    };
+}
+
 impl Real for f64 {
     type Scalar = Self;
     type Mask = bool;
@@ -108,36 +123,10 @@ impl Real for f64 {
         value
     }
 
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        self * a + b
-    }
-
-    fn max(self, other: Self) -> Self {
-        Self::max(self, other)
-    }
-
-    fn min(self, other: Self) -> Self {
-        Self::min(self, other)
-    }
-
-    fn abs(self) -> Self {
-        Self::abs(self)
-    }
-
-    fn floor(self) -> Self {
-        Self::floor(self)
-    }
+    from_std!(max(other), min(other), abs(), floor(), exp2(), log2());
 
     fn inverse_sqrt(self) -> Self {
         1.0 / self.max(Self::MIN_POSITIVE).sqrt()
-    }
-
-    fn exp2(self) -> Self {
-        Self::exp2(self)
-    }
-
-    fn log2(self) -> Self {
-        Self::log2(self)
     }
 
     fn log2_one_minus(t: Self) -> Self {
@@ -158,10 +147,6 @@ impl Real for f64 {
 
     fn mask_of_bits(self, bits: u64) -> bool {
         bits & 1 == 1
-    }
-
-    fn holds_none(self, bits: u64) -> bool {
-        bits & 1 == 0
     }
 }
 

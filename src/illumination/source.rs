@@ -135,35 +135,27 @@ impl<T: Scalar> Source<T> {
         let diffuse = (color * kd_color).min(Rgb::splat(share.diffuse));
         let specular = (color * ks).min(Rgb::splat(share.specular));
         let greatest = share.attenuation(diffuse, specular);
-        let at = |position| Self {
-            diffuse: scalars(diffuse),
-            specular: scalars(specular),
-            ..Self::at(light, position, eye, unit, greatest)
+        let at = |position: DVec3| {
+            let offset = (position - eye) / unit;
+            let distance = length(offset);
+            let parallel = light.kind == LightKind::Directional || distance > PARALLEL_BEYOND;
+            let far = (light.kind.has_position() && parallel).then_some(distance);
+            Self {
+                place: match light.kind {
+                    LightKind::Directional => Place::Towards(scalars(-direction(light.direction))),
+                    _ if parallel => Place::Towards(scalars(direction(offset))),
+                    _ => Place::At(scalars(offset)),
+                },
+                falloff: Falloff::new(light, unit, far, greatest),
+                cone: Cone::of(light),
+                diffuse: scalars(diffuse),
+                specular: scalars(specular),
+            }
         };
         if light.kind == LightKind::Area {
             area_samples(light).into_iter().map(at).collect()
         } else {
             vec![at(light.position)]
-        }
-    }
-
-    /// A source that is dark yet, whose f is `greatest` at most.
-    fn at(light: &Light, position: DVec3, eye: DVec3, unit: f64, greatest: f64) -> Self {
-        let offset = (position - eye) / unit;
-        let distance = length(offset);
-        let parallel = light.kind == LightKind::Directional || distance > PARALLEL_BEYOND;
-        let place = match light.kind {
-            LightKind::Directional => Place::Towards(scalars(-direction(light.direction))),
-            _ if parallel => Place::Towards(scalars(direction(offset))),
-            _ => Place::At(scalars(offset)),
-        };
-        let far = (light.kind.has_position() && parallel).then_some(distance);
-        Self {
-            place,
-            falloff: Falloff::new(light, unit, far, greatest),
-            cone: Cone::of(light),
-            diffuse: [T::default(); 3],
-            specular: [T::default(); 3],
         }
     }
 

@@ -32,7 +32,9 @@ pub enum SpecularForm {
     PhongChord,
     BlinnCosine,
     BlinnChord,
+    /// Cook and Torrance's model with Beckmann's distribution.
     Beckmann,
+    /// The same with the distribution of Walter et al.
     Ggx,
 }
 
@@ -88,13 +90,37 @@ macro_rules! with_form {
 
 /// The specular factor of one light, a type for each form so that loops carry no choice.
 pub trait Specular: 'static {
-    const PRESENT: bool = true;
+    const FORM: SpecularForm;
+
+    const PRESENT: bool = !matches!(Self::FORM, SpecularForm::None);
 
     /// Whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
-    const AT_HALFWAY: bool = true;
+    const AT_HALFWAY: bool = matches!(
+        Self::FORM,
+        SpecularForm::BlinnCosine | SpecularForm::BlinnChord | SpecularForm::Beckmann | SpecularForm::Ggx
+    );
 
     /// S at a shading point for the unit direction `l` to the light and `n_dot_l` = N·L.
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R;
+    #[inline(always)]
+    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
+        let (n, v) = (site.normal, site.view);
+        match Self::FORM {
+            SpecularForm::None => n_dot_l.number(0.0),
+            // R·V without R: 2(N·L)(N·V) − L·V.
+            SpecularForm::PhongCosine => power_of_cosine((n_dot_l + n_dot_l).mul_add(n.dot(v), -l.dot(v)), lobe),
+            SpecularForm::PhongChord => power_of_chord(reflect(n, l, n_dot_l), v, lobe),
+            SpecularForm::BlinnCosine => power_of_cosine(n.dot(halfway(l, v)), lobe),
+            SpecularForm::BlinnChord => power_of_chord(n, halfway(l, v), lobe),
+            SpecularForm::Beckmann => {
+                let f = Facet::new(site, l);
+                f.factor(beckmann(f.gap, lobe), geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h))
+            }
+            SpecularForm::Ggx => {
+                let f = Facet::new(site, l);
+                f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
+            }
+        }
+    }
 
     /// The cosine of the angle of incidence.
     #[inline(always)]
@@ -109,76 +135,18 @@ pub trait Specular: 'static {
     }
 }
 
-/// ks = 0.
-pub struct NoSpecular;
-pub struct PhongCosine;
-pub struct PhongChord;
-pub struct BlinnCosine;
-pub struct BlinnChord;
-/// Cook and Torrance's model with Beckmann's distribution.
-pub struct Beckmann;
-/// The same with the distribution of Walter et al.
-pub struct Ggx;
+macro_rules! forms {
+    ($($type:ident $variant:ident),*) => {
+        $(pub struct $type;
 
-impl Specular for NoSpecular {
-    const PRESENT: bool = false;
-    const AT_HALFWAY: bool = false;
-
-    #[inline(always)]
-    fn factor<R: Real>(_: &ShadingPoint<R>, _: V3<R>, n_dot_l: R, _: &Lobe<R::Scalar>) -> R {
-        n_dot_l.number(0.0)
-    }
+        impl Specular for $type {
+            const FORM: SpecularForm = SpecularForm::$variant;
+        })*
+    };
 }
 
-impl Specular for PhongCosine {
-    const AT_HALFWAY: bool = false;
-
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        // R·V without R: 2(N·L)(N·V) − L·V.
-        let n_dot_v = site.normal.dot(site.view);
-        power_of_cosine((n_dot_l + n_dot_l).mul_add(n_dot_v, -l.dot(site.view)), lobe)
-    }
-}
-
-impl Specular for PhongChord {
-    const AT_HALFWAY: bool = false;
-
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        power_of_chord(reflect(site.normal, l, n_dot_l), site.view, lobe)
-    }
-}
-
-impl Specular for BlinnCosine {
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
-        power_of_cosine(site.normal.dot(halfway(l, site.view)), lobe)
-    }
-}
-
-impl Specular for BlinnChord {
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, _: R, lobe: &Lobe<R::Scalar>) -> R {
-        power_of_chord(site.normal, halfway(l, site.view), lobe)
-    }
-}
-
-impl Specular for Beckmann {
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        let f = Facet::new(site, l);
-        f.factor(beckmann(f.gap, lobe), geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h))
-    }
-}
-
-impl Specular for Ggx {
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        let f = Facet::new(site, l);
-        f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
-    }
-}
+forms!(NoSpecular None, PhongCosine PhongCosine, PhongChord PhongChord, BlinnCosine BlinnCosine, BlinnChord BlinnChord);
+forms!(Beckmann Beckmann, Ggx Ggx);
 
 /// `R = 2N(N·L) − L`, L mirrored at N.
 #[inline(always)]

@@ -6,19 +6,13 @@ use glam::{DVec2, DVec3};
 /// What is nearer to the eye than this many camera distances is clipped away.
 pub const NEAR: f64 = 1e-3;
 
-/// What is farther from the eye than this many camera distances is lit as if it were no farther: nothing of it is told
-/// apart, and squares of distances stay within single precision.
+/// What is farther from the eye than this many camera distances is lit as if it were no farther: squares must not overflow.
 pub const FARTHEST: f64 = 1e12;
 
 /// The object reaches no farther from the eye than this many camera distances: where eye and target are so near to each other
 /// that it would, a camera distance is longer than from one to the other. Lights beside it are then still told from lights at
 /// infinity, and what is nearer than [`NEAR`] is less than single precision resolves of the object.
-const DEEPEST: f64 = 1e8;
-
-/// World units to one camera distance, for an object that reaches as far as `farthest` from the eye.
-pub fn camera_unit(camera: &Camera, farthest: f64) -> f64 {
-    camera.distance().max(farthest / DEEPEST)
-}
+pub const DEEPEST: f64 = 1e8;
 
 /// The centre of a pixel.
 pub fn pixel_centre(x: usize, y: usize) -> DVec2 {
@@ -43,8 +37,7 @@ pub struct Lens {
 }
 
 impl Lens {
-    /// The lens of `camera` for a picture of `size` pixels whose samples lie `offset` pixels from the centres, with `unit` world
-    /// units to one camera distance.
+    /// The lens for `size` pixels whose samples lie `offset` pixels from the centres; a camera distance is `unit` world units.
     pub fn new(camera: &Camera, size: [u32; 2], offset: DVec2, unit: f64) -> Self {
         let View { eye, right, up, forward, centre, scale, projection } = View::new(camera, size);
         let perspective = projection == Projection::Perspective;
@@ -64,8 +57,7 @@ impl Lens {
         DVec2::new(self.middle.x + view.x * scale, self.middle.y - view.y * scale)
     }
 
-    /// The depth key of a point at distance `depth` along the viewing direction: linear in the picture over a flat
-    /// polygon, the greater the nearer.
+    /// The depth key at a distance along the viewing direction: linear in the picture over a flat polygon, greater if nearer.
     pub fn key_from_depth(&self, depth: f64) -> f64 {
         if self.perspective { 1.0 / depth } else { -depth }
     }
@@ -75,8 +67,7 @@ impl Lens {
         if self.perspective { 1.0 / key } else { -key }
     }
 
-    /// The ray through a place in the picture: a point and a direction in camera distances relative to the eye, such
-    /// that point + depth·direction lies at that depth.
+    /// The ray through a place in the picture, relative to the eye: point + depth·direction lies at that depth.
     pub fn ray(&self, place: DVec2) -> (DVec3, DVec3) {
         let across =
             self.right * ((place.x - self.middle.x) / self.focal) - self.up * ((place.y - self.middle.y) / self.focal);

@@ -1,27 +1,23 @@
 //! The geometry stage's output: polygons, and a mesh as structures of arrays.
 
+use super::lens::DEEPEST;
 use super::node::{Memory, room, room_of_planes};
 use crate::geometry::{Mesh, VertexMesh, tessellate};
-use crate::scene::Object;
+use crate::scene::{Camera, Object};
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
-use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 /// Arrays are filled up to a multiple of this, the widest vector's lanes.
 pub const PADDING: usize = 16;
 
-/// The centre and the normal of a face of more corners than this are kept once they are asked for: a profile asks at every
-/// point of its line.
+/// The centre and the normal of a face of more corners are kept, since a profile asks at every point of its line.
 const MANY: usize = 32;
 
 /// Three planes of numbers, one a component or a channel.
 pub type Planes = [Vec<f32>; 3];
 
-/// A model's own polygons, or those of a shape.
-///
-/// Once a shape's have gone into the arrays that are drawn they would only take room, so they are let go, and made again
-/// when somebody asks for them.
+/// A model's own polygons, or those of a shape: these are let go once they are in the arrays, and made again when asked for.
 #[derive(Default)]
 pub struct MeshSource {
     pub mesh: OnceLock<Arc<Mesh>>,
@@ -76,13 +72,17 @@ pub struct Model {
 }
 
 impl Model {
-    pub fn new(mesh: VertexMesh) -> Self {
-        let triangles = fan(&mesh.starts, &mesh.corners);
-        let count = mesh.starts.len().saturating_sub(1);
-        let mut faces = Vec::with_capacity(triangles.len());
-        for face in 0..count {
-            let corners = (mesh.starts[face + 1] - mesh.starts[face]) as usize;
-            faces.extend(std::iter::repeat_n(u32::try_from(face).unwrap_or(u32::MAX), corners.saturating_sub(2)));
+    pub fn new(mut mesh: VertexMesh) -> Self {
+        mesh.starts.shrink_to_fit();
+        mesh.corners.shrink_to_fit();
+        let count = mesh.corners.len().saturating_sub(2 * mesh.starts.len().saturating_sub(1));
+        let (mut triangles, mut faces) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        for (face, range) in (0_u32..).zip(mesh.starts.windows(2)) {
+            // A fan from the face's first vertex.
+            if let Some((&first, rest)) = mesh.corners[range[0] as usize..range[1] as usize].split_first() {
+                triangles.extend(rest.windows(2).map(|pair| [first, pair[0], pair[1]]));
+                faces.resize(triangles.len(), face);
+            }
         }
         Self {
             origin: mesh.origin,
@@ -92,8 +92,8 @@ impl Model {
             normal: planes(&mesh.normals),
             triangles,
             faces,
-            starts: trimmed(mesh.starts),
-            indices: trimmed(mesh.corners),
+            starts: mesh.starts,
+            indices: mesh.corners,
             closed: mesh.closed,
             convex: mesh.convex,
             large: OnceLock::new(),
@@ -103,6 +103,12 @@ impl Model {
     pub fn count(&self, memory: &mut Memory) {
         memory.vertices += room_of_planes(&self.position) + room_of_planes(&self.normal);
         memory.triangles += room(&self.triangles) + room(&self.faces) + room(&self.starts) + room(&self.indices);
+    }
+
+    /// World units to one camera distance.
+    pub fn unit(&self, camera: &Camera) -> f64 {
+        let farthest = (self.origin - camera.eye).length() + self.radius;
+        camera.distance().max(farthest / DEEPEST)
     }
 
     pub fn face_count(&self) -> usize {
@@ -116,8 +122,8 @@ impl Model {
 
     /// Vertices of face `face`.
     pub fn face(&self, face: u32) -> &[u32] {
-        let range = |f: usize| -> Range<usize> { self.starts[f] as usize..self.starts[f + 1] as usize };
-        &self.indices[range(face as usize)]
+        let face = face as usize;
+        &self.indices[self.starts[face] as usize..self.starts[face + 1] as usize]
     }
 
     /// A vertex relative to `origin`.
@@ -177,12 +183,6 @@ impl Model {
     }
 }
 
-/// Without room for more.
-fn trimmed(mut list: Vec<u32>) -> Vec<u32> {
-    list.shrink_to_fit();
-    list
-}
-
 fn at(planes: &[Vec<f32>; 3], vertex: u32) -> Vec3 {
     let v = vertex as usize;
     Vec3::new(planes[0][v], planes[1][v], planes[2][v])
@@ -196,18 +196,6 @@ fn planes(vectors: &[Vec3]) -> [Vec<f32>; 3] {
         plane.resize(padded, 0.0);
         plane
     })
-}
-
-/// Triangles of each polygon, fanned from its first vertex.
-fn fan(starts: &[u32], indices: &[u32]) -> Vec<[u32; 3]> {
-    let faces = starts.len().saturating_sub(1);
-    let mut triangles = Vec::with_capacity(indices.len().saturating_sub(2 * faces));
-    for range in starts.windows(2) {
-        if let Some((&first, rest)) = indices[range[0] as usize..range[1] as usize].split_first() {
-            triangles.extend(rest.windows(2).map(|pair| [first, pair[0], pair[1]]));
-        }
-    }
-    triangles
 }
 
 #[cfg(test)]

@@ -6,13 +6,12 @@ mod fragments;
 mod grid;
 mod interpolate;
 mod scan_line;
-mod span;
 mod transform;
 mod triangles;
 
 pub use cover::{Band, Coverage, DepthScratch, ROWS, meet, meet_band};
 pub use fragments::{Block, Fragment, fragment, is_seen, join};
 pub use grid::{BAND, BandPlace, Place, SUBPIXELS, UNPLACED, doubled_area};
-pub use interpolate::{CarriedValues, Rule, SHORTEST_NORMAL, interpolate};
+pub use interpolate::{SHORTEST_NORMAL, carry, interpolate};
 pub use scan_line::{Crossing, Outline, crossing_pair};
-pub use triangles::{Bins, PlacedTriangles, Triangles};
+pub use triangles::{PlacedTriangles, Triangles};

@@ -2,9 +2,7 @@
 
 mod bounce;
 mod bvh;
-mod floor;
 mod packet;
-mod primary_hit;
 mod proof;
 mod shadow;
 mod solid;
@@ -15,8 +13,7 @@ mod world;
 pub use bounce::Bounced;
 pub use bvh::Bvh;
 pub use packet::{BLOCK, Visibility};
-pub use primary_hit::PrimaryHits;
 pub use shadow::ShadowCaster;
-pub use solid::Solid;
+pub use solid::{PrimaryHits, Solid};
 pub use transmission::Transmission;
 pub use world::{DiffuseSurface, LightScratch, World, matt_scene};

@@ -122,9 +122,8 @@ mod tests {
     use glam::DVec2;
     use proptest::prelude::*;
 
-    fn area(corners: &[DVec3]) -> f64 {
-        let base = corners[0];
-        corners[1..].windows(2).map(|p| (p[0] - base).cross(p[1] - base).length()).sum::<f64>() / 2.0
+    fn triangle(c: [f64; 9]) -> [DVec3; 3] {
+        [0, 3, 6].map(|k| DVec3::from_slice(&c[k..k + 3]))
     }
 
     proptest! {
@@ -133,14 +132,16 @@ mod tests {
         /// What a plane cuts off and what it keeps make up the triangle.
         #[test]
         fn a_cut_keeps_the_area(c in prop::array::uniform9(-3.0..3.0f64), nx in -1.0..1.0f64, ny in -1.0..1.0f64, d in -1.0..1.0f64) {
-            let points = [DVec3::new(c[0], c[1], c[2]), DVec3::new(c[3], c[4], c[5]), DVec3::new(c[6], c[7], c[8])];
-            let plane = |view: DVec3| view.x * nx + view.y * ny + view.z * 0.5 - d;
-            let corners = |side: f64| {
-                let mut polygon: Vec<Corner> = points.iter().map(|&view| Corner { view, weights: DVec3::ZERO }).collect();
-                cut(&mut polygon, |view| side * plane(view));
-                polygon.iter().map(|c| c.view).collect::<Vec<_>>()
+            let points = triangle(c);
+            let area = |corners: &[DVec3]| {
+                let doubled = |pair: &[DVec3]| (pair[0] - corners[0]).cross(pair[1] - corners[0]).length();
+                corners.windows(2).map(doubled).sum::<f64>() / 2.0
             };
-            let part = |side: f64| { let c = corners(side); if c.len() < 3 { 0.0 } else { area(&c) } };
+            let part = |side: f64| {
+                let mut polygon = points.map(|view| Corner { view, weights: DVec3::ZERO }).to_vec();
+                cut(&mut polygon, |view| side * (view.x * nx + view.y * ny + view.z * 0.5 - d));
+                area(&polygon.iter().map(|corner| corner.view).collect::<Vec<_>>())
+            };
             prop_assert!((part(1.0) + part(-1.0) - area(&points)).abs() < 1e-9);
         }
 
@@ -148,15 +149,12 @@ mod tests {
         #[test]
         fn corners_are_where_their_weights_say(c in prop::array::uniform9(-5.0..5.0f64)) {
             let lens = Lens::new(&Camera::default(), [640, 480], DVec2::ZERO, 4.0);
-            let views = [DVec3::new(c[0], c[1], c[2]), DVec3::new(c[3], c[4], c[5]), DVec3::new(c[6], c[7], c[8])];
-            for corner in clip(&lens, views) {
-                prop_assert!(corner.view.z >= NEAR * (1.0 - 1e-9));
-                let place = lens.picture_from_view(corner.view);
-                prop_assert!(place.abs().max_element() <= GUARD + 1e-3);
-                let w = corner.weights;
-                let sum = views[0] * w.x + views[1] * w.y + views[2] * w.z;
-                prop_assert!((sum - corner.view).length() < 1e-9);
-                prop_assert!((w.x + w.y + w.z - 1.0).abs() < 1e-12);
+            let views = triangle(c);
+            for Corner { view, weights: w } in clip(&lens, views) {
+                prop_assert!(view.z >= NEAR * (1.0 - 1e-9));
+                prop_assert!(lens.picture_from_view(view).abs().max_element() <= GUARD + 1e-3);
+                prop_assert!((views[0] * w.x + views[1] * w.y + views[2] * w.z - view).length() < 1e-9);
+                prop_assert!((w.element_sum() - 1.0).abs() < 1e-12);
             }
         }
     }

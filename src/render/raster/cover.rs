@@ -2,8 +2,7 @@
 //! surface is drawn, rays meet it instead, in double precision.
 
 use super::fragments::{Block, Fragment, fragment, open, put};
-use super::grid::{BAND, BandPlace, HALF, Place, SUBPIXELS};
-use super::span::scan;
+use super::grid::{BAND, BandPlace, HALF, Place, SUBPIXELS, scan};
 use super::triangles::Triangles;
 use crate::geometry::{Ray, Surface, SurfaceHit};
 use crate::render::lens::{Lens, NEAR, pixel_centre};
@@ -32,6 +31,7 @@ impl Run {
 /// The coverage stage's output for one band.
 #[derive(Default)]
 pub struct Band {
+    pub place: BandPlace,
     /// Sorted by row and x where a depth test was made; otherwise by triangle, without gaps in a row.
     pub runs: Vec<Run>,
     /// Whether a depth test was made.
@@ -93,8 +93,9 @@ impl Weights {
 impl Band {
     /// Covers the band by triangles of which no two overlap: no depth is needed.
     #[inline(always)]
-    pub fn cover_directly(&mut self, place: BandPlace, shape: &Triangles<'_>, triangles: impl Iterator<Item = u32>) {
-        self.begin(place, false);
+    pub fn cover_directly(&mut self, shape: &Triangles<'_>, triangles: impl Iterator<Item = u32>) {
+        self.begin(false);
+        let place = self.place;
         let width = place.width as i32;
         for triangle in triangles {
             let corners = shape.corners(triangle);
@@ -117,12 +118,12 @@ impl Band {
     #[inline(always)]
     pub fn cover_nearest(
         &mut self,
-        place: BandPlace,
         shape: &Triangles<'_>,
         triangles: impl Iterator<Item = u32>,
         scratch: &mut DepthScratch,
     ) {
-        self.begin(place, true);
+        self.begin(true);
+        let place = self.place;
         let pixels = (place.rows * place.width) as usize;
         scratch.keys.clear();
         scratch.keys.resize(pixels, f32::MIN);
@@ -145,12 +146,12 @@ impl Band {
     }
 
     /// Forgets what was covered.
-    fn begin(&mut self, place: BandPlace, sorted: bool) {
+    fn begin(&mut self, sorted: bool) {
         self.runs.clear();
         self.sorted = sorted;
         (self.covered, self.drawn) = (0, 0);
         self.extents.clear();
-        self.extents.resize(place.rows as usize, place.width..0);
+        self.extents.resize(self.place.rows as usize, self.place.width..0);
     }
 
     /// Counts the pixels x0..x1 of a row as covered.
@@ -222,14 +223,11 @@ pub struct Coverage<'a> {
 
 impl<'a> Coverage<'a> {
     /// The bands one by one, each with its fragments.
-    pub fn parts(self) -> impl IndexedParallelIterator<Item = (BandPlace, &'a Band, &'a [Block])> {
-        let [width, height] = self.size;
-        let share = ROWS * Block::count(width);
+    pub fn parts(self) -> impl IndexedParallelIterator<Item = (&'a Band, &'a [Block])> {
+        let share = ROWS * Block::count(self.size[0]);
         self.bands.par_iter().enumerate().map(move |(index, band)| {
-            let first_row = index as u32 * BAND;
             let fragments = &self.fragments[(index * share).min(self.fragments.len())..];
-            let place = BandPlace { first_row, rows: BAND.min(height.saturating_sub(first_row)), width };
-            (place, band, &fragments[..share.min(fragments.len())])
+            (band, &fragments[..share.min(fragments.len())])
         })
     }
 
@@ -257,8 +255,9 @@ pub fn meet(lens: &Lens, surface: &Surface, place: DVec2) -> Option<(DVec3, Surf
 }
 
 /// Fills the fragments of a band and its extents.
-pub fn meet_band(lens: &Lens, surface: &Surface, place: BandPlace, band: &mut Band, fragments: &mut [Block]) {
-    band.begin(place, true);
+pub fn meet_band(lens: &Lens, surface: &Surface, band: &mut Band, fragments: &mut [Block]) {
+    band.begin(true);
+    let place = band.place;
     for (row, line) in fragments.chunks_exact_mut(Block::count(place.width)).take(place.rows as usize).enumerate() {
         open(line);
         for x in 0..place.width as usize {

@@ -13,66 +13,47 @@ use crate::illumination::Lanes;
 use fearless_simd::{Level, dispatch, f32x4, prelude::*};
 use rayon::prelude::*;
 
-/// An interpolated normal shorter than this has no direction: its rounding is 10⁻³ of it and more. It is not lengthened to 1,
-/// so that normals which cancel out stay near zero.
+/// A shorter interpolated normal is mostly rounding: it is not made a unit vector, so that those that cancel stay near zero.
 pub const SHORTEST_NORMAL: f64 = 1e-4;
 
-/// What the vertices are to carry.
-#[derive(Clone, Copy)]
-pub struct CarriedValues<'a> {
-    /// One plane a component.
-    pub planes: [&'a [f32]; 3],
-    /// Whether they carry them multiplied by the depth key.
-    pub by_key: bool,
-}
-
-impl CarriedValues<'_> {
-    /// Fills `carried` with what each vertex carries, and its depth key.
-    pub fn carry(&self, level: Level, carried: &mut Vec<Fragment>, triangles: &Triangles<'_>) {
-        let Triangles { placed, clipped, .. } = triangles;
-        const CHUNK: usize = 4096;
-        let count = self.planes[0].len();
-        carried.reserve_exact(count.saturating_sub(carried.len()));
-        carried.resize(count, [0.0; 4]);
-        carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
-            dispatch!(level, simd => self.carry_chunk(simd, chunk * CHUNK, carried, &placed.keys));
+/// Fills `carried` with what each vertex carries, multiplied by its depth key if `by_key`, and that key.
+pub fn carry(level: Level, planes: [&[f32]; 3], by_key: bool, triangles: &Triangles<'_>, carried: &mut Vec<Fragment>) {
+    const CHUNK: usize = 4096;
+    let Triangles { placed, clipped, .. } = triangles;
+    let count = planes[0].len();
+    carried.reserve_exact(count.saturating_sub(carried.len()));
+    carried.resize(count, [0.0; 4]);
+    carried.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, carried)| {
+        dispatch!(level, simd => carry_chunk(simd, planes, by_key, &placed.keys, chunk * CHUNK, carried));
+    });
+    for (cut, key) in clipped.cuts.iter().zip(&placed.keys[carried.len()..]) {
+        let factor = if by_key { *key } else { 1.0 };
+        let [a, b, c] = planes.map(|plane| {
+            let parts = cut.vertices.iter().zip(cut.weights);
+            parts.map(|(&v, w)| f64::from(plane[v as usize]) * w).sum::<f64>() as f32 * factor
         });
-        for (cut, key) in clipped.cuts.iter().zip(&placed.keys[carried.len()..]) {
-            let factor = if self.by_key { *key } else { 1.0 };
-            let [a, b, c] = self.planes.map(|plane| {
-                let parts = cut.vertices.iter().zip(cut.weights);
-                parts.map(|(&v, w)| f64::from(plane[v as usize]) * w).sum::<f64>() as f32 * factor
-            });
-            carried.push([a, b, c, *key]);
-        }
-    }
-
-    #[inline(always)]
-    fn carry_chunk<S: Simd>(&self, simd: S, first: usize, carried: &mut [Fragment], keys: &[f32]) {
-        let lanes = Lanes::<S>::LEN;
-        let [a, b, c] = self.planes;
-        let one = Lanes::splat(simd, 1.0);
-        for (start, carried) in (first..).step_by(lanes).zip(carried.chunks_exact_mut(lanes)) {
-            let key = Lanes::load(simd, &keys[start..]);
-            let factor = if self.by_key { key } else { one };
-            let values = [
-                Lanes::load(simd, &a[start..]) * factor,
-                Lanes::load(simd, &b[start..]) * factor,
-                Lanes::load(simd, &c[start..]) * factor,
-                key,
-            ];
-            join(simd, &values, carried);
-        }
+        carried.push([a, b, c, *key]);
     }
 }
 
-/// How values are found inside a polygon.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rule {
-    /// Linear along the polygon's edges, then along the scan line.
-    Scanline,
-    /// Linear over the triangle: by a step from one pixel to the next.
-    Steps,
+#[inline(always)]
+fn carry_chunk<S: Simd>(
+    simd: S,
+    [a, b, c]: [&[f32]; 3],
+    by_key: bool,
+    keys: &[f32],
+    first: usize,
+    carried: &mut [Fragment],
+) {
+    let lanes = Lanes::<S>::LEN;
+    let one = Lanes::splat(simd, 1.0);
+    for (start, carried) in (first..).step_by(lanes).zip(carried.chunks_exact_mut(lanes)) {
+        let key = Lanes::load(simd, &keys[start..]);
+        let factor = if by_key { key } else { one };
+        let (a, b) = (Lanes::load(simd, &a[start..]) * factor, Lanes::load(simd, &b[start..]) * factor);
+        let c = Lanes::load(simd, &c[start..]) * factor;
+        join(simd, &[a, b, c, key], carried);
+    }
 }
 
 /// Linear over the triangle (of values that are linear there: affine ones, or perspective ones times the key).
@@ -148,34 +129,35 @@ impl Span {
     }
 }
 
-/// Fills the fragments of a band, rows of `place.width`. In each row all pixels of the extent are written.
+/// Fills the fragments of a band, rows of `place.width`: linearly over each triangle by a step from one pixel to the next, or
+/// along the polygon's edges and then along the scan line. In each row all pixels of the extent are written.
 #[inline(always)]
 pub fn interpolate<S: Simd>(
     simd: S,
-    place: BandPlace,
     band: &Band,
     (triangles, carried): (Triangles<'_>, &[Fragment]),
-    rule: Rule,
+    scanline: bool,
     fragments: &mut [Block],
 ) {
-    open_gaps(place, band, fragments);
-    let count = Block::count(place.width);
+    open_gaps(band, fragments);
+    let BandPlace { first_row, width, .. } = band.place;
+    let count = Block::count(width);
     let line = |run: &Run| usize::from(run.row) * count..(usize::from(run.row) + 1) * count;
-    if rule == Rule::Steps {
+    if !scanline {
         let mut rule = Barycentric::new(simd, triangles, carried);
         for run in &band.runs {
             rule.take(simd, run.triangle);
             let [s1, s2] = rule.weights.step;
-            let start = rule.at(simd, rule.weights.at(i32::from(run.x0), run.y(place.first_row)));
+            let start = rule.at(simd, rule.weights.at(i32::from(run.x0), run.y(first_row)));
             let step = rule.d1.mul_add(s1, rule.d2 * s2);
             fragments::fill(simd, &mut fragments[line(run)], usize::from(run.x0)..usize::from(run.x1), start, step);
         }
         return;
     }
-    let mut outlines = Outlines::new(triangles, place, band.sorted);
+    let mut outlines = Outlines::new(triangles, band);
     for run in &band.runs {
         let line = &mut fragments[line(run)];
-        let crossings = outlines.crossings(run.triangle, run.y(place.first_row));
+        let crossings = outlines.crossings(run.triangle, run.y(first_row));
         let mut x = run.x0;
         while x < run.x1 {
             let centre = f64::from(i32::from(x) * SUBPIXELS + HALF);
@@ -190,8 +172,8 @@ pub fn interpolate<S: Simd>(
 
 /// Makes those pixels of the extents gaps that no run may fill.
 #[inline(always)]
-fn open_gaps(place: BandPlace, band: &Band, fragments: &mut [Block]) {
-    let count = Block::count(place.width);
+fn open_gaps(band: &Band, fragments: &mut [Block]) {
+    let count = Block::count(band.place.width);
     for (extent, line) in band.extents.iter().zip(fragments.chunks_mut(count)).filter(|(extent, _)| !extent.is_empty())
     {
         let blocks = Block::over(extent);

@@ -11,8 +11,9 @@
 //! The picture and the reference take their crossings from here. Whether an edge is crossed is decided on the grid of the
 //! picture's places, so that both see the same pairs.
 
+use super::cover::Band;
 use super::grid::{BandPlace, HALF, Place, SUBPIXELS};
-use super::transform::{BAND_HEIGHT, EdgeTable, MANY, edges, is_whole};
+use super::transform::{BAND_HEIGHT, MANY, edge_table, edges, is_whole};
 use super::triangles::Triangles;
 use std::collections::HashMap;
 
@@ -75,8 +76,8 @@ impl<'a> Outline<'a> {
         if polygon.len() <= MANY {
             return if is_whole(polygon, &placed.places) { Self::Polygon(face, polygon) } else { alone };
         }
-        let table = placed.edges.get_or_init(|| EdgeTable::new(model, &placed.places, placed.rows));
-        table.faces.get(&face).and_then(Option::as_ref).map_or(alone, |bands| Self::Many(face, bands))
+        let table = placed.edges.get_or_init(|| edge_table(model, &placed.places, placed.rows));
+        table.get(&face).and_then(Option::as_ref).map_or(alone, |bands| Self::Many(face, bands))
     }
 
     /// Finds the crossings with the line at height `y`, fixed point, from the left.
@@ -109,8 +110,8 @@ pub struct Outlines<'a> {
 }
 
 impl<'a> Outlines<'a> {
-    pub fn new(triangles: Triangles<'a>, place: BandPlace, sorted: bool) -> Self {
-        Self { triangles, place, sorted, at: None, crossings: Vec::new(), many: HashMap::new() }
+    pub fn new(triangles: Triangles<'a>, Band { place, sorted, .. }: &Band) -> Self {
+        Self { triangles, place: *place, sorted: *sorted, at: None, crossings: Vec::new(), many: HashMap::new() }
     }
 
     /// The crossings of what the scan line runs over where `triangle` is seen, with pixel row `y`.

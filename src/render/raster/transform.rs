@@ -31,7 +31,7 @@ pub struct Placed {
 
 impl Placed {
     pub fn count(&self, memory: &mut Memory) {
-        let edges = self.edges.get().into_iter().flat_map(|table| table.faces.values().flatten().flatten());
+        let edges = self.edges.get().into_iter().flat_map(|table| table.values().flatten().flatten());
         memory.vertices += room(&self.places) + room(&self.keys) + edges.map(room).sum::<u64>();
     }
 
@@ -144,32 +144,26 @@ pub fn is_whole(polygon: &[u32], places: &[Place]) -> bool {
     polygon.iter().all(|&v| places[v as usize][0] != UNPLACED)
 }
 
-/// The edges of polygons of many corners, by the bands of rows that they cross. Others are taken as they come.
-#[derive(Default)]
-pub struct EdgeTable {
-    /// For each such face its edges, band by band; none where it has lost corners to clipping.
-    pub faces: HashMap<u32, Option<Vec<Vec<[u32; 2]>>>>,
-}
+/// The edges of polygons of many corners, band by band of the rows that they cross; none for a clipped polygon.
+pub type EdgeTable = HashMap<u32, Option<Vec<Vec<[u32; 2]>>>>;
 
 /// Height of a band, fixed point.
 pub const BAND_HEIGHT: i32 = BAND.cast_signed() * SUBPIXELS;
 
-impl EdgeTable {
-    /// The table of a model's faces in a picture of so many rows.
-    pub fn new(model: &Model, places: &[Place], rows: u32) -> Self {
-        let many = (0..model.face_count() as u32).map(|face| (face, model.face(face)));
-        let many = many.filter(|(_, polygon)| polygon.len() > MANY);
-        let last = rows.div_ceil(BAND).cast_signed() - 1;
-        let bands = |polygon: &[u32]| {
-            let mut bands = vec![Vec::new(); rows.div_ceil(BAND) as usize];
-            for ends in edges(polygon) {
-                let [a, b] = ends.map(|v| places[v as usize][1].div_euclid(BAND_HEIGHT));
-                for band in a.min(b).max(0)..=a.max(b).min(last) {
-                    bands[band as usize].push(ends);
-                }
+/// The table of a model's faces in a picture of so many rows.
+pub fn edge_table(model: &Model, places: &[Place], rows: u32) -> EdgeTable {
+    let last = rows.div_ceil(BAND).cast_signed() - 1;
+    let bands = |polygon: &[u32]| {
+        let mut bands = vec![Vec::new(); rows.div_ceil(BAND) as usize];
+        for ends in edges(polygon) {
+            let [a, b] = ends.map(|v| places[v as usize][1].div_euclid(BAND_HEIGHT));
+            for band in a.min(b).max(0)..=a.max(b).min(last) {
+                bands[band as usize].push(ends);
             }
-            bands
-        };
-        Self { faces: many.map(|(face, polygon)| (face, is_whole(polygon, places).then(|| bands(polygon)))).collect() }
-    }
+        }
+        bands
+    };
+    let faces = (0..model.face_count() as u32).map(|face| (face, model.face(face)));
+    let many = faces.filter(|(_, polygon)| polygon.len() > MANY);
+    many.map(|(face, polygon)| (face, is_whole(polygon, places).then(|| bands(polygon)))).collect()
 }

@@ -12,30 +12,133 @@ use crate::render::node::{Memory, room};
 use fearless_simd::Level;
 use rayon::prelude::*;
 
+/// Triangles that one task looks at.
+const CHUNK: usize = 8192;
+
+/// A list filled to less than one part in so many gives back its room, which else would be that of its fullest picture.
+const SLACK: usize = 4;
+
 /// The model's triangles placed in a picture, clipped and sorted into bands.
 #[derive(Default)]
 pub struct PlacedTriangles {
     pub placed: Placed,
     pub clipped: Clipped,
-    pub bins: Bins,
+    chunks: Vec<Chunk>,
+    used: usize,
+    /// Triangles with a pixel centre in their bounds, back faces only where these are not dropped.
+    pub candidates: u64,
+}
+
+#[derive(Default)]
+struct Chunk {
+    /// One list a band.
+    bands: Vec<Vec<u32>>,
+    /// Triangles for the clipper.
+    clip: Vec<u32>,
+    candidates: u64,
 }
 
 impl PlacedTriangles {
     /// Places the model's triangles in a picture of `size` pixels; back faces are dropped where `cull` says so.
     pub fn run(&mut self, level: Level, lens: &Lens, model: &Model, size: [u32; 2], cull: bool) {
-        self.placed.run(level, lens, model, size[1]);
-        self.bins.run(model, lens, size, cull, &mut self.placed, &mut self.clipped);
+        let Self { placed, clipped, chunks, used, candidates } = self;
+        placed.run(level, lens, model, size[1]);
+        let bands = size[1].div_ceil(BAND) as usize;
+        let count = model.triangles.len().div_ceil(CHUNK);
+        *used = count + 1;
+        chunks.resize_with(chunks.len().max(*used), Chunk::default);
+        let (own, rest) = chunks.split_at_mut(count);
+        let places = &placed.places;
+        own.par_iter_mut().zip(model.triangles.par_chunks(CHUNK)).enumerate().for_each(
+            |(index, (chunk, triangles))| {
+                chunk.reset(bands);
+                for (i, triangle) in (index * CHUNK..).zip(triangles) {
+                    chunk.sort_in(i as u32, triangle.map(|v| places[v as usize]), size, cull);
+                }
+            },
+        );
+        clipped.clear();
+        for index in own.iter().flat_map(|chunk| &chunk.clip) {
+            clipped.add(lens, model, *index, placed);
+        }
+        rest[0].reset(bands);
+        for (i, triangle) in (model.triangles.len()..).zip(&clipped.triangles) {
+            rest[0].sort_in(i as u32, triangle.map(|v| placed.places[v as usize]), size, cull);
+        }
+        *candidates = chunks[..*used].iter().map(|chunk| chunk.candidates).sum();
+    }
+
+    /// How many of the candidates show their back. Counted anew at each call.
+    pub fn backs(&self, model: &Model) -> u64 {
+        let triangles = self.triangles(model);
+        let lists = self.chunks[..self.used].par_iter().flat_map_iter(|chunk| chunk.bands.iter().zip(0_i32..));
+        let backs = lists.map(|(list, band)| {
+            // A triangle is in the list of every band that it reaches, and counted in the first.
+            let first = |corners: [Place; 3]| {
+                let top = corners.iter().map(|corner| corner[1]).min().unwrap_or(0);
+                first_centre(top).max(0) / BAND.cast_signed() == band
+            };
+            let corners = list.iter().map(|&index| triangles.corners(index));
+            corners.filter(|&corners| doubled_area(corners) > 0 && first(corners)).count()
+        });
+        backs.sum::<usize>() as u64
+    }
+
+    /// The triangles of band `band`, in ascending order.
+    pub fn band(&self, band: usize) -> impl Iterator<Item = u32> {
+        self.chunks[..self.used].iter().flat_map(move |chunk| chunk.bands[band].iter().copied())
     }
 
     pub fn count(&self, memory: &mut Memory) {
         self.placed.count(memory);
         self.clipped.count(memory);
-        let lists = self.bins.chunks.iter().flat_map(|chunk| chunk.bands.iter().chain([&chunk.clip]));
+        let lists = self.chunks.iter().flat_map(|chunk| chunk.bands.iter().chain([&chunk.clip]));
         memory.triangles += lists.map(room).sum::<u64>();
     }
 
     pub fn triangles<'a>(&'a self, model: &'a Model) -> Triangles<'a> {
         Triangles { model, clipped: &self.clipped, placed: &self.placed }
+    }
+}
+
+impl Chunk {
+    fn reset(&mut self, bands: usize) {
+        self.bands.resize_with(bands.max(self.bands.len()), Vec::new);
+        for list in &mut self.bands {
+            if list.capacity() > SLACK * list.len().max(SLACK) {
+                list.shrink_to_fit();
+            }
+            list.clear();
+        }
+        self.clip.clear();
+        self.candidates = 0;
+    }
+
+    #[inline]
+    fn sort_in(&mut self, index: u32, corners: [Place; 3], size: [u32; 2], cull: bool) {
+        let [a, b, c] = corners;
+        if a[0] == UNPLACED || b[0] == UNPLACED || c[0] == UNPLACED {
+            self.clip.push(index);
+            return;
+        }
+        let area = doubled_area(corners);
+        if area == 0 || (cull && area > 0) {
+            return;
+        }
+        let range = |axis: usize| {
+            let (low, high) = (a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis]));
+            let limit = i32::try_from(size[axis]).unwrap_or(i32::MAX);
+            first_centre(low).max(0)..first_centre(high).min(limit)
+        };
+        let (columns, rows) = (range(0), range(1));
+        if columns.is_empty() || rows.is_empty() {
+            return;
+        }
+        self.candidates += 1;
+        let (first, last) = (rows.start as u32 / BAND, (rows.end - 1) as u32 / BAND);
+        for band in first..=last {
+            self.bands[band as usize].push(index);
+        }
     }
 }
 
@@ -86,134 +189,5 @@ impl Triangles<'_> {
     #[inline(always)]
     pub fn face(&self, triangle: u32) -> u32 {
         self.model.faces[self.whole(triangle)]
-    }
-}
-
-/// Triangles that one task looks at.
-const CHUNK: usize = 8192;
-
-/// A list that the last picture filled to less than one part in so many gives back what it did not need: as a camera goes round,
-/// each list would otherwise keep the room of its fullest picture.
-const SLACK: usize = 4;
-
-/// The triangles of each band.
-#[derive(Default)]
-pub struct Bins {
-    chunks: Vec<Chunk>,
-    used: usize,
-    /// Triangles with a pixel centre in their bounds, back faces only where these are not dropped.
-    pub candidates: u64,
-}
-
-#[derive(Default)]
-struct Chunk {
-    /// One list a band.
-    bands: Vec<Vec<u32>>,
-    /// Triangles for the clipper.
-    clip: Vec<u32>,
-    candidates: u64,
-}
-
-impl Bins {
-    /// Sorts the model's triangles, clipping those that need it.
-    pub fn run(
-        &mut self,
-        model: &Model,
-        lens: &Lens,
-        size: [u32; 2],
-        cull: bool,
-        placed: &mut Placed,
-        clipped: &mut Clipped,
-    ) {
-        let bands = size[1].div_ceil(BAND) as usize;
-        let count = model.triangles.len().div_ceil(CHUNK);
-        self.used = count + 1;
-        if self.chunks.len() < self.used {
-            self.chunks.resize_with(self.used, Chunk::default);
-        }
-        let places = &placed.places;
-        self.chunks[..count].par_iter_mut().zip(model.triangles.par_chunks(CHUNK)).enumerate().for_each(
-            |(index, (chunk, triangles))| {
-                chunk.reset(bands);
-                for (i, triangle) in (index * CHUNK..).zip(triangles) {
-                    chunk.sort_in(i as u32, triangle.map(|v| places[v as usize]), size, cull);
-                }
-            },
-        );
-        clipped.clear();
-        placed.places.truncate(model.padded_len());
-        placed.keys.truncate(model.padded_len());
-        for index in self.chunks[..count].iter().flat_map(|chunk| &chunk.clip) {
-            clipped.add(lens, model, *index, placed);
-        }
-        let last = &mut self.chunks[count];
-        last.reset(bands);
-        for (i, triangle) in (model.triangles.len()..).zip(&clipped.triangles) {
-            last.sort_in(i as u32, triangle.map(|v| placed.places[v as usize]), size, cull);
-        }
-        self.candidates = self.chunks[..self.used].iter().map(|chunk| chunk.candidates).sum();
-    }
-
-    /// How many of the candidates show their back; `corners` gives a triangle's places. Counted anew at each call.
-    pub fn backs(&self, corners: impl Fn(u32) -> [Place; 3] + Sync) -> u64 {
-        let lists = self.chunks[..self.used].par_iter().flat_map_iter(|chunk| chunk.bands.iter().zip(0_i32..));
-        let backs = lists.map(|(list, band)| {
-            let first = |corners: [Place; 3]| {
-                let top = corners.iter().map(|corner| corner[1]).min().unwrap_or(0);
-                first_centre(top).max(0) / BAND.cast_signed() == band
-            };
-            // A triangle is in the list of every band that it reaches, and counted in the first.
-            list.iter()
-                .map(|&index| corners(index))
-                .filter(|&corners| doubled_area(corners) > 0 && first(corners))
-                .count()
-        });
-        backs.sum::<usize>() as u64
-    }
-
-    /// The triangles of band `band`, in ascending order.
-    pub fn band(&self, band: usize) -> impl Iterator<Item = u32> {
-        self.chunks[..self.used].iter().flat_map(move |chunk| chunk.bands[band].iter().copied())
-    }
-}
-
-impl Chunk {
-    fn reset(&mut self, bands: usize) {
-        self.bands.resize_with(bands.max(self.bands.len()), Vec::new);
-        for list in &mut self.bands {
-            if list.capacity() > SLACK * list.len().max(SLACK) {
-                list.shrink_to_fit();
-            }
-            list.clear();
-        }
-        self.clip.clear();
-        self.candidates = 0;
-    }
-
-    #[inline]
-    fn sort_in(&mut self, index: u32, corners: [Place; 3], size: [u32; 2], cull: bool) {
-        let [a, b, c] = corners;
-        if a[0] == UNPLACED || b[0] == UNPLACED || c[0] == UNPLACED {
-            self.clip.push(index);
-            return;
-        }
-        let area = doubled_area(corners);
-        if area == 0 || (cull && area > 0) {
-            return;
-        }
-        let range = |axis: usize| {
-            let (low, high) = (a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis]));
-            let limit = i32::try_from(size[axis]).unwrap_or(i32::MAX);
-            first_centre(low).max(0)..first_centre(high).min(limit)
-        };
-        let (columns, rows) = (range(0), range(1));
-        if columns.is_empty() || rows.is_empty() {
-            return;
-        }
-        self.candidates += 1;
-        let (first, last) = (rows.start as u32 / BAND, (rows.end - 1) as u32 / BAND);
-        for band in first..=last {
-            self.bands[band as usize].push(index);
-        }
     }
 }

@@ -5,9 +5,8 @@
 //! the distance in the picture and vanish on another surface (after W. J. Ward et al., *A ray tracing solution for diffuse
 //! interreflection*, 1988: indirect light changes slowly but at creases).
 
-use super::floor::FloorScratch;
 use super::packet::{Packet, RAYS};
-use super::world::{Beyond, DiffuseSurface, LightScratch, World, in_range};
+use super::world::{Beyond, DiffuseSurface, FloorScratch, LightScratch, World, in_range};
 use crate::illumination::{Lanes, Real, V3};
 use crate::render::lens::FARTHEST;
 use crate::render::node::{Memory, room};
@@ -51,8 +50,7 @@ impl Receiver {
 /// Light that arrives at the pixels from other surfaces, and the constant that stands for it best.
 #[derive(Default)]
 pub struct Bounced {
-    /// The mean intensity that arrives, times what the surface scatters of it, less the constant ambient term as far as the
-    /// equation has it.
+    /// What the surface scatters of the mean intensity that arrives, less the constant ambient term in the equation.
     pub difference: Vec<Vec3>,
     /// The Ia whose constant term differs least from it: least squares over all pixels that see a surface.
     pub fit: Option<Rgb>,
@@ -73,8 +71,7 @@ impl Bounced {
         memory.pixels += room(&self.difference) + room(&self.receivers);
     }
 
-    /// Gathers light from other surfaces at every pixel. Neither the world's floor nor `object` has the ambient light that the
-    /// bounce takes the place of.
+    /// Gathers light at every pixel; neither the floor nor `object` has the ambient light that the bounce takes the place of.
     pub fn run(&mut self, world: &World<'_>, object: &DiffuseSurface<'_>, coverage: Coverage<'_>) {
         let (scene, lens) = (world.scene, world.hits.lens);
         let [width, height] = scene.image.size.map(|side| side as usize);
@@ -124,14 +121,14 @@ fn find_receivers(world: &World<'_>, coverage: Coverage<'_>, width: usize, recei
     let farthest = DVec3::splat(FARTHEST);
     let near = |point: DVec3| ((point - lens.eye) / lens.unit).clamp(-farthest, farthest).as_vec3();
     let parts = receivers.par_chunks_mut(ROWS * width).zip(coverage.parts());
-    parts.for_each_init(FloorScratch::default, |scratch, (part, (place, band, fragments))| {
-        hits.walk(place, band, fragments, |x, row, hit| {
+    parts.for_each_init(FloorScratch::default, |scratch, (part, (band, fragments))| {
+        hits.walk(band, fragments, |x, row, hit| {
             part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), on_object: true };
         });
         if world.ground.is_none() {
             return;
         }
-        for (y, line) in (place.first_row as usize..).zip(part.chunks_mut(width)) {
+        for (y, line) in (band.place.first_row as usize..).zip(part.chunks_mut(width)) {
             dispatch!(hits.solid.level, simd => {
                 world.find_row(simd, y, width, #[inline(always)] |x| !line[x].on_object, scratch)
             });
@@ -188,8 +185,7 @@ fn gather(
     });
 }
 
-/// The mean intensity from other surfaces at a receiver. `salt` turns the directions, so that their number does not show as
-/// steps.
+/// The mean intensity from other surfaces at a receiver. `salt` turns the directions: their number must not show as steps.
 fn arriving(
     world: &World<'_>,
     object: &DiffuseSurface<'_>,
@@ -263,8 +259,7 @@ struct Pixels<S: Simd> {
 }
 
 impl Grid {
-    /// The weighted mean of the grid's points about each pixel of row `y`; not a number where none of them lies on the same
-    /// surface.
+    /// The weighted mean of the grid's points about each pixel of row `y`; NaN where none lies on the same surface.
     #[inline(always)]
     fn carry_row<S: Simd>(&self, simd: S, y: usize, receivers: &[Receiver], light: &mut [Vec3]) {
         let lanes = Lanes::<S>::LEN;

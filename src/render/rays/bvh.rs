@@ -122,8 +122,7 @@ fn inner_radius(corners: &[[Vec3; 3]]) -> f64 {
     corners.iter().filter_map(distance).fold(f64::INFINITY, f64::min).max(0.0) * (1.0 - 1e-5)
 }
 
-/// Builds the box of `items` at `nodes[0]`, which stands at index `index` of all nodes; `first` is the index of the first
-/// item among all.
+/// Builds the box of `items` at `nodes[0]`, node `index` of all; `first` is the index of the first item among all.
 fn build(items: &mut [Item], nodes: &mut [Node], index: u32, first: u32, depth: usize) {
     let bounds = items.iter().fold(Bounds::EMPTY, |sum, item| sum.with(item.bounds));
     let node = Node { low: bounds.low.to_array(), high: bounds.high.to_array(), start: first, count: 0 };

@@ -75,8 +75,7 @@ impl PointRow {
 /// Points of a block where the equation is evaluated at vertices or faces.
 pub const BLOCK: usize = 4096;
 
-/// Which source is seen from which point: blocks of points, each with a row of bits a source. A block is a row of pixels, or
-/// [`BLOCK`] vertices or faces.
+/// Which source is seen from which point: blocks (a row of pixels, or [`BLOCK`] points), each with a row of bits a source.
 #[derive(Default)]
 pub struct Visibility {
     pub words: Vec<u64>,

@@ -82,8 +82,8 @@ pub struct Points<S: Simd> {
 }
 
 impl<S: Simd> Points<S> {
-    /// The points of a row's packet, whose rays start `clearance` away from them on one side of their normals; the floor lies at the height `ground`, and none
-    /// of the points below `least`, both relative to the middle.
+    /// A packet of a row's points, whose rays start `clearance` away on one side of their normals. Heights are relative to the
+    /// middle: the floor's is `ground`, and no point lies below `least`.
     #[inline(always)]
     pub fn load(
         simd: S,
@@ -158,8 +158,7 @@ impl<S: Simd> Points<S> {
         [open, if target.outside { bits(within & sound) } else { 0 }]
     }
 
-    /// The squared distance from the middle at which rays pass it between t = 0 and t = `most`, where that is to be relied
-    /// upon.
+    /// The squared distance from the middle at which rays pass it between t = 0 and t = `most`, and where that is reliable.
     #[inline(always)]
     fn approach(&self, simd: S, way: &Vectors<S>, most: f32, balls: Balls) -> (f32x16<S>, mask32x16<S>) {
         let length = dot(way, way);

@@ -3,9 +3,8 @@
 //! Sixteen points are asked about together. What [`super::proof`] cannot decide waits until it fills a packet of rays.
 
 use super::packet::{BLOCK, Packet, PointRow, RAYS, Visibility};
-use super::primary_hit::{PrimaryHit, PrimaryHits};
 use super::proof::{AreaLight, Balls, Points, Target};
-use super::solid::Solid;
+use super::solid::{PrimaryHit, PrimaryHits, Solid};
 use crate::illumination::Equation;
 use crate::render::raster::{Coverage, ROWS};
 use crate::scene::{Backfacing, LightKind, Scene};
@@ -14,8 +13,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// From how many times the light's distance a shadow ray is followed from the light to the point: the rounding of a place so far
-/// away would be as large as the model's details.
+/// A point so many times farther than the light is rounded by as much as the model's details: its ray starts at the light.
 const FAR_POINT: f64 = 1e9;
 
 /// One light of the scene.
@@ -109,15 +107,13 @@ impl<'a> ShadowCaster<'a> {
         self.targets.len() * stride + 1
     }
 
-    /// The height that the object's own points have at least: on an object that stands on the floor or above it none lies
-    /// beneath, though normals that lean out of its faces lift some there.
+    /// The least height of the object's own points, though normals that lean out of its faces may lift some beneath the floor.
     fn least_height(&self) -> f64 {
         let ground = self.ground.filter(|ground| self.solid.lowest() >= ground - self.solid.clearance());
         ground.unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// Whether it is plain that every source reaches every point: a convex solid shadows nothing on itself that faces a
-    /// source, and no floor parts them.
+    /// Whether all sources surely reach all points: a convex solid shadows nothing that faces a source, and no floor parts them.
     fn reaches_all(&self) -> bool {
         let above = |ground: f64| self.least_height() >= ground && self.targets.iter().all(|target| target.rise > 0.0);
         self.own && !self.flip && self.solid.is_convex() && self.ground.is_none_or(above)
@@ -132,19 +128,16 @@ impl<'a> ShadowCaster<'a> {
         }
         let (block, stride) = (visibility.block, visibility.stride);
         let bands = visibility.words.par_chunks_mut(ROWS * block).zip(coverage.parts());
-        bands.for_each_init(
-            <(Vec<PointRow>, Waiting)>::default,
-            |(rows, waiting), (words, (place, band, fragments))| {
-                rows.resize_with(ROWS, PointRow::default);
-                rows.iter_mut().for_each(|row| row.clear(width));
-                hits.walk(place, band, fragments, |x, row, PrimaryHit { normal, lifted, .. }| {
-                    rows[row].set(x, self.relative(lifted), normal);
-                });
-                for (row, words) in rows.iter().zip(words.chunks_mut(block)) {
-                    dispatch!(self.solid.level, simd => self.mark_row(simd, row, stride, words, waiting));
-                }
-            },
-        );
+        bands.for_each_init(<(Vec<PointRow>, Waiting)>::default, |(rows, waiting), (words, (band, fragments))| {
+            rows.resize_with(ROWS, PointRow::default);
+            rows.iter_mut().for_each(|row| row.clear(width));
+            hits.walk(band, fragments, |x, row, PrimaryHit { normal, lifted, .. }| {
+                rows[row].set(x, self.relative(lifted), normal);
+            });
+            for (row, words) in rows.iter().zip(words.chunks_mut(block)) {
+                dispatch!(self.solid.level, simd => self.mark_row(simd, row, stride, words, waiting));
+            }
+        });
     }
 
     /// Marks which sources are seen from which of `count` vertices or faces; `point` gives a point, world, and its normal.

@@ -1,12 +1,15 @@
-//! What rays meet: the polygons, or the true surface where that is drawn.
+//! What rays meet: the polygons, or the true surface where that is drawn; and what pixels see of it, in double precision, where
+//! rays start.
 
 use super::bvh::Bvh;
 use super::packet::{Packet, rays_of};
-use super::traverse::Meeting;
 use crate::geometry::{Ray, Surface};
+use crate::render::lens::{Lens, pixel_centre};
 use crate::render::model::Model;
+use crate::render::raster::{Band, Block, Fragment, Triangles, fragment, is_seen};
 use fearless_simd::{Level, Simd, dispatch};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
+use std::ops::Range;
 
 /// Rays start this part of the object's radius away from the surface, so that they do not meet the point they leave.
 /// Polygons meet their own corners exactly, up to the rounding of double precision.
@@ -85,8 +88,7 @@ impl Solid<'_> {
         rays_of(asked).filter(blocks).fold(0, |blocked, ray| blocked | 1 << ray)
     }
 
-    /// The first point of the object on each of the rays whose bits are set in `asked`; the rays are relative to the ball's
-    /// middle. Calls `each` with the ray and what it meets.
+    /// Calls `each` with every ray whose bit is set in `asked` and the first point that it meets; rays are relative to the middle.
     pub fn nearest(&self, packet: &Packet, asked: u32, mut each: impl FnMut(usize, Option<SolidHit>)) {
         let (middle, _) = self.ball();
         if let Some(surface) = self.surface {
@@ -102,14 +104,13 @@ impl Solid<'_> {
         let nearest = dispatch!(self.level, simd => self.bvh.nearest(simd, packet, asked));
         for ray in rays_of(asked) {
             let (origin, direction, _) = packet.ray(ray);
-            each(ray, nearest.of(ray).map(|meeting| self.hit(middle + origin, direction, meeting)));
+            let hit = |(t, triangle, weights): (f64, u32, [f64; 2])| {
+                let [a, b, c] = self.model.triangles[triangle as usize].map(|v| self.model.place(v).as_dvec3());
+                let (point, facing) = (middle + origin + direction * t, (b - a).cross(c - a));
+                SolidHit { point, normal: self.normal(triangle, weights), facing }
+            };
+            each(ray, nearest.of(ray).map(hit));
         }
-    }
-
-    fn hit(&self, origin: DVec3, direction: DVec3, Meeting { t, triangle, weights }: Meeting) -> SolidHit {
-        let [a, b, c] = self.model.triangles[triangle as usize].map(|v| self.model.place(v).as_dvec3());
-        let facing = (b - a).cross(c - a);
-        SolidHit { point: origin + direction * t, normal: self.normal(triangle, weights), facing }
     }
 
     /// Where a ray from `start`, relative to the ball's middle, leaves the inner ball of a convex object; `start` itself if
@@ -134,4 +135,165 @@ impl Solid<'_> {
         let [a, b, c] = self.model.triangles[triangle as usize].map(|v| self.model.normal(v));
         (a * (1.0 - w1 - w2) + b * w1 + c * w2).try_normalize().unwrap_or_else(face)
     }
+}
+
+/// A point that a pixel sees.
+#[derive(Clone, Copy, Debug)]
+pub struct PrimaryHit {
+    /// The point, world.
+    pub point: DVec3,
+    /// Its normal, unit, as the mode has it.
+    pub normal: DVec3,
+    /// Where rays start that leave to the side of the normal: lifted from the polygon to the rounding that its vertex
+    /// normals stand for, so that a smooth surface's facets cast no shadow on each other.
+    pub lifted: DVec3,
+}
+
+/// How a picture's pixels see the object.
+#[derive(Clone, Copy)]
+pub struct PrimaryHits<'a> {
+    pub lens: &'a Lens,
+    pub triangles: Triangles<'a>,
+    pub solid: Solid<'a>,
+}
+
+impl PrimaryHits<'_> {
+    /// Calls `each` with column, row within the band and what is seen there, for every pixel of a band that sees the object.
+    pub fn walk(&self, band: &Band, fragments: &[Block], mut each: impl FnMut(usize, usize, PrimaryHit)) {
+        let centre = |x: usize, row: usize| pixel_centre(x, band.place.first_row as usize + row);
+        if self.solid.surface.is_some() {
+            for (x, row, fragment) in seen_fragments(band, fragments) {
+                each(x, row, self.of_fragment(centre(x, row), fragment));
+            }
+            return;
+        }
+        let mut seen: Option<(u32, Facet<'_>)> = None;
+        for run in &band.runs {
+            let facet = match &seen {
+                Some((triangle, facet)) if *triangle == run.triangle => facet,
+                _ => &seen.insert((run.triangle, self.facet(run.triangle))).1,
+            };
+            let row = usize::from(run.row);
+            (usize::from(run.x0)..usize::from(run.x1)).for_each(|x| each(x, row, facet.at(centre(x, row))));
+        }
+    }
+
+    /// Calls `each` with row and columns of every run of a band's pixels that see the object.
+    pub fn walk_covered(&self, band: &Band, fragments: &[Block], mut each: impl FnMut(usize, Range<usize>)) {
+        if self.solid.surface.is_some() {
+            seen_fragments(band, fragments).for_each(|(x, row, _)| each(row, x..x + 1));
+        } else {
+            band.runs.iter().for_each(|run| each(usize::from(run.row), usize::from(run.x0)..usize::from(run.x1)));
+        }
+    }
+
+    /// What a fragment of the true surface stands for.
+    pub fn of_fragment(&self, place: DVec2, [nx, ny, nz, key]: Fragment) -> PrimaryHit {
+        let (start, direction) = self.lens.ray(place);
+        let depth = self.lens.depth_from_key(f64::from(key));
+        let point = self.lens.world(start + direction * depth);
+        let normal = DVec3::new(f64::from(nx), f64::from(ny), f64::from(nz)).normalize_or(DVec3::Y);
+        PrimaryHit { point, normal, lifted: point }
+    }
+
+    /// What a pixel sees of `triangle`, one of the model's or of the clipper's.
+    pub fn of_triangle(&self, triangle: u32, place: DVec2) -> PrimaryHit {
+        self.facet(triangle).at(place)
+    }
+
+    fn facet(&self, triangle: u32) -> Facet<'_> {
+        Facet::new(&self.solid, self.lens, self.triangles.whole(triangle))
+    }
+}
+
+/// Column, row within the band and fragment of each pixel that sees the true surface.
+fn seen_fragments(band: &Band, fragments: &[Block]) -> impl Iterator<Item = (usize, usize, Fragment)> {
+    let lines = fragments.chunks_exact(Block::count(band.place.width)).zip(&band.extents).enumerate();
+    let seen = lines
+        .flat_map(|(row, (line, extent))| extent.clone().map(move |x| (x as usize, row, fragment(line, x as usize))));
+    seen.filter(|(_, _, fragment)| is_seen(*fragment))
+}
+
+/// One triangle of the model, seen through a lens: what is the same for all its pixels is worked out once.
+///
+/// The weights of its corners are quotients of functions linear in the place (J. Blinn, *Hyperbolic interpolation*, 1992):
+/// with the ray p + s·d, the edges e1, e2 and f = p − a these are f·(d × e2) and d·(f × e1), over e1·(d × e2). One of p
+/// and d is the same for all pixels, so each is linear in the other.
+struct Facet<'a> {
+    lens: &'a Lens,
+    corners: [DVec3; 3],
+    normals: [DVec3; 3],
+    /// The one normal of a facet that is not smooth.
+    flat: Option<DVec3>,
+    /// The two numerators and the denominator: their dot products with what differs from pixel to pixel, and constants.
+    slopes: [DVec3; 3],
+    constants: [f64; 3],
+    /// How far corner j lies above the tangent plane at corner k: `above[k][j]`.
+    above: [DVec3; 3],
+}
+
+impl<'a> Facet<'a> {
+    pub fn new(solid: &Solid<'_>, lens: &'a Lens, triangle: usize) -> Self {
+        let model = solid.model;
+        let vertices = model.triangles[triangle];
+        let corners = vertices.map(|v| model.position(v));
+        let normals = vertices.map(|v| model.normal(v));
+        let flat = (!solid.smooth).then(|| model.face_normal(model.faces[triangle]));
+        let [a, b, c] = corners.map(|corner| (corner - lens.eye) / lens.unit);
+        let (e1, e2) = (b - a, c - a);
+        let (slopes, constants) = if lens.perspective {
+            // p is the eye, f = −a.
+            ([a.cross(e2), e1.cross(a), e2.cross(e1)], [0.0; 3])
+        } else {
+            let d = lens.forward;
+            let (first, second) = (d.cross(e2), e1.cross(d));
+            ([first, second, DVec3::ZERO], [-a.dot(first), -a.dot(second), e1.dot(first)])
+        };
+        let above = |k: usize| DVec3::from_array(corners.map(|corner| (corner - corners[k]).dot(normals[k])));
+        let above = if flat.is_some() { [DVec3::ZERO; 3] } else { [above(0), above(1), above(2)] };
+        Self { lens, corners, normals, flat, slopes, constants, above }
+    }
+
+    /// What is seen at a place in the picture; the plane's middle stands for one that is seen edge-on.
+    #[inline]
+    pub fn at(&self, place: DVec2) -> PrimaryHit {
+        let (p, d) = self.lens.ray(place);
+        let differing = if self.lens.perspective { d } else { p };
+        let [first, second, whole] = [0, 1, 2].map(|k| self.slopes[k].dot(differing) + self.constants[k]);
+        let inverse = 1.0 / whole;
+        let (mut w1, mut w2) = (first * inverse, second * inverse);
+        if !(w1.is_finite() && w2.is_finite()) {
+            (w1, w2) = (1.0 / 3.0, 1.0 / 3.0);
+        }
+        let share = DVec3::new(1.0 - w1 - w2, w1, w2);
+        let point = mean(&self.corners, share);
+        match self.flat {
+            Some(normal) => PrimaryHit { point, normal, lifted: point },
+            None => {
+                let normal = mean(&self.normals, share).try_normalize().unwrap_or_else(|| self.face_normal());
+                PrimaryHit { point, normal, lifted: self.lifted(point, share) }
+            }
+        }
+    }
+
+    /// The point raised onto the tangent planes at the corners, weighted as the corners are (J. Hanika, *Hacking the shadow
+    /// terminator*, Ray Tracing Gems II, 2021). Where the surface is hollow the planes lie below and nothing is raised.
+    fn lifted(&self, point: DVec3, share: DVec3) -> DVec3 {
+        let mut lifted = point;
+        for k in 0..3 {
+            let below = self.above[k].dot(share).min(0.0);
+            lifted -= self.normals[k] * (below * share[k]);
+        }
+        lifted
+    }
+
+    /// Stands for vertex normals that cancel each other.
+    fn face_normal(&self) -> DVec3 {
+        let [a, b, c] = self.corners;
+        (b - a).cross(c - a).normalize_or_zero()
+    }
+}
+
+fn mean(vectors: &[DVec3; 3], share: DVec3) -> DVec3 {
+    vectors[0] * share.x + vectors[1] * share.y + vectors[2] * share.z
 }

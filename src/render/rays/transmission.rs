@@ -1,9 +1,8 @@
 //! What pixels see past the object, and through it: rays refracted at the surface, or through the whole solid.
 
-use super::floor::FloorScratch;
 use super::packet::{Packet, RAYS};
-use super::primary_hit::PrimaryHit;
-use super::world::{Beyond, LightScratch, World, in_range};
+use super::solid::PrimaryHit;
+use super::world::{Beyond, FloorScratch, LightScratch, World, in_range};
 use crate::illumination::{mirror, refract};
 use crate::render::raster::{Coverage, ROWS};
 use crate::scene::{Rgb, Through};
@@ -35,8 +34,7 @@ struct Path {
 }
 
 impl World<'_> {
-    /// Follows as many rays at once as a packet has: each travels along its direction, unit, and meets the surface at its hit.
-    /// Calls `each` with a ray's number and what it does.
+    /// Follows a packet of rays at most, each by its number, its hit and its unit direction; calls `each` with what they do.
     pub fn transmit(
         &self,
         rays: &[(usize, PrimaryHit, DVec3)],
@@ -115,41 +113,43 @@ impl World<'_> {
         seen.clear();
         seen.resize(width * coverage.size[1] as usize, Vec3::NAN);
         let parts = seen.par_chunks_mut(ROWS * width).zip(coverage.parts());
-        parts.for_each_init(<(LightScratch, FloorScratch)>::default, |(scratch, floor_scratch), (part, job)| {
-            let (place, band, fragments) = job;
-            let first_row = place.first_row as usize;
-            hits.walk_covered(place, band, fragments, |row, columns| {
-                part[row * width..(row + 1) * width][columns].fill(Vec3::ZERO);
-            });
-            if passes {
-                let mut follow = |rays: &mut Vec<_>| {
-                    self.transmit(rays, scratch, |pixel, path| part[pixel] = in_range(path.seen));
-                    rays.clear();
-                };
-                let mut waiting = Vec::with_capacity(RAYS);
-                hits.walk(place, band, fragments, |x, row, hit| {
-                    waiting.push((row * width + x, hit, hits.lens.eye_ray(x, first_row + row).1));
-                    if waiting.len() == RAYS {
+        parts.for_each_init(
+            <(LightScratch, FloorScratch)>::default,
+            |(scratch, floor_scratch), (part, (band, fragments))| {
+                let first_row = band.place.first_row as usize;
+                hits.walk_covered(band, fragments, |row, columns| {
+                    part[row * width..(row + 1) * width][columns].fill(Vec3::ZERO);
+                });
+                if passes {
+                    let mut follow = |rays: &mut Vec<_>| {
+                        self.transmit(rays, scratch, |pixel, path| part[pixel] = in_range(path.seen));
+                        rays.clear();
+                    };
+                    let mut waiting = Vec::with_capacity(RAYS);
+                    hits.walk(band, fragments, |x, row, hit| {
+                        waiting.push((row * width + x, hit, hits.lens.eye_ray(x, first_row + row).1));
+                        if waiting.len() == RAYS {
+                            follow(&mut waiting);
+                        }
+                    });
+                    if !waiting.is_empty() {
                         follow(&mut waiting);
                     }
-                });
-                if !waiting.is_empty() {
-                    follow(&mut waiting);
                 }
-            }
-            for (y, line) in (first_row..).zip(part.chunks_mut(width)) {
-                dispatch!(hits.solid.level, simd => self.light_row(simd, y, line, floor_scratch));
-                self.fill_row(y, line);
-                for (x, pixel) in line.iter_mut().enumerate().filter(|(_, pixel)| pixel.is_nan()) {
-                    let (origin, direction) = hits.lens.eye_ray(x, y);
-                    match self.meet(origin, direction) {
-                        Beyond::Elsewhere(color) => *pixel = in_range(color),
-                        Beyond::Floor(point) => {
-                            self.floor.light(&[(point, DVec3::Y)], scratch, |_, color| *pixel = in_range(color));
+                for (y, line) in (first_row..).zip(part.chunks_mut(width)) {
+                    dispatch!(hits.solid.level, simd => self.light_row(simd, y, line, floor_scratch));
+                    self.fill_row(y, line);
+                    for (x, pixel) in line.iter_mut().enumerate().filter(|(_, pixel)| pixel.is_nan()) {
+                        let (origin, direction) = hits.lens.eye_ray(x, y);
+                        match self.meet(origin, direction) {
+                            Beyond::Elsewhere(color) => *pixel = in_range(color),
+                            Beyond::Floor(point) => {
+                                self.floor.light(&[(point, DVec3::Y)], scratch, |_, color| *pixel = in_range(color));
+                            }
                         }
                     }
                 }
-            }
-        });
+            },
+        );
     }
 }

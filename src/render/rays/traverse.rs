@@ -19,15 +19,6 @@ const WIDENING: f64 = 4.0 * f32::EPSILON as f64;
 /// Stands for a component of the direction that is 0.
 const LEVEL: f64 = 1e-30;
 
-/// Where a ray meets a triangle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Meeting {
-    pub t: f64,
-    pub triangle: u32,
-    /// Weights of the triangle's second and third corner.
-    pub weights: [f64; 2],
-}
-
 type Exact<S> = [f64x8<S>; 3];
 
 impl Bvh {
@@ -58,18 +49,17 @@ impl Bvh {
                 let (left, right) = (here + 1, node.start);
                 let in_left = rays.enter(simd, &self.nodes[left as usize]).0 & among;
                 let in_right = rays.enter(simd, &self.nodes[right as usize]).0 & among;
+                let (mut first, mut other) = ((left, in_left), (right, in_right));
                 // First where more rays go: it is likelier to block them all.
-                let first = if in_left.count_ones() >= in_right.count_ones() {
-                    [(left, in_left), (right, in_right)]
-                } else {
-                    [(right, in_right), (left, in_left)]
-                };
-                if first[1].1 != 0 {
-                    stack[waiting] = first[1];
+                if in_left.count_ones() < in_right.count_ones() {
+                    (first, other) = (other, first);
+                }
+                if other.1 != 0 {
+                    stack[waiting] = other;
                     waiting += 1;
                 }
-                if first[0].1 != 0 {
-                    (here, among) = first[0];
+                if first.1 != 0 {
+                    (here, among) = first;
                     continue;
                 }
             }
@@ -91,9 +81,10 @@ pub struct Nearest {
 }
 
 impl Nearest {
-    pub fn of(&self, ray: usize) -> Option<Meeting> {
+    /// Where a ray meets a triangle, which one, and the weights of its second and third corner there.
+    pub fn of(&self, ray: usize) -> Option<(f64, u32, [f64; 2])> {
         let weights = [self.weights[0][ray], self.weights[1][ray]];
-        (self.met >> ray & 1 == 1).then(|| Meeting { t: self.t[ray], triangle: self.triangle[ray], weights })
+        (self.met >> ray & 1 == 1).then(|| (self.t[ray], self.triangle[ray], weights))
     }
 
     /// Takes over the meetings of half a packet.
@@ -146,12 +137,10 @@ impl Bvh {
                 let (in_left, in_right) = (in_left & among, in_right & among);
                 // First where the first of the rays comes first.
                 let lead = among.trailing_zeros() as usize;
-                let left_first = in_right == 0 || (in_left != 0 && at_left[lead] <= at_right[lead]);
-                let (next, other) = if left_first {
-                    ((left, in_left), (right, in_right))
-                } else {
-                    ((right, in_right), (left, in_left))
-                };
+                let (mut next, mut other) = ((left, in_left), (right, in_right));
+                if in_right != 0 && (in_left == 0 || at_left[lead] > at_right[lead]) {
+                    (next, other) = (other, next);
+                }
                 if other.1 != 0 {
                     stack[waiting] = other;
                     waiting += 1;
@@ -430,7 +419,7 @@ mod tests {
                         assert_eq!(blocked, met & asked, "{kind:?}");
                         let nearest = dispatch!(level, simd => bvh.nearest(simd, &packet, asked));
                         for k in (0..RAYS).filter(|k| asked >> k & 1 == 1) {
-                            let alone = nearest.of(k).map(|meeting| meeting.t);
+                            let alone = nearest.of(k).map(|(t, ..)| t);
                             assert!(alone.zip(expected[k]).is_none_or(|(a, b)| (a - b).abs() <= 1e-12 * b), "{kind:?}");
                             assert_eq!(alone.is_some(), expected[k].is_some(), "{kind:?}");
                         }
@@ -456,19 +445,15 @@ mod tests {
     }
 
     #[test]
-    fn the_inner_ball_of_a_polygonal_sphere_touches_its_planes() {
+    fn the_inner_ball_touches_the_planes_and_a_model_of_one_place_is_searched() {
         let radius = Bvh::new(&model(ObjectKind::Sphere)).inner_radius;
         assert!(radius > 0.98 && radius < 1.0, "{radius}");
         assert_eq!(Bvh::new(&model(ObjectKind::Torus)).inner_radius, 0.0);
-    }
-
-    #[test]
-    fn a_model_of_one_place_is_built_and_searched() {
-        let model = Model { position: [vec![0.0; 16], vec![0.0; 16], vec![0.0; 16]], ..Model::default() };
-        let model = Model { triangles: vec![[0, 1, 2]; 1000], ..model };
+        let position = [vec![0.0; 16], vec![0.0; 16], vec![0.0; 16]];
+        let place = Model { position, triangles: vec![[0, 1, 2]; 1000], ..Model::default() };
         let mut packet = Packet::default();
         packet.set(0, DVec3::Z, -DVec3::Z, f64::INFINITY);
-        for bvh in [Bvh::new(&model), Bvh::new(&Model::default())] {
+        for bvh in [Bvh::new(&place), Bvh::new(&Model::default())] {
             assert_eq!(dispatch!(Level::new(), simd => bvh.nearest(simd, &packet, 1)).of(0), None);
         }
     }

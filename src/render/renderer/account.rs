@@ -3,8 +3,9 @@
 //! A line that counts evaluations is really evaluated, however little it adds. Counts are of a frame in which every stage runs.
 
 use super::frame::{Report, Stage};
-use super::plan::{Cued, Facts, NO_LIGHT, Per, Plan, casts_shadows, not_cued, silences, stiff};
+use super::plan::{Cued, NO_LIGHT, Per, Plan, casts_shadows, not_cued, silences, stiff};
 use crate::illumination::{Equation, SpecularForm};
+use crate::render::model::Model;
 use crate::scene::{
     AmbientSource, Backfacing, Encoding, LightKind, Material, ObjectKind, Overflow, PatternKind, Reflectance, Rgb,
     Scene, Viewer,
@@ -36,7 +37,7 @@ impl Term {
 pub struct Account<'a> {
     pub scene: &'a Scene,
     pub plan: &'a Plan,
-    pub facts: &'a Facts,
+    pub model: &'a Model,
     pub report: &'a Report,
     /// Triangles of the picture that show their back.
     pub backs: u64,
@@ -110,7 +111,7 @@ impl Account<'_> {
         let scene = self.scene;
         let (per, points) = self.shading_points();
         let shadows = (!self.plan.shadows)
-            .then(|| casts_shadows(scene, self.facts, &self.plan.lights).unwrap_or("nothing casts a shadow"));
+            .then(|| casts_shadows(scene, self.model, &self.plan.lights).unwrap_or("nothing casts a shadow"));
         let lights = scene.lights.iter().zip(&self.plan.lights).filter(|(_, kept)| **kept);
         let sources: u64 = lights.map(|(light, _)| u64::from(light.sample_count().max(1))).sum();
         let opaque = (scene.transparency.kt == 0.0).then_some("Kt is 0");
@@ -159,7 +160,7 @@ impl Account<'_> {
             terms[4] = term("ambient", count, Some("one bounce takes its place"));
         }
         let enough = (!self.plan.double).then_some("single precision does");
-        let stiff = stiff(scene, self.facts).unwrap_or("polygons are all there is of the object: shown exactly");
+        let stiff = stiff(scene, self.model).unwrap_or("polygons are all there is of the object: shown exactly");
         terms.push(term("double precision", count, enough).noted(stiff));
         for light in 0..scene.lights.len() {
             terms.extend(self.light(light, &equation, no_specular));
@@ -172,7 +173,7 @@ impl Account<'_> {
         let (scene, kept) = (self.scene, !self.plan.leaves_out);
         let light = &scene.lights[index];
         let sources = &equation.sources[equation.sources_of(index)];
-        let silent = silences(scene, self.facts)[index].filter(|_| !self.plan.lights[index]);
+        let silent = silences(scene, self.model)[index].filter(|_| !self.plan.lights[index]);
         let (per, points) = self.shading_points();
         let times = sources.len() as u64;
         let each = (per, points * times);
@@ -213,7 +214,7 @@ impl Account<'_> {
             Cued::AtVertices => (Per::Vertex, self.report.vertices),
             Cued::AtPixels => (Per::Pixel, covered),
         };
-        let uncued = (plan.cued == Cued::Nowhere).then(|| not_cued(self.scene, self.facts).unwrap_or("switched off"));
+        let uncued = (plan.cued == Cued::Nowhere).then(|| not_cued(self.scene, self.model).unwrap_or("switched off"));
         let term = |name, count, omitted| self.term(Stage::Interpolation, name, count, omitted);
         vec![
             term("carried to the pixels", (Per::Pixel, covered), none),

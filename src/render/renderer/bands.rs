@@ -1,8 +1,7 @@
 //! Coverage, interpolation and shading, band by band: a band goes through all three while it is in a core's cache.
 
 use super::display::{Linear, stored_pixel};
-use super::inputs::Inputs;
-use super::plan::Per;
+use super::plan::{Inputs, Per};
 use super::reference::Evaluation;
 use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
 use crate::illumination::Equation;
@@ -10,8 +9,8 @@ use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
 use crate::render::node::{Memory, room};
 use crate::render::raster::{
-    BAND, Band, BandPlace, Bins, Block, CarriedValues, DepthScratch, Fragment, ROWS, Rule, fragment, interpolate,
-    is_seen, meet_band,
+    BAND, Band, BandPlace, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, carry, fragment, interpolate, is_seen,
+    meet_band,
 };
 use crate::scene::FlatAt;
 use crate::with_form;
@@ -42,36 +41,16 @@ pub struct Stale {
     pub interpolation: bool,
 }
 
-/// Where a picture goes.
-#[derive(Default)]
-pub struct Canvas<'a> {
-    pub pixels: &'a mut [[u8; 4]],
-    /// Filled instead of `pixels` where the display needs to see the whole picture first; otherwise empty.
-    pub linear: &'a mut [Linear],
-}
-
-/// What one run took and found.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Tally {
-    pub overflowing: u64,
-    /// Nanoseconds of coverage, interpolation and shading.
-    pub nanoseconds: [u64; 3],
-}
-
-impl Tally {
-    fn and(self, other: Self) -> Self {
-        let nanoseconds = [0, 1, 2].map(|step| self.nanoseconds[step] + other.nanoseconds[step]);
-        Self { overflowing: self.overflowing + other.overflowing, nanoseconds }
-    }
-}
+/// Nanoseconds of coverage, interpolation and shading, and how many pixels overflow.
+pub type Tally = [u64; 4];
 
 /// What the bands are drawn from.
 #[derive(Clone, Copy)]
 pub struct BandPainter<'a> {
     pub inputs: Inputs<'a>,
-    pub clock: fn() -> u64,
+    pub clock: Option<fn() -> u64>,
     pub equation: &'a Equation<f32>,
-    pub bins: &'a Bins,
+    pub placed: &'a PlacedTriangles,
     /// At vertices or faces.
     pub intensity: &'a Planes,
     pub stale: Stale,
@@ -81,7 +60,6 @@ pub struct BandPainter<'a> {
 
 /// One band's share of the buffers.
 struct Job<'a> {
-    place: BandPlace,
     index: usize,
     band: &'a mut Band,
     fragments: &'a mut [Block],
@@ -96,9 +74,14 @@ thread_local! {
 }
 
 impl BandPainter<'_> {
-    /// Runs what is stale. Times are summed over the threads and divided by their number.
-    pub fn run(&self, bands: &mut Vec<Band>, interpolated: &mut Interpolated, canvas: Canvas<'_>) -> Tally {
-        let began = (self.clock)();
+    /// Runs what is stale; times are means over the threads. The linear picture is filled where it is not empty, or the stored one.
+    pub fn run(
+        &self,
+        bands: &mut Vec<Band>,
+        interpolated: &mut Interpolated,
+        canvas: (&mut [[u8; 4]], &mut [Linear]),
+    ) -> Tally {
+        let began = self.now();
         let Inputs { level, plan, triangles, .. } = self.inputs;
         let [width, height] = self.inputs.scene.image.size;
         let Interpolated { carried, fragments } = interpolated;
@@ -108,15 +91,19 @@ impl BandPainter<'_> {
         if self.stale.interpolation && plan.interpolates() {
             let planes = if plan.per == Per::Pixel { &triangles.model.normal } else { self.intensity };
             let by_key = plan.carries && plan.perspective;
-            let values = CarriedValues { planes: planes.each_ref().map(Vec::as_slice), by_key };
-            values.carry(level, carried, &triangles);
+            carry(level, planes.each_ref().map(Vec::as_slice), by_key, &triangles, carried);
         }
-        let carrying = (self.clock)().saturating_sub(began);
+        let carrying = self.now().saturating_sub(began);
         let jobs = jobs(bands, fragments, canvas, [width, height]).into_par_iter();
-        let mut tally = jobs.map(|job| self.paint(job, carried)).reduce(Tally::default, Tally::and);
-        tally.nanoseconds = tally.nanoseconds.map(|time| time / rayon::current_num_threads().max(1) as u64);
-        tally.nanoseconds[1] += carrying;
-        tally
+        let sum = |a: Tally, b: Tally| std::array::from_fn(|k| a[k] + b[k]);
+        let [covering, interpolating, shading, overflowing] =
+            jobs.map(|job| self.paint(job, carried)).reduce(Tally::default, sum);
+        let threads = rayon::current_num_threads().max(1) as u64;
+        [covering / threads, interpolating / threads + carrying, shading / threads, overflowing]
+    }
+
+    fn now(&self) -> u64 {
+        self.clock.map_or(0, |clock| clock())
     }
 
     /// Whether fragments are to be made: those that are kept are as good as what they are made from.
@@ -130,17 +117,17 @@ impl BandPainter<'_> {
             return self.paint_with(job, carried);
         }
         FRAGMENTS.with_borrow_mut(|fragments| {
-            fragments.resize(ROWS * Block::count(job.place.width), Block::GAP);
+            fragments.resize(ROWS * Block::count(job.band.place.width), Block::GAP);
             self.paint_with(Job { fragments, ..job }, carried)
         })
     }
 
     fn paint_with(&self, mut job: Job<'_>, carried: &[Fragment]) -> Tally {
         let mut tally = Tally::default();
-        let mut last = (self.clock)();
+        let mut last = self.now();
         let mut lap = |step: usize| {
-            let now = (self.clock)();
-            tally.nanoseconds[step] += now.saturating_sub(last);
+            let now = self.now();
+            tally[step] += now.saturating_sub(last);
             last = now;
         };
         if self.stale.coverage {
@@ -148,36 +135,36 @@ impl BandPainter<'_> {
             lap(0);
         }
         if self.interpolates() {
-            let Job { place, band, fragments, .. } = &mut job;
-            let rule = if self.inputs.plan.scanline { Rule::Scanline } else { Rule::Steps };
-            let sources = (self.inputs.triangles, carried);
-            dispatch!(self.inputs.level, simd => interpolate(simd, *place, band, sources, rule, fragments));
+            let Job { band, fragments, .. } = &mut job;
+            let (sources, scanline) = ((self.inputs.triangles, carried), self.inputs.plan.scanline);
+            dispatch!(self.inputs.level, simd => interpolate(simd, band, sources, scanline, fragments));
             lap(1);
         }
         let overflowing = if self.shades { self.shade(&mut job) } else { 0 };
         lap(2);
-        Tally { overflowing, ..tally }
+        tally[3] = overflowing;
+        tally
     }
 
     fn cover(&self, job: &mut Job<'_>) {
-        let Job { place, index, band, fragments, .. } = job;
+        let Job { index, band, fragments, .. } = job;
         let Inputs { level, plan, lens, triangles, surface, .. } = self.inputs;
         if plan.true_surface {
             if let Some(surface) = surface {
-                meet_band(lens, surface, *place, band, fragments);
+                meet_band(lens, surface, band, fragments);
             }
             return;
         }
-        let list = self.bins.band(*index);
+        let list = self.placed.band(*index);
         if plan.depth_test {
             DEPTH.with_borrow_mut(|scratch| {
                 dispatch!(level, simd => vectorised(simd, #[inline(always)] || {
-                    band.cover_nearest(*place, &triangles, list, scratch);
+                    band.cover_nearest(&triangles, list, scratch);
                 }));
             });
         } else {
             dispatch!(level, simd => vectorised(simd, #[inline(always)] || {
-                band.cover_directly(*place, &triangles, list);
+                band.cover_directly(&triangles, list);
             }));
         }
     }
@@ -188,37 +175,36 @@ impl BandPainter<'_> {
         let background = self.inputs.scene.image.background;
         if job.linear.is_empty() {
             let target = Stored { pixels: &mut *job.pixels, background: stored_pixel(background, encoding), encoding };
-            self.shade_into(job.place, job.band, job.fragments, target)
+            self.shade_into(job.band, job.fragments, target)
         } else {
             let [r, g, b] = background.as_vec3().to_array();
             let target = Unstored { pixels: &mut *job.linear, background: [r, g, b, 0.0] };
-            self.shade_into(job.place, job.band, job.fragments, target)
+            self.shade_into(job.band, job.fragments, target)
         }
     }
 
-    fn shade_into(&self, place: BandPlace, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
-        let Inputs { level, plan, lens, visibility, .. } = self.inputs;
+    fn shade_into(&self, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
+        let Inputs { level, plan, .. } = self.inputs;
         if plan.pixels_in_double() {
-            return self.shade_in_double(place, band, fragments, target);
+            return self.shade_in_double(band, fragments, target);
         }
         if !plan.has_fragments() {
-            return dispatch!(level, simd => self.fill_faces(simd, place, band, target));
+            return dispatch!(level, simd => self.fill_faces(simd, band, target));
         }
         if plan.per != Per::Pixel {
             let carried = Carried { by_key: plan.carries && plan.perspective };
-            return dispatch!(level, simd => shade(simd, place, &band.extents, fragments, carried, &mut target));
+            return dispatch!(level, simd => shade(simd, band, fragments, carried, &mut target));
         }
-        let by_key = plan.perspective && !plan.true_surface;
         with_form!(self.equation.form(), F => {
-            let evaluated = Evaluated::<F>::new(self.equation, lens, by_key, plan.renormalise, visibility);
-            dispatch!(level, simd => shade(simd, place, &band.extents, fragments, evaluated, &mut target))
+            let evaluated = Evaluated::<F>::new(&self.inputs, self.equation);
+            dispatch!(level, simd => shade(simd, band, fragments, evaluated, &mut target))
         })
     }
 
     /// Flat shading: each run in its face's colour.
     #[inline(always)]
-    fn fill_faces<S: Simd>(&self, simd: S, place: BandPlace, band: &Band, mut target: impl Target) -> u64 {
-        let width = place.width as usize;
+    fn fill_faces<S: Simd>(&self, simd: S, band: &Band, mut target: impl Target) -> u64 {
+        let width = band.place.width as usize;
         for (row, extent) in band.extents.iter().enumerate() {
             let line = row * width..(row + 1) * width;
             // Runs that are not sorted leave no gaps between them.
@@ -259,8 +245,8 @@ impl BandPainter<'_> {
     }
 
     /// Pixels one by one in `f64`.
-    fn shade_in_double(&self, place: BandPlace, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
-        let (inputs, equation) = (&self.inputs, self.inputs.equation());
+    fn shade_in_double(&self, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
+        let (inputs, equation, place) = (&self.inputs, self.inputs.equation(), band.place);
         let width = place.width as usize;
         target.clear(0..place.rows as usize * width);
         let mut over = 0;
@@ -300,20 +286,22 @@ fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
 fn jobs<'a>(
     bands: &'a mut [Band],
     fragments: &'a mut [Block],
-    canvas: Canvas<'a>,
+    canvas: (&'a mut [[u8; 4]], &'a mut [Linear]),
     [width, height]: [u32; 2],
 ) -> Vec<Job<'a>> {
     let share = (BAND * width) as usize;
     let mut fragments = fragments.chunks_mut(ROWS * Block::count(width));
-    let (mut pixels, mut linear) = (canvas.pixels.chunks_mut(share), canvas.linear.chunks_mut(share));
+    let (mut pixels, mut linear) = (canvas.0.chunks_mut(share), canvas.1.chunks_mut(share));
     let bands = bands.iter_mut().zip((0..height).step_by(ROWS)).enumerate();
-    let job = |(index, (band, first_row)): (usize, (&'a mut Band, u32))| Job {
-        place: BandPlace { first_row, rows: BAND.min(height - first_row), width },
-        index,
-        band,
-        fragments: fragments.next().unwrap_or_default(),
-        pixels: pixels.next().unwrap_or_default(),
-        linear: linear.next().unwrap_or_default(),
+    let job = |(index, (band, first_row)): (usize, (&'a mut Band, u32))| {
+        band.place = BandPlace { first_row, rows: BAND.min(height - first_row), width };
+        Job {
+            index,
+            band,
+            fragments: fragments.next().unwrap_or_default(),
+            pixels: pixels.next().unwrap_or_default(),
+            linear: linear.next().unwrap_or_default(),
+        }
     };
     bands.map(job).collect()
 }

@@ -5,11 +5,10 @@
 //! carried to the pixels, or at the pixels.
 
 use super::display::Linear;
-use super::inputs::{Cue, Inputs};
-use super::plan::Cued;
+use super::plan::{Cued, Inputs};
 use crate::render::model::{Model, Planes};
 use crate::render::node::{Memory, room};
-use crate::render::raster::{Block, CarriedValues, Coverage, Fragment, ROWS, Rule, fragment, interpolate};
+use crate::render::raster::{Block, Coverage, Fragment, ROWS, carry, fragment, interpolate};
 use crate::scene::FlatAt;
 use fearless_simd::dispatch;
 use glam::{DVec3, Vec3};
@@ -18,7 +17,7 @@ use rayon::prelude::*;
 /// Points that one task takes.
 const POINTS: usize = 4096;
 
-impl Cue {
+impl Inputs<'_> {
     /// s0 at points given relative to `origin`.
     fn scales(&self, origin: DVec3, position: &Planes) -> Vec<f32> {
         let mut scales = vec![0.0; position[0].len()];
@@ -26,7 +25,7 @@ impl Cue {
             let start = chunk * POINTS;
             let [x, y, z] = position.each_ref().map(|plane| &plane[start..start + scales.len()]);
             for (((scale, x), y), z) in scales.iter_mut().zip(x).zip(y).zip(z) {
-                *scale = self.at(origin + Vec3::new(*x, *y, *z).as_dvec3()) as f32;
+                *scale = self.scale(origin + Vec3::new(*x, *y, *z).as_dvec3()) as f32;
             }
         });
         scales
@@ -34,8 +33,8 @@ impl Cue {
 
     /// Lets the intensities of points fade.
     pub fn fade_points(&self, origin: DVec3, position: &Planes, intensity: &mut Planes) {
-        let scales = self.scales(origin, position);
-        for (plane, color) in intensity.iter_mut().zip(self.color().to_array()) {
+        let (scales, color) = (self.scales(origin, position), self.scene.depth_cueing.color.as_vec3());
+        for (plane, color) in intensity.iter_mut().zip(color.to_array()) {
             for (value, s0) in plane.iter_mut().zip(&scales) {
                 *value = s0 * *value + (1.0 - s0) * color;
             }
@@ -62,35 +61,35 @@ impl CueLayer {
         let [width, height] = coverage.size.map(|side| side as usize);
         self.scales.clear();
         self.scales.resize(width * height, 1.0);
-        let (plan, Some(cue)) = (inputs.plan, inputs.cue) else { return };
+        let plan = inputs.plan;
         match plan.cued {
             Cued::Nowhere => {}
-            Cued::AtPixels if plan.keeps_fragments() => self.by_depth(inputs, cue, coverage),
-            Cued::AtPoints if !plan.carries => self.by_face(inputs, cue, coverage, middles),
-            Cued::AtPixels | Cued::AtVertices | Cued::AtPoints => self.by_carrying(inputs, cue, coverage),
+            Cued::AtPixels if plan.keeps_fragments() => self.by_depth(inputs, coverage),
+            Cued::AtPoints if !plan.carries => self.by_face(inputs, coverage, middles),
+            Cued::AtPixels | Cued::AtVertices | Cued::AtPoints => self.by_carrying(inputs, coverage),
         }
     }
 
     /// From the depths of the bands' own fragments.
-    fn by_depth(&mut self, inputs: &Inputs<'_>, cue: Cue, coverage: Coverage<'_>) {
+    fn by_depth(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>) {
         let [width, _] = coverage.size;
         let bands = self.scales.par_chunks_mut(ROWS * width as usize).zip(coverage.parts());
-        bands.for_each(|(scales, (_, _, fragments))| {
+        bands.for_each(|(scales, (_, fragments))| {
             for (scales, line) in rows(scales, fragments, width) {
                 for (x, scale) in scales.iter_mut().enumerate() {
-                    *scale = at_key(inputs, cue, fragment(line, x)[3]);
+                    *scale = at_key(inputs, fragment(line, x)[3]);
                 }
             }
         });
     }
 
     /// One for each flat polygon, where its intensity is found.
-    fn by_face(&mut self, inputs: &Inputs<'_>, cue: Cue, coverage: Coverage<'_>, middles: &Planes) {
+    fn by_face(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>, middles: &Planes) {
         let (model, flat_at) = (inputs.triangles.model, inputs.scene.shading.flat_at);
-        let points = cue.scales(model.origin, if flat_at == FlatAt::Centre { middles } else { &model.position });
+        let points = inputs.scales(model.origin, if flat_at == FlatAt::Centre { middles } else { &model.position });
         let width = coverage.size[0] as usize;
         let bands = self.scales.par_chunks_mut(ROWS * width).zip(coverage.parts());
-        bands.for_each(|(scales, (_, band, _))| {
+        bands.for_each(|(scales, (band, _))| {
             for run in &band.runs {
                 let scale = of_face(flat_at, &points, model, inputs.triangles.face(run.triangle));
                 let row = usize::from(run.row) * width;
@@ -100,24 +99,23 @@ impl CueLayer {
     }
 
     /// Carried from the vertices as normals and intensities are: s0 itself, or the depth alone.
-    fn by_carrying(&mut self, inputs: &Inputs<'_>, cue: Cue, coverage: Coverage<'_>) {
+    fn by_carrying(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>) {
         let (plan, model, [width, height]) = (inputs.plan, inputs.triangles.model, coverage.size);
         let by_depth = plan.cued == Cued::AtPixels;
-        let points = if by_depth { vec![0.0; model.padded_len()] } else { cue.scales(model.origin, &model.position) };
-        let values = CarriedValues { planes: [&points; 3], by_key: plan.perspective };
-        values.carry(inputs.level, &mut self.carried, &inputs.triangles);
+        let points =
+            if by_depth { vec![0.0; model.padded_len()] } else { inputs.scales(model.origin, &model.position) };
+        carry(inputs.level, [&points; 3], plan.perspective, &inputs.triangles, &mut self.carried);
         let blocks = Block::count(width);
         self.fragments.resize(blocks * height as usize, Block::GAP);
         let sources = (inputs.triangles, &*self.carried);
-        let rule = if plan.scanline { Rule::Scanline } else { Rule::Steps };
         let bands = self.scales.par_chunks_mut(ROWS * width as usize).zip(self.fragments.par_chunks_mut(ROWS * blocks));
-        bands.zip(coverage.parts()).for_each(|((scales, fragments), (place, band, _))| {
-            dispatch!(inputs.level, simd => interpolate(simd, place, band, sources, rule, fragments));
+        bands.zip(coverage.parts()).for_each(|((scales, fragments), (band, _))| {
+            dispatch!(inputs.level, simd => interpolate(simd, band, sources, plan.scanline, fragments));
             for (scales, line) in rows(scales, fragments, width) {
                 for (x, scale) in scales.iter_mut().enumerate() {
                     let [carried, _, _, depth_key] = fragment(line, x);
                     *scale = match (by_depth, plan.perspective) {
-                        (true, _) => at_key(inputs, cue, depth_key),
+                        (true, _) => at_key(inputs, depth_key),
                         (false, true) => carried / depth_key,
                         (false, false) => carried,
                     };
@@ -137,8 +135,8 @@ fn rows<'a>(
 }
 
 /// s0 at a depth key.
-fn at_key(Inputs { lens, .. }: &Inputs<'_>, cue: Cue, key: f32) -> f32 {
-    cue.law.scale_at(lens.depth_from_key(f64::from(key)) * lens.unit) as f32
+fn at_key(Inputs { lens, scene, .. }: &Inputs<'_>, key: f32) -> f32 {
+    scene.depth_cueing.scale_at(lens.depth_from_key(f64::from(key)) * lens.unit) as f32
 }
 
 /// What a flat polygon's s0 is, from those of the points where its intensity is found.

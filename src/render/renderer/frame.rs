@@ -28,8 +28,7 @@ pub enum Stage {
     Transform,
     /// The equation at vertices or faces.
     VertexShading,
-    /// Rays: which light reaches what is evaluated, what is seen through the object and past it, and what other surfaces
-    /// scatter.
+    /// Shadow rays, what is seen through the object and past it, and what other surfaces scatter.
     Rays,
     /// Which polygon each pixel sees.
     Coverage,

@@ -1,14 +1,13 @@
 //! The renderer: a picture in nine steps, each of which runs only when what it reads has changed.
 
 use super::account::{Account, Term};
-use super::bands::{BandPainter, Canvas, Interpolated, Stale};
+use super::bands::{BandPainter, Interpolated, Stale};
 use super::cue::{CueLayer, fade_pixels};
 use super::display::{Linear, compose, display};
 use super::frame::{Frame, Report, Stage};
-use super::inputs::{Cue, Inputs};
-use super::plan::{Cued, Facts, Per, Plan};
-use super::points::{face_points, shade_points, shade_points_in_double};
+use super::plan::{Cued, Inputs, Per, Plan};
 use super::ray_nodes::RayNodes;
+use super::shade::{face_points, shade_points, shade_points_in_double};
 use crate::geometry::{Mesh, Surface};
 use crate::illumination::Equation;
 use crate::render::lens::Lens;
@@ -23,9 +22,12 @@ use std::mem::take;
 use std::sync::Arc;
 
 /// Draws scenes, keeping each step's output for the next call.
+#[derive(Default)]
 pub struct Renderer {
-    pub(super) level: Level,
-    clock: fn() -> u64,
+    /// None for the machine's best.
+    level: Option<Level>,
+    /// Without one, all times are 0.
+    clock: Option<fn() -> u64>,
     /// What an object of kind `obj` shows, and how often that has changed.
     given: (Option<Arc<Mesh>>, u64),
     mesh: Node<MeshSource>,
@@ -57,17 +59,6 @@ pub(super) struct Picture {
     pub linear: Vec<Linear>,
 }
 
-/// Which samples a picture shows.
-#[derive(Clone, Copy)]
-pub(super) struct Samples {
-    /// Pixels of the whole picture, of which what is drawn may be a part.
-    pub size: [u32; 2],
-    /// Where the samples lie relative to the centres of the whole picture's pixels.
-    pub offset: DVec2,
-    /// Whether the whole picture is kept before the display.
-    pub linear: bool,
-}
-
 /// What a frame is drawn from.
 pub(super) struct Job {
     pub scene: Scene,
@@ -76,42 +67,16 @@ pub(super) struct Job {
     equation: Equation<f32>,
 }
 
-impl Default for Renderer {
-    fn default() -> Self {
-        Self::with_clock(|| 0)
-    }
-}
-
 impl Renderer {
     /// A renderer that measures its stages by `clock`, which gives nanoseconds from any fixed moment.
     pub fn with_clock(clock: fn() -> u64) -> Self {
-        Self {
-            level: Level::new(),
-            clock,
-            given: (None, 0),
-            mesh: Node::default(),
-            model: Node::default(),
-            surface: Node::default(),
-            placed: Node::default(),
-            faces: Node::default(),
-            points: Node::default(),
-            bands: Node::default(),
-            interpolated: Node::default(),
-            rays: RayNodes::default(),
-            cue: Node::default(),
-            picture: Node::default(),
-            stale: Stale::default(),
-            keeps_linear: false,
-            leaves_nothing_out: false,
-            drawn: None,
-            report: Report::default(),
-        }
+        Self { clock: Some(clock), ..Self::default() }
     }
 
     /// The same renderer on another SIMD level than the machine's best.
     #[must_use]
     pub fn with_level(mut self, level: Level) -> Self {
-        self.level = level;
+        self.level = Some(level);
         self
     }
 
@@ -147,9 +112,8 @@ impl Renderer {
         self.keeps_linear = keep;
     }
 
-    /// Has everything evaluated from the next call on that the plan leaves out and that can be kept in: lights and terms that
-    /// add nothing, an f of 1, back faces, the depth test, rays to lights that nothing hides. The stored pixels are the same:
-    /// this is for tests, and for measuring the work that is saved.
+    /// Evaluates from the next call on what the plan leaves out and that can be kept in, such as lights and terms that add nothing,
+    /// an f of 1, back faces and the depth test. The stored pixels are the same: for tests, and to measure the work saved.
     pub fn leave_nothing_out(&mut self, nothing: bool) {
         if self.leaves_nothing_out != nothing {
             self.leaves_nothing_out = nothing;
@@ -159,14 +123,15 @@ impl Renderer {
 
     /// Draws a scene that [`Scene::validate`] accepts. What has not changed since the last call is not done again.
     pub fn render(&mut self, scene: &Scene) -> &Frame {
-        self.draw(scene, Samples { size: scene.image.size, offset: DVec2::ZERO, linear: false })
+        self.draw(scene, scene.image.size, DVec2::ZERO, false)
     }
 
-    /// The same with other samples than those at the pixels' centres.
-    pub(super) fn draw(&mut self, scene: &Scene, samples: Samples) -> &Frame {
-        let began = (self.clock)();
+    /// The same for a part of a picture of `size` pixels whose samples lie `offset` pixels from the centres; `linear` says whether
+    /// all of it is kept before the display.
+    pub(super) fn draw(&mut self, scene: &Scene, size: [u32; 2], offset: DVec2, linear: bool) -> &Frame {
+        let began = self.now();
         self.mesh(scene);
-        let job = self.plan_frame(scene, samples);
+        let job = self.plan_frame(scene, size, offset, linear);
         self.place(&job);
         self.points(&job);
         // Coverage and interpolation wait for the rays or the shading: a band goes through all at once.
@@ -183,7 +148,7 @@ impl Renderer {
 
     /// The polygons, with their vertex normals; the true surface, if that is shown.
     fn mesh(&mut self, scene: &Scene) {
-        let began = (self.clock)();
+        let began = self.now();
         self.report.begin();
         let object = &scene.object;
         let shows_model = object.kind == ObjectKind::Obj;
@@ -215,17 +180,16 @@ impl Renderer {
     }
 
     /// What is done where, and what is left out.
-    fn plan_frame(&mut self, scene: &Scene, samples: Samples) -> Job {
-        let facts = self.facts();
-        let mut plan = Plan::for_scene(scene, &facts);
+    fn plan_frame(&mut self, scene: &Scene, size: [u32; 2], offset: DVec2, linear: bool) -> Job {
+        let mut plan = Plan::for_scene(scene, &self.model.output);
         if self.leaves_nothing_out {
             plan.leave_nothing_out(scene);
         }
-        plan.whole_picture |= self.keeps_linear || samples.linear;
+        plan.whole_picture |= self.keeps_linear || linear;
         if !(plan.shadows || plan.composes) {
             self.report.stages.retain(|run| run.stage != Stage::Rays);
         }
-        let lens = Lens::new(&scene.camera, samples.size, samples.offset, facts.unit(&scene.camera));
+        let lens = Lens::new(&scene.camera, size, offset, self.model.output.unit(&scene.camera));
         let mut equation = Equation::<f32>::in_units(scene, lens.unit);
         equation.retain_lights(|light| plan.lights[light]);
         if plan.leaves_out {
@@ -238,17 +202,17 @@ impl Renderer {
 
     /// The triangles to where they lie in the picture, clipped and sorted into bands of rows.
     fn place(&mut self, job: &Job) {
-        let began = (self.clock)();
+        let began = self.now();
         if job.plan.true_surface {
             (self.report.candidates, self.report.clipped) = (0, 0);
             return;
         }
         let (size, cull) = (job.scene.image.size, job.plan.cull);
         let key = (self.model.stamp, job.lens, size, cull);
-        let (level, model) = (self.level, &self.model.output);
+        let (level, model) = (self.level(), &self.model.output);
         let ran = self.placed.update(key, |placed| placed.run(level, &job.lens, model, size, cull));
-        let PlacedTriangles { clipped, bins, .. } = &self.placed.output;
-        (self.report.candidates, self.report.clipped) = (bins.candidates, clipped.triangles.len() as u64);
+        let PlacedTriangles { clipped, candidates, .. } = &self.placed.output;
+        (self.report.candidates, self.report.clipped) = (*candidates, clipped.triangles.len() as u64);
         self.note(Stage::Transform, ran, began, 0);
     }
 
@@ -262,17 +226,17 @@ impl Renderer {
         let at_faces = plan.per == Per::Face;
         let count = if at_faces { self.model.output.face_count() } else { self.model.output.vertex_count };
         if plan.shadows {
-            let began = (self.clock)();
+            let began = self.now();
             let mut rays = take(&mut self.rays);
             let ran = rays.shadow_points(&self.inputs(job), self.model.stamp, count);
             self.rays = rays;
             self.note(Stage::Rays, ran, began, 0);
         }
-        let began = (self.clock)();
+        let began = self.now();
         if at_faces {
             self.faces.update(self.model.stamp, |faces| *faces = face_points(&self.model.output));
         }
-        let cue = Cue::for_plan(scene, plan, lens).filter(|_| plan.cued == Cued::AtPoints);
+        let cue = (plan.cued == Cued::AtPoints).then_some((scene.depth_cueing, lens.eye, lens.forward));
         let visibility = plan.shadows.then(|| self.rays.stamps()[0]);
         let key = (self.model.stamp, equation.clone(), plan.per, plan.double, visibility, cue);
         let mut points = take(&mut self.points);
@@ -285,8 +249,8 @@ impl Renderer {
             } else {
                 with_form!(equation.form(), F => shade_points::<F>(&inputs, equation, at, intensity));
             }
-            if let Some(cue) = cue {
-                cue.fade_points(model.origin, at[0], intensity);
+            if plan.cued == Cued::AtPoints {
+                inputs.fade_points(model.origin, at[0], intensity);
             }
         });
         self.points = points;
@@ -322,7 +286,7 @@ impl Renderer {
         if self.stale.interpolation {
             self.paint(job, false);
         }
-        let began = (self.clock)();
+        let began = self.now();
         let object = if job.plan.true_surface { self.surface.stamp } else { self.model.stamp };
         let mut rays = take(&mut self.rays);
         let ran = rays.follow(&self.inputs(job), self.coverage(&job.scene), [object, self.bands.stamp]);
@@ -330,14 +294,13 @@ impl Renderer {
         self.note(Stage::Rays, ran, began, 0);
     }
 
-    /// The equation at pixels, or the colours that were carried to them; s0 at the pixels where intensities fade there. Tells
-    /// whether the picture is shaded anew.
+    /// The equation at pixels, or the colours carried to them; s0 where pixels fade. Tells whether the picture is shaded anew.
     fn shade(&mut self, job: &Job) -> bool {
         let Job { scene, plan, lens, equation } = job;
         let flat_at = (!plan.carries).then_some(scene.shading.flat_at);
-        let cue = Cue::for_plan(scene, plan, lens).filter(|_| plan.cues_pixels()).map(|cue| {
+        let cue = plan.cues_pixels().then(|| {
             let rule = (plan.perspective, plan.scanline, plan.keeps_fragments(), flat_at);
-            (cue, plan.cued, *lens, scene.image.size, self.model.stamp, self.bands.stamp, rule)
+            (scene.depth_cueing, plan.cued, *lens, scene.image.size, self.model.stamp, self.bands.stamp, rule)
         });
         let shaded = self.picture.outdate((
             self.interpolated.stamp,
@@ -358,7 +321,7 @@ impl Renderer {
             self.paint(job, true);
         }
         if let Some(key) = cue {
-            let began = (self.clock)();
+            let began = self.now();
             let mut cue = take(&mut self.cue);
             let run = |layer: &mut CueLayer| {
                 layer.run(&self.inputs(job), self.coverage(scene), &self.faces.output[0]);
@@ -372,7 +335,7 @@ impl Renderer {
 
     /// What needs to see the whole picture: what is mixed in, fading, and the display's policy.
     fn display(&mut self, Job { scene, plan, .. }: &Job) {
-        let began = (self.clock)();
+        let (began, level) = (self.now(), self.level());
         let report = &mut self.report;
         let fit = self.rays.fit().filter(|_| scene.ambient.source != AmbientSource::Constant);
         report.ambient_fit = fit.map(|fit| fit.to_array());
@@ -388,7 +351,7 @@ impl Renderer {
         report.divisor = 1.0;
         if plan.whole_picture {
             let width = frame.width as usize;
-            report.divisor = display(self.level, linear, width, &scene.display, &mut frame.pixels);
+            report.divisor = display(level, linear, width, &scene.display, &mut frame.pixels);
         }
         self.note(Stage::Display, true, began, 0);
     }
@@ -399,20 +362,20 @@ impl Renderer {
         let (mut bands, mut interpolated, mut picture) =
             (take(&mut self.bands), take(&mut self.interpolated), take(&mut self.picture));
         let painter = BandPainter {
-            inputs: Inputs { cue: None, ..self.inputs(job) },
+            inputs: self.inputs(job),
             clock: self.clock,
             equation: &job.equation,
-            bins: &self.placed.output.bins,
+            placed: &self.placed.output,
             intensity: &self.points.output,
             stale,
             shades,
         };
-        let canvas =
-            if shades { picture.output.canvas(job.scene.image.size, plan.whole_picture) } else { Canvas::default() };
+        let canvas: (&mut [_], &mut [_]) =
+            if shades { picture.output.canvas(job.scene.image.size, plan.whole_picture) } else { Default::default() };
         let interpolates = painter.interpolates();
         let tally = painter.run(&mut bands.output, &mut interpolated.output, canvas);
         (self.bands, self.interpolated, self.picture) = (bands, interpolated, picture);
-        let [covering, interpolating, shading] = tally.nanoseconds;
+        let [covering, interpolating, shading, overflowing] = tally;
         let (bands, report) = (&self.bands.output, &mut self.report);
         report.covered = bands.iter().map(|band| band.covered).sum();
         report.drawn = bands.iter().map(|band| band.drawn).sum();
@@ -423,7 +386,7 @@ impl Renderer {
             report.ran(Stage::Interpolation, interpolating, 0);
         }
         if shades {
-            report.overflowing = tally.overflowing;
+            report.overflowing = overflowing;
             let at_pixels = plan.per == Per::Pixel;
             let (stage, evaluations) =
                 if at_pixels { (Stage::PixelShading, report.covered) } else { (Stage::Display, 0) };
@@ -437,26 +400,28 @@ impl Renderer {
         }
     }
 
-    fn since(&self, began: u64) -> u64 {
-        (self.clock)().saturating_sub(began)
+    fn now(&self) -> u64 {
+        self.clock.map_or(0, |clock| clock())
     }
 
-    pub(super) fn facts(&self) -> Facts {
-        let model = &self.model.output;
-        Facts { closed: model.closed, convex: model.convex, centre: model.origin, radius: model.radius }
+    fn since(&self, began: u64) -> u64 {
+        self.now().saturating_sub(began)
+    }
+
+    pub(super) fn level(&self) -> Level {
+        self.level.unwrap_or_else(Level::new)
     }
 
     /// What the steps of a frame read.
     pub(super) fn inputs<'a>(&'a self, Job { scene, plan, lens, .. }: &'a Job) -> Inputs<'a> {
         Inputs {
-            level: self.level,
+            level: self.level(),
             scene,
             plan,
             lens,
             triangles: self.placed.output.triangles(&self.model.output),
             surface: self.surface.output.as_ref(),
             visibility: self.rays.visibility(plan),
-            cue: Cue::for_plan(scene, plan, lens),
         }
     }
 
@@ -479,11 +444,11 @@ impl Renderer {
     /// The terms and steps of the last picture: how often each is evaluated, or why it is left out.
     pub fn terms(&self) -> Vec<Term> {
         let Some(job) = &self.drawn else { return Vec::new() };
-        let (Job { scene, plan, .. }, triangles) = (job, self.inputs(job).triangles);
+        let Job { scene, plan, .. } = job;
         let culled = plan.cull || plan.true_surface;
-        let backs = if culled { 0 } else { self.placed.output.bins.backs(|index| triangles.corners(index)) };
+        let backs = if culled { 0 } else { self.placed.output.backs(&self.model.output) };
         let inks = if plan.carries { 0 } else { self.bands.output.iter().map(Band::ink_count).sum() };
-        Account { scene, plan, facts: &self.facts(), report: &self.report, backs, inks }.terms()
+        Account { scene, plan, model: &self.model.output, report: &self.report, backs, inks }.terms()
     }
 
     /// The memory that is held for the next picture. A model's polygons, which its owner shares, count as well.
@@ -509,7 +474,7 @@ impl Renderer {
 
 impl Picture {
     /// Gives the buffers their size; the room of a linear picture that is not wanted is let go.
-    fn canvas(&mut self, [width, height]: [u32; 2], whole: bool) -> Canvas<'_> {
+    fn canvas(&mut self, [width, height]: [u32; 2], whole: bool) -> (&mut [[u8; 4]], &mut [Linear]) {
         let Self { frame, linear } = self;
         let pixels = width as usize * height as usize;
         (frame.width, frame.height) = (width, height);
@@ -518,6 +483,6 @@ impl Picture {
             *linear = Vec::new();
         }
         linear.resize(if whole { pixels } else { 0 }, [0.0; 4]);
-        Canvas { pixels: &mut frame.pixels, linear }
+        (&mut frame.pixels, linear)
     }
 }

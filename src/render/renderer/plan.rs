@@ -1,15 +1,20 @@
-//! What a frame will do, decided before a pixel is touched: where the equation is evaluated and what is left out.
+//! What a frame will do, decided before a pixel is touched: where the equation is evaluated and what is left out; and what its
+//! steps read.
 //!
 //! Leaving out never changes a stored pixel (`tests/omissions.rs`). The renderer executes the plan; `account.rs` tells it to
 //! the reader, term by term.
 
-use crate::illumination::SpecularForm;
-use crate::render::lens::{NEAR, camera_unit};
-use crate::render::rays::World;
+use crate::geometry::Surface;
+use crate::illumination::{Equation, SpecularForm};
+use crate::render::lens::{Lens, NEAR};
+use crate::render::model::Model;
+use crate::render::raster::Triangles;
+use crate::render::rays::{Visibility, World};
 use crate::scene::{
     AmbientSource, Backfacing, Camera, CuedBy, FlatAt, Interpolation, Light, LightKind, NormalSource, Overflow,
     PatternKind, Projection, Rgb, Scene, ShadingMode,
 };
+use fearless_simd::Level;
 use glam::DVec3;
 use serde::Serialize;
 
@@ -37,24 +42,6 @@ pub enum Cued {
     AtPixels,
 }
 
-/// Facts about the geometry that the plan depends on.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Facts {
-    /// Every edge has two faces and they face outwards.
-    pub closed: bool,
-    pub convex: bool,
-    /// A ball that holds the model, world.
-    pub centre: DVec3,
-    pub radius: f64,
-}
-
-impl Facts {
-    /// World units to one camera distance.
-    pub fn unit(&self, camera: &Camera) -> f64 {
-        camera_unit(camera, (self.centre - camera.eye).length() + self.radius)
-    }
-}
-
 /// The plan of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
@@ -62,8 +49,6 @@ pub struct Plan {
     pub per: Per,
     /// What the equation is evaluated with, or its result, varies over a face.
     pub carries: bool,
-    /// The normals that the vertices are given.
-    pub normals: NormalSource,
     /// Whether pixels meet the true surface instead of polygons.
     pub true_surface: bool,
     /// Whether the equation is evaluated in double precision.
@@ -76,13 +61,11 @@ pub struct Plan {
     pub perspective: bool,
     pub scanline: bool,
     pub renormalise: bool,
-    pub form: SpecularForm,
     /// For each light of the scene whether it can add anything.
     pub lights: Vec<bool>,
     /// Rays find out which lights reach what is evaluated.
     pub shadows: bool,
-    /// Something besides the equation makes up the picture: a floor, a wall, what is seen through the object, light from
-    /// other surfaces.
+    /// A floor, a wall, what is seen through the object or light from other surfaces is mixed with the equation's value.
     pub composes: bool,
     /// Depth cueing.
     pub cued: Cued,
@@ -93,8 +76,8 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The plan of `scene` on geometry with `facts`.
-    pub fn for_scene(scene: &Scene, facts: &Facts) -> Self {
+    /// The plan of `scene` on the geometry of `model`.
+    pub fn for_scene(scene: &Scene, model: &Model) -> Self {
         let mode = scene.shading.mode;
         let per = match mode {
             ShadingMode::Flat => Per::Face,
@@ -102,7 +85,7 @@ impl Plan {
             ShadingMode::Phong | ShadingMode::Exact => Per::Pixel,
         };
         let has_surface = scene.object.kind.has_surface();
-        let outside = !sees_inside(&scene.camera, facts);
+        let outside = !sees_inside(&scene.camera, model);
         let interpolation =
             if mode == ShadingMode::Exact { Interpolation::Perspective } else { scene.shading.interpolation };
         let composes = World::has_surroundings(scene)
@@ -111,25 +94,23 @@ impl Plan {
         let mut plan = Self {
             per: if mode == ShadingMode::Flat && scene.shading.flat_at != FlatAt::Centre { Per::Vertex } else { per },
             carries: mode != ShadingMode::Flat,
-            normals: Self::normals(scene),
             true_surface: Self::shows_surface(scene),
-            double: (mode == ShadingMode::Exact && !has_surface) || stiff(scene, facts).is_some(),
-            cull: facts.closed && outside,
-            depth_test: !(facts.convex && facts.closed && outside),
+            double: (mode == ShadingMode::Exact && !has_surface) || stiff(scene, model).is_some(),
+            cull: model.closed && outside,
+            depth_test: !(model.convex && model.closed && outside),
             perspective: interpolation == Interpolation::Perspective
                 && scene.camera.projection == Projection::Perspective,
             scanline: interpolation == Interpolation::Scanline && per != Per::Face,
             renormalise: scene.shading.renormalise || mode != ShadingMode::Phong,
-            form: SpecularForm::of(scene),
-            lights: silences(scene, facts).iter().map(Option::is_none).collect(),
+            lights: silences(scene, model).iter().map(Option::is_none).collect(),
             shadows: false,
             composes,
             cued: Cued::Nowhere,
             whole_picture: scene.display.overflow != Overflow::Clamp || composes,
             leaves_out: true,
         };
-        plan.shadows = casts_shadows(scene, facts, &plan.lights).is_none();
-        if not_cued(scene, facts).is_none() {
+        plan.shadows = casts_shadows(scene, model, &plan.lights).is_none();
+        if not_cued(scene, model).is_none() {
             plan.cued = cued(scene, plan.per);
         }
         plan.whole_picture |= matches!(plan.cued, Cued::AtVertices | Cued::AtPixels);
@@ -149,8 +130,7 @@ impl Plan {
         scene.shading.mode == ShadingMode::Exact && scene.object.kind.has_surface()
     }
 
-    /// Puts back in what had been left out, where that can be done without another result by definition: lights that add
-    /// nothing, back faces, the depth test, and rays to lights that nothing can hide.
+    /// Puts back in lights that add nothing, back faces, the depth test, and rays to lights that nothing can hide.
     pub fn leave_nothing_out(&mut self, scene: &Scene) {
         self.lights.fill(true);
         (self.cull, self.depth_test) = (false, true);
@@ -187,10 +167,39 @@ impl Plan {
         self.carries && (self.true_surface || !self.pixels_in_double())
     }
 
-    /// Whether these are kept for the next picture: normals serve the equation again when only its numbers have changed, but
-    /// intensities have changed with them.
+    /// Whether these are kept: normals serve when only the equation's numbers change; intensities change with them.
     pub fn keeps_fragments(&self) -> bool {
         self.has_fragments() && self.per == Per::Pixel
+    }
+}
+
+/// What the steps of a frame read, and whoever evaluates a pixel of it again.
+#[derive(Clone, Copy)]
+pub struct Inputs<'a> {
+    pub level: Level,
+    pub scene: &'a Scene,
+    pub plan: &'a Plan,
+    pub lens: &'a Lens,
+    pub triangles: Triangles<'a>,
+    pub surface: Option<&'a Surface>,
+    /// Which sources are seen from which pixels, faces or vertices, where there are shadows.
+    pub visibility: Option<&'a Visibility>,
+}
+
+impl Inputs<'_> {
+    /// The equation in double precision with the lights that the picture is shaded with.
+    pub fn equation(&self) -> Equation<f64> {
+        let mut equation = Equation::in_units(self.scene, self.lens.unit);
+        equation.retain_lights(|light| self.plan.lights[light]);
+        equation
+    }
+
+    /// s0 at a point, world; 1 where nothing fades.
+    pub fn scale(&self, point: DVec3) -> f64 {
+        if self.plan.cued == Cued::Nowhere {
+            return 1.0;
+        }
+        self.scene.depth_cueing.scale_at((point - self.lens.eye).dot(self.lens.forward))
     }
 }
 
@@ -199,12 +208,11 @@ pub const NO_LIGHT: &str = "no light adds anything";
 
 /// Past this n the rounding of unit vectors in single precision is seen in the highlight.
 const STIFF_FROM: f64 = 1e7;
-/// An eye this many radii of the model away sees it in fewer digits than single precision needs: places are kept relative to
-/// the eye.
+/// From an eye this many radii away, places relative to it have fewer digits than the model needs.
 const FAR_FROM: f64 = 1e4;
 
 /// Why single precision does not do for the equation, if it does not.
-pub fn stiff(scene: &Scene, facts: &Facts) -> Option<&'static str> {
+pub fn stiff(scene: &Scene, model: &Model) -> Option<&'static str> {
     let powers = matches!(
         SpecularForm::of(scene),
         SpecularForm::PhongCosine | SpecularForm::PhongChord | SpecularForm::BlinnCosine | SpecularForm::BlinnChord
@@ -212,14 +220,14 @@ pub fn stiff(scene: &Scene, facts: &Facts) -> Option<&'static str> {
     if powers && scene.material.n > STIFF_FROM {
         return Some("n is past 10⁷");
     }
-    let far = facts.radius > 0.0 && scene.camera.distance() > FAR_FROM * facts.radius;
+    let far = model.radius > 0.0 && scene.camera.distance() > FAR_FROM * model.radius;
     far.then_some("the eye is over 10⁴ radii of the object away")
 }
 
 /// The eye may be inside the model, or so near that the near plane opens it.
-fn sees_inside(camera: &Camera, facts: &Facts) -> bool {
-    let reach = facts.radius * (1.0 + 1e-5) + NEAR * facts.unit(camera) * 2.0;
-    (camera.eye - facts.centre).length() <= reach
+fn sees_inside(camera: &Camera, model: &Model) -> bool {
+    let reach = model.radius * (1.0 + 1e-5) + NEAR * model.unit(camera) * 2.0;
+    (camera.eye - model.origin).length() <= reach
 }
 
 /// The greatest part of a light that the material takes, diffuse and specular together.
@@ -230,12 +238,12 @@ fn reflected(scene: &Scene) -> Rgb {
 }
 
 /// Why each light adds nothing, if it does not.
-pub fn silences(scene: &Scene, facts: &Facts) -> Vec<Option<&'static str>> {
+pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<&'static str>> {
     let (soloing, reflected) = (scene.soloing(), reflected(scene));
-    scene.lights.iter().map(|light| silent(scene, facts, light, soloing, reflected)).collect()
+    scene.lights.iter().map(|light| silent(scene, model, light, soloing, reflected)).collect()
 }
 
-fn silent(scene: &Scene, facts: &Facts, light: &Light, soloing: bool, reflected: Rgb) -> Option<&'static str> {
+fn silent(scene: &Scene, model: &Model, light: &Light, soloing: bool, reflected: Rgb) -> Option<&'static str> {
     if light.mute {
         Some("it is muted")
     } else if !light.shines(soloing) {
@@ -245,7 +253,7 @@ fn silent(scene: &Scene, facts: &Facts, light: &Light, soloing: bool, reflected:
     } else if light.color * reflected == Rgb::ZERO {
         Some("the material takes no part of it")
     } else {
-        misses(scene, facts, light).then_some("its cone passes the object by")
+        misses(scene, model, light).then_some("its cone passes the object by")
     }
 }
 
@@ -255,12 +263,12 @@ const CONE_MARGIN: f64 = 0.01;
 const NEAREST_CONE: f64 = 1e-3;
 
 /// Whether the whole model lies outside a spot light's cone.
-fn misses(scene: &Scene, facts: &Facts, light: &Light) -> bool {
+fn misses(scene: &Scene, model: &Model, light: &Light) -> bool {
     let polygons =
         scene.shading.mode != ShadingMode::Exact && scene.shading.interpolation == Interpolation::Perspective;
     // The true surface bulges out of its polygons, and other interpolations take points off them.
-    let radius = facts.radius * if polygons { 1.0 + 1e-5 } else { 3.0 };
-    let (way, from_eye) = (facts.centre - light.position, (light.position - scene.camera.eye).length());
+    let radius = model.radius * if polygons { 1.0 + 1e-5 } else { 3.0 };
+    let (way, from_eye) = (model.origin - light.position, (light.position - scene.camera.eye).length());
     let (distance, axis) = (way.length(), light.direction.normalize_or_zero());
     let spread = from_eye + distance + radius;
     if light.kind != LightKind::Spot || axis == DVec3::ZERO || !spread.is_finite() {
@@ -274,7 +282,7 @@ fn misses(scene: &Scene, facts: &Facts, light: &Light) -> bool {
 }
 
 /// Why nothing lies in the shadow of the object.
-pub fn casts_shadows(scene: &Scene, facts: &Facts, lights: &[bool]) -> Option<&'static str> {
+pub fn casts_shadows(scene: &Scene, model: &Model, lights: &[bool]) -> Option<&'static str> {
     if !scene.shading.shadows {
         return Some("switched off");
     }
@@ -283,12 +291,12 @@ pub fn casts_shadows(scene: &Scene, facts: &Facts, lights: &[bool]) -> Option<&'
     }
     // Where surfaces turned away are lit all the same, the solid stands between them and the light.
     let clamped = scene.reflection.backfacing == Backfacing::Clamp;
-    let alone = facts.convex && facts.closed && !scene.ground.visible && clamped;
+    let alone = model.convex && model.closed && !scene.ground.visible && clamped;
     alone.then_some("a convex solid casts no shadow on itself")
 }
 
 /// Why nothing fades with the depth.
-pub fn not_cued(scene: &Scene, facts: &Facts) -> Option<&'static str> {
+pub fn not_cued(scene: &Scene, model: &Model) -> Option<&'static str> {
     let cueing = &scene.depth_cueing;
     if cueing.by == CuedBy::Off {
         return Some("switched off");
@@ -297,9 +305,9 @@ pub fn not_cued(scene: &Scene, facts: &Facts) -> Option<&'static str> {
         return Some("its scales are 1: nothing fades");
     }
     let forward = (scene.camera.target - scene.camera.eye).normalize_or_zero();
-    let middle = (facts.centre - scene.camera.eye).dot(forward);
+    let middle = (model.origin - scene.camera.eye).dot(forward);
     // The ball holds the model but for a rounding.
-    let farthest = middle + facts.radius * (1.0 + 1e-5);
+    let farthest = middle + model.radius * (1.0 + 1e-5);
     let near = cueing.front_scale == 1.0 && farthest + middle.abs() * 1e-9 < cueing.front;
     near.then_some("the object is nearer than where the cue begins")
 }

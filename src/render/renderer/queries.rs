@@ -1,9 +1,8 @@
 //! What can be asked about the last picture.
 
 use super::frame::Frame;
-use super::inputs::Inputs;
-use super::pipeline::{Job, Renderer, Samples};
-use super::plan::Plan;
+use super::pipeline::{Job, Renderer};
+use super::plan::{Inputs, Plan};
 use super::ray_nodes::Mixture;
 use super::reference::{Evaluation, WeightedPoint};
 use crate::illumination::Equation;
@@ -48,7 +47,7 @@ impl Renderer {
 
     /// Draws the scene and returns it before the display: linear red, green, blue, and 1 where the object is seen.
     pub(crate) fn linear_picture(&mut self, scene: &Scene) -> Vec<[f32; 4]> {
-        self.draw(scene, Samples { size: scene.image.size, offset: DVec2::ZERO, linear: true });
+        self.draw(scene, scene.image.size, DVec2::ZERO, true);
         let linear = self.linear().to_vec();
         self.redraw();
         linear
@@ -56,7 +55,7 @@ impl Renderer {
 
     /// The equation of `scene`, whose picture is the last one, in double precision.
     pub(crate) fn equation(&self, scene: &Scene) -> Equation<f64> {
-        Equation::in_units(scene, self.facts().unit(&scene.camera))
+        Equation::in_units(scene, self.model.output.unit(&scene.camera))
     }
 
     /// The same with the lights that the picture is shaded with.
@@ -98,8 +97,7 @@ impl Renderer {
         self.coverage(&self.drawn.as_ref()?.scene).triangle_at(pixel)
     }
 
-    /// I where `triangle` is seen at `place` in the picture of `scene`, which casts no shadows and has the last picture's
-    /// model: only its vertices are placed anew. Nothing where the triangle would have to be clipped.
+    /// I where `triangle` is seen in the picture of `scene`, which has the last model and no shadows; none if it is clipped.
     pub(crate) fn intensity_turned(
         &self,
         scene: &Scene,
@@ -107,16 +105,15 @@ impl Renderer {
         triangle: u32,
         place: DVec2,
     ) -> Option<Rgb> {
-        let (facts, model, size) = (self.facts(), &self.model.output, scene.image.size);
-        let plan = Plan::for_scene(scene, &facts);
-        let lens = Lens::new(&scene.camera, size, DVec2::ZERO, facts.unit(&scene.camera));
+        let (model, size) = (&self.model.output, scene.image.size);
+        let plan = Plan::for_scene(scene, model);
+        let lens = Lens::new(&scene.camera, size, DVec2::ZERO, model.unit(&scene.camera));
         let mut turned = PlacedTriangles::default();
-        turned.placed.run(self.level, &lens, model, size[1]);
+        turned.placed.run(self.level(), &lens, model, size[1]);
         let triangles = turned.triangles(model);
         let whole = triangles.corners(triangle).iter().all(|corner| corner[0] != UNPLACED);
         let (plan, lens) = (&plan, &lens);
-        let inputs =
-            Inputs { level: self.level, scene, plan, lens, triangles, surface: None, visibility: None, cue: None };
+        let inputs = Inputs { level: self.level(), scene, plan, lens, triangles, surface: None, visibility: None };
         whole.then(|| inputs.of_triangle(triangle, place).intensity(equation))
     }
 
@@ -140,8 +137,7 @@ impl Renderer {
         Some(Polygon { flat: last.flat_points(face), corners, before_the_eye })
     }
 
-    /// The polygon that a pixel of the last picture sees. A picture of the true surface shows none: there it is the polygon
-    /// that stands for what is seen.
+    /// The polygon that a pixel of the last picture sees, or that stands for the true surface there.
     pub(crate) fn polygon_at(&self, x: u32, y: u32) -> Option<u32> {
         let last = self.last()?;
         if !last.plan.true_surface {

@@ -2,8 +2,7 @@
 //! from where, what is seen past the object, and light from other surfaces.
 
 use super::display::bounces_at;
-use super::inputs::Inputs;
-use super::plan::{Per, Plan};
+use super::plan::{Inputs, Per, Plan};
 use crate::render::lens::pixel_centre;
 use crate::render::node::{Memory, Node, room};
 use crate::render::raster::Coverage;

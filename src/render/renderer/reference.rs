@@ -3,8 +3,7 @@
 //! The modes differ only in where the equation is evaluated; so a pixel's value is a weighted sum of the equation at a few
 //! points, and [`Evaluation`] lists them: one at the face's centre, three at vertices, one at the pixel.
 
-use super::inputs::Inputs;
-use super::plan::{Cued, Per};
+use super::plan::{Cued, Inputs, Per};
 use crate::illumination::{Equation, Reached};
 use crate::render::lens::NEAR;
 use crate::render::model::Model;
@@ -116,13 +115,8 @@ impl<'a> Inputs<'a> {
         Evaluation { position, normal, depth, face: Some(face), cue: self.cue_color(), points }
     }
 
-    /// s0 at a point, world.
-    fn scale(&self, point: DVec3) -> f64 {
-        self.cue.map_or(1.0, |cue| cue.at(point))
-    }
-
     fn cue_color(&self) -> Option<Rgb> {
-        self.cue.map(|cue| cue.law.color)
+        (self.plan.cued != Cued::Nowhere).then_some(self.scene.depth_cueing.color)
     }
 
     /// The corners of a face, each with the weight 1.
@@ -170,7 +164,7 @@ impl<'a> Inputs<'a> {
         if matches!(self.scene.shading.mode, ShadingMode::Flat | ShadingMode::Interpolated) {
             return self.model().face_normal(face);
         }
-        let normal = mix(carried, |v| self.model().normal(v));
+        let normal: DVec3 = carried.iter().map(|&(v, weight)| self.model().normal(v) * weight).sum();
         if self.plan.renormalise { normal / normal.length().max(SHORTEST_NORMAL) } else { normal }
     }
 
@@ -218,8 +212,7 @@ impl<'a> Inputs<'a> {
         [shared(p.1, 1.0 - t), shared(q.1, t)].concat()
     }
 
-    /// The corners of a triangle, with their weights in the picture. Seen exactly edge-on it has no single point at a place;
-    /// its middle stands for it.
+    /// The corners of a triangle, with their weights in the picture; its middle stands for one that is seen edge-on.
     fn over_triangle(&self, triangle: u32, place: DVec2, grid: bool) -> Vec<(Corner, f64)> {
         let corners = self.triangles.vertices(triangle).map(|v| self.corner(v, grid));
         let [a, b, c] = corners.map(|corner| corner.place);
@@ -273,8 +266,4 @@ struct Corner {
     vertex: u32,
     place: DVec2,
     key: f64,
-}
-
-fn mix(weights: &[(u32, f64)], value: impl Fn(u32) -> DVec3) -> DVec3 {
-    weights.iter().map(|&(v, weight)| value(v) * weight).sum()
 }

@@ -2,7 +2,7 @@
 
 use super::display::{Linear, display};
 use super::frame::Frame;
-use super::pipeline::{Renderer, Samples};
+use super::pipeline::Renderer;
 use crate::scene::{AmbientSource, CompareView, Overflow, Scene};
 use glam::DVec2;
 
@@ -88,8 +88,7 @@ impl Renderer {
         Frame { width, height, pixels }
     }
 
-    /// Draws the mean of samples into the frame and the linear picture: the rows from `first` on of a picture of `height`
-    /// rows. Returns false if `progress` has stopped it.
+    /// Draws the mean of samples into the rows from `first` on of a picture of `height` rows; false if `progress` has stopped it.
     fn draw_samples(
         &mut self,
         scene: &Scene,
@@ -102,7 +101,7 @@ impl Renderer {
         let mut sum: Vec<Linear> = Vec::new();
         for sample in 0..samples {
             let offset = sample_offset(sample, samples) + DVec2::new(0.0, f64::from(first));
-            self.draw(scene, Samples { size, offset, linear: samples > 1 });
+            self.draw(scene, size, offset, samples > 1);
             let go_on = progress(sample + 1);
             if samples == 1 || !go_on {
                 return go_on;
@@ -117,8 +116,9 @@ impl Renderer {
         }
         let factor = 1.0 / samples as f32;
         sum.iter_mut().flatten().for_each(|value| *value *= factor);
+        let level = self.level();
         let Frame { width, pixels, .. } = &mut self.picture.output.frame;
-        display(self.level, &sum, *width as usize, &scene.display, pixels);
+        display(level, &sum, *width as usize, &scene.display, pixels);
         self.picture.output.linear = sum;
         true
     }
@@ -146,11 +146,10 @@ mod tests {
                 scene.display.overflow = overflow;
                 let whole = Renderer::default().render_supersampled(&scene, samples, &mut |_| true);
                 let mut told = 0;
-                let mut progress = |done| {
-                    told = told.max(done);
+                let strips = Renderer::default().render_in_strips(&scene, samples, STRIDE, &mut |done| {
+                    told = done;
                     true
-                };
-                let strips = Renderer::default().render_in_strips(&scene, samples, STRIDE, &mut progress);
+                });
                 assert_eq!((strips.width, strips.height, told), (160, 150, samples));
                 // Places in the picture are rounded to 1/256 pixel in single precision, which may fall to either side.
                 let far = |(a, b): &(&[u8; 4], &[u8; 4])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2);

@@ -11,9 +11,8 @@
 
 use super::display::{Linear, display};
 use super::frame::Frame;
-use super::inputs::Inputs;
 use super::pipeline::Renderer;
-use super::plan::Plan;
+use super::plan::{Inputs, Plan};
 use super::reference::Evaluation;
 use crate::render::raster::{Place, SUBPIXELS, Triangles, UNPLACED, doubled_area};
 use crate::scene::Scene;
@@ -48,8 +47,7 @@ impl Interval {
 }
 
 impl Renderer {
-    /// The polygons that the line between two places of the last picture sees, in its order. Nothing where the picture
-    /// shows the true surface, which has none.
+    /// The polygons that the line between two places of the last picture sees, in its order; the true surface has none.
     pub(crate) fn section(&self, from: DVec2, to: DVec2) -> Vec<Piece> {
         let Some(Inputs { plan, triangles, .. }) = self.last().filter(|last| !last.plan.true_surface) else {
             return Vec::new();
@@ -62,8 +60,7 @@ impl Renderer {
         visible(&intervals, |triangle| triangles.face(triangle))
     }
 
-    /// What is evaluated at any place of the last picture, where the line of a section sees `piece`. The place may lie
-    /// beside the piece: its triangle's plane goes on. In a picture of the true surface the piece says nothing.
+    /// What is evaluated at a place on a section's line, or beside it in the plane of `piece`. The true surface needs no piece.
     pub(crate) fn evaluation_at(&self, place: DVec2, piece: Option<&Piece>) -> Option<Evaluation<'_>> {
         let last = self.last()?;
         if last.plan.true_surface {
@@ -149,7 +146,10 @@ fn visible(intervals: &[Interval], face: impl Fn(u32) -> u32) -> Vec<Piece> {
         // Each round ends at the nearest place where another triangle comes before the one that is seen.
         while let Some(seen) = nearest(&active, from, end) {
             let to = overtaken(&active, &seen, from, end);
-            push(&mut pieces, Piece { triangle: seen.triangle, face: face(seen.triangle), from, to });
+            match pieces.last_mut() {
+                Some(last) if last.triangle == seen.triangle && from - last.to <= LEAST => last.to = to,
+                _ => pieces.push(Piece { triangle: seen.triangle, face: face(seen.triangle), from, to }),
+            }
             from = to;
             if end - from <= LEAST {
                 break;
@@ -177,38 +177,23 @@ fn overtaken(active: &[Interval], seen: &Interval, from: f64, end: f64) -> f64 {
     passes.filter(|at| at - from > 1e-6 * (end - from)).fold(end, f64::min)
 }
 
-fn push(pieces: &mut Vec<Piece>, piece: Piece) {
-    match pieces.last_mut().filter(|last| last.triangle == piece.triangle && piece.from - last.to <= LEAST) {
-        Some(last) => last.to = piece.to,
-        None => pieces.push(piece),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn interval(triangle: u32, from: f64, to: f64, keys: [f64; 2]) -> Interval {
-        Interval { triangle, from, to, keys }
-    }
-
-    fn seen(intervals: &[Interval]) -> Vec<(u32, f64, f64)> {
-        visible(intervals, |triangle| triangle).iter().map(|piece| (piece.triangle, piece.from, piece.to)).collect()
-    }
-
     #[test]
-    fn the_nearer_interval_is_seen_and_gaps_stay_gaps() {
-        let far = interval(0, 0.0, 0.5, [1.0, 1.0]);
-        let near = interval(1, 0.25, 0.375, [2.0, 2.0]);
-        let apart = interval(2, 0.75, 1.0, [1.0, 1.0]);
-        assert_eq!(seen(&[far, near, apart]), [(0, 0.0, 0.25), (1, 0.25, 0.375), (0, 0.375, 0.5), (2, 0.75, 1.0)]);
-    }
-
-    #[test]
-    fn triangles_that_pass_through_each_other_change_there() {
-        assert_eq!(
-            seen(&[interval(0, 0.0, 1.0, [2.0, 0.0]), interval(1, 0.0, 1.0, [0.0, 2.0])]),
-            [(0, 0.0, 0.5), (1, 0.5, 1.0)]
-        );
+    fn the_nearer_interval_is_seen_gaps_stay_gaps_and_those_that_pass_through_each_other_change_there() {
+        let of = |(triangle, from, to, keys)| Interval { triangle, from, to, keys };
+        let seen = |intervals: &[(u32, f64, f64, [f64; 2])]| -> Vec<(u32, f64, f64)> {
+            let intervals: Vec<Interval> = intervals.iter().copied().map(of).collect();
+            visible(&intervals, |triangle| triangle)
+                .iter()
+                .map(|piece| (piece.triangle, piece.from, piece.to))
+                .collect()
+        };
+        let apart = [(0, 0.0, 0.5, [1.0, 1.0]), (1, 0.25, 0.375, [2.0, 2.0]), (2, 0.75, 1.0, [1.0, 1.0])];
+        assert_eq!(seen(&apart), [(0, 0.0, 0.25), (1, 0.25, 0.375), (0, 0.375, 0.5), (2, 0.75, 1.0)]);
+        let crossing = [(0, 0.0, 1.0, [2.0, 0.0]), (1, 0.0, 1.0, [0.0, 2.0])];
+        assert_eq!(seen(&crossing), [(0, 0.0, 0.5), (1, 0.5, 1.0)]);
     }
 }

@@ -1,13 +1,16 @@
-//! Shades a band's fragments: the equation at each pixel, or the interpolated intensities.
+//! The equation at vertices or faces, and at the pixels of a band's fragments; or the interpolated intensities.
 
 use super::display::{Linear, WIDEST, pack, raw};
+use super::plan::Inputs;
 use crate::illumination::{BRIGHTEST, Equation, Lanes, Reached, Real, Specular, V3};
-use crate::render::lens::{FARTHEST, Lens};
-use crate::render::raster::{BandPlace, Block, SHORTEST_NORMAL, join};
-use crate::render::rays::Visibility;
+use crate::render::lens::{FARTHEST, pixel_centre};
+use crate::render::model::{Model, PADDING, Planes};
+use crate::render::raster::{Band, Block, SHORTEST_NORMAL, join};
+use crate::render::rays::BLOCK;
 use crate::scene::Encoding;
-use fearless_simd::prelude::*;
-use glam::{DVec2, DVec3};
+use fearless_simd::{dispatch, prelude::*};
+use glam::DVec3;
+use rayon::prelude::*;
 use std::marker::PhantomData;
 use std::ops::Range;
 
@@ -42,55 +45,41 @@ impl Colour for Carried {
     }
 }
 
-/// The carried numbers are normals, and the equation is evaluated.
-#[derive(Clone, Copy)]
+/// The carried numbers are normals, and the equation is evaluated at the points that the pixels' rays see. Lengths are camera
+/// distances, places relative to the eye.
 pub struct Evaluated<'a, F> {
+    inputs: &'a Inputs<'a>,
     equation: &'a Equation<f32>,
-    rays: Rays,
+    perspective: bool,
     by_key: bool,
     renormalise: bool,
-    form: PhantomData<F>,
-    visibility: Option<&'a Visibility>,
-    /// The bits of the present row.
-    reached: Option<Reached<'a>>,
-}
-
-impl<'a, F: Specular> Evaluated<'a, F> {
-    pub fn new(
-        equation: &'a Equation<f32>,
-        lens: &Lens,
-        by_key: bool,
-        renormalise: bool,
-        visibility: Option<&'a Visibility>,
-    ) -> Self {
-        Self { equation, rays: Rays::new(lens), by_key, renormalise, form: PhantomData, visibility, reached: None }
-    }
-}
-
-/// The rays of a picture's pixels, in camera distances relative to the eye.
-#[derive(Clone, Copy)]
-struct Rays {
-    lens: Lens,
-    perspective: bool,
     /// Change of the ray to the next pixel on the right.
     step: [f32; 3],
     /// Through column 0 of the present row.
     start: [f32; 3],
     forward: [f32; 3],
     least_key: f32,
+    /// The bits of the present row.
+    reached: Option<Reached<'a>>,
+    form: PhantomData<F>,
 }
 
-impl Rays {
-    fn new(lens: &Lens) -> Self {
-        let step = within_reach(lens.right / lens.focal);
-        let (forward, least_key) = (lens.forward.as_vec3().to_array(), lens.least_key() as f32);
-        Self { lens: *lens, perspective: lens.perspective, step, start: [0.0; 3], forward, least_key }
-    }
-
-    #[inline(always)]
-    fn row(&mut self, y: u32) {
-        let (point, direction) = self.lens.ray(DVec2::new(0.5, f64::from(y) + 0.5));
-        self.start = within_reach(if self.perspective { direction } else { point });
+impl<'a, F: Specular> Evaluated<'a, F> {
+    pub fn new(inputs: &'a Inputs<'a>, equation: &'a Equation<f32>) -> Self {
+        let Inputs { plan, lens, .. } = inputs;
+        Self {
+            inputs,
+            equation,
+            perspective: lens.perspective,
+            by_key: plan.perspective && !plan.true_surface,
+            renormalise: plan.renormalise,
+            step: within_reach(lens.right / lens.focal),
+            start: [0.0; 3],
+            forward: lens.forward.as_vec3().to_array(),
+            least_key: lens.least_key() as f32,
+            reached: None,
+            form: PhantomData,
+        }
     }
 
     /// The points that pixels in columns `x` see at depth key `key`.
@@ -114,13 +103,15 @@ fn within_reach(v: DVec3) -> [f32; 3] {
 impl<F: Specular> Colour for Evaluated<'_, F> {
     #[inline(always)]
     fn row(&mut self, y: u32) {
-        self.rays.row(y);
-        self.reached = self.visibility.and_then(|bits| bits.at(y as usize, 0));
+        let Inputs { lens, visibility, .. } = self.inputs;
+        let (point, direction) = lens.ray(pixel_centre(0, y as usize));
+        self.start = within_reach(if self.perspective { direction } else { point });
+        self.reached = visibility.and_then(|bits| bits.at(y as usize, 0));
     }
 
     #[inline(always)]
     fn at<S: Simd>(&mut self, simd: S, column: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
-        let key = key.max(Lanes::splat(simd, self.rays.least_key));
+        let key = key.max(Lanes::splat(simd, self.least_key));
         let [nx, ny, nz] = carried;
         let normal = V3::new(nx, ny, nz);
         let normal = if self.renormalise {
@@ -132,12 +123,8 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
             normal
         };
         let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
-        let point = self.equation.site(self.rays.positions(simd, x, key), normal);
-        let reached = self.reached.map(
-            #[inline(always)]
-            |reached| reached.starting_at(column),
-        );
-        self.equation.illuminate::<Lanes<S>, F>(&point, reached)
+        let point = self.equation.site(self.positions(simd, x, key), normal);
+        self.equation.illuminate::<Lanes<S>, F>(&point, Reached::starting_at(self.reached, column))
     }
 }
 
@@ -145,29 +132,26 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
 pub trait Target {
     type Pixel: Copy;
 
+    /// The pixels, and what those hold that see no object.
+    fn pixels(&mut self) -> (&mut [Self::Pixel], Self::Pixel);
     /// Writes one vector's lanes to the pixels from `first` on, at most `count` of them; returns how many overflow.
     fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32;
+    /// A linear colour as pixels hold it, and whether it overflows.
+    fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> (Self::Pixel, bool);
+
     /// Fills pixels that see no object.
-    fn clear(&mut self, range: Range<usize>);
-    /// A linear colour as pixels hold it.
-    fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> Ink<Self::Pixel>;
-    /// Fills pixels with one colour; returns how many overflow.
-    fn fill(&mut self, range: Range<usize>, ink: Ink<Self::Pixel>) -> u64;
-}
-
-/// A colour for many pixels.
-#[derive(Clone, Copy)]
-pub struct Ink<P> {
-    pixel: P,
-    overflows: bool,
-}
-
-impl<P: Copy> Ink<P> {
-    /// Fills pixels; returns how many overflow.
     #[inline(always)]
-    fn fill(self, pixels: &mut [P]) -> u64 {
-        pixels.fill(self.pixel);
-        if self.overflows { pixels.len() as u64 } else { 0 }
+    fn clear(&mut self, range: Range<usize>) {
+        let (pixels, background) = self.pixels();
+        pixels[range].fill(background);
+    }
+
+    /// Fills pixels with one colour; returns how many overflow.
+    #[inline(always)]
+    fn fill(&mut self, range: Range<usize>, (ink, overflows): (Self::Pixel, bool)) -> u64 {
+        let pixels = &mut self.pixels().0[range];
+        pixels.fill(ink);
+        if overflows { pixels.len() as u64 } else { 0 }
     }
 }
 
@@ -187,6 +171,11 @@ impl Target for Stored<'_> {
     type Pixel = [u8; 4];
 
     #[inline(always)]
+    fn pixels(&mut self) -> (&mut [[u8; 4]], [u8; 4]) {
+        (self.pixels, self.background)
+    }
+
+    #[inline(always)]
     fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32 {
         let background = S::i32s::simd_from(simd, i32::from_le_bytes(self.background));
         let (packed, over) = pack(simd, color, covered, background, self.encoding);
@@ -201,14 +190,9 @@ impl Target for Stored<'_> {
     }
 
     #[inline(always)]
-    fn clear(&mut self, range: Range<usize>) {
-        self.pixels[range].fill(self.background);
-    }
-
-    #[inline(always)]
-    fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> Ink<[u8; 4]> {
+    fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> ([u8; 4], bool) {
         if self.encoding == Encoding::Raw {
-            return Ink { pixel: raw(simd, color), overflows: overflows(color) };
+            return (raw(simd, color), overflows(color));
         }
         let mut pixel = [[0; 4]];
         let mut one = Stored { pixels: &mut pixel, ..*self };
@@ -216,12 +200,7 @@ impl Target for Stored<'_> {
         let [r, g, b] = color;
         let color = [Lanes::splat(simd, r), Lanes::splat(simd, g), Lanes::splat(simd, b)];
         let overflows = one.put(simd, 0, 1, color, covered) > 0;
-        Ink { pixel: pixel[0], overflows }
-    }
-
-    #[inline(always)]
-    fn fill(&mut self, range: Range<usize>, ink: Ink<[u8; 4]>) -> u64 {
-        ink.fill(&mut self.pixels[range])
+        (pixel[0], overflows)
     }
 }
 
@@ -233,6 +212,11 @@ pub struct Unstored<'a> {
 
 impl Target for Unstored<'_> {
     type Pixel = Linear;
+
+    #[inline(always)]
+    fn pixels(&mut self) -> (&mut [Linear], Linear) {
+        (self.pixels, self.background)
+    }
 
     #[inline(always)]
     fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32 {
@@ -259,19 +243,9 @@ impl Target for Unstored<'_> {
     }
 
     #[inline(always)]
-    fn clear(&mut self, range: Range<usize>) {
-        self.pixels[range].fill(self.background);
-    }
-
-    #[inline(always)]
-    fn ink<S: Simd>(&self, _: S, color: [f32; 3]) -> Ink<Linear> {
+    fn ink<S: Simd>(&self, _: S, color: [f32; 3]) -> (Linear, bool) {
         let [r, g, b] = color;
-        Ink { pixel: [r, g, b, 1.0], overflows: overflows(color) }
-    }
-
-    #[inline(always)]
-    fn fill(&mut self, range: Range<usize>, ink: Ink<Linear>) -> u64 {
-        ink.fill(&mut self.pixels[range])
+        ([r, g, b, 1.0], overflows(color))
     }
 }
 
@@ -279,8 +253,7 @@ impl Target for Unstored<'_> {
 #[inline(always)]
 pub fn shade<S: Simd>(
     simd: S,
-    place: BandPlace,
-    extents: &[Range<u32>],
+    Band { place, extents, .. }: &Band,
     fragments: &[Block],
     mut colour: impl Colour,
     target: &mut impl Target,
@@ -309,4 +282,96 @@ pub fn shade<S: Simd>(
         }
     }
     over
+}
+
+/// The middle of each face, relative to the model's origin, and its own normal; padded as the vertices are.
+pub fn face_points(model: &Model) -> [Planes; 2] {
+    let count = model.face_count();
+    let points: Vec<(DVec3, DVec3)> = (0..u32::try_from(count).unwrap_or(u32::MAX))
+        .into_par_iter()
+        .map(|face| (model.face_centre(face) - model.origin, model.face_normal(face)))
+        .collect();
+    let plane = |get: &dyn Fn(&(DVec3, DVec3)) -> f64| -> Vec<f32> {
+        let mut plane: Vec<f32> = points.iter().map(|p| get(p) as f32).collect();
+        plane.resize(count.next_multiple_of(PADDING), 0.0);
+        plane
+    };
+    [[0, 1, 2].map(|axis| plane(&|p| p.0[axis])), [0, 1, 2].map(|axis| plane(&|p| p.1[axis]))]
+}
+
+/// Evaluates the equation at the vertices or faces of the model, [`BLOCK`] of them a task.
+pub fn shade_points<F: Specular>(
+    inputs: &Inputs<'_>,
+    equation: &Equation<f32>,
+    [position, normal]: [&Planes; 2],
+    intensity: &mut Planes,
+) {
+    let Inputs { lens, triangles, visibility, .. } = *inputs;
+    let model = triangles.model;
+    fit(intensity, position[0].len());
+    let scale = (1.0 / lens.unit).min(FARTHEST / model.radius.max(f64::MIN_POSITIVE)) as f32;
+    let offset = within_reach((model.origin - lens.eye) / lens.unit);
+    let [r, g, b] = intensity;
+    let out = r.par_chunks_mut(BLOCK).zip(g.par_chunks_mut(BLOCK)).zip(b.par_chunks_mut(BLOCK));
+    out.enumerate().for_each(|(chunk, ((r, g), b))| {
+        let range = chunk * BLOCK..chunk * BLOCK + r.len();
+        let position = position.each_ref().map(|plane| &plane[range.clone()]);
+        let normal = normal.each_ref().map(|plane| &plane[range.clone()]);
+        let reached = visibility.and_then(|bits| bits.at(chunk, 0));
+        let points = Points { equation, scale, offset, position, normal, reached };
+        dispatch!(inputs.level, simd => points.shade::<_, F>(simd, [r, g, b]));
+    });
+}
+
+/// The same in double precision.
+pub fn shade_points_in_double(inputs: &Inputs<'_>, [position, normal]: [&Planes; 2], intensity: &mut Planes) {
+    let equation = inputs.equation();
+    fit(intensity, position[0].len());
+    let [r, g, b] = intensity;
+    let at = |planes: &Planes, index: usize| DVec3::from_array([0, 1, 2].map(|axis| f64::from(planes[axis][index])));
+    let out = r.par_iter_mut().zip(g.par_iter_mut()).zip(b.par_iter_mut());
+    out.enumerate().for_each(|(index, ((r, g), b))| {
+        let reached = inputs.visibility.and_then(|bits| bits.at(index / BLOCK, index % BLOCK));
+        let (point, normal) = (inputs.triangles.model.origin + at(position, index), at(normal, index));
+        [*r, *g, *b] = equation.illuminate_world(point, normal, reached).as_vec3().to_array();
+    });
+}
+
+/// Gives the planes their length, and no more room than that takes.
+fn fit(planes: &mut Planes, count: usize) {
+    for plane in planes {
+        plane.reserve_exact(count.saturating_sub(plane.len()));
+        plane.resize(count, 0.0);
+    }
+}
+
+struct Points<'a> {
+    equation: &'a Equation<f32>,
+    scale: f32,
+    offset: [f32; 3],
+    position: [&'a [f32]; 3],
+    normal: [&'a [f32]; 3],
+    reached: Option<Reached<'a>>,
+}
+
+impl Points<'_> {
+    #[inline(always)]
+    fn shade<S: Simd, F: Specular>(&self, simd: S, out: [&mut [f32]; 3]) {
+        let lanes = Lanes::<S>::LEN;
+        let scale = Lanes::splat(simd, self.scale);
+        let [r, g, b] = out;
+        for start in (0..r.len()).step_by(lanes) {
+            let position = load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
+            let point = self.equation.site(position, load(simd, self.normal, start));
+            let rgb = self.equation.illuminate::<Lanes<S>, F>(&point, Reached::starting_at(self.reached, start));
+            rgb[0].0.store_slice(&mut r[start..start + lanes]);
+            rgb[1].0.store_slice(&mut g[start..start + lanes]);
+            rgb[2].0.store_slice(&mut b[start..start + lanes]);
+        }
+    }
+}
+
+#[inline(always)]
+fn load<S: Simd>(simd: S, [x, y, z]: [&[f32]; 3], start: usize) -> V3<Lanes<S>> {
+    V3::new(Lanes::load(simd, &x[start..]), Lanes::load(simd, &y[start..]), Lanes::load(simd, &z[start..]))
 }

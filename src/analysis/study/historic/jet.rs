@@ -123,10 +123,6 @@ impl Real for Jet {
         Self::new(value)
     }
 
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        self * a + b
-    }
-
     fn max(self, other: Self) -> Self {
         if other.v > self.v { other } else { self }
     }
@@ -178,10 +174,6 @@ impl Real for Jet {
 
     fn mask_of_bits(self, bits: u64) -> bool {
         bits & 1 == 1
-    }
-
-    fn holds_none(self, bits: u64) -> bool {
-        bits & 1 == 0
     }
 }
 
