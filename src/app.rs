@@ -5,9 +5,9 @@
 
 mod action;
 mod background;
+mod bars;
 mod code;
 mod commands;
-mod commit;
 mod compare;
 mod controls;
 mod curves;
@@ -21,26 +21,19 @@ mod equation;
 mod files;
 mod filled;
 mod focus;
-mod gallery;
 mod handles;
-mod history;
-mod keys;
 mod letter;
 mod lines;
 mod look;
-mod menus;
+mod material;
 mod numbers;
 mod orbit;
-mod own;
 mod palette;
 mod panes;
-mod paths;
-mod perform;
 mod picture;
 mod place;
 mod plan;
 mod plot;
-mod points;
 mod profile;
 mod recovery;
 mod report;
@@ -48,7 +41,6 @@ mod row;
 mod sampling;
 mod scan;
 mod stability;
-mod stages;
 mod start;
 mod state;
 mod study;
@@ -58,29 +50,37 @@ mod typeset;
 
 pub use document::{Document, Origin};
 pub use look::{Look, NumbersTab, OverlayLook};
-pub use points::{ProbePoint, ProfileLine};
+pub use place::{ProbePoint, ProfileLine};
 pub use profile::Profiles;
 pub use profile::look::ProfileLook;
 pub use scan::ScanView;
-pub use start::{AppError, run};
+pub use start::run;
 pub use state::AppState;
 
 use crate::document::Loaded;
 use crate::render::{Frame, Renderer, Report};
-use crate::scene::presets;
-use action::{Action, Shown};
-use dialog::{Dialog, ExportForm};
-use eframe::egui::{CentralPanel, ColorImage, Context, Frame as Margins, Panel, Ui, ViewportCommand};
+use action::Action;
+use dialog::{CodeForm, Dialog, ExportForm, FileTask};
+use document::History;
+use eframe::egui::{CentralPanel, ColorImage, Context, Frame as Margins, Panel, ThemePreference, Ui, ViewportCommand};
 use engine::Engine;
 use files::Files;
-use history::History;
 use picture::Room;
 use recovery::Recovery;
+use serde::{Deserialize, Serialize};
 use state::Leaving;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use theme::ThemeChoice;
 
 /// Where the window's look is kept between two sessions.
 const STORAGE_KEY: &str = "look";
+
+/// What is kept there.
+#[derive(Default, Serialize, Deserialize)]
+#[serde(default)]
+struct Stored {
+    look: Look,
+}
 
 /// The window.
 pub struct App {
@@ -98,15 +98,17 @@ impl App {
     /// A window that shows `loaded`, looking as it did last time.
     pub fn new(cc: &eframe::CreationContext<'_>, loaded: Loaded) -> Self {
         theme::install(&cc.egui_ctx);
-        let stored: Option<AppState> = cc.storage.and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
-        let mut state = stored.map(AppState::sound).unwrap_or_default();
+        let stored: Option<Stored> = cc.storage.and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
+        // Anybody may have written what was stored.
+        let look = stored.map(|stored| stored.look.sound()).unwrap_or_default();
+        let mut state = AppState { look, ..AppState::default() };
         // The toolkit stores a scale of its own, which nobody has checked. Set in this way it holds from the first frame on.
         cc.egui_ctx.options_mut(|options| options.zoom_factor = state.look.scale);
         state.open(Document::from(loaded));
         state.history = History::new(state.document.clone());
         Self {
             state,
-            engine: Engine::default(),
+            engine: Engine::new(),
             files: Files::default(),
             room: Room { whole: [1, 1], pane: [1, 1] },
             title: String::new(),
@@ -143,9 +145,9 @@ impl App {
     fn panels(&mut self, ui: &mut Ui) {
         let Self { state, engine, .. } = self;
         if !state.picture_alone {
-            Panel::top("menus").show(ui, |ui| menus::menus_ui(ui, state));
+            Panel::top("menus").show(ui, |ui| bars::menus_ui(ui, state));
             if state.look.stages {
-                Panel::bottom("stages").show(ui, |ui| stages::stages_ui(ui, state, engine));
+                Panel::bottom("stages").show(ui, |ui| bars::stages_ui(ui, state, engine));
             }
             if state.look.controls {
                 let panel = Panel::left("controls").resizable(true).default_size(344.0).min_size(300.0);
@@ -169,14 +171,10 @@ impl App {
             ctx.request_repaint();
         }
         for action in asked {
-            let alone = action == Action::Show(Shown::PictureAlone);
             let rest = self.state.perform(action, self.room.pane);
             self.state.commit();
             if let Some(rest) = rest {
                 self.perform(ctx, rest);
-            }
-            if alone {
-                ctx.send_viewport_cmd(ViewportCommand::Fullscreen(self.state.picture_alone));
             }
         }
         let (held, time) = ctx.input(|input| (input.pointer.any_down(), input.time));
@@ -208,10 +206,14 @@ impl App {
     }
 
     fn show_look(&mut self, ctx: &Context) {
-        ctx.set_theme(eframe::egui::ThemePreference::from(self.state.look.theme));
+        ctx.set_theme(match self.state.look.theme {
+            ThemeChoice::System => ThemePreference::System,
+            ThemeChoice::Dark => ThemePreference::Dark,
+            ThemeChoice::Light => ThemePreference::Light,
+        });
         ctx.set_zoom_factor(self.state.look.scale);
         let mark = if self.state.modified() { "*" } else { "" };
-        let title = format!("{}{mark} — shading-lab", self.state.document.name());
+        let title = format!("{}{mark} — shading-lab", self.state.document.origin.name());
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
@@ -221,23 +223,34 @@ impl App {
     /// Does what needs the window, files or the clipboard.
     fn perform(&mut self, ctx: &Context, action: Action) {
         match action {
-            Action::Open => self.state.dialog = Some(Dialog::Open { path: String::new() }),
+            Action::Open => self.ask_file(FileTask::Open, String::new()),
             Action::OpenFile(path) => self.files.open(ctx, path),
-            Action::OpenBuiltIn(name) => self.open_built_in(&name),
+            Action::OpenBuiltIn(name) => {
+                if let Some(document) = Document::built_in(&name) {
+                    self.state.open(document);
+                }
+            }
             Action::Save => match self.state.document.scene_file() {
                 Some(path) => self.save(ctx, path),
-                None => self.state.dialog = Some(Dialog::Save { path: self.state.document.suggested("toml") }),
+                None => self.perform(ctx, Action::SaveAs),
             },
-            Action::SaveAs => self.state.dialog = Some(Dialog::Save { path: self.state.document.suggested("toml") }),
+            Action::SaveAs => self.ask_file(FileTask::SaveScene, self.state.document.suggested("toml")),
             Action::SaveTo(path) => self.save(ctx, path),
-            Action::Export => self.state.dialog = Some(Dialog::Export(self.export_form())),
+            Action::Export => {
+                let form = ExportForm { size: self.room.whole, samples: 1, overlay: true };
+                self.ask_file(FileTask::Export(form), self.state.document.suggested("png"));
+            }
             Action::CopyPicture => self.copy_picture(ctx),
             Action::SaveAnswer(name, format) => {
-                self.state.dialog = Some(Dialog::SaveAnswer { path: format!("{name}.{}", format.ending()), format });
+                self.ask_file(FileTask::SaveAnswer(format), format!("{name}.{}", format.ending()));
             }
-            Action::Code => self.state.dialog = Some(Dialog::Code(code::form::CodeForm::default())),
+            Action::Code => self.state.dialog = Some(Dialog::Code(CodeForm::default())),
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),
+            Action::PictureAlone => {
+                self.state.picture_alone = !self.state.picture_alone;
+                ctx.send_viewport_cmd(ViewportCommand::Fullscreen(self.state.picture_alone));
+            }
             Action::Quit if self.may_close() => self.close(ctx),
             Action::CloseUnsaved => self.close(ctx),
             Action::Restore => {
@@ -252,19 +265,12 @@ impl App {
         }
     }
 
-    fn open_built_in(&mut self, name: &str) {
-        if let Some(preset) = presets::find(name) {
-            let scene = preset.scene();
-            self.state.open(Document { scene, model: None, origin: Origin::BuiltIn(name.to_owned()) });
-        }
+    fn ask_file(&mut self, task: FileTask, path: String) {
+        self.state.dialog = Some(Dialog::File { task, path });
     }
 
-    fn save(&mut self, ctx: &Context, path: std::path::PathBuf) {
+    fn save(&mut self, ctx: &Context, path: PathBuf) {
         let leaving = std::mem::take(&mut self.state.leaving);
-        if let Err(error) = self.state.document.scene.validate() {
-            self.state.dialog = Some(Dialog::message("This scene could not be opened again", error.to_string()));
-            return;
-        }
         match crate::document::save_scene(&path, &self.state.document.scene) {
             Ok(()) => {
                 self.state.notice = Some(format!("saved {}", path.display()));
@@ -283,37 +289,17 @@ impl App {
         }
     }
 
-    fn export_form(&self) -> ExportForm {
-        ExportForm { size: self.room.whole, samples: 1, overlay: true, path: self.state.document.suggested("png") }
-    }
-
     fn copy_picture(&mut self, ctx: &Context) {
         let Document { scene, model, .. } = &self.state.document;
         let mut scene = scene.clone();
         scene.image.size = self.room.whole;
         let mut renderer = Renderer::default();
         renderer.set_model(model.clone());
-        let over = files::Over::of(&self.state);
+        let over = files::over(&self.state);
         let Some(frame) = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| true) else { return };
         let size = [frame.width as usize, frame.height as usize];
         ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, frame.pixels.as_flattened()));
         self.state.notice = Some("copied the picture".to_owned());
-    }
-
-    /// Takes the focus from what a dialog has come to stand before.
-    fn keep_keys(&mut self, ctx: &Context) {
-        let in_front = self.state.dialog.is_some() || self.files.progress().is_some();
-        if in_front && !self.in_front {
-            ctx.memory_mut(|memory| memory.stop_text_input());
-        }
-        self.in_front = in_front;
-    }
-
-    /// Takes what was dropped on the window.
-    fn drops(&mut self, ctx: &Context) {
-        for file in ctx.input(|input| input.raw.dropped_files.clone()) {
-            self.state.ask(Action::OpenFile(file.path().to_path_buf()));
-        }
     }
 }
 
@@ -329,20 +315,27 @@ impl eframe::App for App {
 
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
-        self.drops(&ctx);
+        for file in ctx.input(|input| input.raw.dropped_files.clone()) {
+            self.state.ask(Action::OpenFile(file.path().to_path_buf()));
+        }
         focus::listen(&ctx);
         if !self.in_front {
-            keys::listen(&ctx, &mut self.state);
+            commands::listen(&ctx, &mut self.state);
         }
         self.panels(ui);
         self.files.poll(&ctx, &mut self.state);
         dialogs::dialog_ui(&ctx, &mut self.state, &mut self.files);
         self.settle(&ctx);
-        self.keep_keys(&ctx);
+        // What has come to stand in front takes the focus from what is behind it.
+        let in_front = self.state.dialog.is_some() || self.files.progress().is_some();
+        if in_front && !self.in_front {
+            ctx.memory_mut(|memory| memory.stop_text_input());
+        }
+        self.in_front = in_front;
         focus::show(&ctx);
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        eframe::set_value(storage, STORAGE_KEY, &self.state);
+        eframe::set_value(storage, STORAGE_KEY, &Stored { look: self.state.look.clone() });
     }
 }

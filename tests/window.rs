@@ -9,8 +9,9 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DVec2, DVec3};
 use hands::{choose, drag, enter, picture, press, scene, undo, unfold, wait, window};
+use serde::Serialize;
 use shading_lab::analysis::NormalField;
-use shading_lab::app::{App, AppState, Look, NumbersTab, ProfileLook};
+use shading_lab::app::{App, Look, NumbersTab, ProfileLook};
 use shading_lab::document::load;
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{
@@ -646,10 +647,16 @@ impl eframe::Storage for Stored {
     fn flush(&mut self) {}
 }
 
+/// What a window stores.
+#[derive(Serialize)]
+struct Kept<'a> {
+    look: &'a Look,
+}
+
 /// The look of a window that finds this one stored.
 fn look_from(stored: &Look) -> Look {
     let mut storage = Stored::default();
-    eframe::set_value(&mut storage, "look", &AppState { look: stored.clone(), ..AppState::default() });
+    eframe::set_value(&mut storage, "look", &Kept { look: stored });
     let loaded = load(Path::new("teapot")).expect("a built-in scene");
     let mut harness = Harness::builder().with_size([900.0, 600.0]).build_eframe(|cc| {
         cc.storage = Some(&storage);

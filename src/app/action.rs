@@ -1,16 +1,13 @@
 //! What can be asked of the window. Menus, buttons and keys all ask here, so that each does the same by every way.
 
-use super::look::NumbersTab;
-use super::theme::ThemeChoice;
+use super::look::{Look, NumbersTab};
 use crate::analysis::{Format, ScanLevel};
-use crate::scene::{CompareView, ShadingMode};
+use crate::scene::{CompareView, Light, ShadingMode};
 use std::path::PathBuf;
 
 /// Something to do.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Action {
-    /// The scene that the program starts with.
-    New,
     /// Asks for a file to open.
     Open,
     OpenFile(PathBuf),
@@ -18,10 +15,8 @@ pub enum Action {
     Save,
     SaveAs,
     SaveTo(PathBuf),
-    /// Asks how to export the picture.
     Export,
     CopyPicture,
-    /// Shows the scene as code.
     Code,
     /// Asks where to save the answer of the analysis of this name, in this format.
     SaveAnswer(&'static str, Format),
@@ -32,9 +27,8 @@ pub enum Action {
         mode: ShadingMode,
         renormalise: bool,
     },
-    AddLight,
-    DuplicateLight(usize),
-    RemoveLight(usize),
+    /// Adds a light like this one, where no other is.
+    AddLight(Light),
     /// Moves the probe by pixels.
     MoveProbe([i32; 2]),
     /// Turns the camera about its target, degrees to the right and up.
@@ -43,28 +37,22 @@ pub enum Action {
     Pan([f64; 2]),
     /// Multiplies the distance from the target.
     Zoom(f64),
-    Show(Shown),
-    /// Shows the normals of polygons and of vertices, or hides both.
-    Normals,
+    /// Shows or hides what a switch of the look stands for.
+    Show(fn(&mut Look) -> &mut bool),
+    /// Changes how the window looks in another way.
+    ChangeLook(fn(&mut Look)),
+    /// Shows nothing but the picture, on the whole screen, and back.
+    PictureAlone,
     /// Shows panes in this way.
     Compare(CompareView),
-    /// The next way of showing panes.
     NextView,
     /// Makes a pane the one that the controls show.
     Activate(usize),
-    /// The next pane.
     NextPane,
-    /// The other tab of the panel of numbers, which opens if it is closed.
-    SwitchTab,
     /// Steps through the scan of a polygon.
     Scan(Walk),
     /// A tab of the panel of numbers, which opens if it is closed.
     Tab(NumbersTab),
-    Theme(ThemeChoice),
-    Larger,
-    Smaller,
-    OrdinarySize,
-    Projector,
     Keys,
     About,
     /// Closes the window; asks first where there are unsaved changes.
@@ -75,28 +63,7 @@ pub enum Action {
     Restore,
     /// Goes on with that work as this window's own.
     AdoptRestored,
-    /// Removes that work.
     DeleteLeft,
-}
-
-/// What can be shown and hidden.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shown {
-    Controls,
-    Numbers,
-    Stages,
-    PictureAlone,
-    Vectors,
-    Angles,
-    Construction,
-    SideView,
-    Lobe,
-    HalfVector,
-    Handles,
-    FaceNormals,
-    VertexNormals,
-    /// RGB values where coefficients have one number otherwise.
-    Channels,
 }
 
 /// A way through the steps of a scanned polygon.

@@ -1,7 +1,7 @@
 //! Background work for the window: it is drawn again when an answer comes.
 
 use super::document::Document;
-use crate::analysis::Question;
+use crate::analysis::{Question, Watch};
 use crate::jobs::{Asked, Background, Work};
 use eframe::egui::{Button, Context, ProgressBar, Ui};
 use std::time::Duration;
@@ -10,6 +10,25 @@ use std::time::Duration;
 pub fn wake(ctx: &Context) -> impl Fn(Duration) + Send + Sync + use<> {
     let ctx = ctx.clone();
     move |after| ctx.request_repaint_after(after)
+}
+
+/// Work that stands in a function.
+pub struct Task<A>(Box<Run<A>>);
+
+type Run<A> = dyn Fn(&dyn Watch<A>) -> Result<A, String> + Send + Sync;
+
+impl<A> Task<A> {
+    pub fn new(run: impl Fn(&dyn Watch<A>) -> Result<A, String> + Send + Sync + 'static) -> Self {
+        Self(Box::new(run))
+    }
+}
+
+impl<A: Clone + Send + Sync + 'static> Work for Task<A> {
+    type Answer = A;
+
+    fn run(&self, watch: &dyn Watch<A>) -> Result<A, String> {
+        (self.0)(watch)
+    }
 }
 
 /// Has `question` answered about the document in a picture of `size`; until then the last answer stays. Returns whether something

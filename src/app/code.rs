@@ -1,21 +1,37 @@
-//! The scene in other programs' words, to read, to copy and to save: calls of OpenGL, shaders, or a whole program in C.
+//! The scene in other programs' words, to read, to copy and to save: calls of OpenGL, shaders, or a whole program in C. The text
+//! is written in the background, and again when the scene has become another.
 
-pub mod form;
-mod writer;
-
-pub use writer::Writer;
-
-use super::dialog::{Choice, Dialog, Pick, path_field};
+use super::background::wake;
+use super::dialog::{Choice, CodeForm, Dialog, Language, buttons_ui, path_ui};
 use super::document::Document;
+use super::focus::{named, switch_named};
 use super::state::AppState;
+use crate::analysis::Watch;
 use crate::document::save_code;
+use crate::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
+use crate::geometry::{Mesh, tessellate};
+use crate::jobs::{Asked, Background, Work};
+use crate::scene::Scene;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::LayoutJob;
-use eframe::egui::{Button, Frame, Label, RichText, ScrollArea, TextBuffer, TextEdit, TextStyle, Ui, WidgetInfo};
-use form::{CodeForm, Language};
+use eframe::egui::{Button, Context, Frame, Label, RichText, ScrollArea, TextBuffer, TextEdit, TextStyle, Ui};
 use std::path::{Path, PathBuf};
-use writer::{Shown, Written};
+use std::sync::Arc;
 
+/// Lines that are shown of a program: its polygons, which fill the rest, are not for reading.
+const PROGRAM_LINES: usize = 200;
+/// Lines that are shown of other texts; only a scene of hundreds of lights has more.
+const TEXT_LINES: usize = 2000;
+/// The languages, what their tabs are called, and what they are.
+const LANGUAGES: [(Language, &str, &str); 3] = [
+    (Language::Calls, "OpenGL calls", "Camera, lights and material as calls of fixed-function OpenGL, in C"),
+    (
+        Language::Shaders,
+        "GLSL 330",
+        "A vertex and a fragment shader that evaluate the equation where the shading mode does",
+    ),
+    (Language::Program, "Whole program in C", "The calls and the polygons in a program that draws them off screen"),
+];
 /// Width of the dialog in a window that has room for it, points: a line of 100 characters.
 const WIDTH: f32 = 920.0;
 /// Height of the dialog's contents above its buttons in a window that has room for them, points.
@@ -29,19 +45,96 @@ const MARGIN: f32 = 8.0;
 /// Height that the list of limits may have, points; a longer one is scrolled.
 const LIMITS: f32 = 92.0;
 
+fn write(language: Language, scene: &Scene, model: Option<&Arc<Mesh>>) -> Result<Export, String> {
+    let mesh = || model.cloned().unwrap_or_else(|| Arc::new(tessellate(&scene.object)));
+    match language {
+        Language::Calls => Ok(opengl_c_snippet(scene, &mesh())),
+        Language::Shaders => Ok(glsl_330(scene)),
+        Language::Program => opengl_c(scene, &mesh()).map_err(|error| error.to_string()),
+    }
+}
+
+/// A text, and what is shown of it.
+pub struct Written {
+    pub export: Export,
+    /// Of each part of the export.
+    pub shown: Vec<Shown>,
+}
+
+impl Written {
+    /// The files that are written for `target`.
+    fn paths(&self, target: &Path) -> Vec<PathBuf> {
+        self.export.parts.iter().map(|part| self.export.path_of(part, target)).collect()
+    }
+
+    fn names(&self, target: &Path) -> String {
+        self.paths(target).iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(" and ")
+    }
+}
+
+/// The beginning of a part.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Shown {
+    pub text: String,
+    /// Lines of `text`.
+    pub lines: usize,
+    /// Lines that follow.
+    pub hidden: usize,
+}
+
+impl Shown {
+    fn of(part: &Part, most: usize) -> Self {
+        let all = part.text.lines().count();
+        let end = part.text.split_inclusive('\n').take(most).map(str::len).sum();
+        let text = part.text.get(..end).unwrap_or_default().to_owned();
+        Self { text, lines: all.min(most), hidden: all.saturating_sub(most) }
+    }
+}
+
+impl Work for Asked<Language> {
+    type Answer = Arc<Written>;
+
+    fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
+        let language = self.question;
+        let export = write(language, &self.scene, self.model.as_ref())?;
+        let most = if language == Language::Program { PROGRAM_LINES } else { TEXT_LINES };
+        let shown = export.parts.iter().map(|part| Shown::of(part, most)).collect();
+        Ok(Arc::new(Written { export, shown }))
+    }
+}
+
+type Answer = Result<Arc<Written>, String>;
+
+/// Writes one text at a time.
+pub type Writer = Background<Asked<Language>>;
+
+/// The text of `document`, or why there is none; nothing as long as it is being written.
+fn ask<'a>(writer: &'a mut Writer, ctx: &Context, document: &Document, language: Language) -> Option<&'a Answer> {
+    let Document { scene, model, .. } = document;
+    let same = |asked: &Asked<Language>| asked.is(&language, scene, model.as_ref(), scene.image.size);
+    writer.keep_only(same);
+    writer.ask(wake(ctx), same, || Asked::new(language, scene, model.as_ref(), scene.image.size));
+    writer.known()
+}
+
 /// The width of the dialog, points.
 pub fn width(ui: &Ui) -> f32 {
     (ui.ctx().content_rect().width() - 64.0).clamp(0.0, WIDTH)
 }
 
+/// What the form asks to be written, and where.
+fn asked<'a>(state: &'a AppState, form: &CodeForm) -> Option<(PathBuf, &'a Written)> {
+    let written = state.own.get().and_then(Writer::answer)?;
+    Some((PathBuf::from(form.path.as_ref()?.trim()), written))
+}
+
 /// Writes the files that the form asks for; the dialog stays open and says what has become of it.
 pub fn save(state: &mut AppState, mut form: CodeForm) {
-    if let (Some(path), Some(Ok(written))) = (&form.path, state.own.get().and_then(Writer::known)) {
-        let target = PathBuf::from(path.trim());
+    if let Some((target, written)) = asked(state, &form) {
         form.message = Some(match save_code(&target, &written.export) {
             Ok(()) => {
                 form.path = None;
-                format!("saved {}", names(&target, written))
+                format!("saved {}", written.names(&target))
             }
             Err(error) => error.to_string(),
         });
@@ -49,65 +142,63 @@ pub fn save(state: &mut AppState, mut form: CodeForm) {
     state.dialog = Some(Dialog::Code(form));
 }
 
-/// The files that are written for `target`.
-fn paths(target: &Path, written: &Written) -> Vec<PathBuf> {
-    written.export.parts.iter().map(|part| written.export.path_of(part, target)).collect()
-}
-
-fn names(target: &Path, written: &Written) -> String {
-    paths(target, written).iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(" and ")
-}
-
 /// The files that the form asks for.
 pub fn targets(state: &AppState, form: &CodeForm) -> Vec<PathBuf> {
-    match (&form.path, state.own.get().and_then(Writer::known)) {
-        (Some(path), Some(Ok(written))) => paths(Path::new(path.trim()), written),
-        _ => vec![],
-    }
+    asked(state, form).map_or(vec![], |(target, written)| written.paths(&target))
 }
 
 /// What the dialog shows.
 pub fn code_ui(ui: &mut Ui, form: &mut CodeForm, writer: &mut Writer, document: &Document) -> Choice {
     ui.heading("The scene as code");
     ui.add_space(6.0);
-    languages_ui(ui, form);
-    ui.add_space(4.0);
-    let bottom = ui.cursor().top() + HEIGHT.min(ui.ctx().content_rect().height() - AROUND);
-    let answer = writer.ask(ui.ctx(), document, form.language);
-    match &answer {
-        None => drop(ui.label("Writing…")),
-        Some(Err(reason)) => drop(ui.label(*reason)),
-        Some(Ok(written)) => written_ui(ui, form, written, bottom),
-    }
-    // The tabs and the buttons stay where they are, whatever text there is.
-    ui.add_space((bottom - ui.cursor().top()).max(0.0) + 8.0);
-    let ready = answer.and_then(Result::ok);
-    if let Some(message) = &form.message {
-        ui.label(message);
-    }
-    if form.path.is_some() { path_ui(ui, form, ready) } else { buttons_ui(ui, form, ready, document) }
-}
-
-fn written_ui(ui: &mut Ui, form: &mut CodeForm, written: &Written, bottom: f32) {
-    form.part = form.part.min(written.shown.len().saturating_sub(1));
-    limits_ui(ui, &written.export.limits);
-    let Some(shown) = written.shown.get(form.part) else { return };
-    parts_ui(ui, form, written, shown);
-    text_ui(ui, form, &shown.text, (bottom - ui.cursor().top() - 2.0 * MARGIN).max(LEAST_TEXT));
-}
-
-fn languages_ui(ui: &mut Ui, form: &mut CodeForm) {
     ui.horizontal(|ui| {
-        for language in Language::ALL {
+        for (language, title, what) in LANGUAGES {
             let on = form.language == language;
-            let tab = ui.add(Button::selectable(on, language.title())).on_hover_text(language.what());
-            let enabled = tab.enabled();
-            tab.widget_info(|| WidgetInfo::selected(Role::Tab, enabled, on, language.title()));
-            if tab.clicked() && !on {
+            let tab = switch_named(ui.add(Button::selectable(on, title)), Role::Tab, on, title);
+            if tab.on_hover_text(what).clicked() && !on {
                 *form = CodeForm { language, ..CodeForm::default() };
             }
         }
     });
+    ui.add_space(4.0);
+    let bottom = ui.cursor().top() + HEIGHT.min(ui.ctx().content_rect().height() - AROUND);
+    let answer = ask(writer, ui.ctx(), document, form.language);
+    match answer {
+        None => _ = ui.label("Writing…"),
+        Some(Err(reason)) => _ = ui.label(reason),
+        Some(Ok(written)) => {
+            form.part = form.part.min(written.shown.len().saturating_sub(1));
+            limits_ui(ui, &written.export.limits);
+            if let Some(shown) = written.shown.get(form.part) {
+                // The parts to choose from, and how much of the text is seen.
+                ui.horizontal(|ui| {
+                    for (index, part) in written.export.parts.iter().enumerate().filter(|_| written.shown.len() > 1) {
+                        ui.selectable_value(&mut form.part, index, part.title);
+                    }
+                    let Shown { lines, hidden, .. } = shown;
+                    let text = match hidden {
+                        0 => format!("{lines} lines"),
+                        _ => format!("the first {lines} of {} lines; copying and saving take them all", lines + hidden),
+                    };
+                    ui.label(RichText::new(text).weak());
+                });
+                text_ui(ui, form, &shown.text, (bottom - ui.cursor().top() - 2.0 * MARGIN).max(LEAST_TEXT));
+            }
+        }
+    }
+    // The tabs and the buttons stay where they are, whatever text there is.
+    ui.add_space((bottom - ui.cursor().top()).max(0.0) + 8.0);
+    let ready = answer.and_then(|answer| answer.as_deref().ok());
+    if let Some(message) = &form.message {
+        ui.label(message);
+    }
+    let Some(path) = &mut form.path else { return actions_ui(ui, form, ready, document) };
+    let entered = path_ui(ui, path, form.language.file_kind().example);
+    let sound = ready.filter(|_| !path.trim().is_empty());
+    if let Some(written) = sound.filter(|written| written.export.parts.len() > 1) {
+        ui.label(RichText::new(format!("Writes {}", written.names(Path::new(path.trim())))).weak());
+    }
+    buttons_ui(ui, "Save", ("Back", Choice::Back), sound.is_some(), entered)
 }
 
 /// What the target cannot say, as plainly as the text itself.
@@ -127,23 +218,6 @@ fn limits_ui(ui: &mut Ui, limits: &[String]) {
     });
 }
 
-/// The parts to choose from, and how much of the text is seen.
-fn parts_ui(ui: &mut Ui, form: &mut CodeForm, written: &Written, shown: &Shown) {
-    ui.horizontal(|ui| {
-        if written.export.parts.len() > 1 {
-            for (index, part) in written.export.parts.iter().enumerate() {
-                ui.selectable_value(&mut form.part, index, part.title);
-            }
-        }
-        let Shown { lines, hidden, .. } = shown;
-        let text = match hidden {
-            0 => format!("{lines} lines"),
-            _ => format!("the first {lines} of {} lines; copying and saving take them all", lines + hidden),
-        };
-        ui.label(RichText::new(text).weak());
-    });
-}
-
 /// The text: scrolled, not wrapped, to be selected but not changed.
 fn text_ui(ui: &mut Ui, form: &CodeForm, text: &str, height: f32) {
     let (font, colour) = (TextStyle::Monospace.resolve(ui.style()), ui.visuals().text_color());
@@ -158,13 +232,12 @@ fn text_ui(ui: &mut Ui, form: &CodeForm, text: &str, height: f32) {
             let mut buffer = text;
             let view = TextEdit::multiline(&mut buffer).layouter(&mut unwrapped).frame(Frame::NONE);
             let view = ui.add(view.cursor_at_end(false).desired_width(f32::INFINITY));
-            let enabled = view.enabled();
-            view.widget_info(|| WidgetInfo::labeled(Role::MultilineTextInput, enabled, "Code"));
+            named(view, Role::MultilineTextInput, "Code");
         });
     });
 }
 
-fn buttons_ui(ui: &mut Ui, form: &mut CodeForm, ready: Option<&Written>, document: &Document) -> Choice {
+fn actions_ui(ui: &mut Ui, form: &mut CodeForm, ready: Option<&Written>, document: &Document) -> Choice {
     let mut choice = Choice::Stay;
     ui.horizontal(|ui| {
         let copy = ui.add_enabled(ready.is_some(), Button::new("Copy"));
@@ -186,22 +259,16 @@ fn buttons_ui(ui: &mut Ui, form: &mut CodeForm, ready: Option<&Written>, documen
     choice
 }
 
-/// Asks where to save.
-fn path_ui(ui: &mut Ui, form: &mut CodeForm, ready: Option<&Written>) -> Choice {
-    let Some(path) = &mut form.path else { return Choice::Stay };
-    let (entered, browse) = path_field(ui, path, form.language.suggestion());
-    let sound = ready.filter(|_| !path.trim().is_empty());
-    if let Some(written) = sound.filter(|written| written.export.parts.len() > 1) {
-        ui.label(RichText::new(format!("Writes {}", names(Path::new(path.trim()), written))).weak());
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_text_is_cut_after_whole_lines() {
+        let part = |text: &str| Part { title: "C", ending: "c", text: text.to_owned() };
+        let shown = |text, lines, hidden| Shown { text: String::from(text), lines, hidden };
+        assert_eq!(Shown::of(&part("a\nb\nc\n"), 2), shown("a\nb\n", 2, 1));
+        assert_eq!(Shown::of(&part("a\nb\nc"), 3), shown("a\nb\nc", 3, 0));
+        assert_eq!(Shown::of(&part(""), 3), shown("", 0, 0));
     }
-    let mut choice = if browse { Choice::Browse(Pick::SaveCode(form.language)) } else { Choice::Stay };
-    ui.horizontal(|ui| {
-        if ui.add_enabled(sound.is_some(), Button::new("Save")).clicked() || (sound.is_some() && entered) {
-            choice = Choice::Accept;
-        }
-        if ui.button("Back").clicked() {
-            form.path = None;
-        }
-    });
-    choice
 }

@@ -2,7 +2,7 @@
 
 use super::action::Action;
 use super::engine::Engine;
-use super::points::ProbePoint;
+use super::place::ProbePoint;
 use super::report::{ReportView, export_ui};
 use super::row::parameter;
 use super::state::AppState;
@@ -77,7 +77,7 @@ fn difference_ui(ui: &mut Ui, state: &mut AppState) {
 /// A pane: its name, which makes it active, and what it has of its own.
 fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, count: usize) {
     let name = state.document.scene.pane_name(pane);
-    let shown = engine.shown().contains(&pane);
+    let shown = engine.shown.contains(&pane);
     ui.horizontal(|ui| {
         let text = format!("{} {name}", pane + 1);
         let button = ui.add_enabled(shown, Button::selectable(state.panes.active == pane && shown, text).truncate());
@@ -177,13 +177,13 @@ fn finer(scene: &Scene) -> Option<Vec<String>> {
 
 /// How far each pane is from the last one.
 fn figures_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    let figures = engine.figures();
+    let figures = &engine.figures;
     let (Some(reference), true) = (figures.last(), figures.len() > 1) else { return };
     ui.label(RichText::new(format!("Against {}", reference.name)).strong());
     let mut view = ReportView::default();
     view.set(Comparison(figures.to_vec()).report(&analysis::About { name: "", scene: &state.document.scene }));
     view.ui(ui);
-    let size = engine.size();
+    let size = engine.size;
     for one in figures {
         let Some([x, y]) = one.error.and_then(|error| error.at) else { continue };
         let tip = format!("Puts the probe where {} differs most", one.name);

@@ -21,8 +21,8 @@ pub struct CurvesView {
 pub fn curves_ui(ui: &mut Ui, own: &mut CurvesView, state: &mut AppState, engine: &Engine) {
     let scene = &state.shown.scene;
     let light = state.light.min(scene.lights.len().saturating_sub(1));
-    if own.sampled != Some((engine.revision(), light)) {
-        own.sampled = Some((engine.revision(), light));
+    if own.sampled != Some((engine.revision, light)) {
+        own.sampled = Some((engine.revision, light));
         own.curves = engine.curves(light);
         let mut named = own.curves.clone().unwrap_or_default();
         for plot in &mut named.plots {

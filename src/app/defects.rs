@@ -40,7 +40,7 @@ pub fn shown(state: &AppState) -> bool {
 
 /// The tab.
 pub fn defects_ui(ui: &mut Ui, measured: &mut Measured, state: &mut AppState, engine: &Engine) {
-    let size = engine.size();
+    let size = engine.size;
     if size.contains(&0) {
         return;
     }

@@ -1,10 +1,10 @@
 //! What is asked or told in front of everything else, and the widgets that all dialogs share.
 
-use super::code::form::{CodeForm, Language};
-use super::paths::complete_path;
+use super::focus::named;
 use crate::analysis::Format;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Button, Key, ScrollArea, TextEdit, Ui, WidgetInfo};
+use eframe::egui::{Button, Key, ScrollArea, TextEdit, Ui};
+use std::path::Path;
 
 /// A dialog.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,19 +13,12 @@ pub enum Dialog {
         title: String,
         text: String,
     },
-    Open {
+    /// Asks for a file, and what is to be done with it.
+    File {
+        task: FileTask,
         path: String,
     },
-    Save {
-        path: String,
-    },
-    Export(ExportForm),
     Code(CodeForm),
-    /// Where to save the answer of an analysis.
-    SaveAnswer {
-        path: String,
-        format: Format,
-    },
     /// Whether to replace files that exist, before what another dialog asks for is done.
     Replace {
         names: String,
@@ -41,6 +34,15 @@ pub enum Dialog {
     About,
 }
 
+/// What is to be done with a file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileTask {
+    Open,
+    SaveScene,
+    Export(ExportForm),
+    SaveAnswer(Format),
+}
+
 /// How a picture is to be exported.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExportForm {
@@ -48,7 +50,40 @@ pub struct ExportForm {
     pub samples: u32,
     /// With the vectors as they are shown.
     pub overlay: bool,
-    pub path: String,
+}
+
+/// Which text of the scene as code is looked at, and what is done with it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CodeForm {
+    pub language: Language,
+    /// Of a text in several parts, the one that is shown.
+    pub part: usize,
+    /// Where it is to be saved, while that is asked.
+    pub path: Option<String>,
+    /// What was last done, or why it was not.
+    pub message: Option<String>,
+}
+
+/// In which language a scene is shown as code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Language {
+    #[default]
+    Calls,
+    Shaders,
+    Program,
+}
+
+/// The kind of file that a dialog asks for.
+pub struct FileKind {
+    pub title: &'static str,
+    /// What the button says.
+    pub verb: &'static str,
+    /// What the desktop's own dialog calls such files.
+    pub files: &'static str,
+    /// What their names may end in; anything where empty.
+    pub endings: &'static [&'static str],
+    /// A name with the usual ending.
+    pub example: &'static str,
 }
 
 /// What the user has decided.
@@ -57,11 +92,45 @@ pub enum Choice {
     Stay,
     Leave,
     Accept,
-    Browse(Pick),
+    /// The desktop's own dialog for the file.
+    Browse,
     /// To the question before.
     Back,
     /// Leave, and let go of what the question is about.
     Discard,
+}
+
+impl FileTask {
+    pub fn file_kind(&self) -> FileKind {
+        let (title, verb, files, endings, example): (_, _, _, &[_], _) = match self {
+            Self::Open => (
+                "Open a scene, a model or an exported picture",
+                "Open",
+                "Scenes, models, pictures",
+                &["toml", "obj", "png"],
+                "scene.toml, model.obj or picture.png",
+            ),
+            Self::SaveScene => ("Save the scene", "Save", "Scene", &["toml"], "scene.toml"),
+            Self::Export(_) => ("Export the picture", "Export", "Picture", &["png"], "picture.png"),
+            Self::SaveAnswer(format) => {
+                let example = match format {
+                    Format::Json => "analysis.json",
+                    Format::Csv => "analysis.csv",
+                    Format::Png => "analysis.png",
+                    Format::Svg => "analysis.svg",
+                };
+                ("Save the analysis", "Save", "Analysis", &["csv", "png", "svg", "json"], example)
+            }
+        };
+        FileKind { title, verb, files, endings, example }
+    }
+}
+
+impl Language {
+    pub fn file_kind(self) -> FileKind {
+        let example = if self == Self::Shaders { "scene.vert" } else { "scene.c" };
+        FileKind { title: "Save the code", verb: "Save", files: "Code", endings: &[], example }
+    }
 }
 
 impl Dialog {
@@ -70,23 +139,19 @@ impl Dialog {
         Self::Message { title: title.to_owned(), text }
     }
 
-    /// Takes over a path that was picked elsewhere.
-    pub fn take_path(&mut self, picked: String) {
-        if let Self::Open { path }
-        | Self::Save { path }
-        | Self::SaveAnswer { path, .. }
-        | Self::Export(ExportForm { path, .. }) = self
-        {
-            *path = picked;
-        } else if let Self::Code(CodeForm { path: Some(path), .. }) = self {
-            *path = picked;
+    /// The path that it asks for, and the kind of the file.
+    pub fn file(&mut self) -> Option<(&mut String, FileKind)> {
+        match self {
+            Self::File { task, path } => Some((path, task.file_kind())),
+            Self::Code(CodeForm { path: Some(path), language, .. }) => Some((path, language.file_kind())),
+            _ => None,
         }
     }
 
     /// Leaves a question within the dialog; tells whether there was one.
     pub fn step_back(&mut self) -> bool {
         match self {
-            Self::Code(form) => form.step_back(),
+            Self::Code(form) => form.path.take().is_some(),
             Self::Replace { then, .. } => {
                 *self = std::mem::replace(&mut **then, Self::About);
                 true
@@ -95,92 +160,60 @@ impl Dialog {
         }
     }
 
-    /// Gives the file that is to be written an ending that the program reads, where its name has none.
+    /// Gives the file that is to be written the usual ending, where its name has none that the program knows.
     pub fn complete(&mut self) {
-        match self {
-            Self::Save { path } => complete_path(path, "toml", &[]),
-            Self::Export(form) => complete_path(&mut form.path, "png", &[]),
-            Self::SaveAnswer { path, format } => {
-                complete_path(path, format.ending(), &["csv", "png", "svg", "json"]);
-            }
-            Self::Code(form) => form.complete(),
-            _ => {}
+        if matches!(self, Self::File { task: FileTask::Open, .. }) {
+            return;
         }
+        let Some((path, FileKind { endings, example, .. })) = self.file() else { return };
+        let extension = |path: &str| Path::new(path).extension().map(|ending| ending.to_string_lossy().into_owned());
+        let trimmed = path.trim().to_owned();
+        let known = extension(&trimmed)
+            .is_some_and(|ending| endings.is_empty() || endings.iter().any(|known| ending.eq_ignore_ascii_case(known)));
+        let complete = known || trimmed.ends_with(std::path::is_separator);
+        *path = if complete { trimmed } else { format!("{trimmed}.{}", extension(example).unwrap_or_default()) };
     }
 }
 
-/// Which dialog of the desktop's is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pick {
-    Open,
-    SaveScene,
-    SavePicture,
-    SaveCode(Language),
-    SaveAnswer(Format),
-}
-
-/// A question with an answer a button.
+/// A question or a message with a button for each answer; Enter gives the only one.
 pub fn question_ui(ui: &mut Ui, title: &str, text: &str, answers: &[(&str, Choice)]) -> Choice {
-    ui.heading(title);
-    ui.add_space(8.0);
-    ui.label(text);
-    ui.add_space(12.0);
-    ui.horizontal(|ui| {
-        let mut choice = Choice::Stay;
-        for (answer, meaning) in answers {
-            if ui.button(*answer).clicked() {
-                choice = *meaning;
-            }
-        }
-        choice
-    })
-    .inner
-}
-
-pub fn message_ui(ui: &mut Ui, title: &str, text: &str) -> Choice {
     ui.heading(title);
     ui.add_space(8.0);
     ScrollArea::vertical().max_height(320.0).show(ui, |ui| ui.label(text));
     ui.add_space(12.0);
-    let close = ui.button("Close");
-    if close.clicked() || ui.input(|input| input.key_pressed(Key::Enter)) { Choice::Leave } else { Choice::Stay }
+    let enter = answers.len() == 1 && ui.input(|input| input.key_pressed(Key::Enter));
+    let given = |ui: &mut Ui, answer: &str| ui.button(answer).clicked() || enter;
+    let chosen = ui.horizontal(|ui| answers.iter().filter(|(answer, _)| given(ui, answer)).last());
+    chosen.inner.map_or(Choice::Stay, |(_, choice)| *choice)
 }
 
-/// A field for a path, with the desktop's dialog a button away: there may be none.
-pub fn path_ui(ui: &mut Ui, title: &str, verb: &str, path: &mut String, hint: &str, pick: Pick) -> Choice {
-    ui.heading(title);
-    ui.add_space(8.0);
-    let (entered, browse) = path_field(ui, path, hint);
-    ui.add_space(12.0);
-    buttons(ui, verb, path, entered, browse.then_some(pick))
-}
-
-/// The field; tells whether Enter was pressed in it, and whether the desktop's dialog is asked for.
-pub fn path_field(ui: &mut Ui, path: &mut String, hint: &str) -> (bool, bool) {
+/// A field for a path, with the desktop's dialog a button away: there may be none. Accepts when Enter is pressed in it.
+pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str) -> Choice {
+    let mut choice = Choice::Stay;
     ui.horizontal(|ui| {
         let field = TextEdit::singleline(path).hint_text(hint).desired_width((ui.available_width() - 92.0).max(0.0));
-        let field = ui.add(field);
-        let enabled = ui.is_enabled();
-        field.widget_info(|| WidgetInfo::labeled(Role::TextInput, enabled, "File"));
-        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-        if !field.has_focus() && !entered && ui.memory(|memory| memory.focused().is_none()) {
+        let field = named(ui.add(field), Role::TextInput, "File");
+        if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
+            choice = Choice::Accept;
+        } else if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
             field.request_focus();
         }
-        let browse = ui.button("Browse…").on_hover_text("The desktop's own dialog, where it has one").clicked();
-        (entered, browse)
-    })
-    .inner
+        if ui.button("Browse…").on_hover_text("The desktop's own dialog, where it has one").clicked() {
+            choice = Choice::Browse;
+        }
+    });
+    choice
 }
 
-pub fn buttons(ui: &mut Ui, verb: &str, path: &str, entered: bool, browse: Option<Pick>) -> Choice {
-    let ready = !path.trim().is_empty();
-    let mut choice = browse.map_or(Choice::Stay, Choice::Browse);
+/// The buttons below a path; what `entered` chose holds where the path is `ready`.
+pub fn buttons_ui(ui: &mut Ui, verb: &str, back: (&str, Choice), ready: bool, entered: Choice) -> Choice {
+    let mut choice = if entered == Choice::Accept && !ready { Choice::Stay } else { entered };
     ui.horizontal(|ui| {
-        if ui.add_enabled(ready, Button::new(verb)).clicked() || (ready && entered) {
+        if ui.add_enabled(ready, Button::new(verb)).clicked() {
             choice = Choice::Accept;
         }
-        if ui.button("Cancel").clicked() {
-            choice = Choice::Leave;
+        if ui.button(back.0).clicked() {
+            choice = back.1;
         }
     });
     choice

@@ -2,14 +2,15 @@
 
 use super::action::Action;
 use super::code::{self, Writer, code_ui};
-use super::commands::COMMANDS;
-use super::dialog::{Choice, Dialog, ExportForm, Pick, buttons, message_ui, path_field, path_ui, question_ui};
+use super::commands::SECTIONS;
+use super::dialog::{Choice, Dialog, ExportForm, FileTask, buttons_ui, path_ui, question_ui};
 use super::files::Files;
+use super::focus::named;
 use super::report;
 use super::state::{AppState, Leaving};
 use crate::scene::Image;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Context, DragValue, Grid, Id, Key, Modal, ProgressBar, RichText, ScrollArea, Ui, WidgetInfo};
+use eframe::egui::{Context, DragValue, Grid, Id, Key, Modal, ProgressBar, RichText, ScrollArea, Ui};
 use std::path::{Path, PathBuf};
 
 /// Shows the dialog, if any, and how far work on a file has come.
@@ -42,8 +43,8 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
     });
     let leave = shown.should_close();
     match shown.inner {
-        Choice::Browse(pick) => {
-            files.pick(ctx, pick);
+        Choice::Browse => {
+            files.pick(ctx, &mut dialog);
             state.dialog = Some(dialog);
         }
         Choice::Accept => accept(ctx, state, files, dialog),
@@ -52,8 +53,12 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
             state.dialog = Some(dialog);
         }
         Choice::Stay if !leave || dialog.step_back() => state.dialog = Some(dialog),
-        Choice::Stay | Choice::Leave | Choice::Discard => {
-            state.own.change(Writer::forget);
+        leaving => {
+            if leaving == Choice::Discard {
+                let unsaved = matches!(dialog, Dialog::Unsaved);
+                state.ask(if unsaved { Action::CloseUnsaved } else { Action::DeleteLeft });
+            }
+            state.own.put(Writer::default());
             state.leaving = Leaving::No;
             ctx.request_repaint();
         }
@@ -63,10 +68,15 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
 /// Does what a dialog asks for, once it is clear that no file is lost by it.
 fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Dialog) {
     dialog.complete();
-    let agreed = files.take_agreed();
-    let lost = |path: &PathBuf| path.is_file() && !state.document.is_from(path) && agreed.as_ref() != Some(path);
-    let names: Vec<String> =
-        targets(&dialog, state).iter().filter(|path| lost(path)).map(|path| path.display().to_string()).collect();
+    let agreed = state.agreed.take();
+    let targets = match &dialog {
+        Dialog::File { task: FileTask::Open, .. } => vec![],
+        Dialog::File { path, .. } => vec![PathBuf::from(path)],
+        Dialog::Code(form) => code::targets(state, form),
+        _ => vec![],
+    };
+    let lost = |path: &&PathBuf| path.is_file() && !state.document.is_from(path) && agreed.as_ref() != Some(path);
+    let names: Vec<String> = targets.iter().filter(lost).map(|path| path.display().to_string()).collect();
     if names.is_empty() {
         perform(ctx, state, files, dialog);
     } else {
@@ -77,15 +87,17 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Di
 
 fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog) {
     match dialog {
-        Dialog::Open { path } => state.ask(Action::OpenFile(PathBuf::from(path.trim()))),
-        Dialog::Save { path } => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
-        Dialog::Export(form) => files.export(ctx, state, &form),
-        Dialog::Code(form) => code::save(state, form),
-        Dialog::SaveAnswer { path, .. } => {
-            if let Err(text) = report::save(state, Path::new(path.trim())) {
-                state.dialog = Some(Dialog::message("The analysis was not saved", text));
+        Dialog::File { task, path } => match task {
+            FileTask::Open => state.ask(Action::OpenFile(PathBuf::from(path.trim()))),
+            FileTask::SaveScene => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
+            FileTask::Export(form) => files.export(ctx, state, form, PathBuf::from(path)),
+            FileTask::SaveAnswer(_) => {
+                if let Err(text) = report::save(state, Path::new(path.trim())) {
+                    state.dialog = Some(Dialog::message("The analysis was not saved", text));
+                }
             }
-        }
+        },
+        Dialog::Code(form) => code::save(state, form),
         Dialog::Replace { then, .. } => perform(ctx, state, files, *then),
         Dialog::Unsaved => {
             state.leaving = Leaving::OnceSaved;
@@ -98,17 +110,8 @@ fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialo
 
 fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice {
     match dialog {
-        Dialog::Message { title, text } => message_ui(ui, title, text),
-        Dialog::Open { path } => {
-            let hint = "scene.toml, model.obj or picture.png";
-            path_ui(ui, "Open a scene, a model or an exported picture", "Open", path, hint, Pick::Open)
-        }
-        Dialog::Save { path } => path_ui(ui, "Save the scene", "Save", path, "scene.toml", Pick::SaveScene),
-        Dialog::SaveAnswer { path, format } => {
-            let hint = format!("a name that ends in .{}", format.ending());
-            path_ui(ui, "Save the analysis", "Save", path, &hint, Pick::SaveAnswer(*format))
-        }
-        Dialog::Export(form) => export_ui(ui, form),
+        Dialog::Message { title, text } => question_ui(ui, title, text, &[("Close", Choice::Leave)]),
+        Dialog::File { task, path } => file_ui(ui, task, path),
         Dialog::Code(form) => {
             let mut writer = state.own.take();
             let choice = code_ui(ui, form, &mut writer, &state.document);
@@ -119,68 +122,63 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             let text = format!("{names} exists already. What is in it will be lost.");
             question_ui(ui, "Replace the file?", &text, &[("Replace", Choice::Accept), ("Back", Choice::Back)])
         }
-        Dialog::Unsaved => unsaved_ui(ui, state),
-        Dialog::Restore { name } => restore_ui(ui, name, state),
+        Dialog::Unsaved => {
+            let title = format!("Save the changes to {}?", state.document.origin.name());
+            let text = "They are lost if the window closes without saving.";
+            let answers =
+                [("Save", Choice::Accept), ("Close without saving", Choice::Discard), ("Cancel", Choice::Leave)];
+            question_ui(ui, &title, text, &answers)
+        }
+        Dialog::Restore { name } => {
+            let text = format!("The last window ended without closing. Unsaved changes to {name} have been kept.");
+            let answers = [("Restore", Choice::Accept), ("Delete", Choice::Discard), ("Later", Choice::Leave)];
+            question_ui(ui, "Restore unsaved work?", &text, &answers)
+        }
         Dialog::Keys => keys_ui(ui),
-        Dialog::About => message_ui(
+        Dialog::About => question_ui(
             ui,
             concat!("shading-lab ", env!("CARGO_PKG_VERSION")),
             "A laboratory for local illumination and polygon shading: the illumination equation, a rasterizer of its own, \
              and what both mean in numbers.",
+            &[("Close", Choice::Leave)],
         ),
     }
 }
 
-fn unsaved_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
-    let title = format!("Save the changes to {}?", state.document.name());
-    let answers = [("Save", Choice::Accept), ("Close without saving", Choice::Discard), ("Cancel", Choice::Leave)];
-    let choice = question_ui(ui, &title, "They are lost if the window closes without saving.", &answers);
-    if choice == Choice::Discard {
-        state.ask(Action::CloseUnsaved);
+fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String) -> Choice {
+    let kind = task.file_kind();
+    ui.heading(kind.title);
+    if let FileTask::Export(form) = task {
+        export_ui(ui, form);
     }
-    choice
+    ui.add_space(8.0);
+    let entered = path_ui(ui, path, kind.example);
+    ui.add_space(12.0);
+    buttons_ui(ui, kind.verb, ("Cancel", Choice::Leave), !path.trim().is_empty(), entered)
 }
 
-fn restore_ui(ui: &mut Ui, name: &str, state: &mut AppState) -> Choice {
-    let text = format!("The last window ended without closing. Unsaved changes to {name} have been kept.");
-    let answers = [("Restore", Choice::Accept), ("Delete", Choice::Discard), ("Later", Choice::Leave)];
-    let choice = question_ui(ui, "Restore unsaved work?", &text, &answers);
-    if choice == Choice::Discard {
-        state.ask(Action::DeleteLeft);
-    }
-    choice
-}
-
-fn export_ui(ui: &mut Ui, form: &mut ExportForm) -> Choice {
-    ui.heading("Export the picture");
+fn export_ui(ui: &mut Ui, form: &mut ExportForm) {
     ui.label(RichText::new("The scene goes with it: opening the picture brings it back.").weak());
     ui.add_space(8.0);
+    let number_ui = |ui: &mut Ui, name: &str, value: &mut u32, most: u32| {
+        named(ui.add(DragValue::new(value).range(1..=most)), Role::SpinButton, name);
+    };
     Grid::new("export").num_columns(2).spacing([16.0, 8.0]).show(ui, |ui| {
         ui.label("Size");
         ui.horizontal(|ui| {
-            side_ui(ui, "Width", &mut form.size[0]);
+            number_ui(ui, "Width", &mut form.size[0], Image::MAX_SIDE / 2);
             ui.label("×");
-            side_ui(ui, "Height", &mut form.size[1]);
+            number_ui(ui, "Height", &mut form.size[1], Image::MAX_SIDE / 2);
             ui.label("pixels");
         });
         ui.end_row();
         ui.label("Samples per pixel");
-        let samples = ui.add(DragValue::new(&mut form.samples).range(1..=1024));
-        samples.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Samples per pixel"));
+        number_ui(ui, "Samples per pixel", &mut form.samples, 1024);
         ui.end_row();
         ui.label("Vectors");
         ui.checkbox(&mut form.overlay, "as they are shown");
         ui.end_row();
     });
-    ui.add_space(8.0);
-    let (entered, browse) = path_field(ui, &mut form.path, "picture.png");
-    ui.add_space(12.0);
-    buttons(ui, "Export", &form.path, entered, browse.then_some(Pick::SavePicture))
-}
-
-fn side_ui(ui: &mut Ui, name: &str, side: &mut u32) {
-    let field = ui.add(DragValue::new(side).range(1..=Image::MAX_SIDE / 2));
-    field.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
 }
 
 fn keys_ui(ui: &mut Ui) -> Choice {
@@ -188,30 +186,17 @@ fn keys_ui(ui: &mut Ui) -> Choice {
     ui.add_space(8.0);
     ScrollArea::vertical().max_height(440.0).auto_shrink([false, true]).show(ui, |ui| {
         Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).striped(true).show(ui, |ui| {
-            let mut section = "";
-            for command in COMMANDS.iter().filter(|command| !command.keys.is_empty()) {
-                if command.section != section {
-                    section = command.section;
-                    ui.label(RichText::new(section).strong());
+            for section in &*SECTIONS {
+                ui.label(RichText::new(section.title).strong());
+                ui.end_row();
+                for command in section.commands.iter().filter(|command| !command.does.is_empty()) {
+                    ui.label(RichText::new(command.keys).monospace());
+                    ui.label(command.does);
                     ui.end_row();
                 }
-                ui.label(RichText::new(command.keys).monospace());
-                ui.label(command.does);
-                ui.end_row();
             }
         });
     });
     ui.add_space(12.0);
     if ui.button("Close").clicked() { Choice::Leave } else { Choice::Stay }
-}
-
-/// The files that accepting a dialog writes.
-fn targets(dialog: &Dialog, state: &AppState) -> Vec<PathBuf> {
-    match dialog {
-        Dialog::Save { path } | Dialog::Export(ExportForm { path, .. }) | Dialog::SaveAnswer { path, .. } => {
-            vec![PathBuf::from(path)]
-        }
-        Dialog::Code(form) => code::targets(state, form),
-        _ => vec![],
-    }
 }

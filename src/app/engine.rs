@@ -1,46 +1,43 @@
 //! The engine behind the window: draws the panes, probes them, and keeps everything as textures until something changes.
 
-mod images;
 mod normals;
 mod pane;
 
 use super::look::OverlayLook;
 use super::state::AppState;
 use crate::analysis::{
-    Brightest, Curves, ErrorFigures, Overlay, PaneFigures, Probe, Scan, ScanError, brightest, curves,
+    Brightest, Curves, ErrorFigures, Overlay, OverlayOptions, PaneFigures, Probe, Scan, ScanError, brightest, curves,
     difference_picture, difference_scale, error_figures, scan_drawn,
 };
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;
-pub use images::{image_of, overlay_options};
+pub use pane::{image_of, overlay_options};
 
-use images::{drawing, is_dark, upload};
 use normals::NormalsDrawing;
-use pane::{PaneEngine, Wanted};
+use pane::{PaneEngine, Wanted, drawing, is_dark, upload};
 use std::cell::OnceCell;
 
 /// Draws for the window.
+#[derive(Default)]
 pub struct Engine {
     /// By the panes' numbers; there is always the active one.
     panes: Vec<PaneEngine>,
     /// The numbers of the panes that are shown.
-    shown: Vec<usize>,
+    pub shown: Vec<usize>,
     active: usize,
-    size: [u32; 2],
-    figures: Vec<PaneFigures>,
-    difference: Option<Difference>,
+    /// The size of each pane in pixels, when drawn whole.
+    pub size: [u32; 2],
+    /// The figures of the shown panes, in their order; the last is the reference. None where nothing is compared.
+    pub figures: Vec<PaneFigures>,
+    /// The difference picture as last drawn, and how.
+    difference: Option<(TextureHandle, (DifferenceKind, f64, f32))>,
     overlay: Option<DrawnOverlay>,
     normals: NormalsDrawing,
     terms: OnceCell<Vec<Term>>,
-    revision: u64,
-}
-
-/// The difference picture as last drawn, and how.
-struct Difference {
-    texture: TextureHandle,
-    look: (DifferenceKind, f64, f32),
+    /// Grows whenever a picture or the probe has changed.
+    pub revision: u64,
 }
 
 /// The overlay as last drawn, and what for.
@@ -48,30 +45,15 @@ struct DrawnOverlay {
     texture: TextureHandle,
     overlay: Overlay,
     size: [u32; 2],
-    look: OverlayLook,
-    light: usize,
-    dark: bool,
-    scale: f32,
-}
-
-impl Default for Engine {
-    fn default() -> Self {
-        Self {
-            panes: vec![PaneEngine::default()],
-            shown: vec![],
-            active: 0,
-            size: [0, 0],
-            figures: vec![],
-            difference: None,
-            overlay: None,
-            normals: NormalsDrawing::default(),
-            terms: OnceCell::new(),
-            revision: 0,
-        }
-    }
+    /// With the light's index, whether the background is dark, and the scale of the interface.
+    look: (OverlayLook, usize, bool, f32),
 }
 
 impl Engine {
+    pub fn new() -> Self {
+        Self { panes: vec![PaneEngine::default()], ..Self::default() }
+    }
+
     /// Brings pictures, probes and overlay up to date for panes of `size` pixels each; what has not changed is kept.
     pub fn update(&mut self, ctx: &Context, state: &mut AppState, size: [u32; 2]) {
         let size = size.map(|side| side.clamp(1, Image::MAX_SIDE));
@@ -122,19 +104,13 @@ impl Engine {
         self.normals.point_at(ctx, state, &self.panes[self.active], pointer, reach, clicked);
     }
 
-    /// The textures of the needles and of the lit faces, as large as the active pane, where they are shown.
-    pub fn normals(&self) -> [Option<&TextureHandle>; 2] {
-        self.normals.textures()
-    }
-
-    /// The figures of the shown panes, the last of which is the reference.
     fn measure(&mut self, scene: &Scene) {
         self.figures.clear();
         let Some((&last, _)) = self.shown.split_last().filter(|(_, others)| !others.is_empty()) else { return };
         let Some(reference) = self.panes[last].linear() else { return };
         for &pane in &self.shown {
             let Some(picture) = self.panes[pane].linear() else { continue };
-            let coarser = self.panes[pane].coarser();
+            let coarser = self.panes[pane].coarser;
             let in_whole = |at: [u32; 2]| at.map(|v| v * coarser + coarser / 2);
             let error = (pane != last).then(|| error_figures(picture, reference));
             let error = error.map(|error| ErrorFigures { at: error.at.map(in_whole), ..error });
@@ -145,75 +121,60 @@ impl Engine {
 
     fn draw_difference(&mut self, ctx: &Context, state: &AppState, redrawn: bool) {
         let compare = &state.document.scene.compare;
-        let &[first, last] = &self.shown[..] else {
+        let (&[first, last], CompareView::Difference) = (&self.shown[..], compare.view) else {
             self.difference = None;
             return;
         };
-        if compare.view != CompareView::Difference {
-            self.difference = None;
-            return;
-        }
         let look = (compare.difference, compare.gain, state.look.scale);
-        if !redrawn && self.difference.as_ref().is_some_and(|difference| difference.look == look) {
+        if !redrawn && self.difference.as_ref().is_some_and(|(_, drawn)| *drawn == look) {
             return;
         }
         let (Some(a), Some(b)) = (self.panes[first].linear(), self.panes[last].linear()) else { return };
         let mut frame = difference_picture(a, b, compare.difference, compare.gain);
         let em = f64::from(ctx.pixels_per_point()) * f64::from(super::theme::TEXT);
-        let em = em / f64::from(self.panes[first].coarser());
+        let em = em / f64::from(self.panes[first].coarser);
         difference_scale([frame.width, frame.height], compare.difference, compare.gain, em).draw_over(&mut frame);
-        let mut texture = self.difference.take().map(|difference| difference.texture);
+        let mut texture = self.difference.take().map(|(texture, _)| texture);
         upload(ctx, &mut texture, "difference", image_of(&frame), TextureOptions::NEAREST);
-        self.difference = texture.map(|texture| Difference { texture, look });
+        self.difference = texture.map(|texture| (texture, look));
     }
 
     fn draw_overlay(&mut self, ctx: &Context, state: &AppState, reprobed: bool) {
-        let look = &state.look.overlay;
-        let dark = is_dark(&state.shown.scene);
-        let scale = state.look.scale;
-        let kept = self.overlay.as_ref().is_some_and(|overlay| {
-            overlay.look == *look && overlay.light == state.light && overlay.dark == dark && overlay.scale == scale
-        });
-        if kept && !reprobed {
+        let scene = &state.shown.scene;
+        let look = (state.look.overlay.clone(), state.light, is_dark(scene), state.look.scale);
+        if !reprobed && self.overlay.as_ref().is_some_and(|overlay| overlay.look == look) {
             return;
         }
-        let mut options = overlay_options(look, state.light, &state.shown.scene);
-        options.scale = f64::from(scale);
-        let pane = self.active();
+        let scale = f64::from(state.look.scale);
+        let options = OverlayOptions { scale, ..overlay_options(&look.0, state.light, scene) };
+        let (size, pane) = (self.size, self.active());
         let (Some((_, probe)), Some(scene)) = (&pane.probed, pane.drawn()) else { return };
-        let size = self.size;
         let overlay = Overlay::new(size, scene, probe, &options);
-        let (mut texture, same) = match self.overlay.take() {
-            Some(drawn) => (Some(drawn.texture), drawn.size == size && drawn.overlay == overlay),
-            None => (None, false),
-        };
+        let drawn = self.overlay.take();
         // Most sliders move no vector.
-        if !same {
-            let Some(image) = drawing(size, |pixmap| overlay.draw(pixmap)) else { return };
+        let same = drawn.as_ref().is_some_and(|drawn| drawn.size == size && drawn.overlay == overlay);
+        let mut texture = drawn.map(|drawn| drawn.texture);
+        if let Some(image) = (!same).then(|| drawing(size, |pixmap| overlay.draw(pixmap))).flatten() {
             upload(ctx, &mut texture, "overlay", image, TextureOptions::NEAREST);
         }
-        let look = look.clone();
-        self.overlay =
-            texture.map(|texture| DrawnOverlay { texture, overlay, size, look, light: state.light, dark, scale });
+        self.overlay = texture.map(|texture| DrawnOverlay { texture, overlay, size, look });
     }
 
     fn active(&self) -> &PaneEngine {
         &self.panes[self.active]
     }
 
-    /// The texture of a pane's picture.
-    pub fn picture(&self, pane: usize) -> Option<&TextureHandle> {
-        self.panes.get(pane)?.picture.as_ref()
-    }
-
-    /// The texture of the difference, where that is shown.
-    pub fn difference(&self) -> Option<&TextureHandle> {
-        self.difference.as_ref().map(|difference| &difference.texture)
-    }
-
-    /// The overlay's texture, as large as the active pane; none where nothing is to be drawn.
-    pub fn overlay(&self) -> Option<&TextureHandle> {
-        self.overlay.as_ref().filter(|overlay| overlay.look.vectors).map(|overlay| &overlay.texture)
+    /// What is shown of a pane, from the bottom up: its picture, or `instead` of it another or the difference; on the active one
+    /// needles, overlay and lit faces as well.
+    pub fn layers<'a>(&'a self, pane: usize, instead: Option<&'a TextureHandle>) -> [Option<&'a TextureHandle>; 4] {
+        let difference = self.difference.as_ref().map(|(texture, _)| texture);
+        let picture = instead.or(difference).or_else(|| self.panes.get(pane)?.picture.as_ref());
+        if pane != self.active {
+            return [picture, None, None, None];
+        }
+        let [needles, lit] = self.normals.textures();
+        let overlay = self.overlay.as_ref().filter(|overlay| overlay.look.0.vectors).map(|overlay| &overlay.texture);
+        [picture, needles, overlay, lit]
     }
 
     /// The active pane's picture as last drawn.
@@ -231,35 +192,15 @@ impl Engine {
         self.shown.iter().filter_map(|&pane| self.panes.get(pane)).map(|pane| pane.report().nanoseconds).sum()
     }
 
-    /// The figures of the shown panes, in their order; none where nothing is compared.
-    pub fn figures(&self) -> &[PaneFigures] {
-        &self.figures
-    }
-
-    /// The numbers of the shown panes.
-    pub fn shown(&self) -> &[usize] {
-        &self.shown
-    }
-
-    /// The size of each pane in pixels, when drawn whole.
-    pub fn size(&self) -> [u32; 2] {
-        self.size
-    }
-
     /// By what the sides of the pictures in sight are divided: more than 1 while something is dragged that they would not
     /// keep up with.
     pub fn coarser(&self) -> u32 {
-        self.active().coarser()
+        self.active().coarser
     }
 
     /// The plan of the active pane's picture, term by term; found when it is asked for.
     pub fn terms(&self) -> &[Term] {
         self.terms.get_or_init(|| self.active().renderer().terms())
-    }
-
-    /// Grows whenever a picture or the probe has changed.
-    pub fn revision(&self) -> u64 {
-        self.revision
     }
 
     /// The curves at the probe and of the light of index `light`, those that say something.
@@ -290,11 +231,6 @@ impl Engine {
 
     /// The equation at the probe in the active pane.
     pub fn probed(&self) -> Option<&Probe> {
-        self.probed_in(self.active)
-    }
-
-    /// The equation at the probe in a pane.
-    pub fn probed_in(&self, pane: usize) -> Option<&Probe> {
-        self.panes.get(pane)?.probed.as_ref().map(|(_, probe)| probe)
+        self.active().probed.as_ref().map(|(_, probe)| probe)
     }
 }

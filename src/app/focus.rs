@@ -1,6 +1,7 @@
-//! The keyboard's focus: Tab goes from field to field, and a ring shows what has it.
+//! The keyboard's focus: Tab goes from field to field, and a ring shows what has it. Names for screen readers.
 
-use eframe::egui::{Context, FocusDirection, Id, InputState, Key, Modifiers, Response, Stroke, StrokeKind};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Context, FocusDirection, Id, InputState, Key, Modifiers, Response, Stroke, StrokeKind, WidgetInfo};
 
 /// Width of the ring, and its distance from what it surrounds; points.
 const RING: [f32; 2] = [2.0, 2.0];
@@ -21,6 +22,18 @@ pub fn picture_id() -> Id {
 
 fn id() -> Id {
     Id::unique("fields")
+}
+
+/// Gives a widget its name for screen readers.
+pub fn named(response: Response, role: Role, name: &str) -> Response {
+    response.widget_info(|| WidgetInfo::labeled(role, response.enabled(), name));
+    response
+}
+
+/// Gives a button that is on or off its name.
+pub fn switch_named(response: Response, role: Role, on: bool, name: &str) -> Response {
+    response.widget_info(|| WidgetInfo::selected(role, response.enabled(), on, name));
+    response
 }
 
 /// Adds a field to those that Tab goes through.

@@ -61,12 +61,12 @@ mod tests {
     use super::*;
     use eframe::egui::{Color32, Context, LayerId, Rect};
 
-    fn drawn(points: &[DVec2], dashes: &[f32]) -> Vec<Shape> {
+    fn drawn(points: &[[f64; 2]], dashes: &[f32]) -> Vec<Shape> {
         let ctx = Context::default();
         let mut output = ctx.run_ui(Default::default(), |ui| {
             let rect = Rect::from_min_max(pos2(0.0, 0.0), pos2(100.0, 100.0));
             let painter = Painter::new(ui.ctx().clone(), LayerId::background(), rect);
-            line(&painter, points.iter().copied(), Stroke::new(2.0, Color32::WHITE), dashes);
+            line(&painter, points.iter().map(|at| DVec2::from_array(*at)), Stroke::new(2.0, Color32::WHITE), dashes);
         });
         output.textures_delta.clear();
         std::mem::take(&mut output.shapes).into_iter().map(|clipped| clipped.shape).collect()
@@ -74,24 +74,17 @@ mod tests {
 
     #[test]
     fn a_dashed_line_that_touches_the_border_in_a_point_is_not_drawn() {
-        let points = [DVec2::new(-10.0, 50.0), DVec2::new(-4.0, 50.0), DVec2::new(-10.0, 60.0)];
-        assert_eq!(drawn(&points, &[6.0, 4.0]), []);
-        let points =
-            [DVec2::new(-30.0, 50.0), DVec2::new(10.0, 50.0), DVec2::new(10.0 + 1e-12, 50.0), DVec2::new(40.0, 50.0)];
-        let shapes = drawn(&points, &[6.0, 4.0]);
-        assert!(
-            !shapes.is_empty() && shapes.iter().all(|shape| shape.visual_bounding_rect().is_finite()),
-            "{shapes:?}"
-        );
+        assert_eq!(drawn(&[[-10.0, 50.0], [-4.0, 50.0], [-10.0, 60.0]], &[6.0, 4.0]), []);
+        let shapes = drawn(&[[-30.0, 50.0], [10.0, 50.0], [10.0 + 1e-12, 50.0], [40.0, 50.0]], &[6.0, 4.0]);
+        let finite = shapes.iter().all(|shape| shape.visual_bounding_rect().is_finite());
+        assert!(!shapes.is_empty() && finite, "{shapes:?}");
     }
 
     #[test]
     fn a_line_out_of_all_proportion_has_as_many_dashes_as_are_seen() {
         for far in [1e6, 1e12, 1e30, f64::MAX, f64::INFINITY, f64::NAN] {
-            let points =
-                [DVec2::new(10.0, 50.0), DVec2::new(50.0, far), DVec2::new(50.0, -far), DVec2::new(90.0, 50.0)];
             for dashes in [&[][..], &[6.0, 4.0]] {
-                let shapes = drawn(&points, dashes);
+                let shapes = drawn(&[[10.0, 50.0], [50.0, far], [50.0, -far], [90.0, 50.0]], dashes);
                 assert!(shapes.len() <= 40, "{far}: {} shapes", shapes.len());
                 let near = Rect::from_min_max(pos2(-20.0, -20.0), pos2(120.0, 120.0));
                 assert!(shapes.iter().all(|shape| near.contains_rect(shape.visual_bounding_rect())), "{far}");

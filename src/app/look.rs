@@ -1,7 +1,7 @@
 //! How the window looks: what is written to disk between two sessions.
 
 use super::profile::look::ProfileLook;
-use super::theme::{SCALES, ThemeChoice};
+use super::theme::{PROJECTOR_TEXT, SCALES, TEXT, ThemeChoice};
 use serde::{Deserialize, Serialize};
 
 /// How the window looks.
@@ -32,6 +32,29 @@ impl Look {
         let scale = if sizes.contains(&self.scale) { self.scale } else { Self::default().scale };
         Self { scale, profile: self.profile.sound(), ..self }
     }
+
+    /// Shows the normals of polygons and of vertices, or hides both.
+    pub fn switch_normals(&mut self) {
+        let on = !self.overlay.normals();
+        (self.overlay.face_normals, self.overlay.vertex_normals) = (on, on);
+    }
+
+    /// The next larger size of the interface.
+    pub fn larger(&mut self) {
+        self.scale = SCALES.into_iter().find(|scale| *scale > self.scale + 0.01).unwrap_or(self.scale);
+    }
+
+    /// The next smaller size.
+    pub fn smaller(&mut self) {
+        self.scale = SCALES.into_iter().rfind(|scale| *scale < self.scale - 0.01).unwrap_or(self.scale);
+    }
+
+    /// The size of text for a room, and back. It leaves no room for the picture between two panels; F5 brings the numbers back.
+    pub fn projector(&mut self) {
+        let large = PROJECTOR_TEXT / TEXT;
+        let enter = self.scale < large - 0.01;
+        (self.scale, self.numbers) = (if enter { large } else { 1.0 }, !enter);
+    }
 }
 
 impl Default for Look {
@@ -44,7 +67,7 @@ impl Default for Look {
             stages: true,
             channels: false,
             tab: NumbersTab::Equation,
-            overlay: OverlayLook::default(),
+            overlay: OverlayLook { vectors: true, angles: true, handles: true, ..OverlayLook::default() },
             profile: ProfileLook::default(),
         }
     }
@@ -54,29 +77,20 @@ impl Default for Look {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NumbersTab {
-    /// The equation filled in, the vectors and the angles.
     #[default]
     Equation,
-    /// The plots.
     Curves,
-    /// The intensity along a line.
     Profile,
-    /// Panes, and how far they are from each other.
     Compare,
-    /// The five defects of interpolated shading.
     Defects,
-    /// The scan line in slow motion.
     ScanLine,
-    /// The plan of the frame.
     Plan,
-    /// Error against run time.
     Study,
-    /// Stiff and extreme cases.
     Stability,
 }
 
 /// What is drawn over the picture.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct OverlayLook {
     pub vectors: bool,
@@ -98,21 +112,5 @@ impl OverlayLook {
     /// Whether any needles are shown.
     pub fn normals(&self) -> bool {
         self.face_normals || self.vertex_normals
-    }
-}
-
-impl Default for OverlayLook {
-    fn default() -> Self {
-        Self {
-            vectors: true,
-            angles: true,
-            construction: false,
-            side_view: false,
-            lobe: false,
-            half_vector: false,
-            handles: true,
-            face_normals: false,
-            vertex_normals: false,
-        }
     }
 }

@@ -19,8 +19,8 @@ pub struct PlanView {
 pub fn plan_ui(ui: &mut Ui, own: &mut PlanView, state: &mut AppState, engine: &Engine) {
     let frame_plan =
         || FramePlan { terms: engine.terms().to_vec(), runs: engine.report().stages.clone(), measured: None };
-    if own.made != Some(engine.revision()) {
-        own.made = Some(engine.revision());
+    if own.made != Some(engine.revision) {
+        own.made = Some(engine.revision);
         let report = frame_plan().report(&About { name: "", scene: &state.document.scene });
         own.view.set(report);
     }

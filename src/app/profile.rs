@@ -26,7 +26,7 @@ pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, en
     ui.label("Drag the line's ends in the picture.");
     modes_ui(ui, &mut state.look.profile.modes);
     eye_ui(ui, state);
-    let size = engine.size();
+    let size = engine.size;
     if size.contains(&0) {
         return;
     }

@@ -3,12 +3,12 @@
 //! Each window holds the lock of a numbered file of its own, which the system releases when the process ends, however it
 //! ends. A kept scene whose lock is free was left behind.
 
+use super::background::Task;
 use super::document::{Document, Origin};
 use super::state::{AppState, Leaving};
 use crate::analysis::Watch;
 use crate::document::{WriteError, load, write_whole};
-use crate::jobs::{Job, Work};
-use crate::scene::{Scene, presets};
+use crate::jobs::Job;
 use eframe::egui::Context;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -31,25 +31,7 @@ pub struct Recovery {
     due: Option<f64>,
     /// Whether there may be a file of this window's.
     written: bool,
-    writing: Option<Job<Kept>>,
-}
-
-/// A scene to be written.
-struct Kept {
-    path: PathBuf,
-    scene: Scene,
-    origin: Origin,
-}
-
-impl Work for Kept {
-    type Answer = ();
-
-    fn run(&self, _: &dyn Watch<()>) -> Result<(), String> {
-        let origin = serde_json::to_string(&self.origin).unwrap_or_default();
-        let text = format!("{HEAD}{origin}\n{}", self.scene.to_toml());
-        let written = write_whole(&self.path, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io));
-        written.map_err(|error| error.to_string())
-    }
+    writing: Option<Job<Task<()>>>,
 }
 
 /// A file for kept work, which is this process's alone.
@@ -58,26 +40,23 @@ struct Slot {
     _lock: File,
 }
 
-impl Slot {
-    /// Nothing where another process has it.
-    fn lock(path: PathBuf) -> Option<Self> {
-        let lock = File::options().create(true).append(true).open(path.with_extension("lock")).ok()?;
-        lock.try_lock().ok()?;
-        Some(Self { path, _lock: lock })
-    }
-}
-
 impl Recovery {
     /// Takes a free file in `folder`, and the latest of those left behind. Nothing where no file can be made there.
     pub fn new(folder: &Path) -> Option<Self> {
         fs::create_dir_all(folder).ok()?;
+        // Nothing where another process has it.
+        let lock = |path: PathBuf| {
+            let lock = File::options().create(true).append(true).open(path.with_extension("lock")).ok()?;
+            lock.try_lock().ok()?;
+            Some(Slot { path, _lock: lock })
+        };
         let (mut own, mut left) = (None, None);
         for path in (0..MOST).map(|number| folder.join(format!("{number}.toml"))) {
             let when = fs::metadata(&path).and_then(|metadata| metadata.modified()).ok();
             if when.is_none() && own.is_none() {
-                own = Slot::lock(path);
+                own = lock(path);
             } else if let Some(when) = when.filter(|when| left.as_ref().is_none_or(|(latest, _)| when > latest)) {
-                left = Slot::lock(path).map(|slot| (when, slot)).or(left);
+                left = lock(path).map(|slot| (when, slot)).or(left);
             }
         }
         let left = left.map(|(_, slot)| slot);
@@ -127,13 +106,15 @@ impl Recovery {
     fn write(&mut self, document: &Document) {
         self.due = None;
         self.kept = Some(document.clone());
-        // What could not be opened again is of no use; the last sound scene stays.
-        if document.scene.validate().is_err() {
-            return;
-        }
         self.written = true;
-        let kept = Kept { path: self.own.path.clone(), scene: document.scene.clone(), origin: document.origin.clone() };
-        self.writing = Some(Job::start(kept, |_| ()));
+        let (path, Document { scene, origin, .. }) = (self.own.path.clone(), document.clone());
+        let write = move |_: &dyn Watch<()>| {
+            let origin = serde_json::to_string(&origin).unwrap_or_default();
+            let text = format!("{HEAD}{origin}\n{}", scene.to_toml());
+            let written = write_whole(&path, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io));
+            written.map_err(|error| error.to_string())
+        };
+        self.writing = Some(Job::start(Task::new(write), |_| ()));
     }
 
     /// Removes what is kept of this window's work.
@@ -162,9 +143,7 @@ pub fn restore(path: &Path) -> Result<(Document, Document), String> {
     let origin = origin(path);
     let original = match &origin {
         Origin::New => None,
-        Origin::BuiltIn(name) => {
-            presets::find(name).map(|preset| Document { scene: preset.scene(), model: None, origin: origin.clone() })
-        }
+        Origin::BuiltIn(name) => Document::built_in(name),
         Origin::File(path) => load(path).ok().map(Document::from),
     };
     Ok((Document { scene: loaded.scene, model: loaded.model, origin }, original.unwrap_or_default()))

@@ -181,7 +181,7 @@ pub fn export_ui(
         return;
     }
     let Some((answer, scene)) = answer() else { return };
-    let export = Export { answer, scene, name: state.document.name() };
+    let export = Export { answer, scene, name: state.document.origin.name() };
     if copy {
         ui.ctx().copy_text(export.answer.text(&export.about()));
         state.notice = Some(format!("copied: {}", analysis.name));

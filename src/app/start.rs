@@ -5,23 +5,6 @@ use crate::document::Loaded;
 use eframe::egui::ViewportBuilder;
 use std::path::Path;
 
-/// Why there is no window.
-#[derive(Debug, thiserror::Error)]
-pub enum AppError {
-    /// Neither X nor Wayland.
-    #[error(
-        "no display was found, expected DISPLAY or WAYLAND_DISPLAY to name one; `shading-lab render` draws without"
-    )]
-    NoDisplay,
-    /// A library is not installed.
-    #[error("the library {library} is missing, expected the Debian package {package}")]
-    MissingLibrary { library: &'static str, package: &'static str },
-    #[error("no OpenGL was found, expected the Debian packages libgl1 and libgl1-mesa-dri ({0})")]
-    NoOpenGl(String),
-    #[error("the window could not be opened ({0})")]
-    Other(String),
-}
-
 /// What the window loads while it starts, and the Debian package that brings it.
 const X11_LIBRARIES: [(&str, &str); 5] = [
     ("libX11.so.6", "libx11-6"),
@@ -34,8 +17,8 @@ const X11_LIBRARIES: [(&str, &str); 5] = [
 /// Opens the window on `loaded` and returns when it is closed.
 ///
 /// # Errors
-/// No display, or a library that it needs is missing.
-pub fn run(loaded: Loaded) -> Result<(), AppError> {
+/// No display, or a library that it needs is missing; in a sentence.
+pub fn run(loaded: Loaded) -> Result<(), String> {
     check_environment()?;
     let viewport = ViewportBuilder::default()
         .with_title("shading-lab")
@@ -51,35 +34,30 @@ pub fn run(loaded: Loaded) -> Result<(), AppError> {
             None => app,
         })
     };
-    eframe::run_native("shading-lab", options, Box::new(|cc| Ok(open(cc)))).map_err(|error| {
-        let text = error.to_string();
-        match error {
-            eframe::Error::NoGlutinConfigs(..) | eframe::Error::Glutin(_) | eframe::Error::OpenGL(_) => {
-                AppError::NoOpenGl(text)
-            }
-            _ => AppError::Other(text),
+    eframe::run_native("shading-lab", options, Box::new(|cc| Ok(open(cc)))).map_err(|error| match error {
+        eframe::Error::NoGlutinConfigs(..) | eframe::Error::Glutin(_) | eframe::Error::OpenGL(_) => {
+            format!("no OpenGL was found, expected the Debian packages libgl1 and libgl1-mesa-dri ({error})")
         }
+        _ => format!("the window could not be opened ({error})"),
     })
 }
 
 /// Looks for the display and the libraries before anything panics for want of them.
-fn check_environment() -> Result<(), AppError> {
-    if !cfg!(target_os = "linux") {
-        return Ok(());
-    }
+fn check_environment() -> Result<(), String> {
     let set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-    if set("WAYLAND_DISPLAY") || set("WAYLAND_SOCKET") {
+    if !cfg!(target_os = "linux") || set("WAYLAND_DISPLAY") || set("WAYLAND_SOCKET") {
         return Ok(());
     }
     if !set("DISPLAY") {
-        return Err(AppError::NoDisplay);
+        let what = "no display was found, expected DISPLAY or WAYLAND_DISPLAY to name one";
+        return Err(format!("{what}; `shading-lab render` draws without"));
     }
-    for (library, package) in X11_LIBRARIES {
-        if !is_installed(library) {
-            return Err(AppError::MissingLibrary { library, package });
+    match X11_LIBRARIES.into_iter().find(|(library, _)| !is_installed(library)) {
+        Some((library, package)) => {
+            Err(format!("the library {library} is missing, expected the Debian package {package}"))
         }
+        None => Ok(()),
     }
-    Ok(())
 }
 
 /// Whether the dynamic linker would find a library: in its cache, in its usual folders or where it is told to look. Where

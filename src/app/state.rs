@@ -1,91 +1,73 @@
 //! Everything that the window remembers: what is open, what is shown of it, and what was asked for.
+//!
+//! A pane's scene is derived from the document's. The controls edit the active pane's, [`AppState::shown`]; what has changed
+//! in it goes to the document, except for what the pane has of its own:
+//!
+//! ```text
+//!   document ──┬────────────────────────→ pane 0     a key that a pane sets itself changes there alone,
+//!              ├── shading.mode=exact ──→ pane 1     any other changes everywhere
+//!              └── object.segments=64 ──→ pane 2
+//! ```
 
 use super::action::Action;
 use super::dialog::Dialog;
-use super::document::Document;
-use super::gallery::Gallery;
-use super::history::History;
+use super::document::{Document, History};
 use super::look::{Look, NumbersTab};
-use super::own::Own;
-use super::panes::Panes;
-use super::points::{ProbePoint, ProfileLine};
+use super::material::Gallery;
+use super::place::{ProbePoint, ProfileLine};
 use super::sampling::Sampling;
 use super::symbol::Lit;
-use crate::scene::Scene;
+use crate::scene::parameter::Parameter;
+use crate::scene::{Compare, Scene, SceneError};
+use eframe::egui::Vec2;
 use glam::DVec2;
-use serde::de::IntoDeserializer;
-use serde::de::value::{Error, StrDeserializer};
-use serde::{Deserialize, Serialize};
+use std::any::{Any, TypeId};
+use std::collections::HashMap;
+use std::path::PathBuf;
 
-/// The state of the window. What is written to disk between two sessions is how the window looks, not what is open.
-#[derive(Debug, Default, Serialize, Deserialize)]
-#[serde(default)]
+/// The state of the window. What is written to disk between two sessions is its look alone.
+#[derive(Default)]
 pub struct AppState {
     pub look: Look,
-    #[serde(skip)]
     pub document: Document,
     /// The document as the active pane shows it; the controls edit its scene, see [`AppState::commit`].
-    #[serde(skip)]
     pub shown: Document,
-    #[serde(skip)]
     pub history: History,
-    /// Which pane is worked on.
-    #[serde(skip)]
     pub panes: Panes,
     /// The document as last opened or saved.
-    #[serde(skip)]
     pub saved: Document,
     /// The scene as opened, or as saved in a new file: what resetting returns to.
-    #[serde(skip)]
     pub opened: Scene,
-    #[serde(skip)]
     pub probe: ProbePoint,
     /// Where the profile is taken.
-    #[serde(skip)]
     pub line: ProfileLine,
     /// Index of the light whose controls are shown.
-    #[serde(skip)]
     pub light: usize,
     /// The vertex whose faces are lit up, while normals are shown.
-    #[serde(skip)]
     pub pointed: PointedVertex,
     /// Number of the vertex whose place is shown, of a scene's own polygons.
-    #[serde(skip)]
     pub vertex: usize,
     /// The error of the chosen area light.
-    #[serde(skip)]
     pub sampling: Sampling,
     /// Pictures of the named materials.
-    #[serde(skip)]
     pub gallery: Gallery,
-    #[serde(skip)]
-    pub drag: Drag,
-    #[serde(skip)]
+    pub drag: Option<Drag>,
     pub lit: Lit,
     /// Shows the picture alone.
-    #[serde(skip)]
     pub picture_alone: bool,
-    #[serde(skip)]
     pub dialog: Option<Dialog>,
-    #[serde(skip)]
+    /// The path that the desktop's own dialog gave, which has asked whether to replace the file.
+    pub agreed: Option<PathBuf>,
     pub leaving: Leaving,
     /// What tabs and dialogs remember for themselves.
-    #[serde(skip)]
     pub own: Own,
     /// A line in the bottom bar about what was last done.
-    #[serde(skip)]
     pub notice: Option<String>,
     /// What was asked for in this frame, by button, menu or key.
-    #[serde(skip)]
     pub asked: Vec<Action>,
 }
 
 impl AppState {
-    /// What was stored, as far as it is within bounds: anybody may have written it.
-    pub fn sound(self) -> Self {
-        Self { look: self.look.sound(), ..self }
-    }
-
     /// Whether a tab of the panel of numbers is in sight.
     pub fn shows(&self, tab: NumbersTab) -> bool {
         self.look.numbers && !self.picture_alone && self.look.tab == tab
@@ -103,9 +85,8 @@ impl AppState {
 
     /// Shows another document, in the tab that its scene names; the present one is a step of undo away.
     pub fn open(&mut self, document: Document) {
-        let view: StrDeserializer<'_, Error> = document.scene.about.view.as_str().into_deserializer();
-        if let Ok(tab) = NumbersTab::deserialize(view) {
-            (self.look.tab, self.look.numbers) = (tab, true);
+        if let Ok(tab) = serde_json::from_value(document.scene.about.view.as_str().into()) {
+            self.show_tab(tab);
         }
         self.document = document;
         self.saved = self.document.clone();
@@ -119,8 +100,103 @@ impl AppState {
 
     /// Whether the document has changed since it was opened or saved.
     pub fn modified(&self) -> bool {
-        let Document { scene, origin, .. } = &self.saved;
-        self.document.scene != *scene || self.document.origin != *origin || self.document.model_differs(&self.saved)
+        self.document != self.saved
+    }
+
+    /// Takes over what has changed in the active pane's scene or in the document, so that every pane shows it. What a scene
+    /// file would refuse is taken back, and the notice says why in the same words.
+    pub fn commit(&mut self) {
+        let changes = self.panes.changes(&self.shown.scene);
+        if !changes.is_empty() || self.document.scene != self.panes.document {
+            if let Err(error) = self.take_over(&changes) {
+                self.notice = error.problems().first().map(ToString::to_string);
+                self.document.scene = self.panes.document.clone();
+            }
+            self.derive();
+        }
+    }
+
+    fn take_over(&mut self, changes: &[Change]) -> Result<(), SceneError> {
+        let Self { document, shown, panes, .. } = self;
+        shown.scene.validate()?;
+        distribute(&mut document.scene, panes, &shown.scene, changes);
+        mend(&mut document.scene);
+        document.scene.validate()
+    }
+
+    /// Derives the panes' scenes from the document's.
+    pub fn derive(&mut self) {
+        let Self { document, shown, panes, .. } = self;
+        let scene = &document.scene;
+        panes.document.clone_from(scene);
+        panes.others = (1..scene.pane_count()).map(|pane| scene.pane(pane).unwrap_or_else(|_| scene.clone())).collect();
+        if !scene.shown_panes().contains(&panes.active) {
+            panes.active = 0;
+            self.lit.opened.clone_from(&self.opened);
+        }
+        if !panes.changes(&shown.scene).is_empty() {
+            shown.scene = Scene { compare: Compare::default(), ..panes.scene(panes.active).clone() };
+        }
+        if document.model_differs(shown) || document.origin != shown.origin {
+            (shown.model, shown.origin) = (document.model.clone(), document.origin.clone());
+        }
+    }
+
+    /// Makes another pane the active one.
+    pub fn activate(&mut self, pane: usize) {
+        self.commit();
+        self.panes.active = pane;
+        self.derive();
+        self.lit.opened = self.opened.pane(self.panes.active).unwrap_or_else(|_| self.opened.clone());
+    }
+}
+
+/// Tables and keys in which panes do not differ.
+fn is_shared(parameter: &Parameter) -> bool {
+    ["version", "about", "camera", "image"].contains(&parameter.section()) || parameter.key == "object.path"
+}
+
+/// Sends each change of the active pane to the document, or to the pane; a change of the first pane alone is kept from the
+/// others.
+fn distribute(document: &mut Scene, panes: &Panes, after: &Scene, changes: &[Change]) {
+    let before = panes.scene(panes.active);
+    // Lights are added and removed for all.
+    let renewed = before.lights.len() != after.lights.len();
+    if renewed {
+        document.lights.clone_from(&after.lights);
+    }
+    for &(parameter, index) in changes.iter().filter(|(parameter, _)| !(renewed && parameter.of_light())) {
+        let key = parameter.key(index);
+        let alone = panes.own && !is_shared(parameter);
+        let compared = &mut document.compare.panes;
+        match panes.active.checked_sub(1).and_then(|pane| compared.get_mut(pane)) {
+            Some(pane) if alone || pane.value(&key).is_some() => {
+                pane.put(&key, &parameter.setting(after, index));
+                continue;
+            }
+            None if alone => {
+                let kept = parameter.setting(before, index);
+                compared.iter_mut().filter(|pane| pane.value(&key).is_none()).for_each(|pane| pane.put(&key, &kept));
+            }
+            _ => {}
+        }
+        parameter.copy(after, document, index);
+    }
+}
+
+/// Takes back what panes set that the document no longer allows, such as a key of a light that is gone.
+fn mend(document: &mut Scene) {
+    for place in 0..document.compare.panes.len() {
+        if document.pane(place + 1).is_ok() {
+            continue;
+        }
+        let settings = std::mem::take(&mut document.compare.panes[place].set);
+        for setting in settings {
+            document.compare.panes[place].set.push(setting);
+            if document.pane(place + 1).is_err() {
+                document.compare.panes[place].set.pop();
+            }
+        }
     }
 }
 
@@ -145,80 +221,192 @@ pub struct PointedVertex {
 }
 
 /// What the pointer drags in the picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Drag {
-    #[default]
-    Nothing,
-    /// The camera about its target.
-    Orbit,
-    /// The camera along the picture's plane.
-    Pan,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drag {
+    pub grip: Grip,
+    /// From the pointer to the middle of what it holds, pixels.
+    pub grab: DVec2,
+    /// A light or a vertex moves towards the viewer and away; the camera moves along the picture's plane.
+    pub deep: bool,
+}
+
+/// What the pointer can take hold of in the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Grip {
+    /// An end of the profile's line.
+    LineEnd(usize),
+    /// The knob by which the picture is turned.
+    Roll,
+    /// A light, by its index.
+    Light(usize),
+    /// The head of the chosen light's axis, on the viewer's side of the light or beyond.
+    Aim {
+        front: bool,
+    },
+    /// The edge of the chosen spot light's cone; the unit vector points away from its axis.
+    Rim(Vec2),
+    /// A vertex of the scene's own polygons, by its number.
+    Vertex(u32),
     Probe,
     /// The line of a wipe.
     Wipe,
-    /// The knob by which the picture is turned.
-    Roll,
-    /// An end of the profile's line; `grab` leads from the pointer to it in pixels.
-    LineEnd {
-        end: usize,
-        grab: DVec2,
-    },
-    /// A light, by its index; `grab` leads from the pointer to the light in pixels.
-    Light {
-        index: usize,
-        grab: DVec2,
-    },
-    /// A light towards the viewer and away.
-    LightDepth {
-        index: usize,
-    },
-    /// A vertex of the scene's own polygons, by its number; `grab` as before.
-    Vertex {
-        vertex: u32,
-        grab: DVec2,
-    },
-    /// A vertex towards the viewer and away.
-    VertexDepth {
-        vertex: u32,
-    },
-    /// The head of a light's axis, on the viewer's side of the light or beyond; `grab` as before.
-    Aim {
-        index: usize,
-        grab: DVec2,
-        front: bool,
-    },
-    /// The edge of a spot light's cone.
-    Rim {
-        index: usize,
-        grab: DVec2,
-    },
+    /// The camera about its target.
+    Camera,
+}
+
+/// Which pane is being worked on, and what the panes show.
+#[derive(Debug, Default)]
+pub struct Panes {
+    /// The pane whose scene the controls show, from 0.
+    pub active: usize,
+    /// Whether changes concern that pane alone.
+    pub own: bool,
+    /// The document's scene that the others are derived from; the first pane shows it.
+    document: Scene,
+    /// The scenes of the panes beside the first.
+    others: Vec<Scene>,
+}
+
+/// A parameter and the number of the light that it belongs to.
+type Change = (&'static Parameter, usize);
+
+impl Panes {
+    /// The scene that a pane shows.
+    pub fn scene(&self, pane: usize) -> &Scene {
+        pane.checked_sub(1).and_then(|index| self.others.get(index)).unwrap_or(&self.document)
+    }
+
+    /// What differs in a scene from what the active pane shows.
+    fn changes(&self, scene: &Scene) -> Vec<Change> {
+        let before = self.scene(self.active);
+        before.differences(scene).filter(|(parameter, _)| parameter.section() != "compare").collect()
+    }
+}
+
+/// What each tab and dialog remembers, kept by its type, so that the window's state need not know them.
+#[derive(Debug, Default)]
+pub struct Own(HashMap<TypeId, Box<dyn Any>>);
+
+impl Own {
+    /// The value, if there is one yet.
+    pub fn get<T: 'static>(&self) -> Option<&T> {
+        self.0.get(&TypeId::of::<T>())?.downcast_ref()
+    }
+
+    /// Takes the value out, to be put back; its default if there is none yet.
+    pub fn take<T: Default + 'static>(&mut self) -> T {
+        let value = self.0.remove(&TypeId::of::<T>()).and_then(|value| value.downcast().ok());
+        value.map(|value| *value).unwrap_or_default()
+    }
+
+    /// Puts a value in its place.
+    pub fn put<T: 'static>(&mut self, value: T) {
+        self.0.insert(TypeId::of::<T>(), Box::new(value));
+    }
+
+    /// Changes the value.
+    pub fn change<T: Default + 'static>(&mut self, change: impl FnOnce(&mut T)) {
+        let mut value = self.take();
+        change(&mut value);
+        self.put(value);
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::document::Origin;
-    use crate::scene::presets;
+    use crate::scene::{CompareView, Light, Pane, ShadingMode, presets};
 
     #[test]
     fn opening_a_built_in_scene_opens_its_tab() {
         for preset in presets::ALL.iter().filter(|preset| preset.name != presets::DEFAULT) {
             let mut state = AppState::default();
-            let (scene, origin) = (preset.scene(), Origin::BuiltIn(preset.name.to_owned()));
-            state.open(Document { scene, model: None, origin });
+            state.open(Document::built_in(preset.name).expect("a built-in scene"));
             let opened = serde_json::to_value(state.look.tab).expect("a word");
             assert_eq!(opened, preset.about().view, "{}", preset.name);
         }
     }
 
-    #[test]
-    fn the_look_survives_being_written_and_what_is_open_is_not_written() {
+    /// A scene beside which a pane shows it exactly.
+    fn state() -> AppState {
         let mut state = AppState::default();
-        state.look.scale = 1.25;
-        state.document.scene.material.n = 77.0;
-        let text = serde_json::to_string(&state).expect("plain data");
-        assert!(!text.contains("77"), "{text}");
-        let back: AppState = serde_json::from_str(&text).expect("what was written");
-        assert_eq!(back.look, state.look);
+        let compare = &mut state.document.scene.compare;
+        compare.view = CompareView::Panes;
+        compare.panes = vec![Pane::of(&["shading.mode=exact"]), Pane::of(&["object.segments=64"])];
+        state.commit();
+        state
+    }
+
+    fn edit(state: &mut AppState, pane: usize, change: impl FnOnce(&mut Scene)) {
+        state.activate(pane);
+        change(&mut state.shown.scene);
+        state.commit();
+        assert_eq!(state.document.scene.validate(), Ok(()));
+    }
+
+    fn scenes(state: &AppState) -> Vec<&Scene> {
+        (0..3).map(|pane| state.panes.scene(pane)).collect()
+    }
+
+    fn modes(state: &AppState) -> Vec<ShadingMode> {
+        scenes(state).iter().map(|scene| scene.shading.mode).collect()
+    }
+
+    #[test]
+    fn a_change_goes_to_all_panes_but_those_that_have_their_own() {
+        let mut state = state();
+        edit(&mut state, 0, |scene| scene.shading.mode = ShadingMode::Gouraud);
+        assert_eq!(modes(&state), [ShadingMode::Gouraud, ShadingMode::Exact, ShadingMode::Gouraud]);
+        edit(&mut state, 1, |scene| scene.shading.mode = ShadingMode::Flat);
+        assert_eq!(modes(&state), [ShadingMode::Gouraud, ShadingMode::Flat, ShadingMode::Gouraud]);
+        edit(&mut state, 1, |scene| scene.material.n = 7.5);
+        assert!(scenes(&state).iter().all(|scene| scene.material.n == 7.5));
+        edit(&mut state, 2, |scene| scene.camera.fov_y = 20.0);
+        assert!(scenes(&state).iter().all(|scene| scene.camera.fov_y == 20.0));
+    }
+
+    #[test]
+    fn a_change_of_one_pane_alone_stays_there() {
+        let mut state = state();
+        state.panes.own = true;
+        // Looking changes nothing.
+        let before = state.document.scene.clone();
+        (0..3).for_each(|pane| edit(&mut state, pane, |_| {}));
+        assert_eq!(state.document.scene, before);
+        state.activate(7);
+        assert_eq!(state.panes.active, 0);
+        let before = before.material.kd;
+        edit(&mut state, 1, |scene| scene.material.n = f64::INFINITY);
+        edit(&mut state, 0, |scene| scene.material.kd *= 0.5);
+        let scenes = scenes(&state);
+        assert_eq!(scenes[1].material.n, f64::INFINITY);
+        assert_ne!(scenes[0].material.n, f64::INFINITY);
+        assert_eq!(scenes[0].material.kd, before * 0.5);
+        assert!(scenes[1..].iter().all(|scene| scene.material.kd == before));
+    }
+
+    #[test]
+    fn lights_are_added_and_removed_for_all() {
+        let mut state = state();
+        state.document.scene.compare.panes[0].put("light.0.mute", "true");
+        edit(&mut state, 1, |scene| scene.lights.push(Light::default()));
+        assert!(scenes(&state).iter().all(|scene| scene.lights.len() == 2));
+        edit(&mut state, 2, |scene| scene.lights.clear());
+        assert!(scenes(&state).iter().all(|scene| scene.lights.is_empty()));
+        assert_eq!(state.document.scene.compare.panes[0].set, ["shading.mode=exact"]);
+    }
+
+    #[test]
+    fn what_a_file_refuses_is_taken_back_with_the_same_sentence() {
+        let mut state = state();
+        for pane in 0..3 {
+            edit(&mut state, pane, |scene| scene.material.n = -1.0);
+            assert_eq!(state.notice.take().as_deref(), Some("`material.n` is -1, expected 0 to inf"));
+            assert_eq!(state.shown.scene.material.n, 32.0);
+        }
+        state.document.scene.compare.gain = 1000.0;
+        state.commit();
+        assert_eq!(state.notice.as_deref(), Some("`compare.gain` is 1000, expected 1 to 64"));
+        assert_eq!(state.document.scene.compare.gain, 8.0);
     }
 }

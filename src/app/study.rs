@@ -107,7 +107,7 @@ fn exponents(text: &str, scene: &Scene) -> Result<Vec<f64>, String> {
 
 /// The tab.
 pub fn study_ui(ui: &mut Ui, view: &mut StudyView, state: &mut AppState, engine: &Engine) {
-    let size = engine.size();
+    let size = engine.size;
     if size.contains(&0) {
         return;
     }

@@ -2,8 +2,8 @@
 
 use eframe::egui::style::{HandleShape, Selection, TextCursorStyle, WidgetVisuals, Widgets};
 use eframe::egui::{
-    Color32, Context, CornerRadius, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle,
-    Theme, Visuals, vec2,
+    Color32, Context, CornerRadius, FontDefinitions, FontFamily, Margin, Shadow, Stroke, Style, TextStyle, Theme,
+    Visuals, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -25,16 +25,6 @@ pub enum ThemeChoice {
     Light,
 }
 
-impl From<ThemeChoice> for eframe::egui::ThemePreference {
-    fn from(choice: ThemeChoice) -> Self {
-        match choice {
-            ThemeChoice::System => Self::System,
-            ThemeChoice::Dark => Self::Dark,
-            ThemeChoice::Light => Self::Light,
-        }
-    }
-}
-
 /// Gives `ctx` the window's two themes.
 pub fn install(ctx: &Context) {
     ctx.set_fonts(fonts());
@@ -54,14 +44,8 @@ fn fonts() -> FontDefinitions {
 
 fn style(visuals: Visuals) -> Style {
     let mut style = Style { visuals, animation_time: 0.08, ..Style::default() };
-    for (name, size, family) in [
-        (TextStyle::Small, TEXT, FontFamily::Proportional),
-        (TextStyle::Body, TEXT, FontFamily::Proportional),
-        (TextStyle::Button, TEXT, FontFamily::Proportional),
-        (TextStyle::Heading, TEXT + 2.0, FontFamily::Proportional),
-        (TextStyle::Monospace, TEXT, FontFamily::Monospace),
-    ] {
-        style.text_styles.insert(name, FontId::new(size, family));
+    for (name, font) in &mut style.text_styles {
+        font.size = if *name == TextStyle::Heading { TEXT + 2.0 } else { TEXT };
     }
     style.drag_value_text_style = TextStyle::Monospace;
     style.spacing.item_spacing = vec2(8.0, 5.0);
@@ -80,65 +64,40 @@ fn style(visuals: Visuals) -> Style {
     style
 }
 
-/// Greys of a theme, from the deepest to the highest layer, and of its text.
-struct Greys {
-    well: Color32,
-    panel: Color32,
-    window: Color32,
-    line: Color32,
-    control: Color32,
-    hovered: Color32,
-    pressed: Color32,
-    weak: Color32,
-    text: Color32,
-    strong: Color32,
-    accent: Color32,
-    on_accent: Color32,
-}
-
-const fn grey(r: u8, g: u8, b: u8) -> Color32 {
-    Color32::from_rgb(r, g, b)
-}
-
 /// Light text on dark panels, for a dark room.
 pub fn dark_visuals() -> Visuals {
-    let greys = Greys {
-        well: grey(16, 17, 20),
-        panel: grey(26, 28, 32),
-        window: grey(32, 34, 39),
-        line: grey(48, 51, 58),
-        control: grey(43, 46, 53),
-        hovered: grey(55, 59, 68),
-        pressed: grey(68, 73, 84),
-        weak: grey(152, 159, 170),
-        text: grey(216, 220, 226),
-        strong: grey(246, 247, 249),
-        accent: grey(74, 96, 132),
-        on_accent: grey(246, 248, 252),
-    };
-    visuals(Visuals::dark(), &greys, 110)
+    let layers = [0x10_11_14, 0x1a_1c_20, 0x20_22_27, 0x30_33_3a];
+    let controls = [0x2b_2e_35, 0x37_3b_44, 0x44_49_54];
+    let texts = [0x98_9f_aa, 0xd8_dc_e2, 0xf6_f7_f9];
+    visuals(Visuals::dark(), layers, controls, texts, [0x4a_60_84, 0xf6_f8_fc], 110)
 }
 
 /// Dark text on light panels, for a bright room.
 pub fn light_visuals() -> Visuals {
-    let greys = Greys {
-        well: grey(255, 255, 255),
-        panel: grey(246, 247, 249),
-        window: grey(252, 253, 254),
-        line: grey(212, 216, 223),
-        control: grey(228, 231, 236),
-        hovered: grey(216, 221, 229),
-        pressed: grey(201, 208, 219),
-        weak: grey(92, 100, 112),
-        text: grey(36, 40, 47),
-        strong: grey(10, 12, 16),
-        accent: grey(66, 92, 138),
-        on_accent: grey(255, 255, 255),
-    };
-    visuals(Visuals::light(), &greys, 40)
+    let layers = [0xff_ff_ff, 0xf6_f7_f9, 0xfc_fd_fe, 0xd4_d8_df];
+    let controls = [0xe4_e7_ec, 0xd8_dd_e5, 0xc9_d0_db];
+    let texts = [0x5c_64_70, 0x24_28_2f, 0x0a_0c_10];
+    visuals(Visuals::light(), layers, controls, texts, [0x42_5c_8a, 0xff_ff_ff], 40)
 }
 
-fn visuals(base: Visuals, greys: &Greys, shadow: u8) -> Visuals {
+/// The look of widgets in colours given as 0xRR_GG_BB: wells, panels, windows and lines; controls at rest, hovered and pressed;
+/// weak, ordinary and strong text; the accent and text on it. `shadow` is the alpha of shadows.
+fn visuals(
+    base: Visuals,
+    layers: [u32; 4],
+    controls: [u32; 3],
+    texts: [u32; 3],
+    accents: [u32; 2],
+    shadow: u8,
+) -> Visuals {
+    let rgb = |colour: u32| {
+        let [_, r, g, b] = colour.to_be_bytes();
+        Color32::from_rgb(r, g, b)
+    };
+    let [well, panel, window, line] = layers.map(rgb);
+    let [control, hovered, pressed] = controls.map(rgb);
+    let [weak, text, strong] = texts.map(rgb);
+    let [accent, on_accent] = accents.map(rgb);
     let widget = |fill: Color32, text: Color32, stroke: Stroke| WidgetVisuals {
         bg_fill: fill,
         weak_bg_fill: fill,
@@ -150,21 +109,21 @@ fn visuals(base: Visuals, greys: &Greys, shadow: u8) -> Visuals {
     let shadow = Shadow { offset: [0, 4], blur: 16, spread: 0, color: Color32::from_black_alpha(shadow) };
     Visuals {
         widgets: Widgets {
-            noninteractive: widget(greys.panel, greys.text, Stroke::new(1.0, greys.line)),
-            inactive: widget(greys.control, greys.text, Stroke::NONE),
-            hovered: widget(greys.hovered, greys.strong, Stroke::NONE),
-            active: widget(greys.pressed, greys.strong, Stroke::new(1.0, greys.accent)),
-            open: widget(greys.hovered, greys.strong, Stroke::NONE),
+            noninteractive: widget(panel, text, Stroke::new(1.0, line)),
+            inactive: widget(control, text, Stroke::NONE),
+            hovered: widget(hovered, strong, Stroke::NONE),
+            active: widget(pressed, strong, Stroke::new(1.0, accent)),
+            open: widget(hovered, strong, Stroke::NONE),
         },
-        selection: Selection { bg_fill: greys.accent, stroke: Stroke::new(1.0, greys.on_accent) },
-        weak_text_color: Some(greys.weak),
-        hyperlink_color: greys.accent,
-        faint_bg_color: greys.control,
-        extreme_bg_color: greys.well,
-        code_bg_color: greys.control,
-        window_fill: greys.window,
-        panel_fill: greys.panel,
-        window_stroke: Stroke::new(1.0, greys.line),
+        selection: Selection { bg_fill: accent, stroke: Stroke::new(1.0, on_accent) },
+        weak_text_color: Some(weak),
+        hyperlink_color: accent,
+        faint_bg_color: control,
+        extreme_bg_color: well,
+        code_bg_color: control,
+        window_fill: window,
+        panel_fill: panel,
+        window_stroke: Stroke::new(1.0, line),
         window_corner_radius: CornerRadius::same(8),
         menu_corner_radius: CornerRadius::same(8),
         window_shadow: shadow,
@@ -173,11 +132,7 @@ fn visuals(base: Visuals, greys: &Greys, shadow: u8) -> Visuals {
         handle_shape: HandleShape::Circle,
         indent_has_left_vline: false,
         // A blinking cursor repaints the window for as long as a field has the focus.
-        text_cursor: TextCursorStyle {
-            blink: false,
-            stroke: Stroke::new(2.0, greys.strong),
-            ..TextCursorStyle::default()
-        },
+        text_cursor: TextCursorStyle { blink: false, stroke: Stroke::new(2.0, strong), ..TextCursorStyle::default() },
         ..base
     }
 }

@@ -7,7 +7,7 @@ use super::input::SceneArguments;
 #[cfg(feature = "app")]
 pub fn open(arguments: &SceneArguments) -> Result<(), Failure> {
     let loaded = arguments.load(&[])?;
-    shading_lab::app::run(loaded).map_err(|error| Failure::work(error.to_string()))
+    shading_lab::app::run(loaded).map_err(Failure::work)
 }
 
 /// Says that this program has no window.

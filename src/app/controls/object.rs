@@ -1,19 +1,24 @@
-//! The object, how finely it is made of polygons, and its vertex normals.
+//! The object: its shape, how finely it is made of polygons or the polygons themselves, and its vertex normals.
 
-mod polygons;
-
-use super::triangles::{counts_ui, triangles_ui};
 use crate::app::action::Action;
 use crate::app::engine::Engine;
-use crate::app::row::{View, parameter, parameter_with};
+use crate::app::handles::{MOST as MOST_HANDLES, go};
+use crate::app::plan::grouped;
+use crate::app::row::{About, NumberRow, SliderRange, View, axes, number, parameter, parameter_with, value_row, whole};
 use crate::app::state::AppState;
-use crate::app::symbol::Lit;
+use crate::app::symbol::{Lit, Symbol};
+use crate::geometry::{divisions_for, triangles};
 use crate::scene::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING, polygons_unused};
-use crate::scene::{ChoiceOption, NormalSource, ObjectKind, Scene};
-use eframe::egui::{Button, RichText, Ui};
+use crate::scene::{ChoiceOption, NormalSource, Object, ObjectKind, Scene};
+use eframe::egui::{RichText, Ui};
+
+/// The most triangles that the slider reaches, and the most that can be typed: more than a gigabyte of polygons.
+const SLIDER: f64 = 1e6;
+const MOST: f64 = 4e6;
 
 pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    let AppState { shown, lit, .. } = state;
+    let AppState { shown, lit, vertex, asked, .. } = state;
+    let report = engine.report();
     let before = shown.scene.object.kind;
     parameter(ui, lit, &mut shown.scene, &KIND);
     let object = &mut shown.scene.object;
@@ -23,59 +28,108 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     }
     if kind == ObjectKind::Obj && shown.model.is_none() {
         object.kind = before;
+        asked.push(Action::Open);
     }
     // Another shape may need more of them.
     (object.segments, object.rings) =
         (object.segments.max(object.min_segments()), object.rings.max(object.min_rings()));
     match kind {
-        ObjectKind::Obj => model_ui(ui, state),
-        ObjectKind::Polygons => polygons::polygons_ui(ui, state),
-        _ => divisions_ui(ui, lit, &mut shown.scene),
-    }
-    if kind == ObjectKind::Obj && state.shown.model.is_none() {
-        state.ask(Action::Open);
-    }
-    counts_ui(ui, engine.report());
-    normals_ui(ui, &mut state.lit, &mut state.shown.scene);
-}
-
-/// The model's file.
-fn model_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { shown, lit, .. } = state;
-    let path = shown.scene.object.path.as_ref();
-    let name = path.and_then(|path| path.file_name()).map(|name| name.to_string_lossy().into_owned());
-    ui.horizontal(|ui| {
-        ui.label(RichText::new(name.as_deref().unwrap_or("no model yet")).weak());
-        if ui.add(Button::new("Open model…")).clicked() {
-            state.asked.push(Action::Open);
+        ObjectKind::Obj => {
+            let path = object.path.as_ref().and_then(|path| path.file_name());
+            let name = path.map_or("no model yet".into(), |name| name.to_string_lossy());
+            ui.horizontal(|ui| {
+                ui.label(RichText::new(name).weak());
+                if ui.button("Open model…").clicked() {
+                    asked.push(Action::Open);
+                }
+            });
+            parameter(ui, lit, &mut shown.scene, &FIT);
         }
-    });
-    parameter(ui, lit, &mut shown.scene, &FIT);
-}
-
-fn divisions_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
-    if scene.object.kind != ObjectKind::Corrugated {
-        let idle = polygons_unused(scene, 0);
-        triangles_ui(ui, lit, idle, &mut scene.object);
-    }
-    parameter(ui, lit, scene, &SEGMENTS);
-    parameter(ui, lit, scene, &RINGS);
-}
-
-fn normals_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
-    let offered = |scene: &Scene, option: &ChoiceOption| {
-        let object = &scene.object;
-        match option.word {
-            "exact" => object.kind.has_surface(),
-            "file" => {
-                object.kind == ObjectKind::Obj
-                    || (object.kind == ObjectKind::Polygons && !object.vertex_normals.is_empty())
+        ObjectKind::Polygons => polygons_ui(ui, lit, vertex, object),
+        _ => {
+            if kind != ObjectKind::Corrugated {
+                let idle = polygons_unused(&shown.scene, 0);
+                triangles_ui(ui, lit, idle, &mut shown.scene.object);
             }
-            _ => true,
+            parameter(ui, lit, &mut shown.scene, &SEGMENTS);
+            parameter(ui, lit, &mut shown.scene, &RINGS);
         }
-    };
-    parameter_with(ui, lit, scene, 0, &NORMALS, &View { offered, ..View::default() });
+    }
+    let [faces, vertices, triangles] = [report.faces, report.vertices, report.triangles].map(grouped);
+    let tip = format!("Drawn as {triangles} triangles; a vertex is a point with one normal.");
+    ui.label(RichText::new(format!("{faces} polygons, {vertices} vertices")).weak()).on_hover_text(tip);
+    let scene = &mut shown.scene;
+    parameter_with(ui, lit, scene, &NORMALS, &View { offered: has_normals, ..View::default() });
     if scene.object.normals == NormalSource::Averaged {
         parameter(ui, lit, scene, &WEIGHTING);
+    }
+}
+
+/// Whether the object has vertex normals from this source.
+fn has_normals(scene: &Scene, source: &ChoiceOption) -> bool {
+    let Object { kind, vertex_normals, .. } = &scene.object;
+    match source.word {
+        "exact" => kind.has_surface(),
+        "file" => *kind == ObjectKind::Obj || (*kind == ObjectKind::Polygons && !vertex_normals.is_empty()),
+        _ => true,
+    }
+}
+
+/// One slider for segments and rings together.
+fn triangles_ui(ui: &mut Ui, lit: &mut Lit, idle: Option<&str>, object: &mut Object) {
+    let plain = Object { segments: lit.opened.object.segments, rings: lit.opened.object.rings, ..object.clone() };
+    let [segments, rings] = divisions_for(object.kind, 0);
+    let least = triangles(&Object { segments, rings, ..object.clone() }) as f64;
+    let about = About {
+        label: "Triangles",
+        tip: "Sets segments and rings together, so that polygons are about as wide as high. The slider reaches a \
+              million; up to four million can be typed.",
+        symbol: Some(Symbol::Normal),
+        idle,
+        ..About::default()
+    };
+    let range = SliderRange { limits: least..=MOST, decimals: 0, ..SliderRange::logarithmic(least..=SLIDER) };
+    let (now, default) = (triangles(object) as f64, triangles(&plain) as f64);
+    let mut wanted = now;
+    number(ui, lit, &NumberRow { about, range, default }, &mut wanted);
+    if wanted == now {
+        return;
+    }
+    [object.segments, object.rings] = if wanted == default {
+        [plain.segments, plain.rings]
+    } else {
+        // Not negative, within the limits.
+        divisions_for(object.kind, wanted.round() as u64)
+    };
+}
+
+/// The scene's own polygons: how many there are, how they are edited, and the chosen vertex in numbers.
+fn polygons_ui(ui: &mut Ui, lit: &mut Lit, vertex: &mut usize, object: &mut Object) {
+    let polygons = object.polygons();
+    let count = polygons.vertices.len();
+    let faces = polygons.faces.len();
+    ui.label(format!("{count} vertices, {faces} {}", if faces == 1 { "face" } else { "faces" }));
+    let how = if count <= MOST_HANDLES {
+        "Drag a vertex in the picture; with Shift along the line of sight. Faces are edited in the scene file."
+    } else {
+        "Vertices and faces are edited in the scene file."
+    };
+    ui.label(RichText::new(how).weak());
+    *vertex = (*vertex).min(count.saturating_sub(1));
+    let Some(at) = polygons.vertices.get(*vertex).copied() else { return };
+    let mut number = u32::try_from(*vertex).unwrap_or(u32::MAX);
+    let last = (count - 1) as f64;
+    let range = SliderRange { limits: 0.0..=last, decimals: 0, ..SliderRange::linear(0.0..=last) };
+    let tip = "The vertex whose place is given below, by its number in the scene file.";
+    let about = About { label: "Vertex", tip, ..About::default() };
+    whole(ui, lit, &NumberRow { about, range, default: 0.0 }, &mut number);
+    *vertex = number as usize;
+    let tip =
+        "Where the vertex is; world units. It goes no farther than its polygons allow without crossing themselves.";
+    let about = About { label: "Place", name: "Vertex place", tip, ..About::default() };
+    let mut to = at;
+    value_row(ui, lit, &about, at, &mut to, |ui, to| axes(ui, about.name, to));
+    if to != at {
+        go(object, number, to, f64::MIN_POSITIVE);
     }
 }

@@ -1,8 +1,7 @@
 //! Normals over the active pane: needles, kept until something moves, and the faces of the vertex under the pointer.
 
 use super::super::state::AppState;
-use super::images::{drawing, is_dark, overlay_options, upload};
-use super::pane::PaneEngine;
+use super::pane::{PaneEngine, drawing, is_dark, overlay_options, upload};
 use crate::analysis::{LitVertex, Needles, NormalField, OverlayOptions, SeenNormals};
 use crate::scene::{Camera, Scene, ShadingMode, View};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
@@ -86,7 +85,7 @@ impl NormalsDrawing {
         clicked: bool,
     ) {
         // A coarser picture is dragged in: nothing is pointed at.
-        if engine.coarser() > 1 {
+        if engine.coarser > 1 {
             return;
         }
         let (Some(field), Some(scene)) = (&self.field, engine.drawn()) else { return };

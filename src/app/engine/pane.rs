@@ -3,14 +3,14 @@
 //! Where drawing all of it would not keep up with the hand, a coarser picture is drawn while the pointer is held, by a renderer
 //! of its own, so that the whole one's stages are kept.
 
-use super::super::document::same_model;
-use super::images::{image_of, upload};
-use crate::analysis::{LinearPicture, Probe, probe};
+use crate::analysis::{Halo, LinearPicture, OverlayLayer, OverlayOptions, Probe, probe};
+use crate::app::document::same_model;
+use crate::app::look::OverlayLook;
 use crate::geometry::Mesh;
 use crate::jobs::nanoseconds;
-use crate::render::{Renderer, Report, coarseness, coarser_size};
-use crate::scene::Scene;
-use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use crate::render::{Frame, Renderer, Report, coarseness, coarser_size};
+use crate::scene::{Rgb, Scene};
+use eframe::egui::{ColorImage, Context, ImageData, TextureHandle, TextureOptions};
 use std::sync::Arc;
 
 /// A renderer, and what it drew last.
@@ -30,15 +30,21 @@ impl Default for Drawing {
 }
 
 impl Drawing {
-    /// Whether the last picture is one of `wanted` at `size` pixels.
+    /// Whether the last picture is one of `wanted` at `size` pixels; the size in a scene is that of exported pictures.
     fn shows(&self, wanted: &Wanted<'_>, size: [u32; 2]) -> bool {
+        let sized = self.drawn.as_ref().is_some_and(|drawn| drawn.image.size == size);
         let same = same_model(self.model.as_ref(), wanted.model) && self.linear == wanted.linear;
-        same && self.drawn.as_ref().is_some_and(|drawn| same_picture(drawn, wanted.scene, size))
+        sized && same && self.changed_parts(wanted.scene).is_empty()
     }
 
-    /// The parts of a scene in which it differs from the one drawn last.
+    /// The tables of a scene file in which a scene differs from the one drawn last, as far as the picture depends on them.
     fn changed_parts(&self, scene: &Scene) -> Vec<&'static str> {
-        self.drawn.as_ref().map_or_else(|| vec!["all"], |drawn| changed_parts(drawn, scene))
+        let Some(drawn) = &self.drawn else { return vec!["all"] };
+        let differences = drawn.differences(scene).filter(|(parameter, _)| parameter.key != "image.size");
+        let mut parts: Vec<_> = differences.map(|(parameter, _)| parameter.section()).collect();
+        parts.retain(|part| !["about", "compare"].contains(part));
+        parts.dedup();
+        parts
     }
 
     /// Draws unless it has.
@@ -74,12 +80,13 @@ pub struct Wanted<'a> {
 const IMAGES: usize = 2;
 
 /// A pane with renderers of its own, so that each pane's stages are kept.
+#[derive(Default)]
 pub struct PaneEngine {
     whole: Drawing,
     /// While something is dragged.
     draft: Option<Drawing>,
-    /// By what the sides of the picture in sight are divided.
-    coarser: u32,
+    /// By what the sides of the picture in sight are divided; 0 before anything is drawn.
+    pub coarser: u32,
     /// What a whole picture took after a change of these parts, nanoseconds.
     costs: Vec<(Vec<&'static str>, u64)>,
     pub picture: Option<TextureHandle>,
@@ -88,22 +95,16 @@ pub struct PaneEngine {
     pub probed: Option<([u32; 2], Probe)>,
 }
 
-impl Default for PaneEngine {
-    fn default() -> Self {
-        let whole = Drawing::default();
-        Self { whole, draft: None, coarser: 1, costs: vec![], picture: None, images: vec![], probed: None }
-    }
-}
-
 impl PaneEngine {
     /// What drawing `wanted` whole would take, nanoseconds, by what it took after the last change of the same parts; 0 where
     /// it is drawn.
     pub fn expected(&self, wanted: &Wanted<'_>) -> u64 {
-        let Some(drawn) = &self.whole.drawn else { return 0 };
-        let parts = changed_parts(drawn, wanted.scene);
+        let parts = self.whole.changed_parts(wanted.scene);
+        if parts.is_empty() {
+            return 0;
+        }
         let known = self.costs.iter().find(|(known, _)| *known == parts).map(|(_, cost)| *cost);
-        let most = || self.costs.iter().map(|(_, cost)| *cost).max().unwrap_or(0);
-        if parts.is_empty() { 0 } else { known.unwrap_or_else(most) }
+        known.unwrap_or_else(|| self.costs.iter().map(|(_, cost)| *cost).max().unwrap_or(0))
     }
 
     /// Brings the picture up to date, its sides divided by `coarser`; returns whether what is in sight has changed.
@@ -164,13 +165,12 @@ impl PaneEngine {
         if !redrawn && self.probed.as_ref().is_some_and(|(at, _)| *at == pixel) {
             return false;
         }
-        let coarser = self.coarser.max(1);
         let drawing = match &mut self.draft {
-            Some(draft) if coarser > 1 => draft,
+            Some(draft) if self.coarser > 1 => draft,
             _ => &mut self.whole,
         };
         let Some(scene) = &drawing.drawn else { return false };
-        let [x, y] = pixel.map(|v| v / coarser);
+        let [x, y] = pixel.map(|v| v / self.coarser);
         let mut probe = probe(&mut drawing.renderer, scene, x, y);
         probe.pixel = pixel;
         self.probed = Some((pixel, probe));
@@ -192,11 +192,6 @@ impl PaneEngine {
         &self.in_sight().report
     }
 
-    /// By what the sides of the picture in sight are divided.
-    pub fn coarser(&self) -> u32 {
-        self.coarser
-    }
-
     /// The picture in sight before the display.
     pub fn linear(&self) -> Option<LinearPicture<'_>> {
         let drawing = self.in_sight();
@@ -205,16 +200,54 @@ impl PaneEngine {
     }
 }
 
-/// Whether `drawn` is a picture of `scene` at `size` pixels; the size in the scene is that of exported pictures.
-fn same_picture(drawn: &Scene, scene: &Scene, size: [u32; 2]) -> bool {
-    drawn.image.size == size && changed_parts(drawn, scene).is_empty()
+/// What an overlay shows under `look` for the light of index `light`.
+pub fn overlay_options(look: &OverlayLook, light: usize, scene: &Scene) -> OverlayOptions {
+    let layers = [
+        (look.vectors, OverlayLayer::Vectors),
+        (look.vectors && look.angles, OverlayLayer::Angles),
+        (look.vectors && look.construction, OverlayLayer::Construction),
+        (look.vectors && look.lobe, OverlayLayer::Lobe),
+        (look.vectors && look.side_view, OverlayLayer::SideView),
+        (look.face_normals, OverlayLayer::FaceNormals),
+        (look.vertex_normals, OverlayLayer::VertexNormals),
+    ];
+    OverlayOptions {
+        layers: layers.into_iter().filter(|(shown, _)| *shown).map(|(_, layer)| layer).collect(),
+        light: (light < scene.lights.len()).then_some(light),
+        half_vector: look.half_vector,
+        halo: if is_dark(scene) { Halo::Dark } else { Halo::Light },
+        ..OverlayOptions::default()
+    }
 }
 
-/// The tables of a scene file in which two scenes differ, as far as the picture depends on them.
-fn changed_parts(a: &Scene, b: &Scene) -> Vec<&'static str> {
-    let differences = a.differences(b).filter(|(parameter, _)| parameter.key != "image.size");
-    let mut parts: Vec<_> = differences.map(|(parameter, _)| parameter.section()).collect();
-    parts.retain(|part| !["about", "compare"].contains(part));
-    parts.dedup();
-    parts
+/// Whether the picture's background is dark.
+pub fn is_dark(scene: &Scene) -> bool {
+    scene.image.background.dot(Rgb::new(0.2126, 0.7152, 0.0722)) < 0.4
+}
+
+/// A picture for the window.
+pub fn image_of(frame: &Frame) -> ColorImage {
+    let size = [frame.width as usize, frame.height as usize];
+    // No alpha but 255 occurs.
+    ColorImage::from_rgba_premultiplied(size, frame.pixels.as_flattened())
+}
+
+/// A picture of `size` pixels that `draw` puts on nothing.
+pub fn drawing([width, height]: [u32; 2], draw: impl FnOnce(&mut tiny_skia::PixmapMut<'_>)) -> Option<ColorImage> {
+    let mut pixmap = tiny_skia::Pixmap::new(width, height)?;
+    draw(&mut pixmap.as_mut());
+    Some(ColorImage::from_rgba_premultiplied([width as usize, height as usize], pixmap.data()))
+}
+
+pub fn upload(
+    ctx: &Context,
+    texture: &mut Option<TextureHandle>,
+    name: &str,
+    image: impl Into<ImageData>,
+    options: TextureOptions,
+) {
+    match texture {
+        Some(texture) => texture.set(image, options),
+        None => *texture = Some(ctx.load_texture(name, image, options)),
+    }
 }

@@ -5,18 +5,21 @@
 //! that even a cone as wide as a half-space has one. Pulled past the sphere's outline, the head goes round to the other
 //! side.
 
-use super::handle::{Handle, MARGIN};
 use crate::app::lines::{line, outline};
 use crate::app::palette;
-use crate::app::place::Place;
-use crate::app::state::AppState;
+use crate::app::place::{Place, tidy};
+use crate::app::state::{AppState, Grip};
 use crate::figure::palette::Vector;
 use crate::illumination::rectangle_axes;
-use crate::scene::{AreaShape, Light, LightKind, View};
+use crate::scene::{AreaShape, Light, LightKind, Scene, View};
 use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
+/// How far a marker keeps from the picture's edge, points.
+pub const MARGIN: f32 = 22.0;
+/// Radius of the handles of a light's axis and edge, points.
+const SMALL: f32 = 5.0;
 /// The axis is at least this long, in camera distances: a light upon the target can still be turned.
 const SHORTEST: f64 = 0.25;
 /// Points of an outline that is round.
@@ -62,19 +65,24 @@ impl<'a> Beam<'a> {
     }
 
     /// The handles that are in the picture: of the axis, and of a cone's edge.
-    pub fn handles(&self, view: &View, place: Place) -> Vec<(Pos2, Handle)> {
+    pub fn grips(&self, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
         let inner = place.rect.shrink(MARGIN * 0.5);
         let seen = |world: DVec3| view.project(world).map(|(pixel, _)| place.point(pixel));
-        let head = seen(self.head());
-        let front = self.axis.dot(view.forward) < 0.0;
-        let mut handles: Vec<_> = head.map(|at| (at, Handle::Aim { front })).into_iter().collect();
-        if self.light.kind == LightKind::Spot
-            && let (Some(edge), Some(head)) = (seen(self.edge(0.0)), head)
-        {
-            handles.push((edge, Handle::Rim((edge - head).normalized())));
+        let Some(head) = seen(self.head()) else { return vec![] };
+        let mut grips = vec![(Grip::Aim { front: self.axis.dot(view.forward) < 0.0 }, head)];
+        if let Some(edge) = seen(self.edge(0.0)).filter(|_| self.light.kind == LightKind::Spot) {
+            grips.push((Grip::Rim((edge - head).normalized()), edge));
         }
-        handles.retain(|(at, _)| inner.contains(*at));
-        handles
+        grips.retain(|(_, at)| inner.contains(*at));
+        grips
+    }
+
+    /// Draws its handles.
+    pub fn paint_grips(&self, painter: &Painter, view: &View, place: Place) {
+        for (_, at) in self.grips(view, place) {
+            painter.circle_stroke(at, SMALL, Stroke::new(4.0, Color32::from_black_alpha(150)));
+            painter.circle(at, SMALL, palette::vector(Vector::L), Stroke::new(1.0, Color32::BLACK));
+        }
     }
 
     /// Draws the axis, and faintly what it is the axis of.
@@ -93,7 +101,7 @@ impl<'a> Beam<'a> {
         }
         if self.light.kind == LightKind::Spot {
             let faint = Stroke::new(1.0, orange.gamma_multiply(0.65));
-            closed(painter, ROUND, faint, |part| seen(self.edge(part * TAU)));
+            closed(painter, faint, round().map(|turn| seen(self.edge(turn))));
             for turn in [0.0, 0.5 * TAU] {
                 if let (Some(from), Some(to)) = (seen(self.light.position), seen(self.edge(turn))) {
                     line(painter, [from, to], faint, &[]);
@@ -103,66 +111,67 @@ impl<'a> Beam<'a> {
     }
 }
 
+/// Where the chosen light shines, if it has an axis.
+pub fn chosen<'a>(state: &'a AppState, view: &View) -> Option<Beam<'a>> {
+    let scene = &state.shown.scene;
+    scene.lights.get(state.light).and_then(|light| Beam::of(light, view, scene.camera.target))
+}
+
 /// Draws the outline of every area light, and where the chosen light shines.
 pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
-    if !state.look.overlay.handles {
-        return;
-    }
     let scene = &state.shown.scene;
     for (index, light) in scene.lights.iter().enumerate().filter(|(_, light)| light.kind == LightKind::Area) {
         let strength = if index == state.light { 1.0 } else { 0.5 };
         let stroke = Stroke::new(1.5, palette::vector(Vector::L).gamma_multiply(strength));
         area(painter, light, view, place, stroke);
     }
-    if let Some(beam) = scene.lights.get(state.light).and_then(|light| Beam::of(light, view, scene.camera.target)) {
+    if let Some(beam) = chosen(state, view) {
         beam.paint(painter, view, place);
     }
 }
 
 fn area(painter: &Painter, light: &Light, view: &View, place: Place, stroke: Stroke) {
-    let seen = |world: DVec3| view.project(world).map(|(pixel, _)| place.exact_point(pixel));
-    match light.shape {
+    let points: Vec<DVec3> = match light.shape {
         AreaShape::Rectangle => {
             let [across, up] = rectangle_axes(light);
-            let corners = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
-            let corner = |part: f64| corners[(part * 4.0) as usize % 4];
-            closed(painter, 4, stroke, |part| {
-                let [u, v] = corner(part);
-                seen(light.position + across * u + up * v)
-            });
+            [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]].map(|[u, v]| across * u + up * v).to_vec()
         }
-        AreaShape::Sphere => closed(painter, ROUND, stroke, |part| {
-            let (sine, cosine) = (part * TAU).sin_cos();
-            seen(light.position + (view.right * cosine + view.up * sine) * light.radius)
-        }),
-    }
+        AreaShape::Sphere => {
+            round().map(|turn| (view.right * turn.cos() + view.up * turn.sin()) * light.radius).collect()
+        }
+    };
+    let seen = |offset: DVec3| view.project(light.position + offset).map(|(pixel, _)| place.exact_point(pixel));
+    closed(painter, stroke, points.into_iter().map(seen));
 }
 
-/// A closed line through `count` points, if all of them can be seen; `at` takes the part of the way round.
-fn closed(painter: &Painter, count: u32, stroke: Stroke, at: impl Fn(f64) -> Option<DVec2>) {
-    let points: Option<Vec<DVec2>> = (0..count).map(|k| at(f64::from(k) / f64::from(count))).collect();
-    if let Some(points) = points {
-        let halo = Stroke::new(stroke.width + 2.0, Color32::from_black_alpha(110));
-        outline(painter, &points, halo);
+/// Angles once round, radians.
+fn round() -> impl Iterator<Item = f64> {
+    (0..ROUND).map(|k| f64::from(k) / f64::from(ROUND) * TAU)
+}
+
+/// A closed line through points, if all of them can be seen.
+fn closed(painter: &Painter, stroke: Stroke, points: impl Iterator<Item = Option<DVec2>>) {
+    if let Some(points) = points.collect::<Option<Vec<_>>>() {
+        outline(painter, &points, Stroke::new(stroke.width + 2.0, Color32::from_black_alpha(110)));
         outline(painter, &points, stroke);
     }
 }
 
 /// Turns light `index` so that its axis' head is at `pixel`, on the side of the light where the drag began.
-pub fn aim_at(state: &mut AppState, index: usize, view: &View, pixel: DVec2, front: bool) {
-    let target = state.shown.scene.camera.target;
-    let Some(light) = state.shown.scene.lights.get_mut(index) else { return };
+pub fn aim_at(scene: &mut Scene, index: usize, view: &View, pixel: DVec2, front: bool) {
+    let Scene { lights, camera, .. } = scene;
+    let (Some(light), target) = (lights.get_mut(index), camera.target) else { return };
     let Some(Beam { reach, .. }) = Beam::of(light, view, target) else { return };
     let direction = on_sphere(view, pixel, light.position, reach, front);
     if direction.is_finite() && direction.length() > 0.5 {
-        light.direction = super::tidy(direction, 1e-3);
+        light.direction = tidy(direction, 1e-3);
     }
 }
 
 /// Opens the cone of light `index` so that its edge is at `pixel`.
-pub fn open_to(state: &mut AppState, index: usize, view: &View, pixel: DVec2) {
-    let target = state.shown.scene.camera.target;
-    let Some(light) = state.shown.scene.lights.get_mut(index) else { return };
+pub fn open_to(scene: &mut Scene, index: usize, view: &View, pixel: DVec2) {
+    let Scene { lights, camera, .. } = scene;
+    let (Some(light), target) = (lights.get_mut(index), camera.target) else { return };
     let Some(beam) = Beam::of(light, view, target) else { return };
     let (origin, along) = view.ray(pixel);
     // Seen from the side, the plane of the axis and the handle; seen face on, the sphere.
@@ -212,29 +221,27 @@ mod tests {
 
     const SIZE: [u32; 2] = [800, 600];
 
-    fn spot() -> AppState {
-        let mut state = AppState::default();
-        let light = Light { kind: LightKind::Spot, position: DVec3::new(1.5, 1.0, 1.0), ..Light::default() };
-        state.shown.scene.lights = vec![Light { direction: DVec3::new(-1.5, -1.0, -0.2), ..light }];
-        state
+    fn spot(direction: DVec3) -> Scene {
+        let light = Light { kind: LightKind::Spot, position: DVec3::new(1.5, 1.0, 1.0), direction, ..Light::default() };
+        Scene { lights: vec![light], ..Scene::default() }
     }
 
-    fn beam(state: &AppState, view: &View) -> (DVec3, DVec3) {
-        let scene = &state.shown.scene;
+    /// Where the head of the axis and the handle of the edge are seen.
+    fn seen(scene: &Scene, view: &View) -> [DVec2; 2] {
         let beam = Beam::of(&scene.lights[0], view, scene.camera.target).expect("a spot light");
-        (beam.head(), beam.edge(0.0))
+        [beam.head(), beam.edge(0.0)].map(|at| view.project(at).expect("before the eye").0)
     }
 
     #[test]
     fn the_axis_follows_the_pointer() {
-        let mut state = spot();
+        let mut scene = spot(DVec3::new(-1.5, -1.0, -0.2));
         let view = View::new(&Camera::default(), SIZE);
         for front in [true, false] {
             for wanted in [DVec2::new(400.0, 300.0), DVec2::new(500.0, 250.0), DVec2::new(430.0, 330.0)] {
-                aim_at(&mut state, 0, &view, wanted, front);
-                let (pixel, _) = view.project(beam(&state, &view).0).expect("before the eye");
-                assert!((pixel - wanted).length() < 2.0, "{pixel} instead of {wanted}");
-                let away = state.shown.scene.lights[0].direction.dot(view.forward);
+                aim_at(&mut scene, 0, &view, wanted, front);
+                let [head, _] = seen(&scene, &view);
+                assert!((head - wanted).length() < 2.0, "{head} instead of {wanted}");
+                let away = scene.lights[0].direction.dot(view.forward);
                 assert_eq!(away < 0.3, front, "{wanted}: {away}");
             }
         }
@@ -244,18 +251,17 @@ mod tests {
     fn the_cone_follows_the_pointer() {
         let view = View::new(&Camera::default(), SIZE);
         for direction in [DVec3::new(-1.5, -1.0, -0.2), DVec3::NEG_Z] {
-            let mut state = spot();
-            state.shown.scene.lights[0].direction = direction;
+            let mut scene = spot(direction);
             for wanted in [10.0, 25.0, 50.0] {
-                state.shown.scene.lights[0].cone = wanted;
-                let (pixel, _) = view.project(beam(&state, &view).1).expect("before the eye");
-                state.shown.scene.lights[0].cone = 33.0;
-                open_to(&mut state, 0, &view, pixel);
-                let cone = state.shown.scene.lights[0].cone;
+                scene.lights[0].cone = wanted;
+                let [_, edge] = seen(&scene, &view);
+                scene.lights[0].cone = 33.0;
+                open_to(&mut scene, 0, &view, edge);
+                let cone = scene.lights[0].cone;
                 assert!((cone - wanted).abs() < 0.2, "{direction}: {cone} instead of {wanted}");
             }
-            open_to(&mut state, 0, &view, DVec2::splat(-1e6));
-            assert_eq!(state.shown.scene.validate(), Ok(()));
+            open_to(&mut scene, 0, &view, DVec2::splat(-1e6));
+            assert_eq!(scene.validate(), Ok(()));
         }
     }
 

@@ -3,13 +3,12 @@
 //! A vertex is dragged in the plane through it that is parallel to the picture. Where a polygon would cross itself it goes
 //! as far towards the pointer as it can.
 
-use super::super::letter::letter;
-use super::super::palette;
-use super::super::place::Place;
-use super::super::state::{AppState, Drag};
-use super::tidy;
+use crate::app::letter::letter;
+use crate::app::palette;
+use crate::app::place::{Place, tidy};
+use crate::app::state::{AppState, Grip};
 use crate::figure::palette::Vector;
-use crate::scene::{GREATEST_LENGTH, Object, ObjectKind, View};
+use crate::scene::{GREATEST_LENGTH, Object, ObjectKind, Scene, View};
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, vec2};
 use glam::{DVec2, DVec3};
 
@@ -24,13 +23,10 @@ const NEAR: f32 = 40.0;
 const HALVINGS: u32 = 12;
 
 /// The vertices in the picture, by their numbers.
-fn seen(state: &AppState, view: &View, place: Place) -> Vec<(u32, Pos2)> {
+pub fn seen(state: &AppState, view: &View, place: Place) -> Vec<(u32, Pos2)> {
     let object = &state.shown.scene.object;
-    if object.kind != ObjectKind::Polygons || !state.look.overlay.handles {
-        return Vec::new();
-    }
     let vertices = object.polygons().vertices;
-    if vertices.len() > MOST {
+    if object.kind != ObjectKind::Polygons || vertices.len() > MOST {
         return Vec::new();
     }
     let at = |vertex: &DVec3| view.project(*vertex).map(|(pixel, _)| place.point(pixel));
@@ -38,15 +34,8 @@ fn seen(state: &AppState, view: &View, place: Place) -> Vec<(u32, Pos2)> {
     points.filter(|(_, at)| place.rect.contains(*at)).collect()
 }
 
-/// The vertex within `reach` of `at`, the nearest first, and where it is.
-pub fn nearest(state: &AppState, view: &View, place: Place, at: Pos2, reach: f32) -> Option<(u32, Pos2)> {
-    let near = seen(state, view, place).into_iter().filter(|(_, there)| there.distance(at) <= reach);
-    near.min_by(|a, b| a.1.distance(at).total_cmp(&b.1.distance(at)))
-}
-
 /// Moves vertex `v` parallel to the picture until it is at `pixel`.
-pub fn drag_to(state: &mut AppState, v: u32, view: &View, pixel: DVec2) {
-    let object = &mut state.shown.scene.object;
+pub fn drag_to(object: &mut Object, v: u32, view: &View, pixel: DVec2) {
     let Some(from) = object.polygons().vertices.get(v as usize).copied() else { return };
     let depth = (from - view.eye).dot(view.forward);
     if depth > 0.0 {
@@ -56,8 +45,7 @@ pub fn drag_to(state: &mut AppState, v: u32, view: &View, pixel: DVec2) {
 }
 
 /// Moves vertex `v` towards the viewer by `step` of the target's distance.
-pub fn push(state: &mut AppState, v: u32, view: &View, step: f64) {
-    let scene = &mut state.shown.scene;
+pub fn push(scene: &mut Scene, v: u32, view: &View, step: f64) {
     let unit = scene.camera.distance();
     let Some(from) = scene.object.polygons().vertices.get(v as usize).copied() else { return };
     go(&mut scene.object, v, tidy(from - view.forward * (step * unit), unit * 1e-3), unit * 1e-3);
@@ -91,34 +79,22 @@ pub fn go(object: &mut Object, v: u32, to: DVec3, unit: f64) {
     }
 }
 
-/// Draws the diamonds, with the numbers of those near the pointer.
+/// Draws the diamonds, white with a dark rim so that they show on any picture, the chosen one filled; those near the pointer
+/// with their numbers.
 pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place, pointer: Option<Pos2>) {
-    let held = match state.drag {
-        Drag::Vertex { vertex, .. } | Drag::VertexDepth { vertex } => Some(vertex),
-        _ => None,
-    };
     for (v, at) in seen(state, view, place) {
-        diamond(painter, at, held == Some(v) || state.vertex == v as usize);
-        if held == Some(v) || pointer.is_some_and(|pointer| pointer.distance(at) <= NEAR) {
-            number(painter, at, v);
+        let held = state.drag.is_some_and(|drag| drag.grip == Grip::Vertex(v));
+        let chosen = held || state.vertex == v as usize;
+        let ways = [vec2(RADIUS, 0.0), vec2(0.0, RADIUS), vec2(-RADIUS, 0.0), vec2(0.0, -RADIUS)];
+        let corners = ways.map(|way| at + way).to_vec();
+        let fill = if chosen { palette::vector(Vector::N) } else { Color32::from_black_alpha(110) };
+        painter.add(Shape::closed_line(corners.clone(), Stroke::new(4.0, Color32::from_black_alpha(150))));
+        painter.add(Shape::convex_polygon(corners, fill, Stroke::new(1.5, Color32::WHITE)));
+        if held || pointer.is_some_and(|pointer| pointer.distance(at) <= NEAR) {
+            let (below, font) = (at + vec2(0.0, RADIUS + 11.0), FontId::proportional(14.0));
+            letter(painter, below, Align2::CENTER_CENTER, &v.to_string(), &font, Color32::WHITE);
         }
     }
-}
-
-/// White with a dark rim, filled where it is the chosen one, so that it shows on any picture.
-fn diamond(painter: &Painter, at: Pos2, chosen: bool) {
-    let corners = |radius: f32| {
-        [vec2(radius, 0.0), vec2(0.0, radius), vec2(-radius, 0.0), vec2(0.0, -radius)].map(|way| at + way).to_vec()
-    };
-    let fill = if chosen { palette::vector(Vector::N) } else { Color32::from_black_alpha(110) };
-    painter.add(Shape::closed_line(corners(RADIUS), Stroke::new(4.0, Color32::from_black_alpha(150))));
-    painter.add(Shape::convex_polygon(corners(RADIUS), fill, Stroke::new(1.5, Color32::WHITE)));
-}
-
-fn number(painter: &Painter, at: Pos2, v: u32) {
-    let at = at + vec2(0.0, RADIUS + 11.0);
-    let font = FontId::proportional(14.0);
-    letter(painter, at, Align2::CENTER_CENTER, &v.to_string(), &font, Color32::WHITE);
 }
 
 #[cfg(test)]

@@ -1,13 +1,14 @@
-//! Rows with a slider and a field for a number.
+//! Rows with a slider and a field for a number, and rows of several fields.
 
-use super::{About, FIELD, row};
-use crate::app::focus;
+use super::{About, FIELD, row, value_row};
+use crate::app::focus::{self, switch_named};
 use crate::app::symbol::Lit;
 use crate::scene::Rgb;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, DragValue, Response, Slider, SliderClamping, Ui, WidgetInfo, vec2};
 use std::ops::RangeInclusive;
 
+pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 /// Width of the switch that makes a number infinite, points.
 const INFINITY_SWITCH: f32 = 26.0;
 
@@ -28,8 +29,11 @@ pub struct SliderRange {
 }
 
 impl SliderRange {
+    /// Of the narrow fields of colours.
+    pub const SHORT: Self = Self { decimals: 2, ..Self::linear(0.0..=1.0) };
+
     /// A linear slider over `span`, with three decimals and no limit but to be finite and not negative.
-    pub fn linear(span: RangeInclusive<f64>) -> Self {
+    pub const fn linear(span: RangeInclusive<f64>) -> Self {
         Self { span, limits: 0.0..=f64::MAX, refuses: false, logarithmic: false, decimals: 3, suffix: "" }
     }
 
@@ -46,150 +50,84 @@ pub struct NumberRow<'a> {
     pub default: f64,
 }
 
-impl NumberRow<'_> {
-    /// Whether infinity is one of the values, with a switch of its own.
-    fn reaches_infinity(&self) -> bool {
-        *self.range.limits.end() == f64::INFINITY
-    }
-}
-
-/// A slider with a field.
+/// A row with a slider and a field.
 pub fn number(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, value: &mut f64) {
-    let changed = value.to_bits() != spec.default.to_bits();
-    if row(ui, lit, &spec.about, changed, |ui| slider_and_field(ui, spec, value)) {
-        *value = spec.default;
-    }
+    value_row(ui, lit, &spec.about, spec.default, value, |ui, value| slider_and_field(ui, spec, value));
 }
 
-/// A slider with a field for a whole number.
+/// The same for a whole number.
 pub fn whole(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, value: &mut u32) {
+    value_row(ui, lit, &spec.about, spec.default as u32, value, |ui, value| whole_slider(ui, spec, value));
+}
+
+pub fn whole_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
     let mut real = f64::from(*value);
-    number(ui, lit, spec, &mut real);
+    slider_and_field(ui, spec, &mut real);
     // The limits keep it inside; the cast saturates.
     *value = real.round() as u32;
 }
 
-/// A coefficient of the material: one slider, which keeps the ratio of the channels, and with `channels` a field each.
-pub fn coefficient(
-    ui: &mut Ui,
-    lit: &mut Lit,
-    about: &About<'_>,
-    range: &SliderRange,
-    default: Rgb,
-    channels: bool,
-    value: &mut Rgb,
-) {
+/// A slider for the largest channel of a coefficient, which keeps the ratio of the channels.
+pub fn coefficient_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut Rgb) {
     let largest = value.max_element();
     let mut scalar = largest;
-    let spec = NumberRow { about: about.clone(), range: range.clone(), default: default.max_element() };
-    if row(ui, lit, about, *value != default, |ui| slider_and_field(ui, &spec, &mut scalar)) {
-        *value = default;
-    } else if scalar.to_bits() != largest.to_bits() {
+    slider_and_field(ui, spec, &mut scalar);
+    if scalar.to_bits() != largest.to_bits() {
         let keeps_ratio = *value != Rgb::splat(largest) && largest > 0.0 && scalar > 0.0;
         *value = if keeps_ratio { *value * (scalar / largest) } else { Rgb::splat(scalar) };
     }
-    if channels || *value != Rgb::splat(value.x) {
-        let name = format!("{} per channel", about.name());
-        let channels = About { letter: "", label: "", name: &name, ..about.clone() };
-        row(ui, lit, &channels, false, |ui| three_fields(ui, about.name(), value));
+}
+
+/// A field for each channel of a coefficient, below its slider.
+pub fn channels_row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, value: &mut Rgb) {
+    let name = format!("{} per channel", about.name());
+    let channels = About { letter: "", label: "", name: &name, ..about.clone() };
+    row(ui, lit, &channels, false, |ui| fields(ui, about.name(), CHANNELS, &SliderRange::SHORT, value.as_mut()));
+}
+
+/// Numbers side by side.
+pub fn fields<const N: usize>(ui: &mut Ui, name: &str, parts: [&str; N], range: &SliderRange, values: &mut [f64; N]) {
+    let gaps = (N - 1) as f32 * ui.spacing().item_spacing.x;
+    let width = (ui.available_width() - gaps).max(0.0) / N as f32;
+    for (part, value) in parts.into_iter().zip(values) {
+        field(ui, &format!("{name} {part}"), value, range, width);
     }
 }
 
-/// Red, green and blue as three fields.
-pub fn three_fields(ui: &mut Ui, name: &str, value: &mut Rgb) {
-    fields(ui, name, &SliderRange { decimals: 2, ..SliderRange::linear(0.0..=1.0) }, value);
-}
-
-/// RGB values within the limits of `range`.
-pub fn triple(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, range: &SliderRange, default: Rgb, value: &mut Rgb) {
-    if row(ui, lit, about, *value != default, |ui| fields(ui, about.name(), range, value)) {
-        *value = default;
-    }
-}
-
-/// Two numbers side by side.
-pub fn field_pair(
-    ui: &mut Ui,
-    lit: &mut Lit,
-    about: &About<'_>,
-    range: &SliderRange,
-    default: [f64; 2],
-    value: &mut [f64; 2],
-) {
-    let reset = row(ui, lit, about, *value != default, |ui| {
-        let width = (ui.available_width() - ui.spacing().item_spacing.x).max(0.0) / 2.0;
-        for (side, part) in ["width", "height"].into_iter().zip(value.iter_mut()) {
-            field(ui, &format!("{} {side}", about.name()), part, range, width);
-        }
-    });
-    if reset {
-        *value = default;
-    }
-}
-
-fn fields(ui: &mut Ui, name: &str, range: &SliderRange, value: &mut Rgb) {
-    let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x).max(0.0) / 3.0;
-    for (channel, part) in ["red", "green", "blue"].into_iter().zip(value.as_mut()) {
-        field(ui, &format!("{name} {channel}"), part, range, width);
-    }
-}
-
-fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
+/// A slider and a field; with a switch for infinity, where that is one of the values.
+pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     let space = ui.spacing().item_spacing.x;
-    let switch = if spec.reaches_infinity() { INFINITY_SWITCH + space } else { 0.0 };
+    let reaches_infinity = *spec.range.limits.end() == f64::INFINITY;
+    let switch = if reaches_infinity { INFINITY_SWITCH + space } else { 0.0 };
     ui.spacing_mut().slider_width = (ui.available_width() - FIELD - space - switch).max(40.0);
     if let Some(tint) = spec.about.tint {
         ui.visuals_mut().selection.bg_fill = tint;
     }
-    let slider = slider(ui, spec, value);
-    let field = field(ui, spec.about.name(), value, &spec.range, FIELD);
-    if !spec.about.tip.is_empty() {
-        slider.on_hover_text(spec.about.tip);
-        field.on_hover_text(spec.about.tip);
-    }
-    if spec.reaches_infinity() {
-        infinity_switch(ui, spec, value);
-    }
-}
-
-fn infinity_switch(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
-    let on = *value == f64::INFINITY;
-    let button = Button::selectable(on, "∞").min_size(vec2(INFINITY_SWITCH, 0.0));
-    let response = ui.scope(|ui| {
-        ui.spacing_mut().button_padding.x = 4.0;
-        ui.add(button)
-    });
-    let (enabled, name) = (ui.is_enabled(), format!("{} infinite", spec.about.name()));
-    response.inner.widget_info(|| WidgetInfo::selected(Role::Button, enabled, on, &name));
-    if response.inner.on_hover_text("Infinity: a mirror").clicked() {
-        *value = if !on {
-            f64::INFINITY
-        } else if spec.default.is_finite() {
-            spec.default
-        } else {
-            *spec.range.span.end()
-        };
-    }
-}
-
-fn slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) -> Response {
-    let (range, before) = (&spec.range, *value);
-    let mut slider = Slider::new(value, range.span.clone())
+    let (range, name, tip, before) = (&spec.range, spec.about.name(), spec.about.tip, *value);
+    let slider = Slider::new(value, range.span.clone())
         .show_value(false)
         .clamping(SliderClamping::Edits)
         .logarithmic(range.logarithmic)
         .smallest_positive(range.span.start().max(1e-6));
-    if range.decimals == 0 {
-        slider = slider.integer();
-    }
-    let response = ui.add(slider);
+    let response = ui.add(if range.decimals == 0 { slider.integer() } else { slider });
     if value.is_nan() {
         // A screen reader may send anything.
         *value = before;
     }
     let (enabled, shown) = (ui.is_enabled(), *value);
-    response.widget_info(|| WidgetInfo::slider(enabled, shown, spec.about.name()));
-    response
+    response.widget_info(|| WidgetInfo::slider(enabled, shown, name));
+    response.on_hover_text(tip);
+    field(ui, name, value, range, FIELD).on_hover_text(tip);
+    if reaches_infinity {
+        let on = *value == f64::INFINITY;
+        ui.spacing_mut().button_padding.x = 4.0;
+        let button = ui.add(Button::selectable(on, "∞").min_size(vec2(INFINITY_SWITCH, 0.0)));
+        let button = switch_named(button, Role::Button, on, &format!("{name} infinite"));
+        if button.on_hover_text("Infinity: a mirror").clicked() {
+            let finite = if spec.default.is_finite() { spec.default } else { *range.span.end() };
+            *value = if on { finite } else { f64::INFINITY };
+        }
+    }
 }
 
 /// A field for one number, which takes its limits, `inf` and `∞`.
@@ -260,25 +198,11 @@ mod tests {
 
     #[test]
     fn numbers_show_the_digits_that_mean_something() {
-        for (value, decimals, text) in [
-            (0.1, 3, "0.10"),
-            (0.125, 3, "0.125"),
-            (32.0, 2, "32.00"),
-            (123.456, 2, "123.5"),
-            (1005.0, 2, "1005"),
-            (f64::INFINITY, 2, "∞"),
-            (-1.5, 2, "-1.50"),
-            (1e9, 2, "1.00e9"),
-            (0.0, 3, "0.00"),
-            (1e-7, 3, "1.00e-7"),
-            (0.065, 2, "0.065"),
-            (0.07, 2, "0.07"),
-            (0.002, 2, "0.002"),
-            (0.0, 2, "0.00"),
-            (2e-4, 2, "2e-4"),
-        ] {
-            assert_eq!(display(value, decimals), text);
-        }
+        assert_eq!([0.1, 0.125, 0.0, 1e-7].map(|n| display(n, 3)), ["0.10", "0.125", "0.00", "1.00e-7"]);
+        let large = [32.0, 123.456, 1005.0, 1e9, f64::INFINITY, -1.5].map(|n| display(n, 2));
+        assert_eq!(large, ["32.00", "123.5", "1005", "1.00e9", "∞", "-1.50"]);
+        let small = [0.07, 0.065, 0.002, 2e-4, 0.0].map(|n| display(n, 2));
+        assert_eq!(small, ["0.07", "0.065", "0.002", "2e-4", "0.00"]);
     }
 
     #[test]

@@ -73,7 +73,7 @@ impl ScanView {
     /// Scans the polygon under the probe if it, or the scene, is another than before. Another polygon begins at the pixel
     /// under the probe; the same one in another view stays at a step like the one before.
     pub fn update(&mut self, engine: &Engine, model: Option<&Arc<Mesh>>) {
-        let now = Some((engine.revision(), self.rows));
+        let now = Some((engine.revision, self.rows));
         // A picture that is drawn coarser while something is dragged has other places.
         if self.seen == now || engine.coarser() > 1 {
             return;
