@@ -1,10 +1,9 @@
 //! The error of an area light's points, computed in the background.
 
 use super::background::wake;
-use super::document::Document;
+use super::document::{Document, same_model};
 use crate::analysis::{SamplingError, Watch, sampling_error_with};
 use crate::jobs::{Asked, Background, Work};
-use crate::scene::Display;
 use eframe::egui::Context;
 
 /// What is known of an area light's error.
@@ -43,21 +42,27 @@ impl Sampling {
     /// same for two frames and no pointer is held.
     pub fn ask(&mut self, ctx: &Context, document: &Document, light: usize) -> Finding {
         self.found.take();
-        let (mut scene, model) = (document.scene.clone(), document.model.as_ref());
-        // What the error does not depend on.
-        scene.display = Display::default();
-        scene.lights.iter_mut().for_each(|light| light.name.clear());
-        let (light, size) = (AreaLight(light), scene.image.size);
-        let same = |asked: &Asked<AreaLight>| asked.is(&light, &scene, model, size);
+        let Document { scene, model, .. } = document;
+        let light = AreaLight(light);
+        // The error does not depend on the display and on names.
+        let same = |asked: &Asked<AreaLight>| {
+            let mut differences = asked.scene.differences(scene);
+            asked.question == light
+                && same_model(asked.model.as_ref(), model.as_ref())
+                && differences.all(|(parameter, _)| parameter.section() == "display" || parameter.key == "light.N.name")
+        };
         if self.found.answered().is_some_and(same) {
             return self.found.answer().copied().flatten().map_or(Finding::Nothing, Finding::Error);
         }
-        let held = ctx.input(|input| input.pointer.any_down());
-        if !self.last.as_ref().is_some_and(same) {
+        let asked = || Asked::new(light, scene, model.as_ref(), scene.image.size);
+        if ctx.input(|input| input.pointer.any_down()) {
+            return Finding::Waiting;
+        }
+        if self.last.as_ref().is_some_and(same) {
+            self.found.ask(wake(ctx), same, asked);
+        } else {
             ctx.request_repaint();
-            self.last = Some(Asked::new(light, &scene, model, size));
-        } else if !held {
-            self.found.ask(wake(ctx), same, || Asked::new(light, &scene, model, size));
+            self.last = Some(asked());
         }
         Finding::Waiting
     }
