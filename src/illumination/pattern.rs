@@ -7,7 +7,9 @@ use glam::DVec3;
 /// A pattern in a frame of its own: coordinates are `scale · position + offset`, fields are 1 wide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fields<T> {
-    layout: Layout,
+    kind: PatternKind,
+    /// That rings lie about.
+    axis: usize,
     scale: T,
     offset: [T; 3],
     /// Half a field and [`BORDER`].
@@ -18,27 +20,14 @@ pub struct Fields<T> {
 /// positions by. So a point on a nominal border, as vertices often are, is in the same field in every precision.
 const BORDER: f64 = 1.0 / (1 << 21) as f64;
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Layout {
-    Checker,
-    Stripes,
-    /// About the axis of this index.
-    Rings(usize),
-}
-
 impl<T: Scalar> Fields<T> {
     /// The fields of `kind`, `width` world units wide, rings about axis `axis` (0 to 2), for positions that are `unit`
     /// world units long and start from `origin`. None where there is no pattern.
     pub fn new(kind: PatternKind, width: f64, axis: usize, origin: DVec3, unit: f64) -> Option<Self> {
-        let layout = match kind {
-            PatternKind::None => return None,
-            PatternKind::Checker => Layout::Checker,
-            PatternKind::Stripes => Layout::Stripes,
-            PatternKind::Rings => Layout::Rings(axis),
-        };
         let offset = (origin / width).to_array().map(T::from_f64);
         let border = (BORDER * (unit + origin.abs().max_element()) / width).min(0.25);
-        Some(Self { layout, scale: T::from_f64(unit / width), offset, half: T::from_f64(0.5 + border) })
+        let (scale, half) = (T::from_f64(unit / width), T::from_f64(0.5 + border));
+        (kind != PatternKind::None).then_some(Self { kind, axis, scale, offset, half })
     }
 
     /// Whether the pattern lies on a point: its own colour is seen there.
@@ -47,11 +36,13 @@ impl<T: Scalar> Fields<T> {
         let like = position.x;
         let half = like.constant(self.half);
         let p = position.scale_add(like.constant(self.scale), V3::constant(like, self.offset));
-        let count = match self.layout {
-            Layout::Checker => (p.x + half).floor() + (p.y + half).floor() + (p.z + half).floor(),
-            Layout::Stripes => (p.y + half).floor(),
-            Layout::Rings(axis) => {
-                let [a, b] = match axis {
+        let count = match self.kind {
+            PatternKind::None | PatternKind::Checker => {
+                (p.x + half).floor() + (p.y + half).floor() + (p.z + half).floor()
+            }
+            PatternKind::Stripes => (p.y + half).floor(),
+            PatternKind::Rings => {
+                let [a, b] = match self.axis {
                     0 => [p.y, p.z],
                     1 => [p.x, p.z],
                     _ => [p.x, p.y],
@@ -61,6 +52,6 @@ impl<T: Scalar> Fields<T> {
         };
         // Odd fields: count − 2⌊count/2⌋ is 1.
         let pairs = (count * T::from_f64(0.5)).floor();
-        (count - pairs - pairs).greater_than(like.constant(T::from_f64(0.5)))
+        (count - pairs - pairs).greater_than(like.number(0.5))
     }
 }

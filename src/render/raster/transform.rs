@@ -60,9 +60,8 @@ impl Placed {
 
 /// The affine map from the model's coordinates to view components, and the lens.
 struct Rows {
-    right: [f32; 4],
-    up: [f32; 4],
-    forward: [f32; 4],
+    /// Right, up and forward.
+    rows: [[f32; 4]; 3],
     focal: f32,
     middle: [f32; 2],
     perspective: bool,
@@ -71,19 +70,11 @@ struct Rows {
 impl Rows {
     /// The offset is taken in double precision: a model far from the world's origin loses nothing.
     fn new(lens: &Lens, model: &Model) -> Self {
-        let offset = lens.view_from_world(model.origin).to_array();
-        let row = |axis: glam::DVec3, offset: f64| {
-            let a = axis / lens.unit;
-            [a.x as f32, a.y as f32, a.z as f32, offset as f32]
-        };
-        Self {
-            right: row(lens.right, offset[0]),
-            up: row(lens.up, offset[1]),
-            forward: row(lens.forward, offset[2]),
-            focal: lens.focal as f32,
-            middle: lens.middle.as_vec2().to_array(),
-            perspective: lens.perspective,
-        }
+        let offset = lens.view_from_world(model.origin);
+        let axes = [(lens.right, offset.x), (lens.up, offset.y), (lens.forward, offset.z)];
+        let rows = axes.map(|(axis, offset)| (axis / lens.unit).extend(offset).as_vec4().to_array());
+        let (focal, middle) = (lens.focal as f32, lens.middle.as_vec2().to_array());
+        Self { rows, focal, middle, perspective: lens.perspective }
     }
 }
 
@@ -103,6 +94,7 @@ fn fixed<S: Simd>(v: Lanes<S>, outside: S::mask32s) -> S::i32s {
 #[inline(always)]
 fn transform<S: Simd>(simd: S, rows: &Rows, position: [&[f32]; 3], places: &mut [Place], keys: &mut [f32]) {
     let lanes = Lanes::<S>::LEN;
+    let [right, up, forward] = rows.rows;
     let one = Lanes::splat(simd, 1.0);
     let guard = Lanes::splat(simd, GUARD as f32);
     let near = Lanes::splat(simd, NEAR as f32);
@@ -113,15 +105,15 @@ fn transform<S: Simd>(simd: S, rows: &Rows, position: [&[f32]; 3], places: &mut 
             Lanes::load(simd, &py[start..]),
             Lanes::load(simd, &pz[start..]),
         );
-        let depth = component(p, rows.forward);
+        let depth = component(p, forward);
         let (scale, key) = if rows.perspective {
             let inverse = one / depth;
             (inverse * rows.focal, inverse)
         } else {
             (Lanes::splat(simd, rows.focal), -depth)
         };
-        let x = component(p, rows.right).mul_add(scale, Lanes::splat(simd, rows.middle[0]));
-        let y = Lanes::splat(simd, rows.middle[1]) - component(p, rows.up) * scale;
+        let x = component(p, right).mul_add(scale, Lanes::splat(simd, rows.middle[0]));
+        let y = Lanes::splat(simd, rows.middle[1]) - component(p, up) * scale;
         let outside = near.greater_than(depth) | !guard.greater_than(x.abs()) | !guard.greater_than(y.abs());
         let (fx, fy) = (fixed(x, outside), fixed(y, outside));
         key.0.store_slice(&mut keys[start..start + lanes]);

@@ -270,7 +270,11 @@ impl<'a> Facet<'a> {
         match self.flat {
             Some(normal) => PrimaryHit { point, normal, lifted: point },
             None => {
-                let normal = mean(&self.normals, share).try_normalize().unwrap_or_else(|| self.face_normal());
+                let normal = mean(&self.normals, share).try_normalize().unwrap_or_else(|| {
+                    // Vertex normals that cancel each other.
+                    let [a, b, c] = self.corners;
+                    (b - a).cross(c - a).normalize_or_zero()
+                });
                 PrimaryHit { point, normal, lifted: self.lifted(point, share) }
             }
         }
@@ -285,12 +289,6 @@ impl<'a> Facet<'a> {
             lifted -= self.normals[k] * (below * share[k]);
         }
         lifted
-    }
-
-    /// Stands for vertex normals that cancel each other.
-    fn face_normal(&self) -> DVec3 {
-        let [a, b, c] = self.corners;
-        (b - a).cross(c - a).normalize_or_zero()
     }
 }
 

@@ -230,31 +230,20 @@ fn sees_inside(camera: &Camera, model: &Model) -> bool {
     (camera.eye - model.origin).length() <= reach
 }
 
-/// The greatest part of a light that the material takes, diffuse and specular together.
-fn reflected(scene: &Scene) -> Rgb {
-    let material = &scene.material;
-    let color = if scene.pattern.kind == PatternKind::None { Rgb::ZERO } else { scene.pattern.color } + material.color;
-    material.kd * color + material.ks * material.specular_color
-}
-
 /// Why each light adds nothing, if it does not.
 pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<&'static str>> {
-    let (soloing, reflected) = (scene.soloing(), reflected(scene));
-    scene.lights.iter().map(|light| silent(scene, model, light, soloing, reflected)).collect()
-}
-
-fn silent(scene: &Scene, model: &Model, light: &Light, soloing: bool, reflected: Rgb) -> Option<&'static str> {
-    if light.mute {
-        Some("it is muted")
-    } else if !light.shines(soloing) {
-        Some("another light is soloed")
-    } else if light.color == Rgb::ZERO {
-        Some("it is black")
-    } else if light.color * reflected == Rgb::ZERO {
-        Some("the material takes no part of it")
-    } else {
-        misses(scene, model, light).then_some("its cone passes the object by")
-    }
+    let (soloing, material, pattern) = (scene.soloing(), &scene.material, &scene.pattern);
+    let color = if pattern.kind == PatternKind::None { Rgb::ZERO } else { pattern.color } + material.color;
+    // The greatest part of a light that the material takes, diffuse and specular together.
+    let reflected = material.kd * color + material.ks * material.specular_color;
+    let silence = |light: &Light| match light {
+        Light { mute: true, .. } => Some("it is muted"),
+        _ if !light.shines(soloing) => Some("another light is soloed"),
+        _ if light.color == Rgb::ZERO => Some("it is black"),
+        _ if light.color * reflected == Rgb::ZERO => Some("the material takes no part of it"),
+        _ => misses(scene, model, light).then_some("its cone passes the object by"),
+    };
+    scene.lights.iter().map(silence).collect()
 }
 
 /// A cone must pass the model by this angle, radians, and its light be away from it by this part of the distances that single
