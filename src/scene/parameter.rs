@@ -1,7 +1,7 @@
 //! Every key of a scene, described once: what it is called, its unit, limits, default and help, and where its value lives.
 //!
 //! Validation, the window's controls, undo, `docs/scene-file.md` and `shading-lab parameters` all read this table. No other
-//! place states a parameter's limits. Each is a line of the [`table!`] that defines its struct, and a constant beside it, for
+//! place states a parameter's limits. Each is a line of the `table!` that defines its struct, and a constant beside it, for
 //! example `material::N`. What several parameters must be together is in `validation.rs`.
 
 pub use super::access::{Access, ChoiceField, Field, List};
