@@ -67,6 +67,6 @@ pub use stability::{
     stability, stability_cases, stability_sheet,
 };
 pub use study::{
-    Fit, Method, Omission, PixelCost, Series, Setting, Study, StudyQuestion, StudyRow, fit_line, order_of,
+    Fit, Method, Omission, Series, Setting, Study, StudyQuestion, StudyRow, fit_line, median_and_spread, order_of,
     pareto_front, student, study, study_plot, study_point,
 };

@@ -59,6 +59,7 @@ pub use state::AppState;
 
 use crate::document::Loaded;
 use crate::render::{Frame, Renderer, Report};
+use crate::scene::Choice as _;
 use action::Action;
 use dialog::{CodeForm, Dialog, ExportForm, FileTask};
 use document::History;
@@ -242,7 +243,7 @@ impl App {
             }
             Action::CopyPicture => self.copy_picture(ctx),
             Action::SaveAnswer(name, format) => {
-                self.ask_file(FileTask::SaveAnswer(format), format!("{name}.{}", format.ending()));
+                self.ask_file(FileTask::SaveAnswer(format), format!("{name}.{}", format.word()));
             }
             Action::Code => self.state.dialog = Some(Dialog::Code(CodeForm::default())),
             Action::Keys => self.state.dialog = Some(Dialog::Keys),

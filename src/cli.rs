@@ -4,31 +4,15 @@
 //! the line that they are about.
 
 mod analyse;
-mod check;
-mod code;
-mod compare;
-mod curves;
-mod defects;
-mod failure;
 mod input;
-mod materials;
-mod measure;
-mod normals;
 mod output;
-mod overlay;
-mod parameters;
-mod probe;
-mod profile;
 mod render;
-mod scanline;
-mod scenes;
-mod stability;
-mod window;
+mod simple;
 
-use analyse::Analyse;
+use analyse::{Analyse, Catalogued};
 use clap::{Parser, Subcommand};
-use failure::Failure;
 use input::SceneArguments;
+use output::Failure;
 use shading_lab::analysis::Analysis;
 use std::process::ExitCode;
 
@@ -50,55 +34,55 @@ enum Command {
     /// Draw a scene into a PNG file, without a window.
     Render(render::Render),
     #[command(about = asks("probe"))]
-    Probe(Analyse<probe::Probe>),
+    Probe(Analyse<analyse::Probe>),
     /// Slopes are per pixel; all values are linear and before rounding. Without a file it prints a row for each sample, values
     /// separated by commas.
     #[command(about = asks("profile"))]
-    Profile(Analyse<profile::Profile>),
+    Profile(Analyse<analyse::Profile>),
     /// Differences are those of linear intensities before they are encoded and rounded; where the display clamps, what is above
     /// 1 counts as 1. `study` has the errors without the clamp as well.
     #[command(about = asks("compare"))]
-    Compare(Analyse<compare::Compare>),
+    Compare(Analyse<analyse::Compare>),
     #[command(about = asks("normals"))]
-    Normals(Analyse<normals::Normals>),
+    Normals(Analyse<analyse::Normals>),
     #[command(about = asks("defects"))]
-    Defects(Analyse<defects::Defects>),
+    Defects(Analyse<analyse::Defects>),
     /// Times are medians of whole frames drawn anew, in turn by the plan and with everything left in that can be; shares are of the
     /// stages' sum. After the changes that `bench` makes it names the stages that run again.
     #[command(about = asks("explain"))]
-    Explain(Analyse<measure::Explain>),
+    Explain(Analyse<analyse::Explain>),
     /// Active edges, P and Q with their α, and each pixel's value. Without a file it prints the scan line of the step with its
     /// formulas filled in.
     #[command(about = asks("scanline"))]
-    Scanline(Analyse<scanline::Scanline>),
+    Scanline(Analyse<analyse::Scanline>),
     /// Every way of shading at several tessellations against the exact picture. Errors are those of the linear intensities
     /// before the display, values above 1 in full; “shown” are those of the values clamped to 1 where the display clamps, as
     /// `compare` has them.
     #[command(about = asks("study"))]
-    Study(Analyse<measure::Study>),
+    Study(Analyse<analyse::Study>),
     /// Where the textbook's way fails, by how much, and that the engine does not. The reference computes with 106 bits. It ends
     /// with status 1 if the engine is off by more than half a code value anywhere.
     #[command(about = asks("stability"))]
-    Stability(stability::Stability),
+    Stability(Catalogued<analyse::Stability>),
     /// Write a scene as OpenGL calls or as GLSL shaders, to copy; what they cannot express is printed on stderr.
-    Code(code::Code),
+    Code(simple::Code),
     /// f(d), the family of powers of a cosine, W(θ), and the lobe. Without a file it prints what the plots say in words and
     /// numbers.
     #[command(about = asks("curves"))]
-    Curves(Analyse<curves::Curves>),
+    Curves(Analyse<analyse::Curves>),
     /// List the built-in scenes.
-    Scenes(scenes::Scenes),
+    Scenes(simple::List),
     /// List the named materials of the OpenGL tradition, for --material.
-    Materials(materials::Materials),
+    Materials(simple::List),
     /// List every key of the scene file with its default, limits and meaning.
-    Parameters(parameters::Parameters),
+    Parameters(simple::List),
     /// Read a scene, a model or a picture, and say what is wrong with it.
-    Check(check::Check),
+    Check(simple::Check),
     /// A frame of `full` is transformed, covered, shaded and displayed anew; the tessellation is kept, as a graphics card
     /// keeps it in its buffers. In a frame of `changes` one thing differs from the frame before: the place of the first
     /// light, n, ka, the eye on an orbit, or the number of segments.
     #[command(about = asks("bench"))]
-    Bench(Analyse<measure::Bench>),
+    Bench(Analyse<analyse::Bench>),
 }
 
 /// What the analysis of that name asks.
@@ -134,7 +118,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         return Err(Failure::input(format!("--set without a scene, expected `{name}` alone")));
     }
     match command {
-        None => window::open(&scene),
+        None => open_window(&scene),
         Some(_) if scene.source.is_some() => {
             Err(Failure::input("a scene before the command, expected it after: shading-lab COMMAND SCENE"))
         }
@@ -151,20 +135,21 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Check(check)) => check.run(&earlier),
         Some(Command::Bench(bench)) => bench.run(&earlier),
         Some(Command::Study(study)) => study.run(&earlier),
-        Some(Command::Scenes(scenes)) => scenes.run(),
-        Some(Command::Materials(materials)) => materials.run(),
-        Some(Command::Parameters(parameters)) => parameters.run(),
-        Some(Command::Stability(stability)) => stability.run(),
+        Some(Command::Scenes(list)) => list.scenes(),
+        Some(Command::Materials(list)) => list.materials(),
+        Some(Command::Parameters(list)) => list.parameters(),
+        Some(Command::Stability(stability)) => stability.run_alone(),
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use clap::CommandFactory;
-
-    #[test]
-    fn the_arguments_agree_with_each_other() {
-        Arguments::command().debug_assert();
+/// Opens the window on a scene, or on the default one.
+fn open_window(arguments: &SceneArguments) -> Result<(), Failure> {
+    let loaded = arguments.load(&[])?;
+    #[cfg(feature = "app")]
+    return shading_lab::app::run(loaded).map_err(Failure::work);
+    #[cfg(not(feature = "app"))]
+    {
+        drop(loaded);
+        Err(Failure::work("built without a window, expected a command: see shading-lab --help"))
     }
 }

@@ -3,10 +3,355 @@
 //! In memory the path of a model is absolute. In a scene file it is written relative to that file where the model lies
 //! beside or below it, so that the two can be moved together; in a picture, which gets about alone, it stays absolute.
 
-mod answer;
-mod load;
-mod save;
+use crate::analysis::{About as Analysed, Answer, Figure, Format};
+use crate::export::Export;
+use crate::figure::Paper;
+use crate::geometry::{Mesh, ObjError, read_obj};
+use crate::picture::{PictureError, read_scene_text, write_png};
+use crate::render::Frame;
+use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, SceneError, nearest, presets};
+use atomic_write_file::AtomicWriteFile;
+use std::ffi::OsStr;
+use std::fmt::Display;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufReader, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-pub use answer::{json_text, save_answer};
-pub use load::{LoadError, Loaded, Progress, load, load_model, load_with};
-pub use save::{SaveError, WriteError, check_target, save_code, save_frame, save_picture, save_scene, write_whole};
+/// A scene with all that it needs to be drawn.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// Sound, as [`Scene::validate`] has it; a model's path is absolute.
+    pub scene: Scene,
+    /// The mesh of an object of kind `obj`, fitted where the scene says so.
+    pub model: Option<Arc<Mesh>>,
+    /// What to call it: the built-in scene's name, or the file's.
+    pub name: String,
+    /// The file it came from; none for a built-in scene.
+    pub path: Option<PathBuf>,
+}
+
+/// Is told how many bytes of a model have been read, and how many there are.
+pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
+
+/// Why something could not be opened. Displayed, it names the file, and the line where there is one; several problems
+/// take a line each.
+#[derive(Debug, thiserror::Error)]
+pub enum LoadError {
+    /// The text of the scene, or an override.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The file itself, at a line counted from 1 where the problem has one.
+    #[error("{}:{} {problem}", .path.display(), .line.map(|line| format!("{line}:")).unwrap_or_default())]
+    File { path: PathBuf, line: Option<u64>, problem: String },
+}
+
+impl LoadError {
+    fn file(path: &Path, problem: impl Display) -> Self {
+        Self::File { path: path.to_owned(), line: None, problem: problem.to_string() }
+    }
+
+    fn unreadable(path: &Path, expected: &str, error: &io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::NotFound => Self::file(path, format!("no such file, expected {expected}")),
+            _ => Self::file(path, format!("cannot be read ({error}), expected {expected}")),
+        }
+    }
+}
+
+/// Opens a scene: a `.toml` file; a `.obj` model in the default scene, fitted; a `.png` with its scene inside; or a
+/// built-in scene by its name, which goes before a file of the same name without such an ending.
+///
+/// # Errors
+/// See [`LoadError`].
+pub fn load(source: &Path) -> Result<Loaded, LoadError> {
+    load_with(source, &[] as &[&str], &mut |_, _| {})
+}
+
+/// [`load`] with overrides as [`Scene::with_overrides`] takes them, applied before the model is read. A model's path in
+/// an override is relative to the working directory.
+///
+/// # Errors
+/// See [`LoadError`].
+pub fn load_with(source: &Path, overrides: &[impl AsRef<str>], progress: Progress<'_>) -> Result<Loaded, LoadError> {
+    let (mut scene, path) = read_scene(source)?;
+    if !overrides.is_empty() {
+        scene = scene.with_overrides(overrides)?;
+    }
+    let model = load_model(&scene.object, progress)?;
+    // Only now, so that messages name the model as its user does. Where the working directory is unknown, so be it.
+    if let Some(model_path) = &mut scene.object.path
+        && let Ok(absolute) = std::path::absolute(&*model_path)
+    {
+        *model_path = absolute;
+    }
+    let name = match &path {
+        Some(path) => path.file_name().unwrap_or(path.as_os_str()),
+        None => source.as_os_str(),
+    };
+    Ok(Loaded { scene, model, name: name.to_string_lossy().into_owned(), path })
+}
+
+/// The model of an object: none unless its kind is `obj`.
+///
+/// # Errors
+/// A path that is missing or cannot be read, or a file that is not a sound model.
+pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<Mesh>>, LoadError> {
+    let (ObjectKind::Obj, Some(path)) = (object.kind, &object.path) else { return Ok(None) };
+    let (file, total) = open(path, "an OBJ model")?;
+    let mut told = |read| progress(read, total);
+    let refused = |error: ObjError| {
+        let (line, problem) = (error.line(), error.to_string());
+        LoadError::File { path: path.clone(), line, problem }
+    };
+    let mesh = read_obj(BufReader::new(file), &mut told).map_err(refused)?;
+    Ok(Some(Arc::new(if object.fit { mesh.fitted() } else { mesh })))
+}
+
+fn read_scene(source: &Path) -> Result<(Scene, Option<PathBuf>), LoadError> {
+    let ending = source.extension().and_then(OsStr::to_str).map(str::to_ascii_lowercase);
+    let mut scene = match ending.as_deref() {
+        Some("toml") => read_scene_file(source)?,
+        Some("png") => read_scene_picture(source)?,
+        Some("obj") => scene_of_model(source)?,
+        _ => return Ok((built_in(source)?, None)),
+    };
+    if let (Some(model_path), Some(folder)) = (&mut scene.object.path, source.parent()) {
+        *model_path = folder.join(&*model_path);
+    }
+    Ok((scene, Some(source.to_owned())))
+}
+
+fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
+    let expected = "a scene file";
+    let (file, _) = open(path, expected)?;
+    let mut bytes = Vec::new();
+    // One byte more than the parser accepts, so that it can object.
+    let read = file.take(Scene::MAX_TEXT as u64 + 1).read_to_end(&mut bytes);
+    read.map_err(|error| LoadError::unreadable(path, expected, &error))?;
+    let text = std::str::from_utf8(&bytes).map_err(|error| {
+        let before = bytes.get(..error.valid_up_to()).unwrap_or_default();
+        let line = Some(1 + before.iter().filter(|byte| **byte == b'\n').count() as u64);
+        LoadError::File { path: path.to_owned(), line, problem: "not UTF-8, expected a text".to_owned() }
+    })?;
+    Ok(Scene::parse(text, &path.to_string_lossy())?)
+}
+
+fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {
+    let (file, _) = open(path, "a picture")?;
+    let text = read_scene_text(BufReader::new(file)).map_err(|error| LoadError::file(path, error))?;
+    Ok(Scene::parse(&text, &path.to_string_lossy())?)
+}
+
+/// The default scene with a model in the place of its object.
+fn scene_of_model(path: &Path) -> Result<Scene, LoadError> {
+    let mut scene = presets::default_scene();
+    let normals = NormalSource::File;
+    let name = path.file_name().map(PathBuf::from);
+    scene.about = About::default();
+    scene.object = Object { kind: ObjectKind::Obj, path: name, fit: true, normals, ..scene.object };
+    scene.validate()?;
+    Ok(scene)
+}
+
+fn built_in(source: &Path) -> Result<Scene, LoadError> {
+    if let Some(preset) = source.to_str().and_then(presets::find) {
+        return Ok(preset.scene());
+    }
+    if source.is_dir() {
+        return Err(LoadError::file(source, "a directory, expected a .toml, .obj or .png file"));
+    }
+    if source.exists() || source.extension().is_some() || source.components().count() > 1 {
+        return Err(LoadError::file(source, "an unknown kind of file, expected .toml, .obj or .png"));
+    }
+    let name: String = source.to_string_lossy().escape_debug().collect();
+    let meant = nearest(&name, presets::ALL.iter().map(|preset| preset.name));
+    let meant = meant.map(|meant| format!(" (did you mean {meant}?)")).unwrap_or_default();
+    let expected = format!("expected a .toml, .obj or .png file or a name{meant}; see `shading-lab scenes`");
+    Err(LoadError::file(Path::new(&name), format!("no built-in scene of that name, {expected}")))
+}
+
+/// A regular file with its length in bytes.
+fn open(path: &Path, expected: &str) -> Result<(File, u64), LoadError> {
+    let unreadable = |error: io::Error| LoadError::unreadable(path, expected, &error);
+    let metadata = fs::metadata(path).map_err(unreadable)?;
+    if !metadata.is_file() {
+        let what = if metadata.is_dir() { "a directory" } else { "not a regular file" };
+        return Err(LoadError::file(path, format!("{what}, expected {expected}")));
+    }
+    Ok((File::open(path).map_err(unreadable)?, metadata.len()))
+}
+
+/// Links that are followed one after the other, as many as Linux follows.
+const MOST_LINKS: usize = 40;
+
+/// Why a file could not be written. The target is then as it was before.
+#[derive(Debug, thiserror::Error)]
+pub enum SaveError {
+    #[error("{}: {what}, expected {expected}", .path.display())]
+    Target { path: PathBuf, what: &'static str, expected: &'static str },
+    #[error("{}: cannot be written ({source})", .path.display())]
+    Unwritable { path: PathBuf, source: io::Error },
+    #[error("{}: there is nothing to draw", .path.display())]
+    Nothing { path: PathBuf },
+    #[error("{}: the figure is too large", .path.display())]
+    TooLarge { path: PathBuf },
+}
+
+/// Writes a scene file. The path of a model at or below the file's folder is written relative to it.
+///
+/// # Errors
+/// See [`SaveError`].
+pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), SaveError> {
+    let mut portable = scene.clone();
+    let folder = std::path::absolute(path).ok().and_then(|path| path.parent().map(Path::to_owned));
+    if let (Some(model), Some(folder)) = (&mut portable.object.path, folder)
+        && let Ok(relative) = model.strip_prefix(&folder)
+    {
+        *model = relative.to_owned();
+    }
+    write_text(path, &portable.to_toml())
+}
+
+/// Writes a picture as PNG with its scene inside; a model's path stays absolute.
+///
+/// # Errors
+/// See [`SaveError`].
+pub fn save_picture(path: &Path, frame: &Frame, scene: &Scene) -> Result<(), SaveError> {
+    write_picture(path, frame, Some(scene))
+}
+
+fn write_picture(path: &Path, frame: &Frame, scene: Option<&Scene>) -> Result<(), SaveError> {
+    let refused = |error| match error {
+        PictureError::Unwritten(png::EncodingError::IoError(error)) => error,
+        error => io::Error::other(error),
+    };
+    write_whole(path, |out| write_png(out, frame, scene).map_err(refused))
+}
+
+fn write_text(path: &Path, text: &str) -> Result<(), SaveError> {
+    write_whole(path, |out| out.write_all(text.as_bytes()))
+}
+
+/// Writes the parts of a scene's code, each to its [path](Export::path_of).
+///
+/// # Errors
+/// See [`SaveError`]. That a path cannot be written is found before anything is.
+pub fn save_code(target: &Path, export: &Export) -> Result<(), SaveError> {
+    for part in &export.parts {
+        check_target(&export.path_of(part, target))?;
+    }
+    export.parts.iter().try_for_each(|part| write_text(&export.path_of(part, target), &part.text))
+}
+
+impl Format {
+    /// The format that a name's ending says.
+    pub fn from_path(path: &Path) -> Option<Self> {
+        Self::from_word(&path.extension()?.to_string_lossy().to_lowercase())
+    }
+}
+
+/// Writes an answer; a figure in `size` and on `paper`, where it is one. A PNG of a scene has the scene inside.
+///
+/// # Errors
+/// What cannot be written, or [`SaveError::Nothing`] where there is nothing to draw.
+pub fn save_answer(
+    path: &Path,
+    format: Format,
+    answer: &dyn Answer,
+    about: &Analysed<'_>,
+    (size, paper): (Option<[u32; 2]>, Paper),
+) -> Result<(), SaveError> {
+    let figure = || answer.figure(about, size, paper).ok_or_else(|| SaveError::Nothing { path: path.to_owned() });
+    match format {
+        Format::Csv => write_text(path, &answer.csv(about)),
+        Format::Json => write_text(path, &json_text(answer, about)),
+        Format::Svg => match figure()? {
+            Figure::Drawing { drawing, title } => write_text(path, &drawing.to_svg(&title)),
+            Figure::Picture { .. } => Err(SaveError::Nothing { path: path.to_owned() }),
+        },
+        Format::Png => match figure()? {
+            Figure::Drawing { drawing, .. } => {
+                let frame = drawing.to_frame().ok_or_else(|| SaveError::TooLarge { path: path.to_owned() })?;
+                save_picture(path, &frame, about.scene)
+            }
+            Figure::Picture { frame, scene } => write_picture(path, &frame, scene.as_deref()),
+        },
+    }
+}
+
+/// One JSON object. JSON has no infinity; it becomes null.
+pub fn json_text(answer: &dyn Answer, about: &Analysed<'_>) -> String {
+    format!("{:#}\n", answer.json(about))
+}
+
+/// Writes a file by `content`: the old one stays as it is until the new one is whole and on the disk, and passes its mode
+/// on. A link is followed; a device or a pipe is written to directly.
+///
+/// # Errors
+/// A target that cannot be written, or what `content` reports; nothing is left behind then.
+pub fn write_whole(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), SaveError> {
+    check_target(path)?;
+    let written = if is_stdout(path) {
+        fill(io::stdout().lock(), content)
+    } else if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+        OpenOptions::new().write(true).open(path).and_then(|device| fill(device, content))
+    } else {
+        AtomicWriteFile::open(behind_links(path)).and_then(|mut file| {
+            fill(&mut file, content)?;
+            file.commit()
+        })
+    };
+    written.map_err(|source| SaveError::Unwritable { path: path.to_owned(), source })
+}
+
+/// Where Linux and the BSDs keep the standard output. It may be a file that others write to as well, which must not be
+/// replaced, or a socket, which cannot be opened.
+fn is_stdout(path: &Path) -> bool {
+    cfg!(unix) && path == Path::new("/dev/stdout")
+}
+
+fn fill(target: impl Write, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut out = BufWriter::new(target);
+    content(&mut out)?;
+    out.flush()
+}
+
+/// The file that a link leads to, which need not exist.
+fn behind_links(path: &Path) -> PathBuf {
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = fs::read_link(&target) else { break };
+        target = target.parent().unwrap_or(Path::new("")).join(next);
+    }
+    target
+}
+
+/// Whether `path` can be written at all, as far as can be told without writing: worth asking before long work.
+///
+/// # Errors
+/// A folder that does not exist, a target that is a folder or is write-protected.
+pub fn check_target(path: &Path) -> Result<(), SaveError> {
+    let refused = |what, expected| Err(SaveError::Target { path: path.to_owned(), what, expected });
+    if is_stdout(path) {
+        return Ok(());
+    }
+    let error = match fs::metadata(path) {
+        Ok(metadata) if metadata.is_dir() => return refused("a directory", "a file to write"),
+        Ok(metadata) if metadata.permissions().readonly() => return refused("write-protected", "a file to write"),
+        Ok(_) => return Ok(()),
+        Err(error) => error,
+    };
+    let target = behind_links(path);
+    if target.file_name().is_none() {
+        return refused("not the name of a file", "a file to write");
+    }
+    match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
+            refused("its folder does not exist", "a file in an existing folder")
+        }
+        _ if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        // Links in a circle, for example, or a name that is too long.
+        _ => Err(SaveError::Unwritable { path: path.to_owned(), source: error }),
+    }
+}

@@ -3,11 +3,10 @@
 //! In: a [`Scene`] and, for the calls, its polygons. Out: an [`Export`], the text to copy and a list of what the target
 //! cannot express, which also heads the text. The same scene always gives the same text, in plain ASCII.
 
-mod emitter;
 mod fixed;
 mod glsl;
-mod limits;
-mod number;
+mod sources;
+mod text;
 
 pub use fixed::{MAX_PROGRAM_TRIANGLES, opengl_c, opengl_c_snippet};
 pub use glsl::glsl_330;
@@ -70,47 +69,4 @@ fn fan(mesh: &VertexMesh) -> impl Iterator<Item = [u32; 3]> + '_ {
         let vertices = mesh.face(f);
         vertices.windows(2).skip(1).map(|pair| [vertices[0], pair[0], pair[1]])
     })
-}
-
-/// A comment of whole lines, each set off by `prefix`.
-fn comment(lines: &[String], prefix: &str) -> String {
-    let whole = |line: String| format!("{}\n", format!("{prefix}{line}").trim_end());
-    lines.iter().flat_map(|line| wrap(line, 100)).map(whole).collect()
-}
-
-/// `text` in lines of at most `width` characters, the second and later ones indented; code, which is indented, as it is.
-fn wrap(text: &str, width: usize) -> Vec<String> {
-    if text.starts_with(' ') {
-        return vec![text.to_owned()];
-    }
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        match lines.last_mut() {
-            Some(line) if line.is_empty() => line.push_str(word),
-            Some(line) if line.len() + 1 + word.len() <= width => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(format!("  {word}")),
-        }
-    }
-    lines
-}
-
-/// The sentences whose condition holds.
-fn holding<const N: usize>(cases: [(bool, &str); N]) -> Vec<String> {
-    cases.into_iter().filter(|&(holds, _)| holds).map(|(_, text)| text.to_owned()).collect()
-}
-
-/// The head of every text: what it is, and what it does not express.
-fn head(what: &[&str], limits: &[String]) -> Vec<String> {
-    let mut lines: Vec<String> = what.iter().map(|&line| line.to_owned()).collect();
-    lines.push(String::new());
-    if limits.is_empty() {
-        lines.push("It expresses the scene completely.".to_owned());
-    } else {
-        lines.push("What it does not express:".to_owned());
-        lines.extend(limits.iter().map(|limit| format!("- {limit}")));
-    }
-    lines
 }

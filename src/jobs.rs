@@ -3,13 +3,9 @@
 //! A [`Job`] is one piece of work with its progress; [`Background`] asks one question after the other and keeps the latest
 //! answer. Work and answers are data, so that a worker of a web page can stand in for the thread.
 
-mod asked;
-mod background;
-
-pub use asked::Asked;
-pub use background::Background;
-
-use crate::analysis::Watch;
+use crate::analysis::{Question, Subject, Watch};
+use crate::geometry::Mesh;
+use crate::scene::Scene;
 use std::fmt::{self, Debug, Formatter};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
@@ -84,6 +80,13 @@ impl<A: Clone + Send + Sync> Watch<A> for Teller<A> {
     }
 }
 
+impl<A> Drop for Teller<A> {
+    /// The end of the work is noticed even if it panics: then the channel is closed without an answer.
+    fn drop(&mut self) {
+        (self.wake)(Duration::ZERO);
+    }
+}
+
 impl<W: Work> Job<W> {
     /// Starts on a thread. `wake` is called, with how long to wait, when there is something to take.
     pub fn start(work: W, wake: impl Fn(Duration) + Send + Sync + 'static) -> Self {
@@ -92,8 +95,6 @@ impl<W: Work> Job<W> {
         let job = Self { work: Arc::clone(&work), progress: Arc::clone(&progress), news };
         let teller = Teller { progress, news: sender, wake: Arc::new(wake) };
         thread::spawn(move || {
-            // Its end is noticed even if it panics: then the channel is closed without an answer.
-            let _wake = WakeAtEnd(Arc::clone(&teller.wake));
             let answer = work.run(&teller);
             let _ = teller.news.send(News::Over(answer));
         });
@@ -142,14 +143,6 @@ impl<W: Work> Job<W> {
     }
 }
 
-struct WakeAtEnd(Wake);
-
-impl Drop for WakeAtEnd {
-    fn drop(&mut self) {
-        (self.0)(Duration::ZERO);
-    }
-}
-
 impl<W: Work> Drop for Job<W> {
     fn drop(&mut self) {
         self.cancel();
@@ -162,80 +155,136 @@ impl<W: Work> Debug for Job<W> {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// The answer that is known, and the work on the next one.
+pub struct Background<W: Work> {
+    known: Option<Answered<W>>,
+    job: Option<Job<W>>,
+    /// Whether the work that the answer is of was cancelled.
+    stopped: bool,
+}
 
-    #[derive(Clone, Copy, PartialEq)]
-    enum Sum {
-        To(u64),
-        Panic,
-        Endless,
+impl<W: Work> Default for Background<W> {
+    fn default() -> Self {
+        Self { known: None, job: None, stopped: false }
     }
+}
 
-    impl Work for Sum {
-        type Answer = u64;
+impl<W: Work> Debug for Background<W> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Background").field("known", &self.known.is_some()).field("job", &self.job).finish()
+    }
+}
 
-        fn run(&self, watch: &dyn Watch<u64>) -> Result<u64, String> {
-            match self {
-                Self::To(0) => Err("nothing to add".to_owned()),
-                Self::To(last) => Ok((1..=*last).sum()),
-                Self::Panic => std::panic::panic_any("no answer"),
-                Self::Endless => {
-                    while watch.at(0.25) {
-                        watch.found(&3);
-                    }
-                    Ok(7)
-                }
-            }
+impl<W: Work> Background<W> {
+    /// Answers `work` in the background unless that is the `same` as what is known; the work under way is done first. Returns
+    /// whether something new has come.
+    pub fn ask(
+        &mut self,
+        wake: impl Fn(Duration) + Send + Sync + 'static,
+        same: impl Fn(&W) -> bool,
+        work: impl FnOnce() -> W,
+    ) -> bool {
+        let new = self.take();
+        if self.job.is_none() && !self.known.as_ref().is_some_and(|(known, _)| same(known)) {
+            self.start(work(), wake);
         }
+        new
     }
 
-    fn outcome(mut slot: Option<Job<Sum>>) -> Result<u64, String> {
-        loop {
-            if let Some((_, answer)) = Job::take(&mut slot) {
-                assert!(slot.is_none());
-                return answer;
-            }
-            thread::yield_now();
-        }
+    /// Begins `work` in place of whatever is under way.
+    pub fn start(&mut self, work: W, wake: impl Fn(Duration) + Send + Sync + 'static) {
+        self.job = Some(Job::start(work, wake));
     }
 
-    #[test]
-    fn the_clock_does_not_go_back() {
-        let first = nanoseconds();
-        assert!(nanoseconds() >= first);
-    }
-
-    #[test]
-    fn an_answer_comes_back_or_why_there_is_none() {
-        let ask = |work| outcome(Some(Job::start(work, |_| ())));
-        assert_eq!(ask(Sum::To(4)), Ok(10));
-        assert_eq!(ask(Sum::To(0)), Err("nothing to add".to_owned()));
-        assert!(ask(Sum::Panic).is_err());
-    }
-
-    #[test]
-    fn a_job_says_how_far_it_is_and_can_be_cancelled() {
-        let job = Job::start(Sum::Endless, |_| ());
-        while !matches!(job.news(), Some(News::SoFar(3))) {
-            thread::yield_now();
-        }
-        assert_eq!(job.share(), 0.25);
-        job.cancel();
-        assert_eq!(outcome(Some(job)), Ok(7));
-    }
-
-    #[test]
-    fn the_latest_question_is_answered_and_a_known_one_not_asked_again() {
-        let mut sums = Background::default();
-        let mut ask = |last| loop {
-            sums.ask(|_| (), |work| *work == Sum::To(last), || Sum::To(last));
-            if let Some(answer) = sums.known().filter(|_| sums.progress().is_none()) {
-                return answer.clone();
-            }
-            thread::yield_now();
+    /// Takes what has come; returns whether that is anything.
+    pub fn take(&mut self) -> bool {
+        let Some((work, cancelled, news)) =
+            self.job.as_ref().and_then(|job| Some((Arc::clone(&job.work), job.is_cancelled(), job.news()?)))
+        else {
+            return false;
         };
-        assert_eq!((ask(4), ask(5), ask(5)), (Ok(10), Ok(15), Ok(15)));
+        match news {
+            News::SoFar(answer) => self.known = Some((work, Ok(answer))),
+            News::Over(answer) => {
+                self.known = Some((work, answer));
+                self.stopped = cancelled;
+                self.job = None;
+            }
+        }
+        true
+    }
+
+    /// Cancels the work under way and forgets the answer, where these are not of the question wanted.
+    pub fn keep_only(&mut self, same: impl Fn(&W) -> bool) {
+        self.known.take_if(|(known, _)| !same(known));
+        self.job.take_if(|job| !same(&job.work));
+    }
+
+    /// The answer last known, or why there is none.
+    pub fn known(&self) -> Option<&Result<W::Answer, String>> {
+        self.known.as_ref().map(|(_, answer)| answer)
+    }
+
+    /// The answer last known.
+    pub fn answer(&self) -> Option<&W::Answer> {
+        self.known()?.as_ref().ok()
+    }
+
+    /// What that is the answer to.
+    pub fn answered(&self) -> Option<&W> {
+        self.known.as_ref().map(|(work, _)| &**work)
+    }
+
+    /// How far the work is, from 0 to 1, while it runs.
+    pub fn progress(&self) -> Option<f32> {
+        self.job.as_ref().map(Job::share)
+    }
+
+    /// Ends the work soon; what it has found by then is its answer.
+    pub fn stop(&self) {
+        self.job.iter().for_each(Job::cancel);
+    }
+
+    /// Whether the answer is that of work that was stopped.
+    pub fn stopped(&self) -> bool {
+        self.stopped && self.job.is_none()
+    }
+}
+
+/// A question about a scene in a picture of some size.
+#[derive(Clone, Debug)]
+pub struct Asked<Q> {
+    pub question: Q,
+    pub scene: Scene,
+    pub model: Option<Arc<Mesh>>,
+    size: [u32; 2],
+}
+
+impl<Q: PartialEq> Asked<Q> {
+    pub fn new(question: Q, scene: &Scene, model: Option<&Arc<Mesh>>, size: [u32; 2]) -> Self {
+        Self { question, scene: scene.clone(), model: model.cloned(), size }
+    }
+
+    /// Whether this is what [`Self::new`] would make.
+    pub fn is(&self, question: &Q, scene: &Scene, model: Option<&Arc<Mesh>>, size: [u32; 2]) -> bool {
+        self.question == *question
+            && self.size == size
+            && self.model.as_ref().map(Arc::as_ptr) == model.map(Arc::as_ptr)
+            && self.scene == *scene
+    }
+
+    /// The scene, its picture of the size asked for, with the model.
+    pub fn subject(&self) -> Subject {
+        let mut scene = self.scene.clone();
+        scene.image.size = self.size;
+        Subject { scene, model: self.model.clone(), clock: nanoseconds }
+    }
+}
+
+impl<Q: Question> Work for Asked<Q> {
+    type Answer = Q::Answer;
+
+    fn run(&self, watch: &dyn Watch<Q::Answer>) -> Result<Q::Answer, String> {
+        self.question.answer(&self.subject(), watch)
     }
 }

@@ -27,6 +27,7 @@ mod validation;
 mod view;
 
 pub use camera::{About, Camera, Display, Encoding, Image, Overflow, Projection, Viewer};
+pub(crate) use choice::choices;
 pub use choice::{Choice, ChoiceOption};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};
 pub use light::{AreaShape, Attenuation, Light, LightKind};

@@ -209,6 +209,12 @@ fn arguments_that_make_no_sense_are_refused() {
         (&["render", "sphere", "-o", "a.png", "--samples", "0"], "0 is not in 1..=4096"),
         (&["render", "sphere", "-o", "a.png", "--overlay", "vector"], "did you mean vectors?"),
         (&["render", "sphere", "-o", "a.png", "--overlay", "vectors=1"], "expected X,Y"),
+        (&["render", "sphere", "-o", "a.png", "--overlay", "vectors=-1,2"], "expected X,Y"),
+        (&["render", "sphere", "-o", "a.png", "--overlay", "vectors=1,angles"], "expected X,Y"),
+        (&["render", "sphere", "-o", "a.png", "--overlay", "vectors,"], "expected vectors"),
+        (&["render", "sphere", "-o", "a.png", "--overlay", "vectors,probe"], "expected probe=X,Y"),
+        (&["render", "sphere", "-o", "a.png", "--overlay", "probe=1,2"], "a pixel alone"),
+        (&["render", "sphere", "-o", "a.png", "--overlay", "vectors=1,2,angles=3,4"], "two pixels"),
         (&["render", "sphere", "-o", "a.png", "--vertex", "1"], "--overlay"),
         (&["normals", "sphere", "--vertex", "-1"], "expected the number of a vertex"),
         (&["normals", "sphere", "--vertex", "1", "--pixel", "1,2"], "cannot be used with"),
@@ -221,7 +227,26 @@ fn arguments_that_make_no_sense_are_refused() {
     ] {
         folder.refuses(arguments, expected);
     }
+    for size in ["", "x", "768", "5x0", "16385x1", "-1x5", "5x5x5", "99999999999x1"] {
+        folder.refuses(&["probe", "sphere", "--pixel=1,1", &format!("--size={size}")], "");
+    }
+    folder.refuses(&["probe", "sphere", "--pixel=1,1", "--size=16384x8193"], "at most 134217728 pixels");
+    for pixel in ["", "3", "3,", "1.5,2", "1,2,3", "99999999999,1"] {
+        folder.refuses(&["probe", "sphere", &format!("--pixel={pixel}")], "");
+    }
+    folder.refuses(&["probe", "sphere", "--size=3x4", "--pixel=3,3"], "expected 0,0 to 2,3");
+    folder.refuses(&["probe", "sphere", "--size=3x4", "--pixel=2,4"], "expected 0,0 to 2,3");
     assert!(folder.names().is_empty());
+}
+
+#[test]
+fn a_material_by_its_name_is_that_material() {
+    let folder = Folder::new("each-material");
+    for named in shading_lab::scene::materials::NAMED {
+        folder.prints(&["render", "sphere", "-o", "a.png", "--size", "4x4", "--material", named.name]);
+        let scene = shading_lab::document::load(&folder.0.join("a.png")).expect("an exported picture").scene;
+        assert_eq!(scene.material, named.material(), "{}", named.name);
+    }
 }
 
 #[test]

@@ -243,7 +243,7 @@ fn a_vertex_normal_is_told_with_the_faces_that_it_comes_from() {
     folder.fails(
         &normals(&["--pixel", "9999,0"]),
         2,
-        &["error: --pixel: outside the picture, expected 0,0 to 767,767"],
+        &["error: --pixel 9999,0: outside the picture, expected 0,0 to 767,767"],
     );
     let away = normals(&["--set", "camera.target=[0,0,9]", "--set", "camera.eye=[0,0,4]"]);
     let unseen = "error: no vertex is seen in the picture, expected --vertex or a camera that sees the object";

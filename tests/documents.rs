@@ -1,6 +1,6 @@
 //! Files written whole or not at all, and the path of a model in a scene file.
 
-use shading_lab::document::{SaveError, WriteError, save_scene, write_whole};
+use shading_lab::document::{SaveError, save_scene, write_whole};
 use shading_lab::scene::Scene;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -33,7 +33,7 @@ fn a_file_is_replaced_whole() {
     let folder = Folder::new("whole");
     let target = folder.0.join("a.txt");
     for text in ["longer at first", "then short"] {
-        write_whole(&target, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io)).expect("written");
+        write_whole(&target, |out| out.write_all(text.as_bytes())).expect("written");
         assert_eq!(fs::read_to_string(&target).expect("a text"), text);
     }
     assert_eq!(folder.names(), ["a.txt"]);
@@ -45,8 +45,8 @@ fn content_that_fails_leaves_the_old_file_and_nothing_else() {
     let target = folder.0.join("a.txt");
     fs::write(&target, "old").expect("a file");
     let error = write_whole(&target, |out| {
-        out.write_all(&[b'x'; 100_000]).map_err(WriteError::Io)?;
-        Err(WriteError::Io(io::Error::other("no more")))
+        out.write_all(&[b'x'; 100_000])?;
+        Err(io::Error::other("no more"))
     });
     assert!(matches!(error, Err(SaveError::Unwritable { .. })));
     assert_eq!(fs::read_to_string(&target).expect("a text"), "old");
@@ -70,18 +70,18 @@ fn a_link_is_followed_and_a_device_is_not_replaced() {
     let (target, link) = (folder.0.join("a.txt"), folder.0.join("link.txt"));
     fs::write(&target, "old").expect("a file");
     std::os::unix::fs::symlink(&target, &link).expect("a link");
-    write_whole(&link, |out| out.write_all(b"new").map_err(WriteError::Io)).expect("written");
+    write_whole(&link, |out| out.write_all(b"new")).expect("written");
     assert_eq!(fs::read_to_string(&target).expect("a text"), "new");
     assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
     fs::remove_file(&target).expect("a file");
-    write_whole(&link, |out| out.write_all(b"anew").map_err(WriteError::Io)).expect("written");
+    write_whole(&link, |out| out.write_all(b"anew")).expect("written");
     assert_eq!(fs::read_to_string(&target).expect("a text"), "anew", "a link may lead to what is not there yet");
     assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
     let round = folder.0.join("round.txt");
     std::os::unix::fs::symlink("round.txt", &round).expect("a link");
     let error = write_whole(&round, |_| unreachable!("a link to itself leads nowhere"));
     assert!(matches!(error, Err(SaveError::Unwritable { .. })), "{error:?}");
-    write_whole(Path::new("/dev/null"), |out| out.write_all(b"x").map_err(WriteError::Io)).expect("swallowed");
+    write_whole(Path::new("/dev/null"), |out| out.write_all(b"x")).expect("swallowed");
     assert!(!fs::metadata("/dev/null").expect("a device").is_file());
 }
 

@@ -3,11 +3,11 @@
 //! The pictures need a C compiler, EGL and OpenGL (Debian: gcc libegl-dev libgl-dev libgl1-mesa-dri); without them those
 //! tests say so and are skipped.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 use shading_lab::export::{Export, ExportError, export_mesh, glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::{VertexMesh, tessellate};
 use shading_lab::render::{Frame, Renderer};
-use shading_lab::scene::{Encoding, Scene, presets};
+use shading_lab::scene::{Encoding, Scene, View, presets};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -172,6 +172,27 @@ fn shaders_name_what_they_cannot_say() {
         ("camera.eye=[0,0,1e12]", "Lengths of this size"),
     ] {
         assert_eq!(count(&glsl_330(&scene("sphere", &[set])), words), 1, "{set}");
+    }
+}
+
+/// The shader's matrix puts a point where the view has it.
+#[test]
+fn a_point_appears_where_the_view_has_it() {
+    for projection in ["perspective", "orthographic"] {
+        let camera = format!("camera={{eye=[1,2,3], roll=25, projection=\"{projection}\"}}");
+        let scene = scene("sphere", &[&camera, "image.size=[640,480]"]);
+        let text = &glsl_330(&scene).parts[0].text;
+        let (_, matrix) = text.split_once("clip_from_world = mat4(").expect("a matrix");
+        let (matrix, _) = matrix.split_once(')').expect("its end");
+        let numbers: Vec<f64> = matrix.split(',').map(|number| number.trim().parse().expect("a number")).collect();
+        let clip = DMat4::from_cols_slice(&numbers);
+        let point = DVec3::new(0.3, -0.4, 0.5);
+        let placed = clip * point.extend(1.0);
+        let x = (placed.x / placed.w * 0.5 + 0.5) * 640.0;
+        let y = (0.5 - placed.y / placed.w * 0.5) * 480.0;
+        let (pixel, _) = View::new(&scene.camera, [640, 480]).project(point).expect("in front of the eye");
+        assert!((pixel.x - x).abs() < 1e-3 && (pixel.y - y).abs() < 1e-3, "{projection}: {pixel} {x} {y}");
+        assert!((placed.z / placed.w).abs() < 1.0);
     }
 }
 

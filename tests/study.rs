@@ -3,9 +3,10 @@
 use glam::DVec3;
 use serde_json::Value;
 use shading_lab::analysis::{
-    Method, Study, StudyQuestion, Watch, fit_line, order_of, student, study, study_plot, unwatched,
+    CHANGES, Column, Method, Setting, Study, StudyQuestion, Table, Watch, as_it_is, fit_line, fixed, median_and_spread,
+    order_of, pareto_front, student, study, study_plot, unwatched,
 };
-use shading_lab::scene::{Interpolation, Light, LightKind, Overflow, Projection, Rgb, Scene, presets};
+use shading_lab::scene::{Choice, Interpolation, Light, LightKind, Overflow, Projection, Rgb, Scene, presets};
 use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -191,9 +192,8 @@ fn the_command_prints_the_keys_that_scripts_read() {
         }
         assert!(row["time_ms"].as_f64() > Some(0.0) && row["error_rms"].as_f64() <= row["error_max"].as_f64());
     }
-    for method in Method::ALL {
-        assert!(value["orders"][method.name()].is_f64(), "{}", method.name());
-        assert!(value["order_confidence"][method.name()].is_f64(), "{}", method.name());
+    for method in Method::VALUES.iter().map(|method| method.word()) {
+        assert!(value["orders"][method].is_f64() && value["order_confidence"][method].is_f64(), "{method}");
     }
     assert_eq!(value["omitted"][0]["method"], "angular");
 }
@@ -246,5 +246,130 @@ fn a_power_is_its_order_and_what_is_rounding_is_left_out() {
 fn students_t_goes_on_beyond_its_table() {
     for (freedom, expected) in [(1, 12.706), (30, 2.042), (31, 2.0395), (60, 2.0003), (1000, 1.9623)] {
         assert!((student(freedom) - expected).abs() < 1e-3, "{freedom}: {}", student(freedom));
+    }
+}
+
+#[test]
+fn the_front_is_what_nothing_beats() {
+    let points = [[1.0, 9.0], [2.0, 5.0], [2.0, 6.0], [3.0, 5.0], [4.0, 1.0], [4.0, 1.0], [9.0, 2.0], [0.1, f64::NAN]];
+    assert_eq!(pareto_front(&points), [true, true, false, false, true, true, false, false]);
+    assert!(pareto_front(&[]).is_empty());
+}
+
+#[test]
+fn a_setting_is_loaded_into_the_scene_unless_it_is_historic() {
+    let mut scene = Scene::default();
+    let interpolation = Some(Interpolation::Affine);
+    let setting = Setting { method: Method::PhongUnnormalised, segments: 12, rings: 7, interpolation, n: 9.0 };
+    assert!(setting.load(&mut scene));
+    assert_eq!((scene.object.segments, scene.object.rings, scene.material.n), (12, 7, 9.0));
+    assert!(!scene.shading.renormalise && scene.shading.interpolation == Interpolation::Affine);
+    let before = scene.clone();
+    assert!(!Setting { method: Method::Taylor, n: 3.0, ..setting }.load(&mut scene));
+    assert_eq!(scene, before);
+}
+
+#[test]
+fn what_the_scalar_text_cannot_draw_is_said() {
+    let mut plain = matt_sphere(DVec3::NEG_Z, Projection::Perspective);
+    plain.image.size = [8, 8];
+    let omitted = |scene: &Scene| -> Vec<Method> {
+        let scalar = [Method::PhongScalar, Method::Taylor, Method::Angular];
+        measured(scene, &scalar, &[8]).omitted.iter().map(|omission| omission.method).collect()
+    };
+    assert_eq!(omitted(&plain), [Method::Angular], "in perspective");
+    plain.camera.projection = Projection::Orthographic;
+    for (change, left_out) in [
+        ("camera.roll=1", &[][..]),
+        ("shading.shadows=true", &[Method::PhongScalar, Method::Taylor, Method::Angular]),
+        ("backdrop.pattern=checker", &[Method::PhongScalar, Method::Taylor, Method::Angular]),
+        ("transparency.kt=0.5", &[Method::PhongScalar, Method::Taylor, Method::Angular]),
+        ("reflection.model=cook-torrance", &[Method::Taylor]),
+        ("pattern.kind=stripes", &[Method::Taylor]),
+    ] {
+        let mut changed = plain.clone().with_overrides(&[change]).expect("a sound scene");
+        // At a perspective interpolation without perspective, equal angles are as good as any.
+        changed.shading.interpolation = Interpolation::Affine;
+        assert_eq!(omitted(&changed), left_out, "{change}");
+    }
+}
+
+/// The table of a report: files have all digits, and only fields that need quotes have them; people have columns of one width.
+#[test]
+fn a_table_is_written_for_files_and_for_people() {
+    let columns = [
+        Column::both("name", "name", as_it_is),
+        Column::both("value", "size", fixed::<2>),
+        Column::key("code"),
+        Column::shown("note", as_it_is),
+    ];
+    let mut table = Table::new(columns);
+    table.rows.push(vec!["n = 1".into(), 1e-7.into(), 3_u32.into(), "a".into()]);
+    table.rows.push(vec!["a \"b\", c".into(), f64::INFINITY.into(), None::<u32>.into(), "b".into()]);
+    assert_eq!(table.text(), "  name      size  note\n  n = 1     0.00  a\n  a \"b\", c   inf  b\n");
+    table.rows.push(vec!["".into(), "two\nlines".into(), 0_u64.into(), "".into()]);
+    let expected = "name,value,code\nn = 1,0.0000001,3\n\"a \"\"b\"\", c\",inf,\n,\"two\nlines\",0\n";
+    assert_eq!(table.to_csv(), expected);
+}
+
+/// The changes whose frames `bench` times.
+#[test]
+fn every_change_changes_one_thing_and_leaves_the_scene_sound() {
+    let mut far = Scene::default();
+    far.lights[0].position = DVec3::splat(1e20);
+    let mut mirror = Scene::default();
+    mirror.material.n = f64::INFINITY;
+    let lit = presets::ALL.iter().map(|preset| preset.scene()).filter(|scene| !scene.lights.is_empty());
+    for scene in lit.chain([far, mirror]) {
+        for (name, change) in CHANGES {
+            let frames = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0].map(|number| {
+                let mut changed = scene.clone();
+                change(&mut changed, number).expect("a light");
+                changed
+            });
+            for pair in frames.windows(2) {
+                let [a, b] = pair else { unreachable!("windows of two") };
+                assert_ne!(a, b, "{name}");
+                assert_eq!(a.validate(), Ok(()), "{name}");
+                let parts = [
+                    a.lights != b.lights,
+                    a.material.n != b.material.n,
+                    a.material.ka != b.material.ka,
+                    a.camera != b.camera,
+                    a.object != b.object,
+                ];
+                assert_eq!(parts.iter().filter(|&&differs| differs).count(), 1, "{name}");
+            }
+        }
+    }
+    assert_eq!(CHANGES[0].1(&mut Scene { lights: vec![], ..Scene::default() }, 1.0), None);
+}
+
+#[test]
+fn what_makes_no_difference_is_measured_once() {
+    let mut scene = Scene::default();
+    scene.image.size = [4, 4];
+    let request = StudyQuestion { segments: vec![32, 8, 8], repeats: 1, ..StudyQuestion::default() };
+    let found = study(&scene, None, &request, || 0, &unwatched);
+    let count = |method| found.rows.iter().filter(|row| row.setting.method == method).count();
+    assert_eq!([Method::Flat, Method::Gouraud, Method::Taylor, Method::Angular].map(count), [2, 4, 4, 2]);
+    assert_eq!(found.omitted.len(), 1, "{:?}", found.omitted);
+    let [coarse, fine] = [0, 1].map(|row: usize| found.rows[row].setting);
+    assert_eq!((coarse.segments, coarse.rings, fine.segments), (8, 4, 32));
+    scene.camera.projection = Projection::Orthographic;
+    let found = study(&scene, None, &request, || 0, &unwatched);
+    assert_eq!((found.rows.len(), found.omitted.len()), (2 * Method::VALUES.len(), 0));
+}
+
+#[test]
+fn the_middle_of_samples_is_their_median_and_quartiles() {
+    for (samples, expected) in [
+        (&mut [5_000_000, 1_000_000, 3_000_000, 2_000_000, 4_000_000][..], (3.0, 2.0)),
+        (&mut [2_000_000, 1_000_000], (1.5, 0.5)),
+        (&mut [4_000_000, 1_000_000, 2_000_000, 3_000_000], (2.5, 1.5)),
+        (&mut [7_000_000], (7.0, 0.0)),
+        (&mut [], (0.0, 0.0)),
+    ] {
+        assert_eq!(median_and_spread(samples), expected);
     }
 }

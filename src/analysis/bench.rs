@@ -4,17 +4,16 @@
 //! with its stages, and of frames in which a single thing changed since the frame before. Of a scene that compares panes all that
 //! it shows are drawn.
 
-mod changes;
 mod growth;
 
-pub use changes::{CHANGES, Change};
 pub use growth::Growth;
 
 use super::panes_on_sheet;
 use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
-use super::{Question, Subject, Watch};
+use super::{Question, Subject, Watch, median_and_spread};
 use crate::render::{Memory, Renderer, Report as Drawn, Stage, coarseness, coarser_size};
-use crate::scene::Scene;
+use crate::scene::{LightKind, Object, ObjectKind, Rgb, Scene};
+use glam::DQuat;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 use std::cell::Cell;
@@ -54,31 +53,67 @@ struct Changed {
     dragged: (u32, f64),
 }
 
-/// Counts frames for whoever waits.
-struct Frames<'a> {
-    watch: &'a dyn Watch<()>,
-    done: Cell<u64>,
-    total: u64,
-}
-
-impl Frames<'_> {
-    #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
-    fn count(&self) {
-        self.done.set(self.done.get() + 1);
-        self.watch.at(self.done.get() as f32 / self.total as f32);
-    }
-}
-
 impl Question for BenchQuestion {
     type Answer = Bench;
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Bench>) -> Result<Bench, String> {
         let more = if self.growth { growth::most_frames(self.frames) } else { 0 };
         let total = u64::from(self.frames) * (1 + CHANGES.len() as u64) + more;
-        let frames = Frames { watch: &|share| watch.at(share), done: Cell::new(0), total };
-        let growth = self.growth.then(|| growth::measure(subject, self.frames, &frames));
-        Ok(Bench { growth, ..measure(subject, self.frames, &frames) })
+        let done = Cell::new(0_u64);
+        #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
+        let count = || {
+            done.set(done.get() + 1);
+            watch.at(done.get() as f32 / total as f32);
+        };
+        let growth = self.growth.then(|| growth::measure(subject, self.frames, &count));
+        Ok(Bench { growth, ..measure(subject, self.frames, &count) })
     }
+}
+
+/// Changes a scene by a number from 1; consecutive numbers up to 8 give different scenes. None where the scene has nothing of
+/// the kind to change.
+pub type Change = fn(&mut Scene, f64) -> Option<()>;
+
+/// The small changes whose frames are timed.
+pub const CHANGES: [(&str, Change); 5] = [
+    ("light", |scene, step| {
+        let by = 0.01 * step * scene.camera.distance();
+        let light = scene.lights.first_mut()?;
+        match light.kind {
+            LightKind::Directional => light.direction.x += 0.01 * step * light.direction.length(),
+            _ => light.position.x += by.max(light.position.length() * 1e-3 * step),
+        }
+        Some(())
+    }),
+    ("n", |scene, step| {
+        let n = &mut scene.material.n;
+        *n = if n.is_finite() { *n * 0.9 + 0.1 * step } else { 1000.0 + step };
+        Some(())
+    }),
+    ("ka", |scene, step| {
+        scene.material.ka = scene.material.ka * 0.9 + Rgb::splat(0.005 * step);
+        Some(())
+    }),
+    ("camera", |scene, step| {
+        let camera = &mut scene.camera;
+        let turn = DQuat::from_axis_angle(camera.up.normalize(), 0.01 * step);
+        camera.eye = camera.target + turn * (camera.eye - camera.target);
+        Some(())
+    }),
+    ("tessellation", |scene, step| {
+        // The teapot and the cube are cut anew at every fourth segment only.
+        let (object, more) = (&mut scene.object, 4 * step as u32);
+        let finer = object.segments + more;
+        object.segments = if finer <= Object::MAX_DIVISIONS { finer } else { object.segments - more };
+        (object.kind != ObjectKind::Obj).then_some(())
+    }),
+];
+
+/// The scene with a change of a number.
+pub fn changed(scene: &Scene, change: Change, number: u32) -> Option<Scene> {
+    let mut scene = scene.clone();
+    change(&mut scene, number.into())?;
+    Some(scene)
 }
 
 /// The panes that a scene shows, a renderer each.
@@ -127,7 +162,7 @@ impl Panes {
     ) -> Option<f64> {
         let mut times = Vec::new();
         for frame in 0..WARM_UP + frames {
-            let time = self.draw(&change(scene, 1 + frame % 8)?, coarser);
+            let time = self.draw(&changed(scene, change, 1 + frame % 8)?, coarser);
             if frame >= WARM_UP {
                 times.push(time);
                 count();
@@ -137,7 +172,7 @@ impl Panes {
     }
 }
 
-fn measure(subject: &Subject, frames: u32, counted: &Frames<'_>) -> Bench {
+fn measure(subject: &Subject, frames: u32, count: &dyn Fn()) -> Bench {
     let mut panes = Panes::new(subject);
     let scene = &subject.scene;
     let mut times = Vec::new();
@@ -148,12 +183,12 @@ fn measure(subject: &Subject, frames: u32, counted: &Frames<'_>) -> Bench {
         if frame >= WARM_UP {
             times.push(time);
             panes.renderers.iter().for_each(|renderer| stages.add(renderer.report()));
-            counted.count();
+            count();
         }
     }
     let (drawn, mut memory) = panes.figures();
     let changes = CHANGES.map(|(name, change)| {
-        let whole = panes.measure_change(scene, change, 1, frames, &|| counted.count());
+        let whole = panes.measure_change(scene, change, 1, frames, count);
         let (changed, held) = panes.figures();
         // Of another tessellation the bytes would be divided by this one's triangles.
         if changed.triangles == drawn.triangles && held.total() > memory.total() {
@@ -209,14 +244,8 @@ impl StageTimes {
 }
 
 /// The median of nanoseconds, in milliseconds; of an even number the mean of the middle two.
-#[expect(clippy::cast_precision_loss, reason = "2⁵³ ns are a hundred days")]
 pub fn median_ms(times: &mut [u64]) -> f64 {
-    times.sort_unstable();
-    let middle = times.len() / 2;
-    let upper = times.get(middle).copied().unwrap_or(0);
-    let lower =
-        if times.len().is_multiple_of(2) { middle.checked_sub(1).and_then(|i| times.get(i)).copied() } else { None };
-    (lower.unwrap_or(upper) as f64 + upper as f64) / 2.0 * 1e-6
+    median_and_spread(times).0
 }
 
 impl Bench {
@@ -273,22 +302,19 @@ impl Answer for Bench {
     }
 
     fn json(&self, about: &About<'_>) -> Value {
-        let stages: Map<_, _> =
-            self.stages.iter().map(|(stage, ms)| (word(stage), json!({ "median_ms": ms }))).collect();
+        let stage = |(stage, ms): &(Stage, f64)| (word(stage), json!({ "median_ms": ms }));
         let change = |(name, changed): &(&str, Option<Changed>)| {
-            let figures = match changed {
-                Some(Changed { whole, dragged: (coarser, ms) }) => {
-                    json!({ "median_ms": whole, "dragged": { "median_ms": ms, "coarser": coarser } })
-                }
-                None => json!({ "median_ms": null }),
-            };
+            let mut figures = json!({ "median_ms": changed.map(|changed| changed.whole) });
+            if let Some(Changed { dragged: (coarser, ms), .. }) = changed {
+                figures["dragged"] = json!({ "median_ms": ms, "coarser": coarser });
+            }
             ((*name).to_owned(), figures)
         };
         let [vertex, triangle, pixel] = self.bytes_each(about.scene.image.size);
         let mut object = json!({
             "scene": about.name,
             "full": { "median_ms": self.full },
-            "stages": stages,
+            "stages": self.stages.iter().map(stage).collect::<Map<_, _>>(),
             "changes": self.changes.iter().map(change).collect::<Map<_, _>>(),
             "threads": self.threads,
             "size": about.scene.image.size,
@@ -307,18 +333,5 @@ impl Answer for Bench {
             object["growth"] = json!(growth);
         }
         object
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn medians_are_in_the_middle() {
-        assert_eq!(median_ms(&mut [3_000_000, 1_000_000, 2_000_000]), 2.0);
-        assert_eq!(median_ms(&mut [4_000_000, 1_000_000, 2_000_000, 3_000_000]), 2.5);
-        assert_eq!(median_ms(&mut [7_000_000]), 7.0);
-        assert_eq!(median_ms(&mut []), 0.0);
     }
 }

@@ -1,6 +1,6 @@
 //! The plan of a frame: what is evaluated how often, what is left out and why, and the work that this saves.
 
-use super::bench::{CHANGES, StageTimes, WARM_UP, median_ms};
+use super::bench::{CHANGES, StageTimes, WARM_UP, changed, median_ms};
 use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
 use super::{Question, Subject, Watch};
 use crate::render::{Per, Renderer, Stage, StageRun, Term};
@@ -71,7 +71,9 @@ impl Question for PlanQuestion {
             stages: stages.medians(),
             evaluations: [count(planned), count(all)],
             times: times.map(|mut times| median_ms(&mut times)),
-            changes: CHANGES.map(|(name, change)| (name, run_again(planned, |step| change(scene, step)))).to_vec(),
+            changes: CHANGES
+                .map(|(name, change)| (name, run_again(planned, |step| changed(scene, change, step))))
+                .to_vec(),
         });
         Ok(FramePlan { terms, runs, measured })
     }
@@ -131,7 +133,12 @@ impl Answer for FramePlan {
             let section = report.section(self.heading(terms[0].stage));
             let mut table = Table::new(["", "", "", ""].map(|head| Column::shown(head, as_it_is)));
             table.rows.extend(terms.iter().filter(|term| term.omitted.is_none()).map(|term| {
-                cells![term.name.as_str(), per(term.per), term.evaluations, term.note.unwrap_or_default()]
+                cells![
+                    term.name.as_str(),
+                    if term.per == Per::None { String::new() } else { word(&term.per) },
+                    term.evaluations,
+                    term.note.unwrap_or_default()
+                ]
             }));
             if !table.rows.is_empty() {
                 section.push(Part::Table(table));
@@ -204,16 +211,6 @@ fn by_reason(terms: &[Term]) -> Vec<(Vec<&str>, &'static str)> {
         }
     }
     groups
-}
-
-fn per(per: Per) -> &'static str {
-    match per {
-        Per::Frame => "frame",
-        Per::Face => "face",
-        Per::Vertex => "vertex",
-        Per::Pixel => "pixel",
-        Per::None => "",
-    }
 }
 
 /// A stage's name, and what it does.

@@ -3,7 +3,8 @@
 use super::report::Answer;
 use crate::geometry::Mesh;
 use crate::render::Renderer;
-use crate::scene::Scene;
+use crate::scene::{Scene, choices};
+use Format::{Csv, Json, Png, Svg};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fmt::Debug;
@@ -59,26 +60,13 @@ pub fn unwatched(_share: f32) -> bool {
     true
 }
 
-/// A way to write an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    Json,
-    Csv,
-    Png,
-    Svg,
-}
-
-impl Format {
-    pub const ALL: [Self; 4] = [Self::Png, Self::Svg, Self::Csv, Self::Json];
-
-    /// What names of such files end in.
-    pub const fn ending(self) -> &'static str {
-        match self {
-            Self::Json => "json",
-            Self::Csv => "csv",
-            Self::Png => "png",
-            Self::Svg => "svg",
-        }
+choices! {
+    /// A way to write an answer; its word is what names of such files end in.
+    pub enum Format {
+        Png = "png", "PNG", "The figure as pixels";
+        Svg = "svg", "SVG", "The figure as a drawing";
+        Csv = "csv", "CSV", "The table";
+        Json = "json", "JSON", "One object";
     }
 }
 
@@ -100,23 +88,21 @@ impl Analysis {
     }
 }
 
+const fn analysis(name: &'static str, asks: &'static str, formats: &'static [Format]) -> Analysis {
+    Analysis { name, asks, formats }
+}
+
 /// All analyses. A new one is a line here, a module with its question and its answer, and its arguments in `cli`.
-pub const ANALYSES: [Analysis; 11] = {
-    use Format::{Csv, Json, Png, Svg};
-    const fn analysis(name: &'static str, asks: &'static str, formats: &'static [Format]) -> Analysis {
-        Analysis { name, asks, formats }
-    }
-    [
-        analysis("probe", "Fill in the equation at one pixel", &[Csv, Json]),
-        analysis("curves", "Plot the curves of local illumination at one pixel", &[Png, Svg, Csv, Json]),
-        analysis("profile", "Take the intensity along a line, its slope and what is perceived", &[Png, Svg, Csv, Json]),
-        analysis("scanline", "Convert one polygon to pixels, step by step", &[Png, Svg, Csv, Json]),
-        analysis("normals", "Show which faces a vertex normal comes from, with their weights", &[Csv, Json]),
-        analysis("compare", "Measure panes of one scene against the last of them", &[Csv, Json]),
-        analysis("defects", "Measure the five defects of interpolated shading", &[Png, Svg, Csv, Json]),
-        analysis("explain", "Print a frame's plan: what is evaluated, what is left out and why", &[Csv, Json]),
-        analysis("study", "Measure error against run time", &[Png, Svg, Csv, Json]),
-        analysis("stability", "Draw the stiff and extreme cases", &[Png, Csv, Json]),
-        analysis("bench", "Measure the time of a frame and of its stages", &[Csv, Json]),
-    ]
-};
+pub const ANALYSES: [Analysis; 11] = [
+    analysis("probe", "Fill in the equation at one pixel", &[Csv, Json]),
+    analysis("curves", "Plot the curves of local illumination at one pixel", &[Png, Svg, Csv, Json]),
+    analysis("profile", "Take the intensity along a line, its slope and what is perceived", &[Png, Svg, Csv, Json]),
+    analysis("scanline", "Convert one polygon to pixels, step by step", &[Png, Svg, Csv, Json]),
+    analysis("normals", "Show which faces a vertex normal comes from, with their weights", &[Csv, Json]),
+    analysis("compare", "Measure panes of one scene against the last of them", &[Csv, Json]),
+    analysis("defects", "Measure the five defects of interpolated shading", &[Png, Svg, Csv, Json]),
+    analysis("explain", "Print a frame's plan: what is evaluated, what is left out and why", &[Csv, Json]),
+    analysis("study", "Measure error against run time", &[Png, Svg, Csv, Json]),
+    analysis("stability", "Draw the stiff and extreme cases", &[Png, Csv, Json]),
+    analysis("bench", "Measure the time of a frame and of its stages", &[Csv, Json]),
+];

@@ -1,16 +1,13 @@
 //! What an analysis found, in the one form that the terminal, CSV, JSON, pictures and the window show.
 
-mod table;
-
-pub(crate) use table::cells;
-pub use table::{Cell, Column, Table, as_it_is, fixed};
-
 use super::Plot;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
 use crate::render::Frame;
 use crate::scene::Scene;
 use glam::DVec2;
 use serde_json::Value;
+use std::borrow::Cow;
+use std::fmt::Debug;
 
 /// What was analysed.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +26,7 @@ impl About<'_> {
 }
 
 /// What an analysis found.
-pub trait Answer: Send + Sync {
+pub trait Answer: Debug + Send + Sync {
     /// Words, numbers, tables and plots.
     fn report(&self, about: &About<'_>) -> Report;
 
@@ -73,7 +70,7 @@ pub enum Figure {
 }
 
 /// Everything that is said about an analysis, in reading order.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Report {
     pub title: String,
     pub sections: Vec<Section>,
@@ -82,14 +79,14 @@ pub struct Report {
 }
 
 /// A part of a report under a heading of its own, which may be empty.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Section {
     pub title: String,
     pub parts: Vec<Part>,
 }
 
 /// A piece of a report.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Part {
     Text(String),
     /// An explanation or a remark.
@@ -131,11 +128,10 @@ impl dyn Answer + '_ {
             return table.to_csv();
         }
         let report = self.report(about);
-        let tables = report.parts().filter_map(|part| if let Part::Table(table) = part { Some(table) } else { None });
-        tables
-            .into_iter()
-            .find(|table| table.has_keys())
-            .map_or_else(|| samples(report.plots()).to_csv(), Table::to_csv)
+        let mut tables =
+            report.parts().filter_map(|part| if let Part::Table(table) = part { Some(table) } else { None });
+        let own = tables.find(|table| table.columns.iter().any(|column| column.key.is_some()));
+        own.map_or_else(|| samples(report.plots()).to_csv(), Table::to_csv)
     }
 
     /// The report for a terminal. One without a title is its table.
@@ -188,9 +184,8 @@ fn plot_text(plot: &Plot) -> String {
         let heads = plot.legend.iter().map(|head| Column::shown(head.clone(), as_it_is));
         let mut table = Table::new(std::iter::once(Column::shown("", as_it_is)).chain(heads));
         for curve in &plot.curves {
-            table
-                .rows
-                .push(std::iter::once(&curve.name).chain(&curve.notes).map(|cell| cell.as_str().into()).collect());
+            let cells = std::iter::once(&curve.name).chain(&curve.notes);
+            table.rows.push(cells.map(|cell| cell.as_str().into()).collect());
         }
         text += &table.text();
     }
@@ -215,4 +210,158 @@ fn samples<'a>(plots: impl Iterator<Item = &'a Plot>) -> Table {
 /// The word that stands for a choice in files.
 pub fn word(choice: &impl serde::Serialize) -> String {
     serde_json::to_value(choice).ok().and_then(|word| word.as_str().map(str::to_owned)).unwrap_or_default()
+}
+
+/// A table; a column may be for people, for files, or for both.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    pub columns: Vec<Column>,
+    pub rows: Vec<Vec<Cell>>,
+}
+
+/// A column.
+#[derive(Clone, Debug)]
+pub struct Column {
+    /// Its name in files, where it is written to files.
+    pub key: Option<Cow<'static, str>>,
+    /// Its name for people, where people are shown it.
+    pub head: Option<Cow<'static, str>>,
+    /// How people are shown its numbers; files have all digits.
+    pub show: fn(f64) -> String,
+}
+
+/// A column with what each row has in it.
+pub type Filled<T> = (Column, fn(&T) -> Cell);
+
+/// What stands in a row under a column.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    Empty,
+    Text(String),
+    Number(f64),
+    Count(u64),
+}
+
+/// A row of cells.
+macro_rules! cells {
+    ($($cell:expr),* $(,)?) => { vec![$($crate::analysis::Cell::from($cell)),*] };
+}
+pub(crate) use cells;
+
+/// A number with as many digits as it has.
+pub fn as_it_is(value: f64) -> String {
+    value.to_string()
+}
+
+/// A number with so many decimals.
+pub fn fixed<const DECIMALS: usize>(value: f64) -> String {
+    format!("{value:.DECIMALS$}")
+}
+
+impl Column {
+    /// A column for files.
+    pub fn key(key: impl Into<Cow<'static, str>>) -> Self {
+        Self { key: Some(key.into()), head: None, show: as_it_is }
+    }
+
+    /// A column for people.
+    pub fn shown(head: impl Into<Cow<'static, str>>, show: fn(f64) -> String) -> Self {
+        Self { key: None, head: Some(head.into()), show }
+    }
+
+    /// A column for both.
+    pub fn both(key: &'static str, head: &'static str, show: fn(f64) -> String) -> Self {
+        Self { key: Some(key.into()), head: Some(head.into()), show }
+    }
+}
+
+impl Table {
+    pub fn new(columns: impl IntoIterator<Item = Column>) -> Self {
+        Self { columns: columns.into_iter().collect(), rows: Vec::new() }
+    }
+
+    /// A row for each of `rows`; every column says what stands in it.
+    pub fn of<T, const N: usize>(rows: &[T], columns: [Filled<T>; N]) -> Self {
+        let rows = rows.iter().map(|row| columns.iter().map(|(_, cell)| cell(row)).collect()).collect();
+        Self { columns: columns.into_iter().map(|(column, _)| column).collect(), rows }
+    }
+
+    /// The heads that people see, and the rows below them; and whether each column holds numbers.
+    pub fn for_people(&self) -> (Vec<&str>, Vec<Vec<String>>, Vec<bool>) {
+        let shown: Vec<(usize, &Column)> =
+            self.columns.iter().enumerate().filter(|(_, column)| column.head.is_some()).collect();
+        let heads = shown.iter().filter_map(|(_, column)| column.head.as_deref()).collect();
+        let cell = |row: &[Cell], (index, column): &(usize, &Column)| match row.get(*index) {
+            Some(Cell::Text(text)) => text.clone(),
+            Some(Cell::Number(value)) => (column.show)(*value),
+            Some(Cell::Count(count)) => count.to_string(),
+            Some(Cell::Empty) | None => "–".to_owned(),
+        };
+        let rows = self.rows.iter().map(|row| shown.iter().map(|column| cell(row, column)).collect()).collect();
+        let text = |index: usize| self.rows.iter().any(|row| matches!(row.get(index), Some(Cell::Text(_))));
+        (heads, rows, shown.iter().map(|(index, _)| !text(*index)).collect())
+    }
+
+    /// The table for a terminal; nothing where no column is for people.
+    pub fn text(&self) -> String {
+        let (heads, rows, numbers) = self.for_people();
+        let heads: Vec<String> = heads.into_iter().map(str::to_owned).collect();
+        let lines = || std::iter::once(&heads).filter(|heads| heads.iter().any(|head| !head.is_empty())).chain(&rows);
+        let width = |column: usize| lines().map(|line| line[column].chars().count()).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..heads.len()).map(width).collect();
+        let mut text = String::new();
+        for line in lines().filter(|line| !line.is_empty()) {
+            let mut row = String::new();
+            for ((cell, width), number) in line.iter().zip(&widths).zip(&numbers) {
+                row += &if *number { format!("  {cell:>width$}") } else { format!("  {cell:width$}") };
+            }
+            text += row.trim_end();
+            text.push('\n');
+        }
+        text
+    }
+
+    /// The columns with keys, with all digits, as CSV (RFC 4180).
+    pub fn to_csv(&self) -> String {
+        let kept = || self.columns.iter().zip(0..).filter_map(|(column, index)| Some((column.key.as_deref()?, index)));
+        let field = |cell: Option<&Cell>| match cell {
+            Some(Cell::Text(text)) => text.clone(),
+            Some(Cell::Number(value)) => value.to_string(),
+            Some(Cell::Count(count)) => count.to_string(),
+            Some(Cell::Empty) | None => String::new(),
+        };
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        // Memory takes every row, and all have one length: nothing can fail.
+        let _ = writer.write_record(kept().map(|(key, _)| key));
+        for row in &self.rows {
+            let _ = writer.write_record(kept().map(|(_, index): (_, usize)| field(row.get(index))));
+        }
+        String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+    }
+}
+
+/// Values that stand in a cell as they are.
+macro_rules! into_cell {
+    ($($type:ty: $value:ident => $cell:expr,)*) => {
+        $(impl From<$type> for Cell {
+            fn from($value: $type) -> Self {
+                $cell
+            }
+        })*
+    };
+}
+
+into_cell! {
+    f64: value => Self::Number(value),
+    u32: count => Self::Count(count.into()),
+    u64: count => Self::Count(count),
+    usize: count => Self::Count(count as u64),
+    &str: text => Self::Text(text.to_owned()),
+    String: text => Self::Text(text),
+}
+
+impl<T: Into<Self>> From<Option<T>> for Cell {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Self::Empty, Into::into)
+    }
 }

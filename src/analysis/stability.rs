@@ -7,14 +7,12 @@ mod cases;
 mod precise;
 mod reference;
 mod report;
-mod sheet;
 mod textbook;
 
-pub use report::{Catalogue, StabilityQuestion};
-pub use sheet::stability_sheet;
+pub use report::{Catalogue, StabilityQuestion, stability_sheet};
 
 use crate::render::{Frame, Renderer};
-use crate::scene::Scene;
+use crate::scene::{Scene, choices};
 use reference::Truth;
 use serde::Serialize;
 use std::fmt;
@@ -22,26 +20,24 @@ use std::fmt;
 /// Code values that the engine may be off by: what rounding to a stored pixel takes anyway.
 pub const HALF_A_CODE_VALUE: f64 = 0.5;
 
-/// What cases are about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Topic {
-    Highlight,
-    Cosines,
-    Vectors,
-    Lights,
-    Geometry,
+choices! {
+    /// What cases are about.
+    pub enum Topic {
+        Highlight = "highlight", "The highlight", "The power, and the microfacets";
+        Cosines = "cosines", "N·L", "Light in the surface's plane or behind it";
+        Vectors = "vectors", "Vectors", "Those without a direction, or whose square overflows";
+        Lights = "lights", "Lights", "Extreme places and intensities";
+        Geometry = "geometry", "Geometry", "Extreme eyes, vertices and polygons";
+    }
 }
 
-impl Topic {
-    pub const fn title(self) -> &'static str {
-        match self {
-            Self::Highlight => "The highlight",
-            Self::Cosines => "N·L",
-            Self::Vectors => "Vectors",
-            Self::Lights => "Lights",
-            Self::Geometry => "Geometry",
-        }
+choices! {
+    /// How the two ways came out.
+    pub enum Verdict {
+        RobustHolds = "robust-holds", "the robust way holds",
+            "The engine is within half a code value, and the naive way is not";
+        BothHold = "both-hold", "both hold", "Both are within half a code value";
+        Fails = "fails", "fails", "The engine is not";
     }
 }
 
@@ -59,16 +55,13 @@ impl fmt::Display for Condition {
         const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
         let text = format!("{:.1e}", self.value);
         let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-        let raised = power.bytes().map(|digit| match digit {
-            b'0'..=b'9' => RAISED[usize::from(digit - b'0')],
-            _ => '⁻',
-        });
+        let raised: String =
+            power.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize])).collect();
         match (digits.trim_end_matches(".0"), power) {
-            (digits, "0") => write!(f, "{digits}")?,
-            ("1", _) => write!(f, "10{}", raised.collect::<String>())?,
-            (digits, _) => write!(f, "{digits}·10{}", raised.collect::<String>())?,
+            (digits, "0") => write!(f, "{digits} {}", self.of),
+            ("1", _) => write!(f, "10{raised} {}", self.of),
+            (digits, _) => write!(f, "{digits}·10{raised} {}", self.of),
         }
-        write!(f, " {}", self.of)
     }
 }
 
@@ -84,26 +77,59 @@ pub struct Case {
     /// What the engine does.
     pub robust: &'static str,
     pub condition: Option<Condition>,
+    /// The scene that all three draw, and a change of it.
     #[serde(skip)]
-    subject: Subject,
+    make: fn() -> Scene,
+    #[serde(skip)]
+    change: fn(&mut Scene),
+    /// Makes the pictures where that is done in some other way.
+    #[serde(skip)]
+    pictures: Option<fn(&mut Renderer) -> Pictures>,
+}
+
+/// A case of which nothing but its name is known yet.
+const fn case(name: &'static str, title: &'static str, topic: Topic) -> Case {
+    let change: fn(&mut Scene) = |_| ();
+    Case { name, title, topic, wrong: "", robust: "", condition: None, make: Scene::default, change, pictures: None }
 }
 
 impl Case {
+    const fn textbook(mut self, wrong: &'static str) -> Self {
+        self.wrong = wrong;
+        self
+    }
+
+    const fn engine(mut self, robust: &'static str) -> Self {
+        self.robust = robust;
+        self
+    }
+
+    const fn condition(mut self, value: f64, of: &'static str) -> Self {
+        self.condition = Some(Condition { value, of });
+        self
+    }
+
+    const fn draws(mut self, make: fn() -> Scene) -> Self {
+        self.make = make;
+        self
+    }
+
+    const fn with(mut self, change: fn(&mut Scene)) -> Self {
+        self.change = change;
+        self
+    }
+
+    const fn pictures(mut self, make: fn(&mut Renderer) -> Pictures) -> Self {
+        self.pictures = Some(make);
+        self
+    }
+
     /// The case as a scene, where it is one.
     pub fn scene(&self) -> Option<Scene> {
-        match self.subject {
-            Subject::Scene(make) => Some(make()),
-            Subject::Pictures(_) => None,
-        }
+        let mut scene = (self.make)();
+        (self.change)(&mut scene);
+        self.pictures.is_none().then_some(scene)
     }
-}
-
-#[derive(Debug)]
-enum Subject {
-    /// All three draw a scene.
-    Scene(fn() -> Scene),
-    /// The pictures are made in some other way.
-    Pictures(fn(&mut Renderer) -> Pictures),
 }
 
 /// Linear intensities of the three, row by row from the top.
@@ -112,28 +138,6 @@ struct Pictures {
     engine: Vec<[f64; 3]>,
     truth: Vec<Truth>,
     scene: Option<Scene>,
-}
-
-/// How the two ways came out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Verdict {
-    /// The engine is within half a code value, and the naive way is not.
-    RobustHolds,
-    /// Both are within half a code value.
-    BothHold,
-    /// The engine is not.
-    Fails,
-}
-
-impl Verdict {
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::RobustHolds => "the robust way holds",
-            Self::BothHold => "both hold",
-            Self::Fails => "fails",
-        }
-    }
 }
 
 /// What became of a case.
@@ -166,15 +170,21 @@ pub const CASE_PICTURES: [&str; 3] = ["textbook", "this engine", "reference"];
 
 /// The catalogue, by topic.
 pub fn stability_cases() -> impl Iterator<Item = &'static Case> {
-    cases::catalogue()
+    cases::CASES.iter()
 }
 
 /// Draws a case in all three ways.
 pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
-    let pictures = match case.subject {
-        Subject::Scene(make) => of_scene(renderer, make()),
-        Subject::Pictures(make) => make(renderer),
+    let pictures = match case.pictures {
+        Some(make) => make(renderer),
+        None => {
+            let scene = case.scene().unwrap_or_default();
+            let naive = textbook::draw(&scene).into_iter().map(|color| color.map(f64::from)).collect();
+            let engine = engine_picture(renderer, &scene);
+            Pictures { naive, engine, truth: reference::draw(&scene), scene: Some(scene) }
+        }
     };
+    let truth: Vec<[f64; 3]> = pictures.truth.iter().map(|truth| truth.color).collect();
     let mut result = CaseResult {
         case,
         naive_error: 0.0,
@@ -184,14 +194,11 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
         naive_off: 0,
         naive_not_finite: not_finite(&pictures.naive),
         robust_not_finite: not_finite(&pictures.engine),
-        pictures: Default::default(),
-        scene: None,
+        pictures: [frame(&pictures.naive, wrapped), frame(&pictures.engine, clamped), frame(&truth, clamped)],
+        scene: pictures.scene,
     };
     let compared = pictures.truth.iter().zip(pictures.naive.iter().zip(&pictures.engine));
-    for (truth, (naive, engine)) in compared {
-        if !truth.clear {
-            continue;
-        }
+    for (truth, (naive, engine)) in compared.filter(|(truth, _)| truth.clear) {
         let truth = truth.color.map(clamped);
         let naive = greatest(truth, naive.map(wrapped));
         result.naive_error = result.naive_error.max(naive);
@@ -205,16 +212,7 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
         (true, false) => Verdict::RobustHolds,
         (true, true) => Verdict::BothHold,
     };
-    let truth: Vec<[f64; 3]> = pictures.truth.iter().map(|truth| truth.color).collect();
-    result.pictures = [frame(&pictures.naive, wrapped), frame(&pictures.engine, clamped), frame(&truth, clamped)];
-    result.scene = pictures.scene;
     result
-}
-
-fn of_scene(renderer: &mut Renderer, scene: Scene) -> Pictures {
-    let naive = textbook::draw(&scene).into_iter().map(|color| color.map(f64::from)).collect();
-    let engine = engine_picture(renderer, &scene);
-    Pictures { naive, engine, truth: reference::draw(&scene), scene: Some(scene) }
 }
 
 /// The engine's picture before the display.

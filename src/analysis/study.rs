@@ -5,28 +5,162 @@
 //! Times are medians of whole frames but for the tessellation, which is kept as a graphics card keeps it. The settings are
 //! timed in turn, each once before any is timed again, so that what slows the machine down for a while slows all of them.
 
-mod exact;
-mod fit;
 mod historic;
+mod jet;
 mod measure;
-mod method;
-mod pareto;
-mod plot;
 mod report;
-mod setting;
+mod statistics;
 
-pub use fit::{Fit, fit_line, order_of, student};
-pub use method::{Method, PixelCost};
-pub use pareto::pareto_front;
-pub use plot::{study_plot, study_point};
-pub use setting::{Omission, Setting, StudyQuestion};
+pub use measure::study;
+pub use report::{study_plot, study_point};
+pub use statistics::{Fit, fit_line, median_and_spread, order_of, pareto_front, student};
 
-use super::{RegionErrors, Watch};
-use crate::geometry::Mesh;
-use crate::scene::{Interpolation, Scene};
-use measure::Bench;
-use serde::Serialize;
-use std::sync::Arc;
+use crate::scene::{Choice, FlatAt, Interpolation, Scene, ShadingMode, choices};
+use serde::{Deserialize, Serialize};
+
+choices! {
+    /// A way of shading: one of the engine's modes, or one of the historic ones, in scalar code.
+    pub enum Method {
+        Flat = "flat", "flat", "One intensity a face, at its centre";
+        FlatVertexMean = "flat-vertex-mean", "flat, vertex mean", "One intensity a face, the mean of those at its vertices";
+        Interpolated = "interpolated", "interpolated", "Intensities at vertices with the face's own normal";
+        Gouraud = "gouraud", "Gouraud", "Intensities at vertices with their normals, interpolated";
+        Phong = "phong", "Phong", "Normals interpolated and made unit vectors at each pixel";
+        PhongUnnormalised = "phong-unnormalised", "Phong, not unit", "Normals interpolated and left as they are";
+        PhongScalar = "phong-scalar", "Phong, scalar",
+            "Phong shading in the scalar code of the two historic methods, to compare their times with";
+        Taylor = "taylor", "Taylor, scalar",
+            "Bishop and Weimer 1986: the cosines' Taylor expansion over each triangle, by forward differences";
+        Angular = "angular", "angular, scalar",
+            "Kuijk and Blake 1989: normals turn by equal angles along edges and spans";
+    }
+}
+
+impl Method {
+    /// Whether it is drawn by scalar code in one thread, and not by the engine.
+    pub fn is_scalar(self) -> bool {
+        matches!(self, Self::PhongScalar | Self::Taylor | Self::Angular)
+    }
+
+    /// What a pixel costs inside a span, under one white light at infinity and a viewer there: additions, multiplications,
+    /// divisions and roots, and powers (which the papers look up in a table) of the method's text here, without coverage and
+    /// depth.
+    ///
+    /// Phong's normal takes 3 additions to carry, 6 multiplications, 2 additions, a root and a division to make unit; N·L and
+    /// N·V 3 multiplications and 2 additions each; R·V = 2(N·L)(N·V) − L·V 2 and 1; the sum with kd and ks 2 and 2. Taylor's two
+    /// cosines take 2 additions each by forward differences, kd and ks being part of them and of the table; their sum is
+    /// the fifth. The normal of angular interpolation takes 3 multiplications and 3 additions and is unit by construction.
+    pub fn pixel_cost(self) -> [u32; 4] {
+        match self {
+            Self::Flat | Self::FlatVertexMean => [0, 0, 0, 0],
+            Self::Interpolated | Self::Gouraud => [1, 0, 0, 0],
+            Self::Phong | Self::PhongScalar => [12, 16, 2, 1],
+            Self::PhongUnnormalised => [10, 10, 0, 1],
+            Self::Taylor => [5, 0, 0, 1],
+            Self::Angular => [10, 13, 0, 1],
+        }
+    }
+
+    /// Puts the method into a scene; scalar ones leave it as it is.
+    fn apply(self, scene: &mut Scene) {
+        let shading = &mut scene.shading;
+        shading.mode = match self {
+            Self::Flat | Self::FlatVertexMean => ShadingMode::Flat,
+            Self::Interpolated => ShadingMode::Interpolated,
+            Self::Gouraud => ShadingMode::Gouraud,
+            Self::Phong | Self::PhongUnnormalised => ShadingMode::Phong,
+            Self::PhongScalar | Self::Taylor | Self::Angular => return,
+        };
+        match self {
+            Self::Flat => shading.flat_at = FlatAt::Centre,
+            Self::FlatVertexMean => shading.flat_at = FlatAt::VertexMean,
+            _ => {}
+        }
+        shading.renormalise = self != Self::PhongUnnormalised;
+    }
+}
+
+/// What a study compares.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StudyQuestion {
+    pub methods: Vec<Method>,
+    /// Polygons round the axis; those along it go with them as the scene has it. Of a shape that is not divided by number
+    /// only its own polygons are measured.
+    pub segments: Vec<u32>,
+    pub interpolations: Vec<Interpolation>,
+    /// Exponents; none is the scene's own.
+    pub n: Vec<f64>,
+    /// Frames timed for each setting, at least 1.
+    pub repeats: u32,
+}
+
+impl Default for StudyQuestion {
+    fn default() -> Self {
+        Self {
+            methods: Method::VALUES.to_vec(),
+            segments: vec![8, 16, 32, 64, 128, 256],
+            interpolations: vec![Interpolation::Perspective, Interpolation::Affine],
+            n: Vec::new(),
+            repeats: 9,
+        }
+    }
+}
+
+/// One way to draw the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Setting {
+    pub method: Method,
+    pub segments: u32,
+    pub rings: u32,
+    /// None where it makes no difference.
+    pub interpolation: Option<Interpolation>,
+    pub n: f64,
+}
+
+impl Setting {
+    fn apply(&self, scene: &mut Scene) {
+        (scene.object.segments, scene.object.rings) = (self.segments, self.rings);
+        scene.material.n = self.n;
+        scene.shading.interpolation = self.interpolation.unwrap_or(scene.shading.interpolation);
+        self.method.apply(scene);
+    }
+
+    /// Puts the setting into a scene and returns true, unless it is one of the scalar methods, which no scene has.
+    pub fn load(&self, scene: &mut Scene) -> bool {
+        if !self.method.is_scalar() {
+            self.apply(scene);
+        }
+        !self.method.is_scalar()
+    }
+
+    /// Whether it belongs to the same row of tessellations.
+    fn is_like(&self, other: &Self) -> bool {
+        (self.method, self.interpolation, self.n.to_bits()) == (other.method, other.interpolation, other.n.to_bits())
+    }
+
+    /// The setting in words.
+    pub fn title(&self) -> String {
+        format!("{} {}×{}", title(self.method, self.interpolation), self.segments, self.rings)
+    }
+}
+
+/// A method with the interpolation that it goes by, in words.
+fn title(method: Method, interpolation: Option<Interpolation>) -> String {
+    let how = match interpolation {
+        Some(Interpolation::Affine) => ", affine",
+        Some(Interpolation::Scanline) => ", scan line",
+        Some(Interpolation::Perspective) | None => "",
+    };
+    format!("{}{how}", method.label())
+}
+
+/// What is not measured, and why.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Omission {
+    pub method: Method,
+    pub interpolation: Option<Interpolation>,
+    pub reason: &'static str,
+}
 
 /// What was measured of one setting.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -112,93 +246,5 @@ impl Study {
     /// The first series of a method: of the first interpolation and n that were asked for.
     pub fn series_of(&self, method: Method) -> Option<&Series> {
         self.series.iter().find(|series| series.method == method)
-    }
-}
-
-/// Measures `scene`, whose object of kind `obj` shows `model`. `clock` gives nanoseconds from any fixed moment. `watch` is
-/// called after each frame; when it stops the work, what is known by then is returned.
-pub fn study(
-    scene: &Scene,
-    model: Option<Arc<Mesh>>,
-    request: &StudyQuestion,
-    clock: fn() -> u64,
-    watch: &dyn Watch<Study>,
-) -> Study {
-    let (settings, omitted) = setting::settings(request, scene);
-    let repeats = request.repeats.max(1);
-    let total = settings.len() as u64 * u64::from(repeats);
-    let mut bench = Bench::new(scene, model, clock);
-    let mut study = Study { omitted, threads: rayon::current_num_threads(), ..Study::default() };
-    let mut samples: Vec<Vec<u64>> = vec![Vec::new(); settings.len()];
-    let mut done = 0;
-    for repeat in 0..repeats {
-        for (index, setting) in settings.iter().enumerate() {
-            if repeat == 0 {
-                let (errors, spacing) = bench.errors(setting);
-                study.rows.push(row(setting, &errors, spacing));
-            }
-            let (nanoseconds, evaluations) = bench.time(setting);
-            samples[index].push(nanoseconds);
-            let row = &mut study.rows[index];
-            row.evaluations = evaluations;
-            row.samples = repeat + 1;
-            (row.time_ms, row.spread_ms) = middle(&mut samples[index]);
-            done += 1;
-            study.conclude();
-            watch.found(&study);
-            #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
-            if !watch.at(done as f32 / total as f32) && done < total {
-                return study;
-            }
-        }
-    }
-    study.complete = true;
-    study
-}
-
-/// `shown` are the errors of the values as shown.
-fn row(setting: &Setting, [errors, shown]: &[RegionErrors; 2], spacing: f64) -> StudyRow {
-    StudyRow {
-        setting: *setting,
-        spacing,
-        error_rms: errors.interior.rms,
-        error_max: errors.interior.greatest,
-        error_p99: errors.percentile_99,
-        error_rms_shown: shown.interior.rms,
-        error_max_shown: shown.interior.greatest,
-        interior_pixels: errors.interior.pixels,
-        outline_pixels: errors.outline_pixels,
-        outline_rms: errors.outline_rms,
-        time_ms: 0.0,
-        spread_ms: 0.0,
-        samples: 0,
-        evaluations: 0,
-        pareto: false,
-        scalar: setting.method.is_scalar(),
-    }
-}
-
-/// Median and interquartile range of samples in nanoseconds, as milliseconds.
-fn middle(samples: &mut [u64]) -> (f64, f64) {
-    samples.sort_unstable();
-    let quantile = |share: f64| {
-        #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³ samples and nanoseconds")]
-        let (last, value) = ((samples.len() - 1) as f64, |index: usize| samples[index] as f64 / 1e6);
-        let place = share * last;
-        let (below, above) = (value(place.floor() as usize), value(place.ceil() as usize));
-        below + (above - below) * place.fract()
-    };
-    if samples.is_empty() { (0.0, 0.0) } else { (quantile(0.5), quantile(0.75) - quantile(0.25)) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_middle_of_samples_is_their_median_and_quartiles() {
-        assert_eq!(middle(&mut [5_000_000, 1_000_000, 3_000_000, 2_000_000, 4_000_000]), (3.0, 2.0));
-        assert_eq!(middle(&mut [2_000_000, 1_000_000]), (1.5, 0.5));
-        assert_eq!(middle(&mut []), (0.0, 0.0));
     }
 }

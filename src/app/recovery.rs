@@ -7,7 +7,7 @@ use super::background::Task;
 use super::document::{Document, Origin};
 use super::state::{AppState, Leaving};
 use crate::analysis::Watch;
-use crate::document::{WriteError, load, write_whole};
+use crate::document::{load, write_whole};
 use crate::jobs::Job;
 use eframe::egui::Context;
 use std::fs::{self, File};
@@ -111,7 +111,7 @@ impl Recovery {
         let write = move |_: &dyn Watch<()>| {
             let origin = serde_json::to_string(&origin).unwrap_or_default();
             let text = format!("{HEAD}{origin}\n{}", scene.to_toml());
-            let written = write_whole(&path, |out| out.write_all(text.as_bytes()).map_err(WriteError::Io));
+            let written = write_whole(&path, |out| out.write_all(text.as_bytes()));
             written.map_err(|error| error.to_string())
         };
         self.writing = Some(Job::start(Task::new(write), |_| ()));

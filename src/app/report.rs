@@ -8,10 +8,10 @@ use super::theme::TEXT;
 use crate::analysis::{About, Analysis, Answer, Format, Part, Plot, Report, Table};
 use crate::document::save_answer;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out};
-use crate::scene::Scene;
+use crate::scene::{Choice, Scene};
 use eframe::egui::{Align, Button, Grid, Layout, RichText, ScrollArea, Ui};
 use glam::DVec2;
-use std::fmt::{self, Debug, Formatter};
+use std::fmt::Debug;
 use std::hash::Hash;
 use std::path::Path;
 
@@ -141,16 +141,11 @@ pub fn table_ui(ui: &mut Ui, id: impl Hash + Copy + Debug, table: &Table, pick: 
 }
 
 /// An answer that is about to be saved.
+#[derive(Debug)]
 pub struct Export {
     answer: Box<dyn Answer>,
     scene: Scene,
     name: String,
-}
-
-impl Debug for Export {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Export").field("name", &self.name).finish_non_exhaustive()
-    }
 }
 
 impl Export {
@@ -169,8 +164,8 @@ pub fn export_ui(
     let Some(analysis) = Analysis::find(analysis) else { return };
     let (mut format, mut copy) = (None, false);
     ui.horizontal_wrapped(|ui| {
-        for one in Format::ALL.into_iter().filter(|one| analysis.formats.contains(one)) {
-            let ending = one.ending().to_uppercase();
+        for one in Format::VALUES.iter().copied().filter(|one| analysis.formats.contains(one)) {
+            let ending = one.label();
             if ui.button(format!("{ending}…")).on_hover_text(format!("Save as {ending}")).clicked() {
                 format = Some(one);
             }

@@ -5,14 +5,12 @@ use super::background::wake;
 use super::engine::Engine;
 use super::report::{export_ui, words_ui};
 use super::state::AppState;
-use crate::analysis::{
-    CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, Topic, stability_cases,
-};
+use crate::analysis::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, stability_cases};
 use crate::jobs::{Asked, Background};
-use crate::render::Frame;
-use crate::scene::Scene;
+use crate::scene::{Choice, Scene};
 use eframe::egui::{
-    Align, Button, ColorImage, Context, Image, Layout, ProgressBar, RichText, TextureHandle, TextureOptions, Ui, vec2,
+    Align, Button, ColorImage, Context, Image, Layout, ProgressBar, RichText, TextureHandle, TextureOptions, Ui, Vec2,
+    vec2,
 };
 use std::fmt;
 
@@ -24,21 +22,6 @@ pub struct StabilityView {
     chosen: usize,
     /// The pictures of the case that is shown.
     shown: Option<[TextureHandle; 3]>,
-}
-
-impl StabilityView {
-    /// Draws the catalogue, once.
-    fn receive(&mut self, ctx: &Context) {
-        let ask = || Asked::new(StabilityQuestion::default(), &Scene::default(), None, [1, 1]);
-        self.work.ask(wake(ctx), |_| true, ask);
-    }
-
-    /// Shows another case.
-    fn choose(&mut self, index: usize) {
-        if index != self.chosen {
-            (self.chosen, self.shown) = (index, None);
-        }
-    }
 }
 
 impl fmt::Debug for StabilityView {
@@ -55,7 +38,8 @@ const GAP: f32 = 6.0;
 
 /// The tab. The catalogue is drawn once, when the tab is first seen.
 pub fn stability_ui(ui: &mut Ui, view: &mut StabilityView, state: &mut AppState, _: &Engine) {
-    view.receive(ui.ctx());
+    let ask = || Asked::new(StabilityQuestion::default(), &Scene::default(), None, [1, 1]);
+    view.work.ask(wake(ui.ctx()), |_| true, ask);
     ui.label("Scenes at the limits of floating point. A textbook's renderer fails; this one must not.");
     ui.add_space(4.0);
     let (known, total) = (view.work.answer().map_or(0, |found| found.results.len()), stability_cases().count());
@@ -80,26 +64,22 @@ fn case_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) -> b
     ui.label(RichText::new(result.case.title).strong().size(16.0));
     ui.add_space(2.0);
     let side = ((ui.available_width() - 2.0 * GAP) / 3.0).max(40.0);
+    let errors = [Some(result.naive_error), Some(result.robust_error), None];
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = GAP;
         for (picture, name) in pictures.iter().zip(CASE_PICTURES) {
-            ui.add(
-                Image::new(picture)
-                    .fit_to_exact_size(vec2(side, side))
-                    .alt_text(format!("{}: {name}", result.case.title)),
-            );
+            let words = format!("{}: {name}", result.case.title);
+            ui.add(Image::new(picture).fit_to_exact_size(vec2(side, side)).alt_text(words));
         }
     });
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = GAP;
-        let errors = [Some(result.naive_error), Some(result.robust_error), None];
         for (name, error) in CASE_PICTURES.into_iter().zip(errors) {
-            ui.allocate_ui_with_layout(vec2(side, 40.0), Layout::top_down(Align::Center), |ui| {
-                ui.set_min_width(side);
+            cell_ui(ui, vec2(side, 40.0), Layout::top_down(Align::Center), |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
                 ui.label(name);
                 ui.label(match error {
-                    Some(error) => error_text(ui, format!("off by {}", code_values(error)), error),
+                    Some(error) => error_text(ui, "off by ", error),
                     None => RichText::new("106 bits").weak(),
                 });
             });
@@ -116,93 +96,73 @@ fn case_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) -> b
 /// The cases by topic, the chosen one with all that is known of it below its row; returns the scene that is asked for.
 fn table_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
     ui.label(RichText::new("Greatest errors in code values, of 255").weak());
-    let name = (ui.available_width() - 2.0 * (NUMBER + 4.0)).max(120.0);
-    let mut topic: Option<Topic> = None;
     let (mut chosen, mut opened) = (view.chosen, None);
     let mut shown = view.shown.take();
     let results = view.work.answer().map_or(&[][..], |found| &found.results);
-    for (index, result) in results.iter().enumerate() {
-        let case = result.case;
-        if topic != Some(case.topic) {
-            let first = topic.is_none();
-            topic = Some(case.topic);
-            row_ui(
-                ui,
-                name,
-                |ui| drop(ui.label(RichText::new(case.topic.title()).strong())),
-                |ui| {
-                    for head in ["textbook", "engine"] {
-                        number_ui(ui, RichText::new(if first { head } else { "" }).weak());
-                    }
-                },
-            );
-        }
-        let open = index == view.chosen;
-        let pick = |ui: &mut Ui| {
-            let row = ui.add(Button::selectable(open, case.title).truncate()).on_hover_text(case.title);
-            if row.clicked() {
-                chosen = index;
+    let mut index = 0;
+    for results in results.chunk_by(|a, b| a.case.topic == b.case.topic) {
+        let heads = if index == 0 { ["textbook", "engine"] } else { [""; 2] };
+        let title = RichText::new(results[0].case.topic.label()).strong();
+        row_ui(ui, heads.map(|head| RichText::new(head).weak()), |ui| _ = ui.label(title));
+        for result in results {
+            let (case, open) = (result.case, index == view.chosen);
+            let errors = [result.naive_error, result.robust_error].map(|error| error_text(ui, "", error).monospace());
+            row_ui(ui, errors, |ui| {
+                let row = ui.add(Button::selectable(open, case.title).truncate()).on_hover_text(case.title);
+                if row.clicked() {
+                    chosen = index;
+                }
+                if open && shown.is_none() && index > 0 {
+                    row.scroll_to_me(Some(Align::Min));
+                }
+            });
+            if open {
+                let pictures = shown.get_or_insert_with(|| textures(ui.ctx(), result));
+                if case_ui(ui, result, pictures) {
+                    opened.clone_from(&result.scene);
+                }
+                ui.add_space(8.0);
             }
-            if open && shown.is_none() && index > 0 {
-                row.scroll_to_me(Some(Align::Min));
-            }
-        };
-        row_ui(ui, name, pick, |ui| {
-            for error in [result.naive_error, result.robust_error] {
-                let text = error_text(ui, code_values(error), error).monospace();
-                number_ui(ui, text);
-            }
-        });
-        if open {
-            let pictures = shown.get_or_insert_with(|| textures(ui.ctx(), result));
-            if case_ui(ui, result, pictures) {
-                opened.clone_from(&result.scene);
-            }
-            ui.add_space(8.0);
+            index += 1;
         }
     }
-    view.shown = shown;
-    view.choose(chosen);
+    view.shown = shown.filter(|_| chosen == view.chosen);
+    view.chosen = chosen;
     opened
 }
 
-/// A row: what it is about in `width` points, then its numbers.
-fn row_ui(ui: &mut Ui, width: f32, name: impl FnOnce(&mut Ui), numbers: impl FnOnce(&mut Ui)) {
+/// A row: what it is about, then its numbers.
+fn row_ui(ui: &mut Ui, numbers: [RichText; 2], name: impl FnOnce(&mut Ui)) {
+    let width = (ui.available_width() - 2.0 * (NUMBER + 4.0)).max(120.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 1.0);
-        ui.allocate_ui_with_layout(vec2(width, ROW), Layout::left_to_right(Align::Center), |ui| {
-            ui.set_min_width(width);
-            name(ui);
-        });
-        numbers(ui);
+        cell_ui(ui, vec2(width, ROW), Layout::left_to_right(Align::Center), name);
+        for number in numbers {
+            cell_ui(ui, vec2(NUMBER, ROW), Layout::right_to_left(Align::Center), |ui| _ = ui.label(number));
+        }
     });
 }
 
-fn number_ui(ui: &mut Ui, text: RichText) {
-    ui.allocate_ui_with_layout(vec2(NUMBER, ROW), Layout::right_to_left(Align::Center), |ui| {
-        ui.set_min_width(NUMBER);
-        ui.label(text);
+/// A cell of a width of its own, whatever is in it.
+fn cell_ui(ui: &mut Ui, size: Vec2, layout: Layout, content: impl FnOnce(&mut Ui)) {
+    ui.allocate_ui_with_layout(size, layout, |ui| {
+        ui.set_min_width(size.x);
+        content(ui);
     });
 }
 
-/// Words about an error, in the colour of a warning where it is seen.
-fn error_text(ui: &Ui, words: String, error: f64) -> RichText {
-    let text = RichText::new(words);
+/// An error in code values, in the colour of a warning where it is seen.
+fn error_text(ui: &Ui, before: &str, error: f64) -> RichText {
+    let decimals = if error >= 10.0 { 0 } else { 2 };
+    let text = RichText::new(format!("{before}{error:.decimals$}"));
     if error > HALF_A_CODE_VALUE { text.color(ui.visuals().warn_fg_color) } else { text }
 }
 
-fn code_values(error: f64) -> String {
-    if error >= 10.0 { format!("{error:.0}") } else { format!("{error:.2}") }
-}
-
 fn textures(ctx: &Context, result: &CaseResult) -> [TextureHandle; 3] {
-    let image = |frame: &Frame| {
+    [0, 1, 2].map(|index| {
+        let frame = &result.pictures[index];
         let size = [frame.width as usize, frame.height as usize];
-        ColorImage::from_rgba_premultiplied(size, frame.pixels.as_flattened())
-    };
-    let load = |index: usize| {
-        let name = format!("stability {index}");
-        ctx.load_texture(name, image(&result.pictures[index]), TextureOptions::NEAREST)
-    };
-    [0, 1, 2].map(load)
+        let image = ColorImage::from_rgba_premultiplied(size, frame.pixels.as_flattened());
+        ctx.load_texture(format!("stability {index}"), image, TextureOptions::NEAREST)
+    })
 }

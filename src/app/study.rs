@@ -1,16 +1,19 @@
 //! The tab of error against run time: what to measure, the plot while points come in, and the table.
 
-mod figure;
-
 use super::background::{progress_ui, wake};
+use super::drawing::drawing_ui;
 use super::engine::Engine;
+use super::plot::{boxed, height, plot_style};
 use super::report::{ReportView, export_ui};
 use super::state::AppState;
-use crate::analysis::{About, Answer, Method, Part, Plot, Setting, Study, StudyQuestion, study_plot};
+use crate::analysis::{
+    About, Answer, Method, Part, Plot, Setting, Study, StudyQuestion, StudyRow, study_plot, study_point,
+};
+use crate::figure::{Drawing, PlotStyle, Text, lay_out};
 use crate::jobs::{Asked, Background};
-use crate::scene::{Interpolation, Scene};
-use eframe::egui::{Button, RichText, TextEdit, Ui};
-use figure::{LaidOut, figure_ui};
+use crate::scene::{Choice, Interpolation, Scene};
+use eframe::egui::{Button, CursorIcon, Pos2, Rect, Response, RichText, Sense, TextEdit, Ui, pos2};
+use glam::DVec2;
 
 /// Tessellations to choose from, in segments.
 const SEGMENTS: [u32; 8] = [4, 8, 16, 32, 64, 128, 256, 512];
@@ -53,43 +56,40 @@ impl StudyView {
 
 /// What is chosen to be measured.
 #[derive(Clone, Debug)]
-pub struct Choices {
-    methods: [bool; Method::ALL.len()],
-    segments: [bool; SEGMENTS.len()],
-    affine: bool,
-    repeats: u32,
+struct Choices {
+    question: StudyQuestion,
     /// Exponents between commas; the scene's own where there is nothing.
     n: String,
 }
 
 impl Default for Choices {
     fn default() -> Self {
-        let segments = SEGMENTS.map(|segments| (8..=128).contains(&segments));
-        Self { methods: [true; Method::ALL.len()], segments, affine: false, repeats: REPEATS[1], n: String::new() }
+        let (segments, interpolations) = (vec![8, 16, 32, 64, 128], vec![Interpolation::Perspective]);
+        Self { question: StudyQuestion { segments, interpolations, ..StudyQuestion::default() }, n: String::new() }
     }
 }
 
 impl Choices {
     /// What is asked for, or what is wrong with it.
     fn request(&self, scene: &Scene) -> Result<StudyQuestion, String> {
-        fn chosen<T: Copy>(all: &[T], which: &[bool]) -> Vec<T> {
-            all.iter().zip(which).filter(|(_, on)| **on).map(|(value, _)| *value).collect()
-        }
-        let mut interpolations = vec![Interpolation::Perspective];
-        if self.affine {
-            interpolations.push(Interpolation::Affine);
-        }
-        let request = StudyQuestion {
-            methods: chosen(&Method::ALL, &self.methods),
-            segments: chosen(&SEGMENTS, &self.segments),
-            interpolations,
-            n: exponents(&self.n, scene)?,
-            repeats: self.repeats,
-        };
-        if request.methods.is_empty() || request.segments.is_empty() {
+        let mut question = StudyQuestion { n: exponents(&self.n, scene)?, ..self.question.clone() };
+        if question.methods.is_empty() || question.segments.is_empty() {
             return Err("Choose at least one method and one tessellation.".to_owned());
         }
-        Ok(request)
+        question.methods.sort_by_key(|method| method.place());
+        question.interpolations.sort_by_key(|interpolation| interpolation.place());
+        Ok(question)
+    }
+}
+
+/// A switch that puts `value` into a list and takes it out.
+fn switch_ui<T: PartialEq>(chosen: &mut Vec<T>, value: T, switch: impl FnOnce(&mut bool) -> Response) {
+    let mut on = chosen.contains(&value);
+    if switch(&mut on).changed() {
+        chosen.retain(|other| *other != value);
+        if on {
+            chosen.push(value);
+        }
     }
 }
 
@@ -148,19 +148,24 @@ fn load(view: &mut StudyView, state: &mut AppState, setting: &Setting) {
     });
 }
 
-fn choices_ui(ui: &mut Ui, choices: &mut Choices) {
+fn choices_ui(ui: &mut Ui, Choices { question, n }: &mut Choices) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = [4.0, 4.0].into();
-        for (method, on) in Method::ALL.into_iter().zip(&mut choices.methods) {
-            ui.toggle_value(on, method.title()).on_hover_text(says(method));
+        for method in Method::VALUES {
+            switch_ui(&mut question.methods, *method, |on| {
+                ui.toggle_value(on, method.label()).on_hover_text(method.help())
+            });
         }
     });
     ui.add_space(2.0);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = [4.0, 4.0].into();
         ui.label("Segments");
-        for (segments, on) in SEGMENTS.into_iter().zip(&mut choices.segments) {
-            ui.toggle_value(on, segments.to_string()).on_hover_text("Polygons round the axis; rings go with them");
+        for segments in SEGMENTS {
+            let tip = "Polygons round the axis; rings go with them";
+            switch_ui(&mut question.segments, segments, |on| {
+                ui.toggle_value(on, segments.to_string()).on_hover_text(tip)
+            });
         }
     });
     ui.add_space(2.0);
@@ -168,36 +173,19 @@ fn choices_ui(ui: &mut Ui, choices: &mut Choices) {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.label("Frames timed");
         for repeats in REPEATS {
-            ui.selectable_value(&mut choices.repeats, repeats, format!("{repeats} ×"));
+            ui.selectable_value(&mut question.repeats, repeats, format!("{repeats} ×"));
         }
         ui.add_space(8.0);
-        ui.checkbox(&mut choices.affine, "Affine too")
-            .on_hover_text("Interpolation in the picture as well as in space");
+        let tip = "Interpolation in the picture as well as in space";
+        switch_ui(&mut question.interpolations, Interpolation::Affine, |on| {
+            ui.checkbox(on, "Affine too").on_hover_text(tip)
+        });
     });
     ui.horizontal(|ui| {
         let label = ui.label("n");
-        let edit =
-            TextEdit::singleline(&mut choices.n).hint_text("the scene's own; or 5, 50, 500").desired_width(220.0);
+        let edit = TextEdit::singleline(n).hint_text("the scene's own; or 5, 50, 500").desired_width(220.0);
         ui.add(edit).labelled_by(label.id);
     });
-}
-
-fn says(method: Method) -> &'static str {
-    match method {
-        Method::Flat => "One intensity a face, at its centre",
-        Method::FlatVertexMean => "One intensity a face, the mean of those at its vertices",
-        Method::Interpolated => "Intensities at vertices with the face's own normal",
-        Method::Gouraud => "Intensities at vertices with their normals, interpolated",
-        Method::Phong => "Normals interpolated and made unit vectors at each pixel",
-        Method::PhongUnnormalised => "Normals interpolated and left as they are",
-        Method::PhongScalar => {
-            "Phong shading in the scalar code of the two historic methods, to compare their times with"
-        }
-        Method::Taylor => {
-            "Bishop and Weimer 1986: the cosines' Taylor expansion over each triangle, by forward differences"
-        }
-        Method::Angular => "Kuijk and Blake 1989: normals turn by equal angles along edges and spans",
-    }
 }
 
 fn start_ui(ui: &mut Ui, view: &mut StudyView, state: &AppState, size: [u32; 2]) {
@@ -213,4 +201,54 @@ fn start_ui(ui: &mut Ui, view: &mut StudyView, state: &AppState, size: [u32; 2])
         }
         Ok(_) => {}
     }
+}
+
+/// A point is meant within this many points of the pointer.
+const NEAR: f32 = 16.0;
+
+/// A plot laid out for a style and a width.
+type LaidOut = (Drawing, PlotStyle, f32);
+
+/// The plot; returns the setting whose point is clicked.
+fn figure_ui(ui: &mut Ui, plot: &Plot, laid_out: &mut Option<LaidOut>, rows: &[StudyRow]) -> Option<Setting> {
+    let style = plot_style(ui);
+    let width = ui.available_width();
+    let kept = laid_out.take().filter(|(_, laid, wide)| *laid == style && *wide == width);
+    let (drawing, ..) = &*laid_out.insert(kept.unwrap_or_else(|| {
+        let room = DVec2::new(width.into(), height(plot, width.into(), style.text) + 0.3 * f64::from(width));
+        (lay_out(plot, room, &style), style, width)
+    }));
+    ui.add_space(6.0);
+    let words_for_readers = || format!("{}; {}", plot.title, plot.note);
+    let (response, painter) = drawing_ui(ui, drawing, Sense::click(), words_for_readers)?;
+    let rect = response.rect;
+    let pointer = response.hover_pos()?;
+    let row = nearest(rows, drawing, rect, pointer)?;
+    ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
+    let lines: Vec<Text> =
+        words(row).into_iter().map(|line| Text::new(line, DVec2::ZERO, style.text, style.paper.text)).collect();
+    boxed(ui, &painter, &lines, (rect, pointer));
+    response.clicked().then_some(row.setting)
+}
+
+/// The row whose point is nearest to the pointer.
+fn nearest<'a>(rows: &'a [StudyRow], drawing: &Drawing, rect: Rect, pointer: Pos2) -> Option<&'a StudyRow> {
+    let away = |row: &StudyRow| {
+        let (at, _) = drawing.place(study_point(row)?)?;
+        Some(pos2(rect.min.x + at.x as f32, rect.min.y + at.y as f32).distance(pointer))
+    };
+    let near = rows.iter().filter_map(|row| Some((row, away(row)?))).filter(|(_, away)| *away <= NEAR);
+    near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(row, _)| row)
+}
+
+/// A row in a few lines.
+fn words(row: &StudyRow) -> [String; 4] {
+    let setting = &row.setting;
+    let go = if row.scalar { "a historic method: cannot be shown" } else { "click to show it" };
+    [
+        format!("{}, n = {}", setting.title(), setting.n),
+        format!("RMS {:.3}, greatest {:.2} code values", 255.0 * row.error_rms, 255.0 * row.error_max),
+        format!("{:.3} ms ± {:.3}, {} evaluations", row.time_ms, row.spread_ms, row.evaluations),
+        go.to_owned(),
+    ]
 }

@@ -1,15 +1,17 @@
 //! Arguments that several commands share.
 
-use super::failure::Failure;
-use super::output::progress_bar;
+use super::output::{Failure, progress_bar};
 use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
+use glam::DVec2;
 use serde::Serialize;
-use shading_lab::analysis::word;
+use shading_lab::analysis::{Format, word};
 use shading_lab::document::{Loaded, load_with};
 use shading_lab::scene::materials::{self, NamedMaterial};
 use shading_lab::scene::parameter::Parameter;
-use shading_lab::scene::{Image, Scene, nearest, presets};
+use shading_lab::scene::{CompareView, Image, Pane, Scene, nearest, presets};
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 /// Files from this many bytes on get a progress bar while they are read.
 const LARGE_FILE: u64 = 4 << 20;
@@ -61,43 +63,86 @@ fn assignments(named: &NamedMaterial) -> Vec<String> {
     keys.map(|parameter| format!("{}={}", parameter.key, parameter.setting(&scene, 0))).collect()
 }
 
-/// The name of a material.
-pub fn parse_material(text: &str) -> Result<&'static NamedMaterial, String> {
-    materials::find(text).ok_or_else(|| {
-        let meant = nearest(text, materials::NAMED.iter().map(|named| named.name));
-        let meant = meant.map(|meant| format!(" (did you mean {meant}?)")).unwrap_or_default();
-        format!("no such material, expected a name{meant}; see `shading-lab materials`")
-    })
+fn parse_material(text: &str) -> Result<&'static NamedMaterial, String> {
+    let meant = || did_you_mean(text, materials::NAMED.iter().map(|named| named.name));
+    materials::find(text)
+        .ok_or_else(|| format!("no such material, expected a name{}; see `shading-lab materials`", meant()))
+}
+
+fn did_you_mean<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> String {
+    nearest(text, known).map(|meant| format!(" (did you mean {meant}?)")).unwrap_or_default()
+}
+
+/// Which panes there are beside the scene itself.
+#[derive(Args)]
+pub struct PaneArguments {
+    /// A pane beside the scene, in place of the scene file's own: what is different in it, as in shading.mode=exact; several
+    /// settings between semicolons. The last pane is what the others are measured against
+    #[arg(long, value_name = "KEY=VALUE[;KEY=VALUE]")]
+    pub pane: Vec<String>,
+}
+
+impl PaneArguments {
+    /// Puts the panes into the scene; `view` is how they are shown, unless the scene says.
+    pub fn apply(&self, scene: &mut Scene, view: Option<CompareView>) -> Result<(), Failure> {
+        if !self.pane.is_empty() {
+            let settings = |text: &String| text.split(';').map(|setting| setting.trim().to_owned()).collect();
+            scene.compare.panes =
+                self.pane.iter().map(|text| Pane { name: String::new(), set: settings(text) }).collect();
+            if scene.compare.view == CompareView::Single {
+                scene.compare.view = CompareView::Panes;
+            }
+        }
+        scene.compare.view = view.unwrap_or(scene.compare.view);
+        scene.validate().map_err(Failure::input)
+    }
 }
 
 /// `WxH`, in the bounds of a picture.
 pub fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let expected = || format!("expected WIDTHxHEIGHT in pixels, 1 to {} each, as in 768x512", Image::MAX_SIDE);
-    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(expected)?;
-    let side = |text: &str| text.trim().parse().ok().filter(|side| (1..=Image::MAX_SIDE).contains(side));
-    let size = [side(width).ok_or_else(expected)?, side(height).ok_or_else(expected)?];
+    let size = pair(text, &['x', 'X', '×'], |side| (1..=Image::MAX_SIDE).contains(side)).ok_or_else(expected)?;
     if u64::from(size[0]) * u64::from(size[1]) > Image::MAX_PIXELS {
         return Err(format!("expected at most {} pixels in all", Image::MAX_PIXELS));
     }
     Ok(size)
 }
 
-/// One of `choices`, by its word in files.
-pub fn parse_choice<T: Serialize + Copy>(text: &str, choices: impl IntoIterator<Item = T>) -> Result<T, String> {
-    let choices: Vec<(String, T)> = choices.into_iter().map(|choice| (word(&choice), choice)).collect();
-    choices.iter().find(|(word, _)| word == text.trim()).map(|(_, choice)| *choice).ok_or_else(|| {
-        let (last, others) = choices.split_last().map_or(("", &[][..]), |((last, _), others)| (last, others));
-        let others: Vec<&str> = others.iter().map(|(word, _)| word.as_str()).collect();
-        format!("expected {} or {last}", others.join(", "))
-    })
-}
-
 /// `X,Y`, whole numbers from the top left.
 pub fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
-    let expected = || "expected X,Y in whole pixels from the top left, as in 100,80".to_owned();
-    let (x, y) = text.split_once(',').ok_or_else(expected)?;
-    let coordinate = |text: &str| text.trim().parse().map_err(|_| expected());
-    Ok([coordinate(x)?, coordinate(y)?])
+    pair(text, &[','], |_| true)
+        .ok_or_else(|| "expected X,Y in whole pixels from the top left, as in 100,80".to_owned())
+}
+
+/// `X,Y`, any numbers.
+pub fn parse_place(text: &str) -> Result<DVec2, String> {
+    let expected = || "expected X,Y in pixels from the top left, as in 100.5,80.5".to_owned();
+    pair(text, &[','], |value: &f64| value.is_finite()).map(DVec2::from_array).ok_or_else(expected)
+}
+
+/// Two numbers on either side of a separator.
+fn pair<T: FromStr>(text: &str, separators: &[char], sound: fn(&T) -> bool) -> Option<[T; 2]> {
+    let (first, second) = text.split_once(separators)?;
+    let number = |text: &str| text.trim().parse().ok().filter(sound);
+    Some([number(first)?, number(second)?])
+}
+
+/// The number of a vertex.
+pub fn parse_vertex(text: &str) -> Result<u32, String> {
+    text.trim().parse().map_err(|_| "expected the number of a vertex, counted from 0".to_owned())
+}
+
+/// One of `choices`, by its word in files.
+pub fn parse_choice<T: Serialize + Copy>(text: &str, choices: &[T]) -> Result<T, String> {
+    let words: Vec<String> = choices.iter().map(word).collect();
+    match words.iter().position(|word| word == text.trim()) {
+        Some(index) => Ok(choices[index]),
+        None => {
+            let (last, others) = words.split_last().map_or(("", &[][..]), |(last, others)| (last, others));
+            let meant = did_you_mean(text, words.iter().map(String::as_str));
+            Err(format!("expected {} or {last}{meant}", others.join(", ")))
+        }
+    }
 }
 
 /// Refuses a pixel outside a picture of `size`; `argument` is what names it.
@@ -106,39 +151,25 @@ pub fn inside_picture(argument: &str, [x, y]: [u32; 2], [width, height]: [u32; 2
         return Ok(());
     }
     let (right, bottom) = (width - 1, height - 1);
-    Err(Failure::input(format!("{argument}: outside the picture, expected 0,0 to {right},{bottom}")))
+    Err(Failure::input(format!("{argument} {x},{y}: outside the picture, expected 0,0 to {right},{bottom}")))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+fn is_device(path: &Path) -> bool {
+    path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
+}
 
-    #[test]
-    fn sizes_are_read_within_their_bounds() {
-        assert_eq!(parse_size("768x512"), Ok([768, 512]));
-        assert_eq!(parse_size("16384×8192"), Ok([16_384, 8192]));
-        for text in ["", "x", "768", "0x5", "5x0", "16385x1", "-1x5", "5x5x5", "16384x8193", "99999999999x1"] {
-            assert!(parse_size(text).is_err(), "{text}");
-        }
-    }
+/// The name of a figure or a table.
+pub fn output_name() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| match Format::from_path(&path) {
+        None if !is_device(&path) => Err("expected a name that ends in .json, .png, .svg or .csv"),
+        _ => Ok(path),
+    })
+}
 
-    #[test]
-    fn a_material_by_its_name_is_that_material() {
-        for named in materials::NAMED {
-            let scene = Scene::default().with_overrides(&assignments(named)).expect("sound keys");
-            assert_eq!(scene.material, named.material(), "{}", named.name);
-        }
-        assert!(parse_material("golld").is_err_and(|message| message.contains("did you mean gold?")));
-    }
-
-    #[test]
-    fn pixels_are_read_and_kept_inside() {
-        assert_eq!(parse_pixel("3, 4"), Ok([3, 4]));
-        for text in ["", "3", "3,", "-1,2", "1.5,2", "1,2,3", "99999999999,1"] {
-            assert!(parse_pixel(text).is_err(), "{text}");
-        }
-        assert!(inside_picture("", [2, 3], [3, 4]).is_ok());
-        assert!(inside_picture("", [3, 3], [3, 4]).is_err());
-        assert!(inside_picture("", [2, 4], [3, 4]).is_err());
-    }
+/// The name of a picture: its ending says PNG, or it is a device or a pipe.
+pub fn picture_name() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| {
+        let picture = Format::from_path(&path) == Some(Format::Png) || is_device(&path);
+        if picture { Ok(path) } else { Err("expected a name that ends in .png") }
+    })
 }

@@ -1,9 +1,60 @@
-//! Results to stdout, progress to a terminal.
+//! Results to stdout, progress to a terminal, and what ends a command early.
 
-use super::failure::Failure;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use serde::Serialize;
+use shading_lab::document::{LoadError, SaveError};
+use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
+use std::process::ExitCode;
+
+/// Why a command did not do what it was asked for.
+#[derive(Debug)]
+pub enum Failure {
+    /// The input is at fault; a line for each problem.
+    Input(String),
+    /// The input is sound, but it could not be done.
+    Work(String),
+    /// Nobody reads the output any more, which ends the work without fuss.
+    Closed,
+}
+
+impl Failure {
+    pub fn input(message: impl Display) -> Self {
+        Self::Input(message.to_string())
+    }
+
+    pub fn work(message: impl Display) -> Self {
+        Self::Work(message.to_string())
+    }
+
+    /// Writes the problems to stderr and chooses the exit status.
+    pub fn report(&self) -> ExitCode {
+        let (message, status) = match self {
+            Self::Input(message) => (message, 2),
+            Self::Work(message) => (message, 1),
+            Self::Closed => return ExitCode::SUCCESS,
+        };
+        let lines: String = message.lines().map(|line| format!("error: {line}\n")).collect();
+        // Without stderr there is nowhere to say so.
+        let _ = io::stderr().write_all(lines.as_bytes());
+        ExitCode::from(status)
+    }
+}
+
+impl From<LoadError> for Failure {
+    fn from(error: LoadError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<SaveError> for Failure {
+    fn from(error: SaveError) -> Self {
+        match &error {
+            SaveError::Unwritable { source, .. } if source.kind() == io::ErrorKind::BrokenPipe => Self::Closed,
+            SaveError::Nothing { .. } => Self::input(error),
+            _ => Self::work(error),
+        }
+    }
+}
 
 /// Writes `text` to stdout.
 pub fn print(text: &str) -> Result<(), Failure> {
@@ -12,12 +63,6 @@ pub fn print(text: &str) -> Result<(), Failure> {
         io::ErrorKind::BrokenPipe => Failure::Closed,
         _ => Failure::work(format!("the output cannot be written ({error})")),
     })
-}
-
-/// Writes one JSON object to stdout. JSON has no infinity; it becomes null.
-pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(value).map_err(Failure::work)?;
-    print(&(text + "\n"))
 }
 
 /// A bar on stderr, or nothing where that is no terminal.

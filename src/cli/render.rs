@@ -1,19 +1,21 @@
-//! `render`: a scene into a PNG file.
+//! `render`: a scene into a PNG file, and the overlays that the picture gets.
 
-use super::analyse::picture_name;
-use super::compare::{PaneArguments, View};
-use super::failure::Failure;
-use super::input::{SceneArguments, parse_size};
-use super::output::progress_bar;
-use super::overlay::{OverlayList, parse_vertex};
-use super::profile::parse_place;
+use super::input::{
+    PaneArguments, SceneArguments, inside_picture, parse_choice, parse_pixel, parse_place, parse_size, parse_vertex,
+    picture_name,
+};
+use super::output::{Failure, progress_bar};
 use clap::Args;
 use glam::DVec2;
-use shading_lab::analysis::{comparison_sheet, draw_panes, panes_on_sheet};
+use shading_lab::analysis::{
+    LitVertex, Needles, NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, clearest_pixel, comparison_sheet,
+    defects, draw_defects, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe, profile,
+};
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::render::{Frame, Renderer, check_memory};
-use shading_lab::scene::{CompareView, Scene};
+use shading_lab::scene::{Choice, CompareView, Scene};
 use std::path::PathBuf;
+use tiny_skia::PixmapMut;
 
 /// Most samples a pixel: beyond, 8 bits show no difference.
 const MAX_SAMPLES: u32 = 4096;
@@ -31,9 +33,11 @@ pub struct Render {
     /// Samples per pixel
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
     samples: u32,
-    /// How the scene's panes are shown; with --pane, side by side unless this says otherwise
-    #[arg(long, value_enum)]
-    compare: Option<View>,
+    /// How the scene's panes are shown; with --pane, side by side unless this says otherwise: single (the scene alone), panes
+    /// (side by side), wipe (the scene and the last pane on either side of a line, at compare.wipe) or difference (the scene
+    /// less the last pane, times compare.gain)
+    #[arg(long, value_parser = |text: &str| parse_choice(text, CompareView::VALUES))]
+    compare: Option<CompareView>,
     #[command(flatten)]
     panes: PaneArguments,
     /// Leaves out the names and figures of panes, and the scale of a difference
@@ -42,8 +46,8 @@ pub struct Render {
     /// Drawings over the picture: vectors, angles, construction, lights, lobe, side-view, profile, defects,
     /// face-normals, vertex-normals; with probe=X,Y the pixel that they
     /// explain, otherwise a lit one near the middle whose vectors are well apart
-    #[arg(long, value_name = "LIST", value_parser = OverlayList::parse, allow_hyphen_values = true)]
-    overlay: Option<OverlayList>,
+    #[arg(long, value_name = "LIST", value_parser = Overlays::parse, allow_hyphen_values = true)]
+    overlay: Option<Overlays>,
     /// Where the line of --overlay profile begins, in pixels; without a line it is level, through the probe or the middle
     #[arg(long, value_name = "X,Y", value_parser = parse_place, requires_all = ["to", "overlay"], allow_hyphen_values = true)]
     from: Option<DVec2>,
@@ -56,17 +60,15 @@ pub struct Render {
 }
 
 impl Render {
-    pub fn run(mut self, earlier: &[String]) -> Result<(), Failure> {
+    pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
         let mut loaded = self.scene.load(earlier)?;
         check_target(&self.output)?;
         let scene = &mut loaded.scene;
         scene.image.size = self.size.unwrap_or(scene.image.size);
         self.panes.apply(scene, self.compare)?;
         let which = panes_on_sheet(scene);
-        if let Some(overlay) = &mut self.overlay {
-            overlay.set_line(self.from, self.to)?;
-            overlay.set_vertex(self.vertex)?;
-            overlay.check(which.first().map_or(scene.image.size, |(_, size)| *size))?;
+        if let Some(overlays) = &self.overlay {
+            self.check(overlays, which.first().map_or(scene.image.size, |(_, size)| *size))?;
         }
         check_memory(scene).map_err(Failure::work)?;
         let mut renderer = Renderer::default();
@@ -77,7 +79,7 @@ impl Render {
             true
         };
         let over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| match &self.overlay {
-            Some(overlay) => overlay.draw(frame, renderer, scene),
+            Some(overlays) => self.draw(overlays, frame, renderer, scene),
             None => Ok(()),
         };
         let frame = if scene.compare.view == CompareView::Single {
@@ -90,5 +92,106 @@ impl Render {
         };
         bar.finish_and_clear();
         Ok(save_picture(&self.output, &frame, scene)?)
+    }
+
+    /// Refuses a line or a vertex that nothing shows, and a pixel or a line outside a picture of `sides` pixels.
+    fn check(&self, overlays: &Overlays, sides: [u32; 2]) -> Result<(), Failure> {
+        if self.from.is_some() && !overlays.layers.contains(&OverlayLayer::Profile) {
+            return Err(Failure::input("--from and --to without a profile, expected --overlay profile"));
+        }
+        if self.vertex.is_some() && !overlays.layers.iter().any(|layer| layer.of_needles()) {
+            return Err(Failure::input("--vertex without normals, expected --overlay vertex-normals"));
+        }
+        let size = DVec2::from_array(sides.map(f64::from));
+        let outside = |p: &DVec2| p.min_element() < 0.0 || p.cmpgt(size).any();
+        if let Some(DVec2 { x, y }) = [self.from, self.to].into_iter().flatten().find(outside) {
+            let DVec2 { x: right, y: bottom } = size;
+            return Err(Failure::input(format!("{x},{y}: outside the picture, expected 0,0 to {right},{bottom}")));
+        }
+        overlays.pixel.map_or(Ok(()), |pixel| inside_picture("--overlay", pixel, sides))
+    }
+
+    /// Draws the overlays on `frame`, which is a picture of `scene`.
+    fn draw(
+        &self,
+        overlays: &Overlays,
+        frame: &mut Frame,
+        renderer: &mut Renderer,
+        scene: &Scene,
+    ) -> Result<(), Failure> {
+        let layers = &overlays.layers;
+        let any = |of: fn(OverlayLayer) -> bool| layers.iter().any(|layer| of(*layer));
+        let probed = match overlays.pixel {
+            Some([x, y]) => probe(renderer, scene, x, y),
+            None => clearest_pixel(renderer, scene),
+        };
+        if any(OverlayLayer::of_point) && probed.hit.is_none() {
+            let [x, y] = probed.pixel;
+            let expected = "expected a pixel that shows the object";
+            return Err(Failure::input(format!("--overlay {x},{y}: the background, {expected}")));
+        }
+        let options = OverlayOptions { layers: layers.clone(), ..OverlayOptions::default() };
+        let size = scene.image.size;
+        let mut pixmap = PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), frame.width, frame.height)
+            .ok_or_else(|| Failure::work("the picture is too large for overlays"))?;
+        if any(OverlayLayer::of_needles) {
+            let field = NormalField::new(renderer, &scene.object);
+            let vertex = self.vertex.map(|number| field.vertex_of(number)).transpose().map_err(Failure::input)?;
+            Needles::new(size, scene, renderer, &field, &options).draw(&mut pixmap);
+            let lit = vertex.and_then(|vertex| LitVertex::new(size, scene, &field, &vertex, &options));
+            if let Some(lit) = lit {
+                lit.draw(&mut pixmap);
+            }
+        }
+        if layers.contains(&OverlayLayer::Profile) {
+            let [width, height] = size.map(f64::from);
+            let y = overlays.pixel.map_or(0.5 * height, |[_, y]| f64::from(y) + 0.5);
+            let (from, to) = self.from.zip(self.to).unwrap_or((DVec2::new(0.0, y), DVec2::new(width, y)));
+            let question = ProfileQuestion { modes: vec![scene.shading.mode], ..ProfileQuestion::new(from, to) };
+            let taken = profile(renderer, scene, &question)
+                .map_err(|error| Failure::input(format!("--overlay profile: {error}")))?;
+            taken.traces.iter().for_each(|trace| draw_profile(&mut pixmap, &taken, trace, &options));
+        }
+        if layers.contains(&OverlayLayer::Defects) {
+            draw_defects(&mut pixmap, &defects(renderer, scene, probed.pixel), &options);
+        }
+        if any(OverlayLayer::of_overlay) {
+            draw_overlay(&mut pixmap, scene, &probed, &options);
+        }
+        Ok(())
+    }
+}
+
+/// The layers of `--overlay vectors,angles,probe=X,Y` and the pixel that they explain.
+#[derive(Clone, Debug, PartialEq)]
+struct Overlays {
+    layers: Vec<OverlayLayer>,
+    pixel: Option<[u32; 2]>,
+}
+
+impl Overlays {
+    /// Names between commas; `probe=X,Y` or any of the names followed by `=X,Y` gives the pixel.
+    fn parse(text: &str) -> Result<Self, String> {
+        let mut list = Self { layers: Vec::new(), pixel: None };
+        let mut pieces = text.split(',');
+        while let Some(piece) = pieces.next() {
+            let (name, x) = piece.split_once('=').map_or((piece, None), |(name, x)| (name, Some(x)));
+            match name.trim() {
+                "probe" if x.is_none() => return Err("probe without its pixel, expected probe=X,Y".to_owned()),
+                "probe" => {}
+                name => list.layers.push(parse_choice(name, &OverlayLayer::ALL)?),
+            }
+            if let Some(x) = x {
+                let pixel = parse_pixel(&format!("{x},{}", pieces.next().unwrap_or_default()))?;
+                if list.pixel.is_some_and(|other| other != pixel) {
+                    return Err("two pixels, expected one that all overlays explain".to_owned());
+                }
+                list.pixel = Some(pixel);
+            }
+        }
+        if list.layers.is_empty() {
+            return Err("a pixel alone, expected what to draw there, as in vectors,angles,probe=100,80".to_owned());
+        }
+        Ok(list)
     }
 }

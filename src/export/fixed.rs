@@ -3,46 +3,31 @@
 //! In: a scene and its polygons. Out: C that sets up camera, lights and material, and with it a whole program that draws
 //! the polygons off screen.
 
-mod camera;
-pub(super) mod fog;
-pub(super) mod lamps;
-mod lights;
-pub(super) mod material;
-mod program;
-
-use super::{Export, ExportError, Part, comment, export_mesh, head, limits};
+use super::sources::{Emitter, Place, SCALE, emitters, flat, interpolation, surroundings};
+use super::text::{c_double, c_float, c_four, c_three, filled, head, holding, said};
+use super::{Export, ExportError, Part, export_mesh, fan};
 use crate::geometry::{Mesh, VertexMesh};
-use crate::scene::Scene;
+use crate::illumination::{Index, SpecularForm, blinn_from_phong};
+use crate::scene::{
+    Attenuation, Backfacing, Camera, CuedBy, DepthCueing, Encoding, Light, LightKind, Overflow, PatternKind,
+    Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer,
+};
+use glam::{DVec3, Vec3};
 
 /// Most triangles that are written out as C: about 100 MB of text.
 pub const MAX_PROGRAM_TRIANGLES: usize = 1_000_000;
 
-/// The part that is worth copying: `set_up_camera(width, height)`, `set_up_lights()` and `set_up_material()` in C99, to
-/// be called in this order with an OpenGL context current. The mesh gives the distances that the depth buffer spans.
-pub fn opengl_c_snippet(scene: &Scene, mesh: &Mesh) -> Export {
-    let mesh = export_mesh(scene, mesh);
-    let mut limits = limits::fixed_function(scene, &mesh);
-    limits.push(limits::VERTEX_CLAMP.to_owned());
-    let text = format!("{}\n#include <GL/gl.h>\n\n{}", opening(&SNIPPET, &limits), functions(scene, &mesh));
-    Export { parts: vec![Part { title: "C", ending: "c", text }], limits }
-}
+/// The greatest `GL_SHININESS` and `GL_SPOT_EXPONENT`.
+const GREATEST_EXPONENT: f64 = 128.0;
 
-/// A whole program in C99: the same functions, the polygons and a `main` that draws them off screen through EGL and
-/// writes a binary PPM picture to the path it is given.
-///
-/// # Errors
-/// A mesh of more than [`MAX_PROGRAM_TRIANGLES`] triangles.
-pub fn opengl_c(scene: &Scene, mesh: &Mesh) -> Result<Export, ExportError> {
-    let triangles = mesh.triangle_count();
-    if triangles > MAX_PROGRAM_TRIANGLES {
-        return Err(ExportError::MeshTooLarge { triangles });
-    }
-    let mesh = export_mesh(scene, mesh);
-    let limits = limits::fixed_function(scene, &mesh);
-    let (before, after) = (program::INCLUDES, program::text(scene, &mesh));
-    let text = format!("{}\n{before}\n{}\n{after}", opening(&PROGRAM, &limits), functions(scene, &mesh));
-    Ok(Export { parts: vec![Part { title: "C", ending: "c", text }], limits })
-}
+/// Lights that every OpenGL has.
+const MOST_LIGHTS: usize = 8;
+
+/// What is nearer than this many camera distances is not drawn.
+const NEAR: f64 = 1e-3;
+
+/// Room before the nearest and behind the farthest vertex.
+const MARGIN: f64 = 1.01;
 
 const SNIPPET: [&str; 4] = [
     "A scene of shading-lab in fixed-function OpenGL. Call, with a context current and in this order:",
@@ -58,11 +43,453 @@ const PROGRAM: [&str; 4] = [
     "    I = Ka*Od*Ia + sum over the lights of f*Ip*[Kd*Od*(N.L) + Ks*Os*(N.H)^n], where N.L > 0",
 ];
 
-fn opening(what: &[&str], limits: &[String]) -> String {
-    format!("/*\n{} */\n", comment(&head(what, limits), " * "))
+/// What a program that sets up the lights has to add by itself.
+const VERTEX_CLAMP: &str = "Intensities above 1 at vertices: OpenGL clamps them before interpolating, unless the program \
+    calls glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE) (OpenGL 3.0, compatibility profile).";
+
+/// The part that is worth copying: `set_up_camera(width, height)`, `set_up_lights()` and `set_up_material()` in C99, to
+/// be called in this order with an OpenGL context current. The mesh gives the distances that the depth buffer spans.
+pub fn opengl_c_snippet(scene: &Scene, mesh: &Mesh) -> Export {
+    let mesh = export_mesh(scene, mesh);
+    let mut limits = limits(scene, &mesh);
+    limits.push(VERTEX_CLAMP.to_owned());
+    let functions = functions(scene, &mesh);
+    let text = format!("/*\n{} */\n\n#include <GL/gl.h>\n\n{functions}", head(&SNIPPET, &limits, " * "));
+    Export { parts: vec![Part { title: "C", ending: "c", text }], limits }
+}
+
+/// A whole program in C99: the same functions, the polygons and a `main` that draws them off screen through EGL and
+/// writes a binary PPM picture to the path it is given.
+///
+/// # Errors
+/// A mesh of more than [`MAX_PROGRAM_TRIANGLES`] triangles.
+pub fn opengl_c(scene: &Scene, mesh: &Mesh) -> Result<Export, ExportError> {
+    let triangles = mesh.triangle_count();
+    if triangles > MAX_PROGRAM_TRIANGLES {
+        return Err(ExportError::MeshTooLarge { triangles });
+    }
+    let mesh = export_mesh(scene, mesh);
+    let limits = limits(scene, &mesh);
+    let (functions, main) = (functions(scene, &mesh), main(scene, &mesh));
+    let (head, includes) = (head(&PROGRAM, &limits, " * "), include_str!("fixed/includes.c"));
+    let text = format!("/*\n{head} */\n\n{includes}\n{functions}\n{main}");
+    Ok(Export { parts: vec![Part { title: "C", ending: "c", text }], limits })
 }
 
 fn functions(scene: &Scene, mesh: &VertexMesh) -> String {
-    let (camera, lights) = (camera::text(scene, mesh), lights::text(scene, mesh));
-    format!("{camera}\n{lights}\n{}", material::text(scene, mesh))
+    format!("{}\n{}\n{}", camera(scene, mesh), lights(scene, mesh), material(scene, mesh))
+}
+
+/// What fixed-function OpenGL cannot say.
+fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
+    let mut limits = surroundings(scene);
+    let shading = match scene.shading.mode {
+        ShadingMode::Phong => Some(
+            "Phong shading: the equation is evaluated at vertices only and the intensity interpolated (Gouraud shading). \
+             A finer mesh comes nearer.",
+        ),
+        ShadingMode::Exact => Some(
+            "Exact shading: the polygons are drawn, outline included, with the equation evaluated at vertices only.",
+        ),
+        ShadingMode::Flat => flat(scene),
+        ShadingMode::Interpolated | ShadingMode::Gouraud => interpolation(scene, false),
+    };
+    limits.extend(shading.map(str::to_owned));
+    if SpecularForm::of(scene) != SpecularForm::None {
+        limits.extend(specular_limits(scene));
+    }
+    limits.extend(holding([
+        (
+            scene.pattern.kind != PatternKind::None,
+            "The pattern on the surface: Od is the material's colour everywhere.",
+        ),
+        (
+            scene.reflection.backfacing == Backfacing::Flip,
+            "backfacing = \"flip\" turns N towards each light wherever N.L < 0; GL_LIGHT_MODEL_TWO_SIDE turns it on \
+             polygons seen from behind, whatever the light. They agree where light and eye are on the same side.",
+        ),
+    ]));
+    let emitters = emitters(scene);
+    let whole = fits(&emitters);
+    limits.extend(emitters.iter().flat_map(|emitter| light_limits(emitter, mesh, whole)));
+    if emitters.len() > MOST_LIGHTS {
+        limits.push(format!("Lights beyond the eighth: {} shine, OpenGL has {MOST_LIGHTS}.", emitters.len()));
+    }
+    limits.extend(fog_limits(scene, mesh));
+    limits.extend(holding([
+        (scene.display.overflow == Overflow::Scale, SCALE),
+        (scene.display.overflow == Overflow::Mark, "The hatching where I > 1: I is clamped."),
+        (scene.display.encoding == Encoding::Srgb, "The sRGB encoding: stored values are 255*I."),
+    ]));
+    limits
+}
+
+fn specular_limits(scene: &Scene) -> Vec<String> {
+    let n = exponent(scene);
+    let mut limits = Vec::new();
+    match scene.reflection.model {
+        ReflectionModel::Blinn => {}
+        ReflectionModel::Phong => limits.push(format!(
+            "Phong's (R.V)^n: fixed-function lighting has Blinn's (N.H)^n (reflection.model = \"blinn\"); n = {} gives a \
+             highlight as wide as n = {} does for Phong.",
+            said(n),
+            said(scene.material.n)
+        )),
+        ReflectionModel::CookTorrance => limits.push(format!(
+            "Cook and Torrance's microfacets: Blinn's (N.H)^n stands for them, its n = {} from the roughness.",
+            said(n)
+        )),
+    }
+    if n > GREATEST_EXPONENT {
+        limits.push(format!("n = {}: GL_SHININESS goes up to 128.", said(n)));
+    }
+    if Index::of(&scene.material).is_some() {
+        limits
+            .push("W(theta), the reflectance by angle of incidence: its value at 0 degrees multiplies Ks.".to_owned());
+    }
+    limits
+}
+
+fn light_limits(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<String> {
+    let light = emitter.light;
+    let spot = light.kind == LightKind::Spot;
+    let points = match &emitter.place {
+        Place::Among(points) if light.kind == LightKind::Area && !whole => points.len(),
+        _ => 0,
+    };
+    let unclamped = match (light.attenuation, emitter.constant, &emitter.place) {
+        (Attenuation::Quadratic, None, Place::At(place)) => {
+            let [inside, outside] = sides(light, *place, mesh);
+            inside && outside
+        }
+        (Attenuation::Quadratic, None, Place::Among(_)) => light.c1 < 1.0,
+        _ => false,
+    };
+    let limits = holding([
+        (points > 0, &format!("an area of {points} points, drawn as the one in its middle.")),
+        (spot && light.softness > 0.0, "the soft edge of its cone; GL_SPOT_CUTOFF is a hard one."),
+        (
+            spot && light.exponent > GREATEST_EXPONENT,
+            &format!("its exponent {}; GL_SPOT_EXPONENT goes up to 128.", said(light.exponent)),
+        ),
+        (
+            light.attenuation == Attenuation::Viewer,
+            "attenuation by the distance to the viewer; that of the camera's target stands for all.",
+        ),
+        (unclamped, "f = min(1, ...) of its attenuation; OpenGL's f exceeds 1 near the light."),
+    ]);
+    limits.into_iter().map(|text| format!("Light {}: {text}", emitter.index)).collect()
+}
+
+/// The camera as two matrices: from the world to the eye, and from the eye to the picture.
+fn camera(scene: &Scene, mesh: &VertexMesh) -> String {
+    let camera = &scene.camera;
+    let view = View::new(camera, scene.image.size);
+    let [near, far] = planes(camera, &view, mesh).map(c_double);
+    let [eye, target] = [camera.eye, camera.target].map(|place| place.to_array().map(said).join(", "));
+    let (scale, scale_means, third, fourth) = match camera.projection {
+        Projection::Perspective => (
+            1.0 / (0.5 * camera.fov_y.to_radians()).tan(),
+            format!("cot(fov_y/2), fov_y = {} degrees", said(camera.fov_y)),
+            "-(z_far + z_near) / (z_far - z_near), -1.0",
+            "-2.0 * z_far * z_near / (z_far - z_near), 0.0",
+        ),
+        Projection::Orthographic => (
+            2.0 / camera.height,
+            format!("2/height, {} units are seen from bottom to top", said(camera.height)),
+            "-2.0 / (z_far - z_near), 0.0",
+            "-(z_far + z_near) / (z_far - z_near), 1.0",
+        ),
+    };
+    let column = |v: DVec3, w: &str| {
+        let seen = [v.dot(view.right), v.dot(view.up), v.dot(-view.forward)];
+        format!("        {}, {w}", seen.map(c_double).join(", "))
+    };
+    let columns = [column(DVec3::X, "0.0"), column(DVec3::Y, "0.0"), column(DVec3::Z, "0.0"), column(-view.eye, "1.0")];
+    filled(
+        include_str!("fixed/camera.c"),
+        &[
+            ("eye", &eye),
+            ("target", &target),
+            ("near", &near),
+            ("far", &far),
+            ("scale", &c_double(scale)),
+            ("scale_means", &scale_means),
+            ("third", third),
+            ("fourth", fourth),
+            ("columns", &columns.join(",\n")),
+            ("fog", &fog(&scene.depth_cueing)),
+        ],
+    )
+}
+
+/// The depths of the vertices.
+fn depths(mesh: &VertexMesh, view: &View) -> impl Iterator<Item = f64> {
+    mesh.positions.iter().map(move |p| (mesh.origin + p.as_dvec3() - view.eye).dot(view.forward))
+}
+
+/// The depths that the depth buffer spans: those of the vertices, as far as they are in front of the eye.
+fn planes(camera: &Camera, view: &View, mesh: &VertexMesh) -> [f64; 2] {
+    let nearest = NEAR * camera.distance();
+    let (least, greatest) =
+        depths(mesh, view).fold((f64::INFINITY, 0.0_f64), |(low, high), depth| (low.min(depth), high.max(depth)));
+    let near = if least.is_finite() { (least / MARGIN).max(nearest) } else { nearest };
+    [near, (greatest * MARGIN).max(2.0 * near)]
+}
+
+/// Depth cueing, which is OpenGL's linear fog: it mixes with f = (end − z)/(end − start), clamped to 0..1, at every pixel. So
+/// a ramp of s0 from 1 to 0 is said exactly; any other one where the object does not leave it.
+fn fog(cueing: &DepthCueing) -> String {
+    let DepthCueing { front, back, front_scale, back_scale, .. } = *cueing;
+    let fall = front_scale - back_scale;
+    if cueing.by == CuedBy::Off || fall == 0.0 {
+        return String::new();
+    }
+    // The depth where the ramp of s0 has a value.
+    let depth_of = |s0: f64| front + (front_scale - s0) / fall * (back - front);
+    filled(
+        include_str!("fixed/fog.c"),
+        &[
+            ("color", &c_four(cueing.color, 1.0)),
+            ("start", &c_float(depth_of(1.0))),
+            ("end", &c_float(depth_of(0.0))),
+            ("front", &said(front)),
+            ("back", &said(back)),
+            ("front_scale", &said(front_scale)),
+            ("back_scale", &said(back_scale)),
+        ],
+    )
+}
+
+/// What fog does not say.
+fn fog_limits(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
+    let cueing = &scene.depth_cueing;
+    let DepthCueing { front, back, front_scale, back_scale, .. } = *cueing;
+    if cueing.by == CuedBy::Off || [front_scale, back_scale] == [1.0; 2] {
+        return Vec::new();
+    }
+    let whole = |s0: f64| s0 == 0.0 || s0 == 1.0;
+    let leaves = depths(mesh, &View::new(&scene.camera, scene.image.size))
+        .any(|depth| (depth < front && !whole(front_scale)) || (depth > back && !whole(back_scale)));
+    let flat = front_scale == back_scale;
+    holding([
+        (flat, "Depth cueing by the same s0 everywhere: OpenGL's fog depends on the depth. There is none."),
+        (!flat && leaves, "Depth cueing: s0 goes on to 1 and to 0 beyond its two depths."),
+        (!flat && cueing.by == CuedBy::Vertex, "Depth cueing at vertices: OpenGL's fog is evaluated at every pixel."),
+        (!flat && cueing.color.max_element() > 1.0, "Depth cueing: OpenGL clamps fog's colour to 1."),
+    ])
+}
+
+/// Whether all points of all area lights are among the lights that OpenGL has.
+fn fits(emitters: &[Emitter<'_>]) -> bool {
+    let count = |emitter: &Emitter<'_>| if let Place::Among(points) = &emitter.place { points.len() } else { 1 };
+    emitters.iter().map(count).sum::<usize>() <= MOST_LIGHTS
+}
+
+/// `set_up_lights()`: `glLight*` and `glLightModel*`. An area light is its sample points where all of them fit, otherwise the
+/// point in its middle.
+fn lights(scene: &Scene, mesh: &VertexMesh) -> String {
+    let emitters = emitters(scene);
+    let whole = fits(&emitters);
+    let lamps = emitters.iter().flat_map(|emitter| lamps(emitter, whole)).take(MOST_LIGHTS).enumerate();
+    let blocks: String = lamps.map(|(index, lamp)| light(index, &lamp, scene, mesh)).collect();
+    let (local, viewer) = match scene.camera.viewer {
+        Viewer::Local => ("GL_TRUE", "V points to the eye, from each point"),
+        Viewer::Infinite => ("GL_FALSE", "V is constant: the viewer is at infinity"),
+    };
+    let (two_sided, sides) = match scene.reflection.backfacing {
+        Backfacing::Clamp => ("GL_FALSE", "N.L < 0 counts as 0"),
+        Backfacing::Flip => ("GL_TRUE", "N is turned on polygons seen from behind"),
+    };
+    let black = if blocks.is_empty() { "" } else { "    const GLfloat black[] = {0.0f, 0.0f, 0.0f, 1.0f};" };
+    filled(
+        include_str!("fixed/lights.c"),
+        &[
+            ("black", black),
+            ("ambient", &c_four(scene.ambient.color, 1.0)),
+            ("local", local),
+            ("viewer", viewer),
+            ("two_sided", two_sided),
+            ("sides", sides),
+            ("lights", &blocks),
+        ],
+    )
+}
+
+/// A point that shines.
+struct Lamp<'a> {
+    emitter: &'a Emitter<'a>,
+    title: String,
+    place: DVec3,
+    /// `place` is L, not where the light stands.
+    parallel: bool,
+    /// Its part of the emitter's intensity.
+    share: f64,
+}
+
+fn lamps<'a>(emitter: &'a Emitter<'a>, whole: bool) -> Vec<Lamp<'a>> {
+    let title = emitter.title();
+    let lamp = |title, place, parallel, share| Lamp { emitter, title, place, parallel, share };
+    match &emitter.place {
+        Place::Towards(l) => vec![lamp(title, *l, true, 1.0)],
+        Place::At(place) => vec![lamp(title, *place, false, 1.0)],
+        Place::Among(points) if whole => {
+            let (count, share) = (points.len(), 1.0 / points.len() as f64);
+            let titled = |index: usize| format!("{title}: point {} of {count}", index + 1);
+            points.iter().enumerate().map(|(index, point)| lamp(titled(index), *point, false, share)).collect()
+        }
+        Place::Among(_) => vec![lamp(title + ": its middle", emitter.light.position, false, 1.0)],
+    }
+}
+
+/// One `GL_LIGHTi`.
+fn light(index: usize, lamp: &Lamp<'_>, scene: &Scene, mesh: &VertexMesh) -> String {
+    let Lamp { emitter, ref title, place, parallel, share } = *lamp;
+    let light = emitter.light;
+    let (f, [c1, c2, c3]) = falloff(emitter, scene, mesh, parallel, place);
+    let (w, means, falloff) = if parallel {
+        (0.0, "w = 0: L, the same everywhere", "f: none at infinity")
+    } else {
+        (1.0, "w = 1: L = (place - P)/d, d = |place - P|", "c1 of f = 1/(c1 + c2*d + c3*d^2)")
+    };
+    let name = format!("GL_LIGHT{index}");
+    let (axis, spot) = if light.kind == LightKind::Spot {
+        let axis = format!("        const GLfloat axis[] = {{{}}}; /* D, along the cone */", c_three(emitter.axis()));
+        let exponent = c_float(light.exponent.min(GREATEST_EXPONENT));
+        let values: [(&str, &str); 3] = [("light", &name), ("cone", &c_float(light.cone)), ("exponent", &exponent)];
+        (axis, filled(include_str!("fixed/spot.c"), &values))
+    } else {
+        let everywhere = format!("        glLightf({name}, GL_SPOT_CUTOFF, 180.0f); /* it shines in all directions */");
+        (String::new(), everywhere)
+    };
+    filled(
+        include_str!("fixed/light.c"),
+        &[
+            ("title", title),
+            ("place", &c_four(place, w)),
+            ("means", means),
+            ("color", &c_four(light.color * share * f, 1.0)),
+            ("axis", &axis),
+            ("light", &name),
+            ("c1", &c_float(c1)),
+            ("c2", &c_float(c2)),
+            ("c3", &c_float(c3)),
+            ("falloff", falloff),
+            ("spot", &spot),
+        ],
+    )
+}
+
+/// A constant factor, and OpenGL's three coefficients of `f = 1/(c1 + c2·d + c3·d²)`.
+fn falloff(emitter: &Emitter<'_>, scene: &Scene, mesh: &VertexMesh, parallel: bool, place: DVec3) -> (f64, [f64; 3]) {
+    const NONE: [f64; 3] = [1.0, 0.0, 0.0];
+    let light = emitter.light;
+    if let Some(f) = emitter.constant {
+        return (f, NONE);
+    }
+    match light.attenuation {
+        // OpenGL knows no distance to the viewer: that of the target stands for all.
+        Attenuation::Viewer => (1.0 / (scene.camera.distance() + light.k), NONE),
+        _ if parallel => (1.0, NONE),
+        Attenuation::Light => (1.0, [light.k, 1.0, 0.0]),
+        Attenuation::InverseSquare => (1.0, [0.0, 0.0, 1.0]),
+        Attenuation::Quadratic if sides(light, place, mesh)[1] => (1.0, [light.c1, light.c2, light.c3]),
+        Attenuation::Quadratic | Attenuation::None => (1.0, NONE),
+    }
+}
+
+/// Whether there are vertices within, and beyond, the distance from a light at `place` at which `min(1, …)` of its quadratic
+/// attenuation ends to matter.
+fn sides(light: &Light, place: DVec3, mesh: &VertexMesh) -> [bool; 2] {
+    let mut sides = [false; 2];
+    for p in &mesh.positions {
+        let d = (mesh.origin + p.as_dvec3() - place).length();
+        let sum = light.c1 + light.c2 * d + light.c3 * d * d;
+        sides[if sum < 1.0 { 0 } else { 1 }] = true;
+    }
+    sides
+}
+
+/// The n of `(N·H)^n` that comes nearest to the scene's highlight.
+fn exponent(scene: &Scene) -> f64 {
+    let material = &scene.material;
+    match scene.reflection.model {
+        ReflectionModel::Blinn => material.n,
+        ReflectionModel::Phong => blinn_from_phong(material.n),
+        // The inverse of m = √(2/(n + 2)).
+        ReflectionModel::CookTorrance => (2.0 / (material.roughness * material.roughness) - 2.0).max(0.0),
+    }
+}
+
+/// `set_up_material()`: `glMaterial*`, and how polygons are shaded and which of them are drawn.
+fn material(scene: &Scene, mesh: &VertexMesh) -> String {
+    let material = &scene.material;
+    let index = Index::of(material);
+    let head_on = index.map_or(Rgb::ONE, |index| index.reflectance(1.0));
+    let n_means = match scene.reflection.model {
+        _ if SpecularForm::of(scene) == SpecularForm::None => "n, of no effect: no specular light".to_owned(),
+        ReflectionModel::Blinn => "n of (N.H)^n".to_owned(),
+        ReflectionModel::Phong => format!("as wide as (R.V)^n with n = {}, up to 128", said(material.n)),
+        ReflectionModel::CookTorrance => format!("as wide as roughness {}, up to 128", said(material.roughness)),
+    };
+    let (model, model_means) = match scene.shading.mode {
+        ShadingMode::Flat => ("GL_FLAT", "the shade of each triangle's last vertex"),
+        ShadingMode::Interpolated => ("GL_SMOOTH", "intensities interpolated, between vertices with the polygon's N"),
+        _ => ("GL_SMOOTH", "Gouraud's: intensities interpolated between vertices"),
+    };
+    let eye_outside = (scene.camera.eye - mesh.origin).length() > mesh.radius() * 1.01;
+    let culling = if mesh.closed && eye_outside {
+        "    glCullFace(GL_BACK);\n    glEnable(GL_CULL_FACE); /* a closed solid hides its back faces */"
+    } else {
+        "    glDisable(GL_CULL_FACE); /* it can be seen from behind */"
+    };
+    let front = match scene.reflection.backfacing {
+        Backfacing::Clamp => "counter-clockwise polygons are seen from outside",
+        Backfacing::Flip => "clockwise polygons are seen from behind: there N is turned",
+    };
+    filled(
+        include_str!("fixed/material.c"),
+        &[
+            ("ambient", &c_four(material.ka * material.color, 1.0)),
+            ("diffuse", &c_four(material.kd * material.color, 1.0)),
+            ("specular", &c_four(material.ks * material.specular_color * head_on, 1.0)),
+            ("reflectance", if index.is_some() { ", times W at normal incidence" } else { "" }),
+            ("n", &c_float(exponent(scene).min(GREATEST_EXPONENT))),
+            ("n_means", &n_means),
+            ("model", model),
+            ("model_means", model_means),
+            ("front", front),
+            ("culling", culling),
+        ],
+    )
+}
+
+/// The polygons as arrays, and off-screen drawing. Each polygon is fanned from its first vertex. For flat shading that vertex comes
+/// last, where OpenGL takes the shade from.
+fn main(scene: &Scene, mesh: &VertexMesh) -> String {
+    let [width, height] = scene.image.size.map(|side| side.to_string());
+    let flat = scene.shading.mode == ShadingMode::Flat;
+    let row = |[a, b, c]: [u32; 3]| {
+        if flat { format!("    {{{b}, {c}, {a}}},\n") } else { format!("    {{{a}, {b}, {c}}},\n") }
+    };
+    let count = fan(mesh).count().to_string();
+    let triangles: String = fan(mesh).map(row).collect();
+    let list = |vectors: &[Vec3]| -> String {
+        let vectors = if vectors.is_empty() { &[Vec3::ZERO] } else { vectors };
+        vectors.iter().map(|v| format!("    {{{}}},\n", c_three(v.as_dvec3()))).collect()
+    };
+    filled(
+        include_str!("fixed/main.c"),
+        &[
+            ("width", &width),
+            ("height", &height),
+            ("count", &count),
+            ("background", &c_three(scene.image.background)),
+            ("origin", &mesh.origin.to_array().map(c_double).join(", ")),
+            ("positions", &list(&mesh.positions)),
+            ("normals", &list(&mesh.normals)),
+            ("order", if flat { ", which gives the shade and so comes last" } else { "" }),
+            ("triangles", if triangles.is_empty() { "    {0, 0, 0}," } else { &triangles }),
+        ],
+    )
 }

@@ -3,41 +3,457 @@
 //! Phong and exact shading evaluate the equation in the fragment shader, the other modes in the vertex shader: the text of
 //! the equation is the same.
 
-mod cue;
-mod equation;
-mod lights;
-mod stages;
+use super::sources::{Emitter, Place, SCALE, emitters, flat, interpolation, surroundings};
+use super::text::{filled, float, head, said, vec3};
+use super::{Export, Part};
+use crate::illumination::{Index, SpecularForm};
+use crate::scene::{
+    Attenuation, Backfacing, Camera, CuedBy, Encoding, Interpolation, Light, LightKind, NormalSource, Object,
+    ObjectKind, Overflow, PatternKind, Projection, Scene, ShadingMode, View, Viewer,
+};
+use glam::{DMat4, DVec3, DVec4};
 
-use super::{Export, Part, comment, head, limits};
-use crate::scene::Scene;
+/// Stands for n = ∞.
+const MIRROR: f64 = 1e30;
+
+/// Radius about the origin that holds every built-in shape: √2 for the corners of the plane, a little more for rounding.
+const SHAPES: f64 = 1.42;
+
+/// Room before the nearest and behind the farthest of a scene's own polygons.
+const MARGIN: f64 = 1.01;
+
+/// What is nearer than this many camera distances is not drawn, nor what is farther than its inverse.
+const NEAR: f64 = 1e-3;
+
+const EQUATION: &str = "    I = Ka*Od*Ia + sum over the lights of f*Ip*[Kd*Od*(N.L) + Ks*Os*W*S], where N.L > 0";
+
+/// Lengths are lifted a little before anything is divided by them.
+const DIRECTION: &str = "    float d = max(length(to_light), 1e-9);\n    vec3 L = to_light / d;\n";
 
 /// A pair of shaders, `#version 330 core`, that evaluates the scene's equation where its shading mode does. They need
 /// positions (location 0) and unit normals (location 1) in the world and nothing else: the uniforms have the scene's
 /// values as defaults.
 pub fn glsl_330(scene: &Scene) -> Export {
-    let limits = limits::shaders(scene);
-    let equation = format!("{}\n{}\n{}", equation::constants(scene), equation::terms(scene), lights::text(scene));
-    let [in_vertex, in_fragment] = if stages::per_pixel(scene) { ["", &equation] } else { [&*equation, ""] };
-    let (inputs, vertex, fragment) = (stages::inputs(scene), stages::vertex(scene), stages::fragment(scene));
-    let vertex = format!("{}\n{inputs}{in_vertex}{vertex}", opening(VERTEX, scene, &limits));
-    let fragment = format!("{}\n{in_fragment}{fragment}", opening(FRAGMENT, scene, &limits));
+    let mut limits = surroundings(scene);
+    let shading = match scene.shading.mode {
+        ShadingMode::Exact if scene.object.kind.has_surface() => Some(
+            "Exact shading: each pixel of the polygons is shaded with its interpolated N (Phong shading); the outline is \
+             theirs.",
+        ),
+        ShadingMode::Exact => None,
+        ShadingMode::Flat => flat(scene),
+        _ => interpolation(scene, true),
+    };
+    let scale = (scene.display.overflow == Overflow::Scale).then_some(SCALE);
+    limits.extend([shading, scale].into_iter().flatten().map(str::to_owned));
+    let equation = format!("{}\n{}\n{}", constants(scene), terms(scene), lights(scene));
+    let [in_vertex, in_fragment] = if per_pixel(scene) { ["", equation.as_str()] } else { [equation.as_str(), ""] };
+    let part = |title, ending, text| {
+        let what = format!("A scene of shading-lab: the {title} of a pair.");
+        let head = head(&[&what, &host(scene), "The equation, per channel:", EQUATION], &limits, "// ");
+        Part { title, ending, text: format!("#version 330 core\n{head}\n{text}") }
+    };
     let parts = vec![
-        Part { title: "vertex shader", ending: "vert", text: vertex },
-        Part { title: "fragment shader", ending: "frag", text: fragment },
+        part("vertex shader", "vert", vertex(scene, in_vertex)),
+        part("fragment shader", "frag", fragment(scene, in_fragment)),
     ];
     Export { parts, limits }
 }
 
-const VERTEX: &str = "A scene of shading-lab: the vertex shader of a pair.";
-const FRAGMENT: &str = "A scene of shading-lab: the fragment shader of a pair.";
-
-/// The version, which must come first, and what to know before reading on.
-fn opening(what: &str, scene: &Scene, limits: &[String]) -> String {
-    let host = stages::host(scene);
+/// What the program around the shaders has to do.
+fn host(scene: &Scene) -> String {
+    let normals = match (scene.shading.mode, scene.object.normals) {
+        (ShadingMode::Interpolated, _) | (_, NormalSource::Facet) => "each polygon's own, so that no vertex is shared",
+        (_, NormalSource::Averaged) => "the mean of the polygons' at the vertex",
+        (_, NormalSource::Exact) => "the true surface's",
+        (_, NormalSource::File) => "the file's",
+    };
+    let provoking = match scene.shading.mode {
+        ShadingMode::Flat => " glProvokingVertex(GL_FIRST_VERTEX_CONVENTION) takes the shade of the first vertex.",
+        _ => "",
+    };
+    let encoded = |v: f64| match (v.clamp(0.0, 1.0), scene.display.encoding) {
+        (v, Encoding::Srgb) if v > 0.003_130_8 => 1.055 * v.powf(1.0 / 2.4) - 0.055,
+        (v, Encoding::Srgb) => 12.92 * v,
+        (v, Encoding::Raw) => v,
+    };
+    let background = scene.image.background.to_array().map(|v| said(encoded(v))).join(", ");
+    let [width, height] = scene.image.size;
     format!(
-        "#version 330 core\n{}",
-        comment(&head(&[what, &host, "The equation, per channel:", EQUATION], limits), "// ")
+        "The program around them gives positions and unit normals ({normals}), enables GL_DEPTH_TEST and clears a picture \
+         of {width}x{height} pixels to ({background}).{provoking}"
     )
 }
 
-const EQUATION: &str = "    I = Ka*Od*Ia + sum over the lights of f*Ip*[Kd*Od*(N.L) + Ks*Os*W*S], where N.L > 0";
+/// The numbers that do not depend on the point.
+fn constants(scene: &Scene) -> String {
+    let (camera, material, form) = (&scene.camera, &scene.material, SpecularForm::of(scene));
+    let towards_viewer = match camera.viewer {
+        Viewer::Local => String::new(),
+        Viewer::Infinite => {
+            let v = vec3((camera.eye - camera.target).normalize_or_zero());
+            format!("uniform vec3 towards_viewer = {v}; // V, constant: the viewer is at infinity")
+        }
+    };
+    let (ks, os) = (vec3(material.ks), vec3(material.specular_color));
+    let lobe = match form {
+        SpecularForm::Beckmann | SpecularForm::Ggx => {
+            let means = if form == SpecularForm::Ggx { "alpha" } else { "the microfacets' root mean square slope" };
+            format!("const float m = {}; // roughness: {means}", float(material.roughness))
+        }
+        _ if material.n > MIRROR => format!("const float n = {}; // a mirror", float(MIRROR)),
+        _ => format!("const float n = {};", float(material.n)),
+    };
+    let specular = match form {
+        SpecularForm::None => String::new(),
+        _ => format!("const vec3 Ks = {ks};\nconst vec3 Os = {os}; // the highlight's colour\n{lobe}"),
+    };
+    filled(
+        include_str!("glsl/constants.glsl"),
+        &[
+            ("eye", &vec3(camera.eye)),
+            ("towards_viewer", &towards_viewer),
+            ("Ia", &vec3(scene.ambient.color)),
+            ("Ka", &vec3(material.ka)),
+            ("Kd", &vec3(material.kd)),
+            ("Od", &vec3(material.color)),
+            ("specular", &specular),
+        ],
+    )
+}
+
+/// The functions that the lights' contributions are made of, and `reflected`, which puts them together.
+fn terms(scene: &Scene) -> String {
+    let form = SpecularForm::of(scene);
+    let index = Index::of(&scene.material).filter(|_| form != SpecularForm::None);
+    let mut text = pattern(scene) + &specular(form);
+    if let Some(Index { eta, k, .. }) = index {
+        let fresnel = include_str!("glsl/fresnel.glsl");
+        let (eta, k) = (vec3(eta), vec3(k));
+        text += "// The complex index of refraction, per channel.\n";
+        text += &format!("const vec3 eta = {eta}, kappa = {k};\n\n{fresnel}\n");
+    }
+    let turn = match scene.reflection.backfacing {
+        Backfacing::Clamp => "",
+        Backfacing::Flip => {
+            "    if (NL < 0.0) {
+        // The surface has two sides: N is turned towards the light.
+        N = -N;
+        NL = -NL;
+    }"
+        }
+    };
+    let (incidence, w) = match (index.is_some(), form.at_halfway()) {
+        (false, _) => ("", ""),
+        // |L + V|/2 is the cosine of half the angle between them.
+        (true, true) => ("    vec3 W = reflectance(0.5 * length(L + V));", " * W"),
+        (true, false) => ("    vec3 W = reflectance(NL);", " * W"),
+    };
+    let specular = match form {
+        SpecularForm::None => String::new(),
+        _ => format!(" + Ks * Os{w} * specular_factor(N, L, V, NL)"),
+    };
+    let values: [(&str, &str); 3] = [("turn", turn), ("incidence", incidence), ("specular", &specular)];
+    text + &filled(include_str!("glsl/reflected.glsl"), &values)
+}
+
+/// `specular_factor`, the S of the equation.
+fn specular(form: SpecularForm) -> String {
+    const PHONG: &str = "S = (R.V)^n with R = 2N(N.L) - L (Phong)";
+    const BLINN: &str = "S = (N.H)^n with H = (L + V)/|L + V| (Blinn)";
+    const FACET: &str = concat!(include_str!("glsl/facet.glsl"), "\n");
+    let (power, chord) = (include_str!("glsl/power_of_cosine.glsl"), include_str!("glsl/power_of_chord.glsl"));
+    let (beckmann, ggx) = (include_str!("glsl/beckmann.glsl"), include_str!("glsl/ggx.glsl"));
+    let (facet, helpers, doc, body) = match form {
+        SpecularForm::None => return String::new(),
+        SpecularForm::PhongCosine => ("", power, PHONG, "power(2.0 * NL * dot(N, V) - dot(L, V))"),
+        SpecularForm::PhongChord => ("", chord, PHONG, "power(2.0 * NL * N - L, V)"),
+        SpecularForm::BlinnCosine => ("", power, BLINN, "power(dot(N, normalize(L + V)))"),
+        SpecularForm::BlinnChord => ("", chord, BLINN, "power(N, normalize(L + V))"),
+        SpecularForm::Beckmann => {
+            (FACET, beckmann, "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Beckmann)", "facets(N, L, V, NL)")
+        }
+        SpecularForm::Ggx => {
+            (FACET, ggx, "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Walter et al.)", "facets(N, L, V, NL)")
+        }
+    };
+    let signature = "float specular_factor(vec3 N, vec3 L, vec3 V, float NL)";
+    format!("{facet}{helpers}\n// {doc}.\n{signature} {{\n    return {body};\n}}\n\n")
+}
+
+/// `surface_color`, Od at a point.
+fn pattern(scene: &Scene) -> String {
+    let pattern = &scene.pattern;
+    let around = if scene.object.kind.faces_viewer() { "xy" } else { "xz" };
+    let count = match pattern.kind {
+        PatternKind::None => return String::new(),
+        PatternKind::Checker => "floor(p.x + 0.5) + floor(p.y + 0.5) + floor(p.z + 0.5)".to_owned(),
+        PatternKind::Stripes => "floor(p.y + 0.5)".to_owned(),
+        PatternKind::Rings => format!("floor(length(p.{around}) + 0.5)"),
+    };
+    let (fields, scale) = (said(pattern.scale), float(pattern.scale));
+    let values: [(&str, &str); 4] =
+        [("fields", &fields), ("color", &vec3(pattern.color)), ("scale", &scale), ("count", &count)];
+    filled(include_str!("glsl/pattern.glsl"), &values)
+}
+
+/// A function for each light, and `illuminate`, which adds them up.
+fn lights(scene: &Scene) -> String {
+    let emitters = emitters(scene);
+    let functions: String = emitters.iter().map(light).collect();
+    let view = match scene.camera.viewer {
+        Viewer::Local => "normalize(eye - P)",
+        Viewer::Infinite => "towards_viewer",
+    };
+    let color = if scene.pattern.kind == PatternKind::None { "Od" } else { "surface_color(P)" };
+    let call = |emitter: &Emitter<'_>| format!("    I += light_{}(P, N, V, color);\n", emitter.index);
+    let calls: String = emitters.iter().map(call).collect();
+    let values: [(&str, &str); 3] = [("view", view), ("color", color), ("lights", &calls)];
+    functions + &filled(include_str!("glsl/illuminate.glsl"), &values)
+}
+
+fn light(emitter: &Emitter<'_>) -> String {
+    let index = emitter.index.to_string();
+    let (what, direction) = match &emitter.place {
+        Place::Among(points) => return area(emitter, points, &index),
+        Place::Towards(l) => ("L is the same everywhere", format!("    const vec3 L = {};\n", vec3(*l))),
+        Place::At(place) => {
+            let to_light = format!("    vec3 to_light = {} - P;\n{DIRECTION}", vec3(*place));
+            ("L points to its place from each point", to_light)
+        }
+    };
+    let (title, ip, shine) = (emitter.title(), vec3(emitter.light.color), direction + &shine(emitter, "return"));
+    let values: [(&str, &str); 5] =
+        [("title", &title), ("what", what), ("index", &index), ("Ip", &ip), ("shine", &shine)];
+    filled(include_str!("glsl/light.glsl"), &values)
+}
+
+/// An area light: the points that stand for it, and a loop over them.
+fn area(emitter: &Emitter<'_>, points: &[DVec3], index: &str) -> String {
+    let list: Vec<_> = points.iter().map(|&point| format!("    {}", vec3(point))).collect();
+    let body = format!("    vec3 to_light = points_{index}[i] - P;\n{DIRECTION}{}", shine(emitter, "sum +="));
+    let body: String = body.lines().map(|line| format!("    {line}\n")).collect();
+    filled(
+        include_str!("glsl/area.glsl"),
+        &[
+            ("title", &emitter.title()),
+            ("index", index),
+            ("count", &points.len().to_string()),
+            ("points", &list.join(",\n")),
+            ("Ip", &vec3(emitter.light.color)),
+            ("shine", &body),
+        ],
+    )
+}
+
+/// f, a spot light's part, and what is reflected of it, which `verb` returns or adds.
+fn shine(emitter: &Emitter<'_>, verb: &str) -> String {
+    let Light { attenuation, k, c1, c2, c3, .. } = *emitter.light;
+    let [k, c1, c2, c3] = [k, c1, c2, c3].map(float);
+    let f = match (attenuation, emitter.constant) {
+        (_, Some(f)) => float(f),
+        (Attenuation::Viewer, _) => format!("1.0 / max(distance(eye, P) + {k}, 1e-9)"),
+        (Attenuation::Light, _) => format!("1.0 / max(d + {k}, 1e-9)"),
+        (Attenuation::InverseSquare, _) => "1.0 / (d * d)".to_owned(),
+        (Attenuation::Quadratic, _) => format!("min(1.0, 1.0 / max({c1} + {c2} * d + {c3} * d * d, 1e-9))"),
+        (Attenuation::None, None) => "1.0".to_owned(),
+    };
+    let (cone, factor) = if emitter.light.kind == LightKind::Spot {
+        (cone(emitter), "f * spot * Ip")
+    } else {
+        (String::new(), "f * Ip")
+    };
+    format!("    float f = {f};\n{cone}    {verb} reflected(N, L, V, color, {factor});\n")
+}
+
+/// `(−L·D)^e` inside the cone, nothing outside.
+fn cone(emitter: &Emitter<'_>) -> String {
+    let light = emitter.light;
+    let gap = |degrees: f64| 2.0 * (degrees.to_radians() * 0.5).sin().powi(2);
+    let edge = gap(light.cone);
+    let fade = edge - gap(light.cone * (1.0 - light.softness));
+    let edge = float(edge);
+    let soft = if light.softness > 0.0 {
+        format!("smoothstep(0.0, 1.0, ({edge} - gap) / {})", float(fade))
+    } else {
+        format!("step(gap, {edge})")
+    };
+    let (axis, cone, exponent) = (vec3(emitter.axis()), said(light.cone), float(light.exponent));
+    let values: [(&str, &str); 4] = [("axis", &axis), ("cone", &cone), ("exponent", &exponent), ("soft", &soft)];
+    filled(include_str!("glsl/cone.glsl"), &values)
+}
+
+/// Where the s0 of depth cueing is evaluated.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Cue {
+    None,
+    /// In the vertex shader, where the intensity is.
+    Intensity,
+    /// In the vertex shader, handed on by itself.
+    Carried,
+    /// In the fragment shader.
+    Fragment,
+}
+
+impl Cue {
+    fn of(scene: &Scene) -> Self {
+        let cueing = &scene.depth_cueing;
+        match (cueing.by, scene.shading.mode) {
+            _ if [cueing.front_scale, cueing.back_scale] == [1.0; 2] => Self::None,
+            (CuedBy::Off, _) => Self::None,
+            (CuedBy::Pixel, _) | (_, ShadingMode::Exact) => Self::Fragment,
+            (CuedBy::Vertex, ShadingMode::Phong) => Self::Carried,
+            (CuedBy::Vertex, _) => Self::Intensity,
+        }
+    }
+
+    /// What the vertex and the fragment shader declare for `s0·I + (1 − s0)·Idc`.
+    fn declared(self, scene: &Scene) -> [String; 2] {
+        let cueing = &scene.depth_cueing;
+        let view = View::new(&scene.camera, scene.image.size);
+        let row = DVec4::from((view.forward, -view.forward.dot(view.eye))).to_array().map(float).join(", ");
+        let depth = filled(include_str!("glsl/depth.glsl"), &[("row", &row)]);
+        let [back, extent] = [cueing.back, cueing.back - cueing.front].map(float);
+        let [front_scale, back_scale] = [cueing.front_scale, cueing.back_scale].map(float);
+        let values: [(&str, &str); 4] =
+            [("back", &back), ("extent", &extent), ("front_scale", &front_scale), ("back_scale", &back_scale)];
+        let law = filled(include_str!("glsl/law.glsl"), &values);
+        let fade = filled(include_str!("glsl/fade.glsl"), &[("color", &vec3(cueing.color))]);
+        match self {
+            Self::None => [String::new(), String::new()],
+            Self::Intensity => [depth + &law + &fade, String::new()],
+            Self::Carried => [depth + &law, fade],
+            Self::Fragment => [depth, law + &fade],
+        }
+    }
+}
+
+fn per_pixel(scene: &Scene) -> bool {
+    matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact)
+}
+
+/// How what the vertices carry comes to the pixels.
+fn qualifier(scene: &Scene) -> &'static str {
+    match (scene.shading.mode, scene.shading.interpolation) {
+        (ShadingMode::Flat, _) => "flat ",
+        (ShadingMode::Exact, _) => "",
+        (_, Interpolation::Affine) => "noperspective ",
+        _ => "",
+    }
+}
+
+fn vertex(scene: &Scene, equation: &str) -> String {
+    let (how, cue) = (qualifier(scene), Cue::of(scene));
+    let here = "dot(depth_from_world, vec4(vertex_position, 1.0))";
+    let (mut carried, mut given) = if per_pixel(scene) {
+        let carried = format!("out vec3 position;\n{how}out vec3 normal;");
+        (carried, "position = vertex_position;\n    normal = vertex_normal;".to_owned())
+    } else {
+        (format!("{how}out vec3 intensity;"), "intensity = illuminate(vertex_position, vertex_normal);".to_owned())
+    };
+    match cue {
+        Cue::None => {}
+        Cue::Intensity => {
+            given = format!("intensity = fade(illuminate(vertex_position, vertex_normal), s0_at({here}));");
+        }
+        Cue::Carried => {
+            carried += &format!("\n{how}out float s0;");
+            given += &format!("\n    s0 = s0_at({here});");
+        }
+        Cue::Fragment => {
+            carried += "\nout float depth;";
+            given += &format!("\n    depth = {here};");
+        }
+    }
+    let [cueing, _] = cue.declared(scene);
+    let declared = format!("{equation}{cueing}");
+    let clip = clip_from_world(&scene.camera, scene.image.size, &scene.object);
+    let column = |v: DVec4| format!("    {}", v.to_array().map(float).join(", "));
+    let columns = [clip.x_axis, clip.y_axis, clip.z_axis, clip.w_axis].map(column).join(",\n");
+    let values: [(&str, &str); 4] =
+        [("clip_from_world", &columns), ("declared", &declared), ("carried", &carried), ("given", &given)];
+    filled(include_str!("glsl/vertex.glsl"), &values)
+}
+
+fn fragment(scene: &Scene, equation: &str) -> String {
+    let (how, cue) = (qualifier(scene), Cue::of(scene));
+    let renormalise = scene.shading.renormalise || scene.shading.mode == ShadingMode::Exact;
+    let normal = if renormalise { "normalize(normal)" } else { "normal" };
+    let (mut carried, mut intensity) = if per_pixel(scene) {
+        (format!("in vec3 position;\n{how}in vec3 normal;"), format!("illuminate(position, {normal})"))
+    } else {
+        (format!("{how}in vec3 intensity;"), "intensity".to_owned())
+    };
+    match cue {
+        Cue::None | Cue::Intensity => {}
+        Cue::Carried => {
+            carried += &format!("\n{how}in float s0;");
+            intensity = format!("fade({intensity}, s0)");
+        }
+        Cue::Fragment => {
+            carried += "\nin float depth;";
+            intensity = format!("fade({intensity}, s0_at(depth))");
+        }
+    }
+    let [_, cueing] = cue.declared(scene);
+    let declared = format!("{equation}{cueing}");
+    let height = float(f64::from(scene.image.size[1]));
+    let mark = match scene.display.overflow {
+        Overflow::Mark => filled(include_str!("glsl/mark.glsl"), &[("height", &height)]),
+        _ => String::new(),
+    };
+    let (means, encode) = match scene.display.encoding {
+        Encoding::Raw => ("the framebuffer stores 255*I, rounded", "    return clamp(I, 0.0, 1.0);"),
+        Encoding::Srgb => ("the transfer function of IEC 61966-2-1", include_str!("glsl/srgb.glsl")),
+    };
+    let values: [(&str, &str); 6] = [
+        ("declared", &declared),
+        ("carried", &carried),
+        ("means", means),
+        ("mark", &mark),
+        ("encode", encode),
+        ("intensity", &intensity),
+    ];
+    filled(include_str!("glsl/fragment.glsl"), &values)
+}
+
+fn clip_from_world(camera: &Camera, size: [u32; 2], object: &Object) -> DMat4 {
+    let view = View::new(camera, size);
+    let [width, height] = size.map(|side| f64::from(side.max(1)));
+    let (x, y) = (2.0 * view.scale / width, 2.0 * view.scale / height);
+    let [near, far] = planes(camera, &view, object);
+    let span = far - near;
+    let eye_from_world = DMat4::from_cols(
+        DVec4::new(view.right.x, view.up.x, -view.forward.x, 0.0),
+        DVec4::new(view.right.y, view.up.y, -view.forward.y, 0.0),
+        DVec4::new(view.right.z, view.up.z, -view.forward.z, 0.0),
+        DVec4::new(-view.right.dot(view.eye), -view.up.dot(view.eye), view.forward.dot(view.eye), 1.0),
+    );
+    let (third, fourth) = match view.projection {
+        Projection::Perspective => {
+            (DVec4::new(0.0, 0.0, -(far + near) / span, -1.0), DVec4::new(0.0, 0.0, -2.0 * far * near / span, 0.0))
+        }
+        Projection::Orthographic => {
+            (DVec4::new(0.0, 0.0, -2.0 / span, 0.0), DVec4::new(0.0, 0.0, -(far + near) / span, 1.0))
+        }
+    };
+    DMat4::from_cols(DVec4::X * x, DVec4::Y * y, third, fourth) * eye_from_world
+}
+
+/// The depths that are drawn: those of the unit sphere, of the scene's polygons, or of all that a model may be.
+fn planes(camera: &Camera, view: &View, object: &Object) -> [f64; 2] {
+    let unit = camera.distance();
+    let (nearest, farthest) = (NEAR * unit, unit / NEAR);
+    if object.kind == ObjectKind::Obj && !object.fit {
+        return [nearest, farthest];
+    }
+    let reach = match object.kind {
+        ObjectKind::Polygons => {
+            object.polygons().vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max) * MARGIN
+        }
+        _ => SHAPES,
+    };
+    let middle = -view.eye.dot(view.forward);
+    let near = (middle - reach).max(nearest);
+    [near, (middle + reach).max(2.0 * near)]
+}

@@ -4,8 +4,8 @@
 //! turn, so that what else the machine does falls on all alike; each just after it was drawn uncounted, so that none pays
 //! for the others having used the caches. What takes long takes part in fewer of the rounds.
 
-use super::{Frames, median_ms};
-use crate::analysis::report::{Column, Part, Report, Table, as_it_is, cells, fixed};
+use super::median_ms;
+use crate::analysis::report::{Column, Part, Report, Table, as_it_is, fixed};
 use crate::analysis::{Fit, Subject, order_of};
 use crate::geometry::{divisions_for, triangles};
 use crate::render::Renderer;
@@ -61,13 +61,13 @@ pub fn most_frames(frames: u32) -> u64 {
 }
 
 /// Measures by up to `frames` frames each.
-pub fn measure(subject: &Subject, frames: u32, counted: &Frames<'_>) -> Growth {
+pub fn measure(subject: &Subject, frames: u32, count: &dyn Fn()) -> Growth {
     let scene = &subject.scene;
     let coarse = divided(scene, FEW_TRIANGLES).unwrap_or_else(|| scene.clone());
     let pictures = PIXELS.iter().map(|pixels| sized(&coarse, *pixels)).collect();
     let fine: Vec<Scene> = TRIANGLES.iter().filter_map(|count| divided(&sized(scene, FEW_PIXELS), *count)).collect();
-    let pixels = series(subject, pictures, frames, counted, |row| row.pixels);
-    let triangles = (!fine.is_empty()).then(|| series(subject, fine, frames, counted, |row| row.triangles));
+    let pixels = series(subject, pictures, frames, count, |row| row.pixels);
+    let triangles = (!fine.is_empty()).then(|| series(subject, fine, frames, count, |row| row.triangles));
     Growth { pixels, triangles }
 }
 
@@ -136,7 +136,7 @@ impl Frame {
     }
 }
 
-fn series(subject: &Subject, scenes: Vec<Scene>, frames: u32, counted: &Frames<'_>, size: fn(&Row) -> u64) -> Series {
+fn series(subject: &Subject, scenes: Vec<Scene>, frames: u32, count: &dyn Fn(), size: fn(&Row) -> u64) -> Series {
     let mut drawn: Vec<Frame> = scenes.into_iter().map(|scene| Frame::new(subject, scene, frames)).collect();
     for round in 0..frames {
         for frame in &mut drawn {
@@ -145,7 +145,7 @@ fn series(subject: &Subject, scenes: Vec<Scene>, frames: u32, counted: &Frames<'
                 let time = frame.time();
                 frame.times.push(time);
             }
-            counted.count();
+            count();
         }
     }
     let rows: Vec<Row> = drawn.into_iter().map(Frame::row).collect();
@@ -165,17 +165,16 @@ impl Growth {
     pub fn describe(&self, report: &mut Report) {
         let series = [("pixels", Some(&self.pixels)), ("triangles", self.triangles.as_ref())];
         for (name, series) in series.into_iter().filter_map(|(name, series)| Some((name, series?))) {
-            let mut table = Table::new([
-                Column::shown("pixels", as_it_is),
-                Column::shown("triangles", as_it_is),
-                Column::shown("frames", as_it_is),
-                Column::shown("median, ms", fixed::<3>),
-                Column::shown("fastest, ms", fixed::<3>),
-            ]);
-            let rows = series.rows.iter();
-            table
-                .rows
-                .extend(rows.map(|row| cells![row.pixels, row.triangles, row.frames, row.median_ms, row.fastest_ms]));
+            let table = Table::of(
+                &series.rows,
+                [
+                    (Column::shown("pixels", as_it_is), |row| row.pixels.into()),
+                    (Column::shown("triangles", as_it_is), |row| row.triangles.into()),
+                    (Column::shown("frames", as_it_is), |row| row.frames.into()),
+                    (Column::shown("median, ms", fixed::<3>), |row| row.median_ms.into()),
+                    (Column::shown("fastest, ms", fixed::<3>), |row| row.fastest_ms.into()),
+                ],
+            );
             let section = report.section(format!("growth with the {name}"));
             section.push(Part::Table(table));
             let fits =
@@ -195,7 +194,7 @@ mod tests {
     use crate::scene::Object;
 
     #[test]
-    fn pictures_have_the_pixels_and_the_shape_that_were_asked_for() {
+    fn pictures_and_tessellations_are_as_fine_as_asked_for_or_not_there() {
         let mut scene = Scene::default();
         scene.image.size = [640, 480];
         for pixels in PIXELS {
@@ -203,11 +202,6 @@ mod tests {
             assert!((width * height / pixels - 1.0).abs() < 0.01, "{width} × {height}");
             assert!((width / height * 3.0 / 4.0 - 1.0).abs() < 0.01, "{width} × {height}");
         }
-    }
-
-    #[test]
-    fn tessellations_are_as_fine_as_asked_for_or_not_there() {
-        let scene = Scene::default();
         for count in TRIANGLES {
             let divided = divided(&scene, count).expect("a sphere of any fineness");
             assert!(triangles(&divided.object).abs_diff(count) < count / 50, "{count}");

@@ -5,11 +5,10 @@
 //! are a few 10⁻³² for the operations and below 10⁻²⁹ for the functions, in the range of exponents of an `f64`.
 
 use glam::DVec3;
-use std::cmp::Ordering;
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A double-double number.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct Precise {
     hi: f64,
     lo: f64,
@@ -73,7 +72,7 @@ impl Precise {
         let mut term = precise(1.0);
         for k in 1..12_u32 {
             term = term * rest / precise(f64::from(k));
-            less_one += term;
+            less_one = less_one + term;
         }
         for _ in 0..SQUARINGS {
             less_one = less_one * 2.0 + less_one * less_one;
@@ -87,24 +86,21 @@ impl Precise {
     pub fn ln(self) -> Self {
         let mut x = precise(self.hi.ln());
         for _ in 0..2 {
-            x += self * (-x).exp() - precise(1.0);
+            x = x + self * (-x).exp() - precise(1.0);
         }
         x
     }
 
     /// Sine and cosine of an angle of at most a few radians, by Taylor's series.
     pub fn sin_cos(self) -> (Self, Self) {
-        let (mut sine, mut cosine) = (precise(0.0), precise(0.0));
+        let mut sums = [precise(0.0); 2];
         let mut term = precise(1.0);
-        for k in 0..48_u32 {
+        for k in 0..48 {
             let part = if k % 4 < 2 { term } else { -term };
-            if k % 2 == 0 {
-                cosine += part;
-            } else {
-                sine += part;
-            }
-            term = term * self / precise(f64::from(k + 1));
+            sums[k % 2] = sums[k % 2] + part;
+            term = term * self / precise((k + 1) as f64);
         }
+        let [cosine, sine] = sums;
         (sine, cosine)
     }
 
@@ -120,13 +116,6 @@ impl From<Precise> for f64 {
     }
 }
 
-impl PartialOrd for Precise {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        let high = self.hi.partial_cmp(&other.hi)?;
-        Some(high.then(self.lo.partial_cmp(&other.lo)?))
-    }
-}
-
 impl Add for Precise {
     type Output = Self;
 
@@ -134,12 +123,6 @@ impl Add for Precise {
         let (high, low) = (sum(self.hi, other.hi), sum(self.lo, other.lo));
         let once = quick_sum(high.hi, high.lo + low.hi);
         quick_sum(once.hi, once.lo + low.lo)
-    }
-}
-
-impl AddAssign for Precise {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
     }
 }
 
@@ -264,35 +247,24 @@ mod tests {
     }
 
     #[test]
-    fn operations_undo_each_other_to_thirty_digits() {
-        let third = precise(1.0) / precise(3.0);
+    fn operations_functions_and_vectors_have_thirty_digits() {
+        let (one, third) = (precise(1.0), precise(1.0) / precise(3.0));
         assert!(worst(|x| x / third * third, |x| x) < 1e-30);
         assert!(worst(|x| x.sqrt() * x.sqrt(), |x| x) < 1e-30);
         assert!(worst(|x| x + third - third, |x| x) < 1e-20, "what is small beside 1/3 loses its last digits");
         assert_eq!(precise(6.0) / precise(-3.0), precise(-2.0));
-    }
-
-    #[test]
-    fn functions_have_thirty_digits() {
-        let small = |x: Precise| x / (x + precise(1.0)) * 3.0;
-        assert!(worst(|x| small(x).exp() * (-small(x)).exp(), |_| precise(1.0)) < 1e-29);
-        assert!(worst(|x| (x + precise(1.0)).ln().exp(), |x| x + precise(1.0)) < 1e-29);
-        let circle = |x: Precise| {
-            let (sine, cosine) = small(x).sin_cos();
-            sine * sine + cosine * cosine
-        };
-        assert!(worst(circle, |_| precise(1.0)) < 1e-29);
+        let small = |x: Precise| x / (x + one) * 3.0;
+        assert!(worst(|x| small(x).exp() * (-small(x)).exp(), |_| one) < 1e-29);
+        assert!(worst(|x| (x + one).ln().exp(), |x| x + one) < 1e-29);
+        let circle = |(sine, cosine): (Precise, Precise)| sine * sine + cosine * cosine;
+        assert!(worst(|x| circle(small(x).sin_cos()), |_| one) < 1e-29);
         // e to 32 digits, and the sine of 30 degrees.
         let e = Precise { hi: std::f64::consts::E, lo: 1.445_646_891_729_250_2e-16 };
-        assert!(f64::from(precise(1.0).exp() - e).abs() < 1e-30);
+        assert!(f64::from(one.exp() - e).abs() < 1e-30);
         let (half, _) = precise(30.0).to_radians().sin_cos();
         assert!(f64::from(half - precise(0.5)).abs() < 1e-30);
-    }
-
-    #[test]
-    fn vectors_are_made_unit_to_thirty_digits() {
         let v = Precise3::new(DVec3::new(1e-15, 3e7, -0.2)).unit();
-        assert!(f64::from(v.length() - precise(1.0)).abs() < 1e-30);
+        assert!(f64::from(v.length() - one).abs() < 1e-30);
         assert!(f64::from(v.dot(v.cross(Precise3::new(DVec3::ONE)))).abs() < 1e-30);
         assert_eq!(Precise3::new(DVec3::ZERO).unit().length(), precise(0.0));
     }

@@ -54,14 +54,6 @@ struct Stage<'a> {
     distance: Precise,
     /// Pixels to a unit of the picture's plane.
     scale: Precise,
-    lights: Vec<Lamp<'a>>,
-}
-
-struct Lamp<'a> {
-    light: &'a Light,
-    position: Precise3,
-    /// The way the light travels, unit.
-    direction: Precise3,
 }
 
 struct Triangle {
@@ -87,13 +79,11 @@ impl<'a> Stage<'a> {
         let right = forward.cross(Precise3::new(camera.up)).unit();
         let height = precise(f64::from(scene.image.size[1]));
         let scale = match camera.projection {
-            Projection::Perspective => height / (tangent(precise(camera.fov_y / 2.0).to_radians()) * 2.0),
+            Projection::Perspective => {
+                let (sine, cosine) = precise(camera.fov_y / 2.0).to_radians().sin_cos();
+                height / (sine / cosine * 2.0)
+            }
             Projection::Orthographic => height / precise(camera.height),
-        };
-        let lamp = |light: &'a Light| Lamp {
-            light,
-            position: Precise3::new(light.position),
-            direction: Precise3::new(light.direction).unit(),
         };
         Self {
             scene,
@@ -104,7 +94,6 @@ impl<'a> Stage<'a> {
             forward,
             distance: ahead.length(),
             scale,
-            lights: scene.lights.iter().map(lamp).collect(),
         }
     }
 
@@ -149,21 +138,22 @@ impl<'a> Stage<'a> {
             Viewer::Infinite => -self.forward,
         };
         let mut sum = (material.ka * material.color * scene.ambient.color).to_array().map(precise);
-        for lamp in &self.lights {
-            let to_light = lamp.position - point;
-            let parallel = lamp.light.kind == LightKind::Directional;
-            let l = if parallel { -lamp.direction } else { to_light.unit() };
+        for light in &scene.lights {
+            let to_light = Precise3::new(light.position) - point;
+            let travel = Precise3::new(light.direction).unit();
+            let parallel = light.kind == LightKind::Directional;
+            let l = if parallel { -travel } else { to_light.unit() };
             let n_dot_l = normal.dot(l);
             let height = if parallel { n_dot_l } else { normal.dot(to_light) / self.distance };
             if height <= precise(ROUNDING) {
                 continue;
             }
-            let strength = lamp.attenuation(to_light.length()) * lamp.spot(l);
+            let strength = attenuation(light, to_light.length()) * spot(light, -l.dot(travel));
             let specular = self.specular(normal, l, view, n_dot_l);
-            let colors = [lamp.light.color, material.kd * material.color, material.ks * material.specular_color];
+            let colors = [light.color, material.kd * material.color, material.ks * material.specular_color];
             let [ip, kd, ks] = colors.map(|color: Rgb| color.to_array());
             for (k, channel) in sum.iter_mut().enumerate() {
-                *channel += strength * ip[k] * (n_dot_l * kd[k] + specular * ks[k]);
+                *channel = *channel + strength * ip[k] * (n_dot_l * kd[k] + specular * ks[k]);
             }
         }
         sum.map(f64::from)
@@ -191,11 +181,6 @@ impl<'a> Stage<'a> {
     }
 }
 
-fn tangent(angle: Precise) -> Precise {
-    let (sine, cosine) = angle.sin_cos();
-    sine / cosine
-}
-
 /// `max(c, 0)^n` with 0⁰ = 1; at n = ∞ nothing but the axis itself remains.
 fn power(c: Precise, n: f64) -> Precise {
     let zero = precise(0.0);
@@ -211,28 +196,25 @@ fn power(c: Precise, n: f64) -> Precise {
     }
 }
 
-impl Lamp<'_> {
-    /// f at `d` world units from the light.
-    fn attenuation(&self, d: Precise) -> Precise {
-        let light = self.light;
-        let one = precise(1.0);
-        match light.attenuation {
-            // The distance to the viewer occurs in no case.
-            Attenuation::None | Attenuation::Viewer => one,
-            Attenuation::Light => one / (d + precise(light.k)),
-            Attenuation::InverseSquare => one / (d * d),
-            Attenuation::Quadratic => one.min(one / (d * d * light.c3 + d * light.c2 + precise(light.c1))),
-        }
+/// f at `d` world units from a light.
+fn attenuation(light: &Light, d: Precise) -> Precise {
+    let one = precise(1.0);
+    match light.attenuation {
+        // The distance to the viewer occurs in no case.
+        Attenuation::None | Attenuation::Viewer => one,
+        Attenuation::Light => one / (d + precise(light.k)),
+        Attenuation::InverseSquare => one / (d * d),
+        Attenuation::Quadratic => one.min(one / (d * d * light.c3 + d * light.c2 + precise(light.c1))),
     }
+}
 
-    /// A spot light's part in the direction −L: `(−L·D)^e` within a hard edge (Warn 1983).
-    fn spot(&self, l: Precise3) -> Precise {
-        if self.light.kind != LightKind::Spot {
-            return precise(1.0);
-        }
-        let cosine = -l.dot(self.direction);
-        let inside = cosine >= precise(self.light.cone).to_radians().sin_cos().1;
-        if inside { power(cosine, self.light.exponent) } else { precise(0.0) }
+/// A spot light's part where −L·D is `cosine`: its power e within a hard edge (Warn 1983).
+fn spot(light: &Light, cosine: Precise) -> Precise {
+    let inside = || cosine >= precise(light.cone).to_radians().sin_cos().1;
+    match light.kind {
+        LightKind::Spot if inside() => power(cosine, light.exponent),
+        LightKind::Spot => precise(0.0),
+        _ => precise(1.0),
     }
 }
 
@@ -301,11 +283,8 @@ fn triangles(scene: &Scene) -> Vec<Triangle> {
     for (index, face) in polygons.faces.iter().enumerate() {
         for k in 1..face.len().saturating_sub(1) {
             let corners = [face[0], face[k], face[k + 1]];
-            triangles.push(Triangle {
-                face: index,
-                corners: corners.map(at),
-                normals: corners.map(|v| normal(index, v)),
-            });
+            let normals = corners.map(|v| normal(index, v));
+            triangles.push(Triangle { face: index, corners: corners.map(at), normals });
         }
     }
     triangles

@@ -9,25 +9,47 @@
 //!   Equal angles are equal steps in the picture, so that this is affine by construction.
 //!
 //! All is scalar code in double precision and in one thread, unlike the engine's kernels. Times are to be compared among the
-//! three of them, or as counts of operations ([`super::Method::pixel_cost`]), not with the engine's.
-
-mod angular;
-mod jet;
-mod kernel;
-mod phong;
-mod raster;
-mod taylor;
+//! three of them, or as counts of operations ([`Method::pixel_cost`]), not with the engine's.
 
 use super::Method;
+use super::jet::Jet;
 use crate::geometry::VertexMesh;
+use crate::illumination::{Equation, Real, V3};
 use crate::scene::{
-    AmbientSource, CuedBy, Interpolation, PatternKind, Projection, Reflectance, ReflectionModel, Scene,
+    AmbientSource, Backfacing, CuedBy, Interpolation, PatternKind, Projection, Reflectance, ReflectionModel, Rgb,
+    Scene, View,
 };
-use angular::Angular;
-use kernel::{Shade, carried_in_perspective};
-use phong::Phong;
-use raster::Raster;
-use taylor::Taylor;
+use glam::{DVec2, DVec3};
+use std::ops::{Add, Mul, Sub};
+
+/// Places are rounded to this part of a pixel, as the engine's are.
+const SUBPIXELS: f64 = 256.0;
+
+/// What is nearer to the eye than this many camera distances is left out, with its triangles.
+const NEAR: f64 = 1e-3;
+
+/// Below this sine two normals are one: the arc between them is its chord to 10⁻¹².
+const SAME: f64 = 1e-6;
+
+/// Why the scalar code cannot draw a scene by `method`.
+pub fn cannot_draw(method: Method, scene: &Scene) -> Option<&'static str> {
+    let rays = scene.shading.shadows
+        || scene.ground.visible
+        || scene.backdrop.pattern != PatternKind::None
+        || scene.transparency.kt > 0.0
+        || scene.ambient.source != AmbientSource::Constant;
+    let angular = method == Method::Angular && carried_in_perspective(scene);
+    let two_cosines =
+        scene.reflection.model != ReflectionModel::CookTorrance && scene.material.reflectance == Reflectance::Constant;
+    match method {
+        _ if rays => Some("the scalar code follows no rays"),
+        _ if scene.depth_cueing.by != CuedBy::Off => Some("the scalar code knows no depth cueing"),
+        _ if angular => Some("equal angles are equal steps in the picture"),
+        Method::Taylor if !two_cosines => Some("the highlight has no single cosine to expand"),
+        Method::Taylor if scene.pattern.kind != PatternKind::None => Some("a pattern has no expansion"),
+        _ => None,
+    }
+}
 
 /// A picture drawn by one of the methods.
 #[derive(Debug, Default)]
@@ -37,6 +59,7 @@ pub struct Historic {
     /// As it would be shown, so that the time is that of a whole frame.
     stored: Vec<[u8; 3]>,
     keys: Vec<f64>,
+    width: usize,
     /// Evaluations of the equation or, Taylor's, of expansions.
     pub evaluations: u64,
 }
@@ -46,71 +69,466 @@ impl Historic {
     pub fn draw(&mut self, method: Method, scene: &Scene, mesh: &VertexMesh) {
         let [width, height] = scene.image.size.map(|side| side as usize);
         let [r, g, b] = scene.image.background.as_vec3().to_array();
+        self.width = width;
         self.linear.clear();
         self.linear.resize(width * height, [r, g, b, 0.0]);
         self.keys.clear();
         self.keys.resize(width * height, f64::NEG_INFINITY);
         let shade = Shade::new(scene);
-        let mut raster = Raster::new(scene, mesh, &shade, &mut self.linear, &mut self.keys);
         self.evaluations = match method {
-            Method::Taylor => raster.run(&mut Taylor::new(scene, &shade)),
-            Method::Angular => raster.run(&mut Angular::new(&shade)),
-            _ => raster.run(&mut Phong::new(&shade, carried_in_perspective(scene))),
+            Method::Taylor => self.run(&mut Taylor::new(scene, &shade), &shade, mesh),
+            Method::Angular => self.run(&mut Angular::new(&shade), &shade, mesh),
+            _ => {
+                let (perspective, carried) = (carried_in_perspective(scene), Linear::default());
+                let mut phong = Phong { shade: &shade, perspective, carried, normal: DVec3::ZERO };
+                self.run(&mut phong, &shade, mesh)
+            }
         };
         self.stored.clear();
         #[expect(clippy::cast_sign_loss, reason = "clamped")]
         let code = |value: f32| (255.0 * value.clamp(0.0, 1.0) + 0.5) as u8;
         self.stored.extend(self.linear.iter().map(|[r, g, b, _]| [code(*r), code(*g), code(*b)]));
     }
+
+    /// Projects and draws every triangle; returns the evaluations.
+    fn run<K: Kernel>(&mut self, kernel: &mut K, shade: &Shade, mesh: &VertexMesh) -> u64 {
+        let near = NEAR * shade.unit;
+        let corner = |(position, normal): (&glam::Vec3, &glam::Vec3)| {
+            let (at, depth) = shade.view.project(mesh.origin + position.as_dvec3())?;
+            let at = (at * SUBPIXELS).round() / SUBPIXELS;
+            let key = if shade.perspective { 1.0 / depth } else { -depth };
+            (depth >= near).then(|| Corner { at, key, normal: normal.as_dvec3() })
+        };
+        let corners: Vec<Option<Corner>> = mesh.positions.iter().zip(&mesh.normals).map(corner).collect();
+        // An eye inside a closed solid sees its back faces.
+        let culls = mesh.closed && (shade.view.eye - mesh.origin).length() > mesh.radius();
+        let mut evaluations = 0;
+        for face in 0..mesh.face_count() {
+            let Some((&first, rest)) = mesh.face(face).split_first() else { continue };
+            for pair in rest.windows(2) {
+                let [a, b, c] = [first, pair[0], pair[1]].map(|vertex| corners[vertex as usize]);
+                if let (Some(a), Some(b), Some(c)) = (a, b, c) {
+                    evaluations += self.triangle(kernel, [a, b, c], culls);
+                }
+            }
+        }
+        evaluations
+    }
+
+    fn triangle<K: Kernel>(&mut self, kernel: &mut K, corners: [Corner; 3], culls: bool) -> u64 {
+        let [a, b, c] = corners.map(|corner| corner.at);
+        // Counter-clockwise from outside is clockwise in a picture whose y points downwards.
+        let area = (b - a).perp_dot(c - a);
+        if area == 0.0 || (culls && area > 0.0) {
+            return 0;
+        }
+        let (width, height) = (self.width, self.linear.len() / self.width);
+        let first_from = |place: f64, side: usize| (place - 0.5).ceil().clamp(0.0, side as f64) as usize;
+        let rows = first_from(a.y.min(b.y).min(c.y), height)..first_from(a.y.max(b.y).max(c.y), height);
+        let keys = linear(&corners, |corner| corner.key);
+        let (mut begun, mut pixels) = (false, 0);
+        for row in rows {
+            let y = row as f64 + 0.5;
+            let Some(ends) = crossings([a, b, c], y) else { continue };
+            let columns = first_from(ends[0].x, width)..first_from(ends[1].x, width);
+            if columns.is_empty() {
+                continue;
+            }
+            if !begun {
+                begun = true;
+                kernel.begin_triangle(&corners);
+            }
+            let first = DVec2::new(columns.start as f64 + 0.5, y);
+            kernel.begin_span(&Span { first, ends });
+            let mut key = keys.at(first);
+            for column in columns {
+                let index = row * width + column;
+                if key > self.keys[index] {
+                    self.keys[index] = key;
+                    let [r, g, b] = kernel.pixel(DVec2::new(column as f64 + 0.5, y), key).as_vec3().to_array();
+                    self.linear[index] = [r, g, b, 1.0];
+                    pixels += 1;
+                }
+                key += keys.x;
+                kernel.step();
+            }
+        }
+        if K::PER_PIXEL { pixels } else { begun.into() }
+    }
 }
 
-/// Why the scalar code cannot draw a scene by `method`.
-pub fn cannot_draw(method: Method, scene: &Scene) -> Option<&'static str> {
-    let rays = scene.shading.shadows
-        || scene.ground.visible
-        || scene.backdrop.pattern != PatternKind::None
-        || scene.transparency.kt > 0.0
-        || scene.ambient.source != AmbientSource::Constant;
-    if rays {
-        return Some("the scalar code follows no rays");
+/// A vertex in the picture.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    /// Pixels.
+    at: DVec2,
+    /// Linear in the picture over a flat polygon, the greater the nearer: 1/depth, or −depth without perspective.
+    key: f64,
+    /// Unit.
+    normal: DVec3,
+}
+
+/// Where a scan line crosses an edge.
+#[derive(Clone, Copy, Debug)]
+struct Crossing {
+    /// Pixels.
+    x: f64,
+    /// The edge's ends, by their numbers in the triangle.
+    from: usize,
+    to: usize,
+    /// The edge is divided in the ratio α : 1−α there.
+    alpha: f64,
+}
+
+/// The part of a scan line inside a triangle.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    /// The centre of the first pixel.
+    first: DVec2,
+    ends: [Crossing; 2],
+}
+
+/// Where the line at `y` enters and leaves a triangle: an edge counts from its upper end up to but without its lower one.
+fn crossings(corners: [DVec2; 3], y: f64) -> Option<[Crossing; 2]> {
+    let mut crossed = (0..3).filter_map(|from| {
+        let to = (from + 1) % 3;
+        let (a, b) = (corners[from], corners[to]);
+        let alpha = (y - a.y) / (b.y - a.y);
+        ((a.y <= y) != (b.y <= y)).then_some(Crossing { x: a.x + alpha * (b.x - a.x), from, to, alpha })
+    });
+    let (p, q) = (crossed.next()?, crossed.next()?);
+    Some(if p.x <= q.x { [p, q] } else { [q, p] })
+}
+
+/// A function that is linear in the picture: its value at a corner and its slopes.
+#[derive(Clone, Copy, Debug, Default)]
+struct Linear<T> {
+    origin: DVec2,
+    value: T,
+    x: T,
+    y: T,
+}
+
+/// The linear function that has its `value` at each corner.
+fn linear<T>(corners: &[Corner; 3], value: impl Fn(&Corner) -> T) -> Linear<T>
+where
+    T: Copy + Sub<Output = T> + Mul<f64, Output = T>,
+{
+    let [a, b, c] = corners;
+    let (u, v) = (b.at - a.at, c.at - a.at);
+    let inverse = 1.0 / u.perp_dot(v);
+    let origin = value(a);
+    let (du, dv) = (value(b) - origin, value(c) - origin);
+    Linear {
+        origin: a.at,
+        value: origin,
+        x: du * (v.y * inverse) - dv * (u.y * inverse),
+        y: dv * (u.x * inverse) - du * (v.x * inverse),
     }
-    if scene.depth_cueing.by != CuedBy::Off {
-        return Some("the scalar code knows no depth cueing");
+}
+
+impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Linear<T> {
+    fn at(&self, place: DVec2) -> T {
+        let from = place - self.origin;
+        self.value + self.x * from.x + self.y * from.y
     }
-    if method == Method::Angular && scene.shading.interpolation == Interpolation::Perspective {
-        return (scene.camera.projection == Projection::Perspective)
-            .then_some("equal angles are equal steps in the picture");
+}
+
+/// Normals as a linear function of the picture; only their directions count. Divided by the depth they are linear in space.
+fn carried(triangle: &[Corner; 3], perspective: bool) -> Linear<DVec3> {
+    linear(triangle, |corner| corner.normal * if perspective { corner.key } else { 1.0 })
+}
+
+/// Whether values between vertices are linear in space and not in the picture.
+fn carried_in_perspective(scene: &Scene) -> bool {
+    scene.camera.projection == Projection::Perspective && scene.shading.interpolation == Interpolation::Perspective
+}
+
+/// The equation of a scene where pixels see it.
+struct Shade {
+    view: View,
+    equation: Equation<f64>,
+    perspective: bool,
+    /// World units to one of the equation's.
+    unit: f64,
+}
+
+impl Shade {
+    fn new(scene: &Scene) -> Self {
+        Self {
+            view: View::new(&scene.camera, scene.image.size),
+            equation: Equation::new(scene),
+            perspective: scene.camera.projection == Projection::Perspective,
+            unit: scene.camera.distance(),
+        }
     }
-    if method != Method::Taylor {
-        return None;
+
+    /// The point seen at a place of the picture, given as offsets from its middle in pixels and a key: in the equation's
+    /// frame, in any number type.
+    fn position<R: Real<Scalar = f64>>(&self, [x, y]: [R; 2], key: R) -> V3<R> {
+        let View { right, up, forward, scale, .. } = self.view;
+        let axis = |axis: DVec3| V3::constant(x, axis.to_array());
+        let one = x.constant(1.0);
+        let depth = if self.perspective { one / key } else { -key };
+        let across = axis(right).scale(x * (1.0 / scale)) - axis(up).scale(y * (1.0 / scale));
+        let at =
+            if self.perspective { (axis(forward) + across).scale(depth) } else { across + axis(forward).scale(depth) };
+        at.scale(one * (1.0 / self.unit))
     }
-    if scene.reflection.model == ReflectionModel::CookTorrance || scene.material.reflectance != Reflectance::Constant {
-        return Some("the highlight has no single cosine to expand");
+
+    /// I with normal `n` at a pixel.
+    // Compiled once, so that the times of two ways differ by what they do themselves.
+    #[inline(never)]
+    fn illuminate(&self, place: DVec2, key: f64, n: DVec3) -> Rgb {
+        let offset = place - self.view.centre;
+        let p: DVec3 = self.position([offset.x, offset.y], key).into();
+        self.equation.illuminate_world(self.view.eye + p * self.unit, n, None)
     }
-    (scene.pattern.kind != PatternKind::None).then_some("a pattern has no expansion")
+}
+
+/// A way to find intensities along spans.
+trait Kernel {
+    /// Whether the equation is evaluated at each pixel, and not once for a triangle.
+    const PER_PIXEL: bool = true;
+
+    fn begin_triangle(&mut self, triangle: &[Corner; 3]);
+    fn begin_span(&mut self, span: &Span);
+    /// The intensity at a pixel of the span whose key is `key`.
+    fn pixel(&self, place: DVec2, key: f64) -> Rgb;
+    /// Goes on to the pixel on the right.
+    fn step(&mut self);
+}
+
+/// Phong shading: normals carried linearly, made unit vectors at each pixel (Phong 1975).
+struct Phong<'a> {
+    shade: &'a Shade,
+    perspective: bool,
+    carried: Linear<DVec3>,
+    normal: DVec3,
+}
+
+impl Kernel for Phong<'_> {
+    fn begin_triangle(&mut self, triangle: &[Corner; 3]) {
+        self.carried = carried(triangle, self.perspective);
+    }
+
+    fn begin_span(&mut self, span: &Span) {
+        self.normal = self.carried.at(span.first);
+    }
+
+    fn pixel(&self, place: DVec2, key: f64) -> Rgb {
+        self.shade.illuminate(place, key, self.normal.normalize_or_zero())
+    }
+
+    fn step(&mut self) {
+        self.normal += self.carried.x;
+    }
+}
+
+/// Angular interpolation: normals turn by equal angles, along the edges and along the span.
+struct Angular<'a> {
+    shade: &'a Shade,
+    normals: [DVec3; 3],
+    /// The normals at this pixel and at the one on the left.
+    normal: DVec3,
+    before: DVec3,
+    /// 2·cos Δ, where Δ is the angle from pixel to pixel.
+    twice_cosine: f64,
+}
+
+impl<'a> Angular<'a> {
+    fn new(shade: &'a Shade) -> Self {
+        Self { shade, normals: [DVec3::Z; 3], normal: DVec3::Z, before: DVec3::Z, twice_cosine: 2.0 }
+    }
+}
+
+impl Kernel for Angular<'_> {
+    fn begin_triangle(&mut self, triangle: &[Corner; 3]) {
+        self.normals = triangle.map(|corner| corner.normal.normalize_or(DVec3::Z));
+    }
+
+    fn begin_span(&mut self, span: &Span) {
+        let end = |crossing: &Crossing| turned(self.normals[crossing.from], self.normals[crossing.to], crossing.alpha);
+        let (left, right) = (end(&span.ends[0]), end(&span.ends[1]));
+        let width = span.ends[1].x - span.ends[0].x;
+        let t = (span.first.x - span.ends[0].x) / width;
+        self.normal = turned(left, right, t);
+        self.before = turned(left, right, t - 1.0 / width);
+        self.twice_cosine = 2.0 * (angle(left, right) / width).cos();
+    }
+
+    fn pixel(&self, place: DVec2, key: f64) -> Rgb {
+        self.shade.illuminate(place, key, self.normal)
+    }
+
+    fn step(&mut self) {
+        let next = self.normal * self.twice_cosine - self.before;
+        self.before = std::mem::replace(&mut self.normal, next);
+    }
+}
+
+/// The angle between two unit vectors, accurate for small ones as well.
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+/// The unit vector on the great circle from `a` towards `b`, at `t` times the angle between them (Shoemake 1985).
+fn turned(a: DVec3, b: DVec3, t: f64) -> DVec3 {
+    let angle = angle(a, b);
+    let sine = angle.sin();
+    if sine < SAME {
+        return a.lerp(b, t).normalize_or(a);
+    }
+    (a * ((1.0 - t) * angle).sin() + b * (t * angle).sin()) / sine
+}
+
+/// Taylor's expansion of the cosines over a triangle, by forward differences.
+struct Taylor<'a> {
+    shade: &'a Shade,
+    perspective: bool,
+    model: ReflectionModel,
+    flips: bool,
+    n: f64,
+    /// The triangle's centre in the picture, about which the expansions are.
+    centre: DVec2,
+    /// Of each source N·L, the highlight's cosine, and f with a spot light's part.
+    expansions: Vec<[Jet; 3]>,
+    /// Values and first differences at this pixel; second differences.
+    state: Vec<[[f64; 3]; 3]>,
+}
+
+impl<'a> Taylor<'a> {
+    fn new(scene: &Scene, shade: &'a Shade) -> Self {
+        Self {
+            shade,
+            perspective: carried_in_perspective(scene),
+            model: scene.reflection.model,
+            flips: scene.reflection.backfacing == Backfacing::Flip,
+            n: scene.material.n,
+            centre: DVec2::ZERO,
+            expansions: Vec::new(),
+            state: Vec::new(),
+        }
+    }
+}
+
+impl Kernel for Taylor<'_> {
+    const PER_PIXEL: bool = false;
+
+    fn begin_triangle(&mut self, triangle: &[Corner; 3]) {
+        self.centre = triangle.iter().map(|corner| corner.at).sum::<DVec2>() / 3.0;
+        let (normals, keys) = (carried(triangle, self.perspective), linear(triangle, |corner| corner.key));
+        let middle = normals.at(self.centre);
+        let [x, y, z] = [0, 1, 2].map(|axis| Jet::linear(middle[axis], normals.x[axis], normals.y[axis]));
+        let n = V3::new(x, y, z).normalised();
+        let offset = self.centre - self.shade.view.centre;
+        let place = [Jet::linear(offset.x, 1.0, 0.0), Jet::linear(offset.y, 0.0, 1.0)];
+        let position = self.shade.position(place, Jet::linear(keys.at(self.centre), keys.x, keys.y));
+        let equation = &self.shade.equation;
+        let site = equation.site(position, n);
+        self.expansions.clear();
+        for source in &equation.sources {
+            let (l, f, _) = source.reach(site.position, site.inverse_distance);
+            let n_dot_l = n.dot(l);
+            let cosine = match self.model {
+                ReflectionModel::Blinn => n.dot((l + site.view).normalised()),
+                _ => n_dot_l * n.dot(site.view) * 2.0 - l.dot(site.view),
+            };
+            self.expansions.push([n_dot_l, cosine, f * source.spot(l)]);
+        }
+    }
+
+    fn begin_span(&mut self, span: &Span) {
+        let from = span.first - self.centre;
+        self.state.clear();
+        self.state.extend(self.expansions.iter().map(|jets| jets.map(|jet| jet.differences(from))));
+    }
+
+    fn pixel(&self, _: DVec2, _: f64) -> Rgb {
+        let mut sum = Rgb::from_array(self.shade.equation.ambient);
+        for (source, [[n_dot_l, ..], [cosine, ..], [strength, ..]]) in
+            self.shade.equation.sources.iter().zip(&self.state)
+        {
+            let (n_dot_l, cosine) = if self.flips && *n_dot_l < 0.0 {
+                (-n_dot_l, if self.model == ReflectionModel::Blinn { -cosine } else { *cosine })
+            } else {
+                (*n_dot_l, *cosine)
+            };
+            if n_dot_l > 0.0 {
+                // Beyond 1 a cosine is the expansion's error.
+                let specular = DVec3::from_array(source.specular) * cosine.clamp(0.0, 1.0).powf(self.n);
+                sum += (DVec3::from_array(source.diffuse) * n_dot_l + specular) * *strength;
+            }
+        }
+        sum
+    }
+
+    fn step(&mut self) {
+        for [value, first, second] in self.state.iter_mut().flatten() {
+            *value += *first;
+            *first += *second;
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::{Light, LightKind};
 
+    /// A span across a cylinder: its true normals turn in one plane by equal angles.
     #[test]
-    fn what_the_scalar_text_cannot_draw_is_said() {
-        let plain = Scene { lights: vec![], ..Scene::default() };
-        assert_eq!(cannot_draw(Method::Taylor, &plain), None);
-        assert!(cannot_draw(Method::Angular, &plain).is_some(), "in perspective");
-        let changes: [fn(&mut Scene); 5] = [
-            |scene| scene.shading.shadows = true,
-            |scene| scene.backdrop.pattern = PatternKind::Checker,
-            |scene| scene.transparency.kt = 0.5,
-            |scene| scene.reflection.model = ReflectionModel::CookTorrance,
-            |scene| scene.pattern.kind = PatternKind::Stripes,
-        ];
-        for (index, change) in changes.into_iter().enumerate() {
-            let mut scene = plain.clone();
-            change(&mut scene);
-            assert!(cannot_draw(Method::Taylor, &scene).is_some(), "{index}");
-            assert_eq!(cannot_draw(Method::PhongScalar, &scene).is_some(), index < 3, "{index}");
+    fn on_a_great_circle_angular_normals_are_exact() {
+        let shade = Shade::new(&Scene::default());
+        let normal = |angle: f64| DVec3::new(angle.sin(), 0.0, angle.cos());
+        let corner = |x: f64, y: f64, turn: f64| Corner { at: DVec2::new(x, y), key: 0.25, normal: normal(turn) };
+        let mut kernel = Angular::new(&shade);
+        kernel.begin_triangle(&[corner(0.0, 0.0, -0.9), corner(40.0, 0.0, 1.1), corner(0.0, 40.0, -0.9)]);
+        let left = Crossing { x: 0.0, from: 2, to: 0, alpha: 1.0 };
+        let right = Crossing { x: 40.0, from: 0, to: 1, alpha: 1.0 };
+        kernel.begin_span(&Span { first: DVec2::new(0.5, 0.0), ends: [left, right] });
+        for pixel in 0..40 {
+            let expected = normal(-0.9 + 2.0 * (f64::from(pixel) + 0.5) / 40.0);
+            assert!(kernel.normal.distance(expected) < 1e-12, "pixel {pixel}: {} is not {expected}", kernel.normal);
+            kernel.step();
+        }
+        assert!(turned(DVec3::Y, DVec3::Y, 0.3).distance(DVec3::Y) < 1e-15, "equal normals stay as they are");
+    }
+
+    /// Seen straight on without perspective, N = (x, 0, 1)/√(1 + x²) and a light along the view give N·L = 1/√(1 + x²), whose
+    /// expansion about c is known: the kernel's is that, and what it leaves out is f‴·dx³/6.
+    #[test]
+    fn taylors_expansion_is_the_closed_form() {
+        let mut scene = Scene::default();
+        scene.camera.projection = Projection::Orthographic;
+        (scene.material.ka, scene.material.ks) = (Rgb::ZERO, Rgb::ZERO);
+        (scene.material.kd, scene.material.color) = (Rgb::ONE, Rgb::ONE);
+        let view = View::new(&scene.camera, scene.image.size);
+        scene.lights = vec![Light { kind: LightKind::Directional, direction: view.forward, ..Light::default() }];
+        let shade = Shade::new(&scene);
+        let mut kernel = Taylor::new(&scene, &shade);
+        let slope = 0.01;
+        let tilt = |x: f64| view.right * (slope * x) - view.forward;
+        let corner = |x: f64, y: f64| Corner { at: DVec2::new(x, y), key: -4.0, normal: tilt(x) };
+        kernel.begin_triangle(&[corner(0.0, 0.0), corner(30.0, 0.0), corner(0.0, 30.0)]);
+        let edge = |x: f64| Crossing { x, from: 0, to: 1, alpha: 0.0 };
+        kernel.begin_span(&Span { first: DVec2::new(0.5, 4.0), ends: [edge(0.0), edge(26.0)] });
+        // f = (1+u²)^−½ with u = slope·x, about x = 10.
+        let u = slope * 10.0;
+        let w = 1.0 + u * u;
+        let (f0, f1, f2) = (w.powf(-0.5), -u * w.powf(-1.5), (2.0 * u * u - 1.0) * w.powf(-2.5));
+        for pixel in 0..26 {
+            let dx = f64::from(pixel) + 0.5 - 10.0;
+            let du = slope * dx;
+            let expected = f0 + f1 * du + 0.5 * f2 * du * du;
+            let got = kernel.pixel(DVec2::ZERO, 0.0).x;
+            assert!((got - expected).abs() < 1e-12, "{got} is not {expected}");
+            let x = u + du;
+            let exact = (1.0 + x * x).powf(-0.5);
+            // |f‴| = |u(9 − 6u²)|·w^(−7/2), at most 9·(u + |du|) here.
+            let bound = 9.0 * (u + du.abs()) * du.abs().powi(3) / 6.0 + 1e-12;
+            assert!((got - exact).abs() <= bound, "{got} is not within {bound} of {exact}");
+            kernel.step();
         }
     }
 }

@@ -1,30 +1,154 @@
-//! Draws settings and measures them.
+//! Which settings there are, and what they are measured by: the exact picture and the clock.
 
-use super::Setting;
-use super::exact::Exact;
-use super::historic::Historic;
-use crate::analysis::{LinearPicture, RegionErrors, region_errors};
+use super::historic::{Historic, cannot_draw};
+use super::{Method, Omission, Setting, Study, StudyQuestion, StudyRow, median_and_spread};
+use crate::analysis::{LinearPicture, Watch, region_errors};
 use crate::geometry::{Mesh, VertexMesh, tessellate};
-use crate::render::{Renderer, Report, Stage};
-use crate::scene::{Object, ObjectKind, Scene};
+use crate::illumination::Equation;
+use crate::render::{Renderer, Stage};
+use crate::scene::{Interpolation, Object, ObjectKind, Projection, Scene, ShadingMode, View};
 use std::collections::HashMap;
 use std::sync::Arc;
 
+/// Where N·V of the true surface is less, pixels see it too obliquely to count as inside: there polygons of any size are off
+/// by the outline's own error.
+const INSIDE: f64 = 0.2;
+
+/// Measures `scene`, whose object of kind `obj` shows `model`. `clock` gives nanoseconds from any fixed moment. `watch` is
+/// called after each frame; when it stops the work, what is known by then is returned.
+pub fn study(
+    scene: &Scene,
+    model: Option<Arc<Mesh>>,
+    request: &StudyQuestion,
+    clock: fn() -> u64,
+    watch: &dyn Watch<Study>,
+) -> Study {
+    let (settings, omitted) = settings(request, scene);
+    let repeats = request.repeats.max(1);
+    let total = settings.len() as u64 * u64::from(repeats);
+    let mut measure = Measure::new(scene, model, clock);
+    let mut study = Study { omitted, threads: rayon::current_num_threads(), ..Study::default() };
+    let mut samples: Vec<Vec<u64>> = vec![Vec::new(); settings.len()];
+    let mut done = 0;
+    for repeat in 0..repeats {
+        for (index, setting) in settings.iter().enumerate() {
+            if repeat == 0 {
+                study.rows.push(measure.errors(setting));
+            }
+            let (nanoseconds, evaluations) = measure.time(setting);
+            samples[index].push(nanoseconds);
+            let row = &mut study.rows[index];
+            (row.evaluations, row.samples) = (evaluations, repeat + 1);
+            (row.time_ms, row.spread_ms) = median_and_spread(&mut samples[index]);
+            done += 1;
+            study.conclude();
+            watch.found(&study);
+            #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
+            if !watch.at(done as f32 / total as f32) && done < total {
+                return study;
+            }
+        }
+    }
+    study.complete = true;
+    study
+}
+
+/// The settings of `request` in `scene`, those of one method together, from coarse to fine; and what is left out.
+fn settings(request: &StudyQuestion, scene: &Scene) -> (Vec<Setting>, Vec<Omission>) {
+    let (mut settings, mut omissions) = (Vec::new(), Vec::new());
+    let divisions = divisions(request, scene);
+    let exponents = if request.n.is_empty() { vec![scene.material.n] } else { unique(request.n.iter().copied()) };
+    for n in exponents {
+        for method in unique(request.methods.iter().copied()) {
+            for interpolation in interpolations(method, request, scene) {
+                let mut drawn = scene.clone();
+                drawn.shading.interpolation = interpolation.unwrap_or(scene.shading.interpolation);
+                if let Some(reason) = method.is_scalar().then(|| cannot_draw(method, &drawn)).flatten() {
+                    let omission = Omission { method, interpolation, reason };
+                    if !omissions.contains(&omission) {
+                        omissions.push(omission);
+                    }
+                    continue;
+                }
+                let setting = |&[segments, rings]: &[u32; 2]| Setting { method, segments, rings, interpolation, n };
+                settings.extend(divisions.iter().map(setting));
+            }
+        }
+    }
+    (settings, omissions)
+}
+
+/// The interpolations that make a difference: without perspective, or where nothing is carried, one stands for all.
+fn interpolations(method: Method, request: &StudyQuestion, scene: &Scene) -> Vec<Option<Interpolation>> {
+    if matches!(method, Method::Flat | Method::FlatVertexMean) {
+        return vec![None];
+    }
+    let flat = scene.camera.projection == Projection::Orthographic;
+    let same = |interpolation: Interpolation| match interpolation {
+        Interpolation::Affine if flat => Interpolation::Perspective,
+        // The scalar code carries over triangles, not along the scan lines of polygons.
+        Interpolation::Scanline if method.is_scalar() => Interpolation::Affine,
+        other => other,
+    };
+    unique(request.interpolations.iter().map(|interpolation| Some(same(*interpolation))))
+}
+
+/// Segments and rings, from coarse to fine.
+fn divisions(request: &StudyQuestion, scene: &Scene) -> Vec<[u32; 2]> {
+    /// What every shape can do with.
+    const LEAST_RINGS: u32 = 3;
+    let object = &scene.object;
+    let own = [object.segments, object.rings];
+    if matches!(object.kind, ObjectKind::Obj | ObjectKind::Polygons) || request.segments.is_empty() {
+        return vec![own];
+    }
+    let per_segment = f64::from(own[1]) / f64::from(own[0].max(1));
+    let rings = |segments: u32| ((f64::from(segments) * per_segment).round() as u32).max(LEAST_RINGS.min(own[1]));
+    let valid = |[segments, rings]: &[u32; 2]| {
+        let mut tried = scene.clone();
+        (tried.object.segments, tried.object.rings) = (*segments, *rings);
+        tried.validate().is_ok()
+    };
+    let mut all: Vec<[u32; 2]> =
+        request.segments.iter().map(|&segments| [segments, rings(segments)]).filter(valid).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// Each value once, in their order.
+fn unique<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
+    let mut kept = Vec::new();
+    for value in values {
+        if !kept.contains(&value) {
+            kept.push(value);
+        }
+    }
+    kept
+}
+
 /// Draws the settings of one scene.
-pub struct Bench {
+struct Measure {
     scene: Scene,
     model: Option<Arc<Mesh>>,
     clock: fn() -> u64,
     renderer: Renderer,
     historic: Historic,
-    /// The mesh of the last scalar method.
+    /// The mesh last asked for.
     mesh: Option<(Object, VertexMesh)>,
     /// The exact pictures, by the bits of n.
     exact: HashMap<u64, Exact>,
 }
 
-impl Bench {
-    pub fn new(scene: &Scene, model: Option<Arc<Mesh>>, clock: fn() -> u64) -> Self {
+/// The exact picture of a scene.
+struct Exact {
+    pixels: Vec<[f32; 4]>,
+    /// The pixels that show the object with N·V ≥ [`INSIDE`].
+    inside: Vec<bool>,
+}
+
+impl Measure {
+    fn new(scene: &Scene, model: Option<Arc<Mesh>>, clock: fn() -> u64) -> Self {
         let mut renderer = Renderer::with_clock(clock);
         renderer.set_model(model.clone());
         let (historic, exact) = (Historic::default(), HashMap::new());
@@ -37,34 +161,52 @@ impl Bench {
         scene
     }
 
-    /// The errors of a setting before the display and as shown, and its spacing of vertices in world units.
-    pub fn errors(&mut self, setting: &Setting) -> ([RegionErrors; 2], f64) {
+    /// The row of a setting with its errors and the spacing of its vertices, not yet timed.
+    fn errors(&mut self, setting: &Setting) -> StudyRow {
         let scene = self.scene(setting);
+        // The true surface is the scene's own whatever it is cut into, and n is all that differs.
         let renderer = &mut self.renderer;
         let exact = self.exact.entry(setting.n.to_bits()).or_insert_with(|| {
-            // The true surface is the scene's own whatever it is cut into, and n is all that differs.
             let mut whole = self.scene.clone();
-            whole.material.n = setting.n;
+            (whole.material.n, whole.shading.mode) = (setting.n, ShadingMode::Exact);
             Exact::new(renderer, &whole)
         });
-        renderer.keep_linear(true);
-        let pixels = if setting.method.is_scalar() {
-            let mesh = mesh_of(&mut self.mesh, self.model.as_ref(), &scene);
+        let mesh = mesh_of(&mut self.mesh, self.model.as_ref(), &scene);
+        self.renderer.keep_linear(true);
+        let scalar = setting.method.is_scalar();
+        let pixels = if scalar {
             self.historic.draw(setting.method, &scene, mesh);
             &self.historic.linear
         } else {
-            renderer.render(&scene);
-            renderer.linear()
+            self.renderer.render(&scene);
+            self.renderer.linear()
         };
-        let errors = [false, scene.clamps()].map(|clamps| {
-            let picture = LinearPicture { width: scene.image.size[0], pixels, clamps };
-            region_errors(picture, LinearPicture { clamps, ..exact.picture() }, &exact.inside)
+        let [errors, shown] = [false, scene.clamps()].map(|clamps| {
+            let picture = |pixels| LinearPicture { width: scene.image.size[0], pixels, clamps };
+            region_errors(picture(pixels), picture(&exact.pixels), &exact.inside)
         });
-        (errors, longest_edge(mesh_of(&mut self.mesh, self.model.as_ref(), &scene)))
+        StudyRow {
+            setting: *setting,
+            spacing: longest_edge(mesh),
+            error_rms: errors.interior.rms,
+            error_max: errors.interior.greatest,
+            error_p99: errors.percentile_99,
+            error_rms_shown: shown.interior.rms,
+            error_max_shown: shown.interior.greatest,
+            interior_pixels: errors.interior.pixels,
+            outline_pixels: errors.outline_pixels,
+            outline_rms: errors.outline_rms,
+            time_ms: 0.0,
+            spread_ms: 0.0,
+            samples: 0,
+            evaluations: 0,
+            pareto: false,
+            scalar,
+        }
     }
 
     /// The time of a frame in nanoseconds without the tessellation, and its evaluations.
-    pub fn time(&mut self, setting: &Setting) -> (u64, u64) {
+    fn time(&mut self, setting: &Setting) -> (u64, u64) {
         let scene = self.scene(setting);
         if setting.method.is_scalar() {
             let mesh = mesh_of(&mut self.mesh, self.model.as_ref(), &scene);
@@ -78,23 +220,43 @@ impl Bench {
         self.renderer.render(&scene);
         self.renderer.redraw();
         self.renderer.render(&scene);
-        counted(self.renderer.report())
+        let report = self.renderer.report();
+        let tessellation = report.stages.iter().filter(|run| run.stage == Stage::Geometry);
+        let tessellation: u64 = tessellation.map(|run| run.nanoseconds).sum();
+        let evaluations = report.stages.iter().map(|run| run.evaluations).sum();
+        (report.nanoseconds.saturating_sub(tessellation), evaluations)
     }
 }
 
-fn counted(report: &Report) -> (u64, u64) {
-    let geometry: u64 =
-        report.stages.iter().filter(|run| run.stage == Stage::Geometry).map(|run| run.nanoseconds).sum();
-    let evaluations = report.stages.iter().map(|run| run.evaluations).sum();
-    (report.nanoseconds.saturating_sub(geometry), evaluations)
+impl Exact {
+    /// Draws `scene`, whose mode is exact: in double precision where a pixel's value is the equation's alone, rounded to single
+    /// once it is found; as the engine draws it where rays add to it.
+    fn new(renderer: &mut Renderer, scene: &Scene) -> Self {
+        renderer.keep_linear(true);
+        renderer.render(scene);
+        let [width, height] = scene.image.size;
+        let mut pixels = renderer.linear().to_vec();
+        let mut inside = vec![false; pixels.len()];
+        let (equation, view) = (Equation::<f64>::new(scene), View::new(&scene.camera, scene.image.size));
+        for (index, (x, y)) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).enumerate() {
+            if pixels[index][3] == 0.0 {
+                continue;
+            }
+            let Some(evaluation) = renderer.evaluation(x, y) else { continue };
+            inside[index] = evaluation.normal.dot(view.towards_eye(evaluation.position)) >= INSIDE;
+            if renderer.mixture(x, y).is_none() {
+                let [r, g, b] = evaluation.shown(&equation).as_vec3().to_array();
+                pixels[index] = [r, g, b, pixels[index][3]];
+            }
+        }
+        Self { pixels, inside }
+    }
 }
 
 /// The mesh of a scene, made anew when the object has changed.
 fn mesh_of<'a>(kept: &'a mut Option<(Object, VertexMesh)>, model: Option<&Arc<Mesh>>, scene: &Scene) -> &'a VertexMesh {
     let object = &scene.object;
-    if kept.as_ref().is_some_and(|(made, _)| made != object) {
-        *kept = None;
-    }
+    kept.take_if(|(made, _)| made != object);
     let (_, mesh) = kept.get_or_insert_with(|| {
         let vertices = |mesh: &Mesh| mesh.with_vertex_normals(object.normals, object.weighting);
         let mesh = match (object.kind, model) {
@@ -109,14 +271,10 @@ fn mesh_of<'a>(kept: &'a mut Option<(Object, VertexMesh)>, model: Option<&Arc<Me
 
 /// The longest edge of any polygon, world units.
 fn longest_edge(mesh: &VertexMesh) -> f64 {
-    let mut longest = 0.0_f64;
-    for face in 0..mesh.face_count() {
+    let place = |vertex: &u32| mesh.positions[*vertex as usize];
+    let edges = (0..mesh.face_count()).flat_map(|face| {
         let corners = mesh.face(face);
-        for (index, &from) in corners.iter().enumerate() {
-            let to = corners[(index + 1) % corners.len()];
-            let edge = mesh.positions[from as usize].distance(mesh.positions[to as usize]);
-            longest = longest.max(edge.into());
-        }
-    }
-    longest
+        corners.iter().zip(corners.iter().cycle().skip(1))
+    });
+    edges.map(|(from, to)| f64::from(place(from).distance(place(to)))).fold(0.0, f64::max)
 }

@@ -1,16 +1,20 @@
-//! A study as a table with the orders of convergence, and as JSON.
+//! A study as a plot of error over time, as tables with the orders of convergence, and as JSON.
 
-use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study, study_plot};
-use crate::analysis::report::{About, Answer, Column, Figure, Part, Report, Table, as_it_is, cells, fixed};
-use crate::analysis::{Question, Subject, Watch, word};
+use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study, title};
+use crate::analysis::report::{About, Answer, Column, Figure, Part, Report, Table, as_it_is, fixed};
+use crate::analysis::{Axis, Curve, Dash, Ink, Plot, PlotKind, Point, Question, Subject, Watch, word};
 use crate::figure::{Paper, PlotStyle, lay_out};
-use crate::scene::Interpolation;
+use crate::scene::{Choice, Interpolation, ShadingMode};
 use glam::DVec2;
 use serde_json::{Map, Value, json};
 
 /// Pixels of the plot, and of its letters: the legend has many lines.
 const SHEET: [u32; 2] = [1600, 1100];
 const LETTERS: f64 = 26.0;
+
+/// The axes reach beyond the points by this part of their extent, and span at least half a decade.
+const MARGIN: f64 = 0.08;
+const LEAST: f64 = 0.5;
 
 impl Question for StudyQuestion {
     type Answer = Study;
@@ -20,23 +24,11 @@ impl Question for StudyQuestion {
         match (found.rows.is_empty(), found.omitted.first()) {
             (false, _) => Ok(found),
             (true, Some(omitted)) => {
-                let (method, why) = (omitted.method.name(), omitted.reason);
+                let (method, why) = (omitted.method.word(), omitted.reason);
                 Err(format!("nothing to measure: {method} cannot draw this scene, {why}"))
             }
             (true, None) => Err("nothing to measure: the shape takes none of these --segments".to_owned()),
         }
-    }
-}
-
-impl Setting {
-    /// The setting in words.
-    pub fn title(&self) -> String {
-        let how = match self.interpolation {
-            Some(Interpolation::Affine) => ", affine",
-            Some(Interpolation::Scanline) => ", scan line",
-            Some(Interpolation::Perspective) | None => "",
-        };
-        format!("{}{how} {}×{}", self.method.title(), self.segments, self.rings)
     }
 }
 
@@ -59,7 +51,7 @@ impl Answer for Study {
         let section = report.section("");
         for omitted in &self.omitted {
             let how = omitted.interpolation.map_or_else(String::new, |how| format!(" ({})", word(&how)));
-            section.note(format!("Not measured: {}{how}: {}.", omitted.method.title(), omitted.reason));
+            section.note(format!("Not measured: {}{how}: {}.", omitted.method.label(), omitted.reason));
         }
         if self.rows.iter().any(|row| row.scalar) {
             section.note("The scalar methods run in one thread: compare their times with each other.");
@@ -76,11 +68,16 @@ impl Answer for Study {
 
     fn json(&self, about: &About<'_>) -> Value {
         let orders = |of: fn(&Series) -> Option<Fit>, value: fn(Fit) -> f64| -> Map<String, Value> {
-            let one = |method: Method| Some((method.name().to_owned(), json!(value(of(self.series_of(method)?)?))));
-            Method::ALL.into_iter().filter_map(one).collect()
+            let one = |method: &Method| Some((method.word().to_owned(), json!(value(of(self.series_of(*method)?)?))));
+            Method::VALUES.iter().filter_map(one).collect()
         };
-        let costs: Map<String, Value> =
-            Method::ALL.into_iter().map(|method| (method.name().to_owned(), json!(method.pixel_cost()))).collect();
+        let cost = |method: &Method| {
+            let [additions, multiplications, divisions, powers] = method.pixel_cost();
+            let of = json!({
+                "additions": additions, "multiplications": multiplications, "divisions": divisions, "powers": powers,
+            });
+            (method.word().to_owned(), of)
+        };
         json!({
             "scene": about.name,
             "size": about.scene.image.size,
@@ -92,82 +89,127 @@ impl Answer for Study {
             "order_rms_confidence": orders(|series| series.order_rms, |fit| fit.confidence),
             "series": self.series,
             "omitted": self.omitted,
-            "pixel_cost": costs,
+            "pixel_cost": Method::VALUES.iter().map(cost).collect::<Map<_, _>>(),
         })
     }
 }
 
+/// An error in code values.
+fn codes(error: f64) -> String {
+    format!("{:.3}", 255.0 * error)
+}
+
 /// A row for each setting.
 fn rows(study: &Study) -> Table {
-    let codes = |error: f64| format!("{:.3}", 255.0 * error);
-    let mut table = Table::new([
-        Column::shown("", as_it_is),
-        Column::key("method"),
-        Column::key("segments"),
-        Column::key("rings"),
-        Column::key("interpolation"),
-        Column::both("n", "n", as_it_is),
-        Column::key("spacing"),
-        Column::both("error_rms", "RMS", codes),
-        Column::both("error_max", "greatest", codes),
-        Column::both("error_p99", "99 %", codes),
-        Column::key("interior_pixels"),
-        Column::both("outline_pixels", "outline", as_it_is),
-        Column::key("outline_rms"),
-        Column::both("time_ms", "time", fixed::<3>),
-        Column::both("spread_ms", "IQR", fixed::<3>),
-        Column::key("samples"),
-        Column::both("evaluations", "evaluations", as_it_is),
-        Column::key("pareto"),
-        Column::key("scalar"),
-        Column::both("error_rms_shown", "shown", codes),
-        Column::key("error_max_shown"),
-        Column::shown("", as_it_is),
-    ]);
-    table.rows.extend(study.rows.iter().map(|row| {
-        let StudyRow { setting, spacing, error_rms, error_max, error_p99, interior_pixels, outline_pixels, .. } = *row;
-        let StudyRow { outline_rms, time_ms, spread_ms, samples, evaluations, pareto, scalar, .. } = *row;
-        let Setting { method, segments, rings, interpolation, n } = setting;
-        let how = interpolation.map_or_else(|| "none".to_owned(), |how| word(&how));
-        cells![
-            setting.title(),
-            method.name(),
-            segments,
-            rings,
-            how,
-            n,
-            spacing,
-            error_rms,
-            error_max,
-            error_p99,
-            interior_pixels,
-            outline_pixels,
-            outline_rms,
-            time_ms,
-            spread_ms,
-            samples,
-            evaluations,
-            pareto.to_string(),
-            scalar.to_string(),
-            row.error_rms_shown,
-            row.error_max_shown,
-            if pareto { "*" } else { "" }
-        ]
-    }));
-    table
+    Table::of(
+        &study.rows,
+        [
+            (Column::shown("", as_it_is), |row| row.setting.title().into()),
+            (Column::key("method"), |row| row.setting.method.word().into()),
+            (Column::key("segments"), |row| row.setting.segments.into()),
+            (Column::key("rings"), |row| row.setting.rings.into()),
+            (Column::key("interpolation"), |row| row.setting.interpolation.map_or("none", Choice::word).into()),
+            (Column::both("n", "n", as_it_is), |row| row.setting.n.into()),
+            (Column::key("spacing"), |row| row.spacing.into()),
+            (Column::both("error_rms", "RMS", codes), |row| row.error_rms.into()),
+            (Column::both("error_max", "greatest", codes), |row| row.error_max.into()),
+            (Column::both("error_p99", "99 %", codes), |row| row.error_p99.into()),
+            (Column::key("interior_pixels"), |row| row.interior_pixels.into()),
+            (Column::both("outline_pixels", "outline", as_it_is), |row| row.outline_pixels.into()),
+            (Column::key("outline_rms"), |row| row.outline_rms.into()),
+            (Column::both("time_ms", "time", fixed::<3>), |row| row.time_ms.into()),
+            (Column::both("spread_ms", "IQR", fixed::<3>), |row| row.spread_ms.into()),
+            (Column::key("samples"), |row| row.samples.into()),
+            (Column::both("evaluations", "evaluations", as_it_is), |row| row.evaluations.into()),
+            (Column::key("pareto"), |row| row.pareto.to_string().into()),
+            (Column::key("scalar"), |row| row.scalar.to_string().into()),
+            (Column::both("error_rms_shown", "shown", codes), |row| row.error_rms_shown.into()),
+            (Column::key("error_max_shown"), |row| row.error_max_shown.into()),
+            (Column::shown("", as_it_is), |row| if row.pareto { "*" } else { "" }.into()),
+        ],
+    )
 }
 
 fn orders(study: &Study) -> Table {
-    let mut table =
-        Table::new(["", "n", "of the greatest error", "of the RMS"].map(|head| Column::shown(head, as_it_is)));
-    let text = |fit: Option<Fit>| fit.map(|fit| format!("{:.2} ± {:.2}", fit.slope, fit.confidence));
-    table.rows.extend(study.series.iter().map(|series| {
-        let how = match series.interpolation {
-            Some(Interpolation::Affine) => ", affine",
-            Some(Interpolation::Scanline) => ", scan line",
-            Some(Interpolation::Perspective) | None => "",
-        };
-        cells![format!("{}{how}", series.method.title()), series.n, text(series.order), text(series.order_rms)]
-    }));
-    table
+    fn text(fit: Option<Fit>) -> Option<String> {
+        fit.map(|fit| format!("{:.2} ± {:.2}", fit.slope, fit.confidence))
+    }
+    Table::of(
+        &study.series,
+        [
+            (Column::shown("", as_it_is), |series| title(series.method, series.interpolation).into()),
+            (Column::shown("n", as_it_is), |series| series.n.into()),
+            (Column::shown("of the greatest error", as_it_is), |series| text(series.order).into()),
+            (Column::shown("of the RMS", as_it_is), |series| text(series.order_rms).into()),
+        ],
+    )
+}
+
+/// Error over time, both logarithmic: a curve for each method, and the front of Pareto. Nothing as long as no setting has an
+/// error and a time.
+pub fn study_plot(study: &Study) -> Option<Plot> {
+    let known: Vec<(&StudyRow, [f64; 2])> =
+        study.rows.iter().filter_map(|row| Some((row, study_point(row)?))).collect();
+    let first = known.first()?.0;
+    let several_n = known.iter().any(|(row, _)| row.setting.n.to_bits() != first.setting.n.to_bits());
+    let mut front: Vec<[f64; 2]> = known.iter().filter(|(row, _)| row.pareto).map(|(_, at)| *at).collect();
+    front.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let dash = Dash::Long;
+    let mut curves = vec![Curve { dash, emphasised: false, ..Curve::new("front of Pareto", front, Ink::Reference) }];
+    let mut points = Vec::new();
+    for series in known.chunk_by(|a, b| a.0.setting.is_like(&b.0.setting)) {
+        let Setting { method, interpolation, n, .. } = series[0].0.setting;
+        let n = if several_n { format!(", n = {n}") } else { String::new() };
+        let name = title(method, interpolation) + &n;
+        let (ink, dash) = look(method);
+        let emphasised = interpolation != Some(Interpolation::Affine);
+        let line = series.iter().map(|(_, at)| *at).collect();
+        curves.push(Curve { dash, emphasised, ..Curve::new(&name, line, ink) });
+        points.extend(series.iter().enumerate().map(|(index, (row, at))| {
+            let (segments, strong) = (row.setting.segments, index == 0 || row.pareto);
+            let name = if strong { format!("{name} {segments}") } else { segments.to_string() };
+            Point { at: *at, name, ink, hollow: row.scalar, strong }
+        }));
+    }
+    let axis = |name: &str, index: usize| {
+        let values = known.iter().map(|(_, at)| at[index]);
+        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)]);
+        let margin = ((high - low) * MARGIN).max(0.5 * (LEAST - (high - low)));
+        Axis::decades(name, low - margin, high + margin)
+    };
+    let note = "Root mean square of the error inside (N·V ≥ 0.2) against the exact picture, linear intensity; numbers are \
+                segments. Rings: scalar code in one thread, not to be compared with the engine's times.";
+    Some(Plot {
+        kind: PlotKind::Study,
+        title: "Error against run time".to_owned(),
+        note: note.to_owned(),
+        x: axis("time of a frame, ms", 0),
+        y: axis("RMS error", 1),
+        curves,
+        legend: vec![],
+        marks: vec![],
+        directions: vec![],
+        borders: vec![],
+        points,
+    })
+}
+
+/// Where a row stands in the plot: the logarithms to the base 10 of its time in milliseconds and of its error.
+pub fn study_point(row: &StudyRow) -> Option<[f64; 2]> {
+    let point = [row.time_ms.log10(), row.error_rms.log10()];
+    point.iter().all(|value| value.is_finite()).then_some(point)
+}
+
+fn look(method: Method) -> (Ink, Dash) {
+    match method {
+        Method::Flat => (Ink::Shading(ShadingMode::Flat), Dash::Solid),
+        Method::FlatVertexMean => (Ink::Shading(ShadingMode::Flat), Dash::Dashed),
+        Method::Interpolated => (Ink::Shading(ShadingMode::Interpolated), Dash::DashDot),
+        Method::Gouraud => (Ink::Shading(ShadingMode::Gouraud), Dash::Solid),
+        Method::Phong => (Ink::Shading(ShadingMode::Phong), Dash::Solid),
+        Method::PhongUnnormalised => (Ink::Shading(ShadingMode::Phong), Dash::Dashed),
+        Method::PhongScalar => (Ink::Historic(0), Dash::Solid),
+        Method::Taylor => (Ink::Historic(1), Dash::DashDot),
+        Method::Angular => (Ink::Historic(2), Dash::Dotted),
+    }
 }

@@ -1,3 +1,24 @@
+enum { WIDTH = $width$, HEIGHT = $height$, TRIANGLES = $count$ };
+
+static const GLclampf background[] = {$background$};
+
+/* Where (0, 0, 0) of the positions lies in the world. */
+static const double origin[] = {$origin$};
+
+static const GLfloat positions[][3] = {
+$positions$
+};
+
+/* N at each vertex, unit. */
+static const GLfloat normals[][3] = {
+$normals$
+};
+
+/* Each polygon is a fan about its first vertex$order$. Counter-clockwise from outside. */
+static const GLuint triangles[][3] = {
+$triangles$
+};
+
 static void fail(const char *what) {
     fprintf(stderr, "%s\n", what);
     exit(EXIT_FAILURE);
