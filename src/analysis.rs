@@ -40,7 +40,7 @@ pub use normals::{
     VertexFace, VertexNormal, draw_normals,
 };
 pub use overlay::{Halo, OverlayLayer, OverlayOptions};
-pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture};
+pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture, luminance};
 pub use plan::{FramePlan, PlanQuestion, stage_words};
 pub use probe::{
     Angle, Arc, Arrow, ArrowHead, Column as TermColumn, CueTerms, Factor, Here, LightHandle, LightHere, LightTerms,
@@ -49,12 +49,12 @@ pub use probe::{
 };
 pub use profile::{
     Border, CURVE, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError, ProfileQuestion, Sample,
-    TakenProfile, Trace, draw_profile, lay_out_profile, luminance, perceived_picture, profile, profile_plots,
+    TakenProfile, Trace, draw_profile, lay_out_profile, perceived_picture, profile, profile_plots,
 };
 pub use question::{ANALYSES, Analysis, Format, Question, Subject, Watch, unwatched};
 pub(crate) use report::cells;
 pub use report::{About, Answer, Cell, Column, Figure, Part, Report, Section, Table, as_it_is, fixed, word};
-pub use sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error, sampling_error_with};
+pub use sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error_with};
 #[cfg(feature = "app")]
 pub(crate) use scan::scan_drawn;
 pub use scan::{

@@ -33,7 +33,6 @@ mod panes;
 mod picture;
 mod place;
 mod plan;
-mod plot;
 mod profile;
 mod recovery;
 mod report;

@@ -19,4 +19,4 @@ pub use renderer::{
     Cued, Frame, Per, Plan, Renderer, Report, Stage, StageRun, Term, TooLarge, check_memory, coarseness, coarser_size,
     srgb,
 };
-pub(crate) use renderer::{Evaluation, Piece, Polygon, WeightedPoint, displayed, stored_pixel};
+pub(crate) use renderer::{Evaluation, Piece, WeightedPoint, displayed, stored_pixel};

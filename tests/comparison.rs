@@ -1,8 +1,9 @@
 //! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
 
 use shading_lab::analysis::{
-    DrawnPane, ErrorFigures, LinearPicture, PaneArea, brightest, comparison_sheet, difference_picture, draw_panes,
-    error_figures, luminance, pane_areas, pane_figures, panes_on_sheet, probe,
+    DrawnPane, ErrorFigures, LinearPicture, PaneArea, brightest, comparison_sheet, difference_picture,
+    difference_scale, draw_panes, error_figures, luminance, pane_areas, pane_figures, panes_on_sheet, probe,
+    region_errors,
 };
 use shading_lab::figure::palette;
 use shading_lab::render::Renderer;
@@ -245,4 +246,49 @@ fn the_brightest_pixel_is_the_objects_and_not_clamped() {
     let found = brightest(picture(&a)).expect("an object");
     assert!((found.value - 3.0).abs() < 1e-12 && found.at == [1, 0], "{found:?}");
     assert_eq!(brightest(picture(&a[2..])), None);
+}
+
+#[test]
+fn false_colours_grow_lighter_all_the_way() {
+    let light = |step: u8| {
+        let value = f32::from(step) / 100.0;
+        let colour = shown([value, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, 1.0], DifferenceKind::FalseColor, 1.0);
+        palette::contrast(colour, [0; 3])
+    };
+    for step in 0..100 {
+        assert!(light(step + 1) > light(step), "{step}");
+    }
+}
+
+#[test]
+fn the_scale_has_short_numbers() {
+    let texts = |kind, gain| {
+        let texts = difference_scale([400, 300], kind, gain, 14.0).texts;
+        texts.into_iter().map(|text| text.text).collect::<Vec<_>>()
+    };
+    assert_eq!(texts(DifferenceKind::Signed, 8.0), ["−0.125", "0", "+0.125"]);
+    assert_eq!(texts(DifferenceKind::Signed, 1.0), ["−1", "0", "+1"]);
+    assert_eq!(texts(DifferenceKind::Absolute, 64.0), ["0", "0.0078", "0.0156"]);
+}
+
+/// 200 pixels that are off by 1/256 to 200/256, in falling order.
+#[test]
+fn a_percentile_is_of_nearest_rank() {
+    let grey = |value: f32| [value, value, value, 1.0];
+    let a: Vec<[f32; 4]> = (1..=200u8).rev().map(|step| grey(f32::from(step) / 256.0)).collect();
+    let b = vec![grey(0.0); 200];
+    let of = |count: usize| region_errors(picture(&a[..count]), picture(&b[..count]), &vec![true; count]).percentile_99;
+    assert_eq!((of(200), of(1), of(0)), (198.0 / 256.0, 200.0 / 256.0, 0.0));
+}
+
+#[test]
+fn inside_and_outline_are_told_apart() {
+    let grey = |value: f32, seen: f32| [value, value, value, seen];
+    let a = [grey(0.5, 1.0), grey(0.5, 1.0), grey(0.0, 0.0), grey(0.4, 1.0)];
+    let b = [grey(0.25, 1.0), grey(0.0, 1.0), grey(0.5, 1.0), grey(0.0, 0.0)];
+    let errors = region_errors(picture(&a), picture(&b), &[true, false, true, true]);
+    assert_eq!((errors.interior.pixels, errors.interior.rms, errors.percentile_99), (1, 0.25, 0.25));
+    assert_eq!(errors.outline_pixels, 2);
+    let expected = ((0.25 + f64::from(0.4_f32).powi(2)) / 2.0).sqrt();
+    assert!((errors.outline_rms - expected).abs() < 1e-12);
 }

@@ -449,3 +449,25 @@ fn every_step_is_drawn_within_its_room() {
         }
     }
 }
+
+/// The first shapes of the drawing are the pixels shaded so far; lines and letters cross a few of them.
+#[test]
+fn the_filled_pixels_have_the_stored_colours() {
+    let mut scene = Scene::default();
+    scene.image.size = [96, 96];
+    let mut renderer = Renderer::default();
+    let face = face_at(&mut renderer, &scene, 40, 30).expect("the sphere");
+    let scan = scan(&mut renderer, &scene, face, 12).expect("a polygon in sight");
+    let style = PlotStyle { paper: Paper::LIGHT, text: 2.0, titled: false };
+    let drawing = lay_out_scan(&scan, scan.last(), DVec2::new(600.0, 400.0), &style);
+    let frame = drawing.to_frame().expect("a picture");
+    let (mut found, mut all) = (0, 0);
+    for ((_, pixel), square) in scan.filled(scan.last()).zip(&drawing.shapes) {
+        assert_eq!((square.fill, square.colour), (true, pixel.stored));
+        let place = square.points[0].lerp(square.points[2], 0.3);
+        found += usize::from(frame.pixel(place.x as u32, place.y as u32) == Some(pixel.stored));
+        all += 1;
+    }
+    assert!(all > 50 && found * 10 >= all * 7, "{found} of {all}; edges cross the others");
+    assert!(drawing.to_svg("a polygon").contains("<polygon"));
+}

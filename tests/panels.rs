@@ -511,9 +511,12 @@ fn the_picture_is_shown_as_it_is_perceived() {
     harness.get_by_role_and_label(Role::Tab, "Profile").click_accesskit();
     harness.run();
     let checkbox = "Show the picture as it is perceived";
-    assert!(harness.state().state().own.get().and_then(Profiles::perceived).is_none());
+    let perceived = |harness: &Harness<'_, App>| {
+        harness.state().state().own.get::<Profiles>().is_some_and(|profiles| profiles.perceived.is_some())
+    };
+    assert!(!perceived(&harness));
     harness.get_by_role_and_label(Role::CheckBox, checkbox).click_accesskit();
-    assert!(wait(&mut harness, |harness| harness.state().state().own.get().and_then(Profiles::perceived).is_some()));
+    assert!(wait(&mut harness, perceived));
     // A surround wider than any picture is refused with a reason.
     harness.get_by_label("The eye and the screen").click_accesskit();
     harness.run();

@@ -2,8 +2,8 @@
 
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::{
-    Perception, Profile, ProfileError, ProfileQuestion, ResponseModel, Trace, Viewing, blur_line, luminance,
-    perceived_picture, probe, profile,
+    Perception, Profile, ProfileError, ProfileQuestion, ResponseModel, Trace, Viewing, blur_line, blur_picture,
+    luminance, perceived_picture, probe, profile,
 };
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
@@ -276,4 +276,55 @@ fn the_perceived_picture_agrees_with_the_profile_where_it_varies_one_way() {
         let [red, _, _] = seen.pixel(sample.x as u32, 40).expect("a pixel of the picture");
         assert!((f64::from(red) - 255.0 * value.min(1.0)).abs() < 1.5, "at {}: {red} and {value}", sample.x);
     }
+}
+
+#[test]
+fn the_weights_of_a_gaussian_add_up_to_one_and_spread_as_wide_as_asked() {
+    for sigma in [0.0, 0.01, 0.3, 1.0, 7.5, 40.0] {
+        let impulse = line(1.0, 801, |x| f64::from(x == 0.0));
+        let weights = blur_line(&impulse, sigma);
+        assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+        // A tent of one sample's width adds its own variance, 1/6.
+        let squares = line(1.0, 801, |x| x * x);
+        let variance: f64 = weights.iter().zip(&squares).map(|(weight, square)| weight * square).sum();
+        let expected = sigma * sigma + 1.0 / 6.0;
+        assert!(sigma < 1.0 || (variance - expected).abs() < 1e-5 * (1.0 + expected), "{sigma}: {variance}");
+    }
+}
+
+#[test]
+fn a_constant_stays_what_it_is_however_wide_the_gaussian() {
+    for sigma in [0.5, 3.0, 500.0] {
+        assert!(blur_line(&[0.7; 9], sigma).iter().all(|v| (v - 0.7).abs() < 1e-12));
+        assert!(blur_picture(&[0.7; 12], 4, sigma).iter().all(|v| (v - 0.7).abs() < 1e-12));
+    }
+    assert!(blur_line(&[], 1.0).is_empty() && blur_picture(&[], 0, 1.0).is_empty());
+}
+
+#[test]
+fn rows_and_columns_are_blurred_alike() {
+    let mut values = vec![0.0; 21 * 15];
+    values[7 * 21 + 10] = 1.0;
+    let blurred = blur_picture(&values, 21, 1.7);
+    for k in 0..7 {
+        assert!((blurred[7 * 21 + 10 + k] - blurred[(7 + k) * 21 + 10]).abs() < 1e-12);
+    }
+    assert!((blurred.iter().sum::<f64>() - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn every_pixel_centre_on_the_line_is_a_sample() {
+    let mut scene = Scene::default();
+    scene.image.size = [64, 64];
+    for (from, to) in [([0.0, 20.5], [64.0, 20.5]), ([10.3, 20.5], [50.0, 20.5]), ([60.0, 61.0], [2.0, 3.0])] {
+        let samples = taken(&scene, from, to).samples;
+        assert!(samples.windows(2).all(|pair| pair[0].t < pair[1].t));
+        assert_eq!((samples[0].t, samples[samples.len() - 1].t), (0.0, 1.0));
+        let (low, high) = (from[0].min(to[0]), from[0].max(to[0]));
+        for x in (0..64).map(|x| f64::from(x) + 0.5).filter(|x| (low..=high).contains(x)) {
+            assert!(samples.iter().any(|sample| (sample.x - x).abs() < 1e-9), "{x} of {from:?} to {to:?}");
+        }
+    }
+    let short = taken(&scene, [3.3, 3.0], [3.4, 3.0]).samples;
+    assert_eq!(short.len(), 2, "a line shorter than a step is its ends");
 }

@@ -265,13 +265,13 @@ fn the_formula_is_filled_in_as_the_course_writes_it() {
     let scan = scan(&mut renderer, &scene, 0, 16).expect("a polygon in sight");
     let step = scan.step_near(DVec2::new(8.5, 8.5));
     let point = scan.at(step);
-    let (Some(p), Some(span), Some(pixel)) = (point.p, point.span, point.pixel) else { panic!("a pixel's step") };
-    let mix = scan.crossing_mix(point.line, p, "P");
+    let p = point.p.expect("a pixel's step");
+    let [mix, _, pixel] = &scan.found(step)[..] else { panic!("P, Q and the pixel") };
     assert_eq!(mix.formula("I"), "I(P) = (1−α)·I(P₄) + α·I(P₁)");
     let alpha = mix.alpha_text();
     assert!(alpha.starts_with("α = (8.50 − "), "{alpha}");
     assert!(mix.row(0).ends_with(&format!("= {:.4}", p.value.x)), "{}", mix.row(0));
-    assert_eq!(scan.pixel_mix(span, pixel).formula("I"), "I = (1−α)·I(P) + α·I(Q)");
+    assert_eq!(pixel.formula("I"), "I = (1−α)·I(P) + α·I(Q)");
     assert_eq!(corner_name(11), "P₁₂");
     let count = pixels(&scan).count();
     let (answer, about) = (ScanStop { step, scan }, About { name: "", scene: &scene });

@@ -127,7 +127,7 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
             .next()
             .is_some()
     };
-    let mix = taken.pixel_mix(span, pixel);
+    let mix = taken.found(step(&harness)).pop().expect("a pixel's step");
     let [r, g, b] = pixel.stored;
     for text in [mix.alpha_text(), mix.row(0), format!("stored {r}, {g}, {b}"), format!("{:.4}", span.q.value.x)] {
         assert!(has(&harness, &text), "{text}");

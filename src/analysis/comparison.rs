@@ -1,19 +1,18 @@
 //! Two pictures of one scene against each other, and what stands out in one.
 
-mod difference;
-mod regions;
-mod report;
 mod sheet;
 
-pub use difference::{difference_picture, difference_scale};
-pub use regions::{RegionErrors, region_errors};
-pub use report::{Comparison, ComparisonQuestion};
-pub use sheet::{DrawnPane, PaneArea, caption, comparison_sheet, draw_panes, pane_areas, pane_figures, panes_on_sheet};
+pub use sheet::{
+    DrawnPane, PaneArea, caption, comparison_sheet, difference_picture, difference_scale, draw_panes, pane_areas,
+    pane_figures, panes_on_sheet,
+};
 
-use super::luminance;
-use crate::scene::Rgb;
+use super::perception::pixel_luminance;
+use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed};
+use super::{Question, Subject, Watch};
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
 
 /// Pixels in a share of the work.
 const CHUNK: usize = 1 << 14;
@@ -31,6 +30,16 @@ impl LinearPicture<'_> {
     pub(crate) fn color(&self, index: usize) -> [f64; 3] {
         let [r, g, b, _] = self.pixels[index].map(f64::from);
         if self.clamps { [r, g, b].map(|value| value.min(1.0)) } else { [r, g, b] }
+    }
+
+    fn shows(&self, index: usize) -> bool {
+        self.pixels[index][3] != 0.0
+    }
+
+    /// |d| of each channel of a pixel.
+    fn differences(&self, reference: &Self, index: usize) -> [f64; 3] {
+        let (a, b) = (self.color(index), reference.color(index));
+        std::array::from_fn(|channel| (a[channel] - b[channel]).abs())
     }
 
     fn at(&self, index: usize) -> [u32; 2] {
@@ -56,34 +65,9 @@ pub struct ErrorFigures {
     pub at: Option<[u32; 2]>,
 }
 
-/// Sums over a part of the picture.
-#[derive(Clone, Copy, Default)]
-struct Sums {
-    pixels: u64,
-    absolute: f64,
-    squares: f64,
-    greatest: f64,
-    index: usize,
-}
-
-impl Sums {
-    fn and(self, later: Self) -> Self {
-        let (greatest, index) =
-            if later.greatest > self.greatest { (later.greatest, later.index) } else { (self.greatest, self.index) };
-        Self {
-            pixels: self.pixels + later.pixels,
-            absolute: self.absolute + later.absolute,
-            squares: self.squares + later.squares,
-            greatest,
-            index,
-        }
-    }
-}
-
 /// The error of `picture` against `reference`, which is as large.
 pub fn error_figures(picture: LinearPicture<'_>, reference: LinearPicture<'_>) -> ErrorFigures {
-    let seen = |index: usize| picture.pixels[index][3] != 0.0 || reference.pixels[index][3] != 0.0;
-    error_figures_where(picture, reference, seen)
+    error_figures_where(picture, reference, |index| picture.shows(index) || reference.shows(index))
 }
 
 /// The same over the pixels that `counts`.
@@ -93,37 +77,70 @@ fn error_figures_where(
     counts: impl Fn(usize) -> bool + Sync,
 ) -> ErrorFigures {
     let count = picture.pixels.len().min(reference.pixels.len());
-    let parts: Vec<Sums> = (0..count.div_ceil(CHUNK))
-        .into_par_iter()
-        .map(|chunk| sums(picture, reference, (chunk * CHUNK..count.min((chunk + 1) * CHUNK)).filter(|i| counts(*i))))
-        .collect();
-    // Added up in the picture's order, so that the number of threads does not matter.
-    let total = parts.into_iter().fold(Sums::default(), Sums::and);
-    #[expect(clippy::cast_precision_loss, reason = "pictures have far fewer than 2⁵³ pixels")]
-    let values = (3 * total.pixels).max(1) as f64;
-    ErrorFigures {
-        pixels: total.pixels,
-        mean: total.absolute / values,
-        rms: (total.squares / values).sqrt(),
-        greatest: total.greatest,
-        at: (total.greatest > 0.0).then(|| picture.at(total.index)),
-    }
-}
-
-fn sums(picture: LinearPicture<'_>, reference: LinearPicture<'_>, pixels: impl Iterator<Item = usize>) -> Sums {
-    let mut sums = Sums::default();
-    for index in pixels {
-        sums.pixels += 1;
-        for (a, b) in picture.color(index).into_iter().zip(reference.color(index)) {
-            let difference = (a - b).abs();
-            sums.absolute += difference;
-            sums.squares += difference * difference;
-            if difference > sums.greatest {
-                (sums.greatest, sums.index) = (difference, index);
+    // Of a part the sums in place of the means.
+    let part = |chunk: usize| {
+        let mut part = ErrorFigures::default();
+        for index in (chunk * CHUNK..count.min((chunk + 1) * CHUNK)).filter(|index| counts(*index)) {
+            part.pixels += 1;
+            for difference in picture.differences(&reference, index) {
+                part.mean += difference;
+                part.rms += difference * difference;
+                if difference > part.greatest {
+                    (part.greatest, part.at) = (difference, Some(picture.at(index)));
+                }
             }
         }
+        part
+    };
+    let parts: Vec<ErrorFigures> = (0..count.div_ceil(CHUNK)).into_par_iter().map(part).collect();
+    // Added up in the picture's order, so that the number of threads does not matter.
+    let mut total = ErrorFigures::default();
+    for part in parts {
+        total.pixels += part.pixels;
+        total.mean += part.mean;
+        total.rms += part.rms;
+        if part.greatest > total.greatest {
+            (total.greatest, total.at) = (part.greatest, part.at);
+        }
     }
-    sums
+    #[expect(clippy::cast_precision_loss, reason = "pictures have far fewer than 2⁵³ pixels")]
+    let values = (3 * total.pixels).max(1) as f64;
+    ErrorFigures { mean: total.mean / values, rms: (total.rms / values).sqrt(), ..total }
+}
+
+/// How far a picture is from another, apart where both show the object and where one alone does. Linear intensity.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RegionErrors {
+    /// Over the pixels inside.
+    pub interior: ErrorFigures,
+    /// What 99 % of the pixels inside do not exceed, by the greatest |d| of their channels (nearest rank).
+    pub percentile_99: f64,
+    /// Pixels that show the object in one of the pictures only.
+    pub outline_pixels: u64,
+    /// Root of the mean of d² over them.
+    pub outline_rms: f64,
+}
+
+/// The errors of `picture` against `reference`, which is as large. What is inside is what `inside` says, as far as both show
+/// the object there.
+pub fn region_errors(picture: LinearPicture<'_>, reference: LinearPicture<'_>, inside: &[bool]) -> RegionErrors {
+    let count = picture.pixels.len().min(reference.pixels.len()).min(inside.len());
+    let interior = |index: usize| index < count && inside[index] && picture.shows(index) && reference.shows(index);
+    let outline = error_figures_where(picture, reference, |index| picture.shows(index) != reference.shows(index));
+    let greatest = |index| picture.differences(&reference, index).into_iter().fold(0.0, f64::max);
+    let mut greatest: Vec<f64> = (0..count).filter(|index| interior(*index)).map(greatest).collect();
+    #[expect(clippy::cast_precision_loss, reason = "far fewer pixels than 2⁵³")]
+    let rank = (0.99 * greatest.len() as f64).ceil() as usize;
+    let percentile_99 = match rank.checked_sub(1) {
+        Some(index) => *greatest.select_nth_unstable_by(index, f64::total_cmp).1,
+        None => 0.0,
+    };
+    RegionErrors {
+        interior: error_figures_where(picture, reference, interior),
+        percentile_99,
+        outline_pixels: outline.pixels,
+        outline_rms: outline.rms,
+    }
 }
 
 /// The brightest pixel of the object.
@@ -136,19 +153,10 @@ pub struct Brightest {
 
 /// The brightest pixel that shows the object, the first of equal ones.
 pub fn brightest(picture: LinearPicture<'_>) -> Option<Brightest> {
-    let of_chunk = |(chunk, pixels): (usize, &[[f32; 4]])| {
-        let mut best: Option<(f64, usize)> = None;
-        for (index, [r, g, b, seen]) in pixels.iter().enumerate() {
-            let value = luminance(Rgb::new((*r).into(), (*g).into(), (*b).into()));
-            if *seen > 0.0 && best.is_none_or(|(most, _)| value > most) {
-                best = Some((value, chunk * CHUNK + index));
-            }
-        }
-        best
-    };
+    let seen = picture.pixels.par_iter().enumerate().with_min_len(CHUNK).filter(|(_, pixel)| pixel[3] > 0.0);
+    let values = seen.map(|(index, pixel)| (pixel_luminance(pixel), index)).filter(|(value, _)| !value.is_nan());
     let brighter = |a: (f64, usize), b: (f64, usize)| if b.0 > a.0 || (b.0 == a.0 && b.1 < a.1) { b } else { a };
-    let best = picture.pixels.par_chunks(CHUNK).enumerate().filter_map(of_chunk).reduce_with(brighter);
-    best.map(|(value, index)| Brightest { value, at: picture.at(index) })
+    values.reduce_with(brighter).map(|(value, index)| Brightest { value, at: picture.at(index) })
 }
 
 /// What a caption says of a pane.
@@ -158,4 +166,71 @@ pub struct PaneFigures {
     pub brightest: Option<Brightest>,
     /// Against the last pane; the last pane has none.
     pub error: Option<ErrorFigures>,
+}
+
+/// How far the scene's panes are from the last of them. Which panes there are is part of the scene.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ComparisonQuestion;
+
+/// The figures, a pane each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison(pub Vec<PaneFigures>);
+
+impl Question for ComparisonQuestion {
+    type Answer = Comparison;
+
+    fn answer(&self, subject: &Subject, watch: &dyn Watch<Comparison>) -> Result<Comparison, String> {
+        let scene = &subject.scene;
+        if scene.compare.panes.is_empty() {
+            return Err("nothing to compare with, expected --pane KEY=VALUE or a scene with panes".to_owned());
+        }
+        let which: Vec<_> = (0..scene.pane_count()).map(|index| (index, scene.image.size)).collect();
+        let mut progress = |done: u32| watch.at(done as f32 / which.len() as f32);
+        let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), String>(());
+        let panes = draw_panes(&mut subject.renderer(), scene, &which, 1, &mut progress, nothing)?;
+        Ok(Comparison(pane_figures(&panes)))
+    }
+}
+
+impl Answer for Comparison {
+    fn report(&self, about: &About<'_>) -> Report {
+        let reference = self.0.last().map_or("", |last| last.name.as_str());
+        let mut report = Report::new(format!("{}, against {reference}", about.heading()));
+        report.section("").note("Linear intensity: 1 is white, 1/255 = 0.0039 a code value");
+        let mut table = Table::new([
+            Column::both("pane", "pane", as_it_is),
+            Column::both("brightest", "brightest", fixed::<4>),
+            Column::key("brightest_x"),
+            Column::key("brightest_y"),
+            Column::key("pixels"),
+            Column::both("mean", "mean", fixed::<5>),
+            Column::both("rms", "RMS", fixed::<5>),
+            Column::both("greatest", "greatest", fixed::<5>),
+            Column::shown("at", as_it_is),
+            Column::key("x"),
+            Column::key("y"),
+        ]);
+        for PaneFigures { name, brightest, error } in &self.0 {
+            let (peak, at) = (brightest.map(|b| b.at), error.and_then(|e| e.at));
+            table.rows.push(cells![
+                name.as_str(),
+                brightest.map(|b| b.value),
+                peak.map(|at| at[0]),
+                peak.map(|at| at[1]),
+                error.map(|e| e.pixels),
+                error.map(|e| e.mean),
+                error.map(|e| e.rms),
+                error.map(|e| e.greatest),
+                at.map(|[x, y]| format!("{x},{y}")),
+                at.map(|at| at[0]),
+                at.map(|at| at[1]),
+            ]);
+        }
+        report.section("").push(Part::Table(table));
+        report
+    }
+
+    fn json(&self, about: &About<'_>) -> Value {
+        json!({ "scene": about.name, "size": about.scene.image.size, "panes": self.0 })
+    }
 }

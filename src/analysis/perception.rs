@@ -6,12 +6,13 @@
 //! Intensities come in and go out linear, 1 the display's white; widths are angles at the eye, which a [`Viewing`] turns into
 //! pixels. Beyond the ends of what is given its last value goes on.
 
-mod blur;
-mod error_function;
-
-pub use blur::{blur_line, blur_picture};
-
+use crate::scene::Rgb;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::{PI, SQRT_2};
+
+/// Beyond so many widths a Gaussian's part is under 10⁻⁹.
+const REACH: f64 = 6.0;
 
 /// How the picture is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -137,19 +138,17 @@ impl Perception {
                 let means = near.iter().zip(&wide);
                 intensity.iter().zip(means).map(|(i, (near, wide))| i + self.weight * (near - wide)).collect()
             }
-            ResponseModel::ResponseNormalisation => self.normalised(intensity, centre, surround, blur),
+            ResponseModel::ResponseNormalisation => self.normalised(intensity, [centre, surround], blur),
         }
     }
 
     fn normalised(
         &self,
         intensity: &[f64],
-        centre: f64,
-        surround: f64,
+        [mut width, surround]: [f64; 2],
         blur: &dyn Fn(&[f64], f64) -> Vec<f64>,
     ) -> Vec<f64> {
         let mut response = intensity.to_vec();
-        let mut width = centre;
         let mut near = blur(intensity, width);
         loop {
             let wide = blur(intensity, 2.0 * width);
@@ -161,11 +160,85 @@ impl Perception {
             }
             width *= 2.0;
             // The last channel is the one whose wider Gaussian is nearest to σs. A width of 0 would never come near.
-            let goes_on = width > 0.0 && width * std::f64::consts::SQRT_2 < surround;
+            let goes_on = width > 0.0 && width * SQRT_2 < surround;
             if !goes_on {
                 return response;
             }
             near = wide;
         }
     }
+}
+
+/// Weights of the samples 0, 1, 2 … places away for a Gaussian of width `sigma` samples, those of the other side the same; no
+/// longer than `longest`, what is cut off goes to the last weight.
+///
+/// The samples are taken as joined by straight lines, and the Gaussian's mean of that is exact: a sample's weight is that of a
+/// tent about it, the second difference of ψ(x) = x·Φ(x/σ) + σ·φ(x/σ), the Gaussian's second integral.
+fn gaussian(sigma: f64, longest: usize) -> Vec<f64> {
+    let length = ((REACH * sigma).ceil() as usize).saturating_add(2).min(longest.max(1));
+    if sigma < 1e-6 {
+        return vec![1.0];
+    }
+    let psi = |i: i64| {
+        #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2⁵³")]
+        let u = i as f64 / sigma;
+        let density = (-0.5 * u * u).exp() / (2.0 * PI).sqrt();
+        // Less the part that is linear, whose second difference is nothing, so that no digits cancel.
+        sigma * (density - 0.5 * u.abs() * libm::erfc(u.abs() / SQRT_2))
+    };
+    let tent = |i: i64| {
+        let corner = if i == 0 { 1.0 } else { 0.0 };
+        corner + psi(i + 1) - 2.0 * psi(i) + psi(i - 1)
+    };
+    let mut weights: Vec<f64> = (0i64..).take(length).map(tent).collect();
+    let sum = weights[0] + 2.0 * weights[1..].iter().sum::<f64>();
+    if let Some(last) = weights[1..].last_mut() {
+        *last += 0.5 * (1.0 - sum);
+    } else {
+        weights[0] = 1.0;
+    }
+    weights
+}
+
+/// The mean of `values` about sample `at`; beyond the ends the last value goes on.
+fn mean(weights: &[f64], values: &[f64], at: usize) -> f64 {
+    let last = values.len() - 1;
+    let sides = |i: usize| values[at.saturating_sub(i)] + values[(at + i).min(last)];
+    weights.iter().enumerate().skip(1).fold(weights[0] * values[at], |sum, (i, weight)| sum + weight * sides(i))
+}
+
+/// The Gaussian's mean of width `sigma` samples about each of equally spaced samples, joined by straight lines.
+pub fn blur_line(values: &[f64], sigma: f64) -> Vec<f64> {
+    let weights = gaussian(sigma, values.len() + 1);
+    (0..values.len()).into_par_iter().map(|at| mean(&weights, values, at)).collect()
+}
+
+/// The Gaussian's mean of width `sigma` pixels about each pixel of a picture, rows of `width`: along rows, then along columns.
+pub fn blur_picture(values: &[f64], width: usize, sigma: f64) -> Vec<f64> {
+    if width == 0 || values.is_empty() {
+        return Vec::new();
+    }
+    let along_rows = |values: &[f64], width: usize| -> Vec<f64> {
+        let weights = gaussian(sigma, width + 1);
+        let rows = values.par_chunks(width);
+        rows.flat_map_iter(|row| (0..row.len()).map(|at| mean(&weights, row, at)).collect::<Vec<_>>()).collect()
+    };
+    let height = values.len() / width;
+    transposed(&along_rows(&transposed(&along_rows(values, width), width), height), height)
+}
+
+fn transposed(values: &[f64], width: usize) -> Vec<f64> {
+    let height = values.len() / width;
+    (0..width).into_par_iter().flat_map_iter(|x| (0..height).map(move |y| values[y * width + x])).collect()
+}
+
+/// Rec. 709 luminance of a linear colour.
+pub fn luminance(color: Rgb) -> f64 {
+    color.dot(Rgb::new(0.2126, 0.7152, 0.0722))
+}
+
+/// The same of a pixel of a linear picture.
+pub fn pixel_luminance(pixel: &[f32; 4]) -> f64 {
+    let [r, g, b, _] = pixel.map(f64::from);
+    luminance(Rgb::new(r, g, b))
 }

@@ -9,27 +9,22 @@
 //! centres.
 
 mod line;
-mod overlay;
 mod picture;
 mod plots;
-mod report;
-mod source;
-
-pub use overlay::{CURVE, ProfileCurves, draw_profile, lay_out_profile};
-pub use picture::{PERCEIVED_WIDTH, perceived_picture};
-pub use plots::profile_plots;
-pub use report::TakenProfile;
 
 pub use line::Sample;
-pub use source::luminance;
+pub use picture::{CURVE, PERCEIVED_WIDTH, ProfileCurves, draw_profile, lay_out_profile, perceived_picture};
+pub use plots::profile_plots;
 
 use super::perception::{Perception, Viewing, blur_line};
+use super::report::{About, Answer, Cell, Column, Part, Report, Table};
+use super::{Question, Subject, Watch};
 use crate::render::{Piece, Renderer};
-use crate::scene::{Scene, ShadingMode};
+use crate::scene::{Choice, Scene, ShadingMode};
 use glam::DVec2;
-use line::Line;
+use line::{Line, Source};
 use serde::{Deserialize, Serialize};
-use source::Source;
+use serde_json::{Value, json};
 use thiserror::Error;
 
 /// What the profile is taken of.
@@ -134,19 +129,6 @@ pub struct Corner {
     pub jump: f64,
 }
 
-impl Trace {
-    /// The mode's name, as in a scene file.
-    pub fn word(&self) -> &'static str {
-        match self.mode {
-            ShadingMode::Flat => "flat",
-            ShadingMode::Interpolated => "interpolated",
-            ShadingMode::Gouraud => "gouraud",
-            ShadingMode::Phong => "phong",
-            ShadingMode::Exact => "exact",
-        }
-    }
-}
-
 /// Takes the profile of `scene`, which is drawn once for each mode.
 ///
 /// The samples are at most a quarter of a pixel apart (a pixel, on lines beyond 4096) and include the place of every
@@ -159,60 +141,116 @@ pub fn profile(renderer: &mut Renderer, scene: &Scene, request: &ProfileQuestion
     let line = request.line(scene.image.size)?;
     let per_degree = request.viewing.pixels_per_degree();
     let widths = request.perception.widths(per_degree);
-    let mut profile = Profile {
-        samples: line.samples(),
-        traces: Vec::new(),
-        borders: Vec::new(),
-        length: request.from.distance(request.to),
-        widths,
-    };
+    let (mut traces, mut borders) = (Vec::new(), Vec::new());
     for &mode in &request.modes {
         let mut drawn = scene.clone();
         drawn.shading.mode = mode;
         let source = Source::new(renderer, &drawn, &line);
-        if profile.borders.is_empty() {
-            profile.borders = borders(&source, &line);
+        let joints = source.joints();
+        if borders.is_empty() {
+            let border = |&(t, sides): &(f64, [Option<&Piece>; 2])| {
+                let DVec2 { x, y } = line.place(t);
+                Border { x, y, t, faces: sides.map(|piece| Some(piece?.face)) }
+            };
+            borders = joints.iter().map(border).collect();
         }
-        profile.traces.push(trace(&source, &line, request, &profile.borders, per_degree));
+        let corner = |(t, sides)| {
+            let [before, after] = source.sides(t, sides);
+            let slopes = [before.1, after.1];
+            Some(Corner { step: after.0 - before.0, slopes, jump: slopes[1] - slopes[0] })
+        };
+        let corners = joints.into_iter().map(corner).collect();
+        let (intensity, slope): (Vec<f64>, Vec<f64>) = source.values().into_iter().unzip();
+        let blur = |values: &[f64], sigma: f64| blur_line(values, sigma / line.spacing());
+        let perceived = request.perception.respond(&intensity, per_degree, &blur);
+        let ends = [0.0, 1.0].map(|t| source.value(t));
+        traces.push(Trace {
+            mode,
+            intensity: line.within(&intensity, ends.map(|end| Some(end.0))),
+            slope: line.within(&slope, ends.map(|end| Some(end.1))),
+            perceived: line.within(&perceived, [None; 2]),
+            corners,
+        });
     }
-    for trace in &mut profile.traces {
-        trace.corners.resize(profile.borders.len(), None);
+    for trace in &mut traces {
+        trace.corners.resize(borders.len(), None);
     }
-    Ok(profile)
+    Ok(Profile { samples: line.samples(), traces, borders, length: request.from.distance(request.to), widths })
 }
 
-fn trace(source: &Source<'_>, line: &Line, request: &ProfileQuestion, borders: &[Border], per_degree: f64) -> Trace {
-    let (intensity, slope): (Vec<f64>, Vec<f64>) = source.values(line).into_iter().unzip();
-    let blur = |values: &[f64], sigma: f64| blur_line(values, sigma / line.spacing());
-    let perceived = request.perception.respond(&intensity, per_degree, &blur);
-    let (ends, corners) = (source.at_ends(line), corners(source, line, borders));
-    Trace {
-        mode: source.mode(),
-        intensity: line.within(&intensity, ends.map(|end| Some(end.0))),
-        slope: line.within(&slope, ends.map(|end| Some(end.1))),
-        perceived: line.within(&perceived, [None; 2]),
-        corners,
+/// The profile, and how it was asked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TakenProfile {
+    pub profile: Profile,
+    pub question: ProfileQuestion,
+}
+
+impl Question for ProfileQuestion {
+    type Answer = TakenProfile;
+
+    fn answer(&self, subject: &Subject, _: &dyn Watch<TakenProfile>) -> Result<TakenProfile, String> {
+        let profile = profile(&mut subject.renderer(), &subject.scene, self).map_err(|error| error.to_string())?;
+        Ok(TakenProfile { profile, question: self.clone() })
     }
 }
 
-/// The borders on the line itself.
-fn borders(source: &Source<'_>, line: &Line) -> Vec<Border> {
-    let border = |s: f64, faces| {
-        let (place, t) = (line.place(s), line.t(s));
-        (0.0..=1.0).contains(&t).then_some(Border { x: place.x, y: place.y, t, faces })
-    };
-    let face = |piece: Option<&Piece>| piece.map(|piece| piece.face);
-    source.joints().filter_map(|(s, [before, after])| border(s, [face(before), face(after)])).collect()
+impl TakenProfile {
+    /// The samples, a row each.
+    fn samples(&self) -> Table {
+        let Profile { samples, traces, .. } = &self.profile;
+        let of_mode = |mode: &str| [mode.to_owned(), format!("{mode}_slope"), format!("{mode}_perceived")];
+        let modes = traces.iter().flat_map(|trace| of_mode(trace.mode.word()));
+        let mut table = Table::new(["x", "y", "t"].into_iter().map(Column::key).chain(modes.map(Column::key)));
+        for (i, sample) in samples.iter().enumerate() {
+            let values = traces.iter().flat_map(|trace| [trace.intensity[i], trace.slope[i], trace.perceived[i]]);
+            table.rows.push([sample.x, sample.y, sample.t].into_iter().chain(values).map(Cell::from).collect());
+        }
+        table
+    }
 }
 
-fn corners(source: &Source<'_>, line: &Line, borders: &[Border]) -> Vec<Option<Corner>> {
-    let joints = source.joints().filter(|(s, _)| (0.0..=1.0).contains(&line.t(*s)));
-    let corner = |(s, sides): (f64, [Option<&Piece>; 2])| {
-        let [before, after] = source.sides(line, s, sides);
-        let slopes = [before.1, after.1];
-        Corner { step: after.0 - before.0, slopes, jump: slopes[1] - slopes[0] }
-    };
-    let mut corners: Vec<_> = joints.map(|joint| Some(corner(joint))).collect();
-    corners.resize(borders.len(), None);
-    corners
+impl Answer for TakenProfile {
+    fn report(&self, _: &About<'_>) -> Report {
+        let mut report = Report::default();
+        for plot in profile_plots(&self.profile, &self.question) {
+            report.section("").push(Part::Plot(plot.into()));
+        }
+        let note = "Phong shading weakens Mach bands, it does not abolish them: its slope still jumps, only by less.";
+        report.section("").note(note);
+        report
+    }
+
+    fn table(&self) -> Option<Table> {
+        Some(self.samples())
+    }
+
+    fn figure_size(&self, _: usize) -> [u32; 2] {
+        [1600, 1200]
+    }
+
+    fn json(&self, _: &About<'_>) -> Value {
+        let Self { profile, question } = self;
+        let table = self.samples();
+        let keys = || table.columns.iter().map(|column| column.key.as_deref().unwrap_or_default().to_owned());
+        let number = |cell: &Cell| if let Cell::Number(value) = cell { json!(value) } else { Value::Null };
+        let samples = table.rows.iter().map(|row| Value::Object(keys().zip(row.iter().map(number)).collect()));
+        let borders = profile.borders.iter().enumerate().map(|(i, border)| {
+            let mut row = json!(border);
+            for trace in &profile.traces {
+                row[trace.mode.word()] = json!(trace.corners[i]);
+            }
+            row
+        });
+        json!({
+            "from": question.from.to_array(),
+            "to": question.to.to_array(),
+            "length": profile.length,
+            "modes": question.modes,
+            "viewing": question.viewing,
+            "perception": question.perception,
+            "widths": profile.widths,
+            "borders": borders.collect::<Vec<_>>(),
+            "samples": samples.collect::<Vec<_>>(),
+        })
+    }
 }

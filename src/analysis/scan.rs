@@ -15,36 +15,23 @@
 //! Pixel centres lie at +0.5; one on a left or a top edge belongs to the polygon, one on a right or a bottom edge does not.
 //! All of it is in double precision and comes out as the renderer's `scanline` interpolation does.
 
-mod barycentric;
 mod convert;
-mod corners;
-mod data;
 mod drawing;
-mod grid;
 mod report;
-mod walk;
-mod words;
 
-pub use data::{
-    Carried, Crossing, Rule, Scan, ScanCorner, ScanEdge, ScanError, ScanLine, ScanPixel, ScanSpan, ScanStep,
-};
+#[cfg(feature = "app")]
+pub(crate) use convert::scan_drawn;
+pub use convert::{Grid, scan, scan_in_grid};
 pub use drawing::{lay_out_scan, scan_room};
-pub use grid::Grid;
-pub use report::{ScanQuestion, ScanStop, Stop};
-pub use walk::{ScanLevel, ScanPoint};
-pub use words::{Mix, corner_name};
+pub use report::{Mix, ScanQuestion, ScanStop, Stop};
 
+use crate::figure::lowered;
 use crate::render::Renderer;
-use crate::scene::Scene;
-use corners::Shaded;
-
-/// Scans face `face` of `scene`, drawing the scene first if it is not the picture last drawn, in a grid of `rows` rows.
-///
-/// Light that rays bring to pixels is left out: the intensity is the equation's own, at corners with their shadows.
-pub fn scan(renderer: &mut Renderer, scene: &Scene, face: u32, rows: u32) -> Result<Scan, ScanError> {
-    renderer.render(scene);
-    scan_drawn(renderer, scene, face, rows)
-}
+use crate::scene::{Rgb, Scene, ShadingMode};
+use glam::{DVec2, DVec3};
+use serde::Serialize;
+use std::ops::RangeInclusive;
+use thiserror::Error;
 
 /// The face of `scene` that pixel (`x`, `y`) sees, drawing the scene first if it is not the picture last drawn.
 pub fn face_at(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Option<u32> {
@@ -52,19 +39,280 @@ pub fn face_at(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Option
     renderer.polygon_at(x, y)
 }
 
-/// The same as [`scan`] for the picture last drawn, which is `scene`'s.
-pub(crate) fn scan_drawn(renderer: &Renderer, scene: &Scene, face: u32, rows: u32) -> Result<Scan, ScanError> {
-    if !Scan::ROWS.contains(&rows) {
-        return Err(ScanError::Rows { rows });
-    }
-    let shaded = Shaded::new(renderer, scene, face)?;
-    let grid = Grid::around(&shaded.places(), rows).ok_or(ScanError::EdgeOn { face })?;
-    let scan = convert::convert(&shaded, grid);
-    let covered = scan.steps.iter().any(|step| matches!(step, ScanStep::Pixel { .. }));
-    if covered { Ok(scan) } else { Err(ScanError::EdgeOn { face }) }
+/// A polygon's conversion to pixels, step by step.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Scan {
+    /// Index of the face in the mesh.
+    pub face: u32,
+    /// The shading; `exact`, which has no polygons, is shown as Phong's.
+    pub mode: ShadingMode,
+    pub carried: Carried,
+    /// Whether an interpolated normal is made a unit vector before the equation is evaluated.
+    pub renormalise: bool,
+    /// The interpolation that each pixel's value is compared with.
+    pub compared: Rule,
+    pub grid: Grid,
+    /// In the polygon's order, which is counter-clockwise from outside.
+    pub corners: Vec<ScanCorner>,
+    /// The edge table: edges that cross scan lines, by their upper ends.
+    pub edges: Vec<ScanEdge>,
+    /// From the top.
+    pub lines: Vec<ScanLine>,
+    /// What is done in which order; never empty.
+    pub steps: Vec<ScanStep>,
 }
 
-/// The same in any grid, which need not be about the face.
-pub fn scan_in_grid(renderer: &Renderer, scene: &Scene, face: u32, grid: Grid) -> Result<Scan, ScanError> {
-    Ok(convert::convert(&Shaded::new(renderer, scene, face)?, grid))
+/// What is interpolated from the corners.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Carried {
+    /// One intensity for the whole polygon.
+    Constant,
+    /// The intensity at the corners.
+    Intensity,
+    /// The normal at the corners; the equation is evaluated at each pixel.
+    Normal,
+}
+
+/// Linear on the triangle in the picture, or linear on it in space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rule {
+    Affine,
+    Perspective,
+}
+
+/// A corner of the polygon.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ScanCorner {
+    /// Where it appears, pixels of the grid.
+    pub place: DVec2,
+    /// Distance from the eye along the viewing direction, world units.
+    pub depth: f64,
+    /// The intensity, red, green and blue; or the unit normal, world.
+    pub value: DVec3,
+}
+
+/// How a corner is lettered: P₁, P₂, … in the polygon's order.
+pub fn corner_name(index: usize) -> String {
+    format!("P{}", lowered(index + 1))
+}
+
+/// An edge of the table, from its upper end down.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ScanEdge {
+    /// Indices of the corners: the upper one, the lower one.
+    pub corners: [usize; 2],
+    pub y_top: f64,
+    pub y_bottom: f64,
+    /// x at the upper end.
+    pub x_top: f64,
+    /// What x grows by from one scan line to the next.
+    pub dx_dy: f64,
+}
+
+/// A scan line through the polygon.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ScanLine {
+    /// Row of the grid.
+    pub y: u32,
+    /// Indices of the edges that it crosses, from left to right.
+    pub active: Vec<usize>,
+    /// Crossings in pairs: outside to inside, inside to outside. A concave polygon may have several.
+    pub spans: Vec<ScanSpan>,
+}
+
+impl ScanLine {
+    /// Where its pixels' centres lie.
+    pub fn at(&self) -> f64 {
+        f64::from(self.y) + 0.5
+    }
+}
+
+/// What lies between two crossings.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ScanSpan {
+    pub p: Crossing,
+    pub q: Crossing,
+    /// From left to right; none where P and Q lie between two centres.
+    pub pixels: Vec<ScanPixel>,
+}
+
+/// Where the scan line crosses an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Crossing {
+    /// Index into the edge table.
+    pub edge: usize,
+    pub x: f64,
+    /// 0 at the edge's upper end, 1 at its lower one.
+    pub alpha: f64,
+    pub value: DVec3,
+    /// The intensity as stored in a picture, where it is an intensity that is carried.
+    pub stored: Option<[u8; 3]>,
+}
+
+/// A pixel of a span.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ScanPixel {
+    pub x: u32,
+    /// 0 at P, 1 at Q.
+    pub alpha: f64,
+    /// The interpolated intensity or normal; the normal before it is made a unit vector.
+    pub value: DVec3,
+    /// The linear intensity that the pixel gets.
+    pub intensity: Rgb,
+    /// As stored in a picture.
+    pub stored: [u8; 3],
+    /// The intensity that barycentric interpolation gives it.
+    pub barycentric: Rgb,
+}
+
+/// One step of the conversion, by indices into lines, their spans, and the pixels of these.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "does", rename_all = "kebab-case")]
+pub enum ScanStep {
+    /// A new scan line, its active edges sorted.
+    Line { line: usize },
+    /// P is found.
+    P { line: usize, span: usize },
+    /// Q is found.
+    Q { line: usize, span: usize },
+    /// A pixel is shaded.
+    Pixel { line: usize, span: usize, pixel: usize },
+}
+
+/// How large a step is. A larger one is also the beginning of smaller ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ScanLevel {
+    Pixel,
+    Edge,
+    Line,
+}
+
+impl ScanStep {
+    pub const fn level(self) -> ScanLevel {
+        match self {
+            Self::Line { .. } => ScanLevel::Line,
+            Self::P { .. } | Self::Q { .. } => ScanLevel::Edge,
+            Self::Pixel { .. } => ScanLevel::Pixel,
+        }
+    }
+}
+
+/// What stands at a step: the line, and of its span what has been found so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScanPoint<'a> {
+    pub level: ScanLevel,
+    pub line: &'a ScanLine,
+    pub span: Option<&'a ScanSpan>,
+    pub p: Option<&'a Crossing>,
+    pub q: Option<&'a Crossing>,
+    pub pixel: Option<&'a ScanPixel>,
+}
+
+/// Why a polygon cannot be scanned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum ScanError {
+    #[error("no face {face} in the object, expected 0 to {last}", last = .count.saturating_sub(1))]
+    NoFace { face: u32, count: usize },
+    #[error("the object has no polygons")]
+    Empty,
+    #[error("{rows} rows, expected {low} to {high}", low = Scan::ROWS.start(), high = Scan::ROWS.end())]
+    Rows { rows: u32 },
+    #[error(
+        "face {face} reaches behind the eye and is cut before it is drawn, expected one that is wholly in front of it"
+    )]
+    BehindTheEye { face: u32 },
+    #[error("face {face} is seen edge-on: no pixel's centre lies inside, expected one that is turned to the viewer")]
+    EdgeOn { face: u32 },
+}
+
+impl Scan {
+    /// How many rows of pixels a polygon may be enlarged to.
+    pub const ROWS: RangeInclusive<u32> = 8..=64;
+    /// Rows that leave each pixel large enough to be seen from the back of a room.
+    pub const USUAL_ROWS: u32 = 16;
+
+    /// The last step.
+    pub fn last(&self) -> usize {
+        self.steps.len().saturating_sub(1)
+    }
+
+    /// The next step that is as large as `level` or larger; the last one after all of these.
+    pub fn forward(&self, from: usize, level: ScanLevel) -> usize {
+        let mut after = from.saturating_add(1)..self.steps.len();
+        after.find(|step| self.steps[*step].level() >= level).unwrap_or(self.last())
+    }
+
+    /// The step of that size before `from`; the first one before all of these.
+    pub fn back(&self, from: usize, level: ScanLevel) -> usize {
+        let before = &self.steps[..from.min(self.last())];
+        before.iter().rposition(|step| step.level() >= level).unwrap_or(0)
+    }
+
+    /// What stands at step `step`, or at the last one.
+    ///
+    /// # Panics
+    /// If there are no steps, which [`scan`] never returns.
+    pub fn at(&self, step: usize) -> ScanPoint<'_> {
+        let step = self.steps[step.min(self.last())];
+        let (line, span, q, pixel) = match step {
+            ScanStep::Line { line } => (line, None, false, None),
+            ScanStep::P { line, span } => (line, Some(span), false, None),
+            ScanStep::Q { line, span } => (line, Some(span), true, None),
+            ScanStep::Pixel { line, span, pixel } => (line, Some(span), true, Some(pixel)),
+        };
+        let line = &self.lines[line];
+        let span = span.map(|span| &line.spans[span]);
+        ScanPoint {
+            level: step.level(),
+            line,
+            span,
+            p: span.map(|span| &span.p),
+            q: span.filter(|_| q).map(|span| &span.q),
+            pixel: span.zip(pixel).map(|(span, pixel)| &span.pixels[pixel]),
+        }
+    }
+
+    /// The pixels shaded up to step `step` and with it, each with its row.
+    pub fn filled(&self, step: usize) -> impl Iterator<Item = (u32, &ScanPixel)> {
+        (0..self.steps.len().min(step.saturating_add(1))).filter_map(|step| {
+            let point = self.at(step);
+            Some((point.line.y, point.pixel?))
+        })
+    }
+
+    /// The step that shades the pixel nearest to a place of the grid.
+    pub fn step_near(&self, place: DVec2) -> usize {
+        self.nearest(ScanLevel::Pixel, place)
+    }
+
+    /// The step of this scan that is most like step `step` of `other`, of the same polygon in another view.
+    pub fn step_like(&self, other: &Self, step: usize) -> usize {
+        self.nearest(other.at(step).level, other.place_of(step) * self.grid.size() / other.grid.size())
+    }
+
+    /// The step that begins line `y` of the grid, and the one that ends it.
+    pub fn steps_of_line(&self, y: u32) -> Option<[usize; 2]> {
+        let within = |step: &usize| self.at(*step).line.y == y;
+        let mut steps = (0..self.steps.len()).filter(within);
+        let first = steps.next()?;
+        Some([first, steps.next_back().unwrap_or(first)])
+    }
+
+    fn nearest(&self, level: ScanLevel, place: DVec2) -> usize {
+        let steps = (0..self.steps.len()).filter(|step| self.steps[*step].level() == level);
+        // Another line is farther than any pixel of this one.
+        let far =
+            |step: &usize| (self.place_of(*step) - place).abs().dot(DVec2::new(1.0, f64::from(self.grid.columns)));
+        steps.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0)
+    }
+
+    /// Where a step happens, in the grid.
+    fn place_of(&self, step: usize) -> DVec2 {
+        let point = self.at(step);
+        let crossing = point.q.or(point.p).map_or(0.0, |crossing| crossing.x);
+        DVec2::new(point.pixel.map_or(crossing, |pixel| f64::from(pixel.x) + 0.5), point.line.at())
+    }
 }

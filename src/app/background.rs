@@ -1,8 +1,7 @@
 //! Background work for the window: it is drawn again when an answer comes.
 
-use super::document::Document;
-use crate::analysis::{Question, Watch};
-use crate::jobs::{Asked, Background, Work};
+use crate::analysis::Watch;
+use crate::jobs::{Background, Work};
 use eframe::egui::{Button, Context, ProgressBar, Ui};
 use std::time::Duration;
 
@@ -29,20 +28,6 @@ impl<A: Clone + Send + Sync + 'static> Work for Task<A> {
     fn run(&self, watch: &dyn Watch<A>) -> Result<A, String> {
         (self.0)(watch)
     }
-}
-
-/// Has `question` answered about the document in a picture of `size`; until then the last answer stays. Returns whether something
-/// new has come.
-pub fn ask<Q: Question>(
-    background: &mut Background<Asked<Q>>,
-    ctx: &Context,
-    document: &Document,
-    size: [u32; 2],
-    question: &Q,
-) -> bool {
-    let Document { scene, model, .. } = document;
-    let same = |asked: &Asked<Q>| asked.is(question, scene, model.as_ref(), size);
-    background.ask(wake(ctx), same, || Asked::new(question.clone(), scene, model.as_ref(), size))
 }
 
 /// How far the work is, with a button that stops it; returns whether any runs.

@@ -10,7 +10,8 @@ use crate::analysis::{self, Answer, Comparison};
 use crate::scene::compare::{DIFFERENCE, GAIN};
 use crate::scene::shading::{INTERPOLATION, MODE};
 use crate::scene::{ChoiceOption, Compare, CompareView, Object, Pane, Scene, ShadingMode};
-use eframe::egui::{Align, Button, Layout, RichText, TextEdit, Ui};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Align, Button, Key, Layout, RichText, TextEdit, Ui, WidgetInfo};
 
 /// The views with their names.
 pub const VIEWS: [(CompareView, &str, &str); 4] = [
@@ -30,14 +31,24 @@ pub struct Typed {
 
 /// The comparison's tab.
 pub fn compare_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: &Engine) {
-    view_ui(ui, state);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for (view, name, tip) in VIEWS {
+            let chosen = state.document.scene.compare.view == view;
+            if ui.add(Button::selectable(chosen, name)).on_hover_text(tip).clicked() {
+                state.ask(Action::Compare(view));
+            }
+        }
+    });
     if state.document.scene.compare.panes.is_empty() {
         ui.add_space(4.0);
         ui.label("Nothing is compared yet. Choose a view above, or add a pane that shows the scene in another way:");
     }
     if state.document.scene.compare.view == CompareView::Difference {
         ui.add_space(4.0);
-        difference_ui(ui, state);
+        let AppState { document, lit, .. } = &mut *state;
+        parameter(ui, lit, &mut document.scene, &DIFFERENCE);
+        parameter(ui, lit, &mut document.scene, &GAIN);
     }
     ui.add_space(6.0);
     let count = state.document.scene.pane_count();
@@ -56,24 +67,6 @@ pub fn compare_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: 
     figures_ui(ui, state, engine);
 }
 
-fn view_ui(ui: &mut Ui, state: &mut AppState) {
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        for (view, name, tip) in VIEWS {
-            let chosen = state.document.scene.compare.view == view;
-            if ui.add(Button::selectable(chosen, name)).on_hover_text(tip).clicked() {
-                state.ask(Action::Compare(view));
-            }
-        }
-    });
-}
-
-fn difference_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { document, lit, .. } = state;
-    parameter(ui, lit, &mut document.scene, &DIFFERENCE);
-    parameter(ui, lit, &mut document.scene, &GAIN);
-}
-
 /// A pane: its name, which makes it active, and what it has of its own.
 fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, count: usize) {
     let name = state.document.scene.pane_name(pane);
@@ -85,7 +78,14 @@ fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, coun
             state.ask(Action::Activate(pane));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if pane > 0 && small(ui, "×", &format!("Removes pane {}", pane + 1)) {
+            let removed = pane > 0 && {
+                let name = format!("Removes pane {}", pane + 1);
+                let response = ui.add(Button::new("×").frame(false)).on_hover_text(&name);
+                let enabled = ui.is_enabled();
+                response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, &name));
+                response.clicked()
+            };
+            if removed {
                 state.document.scene.compare.panes.remove(pane - 1);
                 if state.document.scene.compare.panes.is_empty() {
                     state.document.scene.compare.view = CompareView::Single;
@@ -114,13 +114,6 @@ fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, coun
     }
 }
 
-fn small(ui: &mut Ui, text: &str, name: &str) -> bool {
-    let response = ui.add(Button::new(text).frame(false)).on_hover_text(name);
-    let enabled = ui.is_enabled();
-    response.widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::accesskit::Role::Button, enabled, name));
-    response.clicked()
-}
-
 /// What a new pane may be, by one click, and any key by typing.
 fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     ui.set_min_width(250.0);
@@ -145,7 +138,7 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     ui.separator();
     ui.horizontal(|ui| {
         let field = TextEdit::singleline(&mut typed.setting).hint_text("material.n=1005").desired_width(170.0);
-        let entered = ui.add(field).lost_focus() && ui.input(|input| input.key_pressed(eframe::egui::Key::Enter));
+        let entered = ui.add(field).lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         if ui.button("Add").clicked() || entered {
             let setting = typed.setting.trim().to_owned();
             match scene.with_override(&setting) {

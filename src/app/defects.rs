@@ -1,42 +1,19 @@
-//! The tab of the five defects of interpolated shading: what each is, how large it is in this scene, and a scene to try it in.
-
-mod marks;
-
-pub use marks::paint;
+//! The tab of the five defects of interpolated shading: what each is, how large it is in this scene, and a scene to try it in;
+//! and where they are in the picture.
 
 use super::action::Action;
-use super::background::{ask, progress_ui};
+use super::background::progress_ui;
 use super::engine::Engine;
+use super::letter::letter;
+use super::lines;
 use super::look::NumbersTab;
-use super::report::{ReportView, export_ui};
+use super::place::Place;
+use super::report::{Asking, export_ui};
 use super::state::AppState;
-use crate::analysis::{About, Answer, DEFECTS, Defect, Defects, DefectsQuestion};
-use crate::jobs::{Asked, Background};
-use crate::scene::Scene;
-use eframe::egui::{RichText, Ui};
+use crate::analysis::{DEFECTS, Defect, DefectsQuestion, defect_marks};
+use eframe::egui::{Align2, Color32, FontId, Painter, RichText, Stroke, Ui};
 
-/// What was last measured, and what is being measured.
-#[derive(Debug, Default)]
-pub struct Measured {
-    found: Background<Asked<DefectsQuestion>>,
-    view: ReportView,
-}
-
-impl Measured {
-    /// The figures last measured.
-    pub fn defects(&self) -> Option<&Defects> {
-        self.found.answer().map(|found| &found.defects)
-    }
-
-    fn answer(&self) -> Option<(Box<dyn Answer>, Scene)> {
-        Some((Box::new(self.found.answer()?.clone()), self.found.answered()?.subject().scene))
-    }
-}
-
-/// Whether the tab is in sight.
-pub fn shown(state: &AppState) -> bool {
-    state.shows(NumbersTab::Defects)
-}
+type Measured = Asking<DefectsQuestion>;
 
 /// The tab.
 pub fn defects_ui(ui: &mut Ui, measured: &mut Measured, state: &mut AppState, engine: &Engine) {
@@ -44,24 +21,29 @@ pub fn defects_ui(ui: &mut Ui, measured: &mut Measured, state: &mut AppState, en
     if size.contains(&0) {
         return;
     }
-    let question = DefectsQuestion { pixel: Some(state.probe.pixel(size)) };
-    let document = &state.shown;
-    if ask(&mut measured.found, ui.ctx(), document, size, &question)
-        && let Some(found) = measured.found.answer()
-    {
-        measured.view.set(found.report(&About { name: "", scene: &document.scene }));
-    }
+    measured.ask(ui.ctx(), &state.shown, size, &DefectsQuestion { pixel: Some(state.probe.pixel(size)) });
     ui.label("Five things that interpolation gets wrong, measured in the active picture.");
-    if !progress_ui(ui, &measured.found, "Nothing is measured until the scene changes") && measured.found.stopped() {
+    if !progress_ui(ui, &measured.work, "Nothing is measured until the scene changes") && measured.work.stopped() {
         ui.label(RichText::new("Stopped. Measured again when the scene changes.").weak());
     }
-    export_ui(ui, state, "defects", || measured.answer());
+    export_ui(ui, state, "defects", || measured.latest());
     ui.add_space(4.0);
     // What the scene is about comes first.
     let mut order: Vec<(usize, &Defect)> = DEFECTS.iter().enumerate().collect();
     order.sort_by_key(|(_, defect)| !is_open(state, defect));
     for (index, defect) in order {
-        defect_ui(ui, measured, state, index, defect);
+        ui.separator();
+        if measured.view.is_empty() {
+            ui.label(RichText::new(defect.title).strong());
+            ui.label("…");
+        }
+        measured.view.section_ui(ui, index);
+        if is_open(state, defect) {
+            ui.label(format!("Try: {}", defect.try_this));
+        } else if ui.button(format!("Show “{}”", defect.title)).on_hover_text(defect.try_this).clicked() {
+            state.ask(Action::OpenBuiltIn(defect.scene.to_owned()));
+        }
+        ui.add_space(6.0);
     }
 }
 
@@ -70,18 +52,17 @@ fn is_open(state: &AppState, defect: &Defect) -> bool {
     matches!(&state.document.origin, super::Origin::BuiltIn(name) if name == defect.scene)
 }
 
-fn defect_ui(ui: &mut Ui, measured: &mut Measured, state: &mut AppState, index: usize, defect: &Defect) {
-    ui.separator();
-    if measured.view.is_empty() {
-        ui.label(RichText::new(defect.title).strong());
-        ui.label("…");
+/// Marks what was last measured in the active picture.
+pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
+    let measured = state.own.get::<Measured>().filter(|_| state.shows(NumbersTab::Defects));
+    let Some(found) = measured.and_then(|measured| measured.work.answer()) else { return };
+    let em = f64::from(font.size * place.pixels_per_point);
+    for mark in defect_marks(&found.defects, em) {
+        for stroke in [Stroke::new(4.0, Color32::from_black_alpha(160)), Stroke::new(1.8, Color32::WHITE)] {
+            for line in &mark.lines {
+                lines::line(painter, line.iter().map(|point| place.exact_point(*point)), stroke, &[]);
+            }
+        }
+        letter(painter, place.point(mark.label_at), Align2::CENTER_CENTER, &mark.label, font, Color32::WHITE);
     }
-    measured.view.section_ui(ui, index);
-    let open = is_open(state, defect);
-    if open {
-        ui.label(format!("Try: {}", defect.try_this));
-    } else if ui.button(format!("Show “{}”", defect.title)).on_hover_text(defect.try_this).clicked() {
-        state.ask(Action::OpenBuiltIn(defect.scene.to_owned()));
-    }
-    ui.add_space(6.0);
 }

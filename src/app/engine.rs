@@ -13,10 +13,10 @@ use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;
-pub use pane::{image_of, overlay_options};
+pub use pane::{image_of, overlay_options, upload};
 
 use normals::NormalsDrawing;
-use pane::{PaneEngine, Wanted, drawing, is_dark, upload};
+use pane::{PaneEngine, Wanted, drawing, is_dark};
 use std::cell::OnceCell;
 
 /// Draws for the window.

@@ -14,7 +14,6 @@ mod vertex;
 pub use beam::{aim_at, cursor, open_to};
 pub use vertex::{MOST, drag_to as drag_vertex, go, paint as paint_vertices, push as push_vertex};
 
-use super::defects;
 use super::letter::letter;
 use super::lines::line;
 use super::look::NumbersTab;
@@ -61,7 +60,7 @@ pub fn grips(state: &AppState, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
         let ends = state.line.pixels(place.size).into_iter().enumerate();
         grips.extend(ends.map(|(end, pixel)| (Grip::LineEnd(end), place.point(pixel))));
     }
-    if defects::shown(state) {
+    if state.shows(NumbersTab::Defects) {
         grips.push((Grip::Roll, knob(state, place)));
     }
     if state.look.overlay.handles {
@@ -278,7 +277,7 @@ fn paint_tabs(painter: &Painter, state: &AppState, place: Place, active: bool) {
             painter.circle_stroke(end, END, white(2.0));
         }
     }
-    if defects::shown(state) {
+    if state.shows(NumbersTab::Defects) {
         let centre = place.rect.center();
         painter.circle_stroke(centre, ring(place), dark(3.0, 110));
         painter.circle_stroke(centre, ring(place), Stroke::new(1.0, Color32::from_white_alpha(130)));

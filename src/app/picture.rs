@@ -220,7 +220,8 @@ fn paint(ui: &Ui, state: &AppState, engine: &Engine, pane: &PanePlace) {
     let painter = ui.painter().with_clip_rect(pane.seen);
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     let active = pane.pane == state.panes.active;
-    let perceived = state.own.get().and_then(Profiles::perceived).filter(|_| active && profile::shows_perceived(state));
+    let perceived = state.own.get().and_then(|own: &Profiles| own.perceived.as_ref());
+    let perceived = perceived.filter(|_| active && profile::shows_perceived(state));
     for texture in engine.layers(pane.pane, perceived).into_iter().flatten() {
         painter.image(texture.id(), place.rect, whole, Color32::WHITE);
     }

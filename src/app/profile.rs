@@ -2,24 +2,21 @@
 
 pub mod look;
 
-use super::background::{ask, wake};
+use super::background::wake;
 use super::document::Document;
-use super::engine::{Engine, image_of};
+use super::engine::{Engine, image_of, upload};
 use super::look::NumbersTab;
-use super::report::{ReportView, export_ui};
+use super::report::{Asking, export_ui};
 use super::row::{About, NumberRow, SliderRange, number};
 use super::state::AppState;
 use crate::analysis::{
-    self, Answer, PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel, Viewing, Watch,
-    perceived_picture,
+    PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel, Viewing, Watch, perceived_picture,
 };
 use crate::jobs::{Asked, Background, Work};
 use crate::render::Frame;
-use crate::scene::{Scene, ShadingMode};
+use crate::scene::{Choice, ShadingMode};
 use eframe::egui::{Button, Context, RichText, TextureHandle, TextureOptions, Ui};
 use glam::DVec2;
-use look::MODES;
-use std::fmt::{self, Debug, Formatter};
 
 /// The profile's tab.
 pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, engine: &Engine) {
@@ -31,41 +28,33 @@ pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, en
         return;
     }
     ui.checkbox(&mut state.look.profile.perceived, "Show the picture as it is perceived");
-    let request = state.look.profile.request(state.line.pixels(size));
-    let AppState { shown, look, .. } = state;
-    if look.profile.perceived {
-        profiles.ask_perceived(ui.ctx(), shown, size, &request);
+    let question = state.look.profile.request(state.line.pixels(size));
+    if state.look.profile.perceived {
+        profiles.ask_perceived(ui.ctx(), &state.shown, size, &question);
         if let Some(Err(why)) = profiles.seen.known() {
             ui.label(RichText::new(why).weak());
         }
     }
-    profiles.ask(ui.ctx(), shown, size, &request);
+    profiles.taken.ask(ui.ctx(), &state.shown, size, &question);
     ui.add_space(4.0);
-    export_ui(ui, state, "profile", || profiles.answer());
+    export_ui(ui, state, "profile", || profiles.taken.latest());
     ui.separator();
-    match profiles.taken.known() {
+    match profiles.taken.work.known() {
         None => _ = ui.label("…"),
         Some(Err(why)) => _ = ui.label(why),
-        Some(Ok(_)) => profiles.view.ui(ui),
+        Some(Ok(_)) => profiles.taken.view.ui(ui),
     }
 }
 
 /// The profile last taken with its plots, and the picture as it is perceived.
 #[derive(Default)]
 pub struct Profiles {
-    taken: Background<Asked<ProfileQuestion>>,
-    view: ReportView,
+    taken: Asking<ProfileQuestion>,
     seen: Background<Perceived>,
-    texture: Option<TextureHandle>,
+    /// The whole picture as it is perceived.
+    pub perceived: Option<TextureHandle>,
 }
 
-impl Debug for Profiles {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Profiles").field("taken", &self.taken).finish_non_exhaustive()
-    }
-}
-
-/// The whole picture as it is perceived.
 struct Perceived(Asked<ProfileQuestion>);
 
 impl Work for Perceived {
@@ -83,14 +72,6 @@ impl Work for Perceived {
 }
 
 impl Profiles {
-    /// Takes this profile in the background; until then the last one is shown.
-    fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: &ProfileQuestion) {
-        let new = ask(&mut self.taken, ctx, document, size, question);
-        if let Some(taken) = self.taken.answer().filter(|_| new) {
-            self.view.set(taken.report(&analysis::About { name: "", scene: &document.scene }));
-        }
-    }
-
     /// Computes the picture as it is perceived in the background; until then the last one is shown.
     fn ask_perceived(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: &ProfileQuestion) {
         // The line does not matter to the whole picture.
@@ -99,40 +80,29 @@ impl Profiles {
         let same = |seen: &Perceived| seen.0.is(&question, scene, model, size);
         let work = || Perceived(Asked::new(question.clone(), scene, model, size));
         if self.seen.ask(wake(ctx), same, work) {
-            match (self.seen.answer().map(image_of), &mut self.texture) {
-                (Some(image), Some(texture)) => texture.set(image, TextureOptions::NEAREST),
-                (Some(image), texture) => {
-                    *texture = Some(ctx.load_texture("perceived", image, TextureOptions::NEAREST));
-                }
-                (None, texture) => *texture = None,
+            match self.seen.answer().map(image_of) {
+                Some(image) => upload(ctx, &mut self.perceived, "perceived", image, TextureOptions::NEAREST),
+                None => self.perceived = None,
             }
             ctx.request_repaint();
         }
     }
 
-    /// The picture as it is perceived.
-    pub fn perceived(&self) -> Option<&TextureHandle> {
-        self.texture.as_ref()
-    }
-
     /// The profile last taken.
     pub fn profile(&self) -> Option<&Profile> {
-        self.taken.answer().map(|taken| &taken.profile)
-    }
-
-    fn answer(&self) -> Option<(Box<dyn Answer>, Scene)> {
-        Some((Box::new(self.taken.answer()?.clone()), self.taken.answered()?.subject().scene))
+        self.taken.work.answer().map(|taken| &taken.profile)
     }
 }
 
 fn modes_ui(ui: &mut Ui, modes: &mut Vec<ShadingMode>) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        for (mode, name) in MODES {
+        for &mode in ShadingMode::VALUES {
             let shown = modes.contains(&mode);
+            let name = if mode == ShadingMode::Interpolated { "Interp." } else { mode.label() };
             if ui.add(Button::selectable(shown, name)).on_hover_text("Shows the profile of this shading").clicked() {
-                let kept = |other: ShadingMode| if other == mode { !shown } else { modes.contains(&other) };
-                *modes = MODES.into_iter().map(|(mode, _)| mode).filter(|other| kept(*other)).collect();
+                let kept = |other: &ShadingMode| if *other == mode { !shown } else { modes.contains(other) };
+                *modes = ShadingMode::VALUES.iter().copied().filter(kept).collect();
             }
         }
     });
@@ -148,30 +118,22 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
                 ui.selectable_value(&mut perception.model, model, name);
             }
         });
-        let mut row = |label, tip, [low, high]: [f64; 2], default, value: &mut f64| {
+        let (usual, eye) = (Viewing::default(), Perception::default());
+        let far = "From the eye to the screen, millimetres.";
+        let dense = "Pixels of the screen to a millimetre; 3.78 are 96 to an inch.";
+        let (centre, surround) = ("σc, degrees of visual angle.", "σs, degrees of visual angle.");
+        let (strong, weight) = ("w, the strength of the inhibition.", [0.01, Perception::WEIGHT[1]]);
+        for (label, tip, [low, high], default, value) in [
+            ("distance", far, Viewing::DISTANCE, usual.distance, &mut viewing.distance),
+            ("density", dense, Viewing::DENSITY, usual.density, &mut viewing.density),
+            ("centre", centre, Perception::WIDTH, eye.centre, &mut perception.centre),
+            ("surround", surround, Perception::WIDTH, eye.surround, &mut perception.surround),
+            ("strength", strong, weight, eye.weight, &mut perception.weight),
+        ] {
             let about = About { label, tip, ..About::default() };
             let range = SliderRange { limits: low..=high, ..SliderRange::logarithmic(low..=high) };
             number(ui, lit, &NumberRow { about, range, default }, value);
-        };
-        let (usual, eye) = (Viewing::default(), Perception::default());
-        row(
-            "distance",
-            "From the eye to the screen, millimetres.",
-            Viewing::DISTANCE,
-            usual.distance,
-            &mut viewing.distance,
-        );
-        row(
-            "density",
-            "Pixels of the screen to a millimetre; 3.78 are 96 to an inch.",
-            Viewing::DENSITY,
-            usual.density,
-            &mut viewing.density,
-        );
-        row("centre", "σc, degrees of visual angle.", Perception::WIDTH, eye.centre, &mut perception.centre);
-        row("surround", "σs, degrees of visual angle.", Perception::WIDTH, eye.surround, &mut perception.surround);
-        let weight = [0.01, Perception::WEIGHT[1]];
-        row("strength", "w, the strength of the inhibition.", weight, eye.weight, &mut perception.weight);
+        }
     });
 }
 

@@ -1,15 +1,18 @@
 //! An answer as the window shows it: its words, numbers, tables and plots, and the ways to save it.
 
 use super::action::Action;
+use super::background::wake;
+use super::document::Document;
+use super::drawing::{height, plot_style, plot_ui};
 use super::letter::lettered;
-use super::plot::{height, plot_style, plot_ui};
 use super::state::AppState;
 use super::theme::TEXT;
-use crate::analysis::{About, Analysis, Answer, Format, Part, Plot, Report, Table};
+use crate::analysis::{About, Analysis, Answer, Format, Part, Plot, Question, Report, Table};
 use crate::document::save_answer;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out};
+use crate::jobs::{Asked, Background};
 use crate::scene::{Choice, Scene};
-use eframe::egui::{Align, Button, Grid, Layout, RichText, ScrollArea, Ui};
+use eframe::egui::{Align, Button, Context, Grid, Layout, RichText, ScrollArea, Ui};
 use glam::DVec2;
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -89,6 +92,35 @@ impl ReportView {
             self.drawings = self.report.plots().map(|plot| lay_out(plot, room(plot), &style)).collect();
         }
         style
+    }
+}
+
+/// A question about the document, answered in the background, and the report of its latest answer.
+pub struct Asking<Q: Question> {
+    pub work: Background<Asked<Q>>,
+    pub view: ReportView,
+}
+
+impl<Q: Question> Default for Asking<Q> {
+    fn default() -> Self {
+        Self { work: Background::default(), view: ReportView::default() }
+    }
+}
+
+impl<Q: Question> Asking<Q> {
+    /// Asks it about the document in a picture of `size`; until the answer comes, the last one stays.
+    pub fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: &Q) {
+        let Document { scene, model, .. } = document;
+        let same = |asked: &Asked<Q>| asked.is(question, scene, model.as_ref(), size);
+        let new = self.work.ask(wake(ctx), same, || Asked::new(question.clone(), scene, model.as_ref(), size));
+        if let Some(answer) = self.work.answer().filter(|_| new) {
+            self.view.set(answer.report(&About { name: "", scene }));
+        }
+    }
+
+    /// The latest answer with the scene that it is about.
+    pub fn latest(&self) -> Option<(Box<dyn Answer>, Scene)> {
+        Some((Box::new(self.work.answer()?.clone()), self.work.answered()?.subject().scene))
     }
 }
 

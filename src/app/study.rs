@@ -3,7 +3,7 @@
 use super::background::{progress_ui, wake};
 use super::drawing::drawing_ui;
 use super::engine::Engine;
-use super::plot::{boxed, height, plot_style};
+use super::drawing::{boxed, height, plot_style};
 use super::report::{ReportView, export_ui};
 use super::state::AppState;
 use crate::analysis::{

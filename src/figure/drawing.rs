@@ -1,14 +1,11 @@
 //! A drawing as plain geometry: lines, areas and texts with their places, for any device.
 
 use super::palette::Rgb8;
-use super::scale::Scale;
 use super::text::Lettering;
 use glam::DVec2;
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
-/// Breadth of the halo of a text in a plot, in its size.
-const TEXT_HALO: f64 = 0.14;
 /// Corners of the polygon that is drawn as a circle: at the largest radius in use it is off by less than a tenth of a pixel.
 const CIRCLE_CORNERS: u32 = 96;
 
@@ -132,16 +129,44 @@ impl Text {
     pub fn bold(self) -> Self {
         Self { strong: true, ..self }
     }
-
-    /// The same with the halo of a text that may stand on the lines of a plot.
-    pub fn with_halo(self) -> Self {
-        Self { halo: TEXT_HALO * self.size, ..self }
-    }
 }
 
 /// The width of a line of text.
 pub(crate) fn width_of(text: &str, size: f64) -> f64 {
     Lettering::new(text, size).width
+}
+
+/// Where a plot draws its values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Scale {
+    Cartesian {
+        min: DVec2,
+        max: DVec2,
+        x: [f64; 2],
+        y: [f64; 2],
+    },
+    /// x is an angle in degrees clockwise from above; `scale` is the length of 1.
+    Polar {
+        centre: DVec2,
+        radius: f64,
+        scale: f64,
+    },
+}
+
+impl Scale {
+    /// Where a value is drawn.
+    pub fn place(&self, [x, y]: [f64; 2]) -> DVec2 {
+        match self {
+            Self::Cartesian { min, max, x: [x0, x1], y: [y0, y1] } => DVec2::new(
+                min.x + (x - x0) / (x1 - x0) * (max.x - min.x),
+                max.y - (y - y0) / (y1 - y0) * (max.y - min.y),
+            ),
+            Self::Polar { centre, scale, .. } => {
+                let (sine, cosine) = x.to_radians().sin_cos();
+                *centre + DVec2::new(sine, -cosine) * (y * scale)
+            }
+        }
+    }
 }
 
 /// Lines, areas and texts, on a ground of their own or over a picture.
@@ -187,7 +212,16 @@ impl Drawing {
 
     /// x at a place inside the first plot.
     pub fn x_at(&self, place: DVec2) -> Option<f64> {
-        self.scales.first()?.x_at(place)
+        match self.scales.first()? {
+            Scale::Cartesian { min, max, x: [x0, x1], .. } => {
+                let inside = place.cmpge(*min).all() && place.cmple(*max).all();
+                inside.then(|| x0 + (place.x - min.x) / (max.x - min.x) * (x1 - x0))
+            }
+            Scale::Polar { centre, radius, .. } => {
+                let way = place - *centre;
+                (way.length() <= *radius && way.y <= 0.0).then(|| way.x.atan2(-way.y).to_degrees())
+            }
+        }
     }
 
     /// The place of a value of the first plot, and the line that marks its x there: from the axis to the far side.

@@ -117,23 +117,3 @@ fn brief(value: f64) -> String {
 fn hex([r, g, b]: Rgb8) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_brief_and_text_is_escaped() {
-        assert_eq!([1.0, 0.126, -0.001, 100.0, 2.5].map(brief), ["1", "0.13", "0", "100", "2.5"]);
-        assert_eq!(escaped("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
-    }
-
-    #[test]
-    fn a_raised_letter_comes_back_to_the_line() {
-        let text = lettered("cosⁿ φ", 10.0);
-        assert_eq!(
-            text,
-            "cos<tspan dy=\"-3.6\" font-size=\"6.8\">n</tspan><tspan dy=\"3.6\" font-size=\"10\"> </tspan>φ"
-        );
-    }
-}

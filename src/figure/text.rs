@@ -4,15 +4,13 @@ use glam::DVec2;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::{DrawSettings, OutlinePen};
 use skrifa::{FontRef, MetadataProvider};
-use std::cell::RefCell;
-use std::collections::HashMap;
 use std::sync::OnceLock;
 use tiny_skia::{Path, PathBuilder, Transform};
 
 /// Size of a subscript or a superscript, in the size of the text.
-const SUBSCRIPT_SIZE: f32 = 0.68;
-/// How far the baselines of subscripts and of superscripts lie above the text's, in the size of the text.
-const RISES: [f32; 2] = [-0.16, 0.36];
+const SMALL_SIZE: f32 = 0.68;
+/// Subscripts and superscripts, the ordinary letters, and how far above the line they stand, in the size of the text.
+const SMALL: [(&str, &str, f32); 2] = [("₀₁₂₃₄₅₆₇₈₉", "0123456789", -0.16), ("⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻", "0123456789n−", 0.36)];
 
 /// A line of text as an outline, its origin at the left end of the baseline, y downwards.
 #[derive(Clone, Debug)]
@@ -54,20 +52,8 @@ impl Lettering {
 
 /// Width and height of what is inked of a text at `size` pixels an em, pixels.
 pub(crate) fn inked_size(text: &str, size: f64) -> DVec2 {
-    // A figure that is laid out again and again has the same few labels.
-    const KEPT: usize = 256;
-    thread_local! {
-        static SIZES: RefCell<HashMap<(String, u64), DVec2>> = RefCell::default();
-    }
-    SIZES.with_borrow_mut(|sizes| {
-        if sizes.len() >= KEPT {
-            sizes.clear();
-        }
-        *sizes.entry((text.to_owned(), size.to_bits())).or_insert_with(|| {
-            let lettering = Lettering::new(text, size);
-            lettering.max - lettering.min
-        })
-    })
+    let lettering = Lettering::new(text, size);
+    lettering.max - lettering.min
 }
 
 /// Collects glyph outlines one after another.
@@ -110,22 +96,30 @@ pub struct Set {
 impl Set {
     /// How `character` is set.
     pub fn of(character: char) -> Self {
-        let digit = |zero: char| char::from_u32(u32::from(character) - u32::from(zero) + u32::from('0'));
-        let small = |letter: Option<char>, rise| {
-            let letter = letter.unwrap_or(character);
-            Self { letter, size: SUBSCRIPT_SIZE, rise }
-        };
-        match character {
-            '₀'..='₉' => small(digit('₀'), RISES[0]),
-            'ⁿ' => small(Some('n'), RISES[1]),
-            '⁻' => small(Some('−'), RISES[1]),
-            '¹' => small(Some('1'), RISES[1]),
-            '²' => small(Some('2'), RISES[1]),
-            '³' => small(Some('3'), RISES[1]),
-            '⁰' | '⁴'..='⁹' => small(digit('⁰'), RISES[1]),
-            _ => Self { letter: character, size: 1.0, rise: 0.0 },
+        for (small, ordinary, rise) in SMALL {
+            let same = small.chars().zip(ordinary.chars()).find(|(letter, _)| *letter == character);
+            if let Some((_, letter)) = same {
+                return Self { letter, size: SMALL_SIZE, rise };
+            }
         }
+        Self { letter: character, size: 1.0, rise: 0.0 }
     }
+}
+
+/// A number in small digits below the line.
+pub fn lowered(number: usize) -> String {
+    small(&number.to_string(), 0)
+}
+
+/// A number in small digits above the line.
+pub fn raised(number: i32) -> String {
+    small(&number.to_string().replace('-', "−"), 1)
+}
+
+fn small(text: &str, which: usize) -> String {
+    let (small, ordinary, _) = SMALL[which];
+    let of = |letter: char| ordinary.chars().zip(small.chars()).find(|(own, _)| *own == letter);
+    text.chars().map(|letter| of(letter).map_or(letter, |(_, small)| small)).collect()
 }
 
 /// Glyphs have y upwards, pictures downwards.
@@ -159,33 +153,4 @@ fn fonts() -> &'static [FontRef<'static>] {
         let files = [epaint_default_fonts::UBUNTU_LIGHT, epaint_default_fonts::HACK_REGULAR];
         files.into_iter().filter_map(|file| FontRef::new(file).ok()).collect()
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_character_of_the_overlays_has_a_glyph() {
-        assert_eq!(fonts().len(), 2);
-        for character in "NLRVHT0123456789θφ·°()−.ⁿ∞²⁻⁰⁷αηπ=’".chars() {
-            let lettering = Lettering::new(&character.to_string(), 20.0);
-            assert!(lettering.path.is_some(), "{character} has no outline");
-        }
-    }
-
-    #[test]
-    fn a_capital_stands_on_the_baseline_and_a_subscript_hangs_below_it() {
-        let capital = Lettering::new("L", 100.0);
-        assert!(capital.max.y.abs() < 2.0 && (60.0..80.0).contains(&-capital.min.y), "{capital:?}");
-        let numbered = Lettering::new("L₁", 100.0);
-        assert!((10.0..25.0).contains(&numbered.max.y), "{numbered:?}");
-        assert!(numbered.max.x > capital.max.x);
-    }
-
-    #[test]
-    fn text_without_ink_has_no_extent() {
-        assert!(Lettering::new("", 20.0).placed(DVec2::ZERO).is_none());
-        assert_eq!(Lettering::new(" ", 20.0).max, DVec2::ZERO);
-    }
 }

@@ -20,7 +20,6 @@ pub(crate) use display::stored_pixel;
 pub use frame::{Frame, Report, Stage, StageRun, coarseness, coarser_size};
 pub use pipeline::Renderer;
 pub use plan::{Cued, Per, Plan};
-pub(crate) use queries::Polygon;
 pub(crate) use reference::{Evaluation, WeightedPoint};
 pub use samples::{TooLarge, check_memory};
 pub(crate) use section::{Piece, displayed};

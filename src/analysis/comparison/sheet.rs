@@ -1,11 +1,14 @@
-//! The panes of a comparison on one sheet: side by side, on either side of a line, or their difference.
+//! The panes of a comparison on one sheet: side by side, on either side of a line, or their difference, with the scale that says
+//! what its colours mean.
 
-use super::difference::{difference_picture, difference_scale};
-use crate::analysis::{LinearPicture, PaneFigures, brightest, error_figures};
-use crate::figure::{Drawing, Shape, Text};
+use super::{LinearPicture, PaneFigures, brightest, error_figures};
+use crate::analysis::luminance;
+use crate::figure::palette::{self, Rgb8};
+use crate::figure::{Area, Drawing, Shape, Text};
 use crate::render::{Frame, Renderer};
-use crate::scene::{CompareView, Scene};
+use crate::scene::{CompareView, DifferenceKind, Rgb, Scene};
 use glam::DVec2;
+use rayon::prelude::*;
 
 /// Pixels between two panes of a sheet that is not a tiny one.
 const GAP: u32 = 2;
@@ -14,6 +17,25 @@ const NARROWEST: f64 = 0.85;
 /// What is seen between panes, and where a row has no further pane.
 const BETWEEN: [u8; 4] = [0x80, 0x80, 0x80, 255];
 const EMPTY: [u8; 4] = [0x26, 0x27, 0x2B, 255];
+/// Where neither picture shows the object.
+const OUTSIDE: Rgb8 = [0x26, 0x27, 0x2B];
+/// No difference, where the scale has two sides.
+const NONE: Rgb8 = [0xF4, 0xF4, 0xF2];
+/// Ten even steps of cividis, which eyes with and without colour-blindness read alike (Nuñez, Anderton and Renslow 2018).
+const CIVIDIS: [Rgb8; 10] = [
+    [0x00, 0x20, 0x4D],
+    [0x00, 0x33, 0x6F],
+    [0x39, 0x48, 0x6B],
+    [0x57, 0x5C, 0x6D],
+    [0x70, 0x71, 0x73],
+    [0x8A, 0x87, 0x79],
+    [0xA6, 0x9D, 0x75],
+    [0xC4, 0xB5, 0x6C],
+    [0xE4, 0xCF, 0x5B],
+    [0xFF, 0xEA, 0x46],
+];
+/// Colours along the drawn scale.
+const STEPS: u32 = 128;
 
 /// A rectangle of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,105 +151,193 @@ pub fn draw_panes<E>(
 
 /// Puts panes, as [`draw_panes`] drew them, on one sheet. With `captions` each is named.
 pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> Frame {
-    let [width, height] = scene.image.size;
-    let em = (0.032 * f64::from(width.min(height))).clamp(11.0, 60.0);
     let (Some(first), Some(last)) = (panes.first(), panes.last()) else { return Frame::default() };
-    let compare = &scene.compare;
+    let (compare, areas) = (&scene.compare, pane_areas(panes.len(), scene.image.size));
+    let mut sheet = match compare.view {
+        CompareView::Single => return first.frame.clone(),
+        CompareView::Panes => side_by_side(scene.image.size, panes, &areas),
+        CompareView::Wipe => wiped(&first.frame, &last.frame, compare.wipe),
+        CompareView::Difference => difference_picture(first.linear(), last.linear(), compare.difference, compare.gain),
+    };
+    let [width, height] = scene.image.size.map(f64::from);
+    let size = 0.032 * width.min(height);
+    let mut em = size.clamp(11.0, 60.0);
+    let mut drawing = Drawing::over_picture([0x10; 3], (0.1 * size).max(1.2));
+    if compare.view == CompareView::Wipe {
+        let ends = [0.0, height].map(|y| DVec2::new(compare.wipe * width, y)).to_vec();
+        drawing.shapes.push(Shape::line(ends, 0.1 * em, [255; 3]));
+    }
+    let mut letter = |text: &str, em: f64, at: DVec2, align: f64| {
+        let text = Text::new(text, at, em, [255; 3]).aligned(align);
+        drawing.texts.push(Text { halo: drawing.breadth, ..text });
+    };
     match compare.view {
-        CompareView::Single => first.frame.clone(),
-        CompareView::Panes => side_by_side([width, height], panes, captions.then_some(em)),
-        CompareView::Wipe => {
-            let mut sheet = wiped(&first.frame, &last.frame, compare.wipe);
-            let line = compare.wipe * f64::from(width);
-            let mut drawing = caption_drawing(&sheet);
-            let ends = [0.0, f64::from(height)].map(|y| DVec2::new(line, y)).to_vec();
-            drawing.shapes.push(Shape::line(ends, 0.1 * em, [255; 3]));
-            if captions {
-                letter(&mut drawing, &first.name, em, DVec2::new(em, 1.5 * em), 0.0);
-                letter(&mut drawing, &last.name, em, DVec2::new(f64::from(width) - em, 1.5 * em), 1.0);
+        _ if !captions => {}
+        CompareView::Single => {}
+        CompareView::Panes => {
+            // Smaller in small panes: a caption is about half a pane wide.
+            em = areas.first().map_or(em, |area| em.min(0.05 * f64::from(area.size[0])).max(9.0));
+            let figures = pane_figures(panes);
+            for (pane, area) in figures.iter().zip(&areas) {
+                let corner = DVec2::from_array(area.min.map(f64::from));
+                let [name, measured] = caption(pane, figures.last());
+                letter(&name, em, corner + DVec2::new(0.8, 1.4) * em, 0.0);
+                letter(&measured, 0.9 * em, corner + DVec2::new(0.8 * em, f64::from(area.size[1]) - 0.8 * em), 0.0);
             }
-            drawing.draw_over(&mut sheet);
-            sheet
+        }
+        CompareView::Wipe => {
+            letter(&first.name, em, DVec2::new(em, 1.5 * em), 0.0);
+            letter(&last.name, em, DVec2::new(width - em, 1.5 * em), 1.0);
         }
         CompareView::Difference => {
-            let mut sheet = difference_picture(first.linear(), last.linear(), compare.difference, compare.gain);
-            if captions {
-                let name = format!("{} − {}", first.name, last.name);
-                let error = error_figures(first.linear(), last.linear());
-                let words = format!("mean {:.4}   RMS {:.4}   greatest {:.4}", error.mean, error.rms, error.greatest);
-                let mut drawing = caption_drawing(&sheet);
-                letter(&mut drawing, &name, em, DVec2::new(em, 1.5 * em), 0.0);
-                letter(&mut drawing, &words, em, DVec2::new(em, 3.0 * em), 0.0);
-                drawing.draw_over(&mut sheet);
-                let size = [sheet.width, sheet.height];
-                difference_scale(size, compare.difference, compare.gain, em).draw_over(&mut sheet);
-            }
-            sheet
+            let error = error_figures(first.linear(), last.linear());
+            let words = format!("mean {:.4}   RMS {:.4}   greatest {:.4}", error.mean, error.rms, error.greatest);
+            letter(&format!("{} − {}", first.name, last.name), em, DVec2::new(em, 1.5 * em), 0.0);
+            letter(&words, em, DVec2::new(em, 3.0 * em), 0.0);
         }
     }
+    drawing.draw_over(&mut sheet);
+    if captions && compare.view == CompareView::Difference {
+        let size = [sheet.width, sheet.height];
+        difference_scale(size, compare.difference, compare.gain, em).draw_over(&mut sheet);
+    }
+    sheet
 }
 
 /// The left of one picture and the right of another, which is as large.
 fn wiped(left: &Frame, right: &Frame, wipe: f64) -> Frame {
     let mut sheet = left.clone();
-    let line = (wipe * f64::from(left.width)).round() as usize;
     let width = left.width.max(1) as usize;
+    let line = ((wipe * f64::from(left.width)).round() as usize).min(width);
     for (row, other) in sheet.pixels.chunks_mut(width).zip(right.pixels.chunks(width)) {
-        row[line.min(width)..].copy_from_slice(&other[line.min(width)..]);
+        row[line..].copy_from_slice(&other[line..]);
     }
     sheet
 }
 
-fn side_by_side(size: [u32; 2], panes: &[DrawnPane], em: Option<f64>) -> Frame {
-    let [width, height] = size;
+/// Panes with lines about them, as wide as the gaps.
+fn side_by_side([width, height]: [u32; 2], panes: &[DrawnPane], areas: &[PaneArea]) -> Frame {
     let mut sheet = Frame { width, height, pixels: vec![EMPTY; width as usize * height as usize] };
-    let areas = pane_areas(panes.len(), size);
-    for area in &areas {
-        separate(&mut sheet, *area);
+    let width = width as usize;
+    for area in areas {
+        let [x0, y0] = area.min.map(|v| v.saturating_sub(GAP) as usize);
+        let [x1, y1] = [0, 1].map(|axis| (area.min[axis] + area.size[axis] + GAP) as usize);
+        for row in sheet.pixels.chunks_mut(width.max(1)).take(y1).skip(y0) {
+            row[x0.min(width)..x1.min(width)].fill(BETWEEN);
+        }
     }
-    for (pane, area) in panes.iter().zip(&areas) {
+    for (pane, area) in panes.iter().zip(areas) {
         let columns = pane.frame.width.max(1) as usize;
         for (row, pixels) in pane.frame.pixels.chunks(columns).enumerate() {
-            let from = (area.min[1] as usize + row) * width as usize + area.min[0] as usize;
+            let from = (area.min[1] as usize + row) * width + area.min[0] as usize;
             // A sheet of fewer pixels than panes has not room for all.
             if let Some(place) = sheet.pixels.get_mut(from..from + columns) {
                 place.copy_from_slice(pixels);
             }
         }
     }
-    let Some(em) = em else { return sheet };
-    // Smaller in small panes: a caption is about half a pane wide.
-    let em = areas.first().map_or(em, |area| em.min(0.05 * f64::from(area.size[0])).max(9.0));
-    let mut drawing = caption_drawing(&sheet);
-    let figures = pane_figures(panes);
-    for (pane, area) in figures.iter().zip(&areas) {
-        let corner = DVec2::from_array(area.min.map(f64::from));
-        let [name, measured] = caption(pane, figures.last());
-        letter(&mut drawing, &name, em, corner + DVec2::new(0.8 * em, 1.4 * em), 0.0);
-        let below = corner + DVec2::new(0.8 * em, f64::from(area.size[1]) - 0.8 * em);
-        letter(&mut drawing, &measured, 0.9 * em, below, 0.0);
-    }
-    drawing.draw_over(&mut sheet);
     sheet
 }
 
-/// Lines about a pane, as wide as the gaps.
-fn separate(sheet: &mut Frame, area: PaneArea) {
-    let width = sheet.width as usize;
-    let [x0, y0] = area.min.map(|v| v.saturating_sub(GAP) as usize);
-    let [x1, y1] = [0, 1].map(|axis| (area.min[axis] + area.size[axis] + GAP) as usize);
-    for row in sheet.pixels.chunks_mut(width.max(1)).take(y1).skip(y0) {
-        row[x0.min(width)..x1.min(width)].fill(BETWEEN);
+/// `picture` less `reference`, times `gain`, in the colours of `kind`. Both are linear and as large as each other.
+pub fn difference_picture(
+    picture: LinearPicture<'_>,
+    reference: LinearPicture<'_>,
+    kind: DifferenceKind,
+    gain: f64,
+) -> Frame {
+    let width = picture.width.max(1);
+    let seen = |index: usize| picture.pixels[index][3] > 0.0 || reference.pixels[index][3] > 0.0;
+    let pixel = |index: usize| {
+        let [r, g, b] = if seen(index) {
+            let (a, b) = (picture.color(index), reference.color(index));
+            colour(kind, std::array::from_fn(|channel| gain * (a[channel] - b[channel])))
+        } else {
+            OUTSIDE
+        };
+        [r, g, b, 255]
+    };
+    let count = picture.pixels.len().min(reference.pixels.len());
+    let pixels: Vec<[u8; 4]> = (0..count).into_par_iter().map(pixel).collect();
+    #[expect(clippy::cast_possible_truncation, reason = "sides of pictures are 32 bits")]
+    let height = (count as u64 / u64::from(width)) as u32;
+    Frame { width, height, pixels }
+}
+
+/// The colour of a difference of each channel, gain included.
+fn colour(kind: DifferenceKind, difference: [f64; 3]) -> Rgb8 {
+    match kind {
+        DifferenceKind::Signed => signed(luminance(Rgb::from_array(difference))),
+        DifferenceKind::Absolute => difference.map(|channel| code(255.0 * channel.abs())),
+        DifferenceKind::FalseColor => cividis(difference.iter().fold(0.0, |most, channel| channel.abs().max(most))),
     }
 }
 
-/// A drawing for the captions over `frame`.
-fn caption_drawing(frame: &Frame) -> Drawing {
-    let em = 0.032 * f64::from(frame.width.min(frame.height));
-    Drawing::over_picture([0x10; 3], (0.1 * em).max(1.2))
+/// From blue at −1 to orange at 1.
+fn signed(share: f64) -> Rgb8 {
+    let end = if share < 0.0 { palette::N } else { palette::L };
+    mixed(NONE, end, share.abs())
 }
 
-fn letter(drawing: &mut Drawing, text: &str, em: f64, at: DVec2, align: f64) {
-    let text = Text::new(text, at, em, [255; 3]).aligned(align);
-    drawing.texts.push(Text { halo: drawing.breadth, ..text });
+fn cividis(share: f64) -> Rgb8 {
+    let steps = (CIVIDIS.len() - 1) as f64;
+    let place = (share.clamp(0.0, 1.0) * steps).min(steps - 1e-9);
+    let index = place as usize;
+    mixed(CIVIDIS[index], CIVIDIS[index + 1], place - index as f64)
+}
+
+fn mixed(from: Rgb8, to: Rgb8, share: f64) -> Rgb8 {
+    let share = share.clamp(0.0, 1.0);
+    std::array::from_fn(|c| code(f64::from(from[c]) + (f64::from(to[c]) - f64::from(from[c])) * share))
+}
+
+fn code(value: f64) -> u8 {
+    value.round().clamp(0.0, 255.0) as u8
+}
+
+/// The scale of a difference picture at its lower right: its colours, and the differences that they stand for. `em` is the
+/// size of the letters in pixels. Where the picture has no room for it, it is empty.
+pub fn difference_scale(size: [u32; 2], kind: DifferenceKind, gain: f64, em: f64) -> Drawing {
+    let size = DVec2::from_array(size.map(f64::from));
+    let mut drawing = Drawing::over_picture([0x10; 3], 0.12 * em);
+    let (length, breadth) = ((14.0 * em).min(0.6 * size.x), 0.8 * em);
+    let corner = size - DVec2::new(length + 2.6 * em, breadth + 2.2 * em);
+    if corner.min_element() < 0.0 || length < 8.0 * em {
+        return drawing;
+    }
+    let two_sided = kind == DifferenceKind::Signed;
+    let step = length / f64::from(STEPS);
+    let bar = (0..STEPS).map(|i| {
+        let share = (f64::from(i) + 0.5) / f64::from(STEPS);
+        let value = if two_sided { 2.0 * share - 1.0 } else { share };
+        let (x0, x1) = (corner.x + f64::from(i) * step, corner.x + f64::from(i + 1) * step + 0.5);
+        let (min, max) = (DVec2::new(x0, corner.y), DVec2::new(x1.min(corner.x + length), corner.y + breadth));
+        Shape::area(Area { min, max }.corners(), colour(kind, [value; 3])).plain()
+    });
+    drawing.shapes.extend(bar);
+    let whole = Area { min: corner, max: corner + DVec2::new(length, breadth) };
+    drawing.shapes.push(Shape::outline(whole.corners(), 0.08 * em, [255; 3]));
+    let least = if two_sided { -1.0 } else { 0.0 };
+    for value in [least, 0.5 * (least + 1.0), 1.0] {
+        let x = corner.x + length * (value - least) / (1.0 - least);
+        let at = DVec2::new(x, corner.y + breadth + 1.1 * em);
+        let text = Text::new(tick(value / gain, two_sided), at, em, [255; 3]).aligned(0.5);
+        drawing.texts.push(Text { halo: drawing.breadth, ..text });
+    }
+    drawing
+}
+
+/// A difference as the scale letters it.
+fn tick(value: f64, signed: bool) -> String {
+    let digits = if value == 0.0 {
+        "0".to_owned()
+    } else {
+        let text = format!("{:.4}", value.abs());
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    };
+    match (signed, value) {
+        (true, v) if v > 0.0 => format!("+{digits}"),
+        (true, v) if v < 0.0 => format!("−{digits}"),
+        _ => digits,
+    }
 }

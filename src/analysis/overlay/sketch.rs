@@ -1,10 +1,8 @@
 //! The pane being drawn: one point seen through one view, with what gathers there until it is inked.
 
 use super::{Halo, OverlayOptions};
-use crate::figure::inked_size;
-use crate::figure::labels::{Placer, Wish};
 use crate::figure::palette::Rgb8;
-use crate::figure::{Area, Drawing, Label, Shape};
+use crate::figure::{Area, Drawing, Label, Placer, Shape, Wish, inked_size};
 use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 
@@ -169,10 +167,7 @@ impl Sketch {
 
     /// Gives every label asked for its place, in that order, outside `reserved`.
     pub fn labels(&mut self, reserved: &[Area]) -> Vec<Label> {
-        let mut placer = Placer::new(self.pane, self.style.text, &self.shapes);
-        for area in reserved {
-            placer.reserve(*area);
-        }
+        let mut placer = Placer::new(self.pane, self.style.text, &self.shapes, reserved.to_vec());
         let mut labels = Vec::new();
         for pending in std::mem::take(&mut self.pending) {
             let size = inked_size(&pending.text, pending.size) + 2.0 * self.style.halo + 0.1 * pending.size;

@@ -1,7 +1,26 @@
-//! The places of a profile: equally spaced along the line and past its ends, as far as an eye's surround reaches.
+//! The places of a profile, equally spaced along the line and past its ends as far as an eye's surround reaches; and one mode's
+//! intensity at any of them.
 
+use crate::analysis::perception::{luminance, pixel_luminance};
+use crate::illumination::Equation;
+use crate::render::{Piece, Renderer};
+use crate::scene::{Rgb, Scene};
 use glam::DVec2;
+use rayon::prelude::*;
 use serde::Serialize;
+
+/// Samples to a pixel along the longer side of the line, and the length from which on there is one.
+const FINENESS: f64 = 4.0;
+const LONG: f64 = 4096.0;
+/// How far past its ends the line is followed, in widths of the surround.
+const REACH: f64 = 6.0;
+/// Samples nearer to an end of the line than this share of their distance are that end.
+const SAME: f64 = 1e-9;
+/// Half the distance over which slopes are taken, pixels: short beside any polygon that is seen as one, long beside the
+/// roundings of double precision.
+const DELTA: f64 = 1.0 / 64.0;
+/// Ends of pieces nearer to each other than this share of the line are one place.
+const TOGETHER: f64 = 1e-9;
 
 /// A place of the line.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -12,21 +31,12 @@ pub struct Sample {
     pub t: f64,
 }
 
-/// Samples to a pixel along the longer side of the line, and the length from which on there is one.
-const FINENESS: f64 = 4.0;
-const LONG: f64 = 4096.0;
-/// How far past its ends the line is followed, in widths of the surround.
-const REACH: f64 = 6.0;
-/// Samples nearer to an end of the line than this share of their distance are that end.
-const SAME: f64 = 1e-9;
-
-/// A line through the picture. `s` runs from 0 to 1 over all that is followed, `t` from 0 to 1 between the ends asked for.
+/// A line through the picture. `t` runs from 0 to 1 between the ends asked for, and below and beyond them where it is followed
+/// further.
 #[derive(Clone, Debug)]
 pub struct Line {
     ends: [DVec2; 2],
-    from: DVec2,
-    along: DVec2,
-    /// t of the first sample, and the step to the next.
+    /// t of the first place that is followed, the step to the next, and how many there are.
     first: f64,
     step: f64,
     count: usize,
@@ -36,8 +46,8 @@ impl Line {
     /// The line between two places of a picture of `size`, followed for a surround of width `surround` pixels.
     pub fn new(from: DVec2, to: DVec2, size: [u32; 2], surround: f64) -> Option<Self> {
         let along = to - from;
-        let longer = if along.x.abs() >= along.y.abs() { along.x } else { along.y };
-        let begin = if along.x.abs() >= along.y.abs() { from.x } else { from.y };
+        let axis = usize::from(along.x.abs() < along.y.abs());
+        let (longer, begin) = (along[axis], from[axis]);
         if longer.abs() < 1e-6 {
             return None;
         }
@@ -49,86 +59,52 @@ impl Line {
         let step = 1.0 / (longer.abs() * fineness);
         let offset = if fineness > 1.0 { 0.0 } else { 0.5 };
         let grid = |t: f64| (begin + t * longer - offset) * fineness * longer.signum();
-        let first = (grid(low) - SAME).ceil();
-        let last = (grid(high) + SAME).floor();
-        let first_t = (first * longer.signum() / fineness + offset - begin) / longer;
+        let (first, last) = ((grid(low) - SAME).ceil(), (grid(high) + SAME).floor());
         let count = (last - first + 1.0).max(0.0) as usize;
+        let ends = [from, to];
         if count == 0 {
             // Shorter than a step: its ends alone.
-            return Some(Self { ends: [from, to], from, along, first: 0.0, step: 1.0, count: 2 });
+            return Some(Self { ends, first: 0.0, step: 1.0, count: 2 });
         }
-        Some(Self { ends: [from, to], from, along, first: first_t, step, count })
+        Some(Self { ends, first: (first * longer.signum() / fineness + offset - begin) / longer, step, count })
+    }
+
+    /// Length between the ends, pixels.
+    fn length(&self) -> f64 {
+        self.ends[0].distance(self.ends[1])
     }
 
     /// Distance between samples, pixels.
     pub fn spacing(&self) -> f64 {
-        self.step * self.along.length()
+        self.step * self.length()
     }
 
-    /// The two places between which the picture is followed.
-    pub fn extent(&self) -> [DVec2; 2] {
-        [0.0, 1.0].map(|s| self.place(s))
-    }
-
+    /// t between which the picture is followed.
     #[expect(clippy::cast_precision_loss, reason = "fewer samples than 2⁵³")]
     fn span(&self) -> [f64; 2] {
-        let end = self.first + self.step * (self.count - 1) as f64;
-        [self.first.min(0.0), end.max(1.0)]
+        [self.first.min(0.0), (self.first + self.step * (self.count - 1) as f64).max(1.0)]
     }
 
-    /// t of s.
-    pub fn t(&self, s: f64) -> f64 {
-        let [low, high] = self.span();
-        low + s * (high - low)
+    /// The place at t, without a rounding at the ends.
+    pub fn place(&self, t: f64) -> DVec2 {
+        let [from, to] = self.ends;
+        if t == 1.0 { to } else { from + (to - from) * t }
     }
 
-    /// s of t.
-    pub fn s(&self, t: f64) -> f64 {
-        let [low, high] = self.span();
-        (t - low) / (high - low)
-    }
-
-    /// The place at s.
-    pub fn place(&self, s: f64) -> DVec2 {
-        self.at(self.t(s))
-    }
-
-    fn at(&self, t: f64) -> DVec2 {
-        let at = self.from + self.along * t;
-        // The ends are what was asked for, without a rounding.
-        if t == 0.0 {
-            self.ends[0]
-        } else if t == 1.0 {
-            self.ends[1]
-        } else {
-            at
-        }
-    }
-
-    /// A pixel in units of s.
-    pub fn pixel(&self) -> f64 {
-        let [low, high] = self.span();
-        1.0 / ((high - low) * self.along.length())
-    }
-
-    /// t of all that is followed.
+    /// t of all places that are followed.
     #[expect(clippy::cast_precision_loss, reason = "fewer samples than 2⁵³")]
-    pub fn followed(&self) -> impl Iterator<Item = f64> {
-        let (first, step) = (self.first, self.step);
-        (0..self.count).map(move |k| first + step * k as f64)
+    fn followed(&self) -> impl Iterator<Item = f64> {
+        (0..self.count).map(|k| self.first + self.step * k as f64)
     }
 
     /// The samples between the ends, these included.
     pub fn samples(&self) -> Vec<Sample> {
-        let sample = |t: f64| {
-            let DVec2 { x, y } = self.at(t);
-            Sample { x, y, t }
-        };
-        let inner = self.followed().filter(|t| self.inner(*t)).map(sample);
-        std::iter::once(sample(0.0)).chain(inner).chain([sample(1.0)]).collect()
+        let inner = self.followed().filter(|t| self.is_inner(*t));
+        let all = std::iter::once(0.0).chain(inner).chain([1.0]);
+        all.map(|t| (t, self.place(t))).map(|(t, DVec2 { x, y })| Sample { x, y, t }).collect()
     }
 
-    fn inner(&self, t: f64) -> bool {
+    fn is_inner(&self, t: f64) -> bool {
         let least = self.step * SAME;
         t > least && t < 1.0 - least
     }
@@ -142,10 +118,9 @@ impl Line {
             let next = values.get(k + 1).or(values.last()).copied().unwrap_or_default();
             values.get(k).copied().unwrap_or_default() * (1.0 - share) + next * share
         };
-        let inner = self.followed().zip(values).filter(|(t, _)| self.inner(*t)).map(|(_, value)| *value);
-        let [first, last] = [0.0, 1.0].map(between);
-        let first = std::iter::once(ends[0].unwrap_or(first));
-        first.chain(inner).chain([ends[1].unwrap_or(last)]).collect()
+        let inner = self.followed().zip(values).filter(|(t, _)| self.is_inner(*t)).map(|(_, value)| *value);
+        let first = std::iter::once(ends[0].unwrap_or_else(|| between(0.0)));
+        first.chain(inner).chain([ends[1].unwrap_or_else(|| between(1.0))]).collect()
     }
 }
 
@@ -161,29 +136,121 @@ fn in_picture(from: DVec2, along: DVec2, size: DVec2) -> (f64, f64) {
     (low, high)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// A drawn scene, read along one line. Values are intensities with their slopes per pixel.
+pub struct Source<'a> {
+    line: &'a Line,
+    renderer: &'a Renderer,
+    equation: Equation<f64>,
+    background: f64,
+    size: [u32; 2],
+    /// What the line sees, by t.
+    pieces: Vec<Piece>,
+    true_surface: bool,
+    /// Luminance of the pixels, where more than the equation makes them up.
+    pixels: Option<Vec<f64>>,
+}
 
-    #[test]
-    fn every_pixel_centre_on_the_line_is_a_sample() {
-        for (from, to) in [([0.0, 20.5], [64.0, 20.5]), ([10.3, 20.5], [50.0, 20.5]), ([60.0, 61.0], [2.0, 3.0])] {
-            let (from, to) = (DVec2::from(from), DVec2::from(to));
-            let line = Line::new(from, to, [64, 64], 8.0).expect("a line");
-            let samples = line.samples();
-            assert!(samples.windows(2).all(|pair| pair[0].t < pair[1].t));
-            assert_eq!((samples[0].t, samples[samples.len() - 1].t), (0.0, 1.0));
-            let (low, high) = (from.x.min(to.x), from.x.max(to.x));
-            for x in (0..64).map(|x| f64::from(x) + 0.5).filter(|x| (low..=high).contains(x)) {
-                assert!(samples.iter().any(|sample| (sample.x - x).abs() < 1e-9), "{x} of {from} to {to}");
-            }
+impl<'a> Source<'a> {
+    /// Draws `scene` and finds the polygons along `line`.
+    pub fn new(renderer: &'a mut Renderer, scene: &Scene, line: &'a Line) -> Self {
+        renderer.render(scene);
+        let composes = renderer.plan().is_some_and(|plan| plan.composes);
+        let pixels = composes.then(|| renderer.linear_picture(scene).iter().map(pixel_luminance).collect());
+        let renderer = &*renderer;
+        let [low, high] = line.span();
+        let mut pieces = renderer.section(line.place(low), line.place(high));
+        for piece in &mut pieces {
+            (piece.from, piece.to) = (low + piece.from * (high - low), low + piece.to * (high - low));
+        }
+        Self {
+            line,
+            renderer,
+            equation: renderer.shining_equation(scene),
+            background: luminance(scene.image.background),
+            size: scene.image.size,
+            pieces,
+            true_surface: renderer.plan().is_some_and(|plan| plan.true_surface),
+            pixels,
         }
     }
 
-    #[test]
-    fn a_line_shorter_than_a_step_is_its_ends() {
-        let line = Line::new(DVec2::new(3.3, 3.0), DVec2::new(3.4, 3.0), [9, 9], 0.0).expect("a line");
-        assert_eq!(line.samples().len(), 2);
-        assert!(Line::new(DVec2::ONE, DVec2::ONE, [9, 9], 1.0).is_none());
+    /// The values wherever the line is followed.
+    pub fn values(&self) -> Vec<(f64, f64)> {
+        let places: Vec<f64> = self.line.followed().collect();
+        places.into_par_iter().map(|t| self.value(t)).collect()
     }
+
+    /// The value at t; at a joint that of the piece after it.
+    pub fn value(&self, t: f64) -> (f64, f64) {
+        let after = self.pieces.partition_point(|piece| piece.from <= t);
+        let piece = after.checked_sub(1).and_then(|index| self.pieces.get(index)).filter(|piece| t < piece.to);
+        let delta = DELTA / self.line.length();
+        let (mut from, mut to) = (t - delta, t + delta);
+        if let (Some(piece), None) = (piece, &self.pixels) {
+            (from, to) = (from.max(piece.from), to.min(piece.to));
+        } else if self.true_surface && self.pixels.is_none() {
+            // A difference that crosses the outline would be no slope.
+            let sees = |t: f64| self.renderer.evaluation_at(self.place(t), None).is_some();
+            let seen = sees(t);
+            (from, to) = (if sees(from) == seen { from } else { t }, if sees(to) == seen { to } else { t });
+        }
+        let at = |t: f64| self.intensity(t, piece);
+        let run = (to - from) * self.line.length();
+        (at(t), if run > 0.0 { (at(to) - at(from)) / run } else { 0.0 })
+    }
+
+    /// Where, between the line's ends, one piece ends and another or the background begins.
+    pub fn joints(&self) -> Vec<(f64, [Option<&Piece>; 2])> {
+        let before = std::iter::once(None).chain(self.pieces.iter().map(Some));
+        let after = self.pieces.iter().map(Some).chain([None]);
+        let joints = before.zip(after).flat_map(|sides| match sides {
+            (Some(a), Some(b)) if b.from - a.to <= TOGETHER => vec![(b.from, [Some(a), Some(b)])],
+            (a, b) => {
+                let left = a.map(|a| (a.to, [Some(a), None]));
+                let right = b.map(|b| (b.from, [None, Some(b)]));
+                left.into_iter().chain(right).collect()
+            }
+        });
+        // Where what is followed begins or ends on the object there is no border.
+        let [low, high] = self.line.span();
+        let inside = (low + TOGETHER).max(0.0)..=(high - TOGETHER).min(1.0);
+        joints.filter(|(t, _)| inside.contains(t)).collect()
+    }
+
+    /// The values on both sides of a joint at t.
+    pub fn sides(&self, t: f64, sides: [Option<&Piece>; 2]) -> [(f64, f64); 2] {
+        let delta = DELTA / self.line.length();
+        let side = |piece: Option<&Piece>, way: f64| {
+            let Some(piece) = piece else { return (self.intensity(t + way * delta, None), 0.0) };
+            let delta = delta.min(piece.to - piece.from) * way;
+            let (here, there) = (self.intensity(t, Some(piece)), self.intensity(t + delta, Some(piece)));
+            (here, (there - here) / (delta * self.line.length()))
+        };
+        [side(sides[0], -1.0), side(sides[1], 1.0)]
+    }
+
+    /// The place at t, kept inside the picture.
+    fn place(&self, t: f64) -> DVec2 {
+        self.line.place(t).clamp(DVec2::ZERO, DVec2::from_array(self.size.map(|side| f64::from(side) - 1e-6)))
+    }
+
+    fn intensity(&self, t: f64, piece: Option<&Piece>) -> f64 {
+        if let Some(pixels) = &self.pixels {
+            return bilinear(pixels, self.size, self.line.place(t));
+        }
+        let seen = self.renderer.evaluation_at(self.place(t), piece);
+        seen.map_or(self.background, |seen| luminance(seen.shown(&self.equation).max(Rgb::ZERO)))
+    }
+}
+
+/// Linear between the centres of pixels; beyond the outermost ones their value goes on.
+fn bilinear(pixels: &[f64], [width, height]: [u32; 2], place: DVec2) -> f64 {
+    let split = |at: f64, side: u32| {
+        let at = (at - 0.5).clamp(0.0, f64::from(side.saturating_sub(1)));
+        (at.floor() as usize, (at.floor() as usize + 1).min(side.saturating_sub(1) as usize), at.fract())
+    };
+    let ((x0, x1, u), (y0, y1, v)) = (split(place.x, width), split(place.y, height));
+    let at = |x: usize, y: usize| pixels.get(y * width as usize + x).copied().unwrap_or_default();
+    let row = |y| at(x0, y) * (1.0 - u) + at(x1, y) * u;
+    row(y0) * (1.0 - v) + row(y1) * v
 }

@@ -1,21 +1,229 @@
-//! The conversion itself: edge table, active edges, crossings, spans and their pixels.
+//! The conversion itself: the polygon with what its corners carry, the edge table, active edges, crossings, spans and their
+//! pixels.
 
-use super::barycentric::weights;
-use super::corners::Shaded;
-use super::{Carried, Crossing, Grid, Rule, Scan, ScanEdge, ScanLine, ScanPixel, ScanSpan, ScanStep};
+use super::{Carried, Crossing, Rule, Scan, ScanCorner, ScanEdge, ScanError, ScanLine, ScanPixel, ScanSpan, ScanStep};
+use crate::illumination::Equation;
+use crate::render::{Cued, Renderer, WeightedPoint, stored_pixel};
+use crate::scene::{Encoding, Interpolation, Projection, Rgb, Scene, ShadingMode, View};
 use glam::{DVec2, DVec3};
+use serde::Serialize;
+
+/// Rows and columns left free on each side of the polygon.
+const MARGIN: f64 = 1.0;
+/// Widths of polygons in their heights that are shown as they are. Others are stretched to the nearest of them, along with
+/// their pixels, which changes neither α nor any value.
+const SHAPES: [f64; 2] = [0.5, 1.6];
+/// Polygons whose area is less than this part of the square of their extent are lines but for roundings.
+const EDGE_ON: f64 = 1e-10;
+
+/// Scans face `face` of `scene`, drawing the scene first if it is not the picture last drawn, in a grid of `rows` rows.
+///
+/// Light that rays bring to pixels is left out: the intensity is the equation's own, at corners with their shadows.
+pub fn scan(renderer: &mut Renderer, scene: &Scene, face: u32, rows: u32) -> Result<Scan, ScanError> {
+    renderer.render(scene);
+    scan_drawn(renderer, scene, face, rows)
+}
+
+/// The same as [`scan`] for the picture last drawn, which is `scene`'s.
+pub(crate) fn scan_drawn(renderer: &Renderer, scene: &Scene, face: u32, rows: u32) -> Result<Scan, ScanError> {
+    if !Scan::ROWS.contains(&rows) {
+        return Err(ScanError::Rows { rows });
+    }
+    let (polygon, shading) = seen(renderer, scene, face)?;
+    let grid = Grid::around(&polygon.corners, rows).ok_or(ScanError::EdgeOn { face })?;
+    let scan = convert(polygon, &shading, grid);
+    let covered = scan.steps.iter().any(|step| matches!(step, ScanStep::Pixel { .. }));
+    if covered { Ok(scan) } else { Err(ScanError::EdgeOn { face }) }
+}
+
+/// The same in any grid, which need not be about the face.
+pub fn scan_in_grid(renderer: &Renderer, scene: &Scene, face: u32, grid: Grid) -> Result<Scan, ScanError> {
+    let (polygon, shading) = seen(renderer, scene, face)?;
+    Ok(convert(polygon, &shading, grid))
+}
+
+/// Enlarged pixels: (0, 0) is the top left one, the centre of (x, y) is (x + 0.5, y + 0.5).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Grid {
+    pub columns: u32,
+    pub rows: u32,
+    /// Pixels of the grid to one of the picture, across and down; the same unless the polygon is very long.
+    pub scale: DVec2,
+    /// The place of the picture that is the grid's corner, pixels.
+    pub origin: DVec2,
+}
+
+impl Grid {
+    /// A grid of `rows` rows in whose middle a polygon is as large as fits; nothing for one that is seen edge-on.
+    fn around(corners: &[ScanCorner], rows: u32) -> Option<Self> {
+        let places = || corners.iter().map(|corner| corner.place);
+        let (min, max) = places().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(a, b), p| (a.min(p), b.max(p)));
+        let extent = max - min;
+        let first = corners.first()?.place;
+        let pairs = places().zip(places().skip(1));
+        let area = pairs.map(|(a, b)| (a - first).perp_dot(b - first)).sum::<f64>() * 0.5;
+        if area.abs() <= EDGE_ON * extent.length_squared() || !extent.is_finite() {
+            return None;
+        }
+        let height = f64::from(rows) - 2.0 * MARGIN;
+        let width = height * (extent.x / extent.y).clamp(SHAPES[0], SHAPES[1]);
+        let scale = DVec2::new(width, height) / extent;
+        let size = DVec2::new((width + 2.0 * MARGIN).ceil(), f64::from(rows));
+        let origin = (min + max) * 0.5 - size * 0.5 / scale;
+        scale.is_finite().then_some(Self { columns: size.x as u32, rows, scale, origin })
+    }
+
+    /// Columns and rows.
+    pub fn size(&self) -> DVec2 {
+        DVec2::new(f64::from(self.columns), f64::from(self.rows))
+    }
+
+    /// A place of the grid in the picture, pixels.
+    pub fn to_picture(&self, place: DVec2) -> DVec2 {
+        place / self.scale + self.origin
+    }
+
+    /// A place of the picture in the grid.
+    pub fn from_picture(&self, pixel: DVec2) -> DVec2 {
+        (pixel - self.origin) * self.scale
+    }
+}
+
+/// What gives the polygon's pixels their intensities.
+struct Shading {
+    /// The corners, world.
+    points: Vec<DVec3>,
+    orthographic: bool,
+    equation: Equation<f64>,
+    encoding: Encoding,
+    /// What the display divides intensities by.
+    divisor: f64,
+}
+
+/// Face `face` of `scene`, which `renderer` has drawn last, before it is converted: its corners lie in the picture itself.
+fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading), ScanError> {
+    let polygon = renderer.polygon(face).ok_or(match renderer.polygon_count() {
+        0 => ScanError::Empty,
+        count => ScanError::NoFace { face, count },
+    })?;
+    if !polygon.before_the_eye {
+        return Err(ScanError::BehindTheEye { face });
+    }
+    let equation = renderer.shining_equation(scene);
+    let mode = if scene.shading.mode == ShadingMode::Exact { ShadingMode::Phong } else { scene.shading.mode };
+    let carried = match mode {
+        ShadingMode::Flat => Carried::Constant,
+        ShadingMode::Interpolated | ShadingMode::Gouraud => Carried::Intensity,
+        ShadingMode::Phong | ShadingMode::Exact => Carried::Normal,
+    };
+    // Intensities at points fade where they are found.
+    let cued = renderer.plan().is_some_and(|plan| plan.cued == Cued::AtPoints);
+    let evaluated = |at: &WeightedPoint<'_>| {
+        let intensity = equation.illuminate_world(at.point, at.normal, at.reached);
+        if cued { intensity * at.scale + scene.depth_cueing.color * (1.0 - at.scale) } else { intensity }
+    };
+    let constant: Rgb = polygon.flat.iter().map(|at| evaluated(at) * at.weight).sum();
+    let view = View::new(&scene.camera, scene.image.size);
+    let corners = polygon.corners.iter().map(|at| {
+        let (place, depth) = view.project(at.point)?;
+        let value = match carried {
+            Carried::Constant => constant,
+            Carried::Intensity => evaluated(at),
+            Carried::Normal => at.normal,
+        };
+        Some(ScanCorner { place, depth, value })
+    });
+    let corners = corners.collect::<Option<_>>().ok_or(ScanError::BehindTheEye { face })?;
+    let compared = match scene.shading.interpolation {
+        Interpolation::Perspective => Rule::Perspective,
+        Interpolation::Affine | Interpolation::Scanline => Rule::Affine,
+    };
+    let scan = Scan {
+        face,
+        mode,
+        carried,
+        renormalise: scene.shading.renormalise,
+        compared,
+        grid: Grid { columns: 0, rows: 0, scale: DVec2::ONE, origin: DVec2::ZERO },
+        corners,
+        edges: Vec::new(),
+        lines: Vec::new(),
+        steps: Vec::new(),
+    };
+    let shading = Shading {
+        points: polygon.corners.iter().map(|at| at.point).collect(),
+        orthographic: scene.camera.projection == Projection::Orthographic,
+        equation,
+        encoding: scene.display.encoding,
+        divisor: renderer.report().divisor,
+    };
+    Ok((scan, shading))
+}
+
+impl Shading {
+    /// The intensity of a pixel that was given `value` and sees the point `position`.
+    fn intensity(&self, scan: &Scan, value: DVec3, position: DVec3) -> Rgb {
+        if scan.carried != Carried::Normal {
+            return value;
+        }
+        let normal = if scan.renormalise { value.normalize_or_zero() } else { value };
+        self.equation.illuminate_world(position, normal, None)
+    }
+
+    /// The stored value of an intensity.
+    fn stored(&self, intensity: Rgb) -> [u8; 3] {
+        let [r, g, b, _] = stored_pixel(intensity / self.divisor, self.encoding);
+        [r, g, b]
+    }
+
+    /// The point seen at a place of the grid, world, and the value there by barycentric weights: on the triangle of the fan that
+    /// holds the place; of a place on the border beside all of them on the one that it leaves least. Nothing for a polygon
+    /// without area.
+    ///
+    /// Weights in space are those in the picture over the depths, made to add up to 1 again (Blinn 1992). The depths of an
+    /// orthographic picture do not enter.
+    fn barycentric(&self, scan: &Scan, place: DVec2) -> Option<[DVec3; 2]> {
+        let corners = &scan.corners;
+        let triangles = (1..corners.len().saturating_sub(1)).map(|k| [0, k, k + 1]);
+        let weighted = triangles.filter_map(|triangle| {
+            let [a, b, c] = triangle.map(|i| corners[i].place);
+            let area = (b - a).perp_dot(c - a);
+            let (w1, w2) = ((place - a).perp_dot(c - a) / area, (b - a).perp_dot(place - a) / area);
+            (w1.is_finite() && w2.is_finite()).then_some((triangle, [1.0 - w1 - w2, w1, w2]))
+        });
+        let least = |weights: &[f64; 3]| weights.iter().copied().fold(f64::INFINITY, f64::min);
+        let (triangle, affine) = weighted.max_by(|a, b| least(&a.1).total_cmp(&least(&b.1)))?;
+        let mut perspective = affine;
+        if !self.orthographic {
+            let [a, b, c] = [0, 1, 2].map(|i: usize| affine[i] / corners[triangle[i]].depth);
+            perspective = [a, b, c].map(|weight| weight / (a + b + c));
+        }
+        let compared = if scan.compared == Rule::Affine { affine } else { perspective };
+        let sum = |weights: [f64; 3], of: &dyn Fn(usize) -> DVec3| -> DVec3 {
+            triangle.iter().zip(weights).map(|(&corner, weight)| of(corner) * weight).sum()
+        };
+        Some([sum(perspective, &|i| self.points[i]), sum(compared, &|i| corners[i].value)])
+    }
+}
 
 /// Scans the polygon in `grid`.
-pub fn convert(shaded: &Shaded, grid: Grid) -> Scan {
-    let mut scan = shaded.empty_scan(grid);
-    scan.edges = edge_table(&scan);
+fn convert(mut scan: Scan, shading: &Shading, grid: Grid) -> Scan {
+    scan.grid = grid;
+    for corner in &mut scan.corners {
+        corner.place = grid.from_picture(corner.place);
+    }
+    scan.edges = edge_table(&scan.corners);
     let top = scan.edges.iter().map(|edge| edge.y_top).fold(f64::INFINITY, f64::min);
     let bottom = scan.edges.iter().map(|edge| edge.y_bottom).fold(f64::NEG_INFINITY, f64::max);
-    for y in first_centre(top, grid.rows)..first_centre(bottom, grid.rows) {
-        let line = scan_line(&scan, shaded, y);
-        scan.lines.push(line);
+    let rows = first_centre(top, grid.rows)..first_centre(bottom, grid.rows);
+    scan.lines = rows.map(|y| scan_line(&scan, shading, y)).collect();
+    for (line, scan_line) in scan.lines.iter().enumerate() {
+        scan.steps.push(ScanStep::Line { line });
+        for (span, scan_span) in scan_line.spans.iter().enumerate() {
+            scan.steps.extend([ScanStep::P { line, span }, ScanStep::Q { line, span }]);
+            scan.steps.extend((0..scan_span.pixels.len()).map(|pixel| ScanStep::Pixel { line, span, pixel }));
+        }
     }
-    scan.steps = steps(&scan.lines);
     scan
 }
 
@@ -27,15 +235,15 @@ fn first_centre(place: f64, count: u32) -> u32 {
 
 /// Edges by their upper ends, those of one height from left to right. Level ones are not among them: no scan line crosses
 /// them.
-fn edge_table(scan: &Scan) -> Vec<ScanEdge> {
-    let count = scan.corners.len();
+fn edge_table(corners: &[ScanCorner]) -> Vec<ScanEdge> {
+    let count = corners.len();
     let mut edges: Vec<ScanEdge> = (0..count)
         .filter_map(|i| {
             let (mut upper, mut lower) = (i, (i + 1) % count);
-            if scan.corners[lower].place.y < scan.corners[upper].place.y {
+            if corners[lower].place.y < corners[upper].place.y {
                 (upper, lower) = (lower, upper);
             }
-            let (a, b) = (scan.corners[upper].place, scan.corners[lower].place);
+            let (a, b) = (corners[upper].place, corners[lower].place);
             let dx_dy = (b.x - a.x) / (b.y - a.y);
             (b.y > a.y).then_some(ScanEdge { corners: [upper, lower], y_top: a.y, y_bottom: b.y, x_top: a.x, dx_dy })
         })
@@ -45,64 +253,37 @@ fn edge_table(scan: &Scan) -> Vec<ScanEdge> {
     edges
 }
 
-fn scan_line(scan: &Scan, shaded: &Shaded, y: u32) -> ScanLine {
+fn scan_line(scan: &Scan, shading: &Shading, y: u32) -> ScanLine {
     let at = f64::from(y) + 0.5;
-    let crosses = |edge: &ScanEdge| edge.y_top <= at && at < edge.y_bottom;
-    let edges = scan.edges.iter().enumerate().filter(|(_, edge)| crosses(edge));
-    let mut crossings: Vec<Crossing> = edges.map(|(index, edge)| cross(scan, shaded, index, edge, at)).collect();
+    let edges = scan.edges.iter().enumerate().filter(|(_, edge)| edge.y_top <= at && at < edge.y_bottom);
+    let mut crossings: Vec<Crossing> = edges
+        .map(|(index, edge)| {
+            let alpha = (at - edge.y_top) / (edge.y_bottom - edge.y_top);
+            let [a, b] = edge.corners.map(|corner| &scan.corners[corner]);
+            let x = (1.0 - alpha) * a.place.x + alpha * b.place.x;
+            let value = mix(alpha, a.value, b.value, scan.carried);
+            let stored = (scan.carried != Carried::Normal).then(|| shading.stored(value));
+            Crossing { edge: index, x, alpha, value, stored }
+        })
+        .collect();
     crossings.sort_by(|a, b| a.x.total_cmp(&b.x));
-    let spans = crossings.as_chunks::<2>().0.iter().map(|[p, q]| ScanSpan {
-        p: *p,
-        q: *q,
-        pixels: (first_centre(p.x, scan.grid.columns)..first_centre(q.x, scan.grid.columns))
-            .map(|x| pixel(scan, shaded, [p, q], DVec2::new(f64::from(x) + 0.5, at), x))
-            .collect(),
+    let spans = crossings.as_chunks::<2>().0.iter().map(|&[p, q]| {
+        let columns = first_centre(p.x, scan.grid.columns)..first_centre(q.x, scan.grid.columns);
+        let pixel = |x: u32| {
+            let centre = DVec2::new(f64::from(x) + 0.5, at);
+            let alpha = (centre.x - p.x) / (q.x - p.x);
+            let value = mix(alpha, p.value, q.value, scan.carried);
+            let [position, beside] = shading.barycentric(scan, centre).unwrap_or([shading.points[0], value]);
+            let intensity = shading.intensity(scan, value, position);
+            let barycentric = shading.intensity(scan, beside, position);
+            ScanPixel { x, alpha, value, intensity, stored: shading.stored(intensity), barycentric }
+        };
+        ScanSpan { p, q, pixels: columns.map(pixel).collect() }
     });
     ScanLine { y, active: crossings.iter().map(|crossing| crossing.edge).collect(), spans: spans.collect() }
-}
-
-fn cross(scan: &Scan, shaded: &Shaded, index: usize, edge: &ScanEdge, at: f64) -> Crossing {
-    let alpha = (at - edge.y_top) / (edge.y_bottom - edge.y_top);
-    let [a, b] = edge.corners.map(|corner| &scan.corners[corner]);
-    let x = (1.0 - alpha) * a.place.x + alpha * b.place.x;
-    let value = mix(alpha, a.value, b.value, scan.carried);
-    let stored = (scan.carried != Carried::Normal).then(|| shaded.stored(value));
-    Crossing { edge: index, x, alpha, value, stored }
-}
-
-fn pixel(scan: &Scan, shaded: &Shaded, [p, q]: [&Crossing; 2], centre: DVec2, x: u32) -> ScanPixel {
-    let alpha = (centre.x - p.x) / (q.x - p.x);
-    let value = mix(alpha, p.value, q.value, scan.carried);
-    let (mut position, mut beside) = (shaded.corners[0].point, value);
-    if let Some(weights) = weights(&scan.corners, centre, shaded.orthographic) {
-        let by = |rule| match rule {
-            Rule::Affine => weights.affine,
-            Rule::Perspective => weights.perspective,
-        };
-        let sum = |rule, of: &dyn Fn(usize) -> DVec3| -> DVec3 {
-            weights.corners.iter().zip(by(rule)).map(|(&corner, weight)| of(corner) * weight).sum()
-        };
-        position = sum(Rule::Perspective, &|corner| shaded.corners[corner].point);
-        beside = sum(scan.compared, &|corner| scan.corners[corner].value);
-    }
-    let intensity = shaded.intensity(value, position);
-    let barycentric = shaded.intensity(beside, position);
-    ScanPixel { x, alpha, value, intensity, stored: shaded.stored(intensity), barycentric }
 }
 
 /// `(1 − α)·a + α·b`; of what is the same everywhere just that.
 fn mix(alpha: f64, a: DVec3, b: DVec3, carried: Carried) -> DVec3 {
     if carried == Carried::Constant { a } else { a * (1.0 - alpha) + b * alpha }
-}
-
-fn steps(lines: &[ScanLine]) -> Vec<ScanStep> {
-    let mut steps = Vec::new();
-    for (line, scan_line) in lines.iter().enumerate() {
-        steps.push(ScanStep::Line { line });
-        for (span, scan_span) in scan_line.spans.iter().enumerate() {
-            steps.extend([ScanStep::P { line, span }, ScanStep::Q { line, span }]);
-            steps.extend((0..scan_span.pixels.len()).map(|pixel| ScanStep::Pixel { line, span, pixel }));
-        }
-    }
-    steps
 }

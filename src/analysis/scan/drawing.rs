@@ -3,30 +3,30 @@
 //! A scan and one of its steps come in, a [`Drawing`] comes out. The part α of an edge or of a span, from its first end to
 //! what is found on it, is thick and yellow; the rest, 1−α, is thick in the colour of text.
 
-mod column;
-mod marks;
-
-use crate::analysis::{Scan, ScanCorner};
-use crate::figure::Area;
+use super::{Crossing, Scan, ScanLevel, ScanPoint, corner_name};
 use crate::figure::palette::{ALPHA, Rgb8, readable};
-use crate::figure::{Drawing, Paper, PlotStyle, Shape, Text};
+use crate::figure::{Area, Drawing, Paper, PlotStyle, Shape, Text};
+use crate::scene::ShadingMode;
 use glam::DVec2;
 
 /// Room for letters about the outermost corners, in ems: for α at the sides, for the corners' names above and below.
 const LETTERED: DVec2 = DVec2::new(2.5, 1.9);
 /// Polygons of more corners have letters at their active edges only.
-pub const MOST_LETTERS: usize = 12;
+const MOST_LETTERS: usize = 12;
+/// Width of the column beside a wide figure, in ems, and height of the formulas below a narrow one.
+const COLUMN: DVec2 = DVec2::new(19.5, 33.0);
+/// Of the scan line, in widths.
+const LINE_DASHES: &[f32] = &[4.0, 3.0];
+/// Least length of a part of an edge that is lettered, in ems.
+const LETTERED_PART: f64 = 1.5;
+/// Pixels larger than this, in ems, leave room for every share.
+const ROOMY: f64 = 1.2;
 
 /// The room that the picture of `scan` takes in a width, no higher than `tallest`.
 pub fn scan_room(scan: &Scan, width: f64, tallest: f64, style: &PlotStyle) -> DVec2 {
-    let grid = size_of(scan);
+    let grid = scan.grid.size();
     let cell = (width - 2.0 * pad(width / grid.x, style.text).x) / grid.x;
     DVec2::new(width, (cell * grid.y + 2.0 * pad(cell, style.text).y).min(tallest))
-}
-
-/// Columns and rows.
-fn size_of(scan: &Scan) -> DVec2 {
-    DVec2::new(f64::from(scan.grid.columns), f64::from(scan.grid.rows))
 }
 
 /// Room beside and above a grid whose pixels are so large: its free rows and columns hold a part of the letters.
@@ -40,16 +40,94 @@ pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) ->
     let mut drawing = Drawing::new(size, style.paper.ground);
     let mut room = Area { min: DVec2::ZERO, max: size };
     if style.titled {
-        room = column::draw(&mut drawing, scan, step, room, style);
+        room = draw_column(&mut drawing, scan, step, room, style);
     }
-    let sheet = Sheet::new(scan, room, style);
-    marks::draw(&mut drawing, &sheet, step);
-    drawing
+    let (grid, extent) = (scan.grid.size(), room.max - room.min);
+    let natural = (extent / grid).min_element();
+    let cell = ((extent - 2.0 * pad(natural, style.text)) / grid).min_element().max(0.0);
+    let origin = (room.min + room.max - grid * cell) * 0.5;
+    let (point, paper, em) = (scan.at(step), style.paper, style.text);
+    let alpha = readable(ALPHA, paper.ground, 3.0);
+    let mut sheet = Sheet { scan, point, origin, cell, room, em, paper, alpha, drawing, taken: Vec::new() };
+    for (y, pixel) in scan.filled(step) {
+        let square = sheet.square([pixel.x, y]);
+        sheet.drawing.shapes.push(Shape::area(square.corners(), pixel.stored));
+    }
+    sheet.grid_lines();
+    let corners = scan.corners.iter().chain(scan.corners.first());
+    let outline = corners.map(|corner| sheet.at(corner.place)).collect();
+    sheet.cased(outline, 0.12, paper.weak);
+    sheet.scan_line();
+    sheet.active_edges();
+    sheet.span();
+    sheet.letters();
+    sheet.drawing
 }
 
-/// Where the grid lies on the drawing, and what is drawn with.
+/// Title, and the column of what has been found; returns the room that is left for the picture.
+fn draw_column(drawing: &mut Drawing, scan: &Scan, step: usize, room: Area, style: &PlotStyle) -> Area {
+    let (em, paper) = (style.text, &style.paper);
+    let mut rest = Area { min: room.min + em, max: room.max - em };
+    let mode = match scan.mode {
+        ShadingMode::Flat => "flat",
+        ShadingMode::Interpolated => "interpolated",
+        ShadingMode::Gouraud => "Gouraud",
+        ShadingMode::Phong | ShadingMode::Exact => "Phong",
+    };
+    let title = format!("The scan line in slow motion: {mode} shading, face {}", scan.face);
+    rest.min.y += 1.2 * em;
+    drawing.texts.push(Text::new(title, rest.min, 1.25 * em, paper.text).bold());
+    rest.min.y += 1.45 * em;
+    drawing.texts.push(Text::new(scan.caption(step), rest.min, em, paper.weak));
+    rest.min.y += 0.7 * em;
+    let (mut at, extent) = (rest.min, rest.max - rest.min);
+    if extent.x > extent.y {
+        at.x = rest.max.x - COLUMN.x * em;
+        rest.max.x = at.x - em;
+    } else {
+        at.y = rest.max.y - COLUMN.y * em;
+        rest.max.y = at.y - em;
+    }
+    at.y += 0.4 * em;
+    let mut block = |swatch: Option<Rgb8>, heading: &str, lines: Vec<String>| {
+        at.y += 1.1 * em;
+        let mut heading = Text::new(heading, at, 1.05 * em, paper.text).bold();
+        if let Some(colour) = swatch {
+            let (min, max) = (at + DVec2::new(0.0, -0.95) * em, at + DVec2::new(1.5, 0.25) * em);
+            let square = Area { min, max }.corners();
+            drawing.shapes.push(Shape::area(square.clone(), colour));
+            drawing.shapes.push(Shape::line([square, vec![min]].concat(), 0.06 * em, paper.weak));
+            heading.at.x += 2.0 * em;
+        }
+        drawing.texts.push(heading);
+        for line in lines {
+            at.y += 1.28 * em;
+            // What stands behind a tabulator begins at the same place in every line.
+            for (text, indent) in line.split('\t').zip([0.0, em]) {
+                drawing.texts.push(Text::new(text, at + DVec2::new(indent, 0.0), 0.88 * em, paper.text));
+            }
+        }
+        at.y += 0.75 * em;
+    };
+    let point = scan.at(step);
+    if point.level == ScanLevel::Line {
+        let lines = scan.edges.iter().enumerate().take(MOST_LETTERS).map(|(index, edge)| {
+            let mark = if point.line.active.contains(&index) { "active" } else { "" };
+            let (name, slope) = (scan.edge_name(index), format!("{:.2}", edge.dx_dy).replace('-', "−"));
+            format!("{name}  y {:.2} to {:.2}, dx/dy {slope}  {mark}", edge.y_top, edge.y_bottom)
+        });
+        block(None, "Edge table", lines.collect());
+    }
+    for mix in scan.found(step) {
+        block(mix.stored, &mix.name, mix.lines(scan));
+    }
+    rest
+}
+
+/// The picture while it is drawn: where the grid lies on it, and where labels stand.
 struct Sheet<'a> {
     scan: &'a Scan,
+    point: ScanPoint<'a>,
     /// The top left corner of the grid.
     origin: DVec2,
     /// The side of a pixel.
@@ -57,20 +135,21 @@ struct Sheet<'a> {
     room: Area,
     em: f64,
     paper: Paper,
+    /// The colour of the share α.
+    alpha: Rgb8,
+    drawing: Drawing,
+    taken: Vec<Area>,
 }
 
-impl<'a> Sheet<'a> {
-    fn new(scan: &'a Scan, room: Area, style: &PlotStyle) -> Self {
-        let (grid, extent) = (size_of(scan), room.max - room.min);
-        let natural = (extent / grid).min_element();
-        let cell = ((extent - 2.0 * pad(natural, style.text)) / grid).min_element().max(0.0);
-        let origin = (room.min + room.max - grid * cell) * 0.5;
-        Self { scan, origin, cell, room, em: style.text, paper: style.paper }
-    }
-
+impl Sheet<'_> {
     /// Where a place of the grid is drawn.
     fn at(&self, place: DVec2) -> DVec2 {
         self.origin + place * self.cell
+    }
+
+    /// Where a place of the scan line is drawn.
+    fn on_line(&self, x: f64) -> DVec2 {
+        self.at(DVec2::new(x, self.point.line.at()))
     }
 
     /// The square of a pixel.
@@ -79,81 +158,169 @@ impl<'a> Sheet<'a> {
         Area { min, max: min + self.cell }
     }
 
-    /// The colour of the share α.
-    fn alpha(&self) -> Rgb8 {
-        readable(ALPHA, self.paper.ground, 3.0)
+    /// The ends of an edge, the upper one first.
+    fn ends(&self, edge: usize) -> [DVec2; 2] {
+        self.scan.edges[edge].corners.map(|corner| self.at(self.scan.corners[corner].place))
     }
 
-    /// The same for letters, which need more contrast.
-    fn alpha_letters(&self) -> Rgb8 {
-        readable(ALPHA, self.paper.ground, 4.5)
-    }
-
-    /// The middle of the corners.
-    fn middle(&self) -> DVec2 {
-        let places = self.scan.corners.iter().map(|corner: &ScanCorner| corner.place);
-        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
-        let count = self.scan.corners.len().max(1) as f64;
-        self.at(places.sum::<DVec2>() / count)
+    /// A line, its width in ems.
+    fn line(&mut self, points: Vec<DVec2>, width: f64, colour: Rgb8) {
+        self.drawing.shapes.push(Shape::line(points, width * self.em, colour));
     }
 
     /// A line set off from what it crosses.
-    fn cased(&self, drawing: &mut Drawing, points: Vec<DVec2>, width: f64, colour: Rgb8) {
-        let casing = Shape::line(points.clone(), width + 0.16 * self.em, self.paper.ground);
-        drawing.shapes.extend([casing, Shape::line(points, width, colour)]);
+    fn cased(&mut self, points: Vec<DVec2>, width: f64, colour: Rgb8) {
+        self.line(points.clone(), width + 0.16, self.paper.ground);
+        self.line(points, width, colour);
     }
 
-    /// Text with its middle at the first of `places` where it stands clear of what is `taken`, on a patch of the ground and
-    /// inside the room; at none where there is no such place, or at the first one all the same if it `must`.
-    fn label(&self, drawing: &mut Drawing, taken: &mut Vec<Area>, label: Label, places: &[DVec2], must: bool) {
-        let text = Text::new(label.text, DVec2::ZERO, label.size, label.colour).bold();
-        let half = DVec2::new(0.5 * text.width() + 0.15 * self.em, 0.6 * label.size);
+    /// A dot set off from what it lies on, its radii in ems.
+    fn dot(&mut self, at: DVec2, [outer, inner]: [f64; 2], colour: Rgb8) {
+        for (radius, colour) in [(outer, self.paper.ground), (inner, colour)] {
+            self.drawing.shapes.push(Shape::disc(at, radius * self.em, colour));
+        }
+    }
+
+    /// Text, its size in ems, with its middle at the first of `places` where it stands clear of other labels, on a patch of the
+    /// ground and inside the room; at none where there is no such place, or at the first one all the same if it `must`.
+    fn label(&mut self, text: String, colour: Rgb8, size: f64, places: &[DVec2], must: bool) {
+        let size = size * self.em;
+        let text = Text::new(text, DVec2::ZERO, size, colour).bold();
+        let half = DVec2::new(0.5 * text.width() + 0.15 * self.em, 0.6 * size);
         let (low, high) = (self.room.min + half, self.room.max - half);
         let about = |place: &DVec2| Area::about(place.max(low).min(high.max(low)), 2.0 * half);
-        let free = |area: &Area| !taken.iter().any(|other| area.overlaps(other));
+        let free = |area: &Area| !self.taken.iter().any(|other| area.overlaps(other));
         let area = places.iter().map(about).find(free).or_else(|| places.first().map(about).filter(|_| must));
         let Some(area) = area else { return };
-        drawing.shapes.push(Shape::area(area.corners(), self.paper.ground).faded(0.78));
-        let at = area.centre() + DVec2::new(0.0, 0.35 * label.size);
-        drawing.texts.push(Text { at, ..text }.aligned(0.5));
-        taken.push(area);
+        self.drawing.shapes.push(Shape::area(area.corners(), self.paper.ground).faded(0.78));
+        let at = area.centre() + DVec2::new(0.0, 0.35 * size);
+        self.drawing.texts.push(Text { at, ..text }.aligned(0.5));
+        self.taken.push(area);
     }
-}
 
-/// What a label says.
-struct Label {
-    text: String,
-    colour: Rgb8,
-    size: f64,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::analysis::{face_at, scan};
-    use crate::figure::Paper;
-    use crate::render::Renderer;
-    use crate::scene::Scene;
-
-    #[test]
-    fn the_filled_pixels_have_the_stored_colours() {
-        let mut scene = Scene::default();
-        scene.image.size = [96, 96];
-        let mut renderer = Renderer::default();
-        let face = face_at(&mut renderer, &scene, 40, 30).expect("the sphere");
-        let scan = scan(&mut renderer, &scene, face, 12).expect("a polygon in sight");
-        let style = PlotStyle { paper: Paper::LIGHT, text: 2.0, titled: false };
-        let drawing = lay_out_scan(&scan, scan.last(), DVec2::new(600.0, 400.0), &style);
-        let frame = drawing.to_frame().expect("a picture");
-        let sheet = Sheet::new(&scan, Area { min: DVec2::ZERO, max: drawing.size }, &style);
-        let mut found = 0;
-        for (y, pixel) in scan.filled(scan.last()) {
-            let place = sheet.at(DVec2::new(f64::from(pixel.x) + 0.3, f64::from(y) + 0.3));
-            let seen = frame.pixel(place.x as u32, place.y as u32);
-            found += usize::from(seen == Some(pixel.stored));
+    fn grid_lines(&mut self) {
+        let grid = self.scan.grid;
+        let width = (0.06 * self.em).min(0.12 * self.cell);
+        let end = grid.size();
+        let columns = (0..=grid.columns).map(|x| [DVec2::new(x.into(), 0.0), DVec2::new(x.into(), end.y)]);
+        let rows = (0..=grid.rows).map(|y| [DVec2::new(0.0, y.into()), DVec2::new(end.x, y.into())]);
+        for ends in columns.chain(rows) {
+            let ends = ends.map(|place| self.at(place)).to_vec();
+            self.drawing.shapes.push(Shape::line(ends, width, self.paper.grid));
         }
-        let all = scan.filled(scan.last()).count();
-        assert!(found * 10 >= all * 7, "{found} of {all}; edges cross the others");
-        assert!(drawing.to_svg("a polygon").contains("<polygon"));
+    }
+
+    /// The line through the centres of its pixels, with a dot at each centre.
+    fn scan_line(&mut self) {
+        let columns = self.scan.grid.columns;
+        let ends = [0.0, f64::from(columns)].map(|x| self.on_line(x)).to_vec();
+        let width = if self.point.level == ScanLevel::Line { 0.16 } else { 0.1 };
+        self.line(ends.clone(), width + 0.12, self.paper.ground);
+        self.drawing.shapes.push(Shape::line(ends, width * self.em, self.paper.text).dashed(LINE_DASHES));
+        if self.cell >= 0.8 * self.em {
+            for x in 0..columns {
+                self.dot(self.on_line(f64::from(x) + 0.5), [0.17, 0.1], self.paper.text);
+            }
+        }
+    }
+
+    /// The edges that the line crosses, those of the present span divided in the ratio α : 1−α.
+    fn active_edges(&mut self) {
+        let point = self.point;
+        for &edge in &point.line.active {
+            let [from, to] = self.ends(edge);
+            self.cased(vec![from, to], 0.24, self.paper.text);
+            let found = [point.p, point.q].into_iter().flatten().find(|crossing| crossing.edge == edge);
+            if let Some(crossing) = found {
+                self.line(vec![from, self.on_line(crossing.x)], 0.3, self.alpha);
+            }
+        }
+    }
+
+    /// The way from P to the present pixel and on to Q, and the pixel.
+    fn span(&mut self) {
+        let ScanPoint { p: Some(p), q: Some(q), pixel, line, .. } = self.point else { return };
+        let from = self.on_line(p.x);
+        self.cased(vec![from, self.on_line(q.x)], 0.2, self.paper.text);
+        let Some(pixel) = pixel else { return };
+        let here = self.on_line(f64::from(pixel.x) + 0.5);
+        self.line(vec![from, here], 0.26, self.alpha);
+        let mut square = self.square([pixel.x, line.y]).corners();
+        square.extend(square.first().copied());
+        self.cased(square, 0.2, self.paper.text);
+        self.dot(here, [0.3, 0.2], self.alpha);
+    }
+
+    /// P and Q, the corners, and α beside what it divides, in the order in which they take their places.
+    fn letters(&mut self) {
+        let point = self.point;
+        if let Some(pixel) = point.pixel {
+            self.taken.push(self.square([pixel.x, point.line.y]));
+        }
+        let found = [("P", -1.0, point.p), ("Q", 1.0, point.q)];
+        let found = || found.into_iter().filter_map(|(letter, side, crossing)| Some((letter, side, crossing?)));
+        for (letter, side, crossing) in found() {
+            let at = self.on_line(crossing.x);
+            self.dot(at, [0.42, 0.3], self.alpha);
+            // Clear of the edge's upper part, which is the one that matters.
+            let leans = side * (self.scan.edges[crossing.edge].x_top - crossing.x) > 0.0;
+            let rise = if leans { 0.85 } else { -0.85 };
+            let beside = [rise, -rise, 0.0].map(|rise| at + DVec2::new(side * 1.15, rise) * self.em);
+            self.label(letter.to_owned(), self.paper.text, 1.3, &beside, true);
+        }
+        self.corner_letters();
+        for (_, side, crossing) in found() {
+            self.edge_shares(crossing, side);
+        }
+        if let (Some(p), Some(q), Some(pixel)) = (point.p, point.q, point.pixel) {
+            let [from, here, to] = [p.x, f64::from(pixel.x) + 0.5, q.x].map(|x| self.on_line(x));
+            let away = DVec2::new(0.0, 0.5 * self.cell + 0.8 * self.em);
+            self.share([from, here], away, pixel.alpha, true);
+            self.share([here, to], away, 1.0 - pixel.alpha, false);
+        }
+    }
+
+    fn corner_letters(&mut self) {
+        let (scan, line) = (self.scan, self.point.line);
+        let active = |corner: usize| line.active.iter().any(|&edge| scan.edges[edge].corners.contains(&corner));
+        let few = scan.corners.len() <= MOST_LETTERS;
+        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
+        let count = scan.corners.len().max(1) as f64;
+        let middle = self.at(scan.corners.iter().map(|corner| corner.place).sum::<DVec2>() / count);
+        for (index, corner) in scan.corners.iter().enumerate().filter(|(index, _)| few || active(*index)) {
+            let at = self.at(corner.place);
+            let outwards = (at - middle).normalize_or_zero();
+            let colour = if active(index) { self.paper.text } else { self.paper.weak };
+            self.drawing.shapes.push(Shape::disc(at, 0.22 * self.em, colour));
+            let places = [-0.0f64, 0.7, -0.7, 1.4, -1.4]
+                .map(|turn| at + DVec2::from_angle(turn).rotate(outwards) * DVec2::new(1.25, 1.05) * self.em);
+            self.label(corner_name(index), colour, 1.05, &places, few);
+        }
+    }
+
+    /// α and 1−α beside the two parts of an edge.
+    fn edge_shares(&mut self, crossing: &Crossing, side: f64) {
+        let [top, bottom] = self.ends(crossing.edge);
+        let at = self.on_line(crossing.x);
+        let along = (bottom - top).normalize_or_zero();
+        // Outwards, as far as the label's own extent asks.
+        let outwards = DVec2::new(side * along.y, -side * along.x);
+        let aside = outwards * (1.75 * outwards.x.abs() + 0.95 * outwards.y.abs()) * self.em;
+        self.share([top, at], aside, crossing.alpha, true);
+        // Once pixels are shaded, small pictures have no room for more than α.
+        if self.point.pixel.is_none() || self.cell > ROOMY * self.em {
+            self.share([at, bottom], aside, 1.0 - crossing.alpha, false);
+        }
+    }
+
+    /// The number of a part, beside its middle or on its other side, where it is long enough and nothing else is there.
+    fn share(&mut self, [from, to]: [DVec2; 2], aside: DVec2, value: f64, alpha: bool) {
+        if from.distance(to) < LETTERED_PART * self.em {
+            return;
+        }
+        let letters = readable(ALPHA, self.paper.ground, 4.5);
+        let (letter, colour) = if alpha { ("α ", letters) } else { ("", self.paper.text) };
+        let middle = (from + to) * 0.5;
+        self.label(format!("{letter}{value:.2}"), colour, 0.95, &[middle + aside, middle - aside], false);
     }
 }

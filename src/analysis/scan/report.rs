@@ -1,18 +1,18 @@
-//! The scan of one polygon: how it is asked, and what it says in words and numbers.
+//! The scan of one polygon: how it is asked, and what it says in words and numbers, with its formulas filled in.
 
-use super::words::{number, triple};
-use super::{Carried, Mix, Scan, ScanSpan, face_at, lay_out_scan, scan};
-use crate::analysis::report::{About, Answer, Column, Figure, Part, Report, Section, Table, cells, fixed};
+use super::{Carried, Crossing, Rule, Scan, ScanLine, ScanPixel, ScanSpan, corner_name, face_at, lay_out_scan, scan};
+use crate::analysis::report::{About, Answer, Column, Figure, Part, Report, Table, cells, fixed};
 use crate::analysis::{Question, Subject, Watch, clearest_pixel};
 use crate::figure::{Paper, PlotStyle};
+use crate::scene::Choice;
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-/// Ems to the height of a figure: its column of formulas must fit.
-const LINES: f64 = 37.0;
-/// Ems to its width.
-const LETTERS: f64 = 48.0;
+/// Ems to the width and to the height of a figure: its column of formulas must fit.
+const EMS: DVec2 = DVec2::new(48.0, 37.0);
+/// Of polygons with more edges the table holds the active ones alone.
+const MOST_EDGES: usize = 64;
 
 /// One polygon, step by step.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -61,28 +61,20 @@ impl Question for ScanQuestion {
             }
         };
         let scan = scan(&mut renderer, scene, face, self.rows).map_err(|error| error.to_string())?;
-        Ok(ScanStop { step: self.step(&scan, place)?, scan })
-    }
-}
-
-impl ScanQuestion {
-    fn step(&self, scan: &Scan, place: Option<DVec2>) -> Result<usize, String> {
         let last = scan.last();
-        match self.stop {
-            Stop::Last => Ok(last),
-            Stop::Step(step) if step <= last => Ok(step),
-            Stop::Step(step) => Err(format!("--step {step}: no such step, expected 0 to {last} or last")),
+        let step = match self.stop {
+            Stop::Last => last,
+            Stop::Step(step) if step <= last => step,
+            Stop::Step(step) => return Err(format!("--step {step}: no such step, expected 0 to {last} or last")),
             Stop::Line(y) => {
                 let [first, end] = [scan.lines.first(), scan.lines.last()].map(|line| line.map_or(0, |line| line.y));
                 let expected =
                     || format!("--line {y}: not a scan line of the polygon, expected {first} to {end} or last");
-                scan.steps_of_line(y).map(|[_, end]| end).ok_or_else(expected)
+                scan.steps_of_line(y).map(|[_, end]| end).ok_or_else(expected)?
             }
-            Stop::Pixel => {
-                let middle = DVec2::new(f64::from(scan.grid.columns), f64::from(scan.grid.rows)) * 0.5;
-                Ok(scan.step_near(place.map_or(middle, |place| scan.grid.from_picture(place))))
-            }
-        }
+            Stop::Pixel => scan.step_near(place.map_or(0.5 * scan.grid.size(), |place| scan.grid.from_picture(place))),
+        };
+        Ok(ScanStop { step, scan })
     }
 }
 
@@ -91,28 +83,40 @@ impl Answer for ScanStop {
     fn report(&self, _: &About<'_>) -> Report {
         let scan = &self.scan;
         let line = scan.at(self.step).line;
-        let mode = format!("{:?}", scan.mode).to_lowercase();
-        let title = format!("face {}, {} corners, {mode} shading, {}", scan.face, scan.corners.len(), scan.what());
-        let mut report = Report::new(title);
+        let what = match scan.carried {
+            Carried::Constant => "one intensity for the whole polygon",
+            Carried::Intensity => "the corners' intensities are interpolated",
+            Carried::Normal => "the corners' normals are interpolated",
+        };
+        let (face, corners, mode) = (scan.face, scan.corners.len(), scan.mode.word());
+        let mut report = Report::new(format!("face {face}, {corners} corners, {mode} shading, {what}"));
         report.section("Edge table").push(Part::Table(scan.edge_table(self.step)));
         report.section(format!("scan line {}, centres at y = {}", line.y, line.at()));
-        for span in &line.spans {
-            for (of, crossing) in [("P", &span.p), ("Q", &span.q)] {
-                let mix = scan.crossing_mix(line, crossing, of);
-                let title = format!("{of} on {}, x = {}", scan.edge_name(crossing.edge), number(crossing.x, 3));
-                write_mix(report.section(title), scan, &mix);
-            }
-            for pixel in &span.pixels {
-                let section = report.section(format!("pixel ({}, {})", pixel.x, line.y));
-                write_mix(section, scan, &scan.pixel_mix(span, pixel));
-                scan.pixel_words(pixel).into_iter().for_each(|words| _ = section.line(format!("  {words}")));
+        let [first, last] = scan.steps_of_line(line.y).unwrap_or_default();
+        for mix in (first..=last).filter_map(|step| scan.found(step).pop()) {
+            let place = if mix.pixel.is_none() { format!(", x = {}", number(mix.x, 3)) } else { String::new() };
+            let section = report.section(mix.name.clone() + &place);
+            for text in mix.lines(scan) {
+                section.line(format!("  {}", text.replace('\t', ": ")));
             }
         }
         report
     }
 
+    /// The pixels, a row each.
     fn table(&self) -> Option<Table> {
-        Some(pixel_table(&self.scan))
+        let columns =
+            "y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,barycentric_r,barycentric_g,barycentric_b";
+        let mut table = Table::new(columns.split(',').map(Column::key));
+        for line in &self.scan.lines {
+            for ScanSpan { p, q, pixels } in &line.spans {
+                table.rows.extend(pixels.iter().map(|pixel| {
+                    let [[r, g, b], [br, bg, bb]] = [pixel.intensity, pixel.barycentric].map(|color| color.to_array());
+                    cells![line.y, pixel.x, p.x, q.x, p.alpha, q.alpha, pixel.alpha, r, g, b, br, bg, bb]
+                }));
+            }
+        }
+        Some(table)
     }
 
     fn json(&self, _: &About<'_>) -> Value {
@@ -121,34 +125,184 @@ impl Answer for ScanStop {
 
     fn figure(&self, _: &About<'_>, size: Option<[u32; 2]>, paper: Paper) -> Option<Figure> {
         let size = DVec2::from_array(size.unwrap_or([1600, 1100]).map(f64::from));
-        let text = (size.x / LETTERS).min(size.y / LINES).max(7.0);
+        let text = (size / EMS).min_element().max(7.0);
         let drawing = lay_out_scan(&self.scan, self.step, size, &PlotStyle { paper, text, titled: true });
         let title = format!("The scan line in slow motion: {}", self.scan.caption(self.step));
         Some(Figure::Drawing { drawing, title })
     }
 }
 
-/// Of polygons with more edges the table holds the active ones alone.
-const MOST_EDGES: usize = 64;
+/// How P, Q or a pixel is found: one linear interpolation, with its numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mix<'a> {
+    /// `P on P₁P₂`, `Pixel (3, 4)`.
+    pub name: String,
+    /// `P`, `Q`, or nothing for the pixel.
+    pub of: &'static str,
+    /// The two points between which it lies, α = 0 first.
+    pub ends: [String; 2],
+    /// Coordinates of the first point, of what is found, and of the second one: y on an edge, x on the scan line.
+    pub places: [f64; 3],
+    /// x of what is found, pixels of the grid.
+    pub x: f64,
+    pub alpha: f64,
+    pub values: [DVec3; 2],
+    pub value: DVec3,
+    /// As stored in a picture, where it is an intensity.
+    pub stored: Option<[u8; 3]>,
+    pub pixel: Option<&'a ScanPixel>,
+}
+
+impl Mix<'_> {
+    /// `α = (7.50 − 2.00) / (14.00 − 2.00) = 0.458`.
+    pub fn alpha_text(&self) -> String {
+        let [from, here, to] = self.places.map(|place| number(place, 2));
+        format!("α = ({here} − {from}) / ({to} − {from}) = {}", number(self.alpha, 3))
+    }
+
+    /// `I(P) = (1−α)·I(P₁) + α·I(P₂)`.
+    pub fn formula(&self, letter: &str) -> String {
+        let [a, b] = &self.ends;
+        let of = if self.of.is_empty() { String::new() } else { format!("({})", self.of) };
+        format!("{letter}{of} = (1−α)·{letter}({a}) + α·{letter}({b})")
+    }
+
+    /// The formula with the numbers of one component.
+    pub fn row(&self, component: usize) -> String {
+        let bracketed = |value: f64| {
+            let text = number(value, 4);
+            if text.starts_with('−') { format!("({text})") } else { text }
+        };
+        let [a, b] = self.values.map(|value| bracketed(value[component]));
+        let [rest, alpha] = [1.0 - self.alpha, self.alpha].map(|share| number(share, 3));
+        format!("{rest}·{a} + {alpha}·{b} = {}", number(self.value[component], 4))
+    }
+
+    /// Everything that is said of it, a line each; a component's name ends at a tabulator.
+    pub fn lines(&self, scan: &Scan) -> Vec<String> {
+        let mut lines = vec![self.alpha_text()];
+        if scan.carried == Carried::Constant {
+            lines.push(format!("I = {}", triple(self.value)));
+        } else {
+            lines.push(self.formula(scan.carried.letter()));
+            let components = scan.carried.components().into_iter().enumerate();
+            lines.extend(components.map(|(index, name)| format!("{name}\t{}", self.row(index))));
+        }
+        let Some(pixel) = self.pixel else { return lines };
+        lines.extend(scan.intensity_words(pixel));
+        lines.push(format!("{}:", scan.compared.name()));
+        lines.push(format!("I = {}", triple(pixel.barycentric)));
+        lines.push(format!("difference {}", triple(pixel.intensity - pixel.barycentric)));
+        let [r, g, b] = pixel.stored;
+        lines.push(format!("stored {r}, {g}, {b}"));
+        lines
+    }
+}
+
+impl Carried {
+    /// The letter of what is carried.
+    pub const fn letter(self) -> &'static str {
+        if matches!(self, Self::Normal) { "N" } else { "I" }
+    }
+
+    /// What its three components are called.
+    pub const fn components(self) -> [&'static str; 3] {
+        if matches!(self, Self::Normal) { ["x", "y", "z"] } else { ["r", "g", "b"] }
+    }
+}
+
+impl Rule {
+    /// In words.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Affine => "barycentric, affine",
+            Self::Perspective => "barycentric, perspective-correct",
+        }
+    }
+}
 
 impl Scan {
-    /// What has been found up to a step on its scan line: P, Q and the pixel, with what barycentric interpolation gives it.
-    pub fn found_table(&self, step: usize) -> Table {
+    /// The name of an edge by its corners, the upper one first.
+    pub fn edge_name(&self, edge: usize) -> String {
+        self.edges[edge].corners.map(corner_name).concat()
+    }
+
+    /// The names of the edges that a line crosses.
+    pub fn active_edges(&self, line: &ScanLine) -> String {
+        line.active.iter().map(|edge| self.edge_name(*edge)).collect::<Vec<_>>().join(", ")
+    }
+
+    /// What has been found up to a step on its scan line: P, Q and the pixel.
+    pub fn found(&self, step: usize) -> Vec<Mix<'_>> {
         let point = self.at(step);
+        let crossings = [("P", point.p), ("Q", point.q)].into_iter();
+        let mut found: Vec<Mix<'_>> =
+            crossings.filter_map(|(of, crossing)| Some(self.crossing_mix(point.line, crossing?, of))).collect();
+        if let (Some(ScanSpan { p, q, .. }), Some(pixel)) = (point.span, point.pixel) {
+            let x = f64::from(pixel.x) + 0.5;
+            found.push(Mix {
+                name: format!("Pixel ({}, {})", pixel.x, point.line.y),
+                of: "",
+                ends: ["P".to_owned(), "Q".to_owned()],
+                places: [p.x, x, q.x],
+                x,
+                alpha: pixel.alpha,
+                values: [p.value, q.value],
+                value: pixel.value,
+                stored: Some(pixel.stored),
+                pixel: Some(pixel),
+            });
+        }
+        found
+    }
+
+    fn crossing_mix(&self, line: &ScanLine, crossing: &Crossing, of: &'static str) -> Mix<'_> {
+        let edge = &self.edges[crossing.edge];
+        Mix {
+            name: format!("{of} on {}", self.edge_name(crossing.edge)),
+            of,
+            ends: edge.corners.map(corner_name),
+            places: [edge.y_top, line.at(), edge.y_bottom],
+            x: crossing.x,
+            alpha: crossing.alpha,
+            values: edge.corners.map(|corner| self.corners[corner].value),
+            value: crossing.value,
+            stored: crossing.stored,
+            pixel: None,
+        }
+    }
+
+    /// What stands at a step, in a phrase.
+    pub fn caption(&self, step: usize) -> String {
+        let line = self.at(step).line;
+        match self.found(step).pop() {
+            Some(Mix { pixel: Some(pixel), .. }) => format!("pixel ({}, {})", pixel.x, line.y),
+            Some(mix) => format!("scan line {}: {}", line.y, mix.name),
+            None => format!("scan line {}: active edges {}", line.y, self.active_edges(line)),
+        }
+    }
+
+    /// How a pixel comes to its intensity from an interpolated normal, a line each; nothing where intensities are interpolated.
+    pub fn intensity_words(&self, pixel: &ScanPixel) -> Vec<String> {
+        if self.carried != Carried::Normal {
+            return Vec::new();
+        }
+        let unit = if self.renormalise { "made 1 before" } else { "left so for" };
+        let length = number(pixel.value.length(), 4);
+        vec![format!("|N| = {length}, {unit} the equation"), format!("I = {}", triple(pixel.intensity))]
+    }
+
+    /// What has been found up to a step, with what barycentric interpolation gives the pixel.
+    pub fn found_table(&self, step: usize) -> Table {
         let [a, b, c] = self.carried.components();
         let show = |value: f64| number(value, 4);
         let mut table = Table::new(["", "α", a, b, c].map(|head| Column::shown(head, show)));
         let mut row = |name: &str, alpha: Option<f64>, value: DVec3| {
             table.rows.push(cells![name, alpha, value.x, value.y, value.z]);
         };
-        for (letter, crossing) in [("P", point.p), ("Q", point.q)] {
-            if let Some(crossing) = crossing {
-                let name = format!("{letter} on {}", self.edge_name(crossing.edge));
-                row(&name, Some(crossing.alpha), crossing.value);
-            }
-        }
-        if let Some(pixel) = point.pixel {
-            row("pixel", Some(pixel.alpha), pixel.value);
+        for mix in self.found(step) {
+            row(if mix.pixel.is_some() { "pixel" } else { &mix.name }, Some(mix.alpha), mix.value);
+            let Some(pixel) = mix.pixel else { continue };
             if self.carried == Carried::Normal {
                 row("I (r, g, b)", None, pixel.intensity);
             }
@@ -172,29 +326,14 @@ impl Scan {
     }
 }
 
-/// The pixels, a row each.
-fn pixel_table(scan: &Scan) -> Table {
-    let columns = "y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,barycentric_r,barycentric_g,barycentric_b";
-    let mut table = Table::new(columns.split(',').map(Column::key));
-    for line in &scan.lines {
-        for ScanSpan { p, q, pixels } in &line.spans {
-            table.rows.extend(pixels.iter().map(|pixel| {
-                let [[r, g, b], [br, bg, bb]] = [pixel.intensity, pixel.barycentric].map(|color| color.to_array());
-                cells![line.y, pixel.x, p.x, q.x, p.alpha, q.alpha, pixel.alpha, r, g, b, br, bg, bb]
-            }));
-        }
-    }
-    table
+/// A number with so many decimals and a true minus sign.
+fn number(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    // What rounds to nothing has no sign.
+    let zero = text.trim_start_matches('-').chars().all(|digit| digit == '0' || digit == '.');
+    if zero { text.trim_start_matches('-').to_owned() } else { text.replace('-', "−") }
 }
 
-fn write_mix(section: &mut Section, scan: &Scan, mix: &Mix) {
-    section.line(format!("  {}", mix.alpha_text()));
-    if scan.carried == Carried::Constant {
-        section.line(format!("  I = {}, the polygon's own", triple(mix.value, 4)));
-        return;
-    }
-    section.line(format!("  {}", mix.formula(scan.carried.letter())));
-    for (index, component) in scan.carried.components().into_iter().enumerate() {
-        section.line(format!("  {component}: {}", mix.row(index)));
-    }
+fn triple(value: DVec3) -> String {
+    value.to_array().map(|part| number(part, 4)).join(", ")
 }

@@ -1,18 +1,9 @@
 //! What the profile's tab compares, which is kept between two sessions.
 
 use crate::analysis::{Perception, ProfileQuestion, Viewing};
-use crate::scene::ShadingMode;
+use crate::scene::{Choice, ShadingMode};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
-
-/// The modes to choose from, in the order in which they are shown.
-pub const MODES: [(ShadingMode, &str); 5] = [
-    (ShadingMode::Flat, "Flat"),
-    (ShadingMode::Interpolated, "Interp."),
-    (ShadingMode::Gouraud, "Gouraud"),
-    (ShadingMode::Phong, "Phong"),
-    (ShadingMode::Exact, "Exact"),
-];
 
 /// What is compared and how it is looked at.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -36,7 +27,7 @@ impl ProfileLook {
     /// The same with what is out of bounds put back to its default, each mode at most once.
     pub fn sound(self) -> Self {
         let Self { modes, viewing, perception, perceived } = self;
-        let modes = MODES.into_iter().map(|(mode, _)| mode).filter(|mode| modes.contains(mode)).collect();
+        let modes = ShadingMode::VALUES.iter().copied().filter(|mode| modes.contains(mode)).collect();
         Self { modes, viewing: viewing.sound(), perception: perception.sound(), perceived }
     }
 

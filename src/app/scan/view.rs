@@ -27,11 +27,10 @@ pub struct ScanView {
     /// The revision of the engine that was last looked at, and the rows.
     seen: Option<(u64, u32)>,
     taken: Option<Taken>,
-    laid_out: Option<(LaidOut, Drawing)>,
+    /// The step, the style, the width and the greatest height that the drawing was laid out for.
+    laid_out: Option<(usize, PlotStyle, [f32; 2])>,
+    pub drawing: Option<Drawing>,
 }
-
-/// What a drawing was laid out for: the step, the style, and the width and greatest height.
-type LaidOut = (usize, PlotStyle, [f32; 2]);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Playing {
@@ -49,20 +48,13 @@ struct Taken {
     model: Option<Arc<Mesh>>,
     face: u32,
     rows: u32,
-    answer: Result<Scan, String>,
+    answer: Result<Arc<Scan>, String>,
 }
 
 impl Default for ScanView {
     fn default() -> Self {
-        Self {
-            rows: Scan::USUAL_ROWS,
-            speed: 4.0,
-            step: 0,
-            playing: Playing::No,
-            seen: None,
-            taken: None,
-            laid_out: None,
-        }
+        let (rows, playing) = (Scan::USUAL_ROWS, Playing::No);
+        Self { rows, speed: 4.0, step: 0, playing, seen: None, taken: None, laid_out: None, drawing: None }
     }
 }
 
@@ -85,14 +77,13 @@ impl ScanView {
             return;
         };
         let before = self.taken.take().filter(|taken| taken.face == face && same_model(taken.model.as_ref(), model));
-        if let Some(same) = before.as_ref().filter(|taken| taken.rows == self.rows && taken.scene == *scene) {
-            debug_assert_eq!(same.face, face);
+        if before.as_ref().is_some_and(|taken| taken.rows == self.rows && taken.scene == *scene) {
             self.taken = before;
             return;
         }
         self.laid_out = None;
         let Some(answer) = engine.scan(face, self.rows) else { return };
-        let answer = answer.map_err(|error| error.to_string());
+        let answer = answer.map(Arc::new).map_err(|error| error.to_string());
         if let Ok(scan) = &answer {
             let old = before.as_ref().and_then(|taken| taken.answer.as_ref().ok());
             self.step = match (old, engine.probed()) {
@@ -108,13 +99,13 @@ impl ScanView {
     }
 
     /// The scan, or why there is none; nothing where there is no polygon.
-    pub fn scan(&self) -> Option<&Result<Scan, String>> {
+    pub fn scan(&self) -> Option<&Result<Arc<Scan>, String>> {
         self.taken.as_ref().map(|taken| &taken.answer)
     }
 
     /// The scan, where there is one.
     pub fn ready(&self) -> Option<&Scan> {
-        self.scan()?.as_ref().ok()
+        self.scan()?.as_deref().ok()
     }
 
     /// The step it stands at.
@@ -134,32 +125,29 @@ impl ScanView {
 
     /// Goes by a way.
     pub fn walk(&mut self, walk: Walk) {
-        let Some(Ok(scan)) = self.taken.as_ref().map(|taken| &taken.answer) else { return };
-        let (step, last) = (self.step.min(scan.last()), scan.last());
+        let Some(scan) = self.ready() else { return };
+        let (step, last, plays) = (self.step(), scan.last(), walk == Walk::Play && !self.is_playing());
         let to = match walk {
             Walk::First => 0,
             Walk::Back(level) => scan.back(step, level),
             Walk::Forward(level) => scan.forward(step, level),
             Walk::Last => last,
-            Walk::Play if step == last && !self.is_playing() => 0,
+            Walk::Play if step == last && plays => 0,
             Walk::Play => step,
         };
-        let plays = walk == Walk::Play && !self.is_playing();
         self.go_to(to);
         self.playing = if plays { Playing::Begins } else { Playing::No };
     }
 
     /// Takes the steps that are due, and asks for a frame when the next one is; for none where nothing plays.
     pub fn play(&mut self, ctx: &Context) {
-        if self.playing == Playing::No {
-            return;
-        }
         let Some(last) = self.ready().map(Scan::last) else { return };
         let (now, gap) = (ctx.input(|input| input.time), 1.0 / self.speed);
         let mut due = match self.playing {
+            Playing::No => return,
+            Playing::Begins => now + gap,
             Playing::Until(due) if now - due <= PAUSED => due,
             Playing::Until(_) => now,
-            _ => now + gap,
         };
         while due <= now && self.step < last {
             self.step += 1;
@@ -175,20 +163,14 @@ impl ScanView {
 
     /// Draws what stands at the step, if it is another than before.
     pub fn lay_out(&mut self, room: [f32; 2], style: PlotStyle) {
-        let key = (self.step(), style, room);
-        if self.laid_out.as_ref().is_some_and(|(kept, _)| *kept == key) {
+        let key = Some((self.step(), style, room));
+        if self.laid_out == key {
             return;
         }
-        let drawing = self.ready().map(|scan| {
+        self.laid_out = key;
+        self.drawing = self.ready().map(|scan| {
             let [width, tallest] = room.map(f64::from);
-            let size = scan_room(scan, width, tallest, &style);
-            lay_out_scan(scan, key.0, size, &style)
+            lay_out_scan(scan, self.step(), scan_room(scan, width, tallest, &style), &style)
         });
-        self.laid_out = drawing.map(|drawing| (key, drawing));
-    }
-
-    /// The drawing last laid out.
-    pub fn drawing(&self) -> Option<&Drawing> {
-        self.laid_out.as_ref().map(|(_, drawing)| drawing)
     }
 }

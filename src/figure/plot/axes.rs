@@ -1,6 +1,7 @@
 //! Round numbers for an axis.
 
 use super::data::Axis;
+use crate::figure::text::raised;
 
 /// Steps of degrees that divide a right angle.
 const DEGREES: [f64; 6] = [5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
@@ -65,90 +66,28 @@ pub fn round_up(value: f64) -> f64 {
 
 fn written(value: f64, step: f64, degrees: bool) -> String {
     let decimals = (-(step * (1.0 + 1e-9)).log10().floor()).clamp(0.0, 12.0) as usize;
-    let text = if value == 0.0 {
-        "0".to_owned()
-    } else if !(1e-4..1e6).contains(&step) {
-        scientific(value)
-    } else {
-        format!("{value:.decimals$}")
-    };
     let unit = if degrees { "°" } else { "" };
-    text.replace('-', "−") + unit
+    number(value, decimals, (1e-4..1e6).contains(&step)) + unit
 }
 
 /// A number with three significant digits, a true minus sign, and no more zeros than it needs.
 pub fn short(value: f64) -> String {
     let size = value.abs();
-    let text = if value == 0.0 {
-        "0".to_owned()
-    } else if !(1e-3..1e5).contains(&size) {
-        scientific(value)
-    } else {
-        let decimals = (2 - size.log10().floor() as i32).clamp(0, 5) as usize;
-        format!("{value:.decimals$}")
-    };
-    text.replace('-', "−")
+    let decimals = 2i32.saturating_sub(size.log10().floor() as i32).clamp(0, 5) as usize;
+    number(value, decimals, (1e-3..1e5).contains(&size))
+}
+
+fn number(value: f64, decimals: usize, plain: bool) -> String {
+    match plain {
+        _ if value == 0.0 => "0".to_owned(),
+        true => format!("{value:.decimals$}").replace('-', "−"),
+        false => scientific(value),
+    }
 }
 
 /// A number as the textbooks write very small and very large ones: 1.2·10⁻⁷.
 fn scientific(value: f64) -> String {
     let text = format!("{value:.1e}");
     let Some((mantissa, exponent)) = text.split_once('e') else { return text };
-    let raised = exponent.chars().map(|digit| match digit {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        digit => digit.to_digit(10).and_then(|value| char::from_u32(u32::from('⁰') + value)).unwrap_or(digit),
-    });
-    format!("{}·10{}", mantissa.replace('-', "−"), raised.collect::<String>())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn texts(axis: &Axis, room: f64) -> Vec<String> {
-        ticks(axis, room).into_iter().map(|(_, text)| text).collect()
-    }
-
-    #[test]
-    fn ticks_are_round_numbers_within_the_axis() {
-        assert_eq!(texts(&Axis::new("", 0.0, 1.0), 6.0), ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-        assert_eq!(texts(&Axis::new("", 0.0, 3.7), 5.0), ["0", "1", "2", "3"]);
-        assert_eq!(texts(&Axis::new("", 0.0, 0.031), 4.0), ["0", "0.01", "0.02", "0.03"]);
-        assert_eq!(texts(&Axis::new("", 0.0, 2e7), 3.0), ["0", "1.0·10⁷", "2.0·10⁷"]);
-        assert_eq!(texts(&Axis::degrees("", -90.0, 90.0), 8.0), ["−90°", "−60°", "−30°", "0°", "30°", "60°", "90°"]);
-    }
-
-    #[test]
-    fn decades_are_divided_as_far_as_there_is_room() {
-        let axis = Axis::decades("", -1.1, 1.2);
-        assert_eq!(texts(&axis, 7.0), ["0.1", "0.2", "0.5", "1", "2", "5", "10"]);
-        assert_eq!(texts(&axis, 5.0), ["0.1", "0.3", "1", "3", "10"]);
-        assert_eq!(texts(&axis, 3.0), ["0.1", "1", "10"]);
-        assert_eq!(texts(&Axis::decades("", -5.5, -2.5), 3.0), ["10⁻⁵", "10⁻⁴", "0.001"]);
-        assert_eq!(texts(&Axis::decades("", -6.0, 6.0), 6.0), ["10⁻⁶", "10⁻⁴", "0.01", "1", "100", "10000", "10⁶"]);
-    }
-
-    #[test]
-    fn an_axis_without_extent_has_no_ticks() {
-        for (low, high) in [(1.0, 1.0), (0.0, f64::INFINITY), (0.0, f64::NAN), (2.0, 1.0)] {
-            assert!(ticks(&Axis::new("", low, high), 5.0).is_empty());
-        }
-    }
-
-    #[test]
-    fn any_number_is_rounded_up_by_less_than_a_factor_of_two_and_a_half() {
-        for value in [1e-9, 0.2, 0.21, 1.0, 3.3, 9.99, 10.0, 1.7e12] {
-            let round = round_up(value);
-            assert!((0.999_999..2.51).contains(&(round / value)), "{value}: {round}");
-        }
-    }
-
-    #[test]
-    fn numbers_keep_three_digits() {
-        let texts = [0.0, 1.0, -0.123_46, 12.345, 1005.0, 0.001_234, 1e-7, 4e18].map(short);
-        assert_eq!(texts, ["0", "1.00", "−0.123", "12.3", "1005", "0.00123", "1.0·10⁻⁷", "4.0·10¹⁸"]);
-    }
+    format!("{}·10{}", mantissa.replace('-', "−"), raised(exponent.parse().unwrap_or(0)))
 }

@@ -64,6 +64,19 @@ pub struct Plot {
 }
 
 impl Plot {
+    /// A plot without marks, over the axes of x and y.
+    pub fn new(
+        kind: PlotKind,
+        title: impl Into<String>,
+        note: impl Into<String>,
+        [x, y]: [Axis; 2],
+        curves: Vec<Curve>,
+    ) -> Self {
+        let (title, note) = (title.into(), note.into());
+        let (legend, marks, directions, borders, points) = (vec![], vec![], vec![], vec![], vec![]);
+        Self { kind, title, note, x, y, curves, legend, marks, directions, borders, points }
+    }
+
     /// The curve of that name.
     pub fn curve(&self, name: &str) -> Option<&Curve> {
         self.curves.iter().find(|curve| curve.name == name)
@@ -79,13 +92,8 @@ pub struct Axis {
     /// Whether it measures degrees, whose round numbers are multiples of 15.
     pub degrees: bool,
     /// Whether values are logarithms to the base 10 of what it measures, which is what its ticks say.
-    #[serde(skip_serializing_if = "is_not")]
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub decades: bool,
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
-fn is_not(value: &bool) -> bool {
-    !value
 }
 
 impl Axis {

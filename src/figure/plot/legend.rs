@@ -1,9 +1,9 @@
 //! The legend: a line a curve, beside the plot or below it.
 
-use super::data::Plot;
-use super::{PlotStyle, dashes};
-use crate::figure::drawing::{Drawing, Shape, Text, width_of};
-use crate::figure::labels::Area;
+use super::sheet::Sheet;
+use crate::figure::area::Area;
+use crate::figure::drawing::width_of;
+use crate::figure::palette::Rgb8;
 use glam::DVec2;
 
 /// Length of a line's sample, and the gaps after it and before the notes, in ems.
@@ -23,9 +23,9 @@ pub struct Legend {
 }
 
 impl Legend {
-    /// Finds room for the legend of `plot` in `room`; returns the rest.
-    pub fn new(plot: &Plot, room: Area, style: &PlotStyle) -> (Self, Area) {
-        let em = style.text;
+    /// Finds room for the legend of a plot in `room`; returns the rest.
+    pub fn new(sheet: &Sheet<'_>, room: Area) -> (Self, Area) {
+        let (plot, em) = (sheet.plot, sheet.em);
         let widest = |texts: &mut dyn Iterator<Item = &str>| texts.map(|text| width_of(text, em)).fold(0.0, f64::max);
         let mut width = (SAMPLE + GAPS[0]) * em + widest(&mut plot.curves.iter().map(|curve| curve.name.as_str()));
         let mut columns = Vec::new();
@@ -38,7 +38,9 @@ impl Legend {
         if plot.curves.len() < 2 && columns.is_empty() {
             return (Self { min: room.min, columns, shown: false }, room);
         }
-        let size = DVec2::new(width, LINE * em * lines(plot));
+        #[expect(clippy::cast_precision_loss, reason = "a plot has few curves")]
+        let lines = (plot.curves.len() + usize::from(!plot.legend.is_empty())) as f64;
+        let size = DVec2::new(width, LINE * em * lines);
         let whole = room.max - room.min;
         let beside = size.x <= BESIDE[0] * whole.x && whole.x >= BESIDE[1] * whole.y;
         let mut rest = room;
@@ -53,40 +55,28 @@ impl Legend {
     }
 
     /// Draws it.
-    pub fn draw(&self, drawing: &mut Drawing, plot: &Plot, style: &PlotStyle) {
+    pub fn draw(&self, sheet: &mut Sheet<'_>) {
         if !self.shown {
             return;
         }
-        let (em, paper) = (style.text, &style.paper);
-        let names = self.min.x + (SAMPLE + GAPS[0]) * em;
-        let mut baseline = self.min.y + em;
-        let cells = |texts: &[String], baseline: f64, size: f64, colour| {
-            let placed = self.columns.iter().zip(texts);
-            let cell = |(right, text): (&f64, &String)| {
-                Text::new(text, DVec2::new(self.min.x + right, baseline), size, colour).aligned(1.0)
-            };
-            placed.map(cell).collect::<Vec<_>>()
-        };
+        let (em, paper, plot) = (sheet.em, sheet.paper, sheet.plot);
+        let mut at = self.min + DVec2::new(0.0, em);
         if !plot.legend.is_empty() {
-            drawing.texts.extend(cells(&plot.legend, baseline, 0.92 * em, paper.weak));
-            baseline += LINE * em;
+            self.cells(sheet, &plot.legend, at, 0.92, paper.weak);
+            at.y += LINE * em;
         }
         for curve in &plot.curves {
-            let middle = baseline - 0.33 * em;
-            let ends = vec![DVec2::new(self.min.x, middle), DVec2::new(self.min.x + SAMPLE * em, middle)];
-            let sample = Shape::line(ends, style.curve(curve.emphasised), paper.line(curve.ink));
-            drawing.shapes.push(sample.dashed(dashes(curve.dash)));
-            let colour = paper.letters(curve.ink);
-            let strong = curve.emphasised;
-            let name = Text::new(&curve.name, DVec2::new(names, baseline), em, colour);
-            drawing.texts.push(Text { strong, ..name });
-            drawing.texts.extend(cells(&curve.notes, baseline, em, paper.text));
-            baseline += LINE * em;
+            sheet.curve(curve, &[0.0, SAMPLE].map(|x| at + DVec2::new(x, -0.33) * em));
+            let name = at + DVec2::new((SAMPLE + GAPS[0]) * em, 0.0);
+            sheet.text(&curve.name, name, 1.0, paper.letters(curve.ink), 0.0).strong = curve.emphasised;
+            self.cells(sheet, &curve.notes, at, 1.0, paper.text);
+            at.y += LINE * em;
         }
     }
-}
 
-#[expect(clippy::cast_precision_loss, reason = "a plot has few curves")]
-fn lines(plot: &Plot) -> f64 {
-    (plot.curves.len() + usize::from(!plot.legend.is_empty())) as f64
+    fn cells(&self, sheet: &mut Sheet<'_>, texts: &[String], at: DVec2, size: f64, colour: Rgb8) {
+        for (right, text) in self.columns.iter().zip(texts) {
+            sheet.text(text, at + DVec2::new(*right, 0.0), size, colour, 1.0);
+        }
+    }
 }

@@ -77,20 +77,10 @@ impl PlotStyle {
         let text = (room.x / 38.0).min(room.y / 27.0).max(7.0);
         Self { paper, text, titled: true }
     }
-
-    /// The width of a curve.
-    pub(super) fn curve(&self, emphasised: bool) -> f64 {
-        if emphasised { 0.19 * self.text } else { 0.125 * self.text }
-    }
-
-    /// The width of an axis.
-    pub(super) fn axis(&self) -> f64 {
-        0.08 * self.text
-    }
 }
 
 /// Lengths of dashes and gaps in turn, in widths of the line.
-pub(super) fn dashes(dash: Dash) -> &'static [f32] {
+pub fn dashes(dash: Dash) -> &'static [f32] {
     match dash {
         Dash::Solid => &[],
         Dash::Long => &[9.0, 3.0],

@@ -5,9 +5,8 @@ use super::{angles, construction, lobe, side, vectors};
 use crate::analysis::overlay::Sketch;
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
 use crate::analysis::{LightTerms, ProbeHit, ReflectionLobe};
-use crate::figure::Area;
-use crate::figure::Shape;
 use crate::figure::palette::Vector;
+use crate::figure::{Area, Shape, lowered};
 use crate::scene::{Backfacing, ReflectionModel, Scene};
 use glam::DVec3;
 
@@ -144,12 +143,6 @@ impl<'a> Equation<'a> {
 
     /// The light's number below the line, where there are several lights.
     fn subscript(&self, light: Option<usize>) -> String {
-        let number =
-            light.filter(|_| self.hit.lights.len() > 1).map_or_else(String::new, |index| (index + 1).to_string());
-        let lowered = |digit: char| {
-            let value = digit.to_digit(10).unwrap_or(0);
-            char::from_u32(u32::from('₀') + value).unwrap_or(digit)
-        };
-        number.chars().map(lowered).collect()
+        light.filter(|_| self.hit.lights.len() > 1).map_or_else(String::new, |index| lowered(index + 1))
     }
 }

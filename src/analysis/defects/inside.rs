@@ -1,0 +1,181 @@
+//! Defects inside the outline: the perspective distortion, the dependence on orientation, and unrepresentative vertex normals.
+
+use super::{Finding, interpolates};
+use crate::analysis::perception::pixel_luminance;
+use crate::analysis::{ErrorFigures, LinearPicture, error_figures, luminance, probe};
+use crate::illumination::Equation;
+use crate::render::Renderer;
+use crate::scene::{Interpolation, NormalSource, Projection, Rgb, Scene, ShadingMode, View};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Degrees between two samples of a turning picture.
+const STEP: u32 = 3;
+/// Sides of the pictures that are turned: places in them differ by at least 1/256 of a pixel.
+const SIDE: u32 = 256;
+/// Faces that one task looks at.
+const CHUNK: usize = 4096;
+
+/// What interpolation in the picture does to what is linear in space.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PerspectiveDistortion {
+    /// What is compared with perspective-correct interpolation: the scene's own, or affine where that is the scene's.
+    pub interpolation: Interpolation,
+    /// The difference over the picture.
+    pub error: ErrorFigures,
+}
+
+pub fn perspective(renderer: &mut Renderer, scene: &Scene) -> Finding<PerspectiveDistortion> {
+    interpolates(scene)?;
+    if scene.camera.projection == Projection::Orthographic {
+        return Err("a parallel projection distorts nothing");
+    }
+    let interpolation = match scene.shading.interpolation {
+        Interpolation::Perspective => Interpolation::Affine,
+        other => other,
+    };
+    let [own, correct] = [interpolation, Interpolation::Perspective].map(|interpolation| {
+        let mut other = scene.clone();
+        other.shading.interpolation = interpolation;
+        renderer.linear_picture(&other)
+    });
+    let picture = |pixels| LinearPicture { width: scene.image.size[0], pixels, clamps: scene.clamps() };
+    Ok(PerspectiveDistortion { interpolation, error: error_figures(picture(&own), picture(&correct)) })
+}
+
+/// How the shade of one point changes while the picture is turned.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Orientation {
+    /// What is followed, world.
+    pub point: DVec3,
+    /// The picture's own roll, degrees from 0 to 360.
+    pub roll: f64,
+    /// The luminance at the point for every roll.
+    pub samples: Vec<Turned>,
+    /// Difference between the greatest and the least value along the scan line, and with barycentric weights.
+    pub spread: [f64; 2],
+}
+
+/// One orientation of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Turned {
+    /// The camera's roll, degrees.
+    pub angle: f64,
+    /// By scan-line interpolation; nothing where the point is not seen.
+    pub scanline: Option<f64>,
+    /// By barycentric weights.
+    pub barycentric: Option<f64>,
+}
+
+pub fn orientation(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -> Finding<Orientation> {
+    interpolates(scene)?;
+    let missed = "the probe sees the background";
+    let point = probe(renderer, scene, pixel[0], pixel[1]).hit.ok_or(missed)?.position;
+    let triangle = renderer.triangle_at(pixel).ok_or(missed)?;
+    let mut turned = scene.clone();
+    turned.image.size = [SIDE; 2];
+    // Shadows would be those of the small picture's pixels.
+    turned.shading.shadows = false;
+    let equation = renderer.shining_equation(&turned);
+    let samples: Vec<Turned> = (0..=360 / STEP)
+        .map(|step| {
+            let angle = f64::from(step * STEP);
+            turned.camera.roll = angle;
+            let [scanline, barycentric] = [Interpolation::Scanline, Interpolation::Affine].map(|interpolation| {
+                turned.shading.interpolation = interpolation;
+                turned_value(renderer, &turned, &equation, triangle, point)
+            });
+            Turned { angle, scanline, barycentric }
+        })
+        .collect();
+    let spread = |of: fn(&Turned) -> Option<f64>| {
+        let values = samples.iter().filter_map(of);
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        (high - low).max(0.0)
+    };
+    let spread = [spread(|turned| turned.scanline), spread(|turned| turned.barycentric)];
+    Ok(Orientation { point, roll: scene.camera.roll.rem_euclid(360.0), samples, spread })
+}
+
+/// The luminance of `point`, which lies on `triangle`, in a turned picture. The triangle that is seen there is the same in all.
+fn turned_value(
+    renderer: &Renderer,
+    turned: &Scene,
+    equation: &Equation<f64>,
+    triangle: u32,
+    point: DVec3,
+) -> Option<f64> {
+    let (place, _) = View::new(&turned.camera, turned.image.size).project(point)?;
+    let inside = place.cmpge(DVec2::ZERO).all() && place.max_element() < f64::from(SIDE);
+    let intensity = renderer.intensity_turned(turned, equation, triangle, place).filter(|_| inside)?;
+    Some(luminance(intensity.max(Rgb::ZERO)))
+}
+
+/// How well vertex normals stand for the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct VertexNormals {
+    /// Greatest angle between a face and a vertex normal that it is shaded with, degrees.
+    pub greatest_angle: f64,
+    /// Its mean over the corners of all faces.
+    pub mean_angle: f64,
+    /// Standard deviation of the luminance over the object, in the picture.
+    pub contrast: f64,
+    /// The same in the true picture.
+    pub true_contrast: f64,
+}
+
+pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexNormals> {
+    match scene.shading.mode {
+        ShadingMode::Gouraud | ShadingMode::Phong => {}
+        ShadingMode::Flat | ShadingMode::Interpolated => return Err("this shading uses the polygons' own normals"),
+        ShadingMode::Exact => return Err("exact shading uses the surface's own normals"),
+    }
+    let own_contrast = contrast(renderer, scene).ok_or("the object is not in the picture")?;
+    let mesh = renderer.mesh_shown();
+    let vertices = mesh.with_vertex_normals(scene.object.normals, scene.object.weighting);
+    let normals = &vertices.normals;
+    let of_face = |f: usize| {
+        let face = mesh.face_normal(f);
+        vertices.face(f).iter().filter(move |_| face.length_squared() > 0.0).map(move |&vertex| {
+            let normal = normals[vertex as usize].as_dvec3();
+            face.cross(normal).length().atan2(face.dot(normal)).to_degrees()
+        })
+    };
+    let chunks = (0..mesh.face_count()).into_par_iter().step_by(CHUNK).map(|first| {
+        let angles = (first..(first + CHUNK).min(mesh.face_count())).flat_map(of_face);
+        angles.fold((0.0f64, 0.0, 0u32), |(most, sum, count), angle| (most.max(angle), sum + angle, count + 1))
+    });
+    // Added in the order of the faces, whichever was done first.
+    let chunks: Vec<(f64, f64, u32)> = chunks.collect();
+    let add = |a: (f64, f64, u32), b: &(f64, f64, u32)| (a.0.max(b.0), a.1 + b.1, a.2 + b.2);
+    let (greatest_angle, sum, count) = chunks.iter().fold((0.0, 0.0, 0), add);
+    let mut truth = scene.clone();
+    truth.shading.mode = ShadingMode::Exact;
+    if !renderer.shows_surface(&truth) {
+        // Beyond its polygons such an object is nothing: each has its own normal.
+        truth.shading.mode = ShadingMode::Phong;
+        truth.object.normals = NormalSource::Facet;
+    }
+    let true_contrast = contrast(renderer, &truth).unwrap_or_default();
+    Ok(VertexNormals {
+        greatest_angle,
+        mean_angle: sum / f64::from(count.max(1)),
+        contrast: own_contrast,
+        true_contrast,
+    })
+}
+
+/// Standard deviation of the luminance over the pixels that show the object.
+fn contrast(renderer: &mut Renderer, scene: &Scene) -> Option<f64> {
+    let (mut count, mut mean, mut squares) = (0.0, 0.0, 0.0);
+    for pixel in renderer.linear_picture(scene).iter().filter(|pixel| pixel[3] > 0.0) {
+        // Welford 1962: the mean and the squares about it in one pass.
+        let value = pixel_luminance(pixel);
+        count += 1.0;
+        let off = value - mean;
+        mean += off / count;
+        squares += off * (value - mean);
+    }
+    (count > 0.0).then(|| (squares / count).sqrt())
+}

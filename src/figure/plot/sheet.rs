@@ -1,0 +1,98 @@
+//! What the parts of a plot are drawn with.
+
+use super::data::{Curve, Plot};
+use super::paper::{Paper, PlotStyle, dashes};
+use crate::figure::area::Area;
+use crate::figure::drawing::{Drawing, Shape, Text, width_of};
+use crate::figure::palette::Rgb8;
+use glam::DVec2;
+
+/// Breadth of the halo of a text that may stand on lines, in its size.
+const TEXT_HALO: f64 = 0.14;
+/// Samples nearer to the last one drawn than this are left out.
+const THINNER: f64 = 0.4;
+
+/// A plot while it is drawn. Sizes and widths are in ems.
+pub struct Sheet<'a> {
+    pub drawing: &'a mut Drawing,
+    pub plot: &'a Plot,
+    pub style: &'a PlotStyle,
+    pub em: f64,
+    pub paper: Paper,
+}
+
+impl Sheet<'_> {
+    pub fn line(&mut self, points: Vec<DVec2>, width: f64, colour: Rgb8) -> &mut Shape {
+        self.push(Shape::line(points, width * self.em, colour))
+    }
+
+    /// A thin line of the plot's frame.
+    pub fn axis(&mut self, from: DVec2, to: DVec2, colour: Rgb8) -> &mut Shape {
+        self.line(vec![from, to], 0.08, colour)
+    }
+
+    /// A curve, or the sample of one, without the points that nobody could see.
+    pub fn curve(&mut self, curve: &Curve, points: &[DVec2]) {
+        let mut kept: Vec<DVec2> = Vec::new();
+        for (index, point) in points.iter().enumerate() {
+            let end = index == 0 || index + 1 == points.len();
+            if end || kept.last().is_none_or(|last| last.distance(*point) >= THINNER) {
+                kept.push(*point);
+            }
+        }
+        let width = if curve.emphasised { 0.19 } else { 0.125 };
+        self.line(kept, width, self.paper.line(curve.ink)).dashes = dashes(curve.dash);
+    }
+
+    pub fn disc(&mut self, at: DVec2, radius: f64, colour: Rgb8) {
+        self.push(Shape::disc(at, radius * self.em, colour));
+    }
+
+    pub fn push(&mut self, shape: Shape) -> &mut Shape {
+        self.drawing.shapes.push_mut(shape)
+    }
+
+    /// Text whose part `align` lies left of `at`.
+    pub fn text(&mut self, text: impl Into<String>, at: DVec2, size: f64, colour: Rgb8, align: f64) -> &mut Text {
+        self.drawing.texts.push_mut(Text::new(text, at, size * self.em, colour).aligned(align))
+    }
+
+    /// The same with a halo, since it may stand on lines.
+    pub fn over_lines(&mut self, text: &str, at: DVec2, size: f64, colour: Rgb8, align: f64) -> &mut Text {
+        let text = self.text(text, at, size, colour, align);
+        text.halo = TEXT_HALO * text.size;
+        text
+    }
+
+    /// Title and note; returns the room below them, with a margin on all sides.
+    pub fn heading(&mut self, room: Area) -> Area {
+        let (em, paper, plot) = (self.em, self.paper, self.plot);
+        let margin = if self.style.titled { em } else { 0.0 };
+        let mut rest = Area { min: room.min + margin, max: room.max - margin };
+        if self.style.titled {
+            rest.min.y += 1.2 * em;
+            self.text(&plot.title, rest.min, 1.25, paper.text, 0.0).strong = true;
+            rest.min.y += 0.35 * em;
+        }
+        for line in wrapped(&plot.note, rest.max.x - rest.min.x, 0.92 * em) {
+            rest.min.y += 1.1 * em;
+            self.text(line, rest.min, 0.92, paper.weak, 0.0);
+            rest.min.y += 0.15 * em;
+        }
+        rest.min.y += 0.5 * em;
+        rest
+    }
+}
+
+/// `text` in lines no wider than `width`, broken at spaces.
+fn wrapped(text: &str, width: f64, size: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ').filter(|word| !word.is_empty()) {
+        let longer = lines.last().map(|line| format!("{line} {word}"));
+        match (longer.filter(|longer| width_of(longer, size) <= width), lines.last_mut()) {
+            (Some(longer), Some(line)) => *line = longer,
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
