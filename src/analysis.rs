@@ -43,9 +43,10 @@ pub use overlay::{Halo, OverlayLayer, OverlayOptions};
 pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture, luminance};
 pub use plan::{FramePlan, PlanQuestion, stage_words};
 pub use probe::{
-    Angle, Arc, Arrow, ArrowHead, Column as TermColumn, CueTerms, Factor, Here, LightHandle, LightHere, LightTerms,
-    Overlay, Probe, ProbeHit, ProbeQuestion, Probed, Product, ZeroCause, ZeroCauses, clearest_pixel, draw_overlay,
-    probe, through_words,
+    Angle, Arc, Arrow, ArrowHead, CHANNELS, CueTerms, FilledLine, FilledPart, Here, Letters, LightHandle, LightHere,
+    LightTerms, LineValue, Overlay, Probe, ProbeHit, ProbeQuestion, Probed, Product, Share, TermColumn, Tone,
+    ZeroCause, ZeroCauses, clearest_pixel, digits, digits_below, draw_overlay, equation_letters, percent,
+    plain_formula, probe, specular_vector,
 };
 pub use profile::{
     Border, CURVE, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError, ProfileQuestion, Sample,

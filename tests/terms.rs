@@ -1,6 +1,6 @@
 //! The terms of the equation as products: they multiply to what the probe has, and add up to the pixel.
 
-use shading_lab::analysis::{Factor, Here, Product, probe};
+use shading_lab::analysis::{Here, Product, clearest_pixel, digits, digits_below, probe};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Rgb, Scene, ShadingMode, presets};
 
@@ -69,6 +69,51 @@ fn a_factor_that_is_one_by_construction_is_left_out() {
     let here = Here { scene: &scene, hit: &hit };
     let light = here.lights().next().expect("a light");
     let factors = |product: Product| product.columns.into_iter().flat_map(|c| c.factors).collect::<Vec<_>>();
-    assert_eq!(factors(light.diffuse()), [Factor::Ip, Factor::Kd, Factor::Od, Factor::Facing]);
-    assert_eq!(factors(light.specular()), [Factor::Ip, Factor::Ks, Factor::Lobe]);
+    assert_eq!(factors(light.diffuse()), ["{Ip}", "{Kd}", "{Od}", "({N}·{L})"]);
+    assert_eq!(factors(light.specular()), ["{Ip}", "{Ks}", "({R}·{V}){n}"]);
+}
+
+#[test]
+fn a_column_has_one_number_of_decimals_and_chosen_numbers_keep_their_few_digits() {
+    for (values, texts) in [
+        ([0.12, 0.28, 1.0], ["0.12", "0.28", "1.00"]),
+        ([0.125, 0.5, 2.0], ["0.125", "0.500", "2.000"]),
+        ([0.812_345, 0.5, 0.25], ["0.812", "0.500", "0.250"]),
+        ([0.812_345, 0.012_345, 0.0], ["0.8123", "0.0123", "0.0000"]),
+        ([12.3456, 0.333_333, 1.0], ["12.35", "0.33", "1.00"]),
+    ] {
+        assert_eq!(digits_below(Rgb::from_array(values)), texts);
+    }
+}
+
+#[test]
+fn very_small_and_very_large_numbers_have_a_power_of_ten() {
+    for (value, text) in [
+        (0.000_012_34, "1.2·10^−5"),
+        (-1.5e20, "−1.5·10^20"),
+        (0.0, "0.0000"),
+        (0.554_4, "0.5544"),
+        (153.0, "153.0"),
+        (f64::INFINITY, "inf"),
+    ] {
+        assert_eq!(digits(value), text);
+    }
+}
+
+#[test]
+fn without_a_pixel_one_is_found_whose_vectors_are_apart() {
+    for name in ["sphere", "teapot", "torus", "three-lights"] {
+        let scene = presets::find(name).expect("a scene").scene();
+        let hit = clearest_pixel(&mut Renderer::default(), &scene).hit.expect("the object");
+        let light = hit.lights.iter().find(|light| light.n_dot_l > 0.0).expect("a light that shines");
+        for angle in [light.theta, light.phi, hit.normal.angle_between(hit.view)] {
+            assert!((15.0..=65.0).contains(&angle.to_degrees()), "{name}: {angle}");
+        }
+    }
+    let mut dark = Scene { lights: vec![], ..Scene::default() };
+    dark.image.size = [3, 2];
+    assert!(clearest_pixel(&mut Renderer::default(), &dark).hit.is_some());
+    dark.camera.target = dark.camera.eye * 2.0;
+    let missed = clearest_pixel(&mut Renderer::default(), &dark);
+    assert_eq!((missed.pixel, missed.hit.is_none()), ([1, 1], true));
 }

@@ -3,22 +3,120 @@
 //!
 //! A scene and what was probed in it come in; out go [`Plot`]s, plain data with the scene's own values marked.
 
-mod attenuation;
-mod exponent;
-mod polar;
-mod reflectance;
-mod report;
-
-pub use attenuation::{Distances, attenuation_plot};
-pub use exponent::{COURSE, exponent_plot, highlight_half_width};
-pub use polar::lobe_plot;
-pub use reflectance::{READ_AT, reflectance_plot};
-pub use report::{Curves, CurvesQuestion};
-
-use super::{Plot, PlotKind, Probe};
+use super::probe::{attenuation_law, clearest_pixel, exponent, probe};
+use super::report::{About, Answer, Part, Report};
+use super::{
+    Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Probe, ProbeHit, Question, ReflectionLobe, Subject, Tag,
+    Watch,
+};
 pub(crate) use crate::figure::short;
+use crate::illumination::{Index, attenuation_at, half_width};
 use crate::render::Renderer;
-use crate::scene::{Attenuation, Light, Reflectance, Scene};
+use crate::scene::{Attenuation, Distribution, Light, Reflectance, ReflectionModel, Rgb, Scene};
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use std::f64::consts::{FRAC_PI_2, SQRT_2};
+
+/// The exponents that the course plots, their dashes, and the heights at which their curves carry their names: where there
+/// is room between one curve and the next.
+pub const COURSE: [f64; 4] = [5.0, 15.0, 45.0, 1005.0];
+const DASHES: [Dash; 4] = [Dash::Long, Dash::Dashed, Dash::DashDot, Dash::Dotted];
+const TAGS: [f64; 4] = [0.44, 0.36, 0.28, 0.05];
+/// The angles at which the legend of W reads the curves, degrees.
+pub const READ_AT: [f64; 3] = [0.0, 45.0, 80.0];
+/// Samples of f, which crowd towards the light, and of W, which crowd near 90°: there the curves are steep.
+const SAMPLES: [u32; 2] = [480, 360];
+/// Columns and rows of the pixels among which the nearest and the farthest are sought.
+const SEARCH: u32 = 40;
+/// How far the axes of f reach beyond the scene's own distances and values.
+const BEYOND: f64 = 1.2;
+/// Even steps of an angle in a right angle, a half of a degree each.
+const EVEN: i32 = 180;
+/// Steps in which a half-width is divided, and how many of them are sampled on each side: of the lobe, and of cosⁿ φ.
+const FINE: [[i32; 2]; 2] = [[16, 80], [12, 60]];
+/// The narrowest half-width that is sampled finely; a mirror's is none at all.
+const NARROW: f64 = 1e-4;
+/// Out of the plane by less than this, degrees, V counts as in it.
+const IN_PLANE: f64 = 0.5;
+
+/// The curves of local illumination.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CurvesQuestion {
+    /// One plot; otherwise all that the scene has.
+    pub kind: Option<PlotKind>,
+    /// The pixel whose values are marked; otherwise the clearest one.
+    pub pixel: Option<[u32; 2]>,
+    /// The light whose attenuation and lobe are plotted; otherwise the first that the point faces.
+    pub light: Option<usize>,
+}
+
+/// The plots.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Curves {
+    pub pixel: [u32; 2],
+    pub light: usize,
+    pub plots: Vec<Plot>,
+}
+
+impl Curves {
+    /// The plots that have something to say for `probe`, of a picture of `scene` that `renderer` has drawn, and a light.
+    pub fn new(renderer: &Renderer, scene: &Scene, probe: &Probe, light: usize) -> Self {
+        let plot = |kind| plot(kind, renderer, scene, probe, light);
+        let plots = shown_kinds(scene, light).into_iter().filter_map(plot).collect();
+        Self { pixel: probe.pixel, light, plots }
+    }
+}
+
+impl Question for CurvesQuestion {
+    type Answer = Curves;
+
+    fn answer(&self, subject: &Subject, _: &dyn Watch<Curves>) -> Result<Curves, String> {
+        let (mut renderer, scene) = (subject.renderer(), &subject.scene);
+        let probed = match self.pixel {
+            Some([x, y]) => probe(&mut renderer, scene, x, y),
+            None => clearest_pixel(&mut renderer, scene),
+        };
+        let (pixel, count) = (probed.pixel, scene.lights.len());
+        let light = match self.light {
+            Some(light) if light >= count => {
+                let expected = if count == 0 { "no light at all".into() } else { format!("0 to {}", count - 1) };
+                return Err(format!("--light {light}: no such light in the scene, which has {expected}"));
+            }
+            Some(light) => light,
+            None => {
+                let hit = probed.hit.as_ref();
+                hit.and_then(|hit| hit.lights.iter().position(|terms| terms.n_dot_l > 0.0)).unwrap_or(0)
+            }
+        };
+        let Some(kind) = self.kind else { return Ok(Curves::new(&renderer, scene, &probed, light)) };
+        let [x, y] = pixel;
+        let missing = match (kind, &probed.hit) {
+            (PlotKind::Lobe, None) => format!("pixel {x},{y} shows the background, expected one that shows the object"),
+            (PlotKind::Lobe, Some(_)) if light < count => {
+                format!("light {light} does not reach pixel {x},{y} from the front, expected one that does")
+            }
+            _ => "the scene has no light, expected one".to_owned(),
+        };
+        let plot = plot(kind, &renderer, scene, &probed, light);
+        plot.map(|plot| Curves { pixel, light, plots: vec![plot] }).ok_or(missing)
+    }
+}
+
+impl Answer for Curves {
+    fn report(&self, about: &About<'_>) -> Report {
+        let [x, y] = self.pixel;
+        let mut report = Report::new(format!("{}, at pixel ({x}, {y})", about.name));
+        for plot in &self.plots {
+            report.section("").push(Part::Plot(plot.clone().into()));
+        }
+        report
+    }
+
+    fn json(&self, _: &About<'_>) -> Value {
+        json!(self)
+    }
+}
 
 /// The plot of that kind for `probe`, of a picture of `scene` that `renderer` has drawn, and the light of index `light`.
 /// Nothing where there is nothing to plot: no such light, or for the lobe a light that does not reach the point.
@@ -59,4 +157,313 @@ fn effective(light: &Light) -> Attenuation {
 /// An angle in degrees with one decimal.
 fn degrees(radians: f64) -> String {
     format!("{:.1}°", radians.to_degrees()).replace('-', "−")
+}
+
+/// The ink of what is specular.
+fn specular_ink(scene: &Scene) -> Ink {
+    if scene.reflection.model == ReflectionModel::Phong { Ink::R } else { Ink::H }
+}
+
+/// cos θ, 0 at a right angle: there the cosine is 6·10⁻¹⁷ in double precision.
+fn cosine(theta: f64) -> f64 {
+    if theta.abs() >= FRAC_PI_2 - 1e-15 { 0.0 } else { theta.cos() }
+}
+
+/// Angles from −90° to 90°, radians: even, and finer on both sides of some, each of which comes with its half-width.
+fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
+    let mut angles: Vec<f64> = (-EVEN..=EVEN).map(|i| FRAC_PI_2 * f64::from(i) / f64::from(EVEN)).collect();
+    for (middle, half_width) in finer {
+        let step = half_width / f64::from(parts);
+        let near = (-count..=count).map(|i| middle + step * f64::from(i));
+        angles.extend(near.filter(|angle| angle.abs() < FRAC_PI_2));
+    }
+    angles.sort_by(f64::total_cmp);
+    angles.dedup();
+    angles
+}
+
+/// Distances in a picture, from one light or, where the attenuation counts from there, from the viewer; world units.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Distances {
+    /// The nearest and the farthest point seen.
+    pub nearest: Option<f64>,
+    pub farthest: Option<f64>,
+    pub probe: Option<f64>,
+}
+
+impl Distances {
+    /// The distances in the picture of `scene` that `renderer` has drawn, to the nearest and the farthest of a grid of
+    /// 40 × 40 pixels, and to the `probe`'s point. A directional light is nowhere and has none but those from the viewer.
+    pub fn seen(renderer: &Renderer, scene: &Scene, light: &Light, probe: Option<DVec3>) -> Self {
+        let from = match light.attenuation {
+            Attenuation::Viewer => scene.camera.eye,
+            _ if light.kind.has_position() => light.position,
+            _ => return Self::default(),
+        };
+        let distance = |point: DVec3| (point - from).length();
+        let [width, height] = [renderer.frame().width, renderer.frame().height];
+        let middle = |i: u32, side: u32| (u64::from(2 * i + 1) * u64::from(side) / u64::from(2 * SEARCH)) as u32;
+        let pixels = (0..SEARCH).flat_map(|y| (0..SEARCH).map(move |x| (x, y)));
+        let points = pixels.filter_map(|(x, y)| renderer.evaluation(middle(x, width), middle(y, height)));
+        // The probe's point is one of those seen.
+        let seen = points.map(|evaluation| evaluation.position).chain(probe).map(distance);
+        let seen: Vec<f64> = seen.filter(|d| d.is_finite()).collect();
+        Self {
+            nearest: seen.iter().copied().reduce(f64::min),
+            farthest: seen.iter().copied().reduce(f64::max),
+            probe: probe.map(distance).filter(|d| d.is_finite()),
+        }
+    }
+}
+
+/// f(d): how a light weakens with distance, from the light itself to beyond what is seen.
+pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
+    let attenuation = effective(light);
+    let f = |d: f64| attenuation_at(light, attenuation, d);
+    let reach = distances.farthest.or(distances.probe).filter(|d| *d > 0.0).unwrap_or(1.0) * BEYOND;
+    let points = (0..=SAMPLES[0]).map(|i| {
+        let share = f64::from(i) / f64::from(SAMPLES[0]);
+        let d = reach * share * share;
+        [d, f(d)]
+    });
+    let marks = [("nearest", distances.nearest), ("probe", distances.probe), ("farthest", distances.farthest)];
+    let marks = marks.into_iter().filter_map(|(name, d)| {
+        let d = d?;
+        let label = format!("{name}: f({}) = {}", short(d), short(f(d)));
+        Some(Mark { x: d, label, values: vec![(0, f(d))], probe: name == "probe" })
+    });
+    let marks: Vec<Mark> = marks.collect();
+    // Near the light f may rise without bound; the axis ends where the scene's own values do.
+    let greatest = marks.iter().map(|mark| f(mark.x)).fold(f64::NAN, f64::max);
+    let top = if greatest.is_finite() && greatest > 0.0 { greatest } else { f(0.5 * reach) };
+    let start = f(0.0);
+    let top = if start <= 2.0 * top { start.max(top) } else { BEYOND * top };
+    let from = if attenuation == Attenuation::Viewer { "viewer" } else { "light" };
+    let symbol = if matches!(attenuation, Attenuation::Viewer | Attenuation::Light) { "r" } else { "d" };
+    let axes = [
+        Axis::new(format!("{symbol}, distance from the {from}"), 0.0, reach),
+        Axis::new(format!("f({symbol})"), 0.0, top),
+    ];
+    let curves = vec![Curve::new("f", points.collect(), Ink::L)];
+    let title = "A light weakens with distance";
+    Plot { marks, ..Plot::new(PlotKind::Attenuation, title, attenuation_law(light), axes, curves) }
+}
+
+/// W(θ): the part of the light that the surface reflects, from straight down to grazing; `incidence` is the probe's angle,
+/// radians.
+pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
+    let index = Index::of(&scene.material);
+    let w = |theta: f64| index.map_or(Rgb::ONE, |index| index.reflectance(cosine(theta)));
+    let thetas = (0..=SAMPLES[1]).map(|i| {
+        let left = 1.0 - f64::from(i) / f64::from(SAMPLES[1]);
+        FRAC_PI_2 * (1.0 - left * left.sqrt())
+    });
+    let thetas: Vec<f64> = thetas.collect();
+    let channels: &[(&str, Dash)] = match index {
+        Some(_) => &[("red", Dash::Solid), ("green", Dash::Dashed), ("blue", Dash::Dotted)],
+        None => &[("all channels", Dash::Solid)],
+    };
+    let curves = (0u8..).zip(channels).map(|(channel, (name, dash))| {
+        let value = |theta: f64| w(theta)[usize::from(channel)];
+        let ink = if index.is_some() { Ink::Channel(channel) } else { Ink::R };
+        let points = thetas.iter().map(|theta| [theta.to_degrees(), value(*theta)]).collect();
+        let notes = READ_AT.map(|angle| format!("{:.3}", value(angle.to_radians()))).to_vec();
+        Curve { notes, dash: *dash, ..Curve::new(*name, points, ink) }
+    });
+    let marks = incidence.filter(|theta| (0.0..=FRAC_PI_2).contains(theta)).map(|theta| {
+        let values: Vec<f64> = w(theta).to_array()[..channels.len()].to_vec();
+        let texts: Vec<String> = values.iter().copied().map(short).collect();
+        let label = format!("probe: W({}) = {}", degrees(theta), texts.join(", "));
+        Mark { x: theta.to_degrees(), label, values: values.into_iter().enumerate().collect(), probe: true }
+    });
+    let substance = match scene.material.reflectance {
+        Reflectance::Glass => "glass",
+        Reflectance::Silver => "silver",
+        Reflectance::Gold => "gold",
+        Reflectance::Constant | Reflectance::Custom => "the surface",
+    };
+    let axes = [Axis::degrees("θ", 0.0, 90.0), Axis::new("W(θ)", 0.0, 1.0)];
+    let title = format!("What {substance} reflects by angle");
+    Plot {
+        legend: READ_AT.map(|angle| format!("W({angle}°)")).to_vec(),
+        marks: marks.into_iter().collect(),
+        ..Plot::new(PlotKind::Reflectance, title, reflectance_note(scene, index), axes, curves.collect())
+    }
+}
+
+/// The index of refraction, and which angle θ is.
+fn reflectance_note(scene: &Scene, index: Option<Index>) -> String {
+    let Some(Index { eta, k }) = index else { return "W = 1: the specular coefficient is constant".into() };
+    let between = if scene.reflection.model == ReflectionModel::Phong { "N and L" } else { "H and L" };
+    let list = |values: Rgb| {
+        let [r, g, b] = values.to_array().map(short);
+        if r == g && g == b { r } else { format!("{r}, {g}, {b}") }
+    };
+    let k = if k == Rgb::ZERO { String::new() } else { format!("; k = {}", list(k)) };
+    format!("Fresnel, η = {}{k}; θ between {between}", list(eta))
+}
+
+/// The lobe cut by the plane of incidence, with the vectors: what the point of `hit` reflects of the light of index
+/// `light`, for viewers in the plane of N and L. Nothing where the light does not reach the surface from the front.
+pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
+    let lobe = ReflectionLobe::at(scene, hit, light)?;
+    let mirror = lobe.mirror_angle();
+    let angles = angles(&[(mirror, highlight_half_width(scene).max(NARROW))], FINE[0]);
+    let responses = angles.into_iter().map(|angle| {
+        // R itself, not R to rounding: a mirror sends nothing elsewhere.
+        let v = if angle == mirror { lobe.r } else { lobe.in_plane(angle) };
+        (angle.to_degrees(), lobe.towards(v))
+    });
+    let responses: Vec<_> = responses.collect();
+    let most = responses.iter().map(|(_, response)| response.total()).fold(0.0, f64::max);
+    let total = responses.iter().map(|(angle, response)| [*angle, response.total()]).collect();
+    let diffuse = responses.iter().map(|(angle, response)| [*angle, response.diffuse]).collect();
+    let curves = vec![
+        Curve { notes: vec![short(most)], ..Curve::new("diffuse + specular", total, specular_ink(scene)) },
+        Curve {
+            dash: Dash::Dashed,
+            emphasised: false,
+            notes: vec![short(lobe.towards(lobe.n).diffuse)],
+            ..Curve::new("diffuse", diffuse, Ink::L)
+        },
+    ];
+    let top = if most > 0.0 && most.is_finite() { most } else { 1.0 };
+    let axes = [Axis::degrees("angle from N", -90.0, 90.0), Axis::new("I", 0.0, top)];
+    let out = out_of_plane(&lobe, lobe.v).abs();
+    let aside = if out < IN_PLANE { String::new() } else { format!(", {out:.0}° out of this plane") };
+    let at_v = short(lobe.towards(lobe.v).total());
+    let note = format!("in the plane of N and L, θ = {}; to the viewer I = {at_v}{aside}", degrees(mirror));
+    Some(Plot {
+        legend: vec!["greatest I".into()],
+        directions: directions(&lobe),
+        ..Plot::new(PlotKind::Lobe, "What the point reflects to every side", note, axes, curves)
+    })
+}
+
+/// Degrees between `vector` and the plane of incidence.
+fn out_of_plane(lobe: &ReflectionLobe, vector: DVec3) -> f64 {
+    vector.dot(lobe.n.cross(lobe.across)).clamp(-1.0, 1.0).asin().to_degrees()
+}
+
+/// N, L and R lie in the plane; V is shown by its shadow on it.
+fn directions(lobe: &ReflectionLobe) -> Vec<Direction> {
+    let vectors = [("N", lobe.n, Ink::N), ("L", lobe.l, Ink::L), ("R", lobe.r, Ink::R), ("V", lobe.v, Ink::V)];
+    let seen = vectors.into_iter().map(|(letter, vector, ink)| {
+        let (x, y) = (vector.dot(lobe.across), vector.dot(lobe.n));
+        let length = if out_of_plane(lobe, vector).abs() < IN_PLANE { 1.0 } else { x.hypot(y) };
+        Direction { letter, angle: x.atan2(y).to_degrees(), length, ink }
+    });
+    // Below the surface there is nothing to point at.
+    seen.filter(|direction| direction.angle.abs() <= 90.0 && direction.length.is_finite()).collect()
+}
+
+/// The present falling of the highlight with φ, beside the course's exponents; `phi` is the probe's, radians.
+///
+/// For Cook and Torrance's model, which has no exponent, the present curve is the distribution of its microfacets, D(φ)/D(0).
+pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
+    let (falling, model) = (Falling::new(scene), scene.reflection.model);
+    let finer: Vec<_> = COURSE.into_iter().chain([falling.like_power()]).map(|n| (0.0, half_width(n))).collect();
+    let grid = angles(&finer, FINE[1]);
+    let sampled = |falling: &Falling| grid.iter().map(|phi| [phi.to_degrees(), falling.at(*phi)]).collect::<Vec<_>>();
+    let (name, symbol, formula) = falling.words(model);
+    let notes = vec![degrees(falling.half_width())];
+    let present = Curve { notes, ..Curve::new(format!("{name}, now"), sampled(&falling), specular_ink(scene)) };
+    let top = present.points.iter().fold(1.0, |top: f64, [_, y]| top.max(*y));
+    let marks = phi.filter(|phi| phi.is_finite() && *phi <= FRAC_PI_2).map(|phi| {
+        let value = falling.at(phi);
+        let label = format!("probe: φ = {}, {}", degrees(phi), short(value));
+        Mark { x: phi.to_degrees(), label, values: vec![(0, value)], probe: true }
+    });
+    let mut curves = vec![present];
+    for ((n, dash), height) in COURSE.into_iter().zip(DASHES).zip(TAGS) {
+        if falling != Falling::Power(n) {
+            let left = -height.powf(1.0 / n).acos().to_degrees();
+            curves.push(Curve {
+                notes: vec![degrees(half_width(n))],
+                emphasised: false,
+                dash,
+                tag: Some(Tag { text: n.to_string(), at: [left, height] }),
+                ..Curve::new(format!("n = {n}"), sampled(&Falling::Power(n)), Ink::Reference)
+            });
+        }
+    }
+    let angle = if model == ReflectionModel::Phong { "φ, between R and V" } else { "φ, between N and H" };
+    let axes = [Axis::degrees(angle, -90.0, 90.0), Axis::new(symbol, 0.0, top)];
+    Plot {
+        legend: vec!["half-width".into()],
+        marks: marks.into_iter().collect(),
+        ..Plot::new(PlotKind::Exponent, "The highlight falls with φ", formula, axes, curves)
+    }
+}
+
+/// The angle between V and the middle of the highlight at which the specular term has fallen to about a half, radians:
+/// exact for Phong's model, and in the plane of incidence for those that measure N·H, where H turns half as fast as V.
+pub fn highlight_half_width(scene: &Scene) -> f64 {
+    let own = Falling::new(scene).half_width();
+    if scene.reflection.model == ReflectionModel::Phong { own } else { 2.0 * own }
+}
+
+/// How the highlight falls with φ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Falling {
+    Power(f64),
+    Beckmann(f64),
+    Ggx(f64),
+}
+
+impl Falling {
+    fn new(scene: &Scene) -> Self {
+        let m = scene.material.roughness;
+        match (scene.reflection.model, scene.reflection.distribution) {
+            (ReflectionModel::CookTorrance, Distribution::Beckmann) => Self::Beckmann(m),
+            (ReflectionModel::CookTorrance, Distribution::Ggx) => Self::Ggx(m),
+            _ => Self::Power(scene.material.n),
+        }
+    }
+
+    /// 1 at φ = 0, 0 beyond a right angle.
+    fn at(self, phi: f64) -> f64 {
+        let cosine = cosine(phi);
+        match self {
+            Self::Power(n) if n.is_infinite() => f64::from(u8::from(phi == 0.0)),
+            Self::Power(n) => cosine.powf(n),
+            Self::Beckmann(_) | Self::Ggx(_) if cosine == 0.0 => 0.0,
+            Self::Beckmann(m) => (-(phi.tan() / m).powi(2)).exp() / cosine.powi(4),
+            Self::Ggx(a) => (a * a / (a * a * cosine * cosine + phi.sin().powi(2))).powi(2),
+        }
+    }
+
+    /// Where it has fallen to one half for good, radians.
+    fn half_width(self) -> f64 {
+        if let Self::Power(n) = self {
+            return half_width(n);
+        }
+        // Above its half before, below after: a very rough Beckmann surface first rises.
+        let (mut above, mut below) = (0.0, FRAC_PI_2);
+        for _ in 0..60 {
+            let middle = 0.5 * (above + below);
+            if self.at(middle) > 0.5 { above = middle } else { below = middle }
+        }
+        0.5 * (above + below)
+    }
+
+    /// The exponent whose samples suit it.
+    fn like_power(self) -> f64 {
+        match self {
+            Self::Power(n) => n,
+            Self::Beckmann(m) | Self::Ggx(m) => SQRT_2 / (m * m),
+        }
+    }
+
+    /// Its parameter, what is plotted, and the formula.
+    fn words(self, model: ReflectionModel) -> (String, &'static str, &'static str) {
+        let vectors = if model == ReflectionModel::Phong { "(R·V)ⁿ = cosⁿ φ" } else { "(N·H)ⁿ = cosⁿ φ" };
+        let beckmann = "Beckmann’s D = exp(−tan² φ/m²)/(m² cos⁴ φ); beside it cosⁿ φ";
+        let ggx = "D = α²/(α² cos² φ + sin² φ)² (GGX); beside it cosⁿ φ";
+        match self {
+            Self::Power(n) => (format!("n = {}", exponent(n)), "cosⁿ φ", vectors),
+            Self::Beckmann(m) => (format!("m = {}", short(m)), "D(φ)/D(0)", beckmann),
+            Self::Ggx(a) => (format!("α = {}", short(a)), "D(φ)/D(0)", ggx),
+        }
+    }
 }

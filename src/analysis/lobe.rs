@@ -1,12 +1,9 @@
 //! The lobe of reflection: what a point sends to every side from one light.
 
-use super::ProbeHit;
-use crate::illumination::{Equation, LightResponse, ShadingPoint, Source, V3};
+use super::{ProbeHit, luminance};
+use crate::illumination::{Equation, ShadingPoint, V3};
 use crate::scene::{Backfacing, Light, LightKind, Rgb, Scene};
 use glam::DVec3;
-
-/// Rec. 709 luminance of linear red, green and blue.
-const LUMINANCE: Rgb = Rgb::new(0.2126, 0.7152, 0.0722);
 
 /// Below this sine an angle's plane is lost to rounding, and a length that differs less from 1 is 1.
 const UPRIGHT: f64 = 1e-9;
@@ -66,7 +63,7 @@ impl ReflectionLobe {
             v: hit.view,
             across: DVec3::ZERO,
         };
-        lobe.l = lobe.equation.sources.first().map(|source| lobe.respond(source).l.into())?;
+        lobe.l = lobe.equation.sources.first().map(|source| lobe.equation.respond_to(source, &lobe.site).l.into())?;
         if scene.reflection.backfacing == Backfacing::Flip && lobe.n.dot(lobe.l) < 0.0 {
             lobe.n = -lobe.n;
         }
@@ -104,14 +101,10 @@ impl ReflectionLobe {
         for source in &self.equation.sources {
             let terms = self.equation.respond_to(source, &site);
             let w = self.equation.reflectance(terms.incidence);
-            response.diffuse += terms.diffuse * (Rgb::from_array(source.diffuse) * self.od).dot(LUMINANCE);
-            response.specular += terms.specular * (Rgb::from_array(source.specular) * w).dot(LUMINANCE);
+            response.diffuse += terms.diffuse * luminance(Rgb::from_array(source.diffuse) * self.od);
+            response.specular += terms.specular * luminance(Rgb::from_array(source.specular) * w);
         }
         response
-    }
-
-    fn respond(&self, source: &Source<f64>) -> LightResponse<f64> {
-        self.equation.respond_to(source, &self.site)
     }
 }
 

@@ -4,32 +4,35 @@
 //! A polygon is seen from its front where N·(eye − centre) > 0. A vertex is seen where one of its polygons is, whichever way
 //! its own normal leans: at an outline that may be away from the eye.
 
+mod fine;
 mod needles;
 mod report;
-mod seen;
 
 pub use needles::{LitVertex, Needle, NeedleKind, Needles, draw_normals};
 pub use report::{FoundNormal, NormalsQuestion};
-pub use seen::{SeenNormal, SeenNormals};
 
 use crate::geometry::{Mesh, NormalOrigin, VertexMesh};
 use crate::render::Renderer;
-use crate::scene::{NormalSource, Object, Weighting};
-use glam::DVec3;
+use crate::scene::{NormalSource, Object, Projection, View, Weighting};
+use glam::{DVec2, DVec3};
 use serde::Serialize;
 use std::sync::Arc;
+
+/// A point that lies farther behind what its pixel sees than this many median edges is hidden. Less is a neighbouring
+/// polygon seen at a grazing angle, or the true surface before the polygons that stand for it.
+const BEHIND: f64 = 0.5;
 
 /// The polygons of an object with their normals, and its vertices with theirs.
 #[derive(Clone, Debug)]
 pub struct NormalField {
     mesh: Arc<Mesh>,
     vertices: VertexMesh,
-    source: NormalSource,
-    weighting: Weighting,
+    pub source: NormalSource,
+    pub weighting: Weighting,
     /// The centre, world, and the unit normal of each face.
     faces: Vec<[DVec3; 2]>,
-    /// World units.
-    median_edge: f64,
+    /// The median length of an edge, world units; 0 where there is none.
+    pub median_edge: f64,
 }
 
 /// A vertex, its normal, and the faces that this comes from.
@@ -40,7 +43,6 @@ pub struct VertexNormal {
     pub position: DVec3,
     /// Unit.
     pub normal: DVec3,
-    #[serde(serialize_with = "origin_word")]
     pub origin: NormalOrigin,
     pub faces: Vec<VertexFace>,
     /// Whether the faces' mirror images in x count as much.
@@ -65,6 +67,28 @@ pub struct VertexFace {
     pub share: f64,
     /// Degrees between its normal and the vertex's.
     pub angle: f64,
+}
+
+/// A normal at its point, which the picture shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeenNormal {
+    /// The face's or the vertex' number.
+    pub index: u32,
+    /// World: a face's centre, or the vertex.
+    pub point: DVec3,
+    /// Unit.
+    pub normal: DVec3,
+    /// Where the point appears, pixels.
+    pub pixel: DVec2,
+    /// Distance along the viewing direction, world units.
+    pub depth: f64,
+}
+
+/// What a picture shows of a field, before it is asked what hides what.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SeenNormals {
+    pub faces: Vec<SeenNormal>,
+    pub vertices: Vec<SeenNormal>,
 }
 
 impl NormalField {
@@ -97,14 +121,6 @@ impl NormalField {
         matches!(self.source, NormalSource::Averaged | NormalSource::File)
     }
 
-    pub fn source(&self) -> NormalSource {
-        self.source
-    }
-
-    pub fn weighting(&self) -> Weighting {
-        self.weighting
-    }
-
     /// Vertices: as many as there are pairs of a point and a normal.
     pub fn vertex_count(&self) -> usize {
         self.vertices.positions.len()
@@ -112,11 +128,6 @@ impl NormalField {
 
     pub fn face_count(&self) -> usize {
         self.faces.len()
-    }
-
-    /// The median length of an edge, world units; 0 where there is none.
-    pub fn median_edge(&self) -> f64 {
-        self.median_edge
     }
 
     /// The corners of a face, world.
@@ -161,6 +172,54 @@ impl NormalField {
         })
     }
 
+    /// The faces that turn their front to the eye and the vertices of such faces, where they appear in a picture of `size`
+    /// pixels. Those that other parts hide are among them: see [`NormalField::hidden`].
+    pub fn facing(&self, view: &View, size: [u32; 2]) -> SeenNormals {
+        let picture = DVec2::from_array(size.map(f64::from));
+        let seen = |index: u32, point: DVec3, normal: DVec3| {
+            let (pixel, depth) = view.project(point)?;
+            let inside = pixel.cmpge(DVec2::ZERO).all() && pixel.cmplt(picture).all();
+            inside.then_some(SeenNormal { index, point, normal, pixel, depth })
+        };
+        let towards = |point: DVec3| match view.projection {
+            Projection::Perspective => view.eye - point,
+            Projection::Orthographic => -view.forward,
+        };
+        let mut faces = Vec::new();
+        let mut on_front = vec![false; self.vertices.positions.len()];
+        for (f, [centre, normal]) in (0u32..).zip(&self.faces) {
+            if normal.dot(towards(*centre)) > 0.0 {
+                faces.extend(seen(f, *centre, *normal));
+                self.vertices.face(f as usize).iter().for_each(|&v| on_front[v as usize] = true);
+            }
+        }
+        let front = (0u32..).zip(&on_front).filter(|(_, front)| **front);
+        let vertices =
+            front.filter_map(|(v, _)| seen(v, self.position(v), self.vertices.normals[v as usize].as_dvec3()));
+        SeenNormals { vertices: vertices.collect(), faces }
+    }
+
+    /// Whether what `renderer` last drew has something else before a point.
+    pub fn hidden(&self, renderer: &Renderer, seen: &SeenNormal) -> bool {
+        let before = renderer.evaluation_seen(seen.pixel).map(|pixel| pixel.depth);
+        before.is_some_and(|depth| depth + BEHIND * self.median_edge < seen.depth)
+    }
+
+    /// The vertex whose place in the picture is next to `pixel`, within `reach` pixels, of those that are seen. Where
+    /// several share a point it is that of the face under the pixel.
+    pub fn vertex_near(&self, renderer: &Renderer, seen: &SeenNormals, pixel: DVec2, reach: f64) -> Option<SeenNormal> {
+        let distance = |vertex: &SeenNormal| vertex.pixel.distance(pixel);
+        let mut near: Vec<&SeenNormal> = seen.vertices.iter().filter(|vertex| distance(vertex) <= reach).collect();
+        near.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let nearest = near.iter().position(|vertex| !self.hidden(renderer, vertex))?;
+        let under = renderer.evaluation_seen(pixel).and_then(|pixel| pixel.face);
+        let upon =
+            |vertex: &&&SeenNormal| under.is_some_and(|face| self.vertices.face(face as usize).contains(&vertex.index));
+        let same = |vertex: &&&SeenNormal| vertex.point == near[nearest].point;
+        let chosen = near[nearest..].iter().take_while(same).find(upon).unwrap_or(&near[nearest]);
+        Some(**chosen)
+    }
+
     fn position(&self, vertex: u32) -> DVec3 {
         self.vertices.origin + self.vertices.positions[vertex as usize].as_dvec3()
     }
@@ -183,14 +242,4 @@ fn median_edge(mesh: &Mesh) -> f64 {
     }
     let middle = lengths.len() / 2;
     if lengths.is_empty() { 0.0 } else { *lengths.select_nth_unstable_by(middle, f64::total_cmp).1 }
-}
-
-fn origin_word<S: serde::Serializer>(origin: &NormalOrigin, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(match origin {
-        NormalOrigin::Averaged => "averaged",
-        NormalOrigin::Given => "given",
-        NormalOrigin::Facet => "facet",
-        NormalOrigin::FirstFace => "first-face",
-        NormalOrigin::Nowhere => "none",
-    })
 }

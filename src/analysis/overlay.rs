@@ -1,7 +1,277 @@
 //! Drawings over a picture: what they may show, and the sizes, colours and labels that they share.
 
-mod options;
-mod sketch;
+use crate::figure::palette::Rgb8;
+use crate::figure::{Area, Drawing, Label, Placer, Shape, Wish, inked_size};
+use crate::scene::{Projection, View};
+use glam::{DVec2, DVec3};
+use serde::{Deserialize, Serialize};
 
-pub use options::{Halo, OverlayLayer, OverlayOptions};
-pub(super) use sketch::{Sketch, Style};
+/// How near to the eye an arrow may come, in depths of its tail. Beyond, perspective would blow it up without bound.
+const NEAREST: f64 = 0.05;
+/// Along the line of sight an end nearer than this, in pixels, has its direction from rounding alone.
+const ROUNDING: f64 = 1e-3;
+/// Ends farther away than this, in pixels, are drawn this far: the way to them looks the same.
+const FARTHEST: f64 = 1e6;
+/// Text is never smaller than this, in pixels an em, before [`OverlayOptions::scale`].
+const LEAST_TEXT: f64 = 13.0;
+
+/// What an overlay may show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum OverlayLayer {
+    /// N, L, R, V and, for Blinn's model, H at the probe's point.
+    Vectors,
+    /// The arcs of θ and φ with their values.
+    Angles,
+    /// How R comes from L by projection on N.
+    Construction,
+    /// A sun for each light, parallel rays for each directional one.
+    Lights,
+    /// What the point reflects of the light to every side, as a surface about it.
+    Lobe,
+    /// The vectors once more in a corner, seen from the side: V points at the eye, so in the picture itself it is a point.
+    SideView,
+    /// The intensity along a line. It belongs to no point and is drawn by [`draw_profile`](crate::analysis::draw_profile).
+    Profile,
+    /// Where the defects of interpolated shading are. They belong to no point and are drawn by
+    /// [`draw_defects`](crate::analysis::draw_defects).
+    Defects,
+    /// A needle at the centre of each polygon that is seen. Like the next it belongs to no point and is drawn by
+    /// [`Needles`](crate::analysis::Needles).
+    FaceNormals,
+    /// A needle at each vertex that is seen.
+    VertexNormals,
+}
+
+impl OverlayLayer {
+    /// Every layer.
+    pub const ALL: [Self; 10] = [
+        Self::Vectors,
+        Self::Angles,
+        Self::Construction,
+        Self::Lights,
+        Self::Lobe,
+        Self::SideView,
+        Self::Profile,
+        Self::Defects,
+        Self::FaceNormals,
+        Self::VertexNormals,
+    ];
+
+    /// Whether it explains the probe's point.
+    pub fn of_point(self) -> bool {
+        !matches!(self, Self::Lights | Self::Profile | Self::Defects | Self::FaceNormals | Self::VertexNormals)
+    }
+
+    /// Whether it is drawn by an [`Overlay`](crate::analysis::Overlay).
+    pub fn of_overlay(self) -> bool {
+        self.of_point() || self == Self::Lights
+    }
+
+    /// Whether it is drawn by [`Needles`](crate::analysis::Needles).
+    pub fn of_needles(self) -> bool {
+        matches!(self, Self::FaceNormals | Self::VertexNormals)
+    }
+}
+
+/// What surrounds strokes and letters to set them off from the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Halo {
+    /// White.
+    Light,
+    /// Nearly black.
+    Dark,
+}
+
+/// How an overlay is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OverlayOptions {
+    pub layers: Vec<OverlayLayer>,
+    /// The light whose L is emphasised and whose R, H, θ, φ and construction are shown, by its index in the scene. With
+    /// nothing chosen it is the first that the point faces, or else the first.
+    pub light: Option<usize>,
+    /// Length of a unit vector in world units; nothing makes it about a fifth of the picture's shorter side at the
+    /// point's depth.
+    pub length: Option<f64>,
+    /// Shows H for every model; without it for Blinn's alone.
+    pub half_vector: bool,
+    pub halo: Halo,
+    /// Multiplies lettering and line widths, from 0.05 to 20; 1 suits a picture that fills the screen.
+    pub scale: f64,
+}
+
+impl Default for OverlayOptions {
+    fn default() -> Self {
+        Self {
+            layers: vec![OverlayLayer::Vectors, OverlayLayer::Angles],
+            light: None,
+            length: None,
+            half_vector: false,
+            halo: Halo::Light,
+            scale: 1.0,
+        }
+    }
+}
+
+/// Sizes of everything, in pixels, and the neutral colours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::analysis) struct Style {
+    pub text: f64,
+    pub line: f64,
+    pub halo: f64,
+    /// Length of an arrow's head.
+    pub head: f64,
+    /// Radius of the probe's ring.
+    pub ring: f64,
+    /// Colour of what belongs to no vector.
+    pub neutral: Rgb8,
+    pub halo_colour: Rgb8,
+}
+
+impl Style {
+    /// The style of a pane whose shorter side is `side` pixels.
+    pub fn new(side: f64, options: &OverlayOptions) -> Self {
+        let scale = if options.scale.is_finite() { options.scale.clamp(0.05, 20.0) } else { 1.0 };
+        let text = LEAST_TEXT.max(side / 28.0) * scale;
+        let line = 0.115 * text;
+        let (neutral, halo_colour) = match options.halo {
+            Halo::Light => ([24; 3], [255; 3]),
+            Halo::Dark => ([255; 3], [16; 3]),
+        };
+        Self { text, line, halo: 0.075 * text, head: 5.0 * line, ring: 2.1 * line, neutral, halo_colour }
+    }
+
+    /// A drawing over a picture with this style's halos.
+    pub fn drawing(&self, shapes: Vec<Shape>) -> Drawing {
+        Drawing { shapes, ..Drawing::over_picture(self.halo_colour, self.halo) }
+    }
+
+    /// The same, of labels.
+    pub fn lettered<'a>(&self, labels: impl IntoIterator<Item = &'a Label>) -> Drawing {
+        let texts = labels.into_iter().map(|label| label.to_text(self.halo)).collect();
+        Drawing { texts, ..self.drawing(vec![]) }
+    }
+}
+
+/// A point of the world in a view, and what is drawn about it.
+pub(in crate::analysis) struct Sketch {
+    pub view: View,
+    pub style: Style,
+    /// The part of the picture that may be drawn in.
+    pub pane: Area,
+    pub position: DVec3,
+    /// Where `position` appears.
+    pub origin: DVec2,
+    /// Length of a unit vector, world units.
+    pub length: f64,
+    pub shapes: Vec<Shape>,
+    /// Labels that have no place yet: their text, size and colour, and where they should stand.
+    pending: Vec<(String, f64, Rgb8, Wish)>,
+}
+
+impl Sketch {
+    /// Nothing where `position` does not appear. Without a `length`, unit vectors measure `pixels`.
+    pub fn new(
+        view: View,
+        style: Style,
+        pane: Area,
+        position: DVec3,
+        length: Option<f64>,
+        pixels: f64,
+    ) -> Option<Self> {
+        let (origin, depth) = view.project(position)?;
+        let length = length.filter(|length| *length > 0.0 && length.is_finite());
+        let length = length.unwrap_or(pixels * view.world_per_pixel(depth));
+        Some(Self { view, style, pane, position, origin, length, shapes: Vec::new(), pending: Vec::new() })
+    }
+
+    /// Where the end of `vector` appears when it starts at the point: in perspective, at the end's own depth. A vector
+    /// that would pass the eye is cut short before it.
+    pub fn end(&self, vector: DVec3) -> Option<DVec2> {
+        let depth = (self.position - self.view.eye).dot(self.view.forward);
+        let reach = vector * self.length;
+        let approach = -reach.dot(self.view.forward);
+        let room = (1.0 - NEAREST) * depth;
+        let share = if approach > room { room / approach } else { 1.0 };
+        let (end, _) = self.view.project(self.position + reach * share)?;
+        let way = end - self.origin;
+        let far = way.abs().max_element();
+        Some(if far > FARTHEST {
+            self.origin + way / far * FARTHEST
+        } else if far < ROUNDING {
+            self.origin
+        } else {
+            end
+        })
+    }
+
+    /// The sine of the angle between `vector` and the line of sight, signed: positive towards the eye.
+    pub fn slant(&self, vector: DVec3) -> f64 {
+        let towards = match self.view.projection {
+            Projection::Perspective => self.view.towards_eye(self.position),
+            Projection::Orthographic => -self.view.forward,
+        };
+        let cosine = vector.normalize_or_zero().dot(towards);
+        (1.0 - cosine * cosine).max(0.0).sqrt().copysign(cosine)
+    }
+
+    /// The last point of the way from the origin to `point` inside the pane, `margin` from its edge.
+    pub fn inside(&self, point: DVec2, margin: f64) -> DVec2 {
+        let room = Area { min: self.pane.min + margin, max: (self.pane.max - margin).max(self.pane.min + margin) };
+        let from = room.nearest(self.origin);
+        let way = point - from;
+        let mut share = 1.0f64;
+        for axis in 0..2 {
+            if way[axis] > 0.0 {
+                share = share.min((room.max[axis] - from[axis]) / way[axis]);
+            } else if way[axis] < 0.0 {
+                share = share.min((room.min[axis] - from[axis]) / way[axis]);
+            }
+        }
+        from + way * share
+    }
+
+    /// The end of an arrow seen along its shaft: a dot in a circle where it points at the eye, a cross where it points away.
+    pub fn draw_end_on(&mut self, at: DVec2, radius: f64, towards_eye: bool, colour: Rgb8) {
+        let line = self.style.line;
+        self.shapes.push(Shape::ring(at, radius, 0.8 * line, colour));
+        if towards_eye {
+            self.shapes.push(Shape::disc(at, 1.1 * line, colour));
+            return;
+        }
+        let arm = DVec2::splat(radius * std::f64::consts::FRAC_1_SQRT_2);
+        let cross = [arm, arm.perp()].map(|arm| Shape::line(vec![at - arm, at + arm], 0.6 * line, colour));
+        self.shapes.extend(cross);
+    }
+
+    /// Asks for a label of `size` times the usual size.
+    pub fn letter(&mut self, text: String, size: f64, colour: Rgb8, anchor: DVec2, direction: DVec2, clearance: f64) {
+        let em = size * self.style.text;
+        let size = inked_size(&text, em) + 2.0 * self.style.halo + 0.1 * em;
+        self.pending.push((text, em, colour, Wish { anchor, direction, size, clearance }));
+    }
+
+    /// Gives every label asked for its place, in that order, outside `reserved`.
+    pub fn labels(&mut self, reserved: &[Area]) -> Vec<Label> {
+        let mut placer = Placer::new(self.pane, self.style.text, &self.shapes, reserved.to_vec());
+        let mut labels = Vec::new();
+        for (text, size, colour, wish) in std::mem::take(&mut self.pending) {
+            let Some(area) = placer.place(&wish) else { continue };
+            self.leader(&wish, area, colour);
+            labels.push(Label { text, area, size, colour });
+        }
+        labels
+    }
+
+    /// A thin line from a label that had to go far away to what it names.
+    fn leader(&mut self, wish: &Wish, label: Area, colour: Rgb8) {
+        let Wish { anchor, clearance, .. } = *wish;
+        let near = label.nearest(anchor);
+        let way = near - anchor;
+        if way.length() > clearance + 1.3 * self.style.text {
+            let start = anchor + way.normalize_or_zero() * clearance;
+            self.shapes.push(Shape::line(vec![start, near], 0.35 * self.style.line, colour));
+        }
+    }
+}

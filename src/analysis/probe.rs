@@ -1,22 +1,33 @@
 //! The pixel probe: the equation at one pixel, in double precision.
 
-mod clearest;
+mod filled;
+mod letters;
 mod overlay;
+mod products;
 mod report;
-mod terms;
 mod zero;
 
-pub use clearest::clearest_pixel;
+pub use filled::{FilledLine, FilledPart, LineValue, Share, digits, digits_below, percent};
+pub use letters::{Letters, Tone, equation_letters, plain_formula, specular_vector};
+pub(super) use letters::{attenuation_law, exponent};
 pub use overlay::{Angle, Arc, Arrow, ArrowHead, LightHandle, Overlay, draw_overlay};
-pub use report::{ProbeQuestion, Probed, through_words};
-pub use terms::{Column, Factor, Here, LightHere, Product};
+pub use products::{Here, LightHere, Product, TermColumn};
+pub use report::{CHANNELS, ProbeQuestion, Probed};
 pub use zero::{ZeroCause, ZeroCauses};
 
 use crate::illumination::Equation;
 use crate::render::{Evaluation, Renderer, Transmission};
 use crate::scene::{LightKind, ReflectionModel, Rgb, Scene};
 use glam::DVec3;
+use serde::{Serialize, Serializer};
+use std::ops::RangeInclusive;
 use zero::zero_causes;
+
+/// The pixel is sought on a grid of this many columns and rows.
+const SEARCH_GRID: u32 = 64;
+
+/// Degrees between the vectors of a drawing whose letters do not crowd.
+const APART: RangeInclusive<f64> = 15.0..=65.0;
 
 /// The equation at one pixel.
 #[derive(Clone, Debug)]
@@ -30,7 +41,7 @@ pub struct Probe {
 }
 
 /// What the pixel shows of the object.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct ProbeHit {
     /// The point seen, world.
     pub position: DVec3,
@@ -52,10 +63,13 @@ pub struct ProbeHit {
     /// Irefl: what the terms add up to.
     pub reflected: Rgb,
     /// What passes through the surface, where any light does.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub transmission: Option<Transmission>,
     /// I, what the surface sends out: Irefl, or `(1 − kt)·Irefl + kt·Itrans`.
+    #[serde(skip)]
     pub intensity: Rgb,
     /// What depth cueing makes of it, where there is any.
+    #[serde(skip)]
     pub cue: Option<CueTerms>,
     /// The intensity before the display: I, or `s0·I + (1 − s0)·Idc`.
     pub sum: Rgb,
@@ -77,8 +91,8 @@ pub struct CueTerms {
     pub veil: Rgb,
 }
 
-/// One light's part.
-#[derive(Clone, Debug)]
+/// One light's part. JSON has its angles in degrees.
+#[derive(Clone, Debug, Serialize)]
 pub struct LightTerms {
     pub kind: LightKind,
     /// Unit vector to the light, world.
@@ -89,17 +103,21 @@ pub struct LightTerms {
     pub h: DVec3,
     pub n_dot_l: f64,
     /// Angle between N and L, radians.
+    #[serde(serialize_with = "in_degrees")]
     pub theta: f64,
     /// Angle between R and V, radians (between N and H for the models that measure those).
+    #[serde(serialize_with = "in_degrees")]
     pub phi: f64,
     /// The factor f; the mean of an area light's samples.
     pub attenuation: f64,
     /// The part of its intensity that a spot light sends this way; 1 for other lights.
     pub spot: f64,
     /// W(θ) per channel; 1 where it is constant.
+    #[serde(rename = "w")]
     pub reflectance: Rgb,
     /// The angle of incidence that W depends on, radians: between L and N, or between L and H for the models that mirror
     /// at H.
+    #[serde(serialize_with = "in_degrees")]
     pub incidence: f64,
     /// The part of the light that is not in shadow: of an area light's samples, and of the places of evaluation. Where no ray
     /// is followed, nothing is known to stand before it: with shadows switched off, where the surface is turned away from
@@ -118,13 +136,12 @@ pub struct LightTerms {
 impl LightTerms {
     /// Why the diffuse term is 0, in a clause; nothing where it adds something.
     pub fn why_no_diffuse(&self) -> Option<String> {
-        (!self.diffuse_zero.is_empty()).then(|| self.diffuse_zero.clauses("Kd·Od"))
+        self.diffuse_zero.clauses("Kd·Od")
     }
 
     /// Why the specular term is 0 likewise.
     pub fn why_no_specular(&self) -> Option<String> {
-        let coefficient = if self.reflectance == Rgb::ONE { "Ks·Os" } else { "Ks·Os·W" };
-        (!self.specular_zero.is_empty()).then(|| self.specular_zero.clauses(coefficient))
+        self.specular_zero.clauses(if self.reflectance == Rgb::ONE { "Ks·Os" } else { "Ks·Os·W" })
     }
 
     /// Why the light adds nothing, in a clause; nothing where it adds something.
@@ -137,8 +154,13 @@ impl LightTerms {
     pub fn why_nothing_in_short(&self) -> Option<&'static str> {
         self.why_nothing()?;
         let one = self.diffuse_zero == self.specular_zero && self.diffuse_zero.first() == self.diffuse_zero;
-        Some(self.diffuse_zero.iter().next().filter(|_| one).map_or("adds nothing", ZeroCause::short))
+        Some(self.diffuse_zero.short().filter(|_| one).unwrap_or("adds nothing"))
     }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+fn in_degrees<S: Serializer>(radians: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(radians.to_degrees())
 }
 
 /// Evaluates the equation at pixel (`x`, `y`) of `scene`, drawing it first if it is not the picture last drawn.
@@ -156,7 +178,9 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
         let lights = (0..scene.lights.len()).map(|light| light_terms(scene, equations, &evaluation, light)).collect();
         let mixture = renderer.mixture(x, y);
         let bounced = mixture.and_then(|mixture| mixture.bounced);
-        let constant = ambient(&equation, &evaluation);
+        // The constant ambient term where the equation is evaluated.
+        let color = evaluation.points.iter().map(|site| equation.pattern_color(site.point) * site.weight);
+        let constant = Rgb::from_array(equation.ambient) * color.sum::<Rgb>();
         let difference = bounced.unwrap_or(Rgb::ZERO);
         let reflected = (evaluation.intensity(&shining) + difference).max(Rgb::ZERO);
         let transmission = mixture.and_then(|mixture| mixture.transmission);
@@ -190,12 +214,6 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
     });
     let ambient_fit = renderer.report().ambient_fit.map(Rgb::from_array);
     Probe { pixel: [x, y], hit, ambient_fit }
-}
-
-/// The constant ambient term where the equation is evaluated.
-fn ambient(equation: &Equation<f64>, evaluation: &Evaluation<'_>) -> Rgb {
-    let color: Rgb = evaluation.points.iter().map(|site| equation.pattern_color(site.point) * site.weight).sum();
-    Rgb::from_array(equation.ambient) * color
 }
 
 /// One light's part; the second equation has only the sources that the picture is shaded with.
@@ -243,4 +261,51 @@ fn light_terms(
 fn angle(a: DVec3, b: DVec3) -> f64 {
     let (a, b) = (a.normalize_or_zero(), b.normalize_or_zero());
     2.0 * (a - b).length().atan2((a + b).length())
+}
+
+/// The clearest pixel to explain, of those of a coarse grid the nearest to the picture's middle: one whose vectors are well
+/// apart; or else a lit one; or else one of the object.
+pub fn clearest_pixel(renderer: &mut Renderer, scene: &Scene) -> Probe {
+    let [width, height] = scene.image.size;
+    let middle = [width / 2, height / 2];
+    let middles = |side: u32| (0..SEARCH_GRID).map(move |i| (2 * i + 1) * side / (2 * SEARCH_GRID));
+    let mut grid: Vec<[u32; 2]> = middles(height).flat_map(|y| middles(width).map(move |x| [x, y])).collect();
+    grid.dedup();
+    let distance = |[x, y]: &[u32; 2]| {
+        let (dx, dy) = (u64::from(x.abs_diff(middle[0])), u64::from(y.abs_diff(middle[1])));
+        dx * dx + dy * dy
+    };
+    grid.sort_by_key(distance);
+    let mut best = (Clarity::Background, Probe { pixel: middle, hit: None, ambient_fit: None });
+    for [x, y] in grid {
+        let probed = probe(renderer, scene, x, y);
+        let clarity = Clarity::of(&probed);
+        if clarity > best.0 {
+            best = (clarity, probed);
+        }
+        if best.0 == Clarity::Apart {
+            break;
+        }
+    }
+    best.1
+}
+
+/// How much a drawing at a pixel explains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Clarity {
+    Background,
+    /// No light reaches the point.
+    Dark,
+    Lit,
+    /// Lit, near the highlight but not in it: N, L, R and V point in directions of their own.
+    Apart,
+}
+
+impl Clarity {
+    fn of(probed: &Probe) -> Self {
+        let Some(hit) = &probed.hit else { return Self::Background };
+        let Some(light) = hit.lights.iter().find(|light| light.n_dot_l > 0.0) else { return Self::Dark };
+        let angles = [light.theta, light.phi, hit.normal.angle_between(hit.view)];
+        if angles.iter().all(|angle| APART.contains(&angle.to_degrees())) { Self::Apart } else { Self::Lit }
+    }
 }

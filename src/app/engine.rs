@@ -6,7 +6,7 @@ mod pane;
 use super::look::OverlayLook;
 use super::state::AppState;
 use crate::analysis::{
-    Brightest, Curves, ErrorFigures, Overlay, OverlayOptions, PaneFigures, Probe, Scan, ScanError, brightest, curves,
+    Brightest, Curves, ErrorFigures, Overlay, OverlayOptions, PaneFigures, Probe, Scan, ScanError, brightest,
     difference_picture, difference_scale, error_figures, scan_drawn,
 };
 use crate::render::{Frame, Report, Term, coarseness};
@@ -207,9 +207,7 @@ impl Engine {
     pub fn curves(&self, light: usize) -> Option<Curves> {
         let pane = self.active();
         let ((_, probe), scene) = (pane.probed.as_ref()?, pane.drawn()?);
-        let plot = |kind| curves::plot(kind, pane.renderer(), scene, probe, light);
-        let plots = curves::shown_kinds(scene, light).into_iter().filter_map(plot).collect();
-        Some(Curves { pixel: probe.pixel, light, plots })
+        Some(Curves::new(pane.renderer(), scene, probe, light))
     }
 
     /// The active pane's scene as last drawn, in the picture's size.

@@ -9,8 +9,8 @@ use super::look::{Look, NumbersTab};
 use super::recovery;
 use super::state::AppState;
 use crate::analysis::{
-    ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet,
-    probe, profile,
+    NormalField, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile,
+    panes_on_sheet, probe, profile,
 };
 use crate::document::{load_with, save_picture};
 use crate::jobs::Job;
@@ -18,6 +18,7 @@ use crate::render::{Frame, Renderer, check_memory};
 use crate::scene::Scene;
 use eframe::egui::Context;
 use std::cell::Cell;
+use std::convert::Infallible;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -52,7 +53,8 @@ pub fn over(state: &AppState) -> impl Fn(&mut Frame, &mut Renderer, &Scene) + Se
             profile(renderer, scene, &request).ok()
         });
         if let Some(mut map) = tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height) {
-            draw_normals(&mut map, scene, renderer, &options, vertex);
+            let lit = |field: &NormalField| Ok(vertex.and_then(|point| field.vertex(field.vertex_at(point)?)));
+            let Ok(()) = draw_normals::<Infallible>(&mut map, scene, renderer, &options, lit);
             if let Some(taken) = &taken {
                 taken.traces.iter().for_each(|trace| draw_profile(&mut map, taken, trace, &options));
             }

@@ -4,7 +4,7 @@ use super::compare::compare_ui;
 use super::curves::curves_ui;
 use super::defects::defects_ui;
 use super::engine::Engine;
-use super::filled::{arriving_words, filled_ui, to_line};
+use super::filled::filled_ui;
 use super::look::NumbersTab;
 use super::palette::vector_text;
 use super::plan::plan_ui;
@@ -14,14 +14,12 @@ use super::scan::scan_ui;
 use super::stability::stability_ui;
 use super::state::AppState;
 use super::study::study_ui;
-use crate::analysis::{LightTerms, Probe, ProbeHit, Probed};
+use crate::analysis::{Here, Probe, ProbeHit, Probed, digits};
 use crate::figure::palette::Vector;
-use crate::scene::{Reflectance, ReflectionModel, Scene};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Button, Color32, CornerRadius, Grid, Label, Layout, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2,
 };
-use glam::DVec3;
 
 /// Height of a table's rows, points.
 const ROW: f32 = 21.0;
@@ -109,8 +107,8 @@ fn hit_ui(ui: &mut Ui, state: &mut AppState, probe: &Probe, hit: &ProbeHit) {
     filled_ui(ui, state, hit);
     ui.add_space(8.0);
     ui.separator();
-    let scene = &state.shown.scene;
-    vectors_ui(ui, scene, hit, state.light.min(hit.lights.len().saturating_sub(1)));
+    let light = state.light.min(hit.lights.len().saturating_sub(1));
+    vectors_ui(ui, Here { scene: &state.shown.scene, hit }, light);
 }
 
 /// The pixel, its stored colour and where it lies.
@@ -129,22 +127,6 @@ fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
     });
 }
 
-fn header(ui: &mut Ui, texts: [&str; 4]) {
-    for (index, text) in texts.into_iter().enumerate() {
-        let align = if index == 0 { Align::Min } else { Align::Max };
-        cell(ui, RichText::new(text).weak(), align);
-    }
-    ui.end_row();
-}
-
-fn channels(ui: &mut Ui, name: &str, colour: Color32, values: DVec3) {
-    cell(ui, RichText::new(name).color(colour), Align::Min);
-    for value in values.to_array() {
-        cell(ui, RichText::new(number(value)).monospace().color(colour), Align::Max);
-    }
-    ui.end_row();
-}
-
 /// A cell of a table: words at the left, numbers at the right of columns of one width.
 fn cell(ui: &mut Ui, text: RichText, align: Align) {
     let width = if align == Align::Min { 88.0 } else { 66.0 };
@@ -154,72 +136,34 @@ fn cell(ui: &mut Ui, text: RichText, align: Align) {
     });
 }
 
-/// A number with as many digits as fit a column.
-fn number(value: f64) -> String {
-    let size = value.abs();
-    if size >= 1e5 {
-        format!("{value:.0e}").replace('-', "−")
-    } else if size >= 100.0 {
-        format!("{value:.1}").replace('-', "−")
-    } else {
-        format!("{value:.4}").replace('-', "−")
-    }
-}
-
 /// The vectors at the probe and the angles between them, for one light.
-fn vectors_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit, light: usize) {
-    let title = if hit.lights.len() > 1 { format!("Vectors, light {}", light + 1) } else { "Vectors".to_owned() };
+fn vectors_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
+    let title = if here.hit.lights.len() > 1 { format!("Vectors, light {}", light + 1) } else { "Vectors".to_owned() };
     ui.label(RichText::new(title).strong());
     let visuals = ui.visuals().clone();
-    let tint = |letter| vector_text(&visuals, letter);
+    let light = here.lights().nth(light);
     Grid::new("vectors").num_columns(4).spacing([4.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
-        header(ui, ["", "x", "y", "z"]);
-        channels(ui, "point", visuals.text_color(), hit.position);
-        channels(ui, "N", tint(Vector::N), hit.normal);
-        channels(ui, "V", tint(Vector::V), hit.view);
-        if let Some(terms) = hit.lights.get(light) {
-            channels(ui, "L", tint(Vector::L), terms.l);
-            channels(ui, "R", tint(Vector::R), terms.r);
-            channels(ui, "H", tint(Vector::H), terms.h);
+        for (head, align) in [("", Align::Min), ("x", Align::Max), ("y", Align::Max), ("z", Align::Max)] {
+            cell(ui, RichText::new(head).weak(), align);
         }
-        if let Some(t) = transmitted(hit) {
-            channels(ui, "T", tint(Vector::T), t);
+        ui.end_row();
+        for (vector, _, v) in here.vectors().into_iter().chain(light.iter().flat_map(|light| light.vectors())) {
+            let colour = vector.map_or(visuals.text_color(), |vector| vector_text(&visuals, vector));
+            cell(ui, RichText::new(vector.map_or("point", Vector::letter)).color(colour), Align::Min);
+            for value in v.to_array() {
+                // Rounded: what is left of a 0 has no digits.
+                let number = digits((value * 1e4).round() / 1e4 + 0.0);
+                cell(ui, RichText::new(number).monospace().color(colour), Align::Max);
+            }
+            ui.end_row();
         }
     });
-    if let Some(terms) = hit.lights.get(light) {
-        ui.add_space(6.0);
-        angles_ui(ui, scene, hit, terms);
-    }
-}
-
-fn transmitted(hit: &ProbeHit) -> Option<DVec3> {
-    hit.transmission.and_then(|through| through.t)
-}
-
-fn angles_ui(ui: &mut Ui, scene: &Scene, hit: &ProbeHit, terms: &LightTerms) {
-    let phi = match scene.reflection.model {
-        ReflectionModel::Phong => "φ, R to V",
-        ReflectionModel::Blinn | ReflectionModel::CookTorrance => "φ, N to H",
-    };
+    ui.add_space(6.0);
     Grid::new("angles").num_columns(2).spacing([4.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
-        let mut line = |name: &str, value: String| {
+        for (name, value) in light.iter().flat_map(|light| light.angles()) {
             cell(ui, RichText::new(name), Align::Min);
             cell(ui, RichText::new(value).monospace(), Align::Max);
             ui.end_row();
-        };
-        line("θ, N to L", format!("{:.2}°", terms.theta.to_degrees()));
-        line(phi, format!("{:.2}°", terms.phi.to_degrees()));
-        line("N·L", format!("{:.4} ", terms.n_dot_l).replace('-', "−"));
-        line("f", format!("{:.4} ", terms.attenuation));
-        if scene.material.reflectance != Reflectance::Constant {
-            let of = if scene.reflection.model == ReflectionModel::Phong { "W, L to N" } else { "W, L to H" };
-            line(of, format!("{:.2}°", terms.incidence.to_degrees()));
-        }
-        if let Some(t) = transmitted(hit) {
-            line("θt, T to −N", format!("{:.2}°", to_line(hit.normal, t).to_degrees()));
-        }
-        if let Some(words) = arriving_words(scene, terms) {
-            line("light", words);
         }
     });
 }

@@ -4,20 +4,12 @@
 //! colour of the vector that makes it: diffuse light that of L, specular light that of R (of H for Blinn's model);
 //! ambient light comes from nowhere in particular and stays neutral.
 
+use crate::analysis::Tone;
 use crate::figure::palette::{self, Rgb8, Vector};
-use crate::scene::ReflectionModel;
 use eframe::egui::{Color32, Visuals};
 
 /// Contrast that WCAG 2.2 asks of text (success criterion 1.4.3).
 pub const READABLE: f64 = 4.5;
-
-/// The terms of the equation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Term {
-    Ambient,
-    Diffuse,
-    Specular,
-}
 
 /// A vector's colour as drawn in pictures.
 pub fn vector(vector: Vector) -> Color32 {
@@ -30,13 +22,13 @@ pub fn vector_text(visuals: &Visuals, letter: Vector) -> Color32 {
     readable(vector(letter), visuals.panel_fill)
 }
 
-/// A term's colour as text on a panel.
-pub fn term_text(visuals: &Visuals, term: Term, model: ReflectionModel) -> Color32 {
-    match (term, model) {
-        (Term::Ambient, _) => visuals.text_color(),
-        (Term::Diffuse, _) => vector_text(visuals, Vector::L),
-        (Term::Specular, ReflectionModel::Blinn) => vector_text(visuals, Vector::H),
-        (Term::Specular, _) => vector_text(visuals, Vector::R),
+/// A part of the equation as text on a panel.
+pub fn tone_text(visuals: &Visuals, tone: Tone) -> Color32 {
+    match tone {
+        Tone::Plain => visuals.text_color(),
+        Tone::Weak => visuals.weak_text_color(),
+        Tone::Strong => visuals.strong_text_color(),
+        Tone::Of(vector) => vector_text(visuals, vector),
     }
 }
 

@@ -11,8 +11,9 @@ pub use number::{NumberRow, SliderRange, display, number, whole};
 pub use widgets::{axes, swatch};
 
 use super::focus::named;
-use super::palette::{Term, term_text, vector_text};
+use super::palette::vector_text;
 use super::symbol::{Lit, Symbol};
+use crate::analysis::specular_vector;
 use crate::figure::palette::Vector;
 use crate::scene::parameter::{Access, Kind, Limits, Parameter, Slider, defaults};
 use crate::scene::{ChoiceOption, Rgb, Scene};
@@ -271,8 +272,8 @@ fn tip(parameter: &Parameter, scene: &Scene) -> String {
 fn tint(ui: &Ui, scene: &Scene, parameter: &Parameter) -> Option<Color32> {
     let (visuals, model) = (ui.visuals(), scene.reflection.model);
     match parameter.symbol? {
-        Symbol::Kd => Some(term_text(visuals, Term::Diffuse, model)),
-        Symbol::Ks | Symbol::Exponent | Symbol::Facets => Some(term_text(visuals, Term::Specular, model)),
+        Symbol::Kd => Some(vector_text(visuals, Vector::L)),
+        Symbol::Ks | Symbol::Exponent | Symbol::Facets => Some(vector_text(visuals, specular_vector(model))),
         Symbol::Kt | Symbol::Transmitted => Some(vector_text(visuals, Vector::T)),
         Symbol::Viewer => Some(vector_text(visuals, Vector::V)),
         Symbol::Light if parameter.letter == "L" || parameter.letter == "D" => Some(vector_text(visuals, Vector::L)),

@@ -1,17 +1,79 @@
 //! Formulas as the textbooks set them: italic letters with lowered and raised ones, each symbol a way to its control.
 
+use super::palette::vector_text;
 use super::state::AppState;
 use super::symbol::Symbol;
+use crate::figure::palette::Vector;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align, Color32, CursorIcon, FontFamily, FontId, Galley, Id, Pos2, Rect, Response, Sense, Ui, WidgetInfo, pos2, vec2,
+    Align, Color32, CursorIcon, FontFamily, FontId, Galley, Id, Pos2, Rect, Response, Sense, Ui, Visuals, WidgetInfo,
+    pos2, vec2,
 };
 use std::borrow::Cow;
 use std::sync::Arc;
 
 /// How far above the middle of a run the top of raised letters lies, in heights of the run.
 const RAISED: f32 = 0.42;
+
+/// The letters of formulas: their names there, how they are written, their symbols, and what they stand for where it is
+/// not what their symbol does.
+const LETTERS: [(&str, &str, &str, Symbol, &str); 27] = [
+    ("I", "I", "", Symbol::Intensity, ""),
+    ("Irefl", "I", "refl", Symbol::Intensity, "Irefl: the reflected light, what the terms add up to"),
+    ("Ka", "K", "a", Symbol::Ka, ""),
+    ("Od", "O", "d", Symbol::Od, ""),
+    ("Ia", "I", "a", Symbol::Ia, ""),
+    ("Σ", "Σ ", "", Symbol::Lights, ""),
+    ("f", "f ", "", Symbol::Attenuation, ""),
+    ("spot", "s ", "", Symbol::Light, "s: the part of its light that the spot sends this way, 0 to 1"),
+    ("lit", "lit ", "", Symbol::Shadows, "lit: the part of the light that nothing keeps away, 0 to 1"),
+    ("Ip", "I", "p", Symbol::Ip, ""),
+    ("Kd", "K", "d", Symbol::Kd, ""),
+    ("Ks", "K", "s", Symbol::Ks, ""),
+    ("Os", "O", "s", Symbol::Os, ""),
+    ("W", "W", "", Symbol::Reflectance, ""),
+    ("S", "S", "", Symbol::Facets, "S: the microfacets that mirror the light to the viewer, π·D·G/(4·(N·V))"),
+    ("D", "D ", "", Symbol::Facets, ""),
+    ("G", "G", "", Symbol::Masking, ""),
+    ("N", "N", "", Symbol::Normal, ""),
+    ("L", "L", "", Symbol::Light, ""),
+    ("R", "R", "", Symbol::Reflected, ""),
+    ("V", "V", "", Symbol::Viewer, ""),
+    ("H", "H", "", Symbol::Reflected, ""),
+    ("Kt", "K", "t", Symbol::Kt, ""),
+    ("It", "I", "t", Symbol::Transmitted, ""),
+    ("Itrans", "I", "trans", Symbol::Transmitted, ""),
+    ("s0", "s", "0", Symbol::Depth, ""),
+    ("Idc", "I", "dc", Symbol::Depth, "Idc: what intensities fade into"),
+];
+
+/// The pieces of a formula whose letters stand in braces, as [`Here::filled`](crate::analysis::Here::filled) has them.
+/// Letters have the `colour`, vectors their own; `here` says what a letter is at the pixel, or nothing.
+pub fn formula(visuals: &Visuals, formula: &str, colour: Color32, here: impl Fn(&str) -> String) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    for (index, part) in formula.split(['{', '}']).enumerate() {
+        let letter = LETTERS.iter().find(|(name, ..)| *name == part);
+        if index % 2 == 0 {
+            pieces.extend((!part.is_empty()).then(|| Piece::plain(part.to_owned(), visuals.text_color())));
+        } else if let Some(result) = part.strip_prefix('=') {
+            pieces.push(Piece::plain(result.to_owned(), visuals.strong_text_color()));
+        } else if let Some(raised) = part.strip_prefix('^') {
+            pieces.iter_mut().last().into_iter().for_each(|piece| piece.high = raised.to_owned().into());
+        } else {
+            let exponent = ("n", "", "", Symbol::Exponent, "");
+            let (name, text, low, symbol, meaning) = *letter.unwrap_or(&exponent);
+            let vector = Vector::ALL.into_iter().find(|vector| vector.letter() == name);
+            let colour = vector.map_or(colour, |vector| vector_text(visuals, vector));
+            let own = format!("{}; {}", symbol.meaning(), symbol.unit());
+            let (meaning, here) = (if meaning.is_empty() { &own } else { meaning }, here(name));
+            let tip = (!here.is_empty()).then(|| format!("{meaning}.\n{here}"));
+            let high = Cow::Borrowed(if letter.is_none() { "n" } else { "" });
+            pieces.push(Piece { high, tip, ..Piece::symbol(text, low, symbol, colour) });
+        }
+    }
+    pieces
+}
 
 /// A letter, a sign or a number of a formula.
 #[derive(Clone, Debug)]
@@ -36,16 +98,6 @@ impl Piece {
     /// A symbol with a lowered letter, which may be empty.
     pub fn symbol(text: &'static str, low: impl Into<Cow<'static, str>>, symbol: Symbol, colour: Color32) -> Self {
         Self { low: low.into(), symbol: Some(symbol), ..Self::plain(text, colour) }
-    }
-
-    /// The same with `high` raised behind it.
-    pub fn raised(self, high: impl Into<Cow<'static, str>>) -> Self {
-        Self { high: high.into(), ..self }
-    }
-
-    /// The same, explained by `tip`.
-    pub fn explained(self, tip: String) -> Self {
-        Self { tip: Some(tip), ..self }
     }
 
     fn layout(&self, size: f32) -> LayoutJob {
@@ -106,10 +158,6 @@ impl<'a> Run<'a> {
         self.galleys.iter().map(|galley| galley.size().x).sum()
     }
 
-    pub fn height(&self) -> f32 {
-        self.height
-    }
-
     /// Paints the run from `left`, the middle of its left side. Its symbols light up what controls them.
     pub fn paint(&self, ui: &mut Ui, state: &mut AppState, left: Pos2, place: Place<'_>) {
         let mut x = left.x;
@@ -135,7 +183,7 @@ impl<'a> Run<'a> {
 /// Adds a run of pieces that stays on one line.
 pub fn run_ui(ui: &mut Ui, state: &mut AppState, pieces: &[Piece], size: f32, place: Place<'_>) -> Response {
     let run = Run::new(ui, pieces, size);
-    let (rect, response) = ui.allocate_exact_size(vec2(run.width(), run.height()), Sense::hover());
+    let (rect, response) = ui.allocate_exact_size(vec2(run.width(), run.height), Sense::hover());
     run.paint(ui, state, rect.left_center(), place);
     response
 }

@@ -8,8 +8,8 @@ use super::output::{Failure, progress_bar};
 use clap::Args;
 use glam::DVec2;
 use shading_lab::analysis::{
-    LitVertex, Needles, NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, clearest_pixel, comparison_sheet,
-    defects, draw_defects, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe, profile,
+    NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, clearest_pixel, comparison_sheet, defects, draw_defects,
+    draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe, profile,
 };
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::render::{Frame, Renderer, check_memory};
@@ -135,13 +135,8 @@ impl Render {
         let mut pixmap = PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), frame.width, frame.height)
             .ok_or_else(|| Failure::work("the picture is too large for overlays"))?;
         if any(OverlayLayer::of_needles) {
-            let field = NormalField::new(renderer, &scene.object);
-            let vertex = self.vertex.map(|number| field.vertex_of(number)).transpose().map_err(Failure::input)?;
-            Needles::new(size, scene, renderer, &field, &options).draw(&mut pixmap);
-            let lit = vertex.and_then(|vertex| LitVertex::new(size, scene, &field, &vertex, &options));
-            if let Some(lit) = lit {
-                lit.draw(&mut pixmap);
-            }
+            let vertex = |field: &NormalField| self.vertex.map(|number| field.vertex_of(number)).transpose();
+            draw_normals(&mut pixmap, scene, renderer, &options, vertex).map_err(Failure::input)?;
         }
         if layers.contains(&OverlayLayer::Profile) {
             let [width, height] = size.map(f64::from);

@@ -4,6 +4,7 @@
 use super::mesh::{ByPoint, Mesh, NO_NORMAL, VertexMesh};
 use crate::scene::{NormalSource, Weighting};
 use glam::{DVec3, DVec4, Vec3};
+use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// Where face normals cancel to less than this share of their weights, what is left is rounding and has no direction.
@@ -192,7 +193,8 @@ fn unit_or(normal: DVec3, fallback: Vec3) -> Vec3 {
 }
 
 /// Where the normal of one vertex comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum NormalOrigin {
     /// The mean of the faces' normals, each with its weight.
     Averaged,
@@ -203,6 +205,7 @@ pub enum NormalOrigin {
     /// The faces' normals cancel; it is that of the first face there with an area.
     FirstFace,
     /// No face there has an area.
+    #[serde(rename = "none")]
     Nowhere,
 }
 

@@ -1,39 +1,56 @@
 //! The normals of polygons and of vertices as needles, and the polygons that one vertex normal comes from.
 //!
 //! A needle stands at a polygon's centre (yellow, dashed, a square foot) or at a vertex (N's blue, solid, a round foot). All
-//! are equally long in the world, so that what is seen of one shows how it leans.
+//! are equally long in the world, so that what is seen of one shows how it leans. Where there are more than a picture can
+//! show, an even choice is drawn: needles keep a distance in the world, not in the picture, so that towards an outline they
+//! close up as the surface does, and those on the outline stay.
 
-mod fine;
-mod lit;
-mod thin;
-
-pub use lit::LitVertex;
-
+use super::fine::Fine;
+use super::{NormalField, SeenNormal, VertexFace, VertexNormal};
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
-use crate::analysis::{NormalField, SeenNormal};
-use crate::figure::palette::{self, Rgb8};
-use crate::figure::{Area, Label, inked_size};
+use crate::figure::palette::{self, Rgb8, readable};
+use crate::figure::{Area, Drawing, Label, Shape, inked_size};
+use crate::geometry::NormalOrigin;
 use crate::render::Renderer;
-use crate::scene::{Scene, View};
-use fine::Fine;
+use crate::scene::{NormalSource, Scene, View};
 use glam::{DVec2, DVec3};
-use thin::thinned;
+use std::collections::HashMap;
 use tiny_skia::PixmapMut;
 
 /// Length of a needle: the wanted share of the polygons' median edge, and its bounds in the picture's shorter side.
 const LENGTH: f64 = 0.5;
 const LENGTHS: [f64; 2] = [0.014, 0.085];
-/// Width of a needle, in the line width of the vectors, and its foot's radius in its own width.
+/// Width of a needle, in the line width of the vectors, and its foot's radius and its halo's breadth in its own width.
 const WIDTH: f64 = 0.62;
 const FOOT: f64 = 1.3;
-/// Breadth of the halo, in widths.
 const HALO: f64 = 0.5;
 /// Contrast of blue needles with their halo: they are thin.
 const CONTRAST: f64 = 5.5;
-/// Size of the note about what is left out, in that of the vectors' letters.
+/// Size of the note about what is left out, and of a face's share, in that of the vectors' letters.
 const NOTE: f64 = 0.62;
+const SHARE: f64 = 0.8;
 /// The halo of yellow needles, which on white would not show.
 const DARK: Rgb8 = [16; 3];
+/// More needles than this are never drawn.
+const MOST: usize = 2000;
+/// More normals than this are not looked at one by one: by chance as many are.
+const LOOKED_AT: usize = 24_000;
+/// Edges shorter than this, in letters, leave no room for needles at every one.
+const CROWDED: f64 = 0.5;
+/// Least distance between needles, in letters, where they are crowded; elsewhere in median edges: a shape has parts that
+/// are finer than the rest.
+const APART: f64 = 0.8;
+const APART_IN_EDGES: f64 = 0.3;
+/// The distance from needles of the other kind, where they are crowded, in that between needles.
+const OTHERS: f64 = 0.3;
+/// Length of an emphasised normal in that of a needle.
+const EMPHASIS: f64 = 1.5;
+/// How opaque faces are filled: where nothing is averaged, and what the largest share adds.
+const FILL: [f64; 2] = [0.12, 0.33];
+/// More faces than this are counted instead of lettered.
+const LETTERED: usize = 12;
+/// Of the outline of a face that is seen from behind, in widths.
+const BEHIND: &[f32] = &[2.0, 2.0];
 
 /// Whose normal a needle is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,11 +105,11 @@ impl Needles {
             if !options.layers.contains(&layer) || seen.is_empty() {
                 continue;
             }
-            let unit = view.world_per_pixel(median_depth(&seen));
-            let letter = style.text * unit;
-            let hidden = |one: &SeenNormal| field.hidden(renderer, one);
-            let edge = field.median_edge();
-            let choice = thinned(&seen, edge, letter, &others, hidden);
+            let mut depths: Vec<f64> = seen.iter().map(|one| one.depth).collect();
+            let middle = depths.len() / 2;
+            let unit = view.world_per_pixel(*depths.select_nth_unstable_by(middle, f64::total_cmp).1);
+            let edge = field.median_edge;
+            let choice = thinned(&seen, edge, style.text * unit, &others, |one| field.hidden(renderer, one));
             if choice.thinned {
                 notes.push(format!("{} of {} {name}", choice.shown.len(), seen.len()));
             }
@@ -103,83 +120,289 @@ impl Needles {
             }
             others.extend(choice.shown.iter().map(|one| one.point));
             for one in &choice.shown {
-                let tip = end(&view, one.point, one.normal * needles.length);
+                // One that would pass the eye is cut short before it.
+                let nowhere = Area { min: DVec2::ZERO, max: DVec2::ZERO };
+                let sketch = Sketch::new(view, style, nowhere, one.point, Some(1.0), 1.0);
+                let tip = sketch.and_then(|sketch| sketch.end(one.normal * needles.length));
                 needles.needles.extend(tip.map(|tip| Needle { kind, index: one.index, foot: one.pixel, tip }));
             }
         }
-        needles.note = (!notes.is_empty()).then(|| note(notes.join(", "), size, &style));
+        if !notes.is_empty() {
+            // At the lower left.
+            let (text, em) = (notes.join(", "), (NOTE * style.text).max(13.0));
+            let extent = inked_size(&text, em) + 2.0 * style.halo;
+            let corner = DVec2::new(0.8 * em, f64::from(size[1]) - 0.8 * em - extent.y);
+            let area = Area { min: corner, max: corner + extent };
+            needles.note = Some(Label { text, area, size: em, colour: style.neutral });
+        }
         needles
     }
 
     /// Draws them on a pixmap of the size for which they were laid out.
     pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
-        let width = WIDTH * self.style.line;
-        for kind in [NeedleKind::Face, NeedleKind::Vertex] {
-            let (colour, halo) = colours(kind, &self.style);
-            let own = || self.needles.iter().filter(|needle| needle.kind == kind);
-            let stroke = |needle: &Needle, more: f64| {
-                let stroke = Fine::new(needle.foot, needle.tip, width + 2.0 * more, FOOT * width + more);
-                if kind == NeedleKind::Face { stroke.square() } else { stroke }
-            };
-            own().for_each(|needle| stroke(needle, HALO * width).draw(pixmap, halo));
-            let [dash, gap] = palette::FACE_DASHES.map(|length| f64::from(length) * width);
-            for needle in own() {
-                let solid = stroke(needle, 0.0);
-                let stroke = if kind == NeedleKind::Face { solid.dashed(dash, gap) } else { solid };
-                stroke.draw(pixmap, colour);
+        let (style, width) = (self.style, WIDTH * self.style.line);
+        let blue = readable(palette::N, style.halo_colour, CONTRAST);
+        let dash = palette::FACE_DASHES.map(|length| f64::from(length) * width);
+        for (kind, colour, halo, dash) in
+            [(NeedleKind::Face, palette::FACE, DARK, Some(dash)), (NeedleKind::Vertex, blue, style.halo_colour, None)]
+        {
+            // The halos of all come first.
+            for (colour, more, dash) in [(halo, HALO * width, None), (colour, 0.0, dash)] {
+                for needle in self.needles.iter().filter(|needle| needle.kind == kind) {
+                    let Needle { foot, tip, .. } = *needle;
+                    let (width, breadth) = (width + 2.0 * more, FOOT * width + more);
+                    Fine { foot, tip, width, breadth, square: kind == NeedleKind::Face, dash }.draw(pixmap, colour);
+                }
             }
         }
-        self.style.lettered(&self.note).draw(pixmap);
+        style.lettered(&self.note).draw(pixmap);
     }
 }
 
-/// Draws the layers of `options` that are normals over a picture of `scene` that `renderer` last drew, and lights up the
-/// vertex at `point` of its mesh. The pixmap is of that picture's size.
-pub fn draw_normals(
+/// Draws the layers of `options` that are normals over a picture of `scene` that `renderer` last drew, and lights up a
+/// vertex of its mesh. The pixmap is of that picture's size.
+///
+/// # Errors
+///
+/// What `vertex` says where it finds none.
+pub fn draw_normals<E>(
     pixmap: &mut PixmapMut<'_>,
     scene: &Scene,
     renderer: &Renderer,
     options: &OverlayOptions,
-    point: Option<u32>,
-) {
-    if !options.layers.iter().any(|layer| layer.of_needles()) {
-        return;
+    vertex: impl FnOnce(&NormalField) -> Result<Option<VertexNormal>, E>,
+) -> Result<(), E> {
+    if options.layers.iter().any(|layer| layer.of_needles()) {
+        let field = NormalField::new(renderer, &scene.object);
+        let size = [pixmap.width(), pixmap.height()];
+        let lit = vertex(&field)?.and_then(|vertex| LitVertex::new(size, scene, &field, &vertex, options));
+        Needles::new(size, scene, renderer, &field, options).draw(pixmap);
+        lit.into_iter().for_each(|lit| lit.draw(pixmap));
     }
-    let field = NormalField::new(renderer, &scene.object);
-    let size = [pixmap.width(), pixmap.height()];
-    Needles::new(size, scene, renderer, &field, options).draw(pixmap);
-    let vertex = point.and_then(|point| field.vertex(field.vertex_at(point)?));
-    if let Some(lit) = vertex.and_then(|vertex| LitVertex::new(size, scene, &field, &vertex, options)) {
-        lit.draw(pixmap);
+    Ok(())
+}
+
+/// What of the needles is drawn.
+struct Choice {
+    shown: Vec<SeenNormal>,
+    /// How far they are kept apart where they are crowded, world units.
+    apart: f64,
+    /// Whether some are left out that nothing hides.
+    thinned: bool,
+}
+
+/// As many needles that are not `hidden` as keep a distance from each other and from `others`, in the order of the mesh.
+/// `edge` is the polygons' and `letter` the size of the type, both in world units.
+fn thinned(
+    seen: &[SeenNormal],
+    edge: f64,
+    letter: f64,
+    others: &[DVec3],
+    hidden: impl Fn(&SeenNormal) -> bool,
+) -> Choice {
+    let crowded = seen.len() > MOST || edge < CROWDED * letter;
+    let (mut apart, others) = if crowded { (APART * letter, others) } else { (APART_IN_EDGES * edge, &[][..]) };
+    let one_in = seen.len().div_ceil(LOOKED_AT) as u64;
+    let looked_at: Vec<SeenNormal> =
+        seen.iter().filter(|one| scattered(one.index).is_multiple_of(one_in)).copied().collect();
+    loop {
+        let (shown, dropped) = kept_apart(&looked_at, apart, others, &hidden);
+        // Where a letter has no size either, no distance would ever be enough.
+        let grows = apart.is_finite() && (apart > 0.0 || letter > 0.0);
+        if shown.len() <= MOST || !grows {
+            let apart = if crowded { apart } else { 0.0 };
+            return Choice { shown, apart, thinned: dropped || one_in > 1 };
+        }
+        // From nothing, where all edges have no length, the next is a letter's.
+        apart = (1.25 * apart).max(APART * letter);
     }
 }
 
-/// The colour of a kind of needle and of its halo.
-fn colours(kind: NeedleKind, style: &Style) -> (Rgb8, Rgb8) {
-    match kind {
-        NeedleKind::Face => (palette::FACE, DARK),
-        NeedleKind::Vertex => (palette::readable(palette::N, style.halo_colour, CONTRAST), style.halo_colour),
+/// A number that has nothing to do with those beside it (the finaliser of SplitMix64, Steele et al. 2014).
+fn scattered(index: u32) -> u64 {
+    let mut x = u64::from(index).wrapping_add(0x9E37_79B9_7F4A_7C15);
+    x = (x ^ (x >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    x = (x ^ (x >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    x ^ (x >> 31)
+}
+
+/// Cells as wide as a distance: what is too near lies in a cell or in one beside it.
+#[derive(Default)]
+struct Grid {
+    cell: f64,
+    feet: HashMap<[i64; 3], Vec<DVec3>>,
+}
+
+impl Grid {
+    fn place(&self, foot: DVec3) -> [i64; 3] {
+        (foot / self.cell.max(f64::MIN_POSITIVE)).floor().to_array().map(|x| x as i64)
+    }
+
+    fn add(&mut self, foot: DVec3) {
+        self.feet.entry(self.place(foot)).or_default().push(foot);
+    }
+
+    /// Whether nothing is nearer to `foot` than a cell is wide.
+    fn free(&self, foot: DVec3) -> bool {
+        if self.feet.is_empty() {
+            return true;
+        }
+        let near = |other: &DVec3| other.distance_squared(foot) < self.cell * self.cell;
+        let taken = |place: [i64; 3]| self.feet.get(&place).is_some_and(|feet| feet.iter().any(near));
+        let [x, y, z] = self.place(foot);
+        let beside = |x: i64| x.saturating_sub(1)..=x.saturating_add(1);
+        // Most of what is not free is told by its own cell.
+        !taken([x, y, z]) && !beside(x).any(|x| beside(y).any(|y| beside(z).any(|z| taken([x, y, z]))))
     }
 }
 
-/// Where the end of `reach` from `point` appears; one that would pass the eye is cut short before it.
-fn end(view: &View, point: DVec3, reach: DVec3) -> Option<DVec2> {
-    Sketch::new(*view, Style::new(1.0, &OverlayOptions::default()), NO_PANE, point, Some(1.0), 1.0)?.end(reach)
+/// Those that are kept, and whether another was left out that nothing hides.
+fn kept_apart(
+    seen: &[SeenNormal],
+    apart: f64,
+    others: &[DVec3],
+    hidden: &impl Fn(&SeenNormal) -> bool,
+) -> (Vec<SeenNormal>, bool) {
+    let mut taken = Grid { cell: OTHERS * apart, ..Grid::default() };
+    others.iter().for_each(|foot| taken.add(*foot));
+    let mut own = Grid { cell: apart, ..Grid::default() };
+    let mut shown: Vec<SeenNormal> = Vec::new();
+    let mut dropped = false;
+    for one in seen {
+        if !own.free(one.point) || !taken.free(one.point) {
+            // Several normals at one point are several vertices.
+            let upon = shown.last().is_some_and(|last| last.point == one.point && last.normal != one.normal);
+            if !upon {
+                dropped = dropped || !hidden(one);
+                continue;
+            }
+        }
+        if !hidden(one) {
+            own.add(one.point);
+            shown.push(*one);
+        }
+    }
+    (shown, dropped)
 }
 
-const NO_PANE: Area = Area { min: DVec2::ZERO, max: DVec2::ZERO };
-
-fn median_depth(seen: &[SeenNormal]) -> f64 {
-    let mut depths: Vec<f64> = seen.iter().map(|one| one.depth).collect();
-    let middle = depths.len() / 2;
-    *depths.select_nth_unstable_by(middle, f64::total_cmp).1
+/// A vertex and the faces that its normal comes from, lit up, each with its share.
+#[derive(Clone, Debug)]
+pub struct LitVertex {
+    /// The shares and the letter of the normal.
+    pub labels: Vec<Label>,
+    drawing: Drawing,
+    style: Style,
 }
 
-/// At the lower left.
-fn note(text: String, size: [u32; 2], style: &Style) -> Label {
-    let em = (NOTE * style.text).max(13.0);
-    let extent = inked_size(&text, em) + 2.0 * style.halo;
-    let margin = DVec2::splat(0.8 * em);
-    let corner = DVec2::new(margin.x, f64::from(size[1]) - margin.y - extent.y);
-    Label { text, area: Area { min: corner, max: corner + extent }, size: em, colour: style.neutral }
+impl LitVertex {
+    /// Lays out `vertex` of `field` over a picture of `scene` of `size` pixels; nothing where it does not appear.
+    pub fn new(
+        size: [u32; 2],
+        scene: &Scene,
+        field: &NormalField,
+        vertex: &VertexNormal,
+        options: &OverlayOptions,
+    ) -> Option<Self> {
+        let pane = Area { min: DVec2::ZERO, max: DVec2::from_array(size.map(f64::from)) };
+        let side = pane.max.min_element();
+        let style = Style::new(side, options);
+        let view = View::new(&scene.camera, size);
+        let (_, depth) = view.project(vertex.position)?;
+        let [least, most] = LENGTHS.map(|share| share * side * view.world_per_pixel(depth));
+        let length = EMPHASIS * (LENGTH * field.median_edge).clamp(2.0 * least, most);
+        let about = |position| Sketch::new(view, style, pane, position, Some(length), 1.0);
+        let mut sketch = about(vertex.position)?;
+        let greatest = vertex.faces.iter().map(|face| face.share).fold(0.0, f64::max);
+        for face in &vertex.faces {
+            let weight = if greatest > 0.0 { face.share / greatest } else { 0.0 };
+            draw_face(&mut sketch, field, face, weight);
+        }
+        let lettered = vertex.faces.len() <= LETTERED;
+        for face in &vertex.faces {
+            if let Some(own) = about(face.centre) {
+                draw_face_normal(&mut sketch, &own, face, lettered && greatest > 0.0);
+            }
+        }
+        if !lettered {
+            let shares = vertex.faces.iter().map(|face| face.share);
+            let (least, count) = (shares.fold(f64::INFINITY, f64::min), vertex.faces.len());
+            let text = if greatest == 0.0 {
+                format!("{count} faces")
+            } else if greatest - least < 5e-4 {
+                format!("{count} faces, {greatest:.3} each")
+            } else {
+                format!("{count} faces, {least:.3} to {greatest:.3}")
+            };
+            sketch.letter(text, SHARE, style.neutral, sketch.origin, DVec2::Y, style.text);
+        }
+        draw_vertex_normal(&mut sketch, field, vertex);
+        let labels = sketch.labels(&[]);
+        Some(Self { labels, drawing: style.drawing(sketch.shapes), style })
+    }
+
+    /// Draws it on a pixmap of the size for which it was laid out.
+    pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
+        self.drawing.draw(pixmap);
+        self.style.lettered(&self.labels).draw(pixmap);
+    }
+}
+
+/// Fills and outlines a face.
+fn draw_face(sketch: &mut Sketch, field: &NormalField, face: &VertexFace, weight: f64) {
+    let front = face.normal.dot(sketch.view.towards_eye(face.centre)) > 0.0;
+    let corners = field.outline(face.face).into_iter().map(|corner| Some(sketch.view.project(corner)?.0));
+    let Some(mut corners) = corners.collect::<Option<Vec<DVec2>>>() else { return };
+    if front {
+        let fill = Shape::area(corners.clone(), palette::FACE).plain();
+        sketch.shapes.push(fill.faded(FILL[0] + FILL[1] * weight));
+    }
+    let width = 0.5 * sketch.style.line;
+    corners.extend(corners.first().copied());
+    // Yellow shows on its own dark rim, whatever the picture's halo is.
+    let rim = Shape::line(corners.clone(), 2.4 * width, DARK).faded(if front { 0.7 } else { 0.4 });
+    let outline = Shape::line(corners, width, palette::FACE).dashed(if front { &[] } else { BEHIND });
+    sketch.shapes.extend([rim.plain(), outline.plain()]);
+}
+
+/// The normal at a face's centre, about which `own` is, and its share beside it.
+fn draw_face_normal(sketch: &mut Sketch, own: &Sketch, face: &VertexFace, lettered: bool) {
+    let Some(tip) = own.end(face.normal) else { return };
+    let style = sketch.style;
+    let along = (tip - own.origin).normalize_or_zero();
+    let head = (0.7 * style.head).min(0.5 * own.origin.distance(tip));
+    let width = 0.75 * style.line;
+    // Yellow on a dark rim: the same arrow twice, first wider.
+    for (more, dot, colour, dashes) in
+        [(style.line, 1.6, DARK, &[][..]), (0.0, 1.1, palette::FACE, &palette::FACE_DASHES[..])]
+    {
+        let [shaft, point] = Shape::arrow([own.origin, tip], along, width + more, head, colour);
+        let dot = Shape::disc(own.origin, dot * style.line, colour);
+        sketch.shapes.extend([shaft.dashed(dashes), dot, Shape { width: more, ..point }].map(Shape::plain));
+    }
+    if lettered {
+        let outwards = (own.origin - sketch.origin).normalize_or(-along);
+        let colour = readable(palette::FACE, style.halo_colour, 4.5);
+        let text = format!("{:.2}", face.share);
+        sketch.letter(text, SHARE, colour, own.origin, outwards, 0.25 * style.text);
+    }
+}
+
+/// The vertex with its own normal, over everything, which says where it comes from if not from the faces.
+fn draw_vertex_normal(sketch: &mut Sketch, field: &NormalField, vertex: &VertexNormal) {
+    let (style, origin) = (sketch.style, sketch.origin);
+    let colour = readable(palette::N, style.halo_colour, CONTRAST);
+    let tip = sketch.end(vertex.normal).unwrap_or(origin);
+    let along = (tip - origin).normalize_or_zero();
+    let head = style.head.min(0.5 * origin.distance(tip));
+    let [shaft, point] = Shape::arrow([origin, tip], along, 1.2 * style.line, head, colour);
+    sketch.shapes.push(shaft);
+    sketch.shapes.extend((head > 0.0).then_some(point));
+    sketch.shapes.push(Shape::disc(origin, 1.7 * style.line, colour));
+    let (name, size) = match (vertex.origin, field.source) {
+        (NormalOrigin::Given, NormalSource::File) => ("N of the file", SHARE),
+        (NormalOrigin::Given, _) => ("N of the surface", SHARE),
+        _ => ("N", 1.0),
+    };
+    let anchor = sketch.inside(tip, 0.5 * style.text);
+    sketch.letter(name.to_owned(), size, colour, anchor, along, 0.15 * style.text);
 }

@@ -4,8 +4,7 @@ use super::{NormalField, VertexNormal};
 use crate::analysis::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed};
 use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::NormalOrigin;
-use crate::render::Renderer;
-use crate::scene::{NormalSource, Scene, View, Weighting};
+use crate::scene::{NormalSource, View, Weighting};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -36,35 +35,23 @@ impl Question for NormalsQuestion {
         let (mut renderer, scene) = (subject.renderer(), &subject.scene);
         renderer.render(scene);
         let field = NormalField::new(&renderer, &scene.object);
-        let number = match self.vertex {
-            Some(number) => number,
-            None => seen_vertex(&field, &renderer, scene, self.pixel)?,
-        };
+        // By its number, or next to a pixel's centre or to the picture's middle.
+        let size = scene.image.size;
+        let middle = DVec2::from_array(size.map(f64::from)) * 0.5;
+        let place = self.pixel.map_or(middle, |pixel| DVec2::from_array(pixel.map(f64::from)) + 0.5);
+        let seen = || field.facing(&View::new(&scene.camera, size), size);
+        let near = || Some(field.vertex_near(&renderer, &seen(), place, f64::INFINITY)?.index);
+        let number = self.vertex.or_else(near);
+        let number =
+            number.ok_or("no vertex is seen in the picture, expected --vertex or a camera that sees the object")?;
         Ok(FoundNormal {
             vertex: field.vertex_of(number)?,
-            source: field.source(),
-            weighting: field.weighting(),
+            source: field.source,
+            weighting: field.weighting,
             vertices: field.vertex_count(),
             faces: field.face_count(),
         })
     }
-}
-
-/// The vertex next to a pixel's centre, or to the picture's middle.
-fn seen_vertex(
-    field: &NormalField,
-    renderer: &Renderer,
-    scene: &Scene,
-    pixel: Option<[u32; 2]>,
-) -> Result<u32, &'static str> {
-    let size = scene.image.size;
-    let middle = DVec2::from_array(size.map(f64::from)) * 0.5;
-    let place = pixel.map_or(middle, |pixel| DVec2::from_array(pixel.map(f64::from)) + 0.5);
-    let seen = field.facing(&View::new(&scene.camera, size), size);
-    let nearest = field.vertex_near(renderer, &seen, place, f64::INFINITY);
-    nearest
-        .map(|vertex| vertex.index)
-        .ok_or("no vertex is seen in the picture, expected --vertex or a camera that sees the object")
 }
 
 impl NormalField {
@@ -81,16 +68,12 @@ impl NormalField {
 }
 
 impl FoundNormal {
-    /// Whether the normal is an average of the faces'.
-    fn averages(&self) -> bool {
-        matches!(self.vertex.origin, NormalOrigin::Averaged | NormalOrigin::FirstFace)
-    }
-
     /// The unit of the weights; none where faces are counted or nothing is averaged.
     fn unit(&self) -> Option<&'static str> {
+        let averages = matches!(self.vertex.origin, NormalOrigin::Averaged | NormalOrigin::FirstFace);
         match self.weighting {
-            Weighting::Area if self.averages() => Some("square units"),
-            Weighting::Angle if self.averages() => Some("degrees"),
+            Weighting::Area if averages => Some("square units"),
+            Weighting::Angle if averages => Some("degrees"),
             _ => None,
         }
     }

@@ -3,16 +3,13 @@
 //! A probe and its scene come in; out goes an [`Overlay`]: arrows, arcs, handles and labels with their places in pixels,
 //! which can be read, tested or drawn.
 
-mod angles;
-mod construction;
 mod equation;
 mod lights;
 mod lobe;
-mod parts;
 mod side;
-mod vectors;
 
-pub use parts::{Angle, Arc, Arrow, ArrowHead, LightHandle};
+pub use equation::{Angle, Arc, Arrow, ArrowHead};
+pub use lights::LightHandle;
 
 use super::Probe;
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
@@ -59,20 +56,19 @@ impl Overlay {
         let mut overlay =
             Self { arrows: vec![], arcs: vec![], lights: vec![], labels: vec![], drawings: vec![], style };
         let hit = probe.hit.as_ref().and_then(|hit| Some((hit, about(hit.position, options.length)?)));
-        let (hit, sketch) = match hit {
-            Some((hit, sketch)) => (Some(hit), Some(sketch)),
+        let (equation, sketch) = match hit {
+            Some((hit, sketch)) => (Some(Equation::new(hit, scene, options)), Some(sketch)),
             None => (None, about(view.unproject(view.centre, 1.0), None)),
         };
         let Some(mut sketch) = sketch else { return overlay };
         if options.layers.contains(&OverlayLayer::Lights) {
             overlay.lights = lights::draw(&mut sketch, &scene.lights, options.light);
         }
-        let equation = hit.map(|hit| Equation::at(hit, scene, options));
         let mut corner = equation.as_ref().and_then(|equation| equation.side_view(picture, &sketch, options));
         if let Some(equation) = equation {
             // Below everything else, and no obstacle to letters: the lobe fills the middle of the drawing.
             overlay.drawings.push(style.drawing(equation.lobe(&sketch, scene, &options.layers)));
-            (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, &options.layers);
+            (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, true, &options.layers);
         }
         let taken: Vec<Area> = corner.iter().map(|corner| corner.pane).collect();
         overlay.take(&mut sketch, &taken);

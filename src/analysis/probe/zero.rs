@@ -1,6 +1,6 @@
 //! Why a light adds nothing at a pixel, found for each of its points and at each place where the equation is evaluated.
 
-use crate::illumination::{Equation, LightResponse, ShadingPoint, V3};
+use crate::illumination::{Equation, V3};
 use crate::render::Evaluation;
 use crate::scene::{Backfacing, PatternKind, ReflectionModel, Rgb, Scene};
 use glam::DVec3;
@@ -10,9 +10,7 @@ use serde::{Serialize, Serializer};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ZeroCause {
-    /// The light is muted.
     Muted,
-    /// Another light is soloed.
     NotSoloed,
     /// Ip is 0.
     Black,
@@ -22,62 +20,27 @@ pub enum ZeroCause {
     NoChannel,
     /// N·L ≤ 0, or above 0 by no more than rounding.
     FacesAway,
-    /// The point lies outside a spot light's cone.
     OutsideCone,
-    /// Something stands between the point and the light.
     InShadow,
-    /// The highlight points away from the viewer: R·V ≤ 0 or N·H ≤ 0, or for microfacets N·V ≤ −¼.
+    /// R·V ≤ 0 or N·H ≤ 0, or for microfacets N·V ≤ −¼.
     MissesViewer,
     /// The product rounds to 0, or the highlight is below 3·10⁻¹⁰ and not evaluated.
     TooFaint,
 }
 
-impl ZeroCause {
-    const ALL: [Self; 10] = [
-        Self::Muted,
-        Self::NotSoloed,
-        Self::Black,
-        Self::Coefficient,
-        Self::NoChannel,
-        Self::FacesAway,
-        Self::OutsideCone,
-        Self::InShadow,
-        Self::MissesViewer,
-        Self::TooFaint,
-    ];
-
-    /// In a word or two.
-    pub(super) fn short(self) -> &'static str {
-        match self {
-            Self::Muted => "muted",
-            Self::NotSoloed => "another is soloed",
-            Self::Black => "black",
-            Self::Coefficient | Self::NoChannel => "not reflected",
-            Self::FacesAway => "behind the surface",
-            Self::OutsideCone => "outside its cone",
-            Self::InShadow => "in shadow",
-            Self::MissesViewer => "not to the viewer",
-            Self::TooFaint => "too faint",
-        }
-    }
-
-    /// In a clause, for a term whose coefficient is called `coefficient`.
-    fn clause(self, coefficient: &str) -> String {
-        let clause = match self {
-            Self::Muted => "it is muted",
-            Self::NotSoloed => "another light is soloed",
-            Self::Black => "its Ip is 0",
-            Self::Coefficient => return format!("{coefficient} is 0"),
-            Self::NoChannel => return format!("Ip and {coefficient} have no channel in common"),
-            Self::FacesAway => "the light is behind the surface, N·L ≤ 0",
-            Self::OutsideCone => "the point lies outside the light's cone",
-            Self::InShadow => "something stands before the light",
-            Self::MissesViewer => "the highlight points away from the viewer",
-            Self::TooFaint => "it is too faint to differ from 0",
-        };
-        clause.to_owned()
-    }
-}
+/// Every cause in its order, in a word or two and in a clause; `C` stands for the term's coefficient.
+const CAUSES: [(ZeroCause, &str, &str); 10] = [
+    (ZeroCause::Muted, "muted", "it is muted"),
+    (ZeroCause::NotSoloed, "another is soloed", "another light is soloed"),
+    (ZeroCause::Black, "black", "its Ip is 0"),
+    (ZeroCause::Coefficient, "not reflected", "C is 0"),
+    (ZeroCause::NoChannel, "not reflected", "Ip and C have no channel in common"),
+    (ZeroCause::FacesAway, "behind the surface", "the light is behind the surface, N·L ≤ 0"),
+    (ZeroCause::OutsideCone, "outside its cone", "the point lies outside the light's cone"),
+    (ZeroCause::InShadow, "in shadow", "something stands before the light"),
+    (ZeroCause::MissesViewer, "not to the viewer", "the highlight points away from the viewer"),
+    (ZeroCause::TooFaint, "too faint", "it is too faint to differ from 0"),
+];
 
 /// Causes in their order: none where a term adds something, one that holds at all places where the equation is evaluated
 /// and for all points of the light, or several that hold at some each.
@@ -89,7 +52,7 @@ impl ZeroCauses {
     const ALL: Self = Self(u16::MAX);
 
     pub fn iter(self) -> impl Iterator<Item = ZeroCause> {
-        ZeroCause::ALL.into_iter().filter(move |cause| self.0 & Self::from(*cause).0 != 0)
+        self.described().map(|(cause, ..)| cause)
     }
 
     pub fn is_empty(self) -> bool {
@@ -107,9 +70,23 @@ impl ZeroCauses {
         }
     }
 
-    pub(super) fn clauses(self, coefficient: &str) -> String {
-        let clauses: Vec<_> = self.iter().map(|cause| cause.clause(coefficient)).collect();
-        if let [clause] = &clauses[..] { clause.clone() } else { format!("in part {}", clauses.join("; in part ")) }
+    fn described(self) -> impl Iterator<Item = (ZeroCause, &'static str, &'static str)> {
+        CAUSES.into_iter().filter(move |(cause, ..)| self.0 & Self::from(*cause).0 != 0)
+    }
+
+    /// The first in a word or two.
+    pub(super) fn short(self) -> Option<&'static str> {
+        self.described().map(|(_, short, _)| short).next()
+    }
+
+    /// In a clause, for a term whose coefficient is called `coefficient`; nothing where there are none.
+    pub(super) fn clauses(self, coefficient: &str) -> Option<String> {
+        let clauses: Vec<_> = self.described().map(|(.., clause)| clause.replace('C', coefficient)).collect();
+        match &clauses[..] {
+            [] => None,
+            [clause] => Some(clause.clone()),
+            _ => Some(format!("in part {}", clauses.join("; in part "))),
+        }
     }
 }
 
@@ -148,8 +125,8 @@ pub(super) fn zero_causes(
         let mut kept = shining.sources_of(light);
         for index in all.sources_of(light) {
             let in_shadow = kept.next().zip(site.reached).is_some_and(|(kept, reached)| !reached.holds(kept));
-            let place = Place { scene, equation: all, light, index, point: site.point, normal: site.normal, in_shadow };
-            for (term, causes) in place.causes().into_iter().enumerate() {
+            let here = causes_at(scene, all, [light, index], (site.point, site.normal), in_shadow);
+            for (term, causes) in here.into_iter().enumerate() {
                 always[term].0 &= causes.0;
                 ever[term].0 |= causes.first().0;
             }
@@ -163,70 +140,51 @@ pub(super) fn zero_causes(
     })
 }
 
-/// One source and one place where the equation is evaluated.
-struct Place<'a> {
-    scene: &'a Scene,
-    equation: &'a Equation<f64>,
-    light: usize,
-    index: usize,
-    point: DVec3,
-    normal: DVec3,
+/// Why the diffuse and the specular term of a source of a light are 0 at a point with its normal.
+fn causes_at(
+    scene: &Scene,
+    equation: &Equation<f64>,
+    [light, index]: [usize; 2],
+    (point, normal): (DVec3, DVec3),
     in_shadow: bool,
+) -> [ZeroCauses; 2] {
+    let material = &scene.material;
+    let site = equation.site(V3::from(equation.from_world(point)), V3::from(normal));
+    let source = &equation.sources[index];
+    let response = equation.respond_to(source, &site);
+    let pattern_color = equation.pattern_color(point);
+    let od = if scene.pattern.kind == PatternKind::None { material.color } else { pattern_color };
+    let w = equation.reflectance(response.incidence);
+    let ip = scene.lights[light].color;
+    let mut both = ZeroCauses::NONE;
+    let arriving = response.n_dot_l * response.attenuation * response.spot;
+    let turned_away = response.n_dot_l <= 0.0 || (response.diffuse == 0.0 && arriving > 0.0);
+    both.take(turned_away, ZeroCause::FacesAway);
+    both.take(source.is_outside_cone(response.l), ZeroCause::OutsideCone);
+    both.take(in_shadow, ZeroCause::InShadow);
+    let mut specular = both;
+    specular.take(misses_the_viewer(scene, normal, response.l.into(), site.view.into()), ZeroCause::MissesViewer);
+    let highlight = Rgb::from_array(source.specular) * w * response.specular;
+    let terms = [
+        (both, material.kd * od, Rgb::from_array(source.diffuse) * pattern_color * response.diffuse),
+        (specular, material.ks * material.specular_color * w, highlight),
+    ];
+    terms.map(|(mut causes, coefficient, value)| {
+        causes.take(coefficient == Rgb::ZERO, ZeroCause::Coefficient);
+        causes.take((0..3).all(|c| ip[c] == 0.0 || coefficient[c] == 0.0), ZeroCause::NoChannel);
+        causes.take(causes.is_empty(), ZeroCause::TooFaint);
+        if value == Rgb::ZERO || in_shadow { causes } else { ZeroCauses::NONE }
+    })
 }
 
-impl Place<'_> {
-    /// Why the diffuse and the specular term are 0 here.
-    fn causes(&self) -> [ZeroCauses; 2] {
-        let equation = self.equation;
-        let site = equation.site(V3::from(equation.from_world(self.point)), V3::from(self.normal));
-        let source = &equation.sources[self.index];
-        let response = equation.respond_to(source, &site);
-        let material = &self.scene.material;
-        let patterned = self.scene.pattern.kind != PatternKind::None;
-        let od = if patterned { equation.pattern_color(self.point) } else { material.color };
-        let w = equation.reflectance(response.incidence);
-        let both = self.of_light(&response);
-        let mut causes = [(material.kd * od, both), (material.ks * material.specular_color * w, both)];
-        causes[1].1.take(self.misses_the_viewer(&site, &response), ZeroCause::MissesViewer);
-        let od = equation.pattern_color(self.point);
-        let values = [
-            Rgb::from_array(source.diffuse) * od * response.diffuse,
-            Rgb::from_array(source.specular) * w * response.specular,
-        ];
-        [0, 1].map(|term| {
-            let (coefficient, mut causes) = causes[term];
-            let ip = self.scene.lights[self.light].color;
-            causes.take(coefficient == Rgb::ZERO, ZeroCause::Coefficient);
-            causes.take((0..3).all(|c| ip[c] == 0.0 || coefficient[c] == 0.0), ZeroCause::NoChannel);
-            causes.take(causes.is_empty(), ZeroCause::TooFaint);
-            if values[term] == Rgb::ZERO || self.in_shadow { causes } else { ZeroCauses::NONE }
-        })
-    }
-}
-
-impl Place<'_> {
-    /// What keeps the light from both terms.
-    fn of_light(&self, response: &LightResponse<f64>) -> ZeroCauses {
-        let mut causes = ZeroCauses::NONE;
-        let arriving = response.n_dot_l * response.attenuation * response.spot;
-        let turned_away = response.n_dot_l <= 0.0 || (response.diffuse == 0.0 && arriving > 0.0);
-        causes.take(turned_away, ZeroCause::FacesAway);
-        let outside = self.equation.sources[self.index].is_outside_cone(response.l);
-        causes.take(outside, ZeroCause::OutsideCone);
-        causes.take(self.in_shadow, ZeroCause::InShadow);
-        causes
-    }
-
-    /// Whether the highlight points away from the viewer, so that S is 0.
-    fn misses_the_viewer(&self, site: &ShadingPoint<f64>, response: &LightResponse<f64>) -> bool {
-        let (l, v) = (DVec3::from(response.l), DVec3::from(site.view));
-        let flips = self.scene.reflection.backfacing == Backfacing::Flip && self.normal.dot(l) < 0.0;
-        let n = if flips { -self.normal } else { self.normal };
-        let power = self.scene.material.n > 0.0;
-        match self.scene.reflection.model {
-            ReflectionModel::Phong => power && 2.0 * n.dot(l) * n.dot(v) <= l.dot(v),
-            ReflectionModel::Blinn => power && n.dot(l + v) <= 0.0,
-            ReflectionModel::CookTorrance => n.dot(l + v) <= 0.0 || n.dot(v) <= -0.25,
-        }
+/// Whether the highlight points away from the viewer, so that S is 0.
+fn misses_the_viewer(scene: &Scene, normal: DVec3, l: DVec3, v: DVec3) -> bool {
+    let flips = scene.reflection.backfacing == Backfacing::Flip && normal.dot(l) < 0.0;
+    let n = if flips { -normal } else { normal };
+    let power = scene.material.n > 0.0;
+    match scene.reflection.model {
+        ReflectionModel::Phong => power && 2.0 * n.dot(l) * n.dot(v) <= l.dot(v),
+        ReflectionModel::Blinn => power && n.dot(l + v) <= 0.0,
+        ReflectionModel::CookTorrance => n.dot(l + v) <= 0.0 || n.dot(v) <= -0.25,
     }
 }

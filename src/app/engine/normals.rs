@@ -1,7 +1,7 @@
 //! Normals over the active pane: needles, kept until something moves, and the faces of the vertex under the pointer.
 
 use super::super::state::AppState;
-use super::pane::{PaneEngine, drawing, is_dark, overlay_options, upload};
+use super::pane::{PaneEngine, drawing, overlay_options, upload};
 use crate::analysis::{LitVertex, Needles, NormalField, OverlayOptions, SeenNormals};
 use crate::scene::{Camera, Scene, ShadingMode, View};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
@@ -12,7 +12,8 @@ use glam::DVec2;
 pub struct NormalsDrawing {
     field: Option<NormalField>,
     seen: SeenNormals,
-    needles: Option<(NeedlesKey, TextureHandle)>,
+    drawn: Option<NeedlesKey>,
+    needles: Option<TextureHandle>,
     lit: Option<(u32, TextureHandle)>,
 }
 
@@ -20,58 +21,45 @@ pub struct NormalsDrawing {
 #[derive(PartialEq)]
 struct NeedlesKey {
     pane: usize,
-    shown: [bool; 2],
+    options: OverlayOptions,
     camera: Camera,
     size: [u32; 2],
     /// The true surface hides otherwise than its polygons.
     exact: bool,
-    dark: bool,
-    scale: f32,
 }
 
 impl NormalsDrawing {
     /// Brings the needles up to date with the picture of the active pane.
     pub fn update(&mut self, ctx: &Context, state: &mut AppState, pane: usize, engine: &PaneEngine) {
-        let look = &state.look.overlay;
-        let Some(scene) = engine.drawn().filter(|_| look.normals()) else {
+        let Some(scene) = engine.drawn().filter(|_| state.look.overlay.normals()) else {
             if self.field.is_some() {
                 *self = Self::default();
             }
             state.pointed.lit = None;
             return;
         };
-        if !self.field.as_ref().is_some_and(|field| field.holds(engine.renderer(), &scene.object)) {
-            let same_numbers = self.field.as_ref().is_none_or(|field| field.of_equal_mesh(engine.renderer()));
-            if !same_numbers {
+        let renderer = engine.renderer();
+        let kept = self.field.take_if(|field| field.holds(renderer, &scene.object));
+        if kept.is_none() {
+            if self.field.as_ref().is_some_and(|field| !field.of_equal_mesh(renderer)) {
                 // Its numbers mean other points.
                 state.pointed.kept = None;
             }
-            self.field = Some(NormalField::new(engine.renderer(), &scene.object));
-            // Only the key is forgotten by this: the textures are drawn upon.
-            self.needles = self.needles.take().map(|(key, texture)| (NeedlesKey { pane: usize::MAX, ..key }, texture));
+            self.drawn = None;
         }
-        let key = NeedlesKey {
-            pane,
-            shown: [look.face_normals, look.vertex_normals],
-            camera: scene.camera.clone(),
-            size: scene.image.size,
-            exact: scene.shading.mode == ShadingMode::Exact,
-            dark: is_dark(scene),
-            scale: state.look.scale,
-        };
-        let Some(field) = self.field.as_ref().filter(|_| self.needles.as_ref().is_none_or(|(drawn, _)| *drawn != key))
-        else {
+        let field = self.field.insert(kept.unwrap_or_else(|| NormalField::new(renderer, &scene.object)));
+        let (size, options) = (scene.image.size, options(state, scene));
+        let exact = scene.shading.mode == ShadingMode::Exact;
+        let key = NeedlesKey { pane, options, camera: scene.camera.clone(), size, exact };
+        if self.drawn.as_ref() == Some(&key) {
             return;
-        };
-        let size = scene.image.size;
-        self.seen = field.facing(&View::new(&scene.camera, size), size);
-        let needles = Needles::new(size, scene, engine.renderer(), field, &options(state, scene));
-        let mut texture = self.needles.take().map(|(_, texture)| texture);
-        if let Some(image) = drawing(size, |pixmap| needles.draw(pixmap)) {
-            upload(ctx, &mut texture, "needles", image, TextureOptions::NEAREST);
         }
-        self.needles = texture.map(|texture| (key, texture));
-        self.lit = None;
+        self.seen = field.facing(&View::new(&scene.camera, size), size);
+        let needles = Needles::new(size, scene, renderer, field, &key.options);
+        if let Some(image) = drawing(size, |pixmap| needles.draw(pixmap)) {
+            upload(ctx, &mut self.needles, "needles", image, TextureOptions::NEAREST);
+        }
+        (self.drawn, self.lit) = (Some(key), None);
     }
 
     /// Lights up the vertex within `reach` pixels of the pointer, or else the one that is kept.
@@ -111,11 +99,13 @@ impl NormalsDrawing {
 
     /// The needles and the lit faces.
     pub fn textures(&self) -> [Option<&TextureHandle>; 2] {
-        [self.needles.as_ref().map(|(_, texture)| texture), self.lit.as_ref().map(|(_, texture)| texture)]
+        [self.needles.as_ref(), self.lit.as_ref().map(|(_, texture)| texture)]
     }
 }
 
+/// How needles are drawn; no light has a part in it.
 fn options(state: &AppState, scene: &Scene) -> OverlayOptions {
-    let options = overlay_options(&state.look.overlay, state.light, scene);
-    OverlayOptions { scale: f64::from(state.look.scale), ..options }
+    let mut options = overlay_options(&state.look.overlay, state.light, scene);
+    options.layers.retain(|layer| layer.of_needles());
+    OverlayOptions { light: None, scale: f64::from(state.look.scale), ..options }
 }

@@ -9,12 +9,13 @@ use crate::scene::{Rgb, Through};
 use fearless_simd::dispatch;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
+use serde::Serialize;
 
 /// Surfaces that a ray passes or is mirrored at before what it carries counts for nothing.
 const MOST_EVENTS: u32 = 16;
 
 /// What a transmitted ray did.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Transmission {
     /// T, where the ray goes on behind the surface, unit, world; none where it is totally reflected there.
     pub t: Option<DVec3>,

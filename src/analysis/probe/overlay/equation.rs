@@ -1,19 +1,78 @@
-//! Which vectors and angles the equation has at a point: those of all lights, and of the one that is looked at in full.
+//! The equation at a point as arrows, arcs and the construction of R: of all lights, and of the one that is looked at in
+//! full.
 
-use super::parts::{Arc, Arrow, LETTERED};
-use super::{angles, construction, lobe, side, vectors};
-use crate::analysis::overlay::Sketch;
-use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
+use super::lights::LETTERED;
+use super::{lobe, side};
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch};
 use crate::analysis::{LightTerms, ProbeHit, ReflectionLobe};
-use crate::figure::palette::Vector;
+use crate::figure::palette::{self, Vector};
 use crate::figure::{Area, Shape, lowered};
 use crate::scene::{Backfacing, ReflectionModel, Scene};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
+
+/// Within this sine of the line of sight (ten degrees) an arrow has no length to speak of and shows its head from the
+/// front or from behind.
+const HEAD_ON: f64 = 0.17;
+/// Width of the arrows of lights that are not emphasised.
+const SUBORDINATE: f64 = 0.55;
+/// Chords in an arc, and the radius of θ's arcs and of φ's, in unit vectors.
+const CHORDS: u32 = 48;
+const RADIUS: [f64; 2] = [0.42, 0.64];
+/// Side of the square that marks a right angle, in unit vectors.
+const SQUARE: f64 = 0.07;
+/// Of the lines that complete the parallelogram.
+const DASHES: &[f32] = &[4.0, 3.0];
+
+/// How an arrow ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArrowHead {
+    /// In a triangle.
+    Plain,
+    /// In a dot within a circle: it points at the eye.
+    Towards,
+    /// In a cross within a circle: it points away from the eye.
+    Away,
+}
+
+/// A vector of the equation in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arrow {
+    pub vector: Vector,
+    /// The light that it belongs to; none for N and V.
+    pub light: Option<usize>,
+    /// Where the probe's point appears, pixels.
+    pub tail: DVec2,
+    /// Where the vector's end appears, which may be outside the picture.
+    pub tip: DVec2,
+    pub head: ArrowHead,
+    /// False for the lights that are not chosen.
+    pub emphasised: bool,
+}
+
+/// What an arc measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Angle {
+    /// Between N and L.
+    Theta,
+    /// Between N and R, which equals θ.
+    Mirror,
+    /// Between R and V, or N and H for Blinn's model.
+    Phi,
+}
+
+/// An arc between two vectors in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arc {
+    pub angle: Angle,
+    /// Points along it, pixels.
+    pub points: Vec<DVec2>,
+    /// Seen from its edge: only its label is drawn.
+    pub edge_on: bool,
+}
 
 /// The equation at a point, ready to be drawn in any view.
 pub(super) struct Equation<'a> {
     hit: &'a ProbeHit,
-    model: ReflectionModel,
     half_vector: bool,
     focus: Option<Focus<'a>>,
 }
@@ -26,13 +85,14 @@ struct Focus<'a> {
     n: DVec3,
     /// Whether N·L > 0, without which there is no reflection to draw.
     lit: bool,
+    /// The vectors whose angle is φ.
+    phi_between: (DVec3, DVec3),
 }
 
 impl<'a> Equation<'a> {
     /// The equation at `hit`, looking at the light that `options` choose.
-    pub fn at(hit: &'a ProbeHit, scene: &Scene, options: &OverlayOptions) -> Self {
-        let model = scene.reflection.model;
-        let half_vector = options.half_vector || model != ReflectionModel::Phong;
+    pub fn new(hit: &'a ProbeHit, scene: &Scene, options: &OverlayOptions) -> Self {
+        let phong = scene.reflection.model == ReflectionModel::Phong;
         let n = hit.normal.normalize_or_zero();
         let two_sided = scene.reflection.backfacing == Backfacing::Flip;
         let lit = |terms: &LightTerms| n.dot(terms.l) > 0.0 || (two_sided && n.dot(terms.l) < 0.0);
@@ -40,9 +100,10 @@ impl<'a> Equation<'a> {
         let index = chosen.or_else(|| hit.lights.iter().position(lit)).unwrap_or(0);
         let focus = hit.lights.get(index).map(|terms| {
             let n = if two_sided && n.dot(terms.l) < 0.0 { -n } else { n };
-            Focus { index, terms, n, lit: lit(terms) }
+            let phi_between = if phong { (terms.r, hit.view) } else { (n, terms.h) };
+            Focus { index, terms, n, lit: lit(terms), phi_between }
         });
-        Self { hit, model, half_vector, focus }
+        Self { hit, half_vector: options.half_vector || !phong, focus }
     }
 
     /// The lobe of the light that is looked at, if it is asked for.
@@ -50,11 +111,6 @@ impl<'a> Equation<'a> {
         let focus = self.focus.as_ref().filter(|_| layers.contains(&OverlayLayer::Lobe));
         let lobe = focus.and_then(|focus| ReflectionLobe::at(scene, self.hit, focus.index));
         lobe.map_or_else(Vec::new, |lobe| lobe::draw(sketch, &lobe, scene))
-    }
-
-    /// Draws the layers asked for at the point in the picture.
-    pub fn draw(&self, sketch: &mut Sketch, layers: &[OverlayLayer]) -> (Vec<Arrow>, Vec<Arc>) {
-        self.draw_layers(sketch, true, |layer| layers.contains(&layer))
     }
 
     /// The side view in a corner of `picture`, if it is asked for and has room: vectors and angles of one light.
@@ -65,84 +121,207 @@ impl<'a> Equation<'a> {
             return None;
         }
         let pane = side::pane(picture, sketch.origin, &sketch.style)?;
-        let phi_between = if focus.lit { self.phi_between(focus.n, focus.terms) } else { (v, v) };
-        let directions = side::Directions { n: focus.n, l: focus.terms.l, v, phi_between };
-        let mut side = side::sketch(pane, &directions, options)?;
-        let construction = options.layers.contains(&OverlayLayer::Construction);
-        self.draw_layers(&mut side, false, |layer| layer != OverlayLayer::Construction || construction);
+        let phi_between = if focus.lit { focus.phi_between } else { (v, v) };
+        let mut side = side::sketch(pane, [focus.n, focus.terms.l, v], phi_between, options)?;
+        let mut layers = vec![OverlayLayer::Vectors, OverlayLayer::Angles];
+        layers.extend(options.layers.iter().filter(|layer| **layer == OverlayLayer::Construction));
+        self.draw(&mut side, false, &layers);
         Some(side)
     }
 
-    /// Draws in the order in which the letters want places: what is lettered first gets the best.
-    fn draw_layers(
-        &self,
-        sketch: &mut Sketch,
-        every_light: bool,
-        shows: impl Fn(OverlayLayer) -> bool,
-    ) -> (Vec<Arrow>, Vec<Arc>) {
-        let constructed = self.focus.as_ref().filter(|focus| focus.lit && shows(OverlayLayer::Construction));
+    /// Draws layers in the order in which the letters want places: what is lettered first gets the best. `every_light` adds
+    /// L of the other lights.
+    pub fn draw(&self, sketch: &mut Sketch, every_light: bool, layers: &[OverlayLayer]) -> (Vec<Arrow>, Vec<Arc>) {
+        let shown = |layer| self.focus.as_ref().filter(|_| layers.contains(&layer));
+        let constructed = shown(OverlayLayer::Construction).filter(|focus| focus.lit);
         if let Some(focus) = constructed {
-            construction::draw(sketch, focus.n, focus.terms.l);
+            draw_construction(sketch, focus.n, focus.terms.l);
         }
-        let vectors = if shows(OverlayLayer::Vectors) { self.vectors(every_light) } else { vec![] };
-        let arrows = vectors::draw(sketch, vectors);
-        let arcs = if shows(OverlayLayer::Angles) { self.draw_angles(sketch) } else { vec![] };
-        if let Some(focus) = constructed {
-            construction::letter(sketch, focus.n, focus.terms.l);
+        let with_vectors = layers.contains(&OverlayLayer::Vectors);
+        let arrows = if with_vectors { self.draw_vectors(sketch, every_light) } else { vec![] };
+        let point = Shape::ring(sketch.origin, sketch.style.ring, 0.5 * sketch.style.line, sketch.style.neutral);
+        sketch.shapes.push(point);
+        let arcs = shown(OverlayLayer::Angles).map(|focus| self.draw_angles(sketch, focus)).unwrap_or_default();
+        if let Some(Focus { n, terms, .. }) = constructed {
+            let foot = *n * n.dot(terms.l);
+            if let (Some(at_l), Some(at_foot)) = (sketch.end(terms.l), sketch.end(foot)) {
+                let (text, anchor) = (sketch.style.text, sketch.inside(at_foot, sketch.style.text));
+                let aside = (at_foot - at_l).normalize_or_zero();
+                sketch.letter("N(N·L)".into(), 0.8, palette::N, anchor, aside, 0.3 * text);
+            }
         }
         (arrows, arcs)
     }
 
-    /// The vectors in the order in which they are drawn and lettered; `every_light` adds L of the other lights.
-    fn vectors(&self, every_light: bool) -> Vec<vectors::Given> {
-        let given = |vector: Vector, light, direction, emphasised| {
-            let named = emphasised || self.hit.lights.len() <= LETTERED;
-            let name = if named { format!("{}{}", vector.letter(), self.subscript(light)) } else { String::new() };
-            vectors::Given { vector, light, direction, name, emphasised }
-        };
-        let mut list = vec![given(Vector::N, None, self.hit.normal, true)];
+    /// Draws the vectors from the probe's point with their letters.
+    fn draw_vectors(&self, sketch: &mut Sketch, every_light: bool) -> Vec<Arrow> {
+        let hit = self.hit;
+        let mut list = vec![(Vector::N, None, hit.normal)];
         if let Some(Focus { index, terms, lit, .. }) = &self.focus {
-            list.push(given(Vector::L, Some(*index), terms.l, true));
-            if *lit {
-                list.push(given(Vector::R, Some(*index), terms.r, true));
-            }
-            if self.half_vector {
-                list.push(given(Vector::H, Some(*index), terms.h, true));
-            }
+            let own = [(Vector::L, true, terms.l), (Vector::R, *lit, terms.r), (Vector::H, self.half_vector, terms.h)];
+            list.extend(own.into_iter().filter(|(_, shown, _)| *shown).map(|(letter, _, v)| (letter, Some(*index), v)));
         }
-        list.push(given(Vector::V, None, self.hit.view, true));
-        if let Some(t) = self.hit.transmission.and_then(|through| through.t) {
-            list.push(given(Vector::T, None, t, true));
-        }
+        list.push((Vector::V, None, hit.view));
+        list.extend(hit.transmission.and_then(|through| through.t).map(|t| (Vector::T, None, t)));
+        let emphasised = list.len();
         if every_light {
             let looked_at = self.focus.as_ref().map(|focus| focus.index);
-            let others = self.hit.lights.iter().enumerate().filter(|(index, _)| Some(*index) != looked_at);
-            list.extend(others.map(|(index, terms)| given(Vector::L, Some(index), terms.l, false)));
+            let others = hit.lights.iter().enumerate().filter(|(index, _)| Some(*index) != looked_at);
+            list.extend(others.map(|(index, terms)| (Vector::L, Some(index), terms.l)));
         }
-        list
+        let (mut circles, mut arrows) = (vec![(sketch.origin, sketch.style.ring)], Vec::new());
+        for (place, (vector, light, direction)) in list.into_iter().enumerate() {
+            if !direction.is_finite() || direction == DVec3::ZERO {
+                continue;
+            }
+            let Some(tip) = sketch.end(direction) else { continue };
+            let slant = sketch.slant(direction);
+            let head = match (slant.abs() < HEAD_ON, slant.is_sign_positive()) {
+                (false, _) => ArrowHead::Plain,
+                (true, true) => ArrowHead::Towards,
+                (true, false) => ArrowHead::Away,
+            };
+            let emphasised = place < emphasised;
+            let arrow = Arrow { vector, light, tail: sketch.origin, tip, head, emphasised };
+            let beside = draw_arrow(sketch, &arrow, &mut circles);
+            if emphasised || hit.lights.len() <= LETTERED {
+                let name = format!("{}{}", vector.letter(), self.subscript(light));
+                let (anchor, along) = (sketch.inside(tip, 0.5 * sketch.style.text), tip - sketch.origin);
+                let (size, clearance) = (if emphasised { 1.15 } else { 0.9 }, beside + 0.15 * sketch.style.text);
+                sketch.letter(name, size, vector.colour(), anchor, along.normalize_or_zero(), clearance);
+            }
+            arrows.push(arrow);
+        }
+        arrows
     }
 
-    fn draw_angles(&self, sketch: &mut Sketch) -> Vec<Arc> {
-        let Some(Focus { index, terms, n, lit }) = &self.focus else { return vec![] };
-        let given = angles::Given {
-            n: *n,
-            l: terms.l,
-            r: lit.then_some(terms.r),
-            phi_between: lit.then(|| self.phi_between(*n, terms)),
-            theta: terms.theta,
-            phi: terms.phi,
-            subscript: self.subscript(Some(*index)),
-        };
-        angles::draw(sketch, &given)
-    }
-
-    /// The vectors whose angle is φ.
-    fn phi_between(&self, n: DVec3, terms: &LightTerms) -> (DVec3, DVec3) {
-        if self.model == ReflectionModel::Phong { (terms.r, self.hit.view) } else { (n, terms.h) }
+    /// Draws the arcs of θ and φ and asks for their labels.
+    fn draw_angles(&self, sketch: &mut Sketch, focus: &Focus<'_>) -> Vec<Arc> {
+        let Focus { terms, n, .. } = focus;
+        let subscript = self.subscript(Some(focus.index));
+        let mut arcs = Vec::new();
+        if focus.lit {
+            arcs.extend(draw_arc(sketch, Angle::Mirror, (*n, terms.r)));
+        }
+        let phi = focus.lit.then_some((Angle::Phi, focus.phi_between, "φ", terms.phi));
+        for (angle, pair, letter, value) in [(Angle::Theta, (*n, terms.l), "θ", terms.theta)].into_iter().chain(phi) {
+            let Some(arc) = draw_arc(sketch, angle, pair) else { continue };
+            let (middle, style) = (arc.points[arc.points.len() / 2], sketch.style);
+            let out = (middle - sketch.origin).normalize_or_zero();
+            let anchor = sketch.inside(middle, 0.5 * style.text);
+            let text = format!("{letter}{subscript} {:.1}°", value.to_degrees());
+            sketch.letter(text, 0.9, style.neutral, anchor, out, 0.3 * style.text);
+            arcs.push(arc);
+        }
+        arcs
     }
 
     /// The light's number below the line, where there are several lights.
     fn subscript(&self, light: Option<usize>) -> String {
         light.filter(|_| self.hit.lights.len() > 1).map_or_else(String::new, |index| lowered(index + 1))
+    }
+}
+
+/// Draws an arrow; returns how far its letter keeps from its tip besides. One seen along its shaft shows its point as a
+/// dot, or its fletching as a cross, in a circle; circles about one place nest.
+fn draw_arrow(sketch: &mut Sketch, arrow: &Arrow, circles: &mut Vec<(DVec2, f64)>) -> f64 {
+    let style = sketch.style;
+    let (colour, dashes) = (arrow.vector.colour(), arrow.vector.dashes());
+    let way = arrow.tip - arrow.tail;
+    let (along, length) = (way.normalize_or_zero(), way.length());
+    if arrow.head == ArrowHead::Plain {
+        let thin = if arrow.emphasised { 1.0 } else { SUBORDINATE };
+        let head = (style.head * thin.sqrt()).min(0.6 * length);
+        let start = arrow.tail + along * style.ring.min(0.4 * length);
+        let [shaft, point] = Shape::arrow([start, arrow.tip], along, style.line * thin, head, colour);
+        sketch.shapes.extend([shaft.dashed(dashes), point]);
+        return 0.0;
+    }
+    let mut radius = style.ring + 1.6 * style.line;
+    let near = |(centre, taken): &(DVec2, f64), radius: f64| {
+        (*centre - arrow.tip).length() < 3.0 * style.line && (taken - radius).abs() < 1.3 * style.line
+    };
+    while circles.iter().any(|circle| near(circle, radius)) {
+        radius += 1.5 * style.line;
+    }
+    circles.push((arrow.tip, radius));
+    if length > radius + style.ring {
+        let shaft = vec![arrow.tail + along * style.ring, arrow.tip - along * radius];
+        sketch.shapes.push(Shape::line(shaft, style.line, colour).dashed(dashes));
+    }
+    sketch.draw_end_on(arrow.tip, radius, arrow.head == ArrowHead::Towards, colour);
+    radius
+}
+
+/// Draws a circle's arc about the probed point in the plane of two vectors; nothing where one has no direction.
+fn draw_arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3)) -> Option<Arc> {
+    let (radius, width) = match angle {
+        Angle::Theta => (RADIUS[0], 0.6),
+        Angle::Mirror => (RADIUS[0], 0.33),
+        Angle::Phi => (RADIUS[1], 0.6),
+    };
+    let directions = turn(from, to)?.into_iter();
+    let points: Vec<DVec2> = directions.map(|direction| sketch.end(direction * radius)).collect::<Option<_>>()?;
+    // All points on one line through the origin: seen from its edge the arc would only thicken the arrow beneath it.
+    let ways = || points.iter().map(|point| *point - sketch.origin);
+    let far = ways().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
+    let along = far.unwrap_or(DVec2::ZERO).normalize_or_zero();
+    let edge_on = ways().all(|way| along.perp_dot(way).abs() < 1.2 * sketch.style.line);
+    if !edge_on {
+        let mark = Shape::line(points.clone(), width * sketch.style.line, sketch.style.neutral);
+        // The two arcs share a colour; dashes tell φ's from θ's.
+        sketch.shapes.push(if angle == Angle::Phi { mark.dashed(&[3.0, 2.0]) } else { mark });
+    }
+    Some(Arc { angle, points, edge_on })
+}
+
+/// Unit vectors from `from` to `to` along the great circle; nothing if either has no direction.
+fn turn(from: DVec3, to: DVec3) -> Option<Vec<DVec3>> {
+    let (from, to) = (from.try_normalize()?, to.try_normalize()?);
+    let whole = from.angle_between(to);
+    let across = (to - from * from.dot(to)).try_normalize().unwrap_or_else(|| from.any_orthonormal_vector());
+    let at = |i: u32| {
+        let (sine, cosine) = (whole * f64::from(i) / f64::from(CHORDS)).sin_cos();
+        from * cosine + across * sine
+    };
+    Some((0..=CHORDS).map(at).collect())
+}
+
+/// Draws R by projection: L drops onto N at N(N·L), and as far again on the other side lies R = 2N(N·L) − L. `n` and `l` are
+/// unit, and `n`·`l` is positive.
+fn draw_construction(sketch: &mut Sketch, n: DVec3, l: DVec3) {
+    let foot = n * n.dot(l);
+    let [at_l, at_r, at_foot, at_top] = [l, 2.0 * foot - l, foot, 2.0 * foot].map(|vector| sketch.end(vector));
+    let (Some(at_l), Some(at_r), Some(at_foot), Some(at_top)) = (at_l, at_r, at_foot, at_top) else { return };
+    let style = sketch.style;
+    let thin = |points| Shape::line(points, 0.45 * style.line, style.neutral);
+    sketch.shapes.push(thin(vec![at_l, at_r]));
+    sketch.shapes.push(thin(vec![at_l, at_top, at_r]).dashed(DASHES));
+    sketch.shapes.push(thin(vec![sketch.origin, at_top]).dashed(DASHES));
+    if let Some(across) = (l - foot).try_normalize().filter(|_| (l - foot).length() > 2.0 * SQUARE) {
+        let corners = [foot + across * SQUARE, foot + (across - n) * SQUARE, foot - n * SQUARE];
+        if let Some(corners) = corners.into_iter().map(|corner| sketch.end(corner)).collect() {
+            sketch.shapes.push(thin(corners));
+        }
+    }
+    sketch.shapes.push(Shape::disc(at_foot, 0.9 * style.line, palette::N));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_arc_runs_from_one_vector_to_the_other_at_unit_distance_and_even_pace() {
+        let (from, to) = (DVec3::Y, DVec3::new(1.0, -1.0, 0.5).normalize());
+        let turned = turn(from, to).expect("both have a direction");
+        assert!((turned[0] - from).length() < 1e-12 && (turned[CHORDS as usize] - to).length() < 1e-12);
+        let step = turned[0].angle_between(turned[1]);
+        for pair in turned.windows(2) {
+            assert!((pair[0].length() - 1.0).abs() < 1e-12 && (pair[0].angle_between(pair[1]) - step).abs() < 1e-7);
+        }
+        let opposite = turn(DVec3::X, DVec3::NEG_X).expect("both have a direction");
+        assert!(opposite.iter().all(|v| v.is_finite()) && opposite[CHORDS as usize / 2].x.abs() < 1e-12);
+        assert!(turn(DVec3::ZERO, DVec3::X).is_none() && turn(DVec3::NAN, DVec3::X).is_none());
     }
 }

@@ -1,10 +1,8 @@
 //! Where the lights are: a sun for one that stands somewhere, parallel rays for one that only has a direction.
 
-use super::parts::{LETTERED, LightHandle};
 use crate::analysis::overlay::Sketch;
-use crate::figure::Area;
-use crate::figure::Shape;
-use crate::figure::palette::{self, Rgb8};
+use crate::figure::palette;
+use crate::figure::{Area, Shape};
 use crate::scene::{Light, LightKind, View};
 use glam::DVec2;
 
@@ -17,28 +15,41 @@ const HEAD_ON: f64 = 0.17;
 /// Outer radius of a sun and reach of the pointer beside one that stands outside the picture, in its disc's radii.
 const SUN: [f64; 2] = [1.95, 3.1];
 
+/// Among more lights than this only the chosen one is lettered.
+pub const LETTERED: usize = 24;
+
+/// A light's symbol in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightHandle {
+    /// Index in the scene.
+    pub light: usize,
+    /// The symbol's middle.
+    pub pixel: DVec2,
+    /// Whether the light itself is outside the picture or behind the eye; the symbol then stands at the edge.
+    pub outside: bool,
+}
+
 /// Draws the lights of a scene; `chosen` is drawn larger. Several are numbered from 1.
 pub(super) fn draw(sketch: &mut Sketch, lights: &[Light], chosen: Option<usize>) -> Vec<LightHandle> {
     let mut handles = Vec::new();
     for (index, light) in lights.iter().enumerate() {
         let size = if chosen == Some(index) { 1.25 } else { 1.0 };
         let radius = 0.4 * sketch.style.text * size;
-        let handle = if light.kind == LightKind::Directional {
-            rays(sketch, index, light, radius)
-        } else {
-            sun(sketch, index, light, radius)
-        };
+        let directional = light.kind == LightKind::Directional;
+        let draw = if directional { draw_rays } else { draw_sun };
+        let (pixel, outside) = draw(sketch, light, radius);
         if lights.len() > 1 && (lights.len() <= LETTERED || chosen == Some(index)) {
-            let aside = (sketch.view.centre - handle.pixel).normalize_or_zero();
+            let aside = (sketch.view.centre - pixel).normalize_or_zero();
             let clearance = SUN[0] * radius + 0.1 * sketch.style.text;
-            sketch.letter((index + 1).to_string(), size, palette::L, handle.pixel, aside, clearance);
+            sketch.letter((index + 1).to_string(), size, palette::L, pixel, aside, clearance);
         }
-        handles.push(handle);
+        handles.push(LightHandle { light: index, pixel, outside });
     }
     handles
 }
 
-fn sun(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightHandle {
+/// Returns where the sun stands, and whether the light itself is elsewhere.
+fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     let (wanted, behind) = whereabouts(&sketch.view, light, sketch.pane);
     let margin = (SUN[0] * radius).min(0.5 * (sketch.pane.max - sketch.pane.min).min_element());
     let seen = Area { min: sketch.pane.min + margin, max: sketch.pane.max - margin };
@@ -54,9 +65,13 @@ fn sun(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightHa
         let way = (wanted - sketch.view.centre).normalize_or_zero();
         sketch.shapes.push(Shape::arrow_head(pixel + way * SUN[1] * radius, way, 0.9 * radius, palette::L));
     }
-    sketch.shapes.push(Shape::disc(pixel, radius, shown(light)));
+    // The light's hue at full brightness: a dim light is still to be found.
+    let brightest = light.color.max_element();
+    let scale = if brightest > 0.0 && brightest.is_finite() { 255.0 / brightest } else { 0.0 };
+    let hue = light.color.to_array().map(|channel| (channel * scale).round().clamp(0.0, 255.0) as u8);
+    sketch.shapes.push(Shape::disc(pixel, radius, hue));
     sketch.shapes.push(Shape::ring(pixel, radius, line, palette::L).plain());
-    LightHandle { light: index, pixel, outside }
+    (pixel, outside)
 }
 
 /// Where a light appears, and whether it is behind the eye; then a point far out on the side on which it stands.
@@ -79,7 +94,8 @@ fn on_edge(sketch: &Sketch, point: DVec2, margin: f64) -> DVec2 {
     centre + way * share
 }
 
-fn rays(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightHandle {
+/// Returns where the parallel rays stand.
+fn draw_rays(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     let style = sketch.style;
     let direction = (light.direction / light.direction.abs().max_element()).normalize_or_zero();
     let flat = DVec2::new(direction.dot(sketch.view.right), -direction.dot(sketch.view.up));
@@ -87,21 +103,14 @@ fn rays(sketch: &mut Sketch, index: usize, light: &Light, radius: f64) -> LightH
     let pixel = sketch.pane.centre() - flat * room;
     if flat.length() < HEAD_ON {
         sketch.draw_end_on(pixel, 1.5 * radius, direction.dot(sketch.view.forward) < 0.0, palette::L);
-        return LightHandle { light: index, pixel, outside: false };
+        return (pixel, false);
     }
-    let (along, half) = (flat.normalize(), flat * 0.5 * RAYS_LENGTH * style.text * radius / (0.4 * style.text));
+    let (along, half) = (flat.normalize(), flat * 0.5 * RAYS_LENGTH * radius / 0.4);
     for side in [-1.0, 0.0, 1.0] {
         let middle = pixel + along.perp() * side * 1.3 * radius;
         let width = if side == 0.0 { style.line } else { 0.6 * style.line };
         let (tip, head) = (middle + half, (4.5 * width).min(half.length()));
         sketch.shapes.extend(Shape::arrow([middle - half, tip], along, width, head, palette::L));
     }
-    LightHandle { light: index, pixel, outside: false }
-}
-
-/// The light's hue at full brightness: a dim light is still to be found.
-fn shown(light: &Light) -> Rgb8 {
-    let brightest = light.color.max_element();
-    let scale = if brightest > 0.0 && brightest.is_finite() { 255.0 / brightest } else { 0.0 };
-    light.color.to_array().map(|channel| (channel * scale).round().clamp(0.0, 255.0) as u8)
+    (pixel, false)
 }

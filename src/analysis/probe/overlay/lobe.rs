@@ -6,7 +6,7 @@
 use crate::analysis::overlay::Sketch;
 use crate::analysis::{ReflectionLobe, curves::highlight_half_width};
 use crate::figure::Shape;
-use crate::figure::palette::{self, Rgb8};
+use crate::figure::palette;
 use crate::scene::{ReflectionModel, Scene};
 use glam::{DVec2, DVec3};
 
@@ -38,30 +38,32 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
     }
     let surface = Surface { sketch, lobe, unit: greatest / LENGTH, skirt: SKIRT * highlight_half_width(scene) };
     let specular = if scene.reflection.model == ReflectionModel::Phong { palette::R } else { palette::H };
-    let (mut hidden, mut shown) = (Vec::new(), Vec::new());
-    let mut line = |points: Vec<Knot>| {
-        for (knots, seen) in runs(&points, |knot| knot.seen) {
-            let into = if seen { &mut shown } else { &mut hidden };
-            for (knots, bright) in runs(knots, |knot| knot.bright) {
-                let colour = if bright { specular } else { palette::L };
-                let line = stroke(knots, WIDTH * sketch.style.line, colour);
-                into.push(if seen { line } else { line.faded(FAINT[0]).plain() });
-            }
-        }
-    };
     let [meridians, parallels] = NET;
-    for i in 0..meridians {
-        let knots = (0..=parallels * CHORDS).map(|j| surface.knot(i * CHORDS, j));
-        line(knots.collect());
+    // The silhouette's inside, faintly.
+    let mut skin = Vec::new();
+    for (i, j) in (0..meridians).flat_map(|i| (0..parallels).map(move |j| (i, j))) {
+        let place = |(i, j): (u32, u32)| {
+            let direction = surface.direction(i * CHORDS, j * CHORDS);
+            sketch.end(direction * surface.reach(direction))
+        };
+        let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].into_iter().map(place);
+        let corners: Option<Vec<DVec2>> = corners.collect();
+        skin.extend(corners.map(|corners| Shape::area(corners, specular).faded(FAINT[1]).plain()));
     }
-    for j in 1..=parallels {
-        let knots = (0..=meridians * CHORDS).map(|i| surface.knot(i, j * CHORDS));
-        line(knots.collect());
+    let along = |i| (0..=parallels * CHORDS).map(move |j| (i * CHORDS, j)).collect();
+    let round = |j| (0..=meridians * CHORDS).map(move |i| (i, j * CHORDS)).collect();
+    let lines: Vec<Vec<(u32, u32)>> = (0..meridians).map(along).chain((1..=parallels).map(round)).collect();
+    let (mut hidden, mut shown) = (Vec::new(), Vec::new());
+    for line in lines {
+        let knots: Vec<Knot> = line.into_iter().map(|(i, j)| surface.knot(i, j)).collect();
+        for run in runs(&knots) {
+            let Knot { seen, bright, .. } = run[0];
+            let points = run.iter().filter_map(|knot| knot.place).collect();
+            let line = Shape::line(points, WIDTH * sketch.style.line, if bright { specular } else { palette::L });
+            if seen { shown.push(line) } else { hidden.push(line.faded(FAINT[0]).plain()) }
+        }
     }
-    let mut marks = surface.skin(specular);
-    marks.extend(hidden);
-    marks.extend(shown);
-    marks
+    [skin, hidden, shown].concat()
 }
 
 /// The greatest reflection, sought in the plane of incidence, where it is.
@@ -141,39 +143,17 @@ impl Surface<'_> {
             far >= LENGTH || far >= self.reach(place / far.max(f64::MIN_POSITIVE))
         })
     }
-
-    /// The silhouette's inside, faintly.
-    fn skin(&self, colour: Rgb8) -> Vec<Shape> {
-        let [meridians, parallels] = NET;
-        let mut marks = Vec::new();
-        for i in 0..meridians {
-            for j in 0..parallels {
-                let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
-                let place = |(i, j): (u32, u32)| {
-                    let direction = self.direction(i * CHORDS, j * CHORDS);
-                    self.sketch.end(direction * self.reach(direction))
-                };
-                let Some(corners) = corners.into_iter().map(place).collect::<Option<Vec<_>>>() else { continue };
-                marks.push(Shape::area(corners, colour).faded(FAINT[1]).plain());
-            }
-        }
-        marks
-    }
 }
 
-/// Consecutive knots that agree, each run with the next one's first so that lines stay connected.
-fn runs(knots: &[Knot], of: impl Fn(&Knot) -> bool) -> Vec<(&[Knot], bool)> {
-    let mut runs = Vec::new();
-    let mut start = 0;
+/// Consecutive knots that look alike, each run with the next one's first so that lines stay connected.
+fn runs(knots: &[Knot]) -> Vec<&[Knot]> {
+    let look = |knot: &Knot| (knot.seen, knot.bright);
+    let (mut runs, mut start) = (Vec::new(), 0);
     for end in 1..=knots.len() {
-        if end == knots.len() || of(&knots[end]) != of(&knots[start]) {
-            runs.push((&knots[start..knots.len().min(end + 1)], of(&knots[start])));
+        if end == knots.len() || look(&knots[end]) != look(&knots[start]) {
+            runs.push(&knots[start..knots.len().min(end + 1)]);
             start = end;
         }
     }
     runs
-}
-
-fn stroke(knots: &[Knot], width: f64, colour: Rgb8) -> Shape {
-    Shape::line(knots.iter().filter_map(|knot| knot.place).collect(), width, colour)
 }

@@ -4,10 +4,8 @@
 //! of N and L with N upwards and L on the left, the figure is the textbooks' own; a little from above, so that a V that
 //! leaves the plane is seen to do so, and turned about N where V would hide behind another vector.
 
-use crate::analysis::overlay::OverlayOptions;
-use crate::analysis::overlay::{Sketch, Style};
-use crate::figure::Area;
-use crate::figure::Shape;
+use crate::analysis::overlay::{OverlayOptions, Sketch, Style};
+use crate::figure::{Area, Shape};
 use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 
@@ -37,62 +35,49 @@ pub(super) fn pane(picture: Area, point: DVec2, style: &Style) -> Option<Area> {
     if side > SIDE[1] * shorter {
         return None;
     }
-    let inset = DVec2::splat(0.5 * style.text + 0.5 * side);
-    let centre = picture.centre();
-    let corner = |near: f64, far: f64, middle: f64, at: f64, inset: f64| {
-        if at < middle { far - inset } else { near + inset }
-    };
-    let x = corner(picture.min.x, picture.max.x, centre.x, point.x, inset.x);
-    let y = corner(picture.min.y, picture.max.y, centre.y, point.y, inset.y);
-    Some(Area::about(DVec2::new(x, y), DVec2::splat(side)))
+    let inset = 0.5 * style.text + 0.5 * side;
+    let before = point.cmplt(picture.centre());
+    let middle = DVec2::select(before, picture.max - inset, picture.min + inset);
+    Some(Area::about(middle, DVec2::splat(side)))
 }
 
-/// What is to be seen from the side, all unit.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Directions {
-    pub n: DVec3,
-    pub l: DVec3,
-    pub v: DVec3,
-    pub phi_between: (DVec3, DVec3),
-}
-
-/// A sketch of the surface about the point, ready for vectors.
-pub(super) fn sketch(pane: Area, directions: &Directions, options: &OverlayOptions) -> Option<Sketch> {
+/// A sketch of the surface about the point, ready for the vectors of a light; all are unit.
+pub(super) fn sketch(
+    pane: Area,
+    [n, l, v]: [DVec3; 3],
+    phi_between: (DVec3, DVec3),
+    options: &OverlayOptions,
+) -> Option<Sketch> {
     let side = (pane.max - pane.min).min_element();
-    let view = view(pane, directions);
+    let view = view(pane, [n, l, v], phi_between);
     let style = Style::new(2.3 * side, options);
     let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, Some(1.0), side)?;
     let ground = Shape::area(pane.corners(), style.halo_colour).plain();
     let frame = Shape::outline(pane.corners(), 0.35 * style.line, SURFACE).plain();
     sketch.shapes.extend([ground.faded(OPAQUE[1]), frame]);
-    let (across, into) = directions.n.any_orthonormal_pair();
+    let (across, into) = n.any_orthonormal_pair();
     let rim = Shape::ring(DVec2::ZERO, DISC, 0.0, SURFACE).points;
     let rim: Option<Vec<DVec2>> = rim.into_iter().map(|p| sketch.end(across * p.x + into * p.y)).collect();
-    if let Some(rim) = rim {
-        let disc = Shape::area(rim, SURFACE).plain();
-        sketch.shapes.push(disc.faded(OPAQUE[0]));
-    }
+    sketch.shapes.extend(rim.map(|rim| Shape::area(rim, SURFACE).plain().faded(OPAQUE[0])));
     Some(sketch)
 }
 
-/// The view, turned about N by as little as shows the angles and V at a fair part of their size.
-fn view(pane: Area, directions: &Directions) -> View {
-    let Directions { n, l, v, phi_between: (a, b) } = *directions;
-    let pairs = [(n, l), (a, b), (v, DVec3::ZERO)];
+/// The view, turned about N by as little as shows the angles and V at a fair part of their size. All vectors are unit.
+fn view(pane: Area, [n, l, v]: [DVec3; 3], phi_between: (DVec3, DVec3)) -> View {
     let shown = |view: &View| {
-        pairs.iter().fold(1.0, |least: f64, (from, to)| {
+        [(n, l), phi_between, (v, DVec3::ZERO)].iter().fold(1.0, |least: f64, (from, to)| {
             let between = *from - *to;
             let across = between - view.forward * between.dot(view.forward);
             // Vectors that coincide have no angle to show.
             if between.length() < 1e-6 { least } else { least.min(across.length() / between.length()) }
         })
     };
-    let straight = view_turned(pane, directions, 0.0);
+    let straight = view_turned(pane, [n, l, v], 0.0);
     let (mut best, mut most) = (straight, shown(&straight));
     for step in 1..=TURNS {
         for side in [1.0, -1.0] {
             let turn = side * TURN * f64::from(step) / f64::from(TURNS);
-            let turned = view_turned(pane, directions, turn);
+            let turned = view_turned(pane, [n, l, v], turn);
             let merit = shown(&turned) - RELUCTANCE * turn * turn;
             if merit > most {
                 (best, most) = (turned, merit);
@@ -102,8 +87,7 @@ fn view(pane: Area, directions: &Directions) -> View {
     best
 }
 
-fn view_turned(pane: Area, directions: &Directions, turn: f64) -> View {
-    let Directions { n, l, v, .. } = *directions;
+fn view_turned(pane: Area, [n, l, v]: [DVec3; 3], turn: f64) -> View {
     let aside = |vector: DVec3| (vector - n * vector.dot(n)).try_normalize();
     let right = aside(-l).or_else(|| aside(v)).unwrap_or_else(|| n.any_orthonormal_vector());
     let into = n.cross(right);
@@ -145,7 +129,7 @@ mod tests {
         #[test]
         fn n_points_up_l_to_the_left_and_v_is_never_a_point(n in unit(), l in unit(), v in unit()) {
             let r = 2.0 * n.dot(l) * n - l;
-            let view = view(PANE, &Directions { n, l, v, phi_between: (r, v) });
+            let view = view(PANE, [n, l, v], (r, v));
             prop_assert!((view.right.cross(view.up) + view.forward).length() < 1e-9);
             let at = |vector: DVec3| view.project(vector).expect("in front").0 - view.centre;
             prop_assert!(at(n).y < -0.9 * UNIT * 300.0 && at(n).x.abs() < 1e-6, "N is at {}", at(n));
@@ -157,7 +141,7 @@ mod tests {
     #[test]
     fn coinciding_vectors_still_have_a_side() {
         let y = DVec3::Y;
-        let view = view(PANE, &Directions { n: y, l: y, v: y, phi_between: (y, y) });
+        let view = view(PANE, [y; 3], (y, y));
         assert!((view.right.cross(view.up) + view.forward).length() < 1e-9, "{view:?}");
     }
 

@@ -11,46 +11,11 @@ use crate::scene::{
     ShadingMode,
 };
 
-/// A factor of a term.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Factor {
-    Ka,
-    Od,
-    Ia,
-    Ip,
-    Kd,
-    Ks,
-    Os,
-    /// W(θ).
-    Reflectance,
-    /// f.
-    Attenuation,
-    /// What a spot light sends this way.
-    Spot,
-    /// What is not in shadow.
-    Lit,
-    /// N·L.
-    Facing,
-    /// `(R·V)^n`, `(N·H)^n`, or the microfacets' part.
-    Lobe,
-    /// 1 − Kt.
-    Opaque,
-    Irefl,
-    Kt,
-    Itrans,
-    /// s0.
-    Kept,
-    /// I, before it fades.
-    Intensity,
-    /// 1 − s0.
-    Gone,
-    Idc,
-}
-
 /// Some factors with their product, per channel.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Column {
-    pub factors: Vec<Factor>,
+pub struct TermColumn {
+    /// Formulas with the letters in braces; see [`plain_formula`](super::plain_formula).
+    pub factors: Vec<&'static str>,
     pub values: Rgb,
     /// Whether it is a mean over several evaluations.
     pub mean: bool,
@@ -58,8 +23,8 @@ pub struct Column {
     pub added: bool,
 }
 
-impl Column {
-    fn of(factor: Factor, values: Rgb) -> Self {
+impl TermColumn {
+    fn new(factor: &'static str, values: Rgb) -> Self {
         Self { factors: vec![factor], values, mean: false, added: false }
     }
 }
@@ -67,7 +32,7 @@ impl Column {
 /// A term: columns that make its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Product {
-    pub columns: Vec<Column>,
+    pub columns: Vec<TermColumn>,
     pub value: Rgb,
 }
 
@@ -82,6 +47,8 @@ pub struct Here<'a> {
 #[derive(Clone, Copy)]
 pub struct LightHere<'a> {
     pub here: Here<'a>,
+    /// Its place in the scene's list.
+    pub index: usize,
     pub source: &'a Light,
     pub terms: &'a LightTerms,
 }
@@ -92,10 +59,15 @@ impl<'a> Here<'a> {
         matches!(self.scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact)
     }
 
+    /// Whether intensities fade where the equation is evaluated, which is not at the pixel.
+    pub fn fades_at_points(self) -> bool {
+        self.scene.depth_cueing.by == CuedBy::Vertex && !self.at_pixel()
+    }
+
     /// The lights in their order.
     pub fn lights(self) -> impl Iterator<Item = LightHere<'a>> {
-        let pairs = self.scene.lights.iter().zip(&self.hit.lights);
-        pairs.map(move |(source, terms)| LightHere { here: self, source, terms })
+        let pairs = self.scene.lights.iter().zip(&self.hit.lights).enumerate();
+        pairs.map(move |(index, (source, terms))| LightHere { here: self, index, source, terms })
     }
 
     /// Od, where it is one colour for all evaluations.
@@ -110,35 +82,23 @@ impl<'a> Here<'a> {
     /// `Ka·Od·Ia`.
     pub fn ambient(self) -> Product {
         let (ka, ia) = (self.scene.material.ka, self.scene.ambient.color);
-        let od = match self.od() {
-            Some(od) => Column::of(Factor::Od, od),
-            None => Column { mean: true, ..Column::of(Factor::Od, quotient(self.hit.ambient, ka * ia)) },
-        };
+        let known = self.od();
+        let od = TermColumn::new("{Od}", known.unwrap_or_else(|| quotient(self.hit.ambient, ka * ia)));
+        let od = TermColumn { mean: known.is_none(), ..od };
         let value = if self.hit.bounced { ka * od.values * ia } else { self.hit.ambient };
-        Product { columns: vec![Column::of(Factor::Ka, ka), od, Column::of(Factor::Ia, ia)], value }
+        Product { columns: vec![TermColumn::new("{Ka}", ka), od, TermColumn::new("{Ia}", ia)], value }
     }
 
     /// `(1 − Kt)·Irefl + Kt·Itrans`, where light comes through the surface.
     pub fn mixture(self) -> Option<Product> {
-        let through = self.hit.transmission?;
-        let kt = self.scene.transparency.kt;
+        let (through, kt) = (self.hit.transmission?, self.scene.transparency.kt);
         let columns = vec![
-            Column::of(Factor::Opaque, Rgb::splat(1.0 - kt)),
-            Column::of(Factor::Irefl, self.hit.reflected),
-            Column { added: true, ..Column::of(Factor::Kt, Rgb::splat(kt)) },
-            Column::of(Factor::Itrans, through.seen),
+            TermColumn::new("(1 − {Kt})", Rgb::splat(1.0 - kt)),
+            TermColumn::new("{Irefl}", self.hit.reflected),
+            TermColumn { added: true, ..TermColumn::new("{Kt}", Rgb::splat(kt)) },
+            TermColumn::new("{Itrans}", through.seen),
         ];
         Some(Product { columns, value: self.hit.intensity })
-    }
-
-    /// Whether every pixel meets the true surface, or is evaluated as if it did.
-    pub fn is_exact(self) -> bool {
-        self.scene.shading.mode == ShadingMode::Exact
-    }
-
-    /// Whether intensities fade where the equation is evaluated, which is not at the pixel.
-    pub fn fades_at_points(self) -> bool {
-        self.scene.depth_cueing.by == CuedBy::Vertex && !self.at_pixel()
     }
 
     /// `s0·I + (1 − s0)·Idc`, where the depth is cued.
@@ -146,10 +106,10 @@ impl<'a> Here<'a> {
         let (cue, intensity, mean) = (self.hit.cue?, self.hit.intensity, self.fades_at_points());
         let kept = if mean { quotient(cue.kept, intensity) } else { Rgb::splat(cue.scale) };
         let columns = vec![
-            Column { mean, ..Column::of(Factor::Kept, kept) },
-            Column::of(Factor::Intensity, intensity),
-            Column { mean, added: true, ..Column::of(Factor::Gone, Rgb::splat(1.0 - cue.scale)) },
-            Column::of(Factor::Idc, self.scene.depth_cueing.color),
+            TermColumn { mean, ..TermColumn::new("{s0}", kept) },
+            TermColumn::new("{I}", intensity),
+            TermColumn { mean, added: true, ..TermColumn::new("(1 − {s0})", Rgb::splat(1.0 - cue.scale)) },
+            TermColumn::new("{Idc}", self.scene.depth_cueing.color),
         ];
         Some(Product { columns, value: self.hit.sum })
     }
@@ -178,41 +138,51 @@ impl LightHere<'_> {
         }
     }
 
+    /// Whether N has been turned about towards the light.
+    pub fn turned(self) -> bool {
+        self.terms.n_dot_l < 0.0 && self.here.scene.reflection.backfacing == Backfacing::Flip
+    }
+
+    /// S in letters.
+    pub fn lobe_letters(self) -> &'static str {
+        match self.here.scene.reflection.model {
+            ReflectionModel::Phong => "({R}·{V}){n}",
+            ReflectionModel::Blinn => "({N}·{H}){n}",
+            ReflectionModel::CookTorrance => "{S}",
+        }
+    }
+
     /// The factors besides the coefficients, which no channel has for itself, and their product.
-    fn strength(self) -> (Vec<Factor>, f64) {
-        let (mut factors, mut product) = (Vec::new(), 1.0);
-        let mut take = |present: bool, factor: Factor, value: f64| {
-            if present {
-                factors.push(factor);
-                product *= value;
-            }
-        };
-        take(self.attenuates(), Factor::Attenuation, self.terms.attenuation);
-        take(self.source.kind == LightKind::Spot, Factor::Spot, self.terms.spot);
-        take(self.terms.reached < 1.0, Factor::Lit, self.terms.reached);
-        (factors, product)
+    fn strength(self) -> (Vec<&'static str>, f64) {
+        let factors = [
+            (self.attenuates(), "{f}", self.terms.attenuation),
+            (self.source.kind == LightKind::Spot, "{spot}", self.terms.spot),
+            (self.terms.reached < 1.0, "{lit}", self.terms.reached),
+        ];
+        let present = || factors.iter().filter(|(present, ..)| *present);
+        (present().map(|(_, letters, _)| *letters).collect(), present().map(|(.., value)| value).product())
     }
 
     /// `f·Ip·Kd·Od·(N·L)`.
     pub fn diffuse(self) -> Product {
         let (ip, kd, value) = (self.source.color, self.here.scene.material.kd, self.terms.diffuse);
         let (mut factors, strength) = self.strength();
-        factors.push(Factor::Facing);
-        let mut columns = vec![Column::of(Factor::Ip, ip), Column::of(Factor::Kd, kd)];
+        factors.push("({N}·{L})");
+        let mut columns = vec![TermColumn::new("{Ip}", ip), TermColumn::new("{Kd}", kd)];
         let mut known = ip * kd;
-        if let Some(od) = self.here.od() {
-            columns.push(Column::of(Factor::Od, od));
+        let od = self.here.od();
+        if let Some(od) = od {
+            columns.push(TermColumn::new("{Od}", od));
             known *= od;
         } else {
-            factors.insert(0, Factor::Od);
+            factors.insert(0, "{Od}");
         }
-        let separate = !factors.contains(&Factor::Od);
-        let values = match (self.is_one_product(), separate) {
+        let values = match (self.is_one_product(), od) {
             (true, _) => Rgb::splat(strength * self.facing()),
-            (false, true) => Rgb::splat(common(value, known)),
-            (false, false) => quotient(value, known),
+            (false, Some(_)) => Rgb::splat(common(value, known)),
+            (false, None) => quotient(value, known),
         };
-        columns.push(Column { factors, values, mean: !self.is_one_product(), added: false });
+        columns.push(TermColumn { factors, values, mean: !self.is_one_product(), added: false });
         Product { columns, value }
     }
 
@@ -220,29 +190,29 @@ impl LightHere<'_> {
     pub fn specular(self) -> Product {
         let (material, value) = (&self.here.scene.material, self.terms.specular);
         let (mut factors, strength) = self.strength();
-        factors.push(Factor::Lobe);
+        factors.push(self.lobe_letters());
         let coefficient = material.ks * material.specular_color;
-        let mut ks = Column::of(Factor::Ks, coefficient);
+        let mut ks = TermColumn::new("{Ks}", coefficient);
         if material.specular_color != Rgb::ONE {
-            ks.factors.push(Factor::Os);
+            ks.factors.push("{Os}");
         }
-        let mut columns = vec![Column::of(Factor::Ip, self.source.color), ks];
+        let mut columns = vec![TermColumn::new("{Ip}", self.source.color), ks];
         let mut known = self.source.color * coefficient;
         let by_angle = material.reflectance != Reflectance::Constant;
         let values = if self.is_one_product() {
             if by_angle {
-                columns.push(Column::of(Factor::Reflectance, self.terms.reflectance));
+                columns.push(TermColumn::new("{W}", self.terms.reflectance));
                 known *= self.terms.reflectance;
             }
             // Not the product with f: where no light arrives that says nothing.
             Rgb::splat(common(value, known * strength) * strength)
         } else if by_angle {
-            factors.insert(0, Factor::Reflectance);
+            factors.insert(0, "{W}");
             quotient(value, known)
         } else {
             Rgb::splat(common(value, known))
         };
-        columns.push(Column { factors, values, mean: !self.is_one_product(), added: false });
+        columns.push(TermColumn { factors, values, mean: !self.is_one_product(), added: false });
         Product { columns, value }
     }
 
@@ -258,15 +228,9 @@ impl LightHere<'_> {
         let hit = self.here.hit;
         match self.here.scene.reflection.model {
             ReflectionModel::Phong => self.terms.r.dot(hit.view),
-            ReflectionModel::Blinn | ReflectionModel::CookTorrance => {
-                hit.normal.dot(self.terms.h) * if self.turned() { -1.0 } else { 1.0 }
-            }
+            _ if self.turned() => -hit.normal.dot(self.terms.h),
+            _ => hit.normal.dot(self.terms.h),
         }
-    }
-
-    /// Whether N has been turned about towards the light.
-    pub fn turned(self) -> bool {
-        self.terms.n_dot_l < 0.0 && self.here.scene.reflection.backfacing == Backfacing::Flip
     }
 }
 
