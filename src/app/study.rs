@@ -2,8 +2,8 @@
 
 use super::background::{progress_ui, wake};
 use super::drawing::drawing_ui;
-use super::engine::Engine;
 use super::drawing::{boxed, height, plot_style};
+use super::engine::Engine;
 use super::report::{ReportView, export_ui};
 use super::state::AppState;
 use crate::analysis::{

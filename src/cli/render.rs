@@ -8,8 +8,8 @@ use super::output::{Failure, progress_bar};
 use clap::Args;
 use glam::DVec2;
 use shading_lab::analysis::{
-    NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, clearest_pixel, comparison_sheet, defects, draw_defects,
-    draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe, profile,
+    NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, clearest_pixel, comparison_sheet, defects,
+    draw_defects, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe, profile,
 };
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::render::{Frame, Renderer, check_memory};
