@@ -1,6 +1,6 @@
 //! Rows with a slider and a field for a number, and rows of several fields.
 
-use super::{About, FIELD, row, value_row};
+use super::layout::{About, FIELD, row, value_row};
 use crate::app::focus::{self, switch_named};
 use crate::app::symbol::Lit;
 use crate::scene::Rgb;

@@ -1,6 +1,6 @@
 //! Controls of rows for colours, points, choices, switches and words.
 
-use super::About;
+use super::layout::About;
 use super::number::{CHANNELS, SliderRange, fields};
 use crate::app::focus::{self, named, switch_named};
 use crate::scene::{ChoiceOption, Rgb};
