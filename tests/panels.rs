@@ -9,7 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
 use glam::{DVec3, Vec3Swizzles};
 use hands::{choose, drag, enter, press, scene, undo, wait, window, window_of};
-use shading_lab::analysis::{ProbeHit, probe};
+use shading_lab::analysis::{ANALYSES, ProbeHit, probe};
 use shading_lab::app::{App, Look, NumbersTab, Profiles};
 use shading_lab::document::load;
 use shading_lab::export::{glsl_330, opengl_c, opengl_c_snippet};
@@ -650,4 +650,45 @@ fn a_profile_of_any_height_is_clipped_to_its_pane() {
         let shapes = harness.output().shapes.len();
         assert!(shapes < 5000, "{bright}: {shapes} shapes");
     }
+}
+
+#[test]
+fn every_analysis_is_exported_from_its_tab() {
+    let tabs: [(&str, &str, &[&str]); 9] = [
+        ("Equation", "", &["probe"]),
+        ("Curves", "", &["curves"]),
+        ("Profile", "", &["profile"]),
+        ("Scan line", "", &["scanline"]),
+        ("Compare", "Panes", &["compare"]),
+        ("Defects", "Where a vertex normal comes from", &["defects", "normals"]),
+        ("Plan", "Measure times", &["explain", "bench"]),
+        ("Study", "Start", &["study"]),
+        ("Stability", "", &["stability"]),
+    ];
+    let mut harness = window("sphere");
+    let mut exported = Vec::new();
+    for (name, button, analyses) in tabs {
+        tab(&mut harness, name);
+        if !button.is_empty() {
+            harness.get_by_label(button).click_accesskit();
+        }
+        let copied = |harness: &mut Harness<'_, App>, analysis: &str| {
+            (0..harness.query_all_by_label("Copy text").count()).any(|index| {
+                let button = harness.query_all_by_label("Copy text").nth(index);
+                button.expect("a button").click_accesskit();
+                harness.run_ok();
+                harness.state().state().notice.as_ref().is_some_and(|notice| *notice == format!("copied: {analysis}"))
+            })
+        };
+        for analysis in analyses {
+            let any = (0..2000).any(|_| {
+                std::thread::sleep(std::time::Duration::from_millis(10));
+                harness.run_ok();
+                copied(&mut harness, analysis)
+            });
+            assert!(any, "{name}: {analysis}");
+            exported.push(*analysis);
+        }
+    }
+    assert!(ANALYSES.iter().all(|analysis| exported.contains(&analysis.name)) && exported.len() == ANALYSES.len());
 }

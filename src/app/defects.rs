@@ -10,13 +10,19 @@ use super::look::NumbersTab;
 use super::place::Place;
 use super::report::{Asking, export_ui};
 use super::state::AppState;
-use crate::analysis::{DEFECTS, Defect, DefectsQuestion, defect_marks};
+use crate::analysis::{DEFECTS, Defect, DefectsQuestion, NormalsQuestion, defect_marks};
 use eframe::egui::{Align2, Color32, FontId, Painter, RichText, Stroke, Ui};
 
-type Measured = Asking<DefectsQuestion>;
+/// What the tab has measured.
+#[derive(Default)]
+pub struct DefectsView {
+    measured: Asking<DefectsQuestion>,
+    normal: Asking<NormalsQuestion>,
+}
 
 /// The tab.
-pub fn defects_ui(ui: &mut Ui, measured: &mut Measured, state: &mut AppState, engine: &Engine) {
+pub fn defects_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, engine: &Engine) {
+    let DefectsView { measured, normal } = view;
     let size = engine.size;
     if size.contains(&0) {
         return;
@@ -45,6 +51,20 @@ pub fn defects_ui(ui: &mut Ui, measured: &mut Measured, state: &mut AppState, en
         }
         ui.add_space(6.0);
     }
+    ui.separator();
+    ui.collapsing("Where a vertex normal comes from", |ui| normal_ui(ui, normal, state, size));
+}
+
+/// The normal of the vertex that is lit up, or of the one next to the probe, with its faces and their weights.
+fn normal_ui(ui: &mut Ui, normal: &mut Asking<NormalsQuestion>, state: &mut AppState, size: [u32; 2]) {
+    let question = NormalsQuestion { vertex: state.pointed.lit, pixel: Some(state.probe.pixel(size)) };
+    normal.ask(ui.ctx(), &state.shown, size, &question);
+    match normal.work.known() {
+        None => _ = ui.label("…"),
+        Some(Err(why)) => _ = ui.label(why),
+        Some(Ok(_)) => normal.view.ui(ui),
+    }
+    export_ui(ui, state, "normals", || normal.latest());
 }
 
 /// Whether the built-in scene about a defect is open.
@@ -54,8 +74,8 @@ fn is_open(state: &AppState, defect: &Defect) -> bool {
 
 /// Marks what was last measured in the active picture.
 pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
-    let measured = state.own.get::<Measured>().filter(|_| state.shows(NumbersTab::Defects));
-    let Some(found) = measured.and_then(|measured| measured.work.answer()) else { return };
+    let measured = state.own.get::<DefectsView>().filter(|_| state.shows(NumbersTab::Defects));
+    let Some(found) = measured.and_then(|view| view.measured.work.answer()) else { return };
     let em = f64::from(font.size * place.pixels_per_point);
     for mark in defect_marks(&found.defects, em) {
         for stroke in [Stroke::new(4.0, Color32::from_black_alpha(160)), Stroke::new(1.8, Color32::WHITE)] {

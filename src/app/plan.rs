@@ -1,18 +1,23 @@
 //! The tab of the plan: every stage and term of the frame, how often it is evaluated, what the last change ran, and what is
 //! left out and why.
 
+use super::background::progress_ui;
 use super::engine::Engine;
 use super::look::Look;
-use super::report::{ReportView, export_ui};
+use super::report::{Asking, ReportView, export_ui};
 use super::state::AppState;
-use crate::analysis::{About, Answer, FramePlan};
+use crate::analysis::{About, Answer, BenchQuestion, FramePlan};
 use eframe::egui::{Label, RichText, Ui};
 
+/// Frames for each time that is measured.
+const FRAMES: u32 = 30;
+
 /// The report as last made, and of which picture.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct PlanView {
     view: ReportView,
     made: Option<u64>,
+    times: Asking<BenchQuestion>,
 }
 
 /// The tab.
@@ -32,6 +37,27 @@ pub fn plan_ui(ui: &mut Ui, own: &mut PlanView, state: &mut AppState, engine: &E
         ui.add(Label::new(RichText::new(format!("left out: {what} — {why}")).weak()).wrap());
     }
     export_ui(ui, state, "explain", || Some((Box::new(frame_plan()), engine.drawn()?.clone())));
+    ui.separator();
+    times_ui(ui, &mut own.times, state, engine.size);
+}
+
+/// The times of a frame and of its stages, measured when asked for.
+fn times_ui(ui: &mut Ui, times: &mut Asking<BenchQuestion>, state: &mut AppState, size: [u32; 2]) {
+    times.receive();
+    if !progress_ui(ui, &times.work, "Leaves the times unknown") {
+        let tip = "Draws the active picture many times. Times are best while nothing else is touched";
+        if ui.button("Measure times").on_hover_text(tip).clicked() {
+            let question = BenchQuestion { frames: FRAMES, growth: false };
+            times.start(ui.ctx(), &state.shown, size, question);
+        }
+    }
+    if let Some(Err(why)) = times.work.known() {
+        ui.label(why);
+    }
+    if times.work.answer().is_some() {
+        times.view.ui(ui);
+        export_ui(ui, state, "bench", || times.latest());
+    }
 }
 
 /// How much does not run: terms of the plan, and what of the window is not shown.

@@ -118,6 +118,20 @@ impl<Q: Question> Asking<Q> {
         }
     }
 
+    /// Asks it once; [`Self::receive`] takes the answer.
+    pub fn start(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: Q) {
+        self.work.start(Asked::new(question, &document.scene, document.model.as_ref(), size), wake(ctx));
+    }
+
+    /// Takes what a question that was asked once has found.
+    pub fn receive(&mut self) {
+        if self.work.take()
+            && let (Some(answer), Some(asked)) = (self.work.answer(), self.work.answered())
+        {
+            self.view.set(answer.report(&About { name: "", scene: &asked.subject().scene }));
+        }
+    }
+
     /// The latest answer with the scene that it is about.
     pub fn latest(&self) -> Option<(Box<dyn Answer>, Scene)> {
         Some((Box::new(self.work.answer()?.clone()), self.work.answered()?.subject().scene))
