@@ -568,7 +568,7 @@ fn an_interrupted_write_leaves_nothing() {
     let folder = Folder::new("interrupted");
     for signal in ["INT", "TERM", "KILL"] {
         // Compressing takes long enough to be met.
-        let render = ["render", "checker", "--size", "700x700", "-o", "a.png"];
+        let render = ["render", "checker", "--size", "2000x2000", "-o", "a.png"];
         let mut child = folder.command(&render).stderr(Stdio::null()).spawn().expect("the program");
         let writes = |pid: u32| {
             let open = fs::read_dir(format!("/proc/{pid}/fd")).into_iter().flatten().flatten();
