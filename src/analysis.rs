@@ -24,50 +24,54 @@ mod study;
 pub use crate::figure::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
 pub use bench::{Bench, BenchQuestion, CHANGES, Growth};
 pub use comparison::{
-    Brightest, Comparison, ComparisonQuestion, DrawnPane, ErrorFigures, LinearPicture, PaneArea, PaneFigures,
-    RegionErrors, brightest, caption, comparison_sheet, difference_picture, difference_scale, draw_panes,
-    error_figures, pane_areas, pane_figures, panes_on_sheet, region_errors,
+    Brightest, Comparison, ComparisonQuestion, DrawnPane, ErrorFigures, LinearPicture, PaneArea,
+    PaneFigures, RegionErrors, brightest, caption, comparison_sheet, difference_picture,
+    difference_scale, draw_panes, error_figures, pane_areas, pane_figures, panes_on_sheet,
+    region_errors,
 };
 pub use curves::{Curves, CurvesQuestion};
 pub use defects::{
     DEFECTS, Defect, DefectMark, Defects, DefectsQuestion, Finding, MeasuredDefects, Orientation,
-    PerspectiveDistortion, SharedVertices, Silhouette, VertexNormals, defect_marks, defect_plots, defects,
-    defects_with_progress, draw_defects,
+    PerspectiveDistortion, SharedVertices, Silhouette, VertexNormals, defect_marks, defect_plots,
+    defects, defects_with_progress, draw_defects,
 };
 pub use lobe::{ReflectionLobe, Response};
 pub use normals::{
-    FoundNormal, LitVertex, Needle, NeedleKind, Needles, NormalField, NormalsQuestion, SeenNormal, SeenNormals,
-    VertexFace, VertexNormal, draw_normals,
+    FoundNormal, LitVertex, Needle, NeedleKind, Needles, NormalField, NormalsQuestion, SeenNormal,
+    SeenNormals, VertexFace, VertexNormal, draw_normals,
 };
 pub use overlay::{Halo, OverlayLayer, OverlayOptions};
 pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture, luminance};
 pub use plan::{FramePlan, PlanQuestion, stage_words};
 pub use probe::{
-    Angle, Arc, Arrow, ArrowHead, CHANNELS, CueTerms, FilledLine, FilledPart, Here, Letters, LightHandle, LightHere,
-    LightTerms, LineValue, Overlay, Probe, ProbeHit, ProbeQuestion, Probed, Product, Share, TermColumn, Tone,
-    ZeroCause, ZeroCauses, clearest_pixel, digits, digits_below, draw_overlay, equation_letters, percent,
-    plain_formula, probe, specular_vector,
+    Angle, Arc, Arrow, ArrowHead, CHANNELS, CueTerms, FilledLine, FilledPart, Here, Letters,
+    LightHandle, LightHere, LightTerms, LineValue, Overlay, Probe, ProbeHit, ProbeQuestion, Probed,
+    Product, Share, TermColumn, Tone, ZeroCause, ZeroCauses, clearest_pixel, digits, digits_below,
+    draw_overlay, equation_letters, percent, plain_formula, probe, specular_vector,
 };
 pub use profile::{
-    Border, CURVE, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError, ProfileQuestion, Sample,
-    TakenProfile, Trace, draw_profile, lay_out_profile, perceived_picture, profile, profile_plots,
+    Border, CURVE, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError, ProfileQuestion,
+    Sample, TakenProfile, Trace, draw_profile, lay_out_profile, perceived_picture, profile,
+    profile_plots,
 };
 pub use question::{ANALYSES, Analysis, Format, Question, Subject, Watch, unwatched};
 pub(crate) use report::cells;
-pub use report::{About, Answer, Cell, Column, Figure, Part, Report, Section, Table, as_it_is, fixed, word};
+pub use report::{
+    About, Answer, Cell, Column, Figure, Part, Report, Section, Table, as_it_is, fixed, word,
+};
 pub use sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error_with};
 #[cfg(feature = "app")]
 pub(crate) use scan::scan_drawn;
 pub use scan::{
-    Carried, Crossing, Grid, Mix, Rule, Scan, ScanCorner, ScanEdge, ScanError, ScanLevel, ScanLine, ScanPixel,
-    ScanPoint, ScanQuestion, ScanSpan, ScanStep, ScanStop, Stop, corner_name, face_at, lay_out_scan, scan,
-    scan_in_grid, scan_room,
+    Carried, Crossing, Grid, Mix, Rule, Scan, ScanCorner, ScanEdge, ScanError, ScanLevel, ScanLine,
+    ScanPixel, ScanPoint, ScanQuestion, ScanSpan, ScanStep, ScanStop, Stop, corner_name, face_at,
+    lay_out_scan, scan, scan_in_grid, scan_room,
 };
 pub use stability::{
-    CASE_PICTURES, Case, CaseResult, Catalogue, Condition, HALF_A_CODE_VALUE, StabilityQuestion, Topic, Verdict,
-    stability, stability_cases, stability_sheet,
+    CASE_PICTURES, Case, CaseResult, Catalogue, Condition, HALF_A_CODE_VALUE, StabilityQuestion,
+    Topic, Verdict, stability, stability_cases, stability_sheet,
 };
 pub use study::{
-    Fit, Method, Omission, Series, Setting, Study, StudyQuestion, StudyRow, fit_line, median_and_spread, order_of,
-    pareto_front, student, study, study_plot, study_point,
+    Fit, Method, Omission, Series, Setting, Study, StudyQuestion, StudyRow, fit_line,
+    median_and_spread, order_of, pareto_front, student, study, study_plot, study_point,
 };

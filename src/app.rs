@@ -62,7 +62,10 @@ use crate::scene::Choice as _;
 use action::Action;
 use dialog::{CodeForm, Dialog, ExportForm, FileTask};
 use document::History;
-use eframe::egui::{CentralPanel, ColorImage, Context, Frame as Margins, Panel, ThemePreference, Ui, ViewportCommand};
+use eframe::egui::{
+    CentralPanel, ColorImage, Context, Frame as Margins, Panel, ThemePreference, Ui,
+    ViewportCommand,
+};
 use engine::Engine;
 use files::Files;
 use picture::Room;
@@ -98,19 +101,28 @@ impl App {
     /// A window that shows `loaded`, looking as it did last time.
     pub fn new(cc: &eframe::CreationContext<'_>, loaded: Loaded) -> Self {
         theme::install(&cc.egui_ctx);
-        let stored: Option<Stored> = cc.storage.and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
+        let stored: Option<Stored> = cc
+            .storage
+            .and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
         // Anybody may have written what was stored.
         let look = stored.map(|stored| stored.look.sound()).unwrap_or_default();
-        let mut state = AppState { look, ..AppState::default() };
+        let mut state = AppState {
+            look,
+            ..AppState::default()
+        };
         // The toolkit stores a scale of its own, which nobody has checked. Set in this way it holds from the first frame on.
-        cc.egui_ctx.options_mut(|options| options.zoom_factor = state.look.scale);
+        cc.egui_ctx
+            .options_mut(|options| options.zoom_factor = state.look.scale);
         state.open(Document::from(loaded));
         state.history = History::new(state.document.clone());
         Self {
             state,
             engine: Engine::new(),
             files: Files::default(),
-            room: Room { whole: [1, 1], pane: [1, 1] },
+            room: Room {
+                whole: [1, 1],
+                pane: [1, 1],
+            },
             title: String::new(),
             in_front: false,
             recovery: None,
@@ -150,17 +162,25 @@ impl App {
                 Panel::bottom("stages").show(ui, |ui| bars::stages_ui(ui, state, engine));
             }
             if state.look.controls {
-                let panel = Panel::left("controls").resizable(true).default_size(344.0).min_size(300.0);
+                let panel = Panel::left("controls")
+                    .resizable(true)
+                    .default_size(344.0)
+                    .min_size(300.0);
                 panel.show(ui, |ui| controls::controls_ui(ui, state, engine));
                 // Nothing is drawn of a scene that a scene file would refuse.
                 state.commit();
             }
             if state.look.numbers {
-                let panel = Panel::right("numbers").resizable(true).default_size(322.0).min_size(280.0);
+                let panel = Panel::right("numbers")
+                    .resizable(true)
+                    .default_size(322.0)
+                    .min_size(280.0);
                 panel.show(ui, |ui| numbers::numbers_ui(ui, state, engine));
             }
         }
-        let shown = CentralPanel::default().frame(Margins::NONE).show(ui, |ui| picture::picture_ui(ui, state, engine));
+        let shown = CentralPanel::default()
+            .frame(Margins::NONE)
+            .show(ui, |ui| picture::picture_ui(ui, state, engine));
         self.room = shown.inner;
         self.state.commit();
     }
@@ -234,15 +254,24 @@ impl App {
                 Some(path) => self.save(ctx, path),
                 None => self.perform(ctx, Action::SaveAs),
             },
-            Action::SaveAs => self.ask_file(FileTask::SaveScene, self.state.document.suggested("toml")),
+            Action::SaveAs => {
+                self.ask_file(FileTask::SaveScene, self.state.document.suggested("toml"));
+            }
             Action::SaveTo(path) => self.save(ctx, path),
             Action::Export => {
-                let form = ExportForm { size: self.room.whole, samples: 1, overlay: true };
+                let form = ExportForm {
+                    size: self.room.whole,
+                    samples: 1,
+                    overlay: true,
+                };
                 self.ask_file(FileTask::Export(form), self.state.document.suggested("png"));
             }
             Action::CopyPicture => self.copy_picture(ctx),
             Action::SaveAnswer(name, format) => {
-                self.ask_file(FileTask::SaveAnswer(format), format!("{name}.{}", format.word()));
+                self.ask_file(
+                    FileTask::SaveAnswer(format),
+                    format!("{name}.{}", format.word()),
+                );
             }
             Action::Code => self.state.dialog = Some(Dialog::Code(CodeForm::default())),
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
@@ -285,7 +314,12 @@ impl App {
                     self.close(ctx);
                 }
             }
-            Err(error) => self.state.dialog = Some(Dialog::message("The scene was not saved", error.to_string())),
+            Err(error) => {
+                self.state.dialog = Some(Dialog::message(
+                    "The scene was not saved",
+                    error.to_string(),
+                ));
+            }
         }
     }
 
@@ -296,9 +330,15 @@ impl App {
         let mut renderer = Renderer::default();
         renderer.set_model(model.clone());
         let over = files::over(&self.state);
-        let Some(frame) = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| true) else { return };
+        let Some(frame) = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| true)
+        else {
+            return;
+        };
         let size = [frame.width as usize, frame.height as usize];
-        ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, frame.pixels.as_flattened()));
+        ctx.copy_image(ColorImage::from_rgba_unmultiplied(
+            size,
+            frame.pixels.as_flattened(),
+        ));
         self.state.notice = Some("copied the picture".to_owned());
     }
 }
@@ -307,7 +347,11 @@ impl eframe::App for App {
     fn logic(&mut self, ctx: &Context, _: &mut eframe::Frame) {
         if ctx.input(|input| input.viewport().close_requested()) && !self.may_close() {
             // A window that is hidden has to come up to ask.
-            for command in [ViewportCommand::CancelClose, ViewportCommand::Minimized(false), ViewportCommand::Focus] {
+            for command in [
+                ViewportCommand::CancelClose,
+                ViewportCommand::Minimized(false),
+                ViewportCommand::Focus,
+            ] {
                 ctx.send_viewport_cmd(command);
             }
         }
@@ -336,6 +380,12 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        eframe::set_value(storage, STORAGE_KEY, &Stored { look: self.state.look.clone() });
+        eframe::set_value(
+            storage,
+            STORAGE_KEY,
+            &Stored {
+                look: self.state.look.clone(),
+            },
+        );
     }
 }

@@ -114,14 +114,20 @@ pub fn run() -> ExitCode {
 fn perform(arguments: Arguments) -> Result<(), Failure> {
     let Arguments { scene, command } = arguments;
     let earlier = scene.overrides();
-    if let Some(name) = command.as_ref().and_then(Command::without_scene).filter(|_| !earlier.is_empty()) {
-        return Err(Failure::input(format!("--set without a scene, expected `{name}` alone")));
+    if let Some(name) = command
+        .as_ref()
+        .and_then(Command::without_scene)
+        .filter(|_| !earlier.is_empty())
+    {
+        return Err(Failure::input(format!(
+            "--set without a scene, expected `{name}` alone"
+        )));
     }
     match command {
         None => open_window(&scene),
-        Some(_) if scene.source.is_some() => {
-            Err(Failure::input("a scene before the command, expected it after: shading-lab COMMAND SCENE"))
-        }
+        Some(_) if scene.source.is_some() => Err(Failure::input(
+            "a scene before the command, expected it after: shading-lab COMMAND SCENE",
+        )),
         Some(Command::Render(render)) => render.run(&earlier),
         Some(Command::Probe(probe)) => probe.run(&earlier),
         Some(Command::Profile(profile)) => profile.run(&earlier),
@@ -150,6 +156,8 @@ fn open_window(arguments: &SceneArguments) -> Result<(), Failure> {
     #[cfg(not(feature = "app"))]
     {
         drop(loaded);
-        Err(Failure::work("built without a window, expected a command: see shading-lab --help"))
+        Err(Failure::work(
+            "built without a window, expected a command: see shading-lab --help",
+        ))
     }
 }

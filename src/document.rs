@@ -9,7 +9,9 @@ use crate::figure::Paper;
 use crate::geometry::{Mesh, ObjError, read_obj};
 use crate::picture::{PictureError, read_scene_text, write_png};
 use crate::render::Frame;
-use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, SceneError, nearest, presets};
+use crate::scene::{
+    About, Choice, NormalSource, Object, ObjectKind, Scene, SceneError, nearest, presets,
+};
 use atomic_write_file::AtomicWriteFile;
 use std::ffi::OsStr;
 use std::fmt::Display;
@@ -43,18 +45,31 @@ pub enum LoadError {
     Scene(#[from] SceneError),
     /// The file itself, at a line counted from 1 where the problem has one.
     #[error("{}:{} {problem}", .path.display(), .line.map(|line| format!("{line}:")).unwrap_or_default())]
-    File { path: PathBuf, line: Option<u64>, problem: String },
+    File {
+        path: PathBuf,
+        line: Option<u64>,
+        problem: String,
+    },
 }
 
 impl LoadError {
     fn file(path: &Path, problem: impl Display) -> Self {
-        Self::File { path: path.to_owned(), line: None, problem: problem.to_string() }
+        Self::File {
+            path: path.to_owned(),
+            line: None,
+            problem: problem.to_string(),
+        }
     }
 
     fn unreadable(path: &Path, expected: &str, error: &io::Error) -> Self {
         match error.kind() {
-            io::ErrorKind::NotFound => Self::file(path, format!("no such file, expected {expected}")),
-            _ => Self::file(path, format!("cannot be read ({error}), expected {expected}")),
+            io::ErrorKind::NotFound => {
+                Self::file(path, format!("no such file, expected {expected}"))
+            }
+            _ => Self::file(
+                path,
+                format!("cannot be read ({error}), expected {expected}"),
+            ),
         }
     }
 }
@@ -73,7 +88,11 @@ pub fn load(source: &Path) -> Result<Loaded, LoadError> {
 ///
 /// # Errors
 /// See [`LoadError`].
-pub fn load_with(source: &Path, overrides: &[impl AsRef<str>], progress: Progress<'_>) -> Result<Loaded, LoadError> {
+pub fn load_with(
+    source: &Path,
+    overrides: &[impl AsRef<str>],
+    progress: Progress<'_>,
+) -> Result<Loaded, LoadError> {
     let (mut scene, path) = read_scene(source)?;
     if !overrides.is_empty() {
         scene = scene.with_overrides(overrides)?;
@@ -89,7 +108,12 @@ pub fn load_with(source: &Path, overrides: &[impl AsRef<str>], progress: Progres
         Some(path) => path.file_name().unwrap_or(path.as_os_str()),
         None => source.as_os_str(),
     };
-    Ok(Loaded { scene, model, name: name.to_string_lossy().into_owned(), path })
+    Ok(Loaded {
+        scene,
+        model,
+        name: name.to_string_lossy().into_owned(),
+        path,
+    })
 }
 
 /// The model of an object: none unless its kind is `obj`.
@@ -97,19 +121,32 @@ pub fn load_with(source: &Path, overrides: &[impl AsRef<str>], progress: Progres
 /// # Errors
 /// A path that is missing or cannot be read, or a file that is not a sound model.
 pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<Mesh>>, LoadError> {
-    let (ObjectKind::Obj, Some(path)) = (object.kind, &object.path) else { return Ok(None) };
+    let (ObjectKind::Obj, Some(path)) = (object.kind, &object.path) else {
+        return Ok(None);
+    };
     let (file, total) = open(path, "an OBJ model")?;
     let mut told = |read| progress(read, total);
     let refused = |error: ObjError| {
         let (line, problem) = (error.line(), error.to_string());
-        LoadError::File { path: path.clone(), line, problem }
+        LoadError::File {
+            path: path.clone(),
+            line,
+            problem,
+        }
     };
     let mesh = read_obj(BufReader::new(file), &mut told).map_err(refused)?;
-    Ok(Some(Arc::new(if object.fit { mesh.fitted() } else { mesh })))
+    Ok(Some(Arc::new(if object.fit {
+        mesh.fitted()
+    } else {
+        mesh
+    })))
 }
 
 fn read_scene(source: &Path) -> Result<(Scene, Option<PathBuf>), LoadError> {
-    let ending = source.extension().and_then(OsStr::to_str).map(str::to_ascii_lowercase);
+    let ending = source
+        .extension()
+        .and_then(OsStr::to_str)
+        .map(str::to_ascii_lowercase);
     let mut scene = match ending.as_deref() {
         Some("toml") => read_scene_file(source)?,
         Some("png") => read_scene_picture(source)?,
@@ -127,19 +164,26 @@ fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
     let (file, _) = open(path, expected)?;
     let mut bytes = Vec::new();
     // One byte more than the parser accepts, so that it can object.
-    let read = file.take(Scene::MAX_TEXT as u64 + 1).read_to_end(&mut bytes);
+    let read = file
+        .take(Scene::MAX_TEXT as u64 + 1)
+        .read_to_end(&mut bytes);
     read.map_err(|error| LoadError::unreadable(path, expected, &error))?;
     let text = std::str::from_utf8(&bytes).map_err(|error| {
         let before = bytes.get(..error.valid_up_to()).unwrap_or_default();
         let line = Some(1 + before.iter().filter(|byte| **byte == b'\n').count() as u64);
-        LoadError::File { path: path.to_owned(), line, problem: "not UTF-8, expected a text".to_owned() }
+        LoadError::File {
+            path: path.to_owned(),
+            line,
+            problem: "not UTF-8, expected a text".to_owned(),
+        }
     })?;
     Ok(Scene::parse(text, &path.to_string_lossy())?)
 }
 
 fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {
     let (file, _) = open(path, "a picture")?;
-    let text = read_scene_text(BufReader::new(file)).map_err(|error| LoadError::file(path, error))?;
+    let text =
+        read_scene_text(BufReader::new(file)).map_err(|error| LoadError::file(path, error))?;
     Ok(Scene::parse(&text, &path.to_string_lossy())?)
 }
 
@@ -149,7 +193,13 @@ fn scene_of_model(path: &Path) -> Result<Scene, LoadError> {
     let normals = NormalSource::File;
     let name = path.file_name().map(PathBuf::from);
     scene.about = About::default();
-    scene.object = Object { kind: ObjectKind::Obj, path: name, fit: true, normals, ..scene.object };
+    scene.object = Object {
+        kind: ObjectKind::Obj,
+        path: name,
+        fit: true,
+        normals,
+        ..scene.object
+    };
     scene.validate()?;
     Ok(scene)
 }
@@ -159,16 +209,28 @@ fn built_in(source: &Path) -> Result<Scene, LoadError> {
         return Ok(preset.scene());
     }
     if source.is_dir() {
-        return Err(LoadError::file(source, "a directory, expected a .toml, .obj or .png file"));
+        return Err(LoadError::file(
+            source,
+            "a directory, expected a .toml, .obj or .png file",
+        ));
     }
     if source.exists() || source.extension().is_some() || source.components().count() > 1 {
-        return Err(LoadError::file(source, "an unknown kind of file, expected .toml, .obj or .png"));
+        return Err(LoadError::file(
+            source,
+            "an unknown kind of file, expected .toml, .obj or .png",
+        ));
     }
     let name: String = source.to_string_lossy().escape_debug().collect();
     let meant = nearest(&name, presets::ALL.iter().map(|preset| preset.name));
-    let meant = meant.map(|meant| format!(" (did you mean {meant}?)")).unwrap_or_default();
-    let expected = format!("expected a .toml, .obj or .png file or a name{meant}; see `shading-lab scenes`");
-    Err(LoadError::file(Path::new(&name), format!("no built-in scene of that name, {expected}")))
+    let meant = meant
+        .map(|meant| format!(" (did you mean {meant}?)"))
+        .unwrap_or_default();
+    let expected =
+        format!("expected a .toml, .obj or .png file or a name{meant}; see `shading-lab scenes`");
+    Err(LoadError::file(
+        Path::new(&name),
+        format!("no built-in scene of that name, {expected}"),
+    ))
 }
 
 /// A regular file with its length in bytes.
@@ -176,8 +238,15 @@ fn open(path: &Path, expected: &str) -> Result<(File, u64), LoadError> {
     let unreadable = |error: io::Error| LoadError::unreadable(path, expected, &error);
     let metadata = fs::metadata(path).map_err(unreadable)?;
     if !metadata.is_file() {
-        let what = if metadata.is_dir() { "a directory" } else { "not a regular file" };
-        return Err(LoadError::file(path, format!("{what}, expected {expected}")));
+        let what = if metadata.is_dir() {
+            "a directory"
+        } else {
+            "not a regular file"
+        };
+        return Err(LoadError::file(
+            path,
+            format!("{what}, expected {expected}"),
+        ));
     }
     Ok((File::open(path).map_err(unreadable)?, metadata.len()))
 }
@@ -189,7 +258,11 @@ const MOST_LINKS: usize = 40;
 #[derive(Debug, thiserror::Error)]
 pub enum SaveError {
     #[error("{}: {what}, expected {expected}", .path.display())]
-    Target { path: PathBuf, what: &'static str, expected: &'static str },
+    Target {
+        path: PathBuf,
+        what: &'static str,
+        expected: &'static str,
+    },
     #[error("{}: cannot be written ({source})", .path.display())]
     Unwritable { path: PathBuf, source: io::Error },
     #[error("{}: there is nothing to draw", .path.display())]
@@ -204,7 +277,9 @@ pub enum SaveError {
 /// See [`SaveError`].
 pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), SaveError> {
     let mut portable = scene.clone();
-    let folder = std::path::absolute(path).ok().and_then(|path| path.parent().map(Path::to_owned));
+    let folder = std::path::absolute(path)
+        .ok()
+        .and_then(|path| path.parent().map(Path::to_owned));
     if let (Some(model), Some(folder)) = (&mut portable.object.path, folder)
         && let Ok(relative) = model.strip_prefix(&folder)
     {
@@ -241,7 +316,10 @@ pub fn save_code(target: &Path, export: &Export) -> Result<(), SaveError> {
     for part in &export.parts {
         check_target(&export.path_of(part, target))?;
     }
-    export.parts.iter().try_for_each(|part| write_text(&export.path_of(part, target), &part.text))
+    export
+        .parts
+        .iter()
+        .try_for_each(|part| write_text(&export.path_of(part, target), &part.text))
 }
 
 impl Format {
@@ -262,17 +340,27 @@ pub fn save_answer(
     about: &Analysed<'_>,
     (size, paper): (Option<[u32; 2]>, Paper),
 ) -> Result<(), SaveError> {
-    let figure = || answer.figure(about, size, paper).ok_or_else(|| SaveError::Nothing { path: path.to_owned() });
+    let figure = || {
+        answer
+            .figure(about, size, paper)
+            .ok_or_else(|| SaveError::Nothing {
+                path: path.to_owned(),
+            })
+    };
     match format {
         Format::Csv => write_text(path, &answer.csv(about)),
         Format::Json => write_text(path, &json_text(answer, about)),
         Format::Svg => match figure()? {
             Figure::Drawing { drawing, title } => write_text(path, &drawing.to_svg(&title)),
-            Figure::Picture { .. } => Err(SaveError::Nothing { path: path.to_owned() }),
+            Figure::Picture { .. } => Err(SaveError::Nothing {
+                path: path.to_owned(),
+            }),
         },
         Format::Png => match figure()? {
             Figure::Drawing { drawing, .. } => {
-                let frame = drawing.to_frame().ok_or_else(|| SaveError::TooLarge { path: path.to_owned() })?;
+                let frame = drawing.to_frame().ok_or_else(|| SaveError::TooLarge {
+                    path: path.to_owned(),
+                })?;
                 save_picture(path, &frame, about.scene)
             }
             Figure::Picture { frame, scene } => write_picture(path, &frame, scene.as_deref()),
@@ -290,19 +378,28 @@ pub fn json_text(answer: &dyn Answer, about: &Analysed<'_>) -> String {
 ///
 /// # Errors
 /// A target that cannot be written, or what `content` reports; nothing is left behind then.
-pub fn write_whole(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), SaveError> {
+pub fn write_whole(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), SaveError> {
     check_target(path)?;
     let written = if is_stdout(path) {
         fill(io::stdout().lock(), content)
     } else if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
-        OpenOptions::new().write(true).open(path).and_then(|device| fill(device, content))
+        OpenOptions::new()
+            .write(true)
+            .open(path)
+            .and_then(|device| fill(device, content))
     } else {
         AtomicWriteFile::open(behind_links(path)).and_then(|mut file| {
             fill(&mut file, content)?;
             file.commit()
         })
     };
-    written.map_err(|source| SaveError::Unwritable { path: path.to_owned(), source })
+    written.map_err(|source| SaveError::Unwritable {
+        path: path.to_owned(),
+        source,
+    })
 }
 
 /// Where Linux and the BSDs keep the standard output. It may be a file that others write to as well, which must not be
@@ -311,7 +408,10 @@ fn is_stdout(path: &Path) -> bool {
     cfg!(unix) && path == Path::new("/dev/stdout")
 }
 
-fn fill(target: impl Write, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+fn fill(
+    target: impl Write,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
     let mut out = BufWriter::new(target);
     content(&mut out)?;
     out.flush()
@@ -321,7 +421,9 @@ fn fill(target: impl Write, content: impl FnOnce(&mut dyn Write) -> io::Result<(
 fn behind_links(path: &Path) -> PathBuf {
     let mut target = path.to_owned();
     for _ in 0..MOST_LINKS {
-        let Ok(next) = fs::read_link(&target) else { break };
+        let Ok(next) = fs::read_link(&target) else {
+            break;
+        };
         target = target.parent().unwrap_or(Path::new("")).join(next);
     }
     target
@@ -332,13 +434,21 @@ fn behind_links(path: &Path) -> PathBuf {
 /// # Errors
 /// A folder that does not exist, a target that is a folder or is write-protected.
 pub fn check_target(path: &Path) -> Result<(), SaveError> {
-    let refused = |what, expected| Err(SaveError::Target { path: path.to_owned(), what, expected });
+    let refused = |what, expected| {
+        Err(SaveError::Target {
+            path: path.to_owned(),
+            what,
+            expected,
+        })
+    };
     if is_stdout(path) {
         return Ok(());
     }
     let error = match fs::metadata(path) {
         Ok(metadata) if metadata.is_dir() => return refused("a directory", "a file to write"),
-        Ok(metadata) if metadata.permissions().readonly() => return refused("write-protected", "a file to write"),
+        Ok(metadata) if metadata.permissions().readonly() => {
+            return refused("write-protected", "a file to write");
+        }
         Ok(_) => return Ok(()),
         Err(error) => error,
     };
@@ -352,6 +462,9 @@ pub fn check_target(path: &Path) -> Result<(), SaveError> {
         }
         _ if error.kind() == io::ErrorKind::NotFound => Ok(()),
         // Links in a circle, for example, or a name that is too long.
-        _ => Err(SaveError::Unwritable { path: path.to_owned(), source: error }),
+        _ => Err(SaveError::Unwritable {
+            path: path.to_owned(),
+            source: error,
+        }),
     }
 }

@@ -67,6 +67,9 @@ pub fn export_mesh(scene: &Scene, mesh: &Mesh) -> VertexMesh {
 fn fan(mesh: &VertexMesh) -> impl Iterator<Item = [u32; 3]> + '_ {
     (0..mesh.face_count()).flat_map(|f| {
         let vertices = mesh.face(f);
-        vertices.windows(2).skip(1).map(|pair| [vertices[0], pair[0], pair[1]])
+        vertices
+            .windows(2)
+            .skip(1)
+            .map(|pair| [vertices[0], pair[0], pair[1]])
     })
 }

@@ -20,6 +20,7 @@ pub use real::{Real, Scalar, V3};
 pub(crate) use source::direction;
 pub use source::{BRIGHTEST, Source, area_hull, area_samples, attenuation_at, rectangle_axes};
 pub use specular::{
-    Beckmann, BlinnChord, BlinnCosine, Ggx, Lobe, NoSpecular, PhongChord, PhongCosine, ShadingPoint, Specular,
-    SpecularForm, blinn_from_phong, half_width, phong_from_blinn, roughness_from_exponent,
+    Beckmann, BlinnChord, BlinnCosine, Ggx, Lobe, NoSpecular, PhongChord, PhongCosine,
+    ShadingPoint, Specular, SpecularForm, blinn_from_phong, half_width, phong_from_blinn,
+    roughness_from_exponent,
 };

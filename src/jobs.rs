@@ -69,7 +69,9 @@ struct Teller<A> {
 
 impl<A: Clone + Send + Sync> Watch<A> for Teller<A> {
     fn at(&self, share: f32) -> bool {
-        self.progress.share.store((1000.0 * share) as u32, Ordering::Relaxed);
+        self.progress
+            .share
+            .store((1000.0 * share) as u32, Ordering::Relaxed);
         (self.wake)(PAUSE);
         !self.progress.cancel.load(Ordering::Relaxed)
     }
@@ -92,8 +94,16 @@ impl<W: Work> Job<W> {
     pub fn start(work: W, wake: impl Fn(Duration) + Send + Sync + 'static) -> Self {
         let (sender, news) = channel();
         let (work, progress) = (Arc::new(work), Arc::new(Progress::default()));
-        let job = Self { work: Arc::clone(&work), progress: Arc::clone(&progress), news };
-        let teller = Teller { progress, news: sender, wake: Arc::new(wake) };
+        let job = Self {
+            work: Arc::clone(&work),
+            progress: Arc::clone(&progress),
+            news,
+        };
+        let teller = Teller {
+            progress,
+            news: sender,
+            wake: Arc::new(wake),
+        };
         thread::spawn(move || {
             let answer = work.run(&teller);
             let _ = teller.news.send(News::Over(answer));
@@ -133,12 +143,18 @@ impl<W: Work> Job<W> {
 
     /// Waits until it is over.
     pub fn wait(self) {
-        while self.news.recv().is_ok_and(|news| matches!(news, News::SoFar(_))) {}
+        while self
+            .news
+            .recv()
+            .is_ok_and(|news| matches!(news, News::SoFar(_)))
+        {}
     }
 
     /// Takes a job out of `slot` when it is over.
     pub fn take(slot: &mut Option<Self>) -> Option<Answered<W>> {
-        let Some(News::Over(answer)) = slot.as_ref()?.news() else { return None };
+        let Some(News::Over(answer)) = slot.as_ref()?.news() else {
+            return None;
+        };
         slot.take().map(|job| (Arc::clone(&job.work), answer))
     }
 }
@@ -151,7 +167,9 @@ impl<W: Work> Drop for Job<W> {
 
 impl<W: Work> Debug for Job<W> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Job").field("progress", &self.progress).finish_non_exhaustive()
+        f.debug_struct("Job")
+            .field("progress", &self.progress)
+            .finish_non_exhaustive()
     }
 }
 
@@ -165,13 +183,20 @@ pub struct Background<W: Work> {
 
 impl<W: Work> Default for Background<W> {
     fn default() -> Self {
-        Self { known: None, job: None, stopped: false }
+        Self {
+            known: None,
+            job: None,
+            stopped: false,
+        }
     }
 }
 
 impl<W: Work> Debug for Background<W> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Background").field("known", &self.known.is_some()).field("job", &self.job).finish()
+        f.debug_struct("Background")
+            .field("known", &self.known.is_some())
+            .field("job", &self.job)
+            .finish()
     }
 }
 
@@ -198,8 +223,10 @@ impl<W: Work> Background<W> {
 
     /// Takes what has come; returns whether that is anything.
     pub fn take(&mut self) -> bool {
-        let Some((work, cancelled, news)) =
-            self.job.as_ref().and_then(|job| Some((Arc::clone(&job.work), job.is_cancelled(), job.news()?)))
+        let Some((work, cancelled, news)) = self
+            .job
+            .as_ref()
+            .and_then(|job| Some((Arc::clone(&job.work), job.is_cancelled(), job.news()?)))
         else {
             return false;
         };
@@ -262,11 +289,22 @@ pub struct Asked<Q> {
 
 impl<Q: PartialEq> Asked<Q> {
     pub fn new(question: Q, scene: &Scene, model: Option<&Arc<Mesh>>, size: [u32; 2]) -> Self {
-        Self { question, scene: scene.clone(), model: model.cloned(), size }
+        Self {
+            question,
+            scene: scene.clone(),
+            model: model.cloned(),
+            size,
+        }
     }
 
     /// Whether this is what [`Self::new`] would make.
-    pub fn is(&self, question: &Q, scene: &Scene, model: Option<&Arc<Mesh>>, size: [u32; 2]) -> bool {
+    pub fn is(
+        &self,
+        question: &Q,
+        scene: &Scene,
+        model: Option<&Arc<Mesh>>,
+        size: [u32; 2],
+    ) -> bool {
         self.question == *question
             && self.size == size
             && self.model.as_ref().map(Arc::as_ptr) == model.map(Arc::as_ptr)
@@ -277,7 +315,11 @@ impl<Q: PartialEq> Asked<Q> {
     pub fn subject(&self) -> Subject {
         let mut scene = self.scene.clone();
         scene.image.size = self.size;
-        Subject { scene, model: self.model.clone(), clock: nanoseconds }
+        Subject {
+            scene,
+            model: self.model.clone(),
+            clock: nanoseconds,
+        }
     }
 }
 

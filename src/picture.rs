@@ -36,15 +36,26 @@ pub enum PictureError {
 ///
 /// # Errors
 /// [`PictureError::Unwritten`], when `out` refuses or the frame has no pixels.
-pub fn write_png(out: &mut dyn Write, frame: &Frame, scene: Option<&Scene>) -> Result<(), PictureError> {
+pub fn write_png(
+    out: &mut dyn Write,
+    frame: &Frame,
+    scene: Option<&Scene>,
+) -> Result<(), PictureError> {
     let opaque = frame.pixels.iter().all(|pixel| pixel[3] == 255);
     let mut encoder = png::Encoder::new(out, frame.width, frame.height);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_color(if opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
+    encoder.set_color(if opaque {
+        png::ColorType::Rgb
+    } else {
+        png::ColorType::Rgba
+    });
     if scene.is_some_and(|scene| scene.display.encoding == Encoding::Srgb) {
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     }
-    encoder.add_text_chunk("Software".into(), concat!("shading-lab ", env!("CARGO_PKG_VERSION")).into())?;
+    encoder.add_text_chunk(
+        "Software".into(),
+        concat!("shading-lab ", env!("CARGO_PKG_VERSION")).into(),
+    )?;
     if let Some(scene) = scene {
         encoder.add_itxt_chunk(SCENE_KEYWORD.into(), scene.to_toml())?;
     }
@@ -52,7 +63,11 @@ pub fn write_png(out: &mut dyn Write, frame: &Frame, scene: Option<&Scene>) -> R
     let mut stream = writer.stream_writer()?;
     let channels = if opaque { 3 } else { 4 };
     for row in frame.pixels.chunks(frame.width.max(1) as usize) {
-        let bytes: Vec<u8> = row.iter().flat_map(|pixel| &pixel[..channels]).copied().collect();
+        let bytes: Vec<u8> = row
+            .iter()
+            .flat_map(|pixel| &pixel[..channels])
+            .copied()
+            .collect();
         stream.write_all(&bytes).map_err(png::EncodingError::from)?;
     }
     stream.finish()?;
@@ -65,19 +80,30 @@ pub fn write_png(out: &mut dyn Write, frame: &Frame, scene: Option<&Scene>) -> R
 /// # Errors
 /// Not a PNG, no scene inside, or a text that is too long.
 pub fn read_scene_text(png: impl BufRead + Seek) -> Result<String, PictureError> {
-    let decoder = png::Decoder::new_with_limits(png, png::Limits { bytes: ANCILLARY_LIMIT });
+    let decoder = png::Decoder::new_with_limits(
+        png,
+        png::Limits {
+            bytes: ANCILLARY_LIMIT,
+        },
+    );
     let mut reader = decoder.read_info().map_err(PictureError::Damaged)?;
     if scene_chunk(reader.info()).is_none() {
         // Some programs move text behind the pixels.
         reader.finish().map_err(PictureError::Damaged)?;
     }
-    let mut chunk = scene_chunk(reader.info()).ok_or(PictureError::NoScene)?.clone();
-    chunk.decompress_text_with_limit(Scene::MAX_TEXT).map_err(PictureError::UnreadableScene)?;
+    let mut chunk = scene_chunk(reader.info())
+        .ok_or(PictureError::NoScene)?
+        .clone();
+    chunk
+        .decompress_text_with_limit(Scene::MAX_TEXT)
+        .map_err(PictureError::UnreadableScene)?;
     chunk.get_text().map_err(PictureError::UnreadableScene)
 }
 
 fn scene_chunk<'a>(info: &'a png::Info<'_>) -> Option<&'a ITXtChunk> {
-    info.utf8_text.iter().find(|chunk| chunk.keyword == SCENE_KEYWORD)
+    info.utf8_text
+        .iter()
+        .find(|chunk| chunk.keyword == SCENE_KEYWORD)
 }
 
 #[cfg(test)]
@@ -86,8 +112,21 @@ mod tests {
     use std::io::Cursor;
 
     fn checkered(alpha: u8) -> Frame {
-        let pixels = (0..35u8).map(|i| [i * 7, 255 - i, i % 2 * 255, if i == 17 { alpha } else { 255 }]).collect();
-        Frame { width: 7, height: 5, pixels }
+        let pixels = (0..35u8)
+            .map(|i| {
+                [
+                    i * 7,
+                    255 - i,
+                    i % 2 * 255,
+                    if i == 17 { alpha } else { 255 },
+                ]
+            })
+            .collect();
+        Frame {
+            width: 7,
+            height: 5,
+            pixels,
+        }
     }
 
     fn written(frame: &Frame, scene: &Scene) -> Vec<u8> {
@@ -97,7 +136,9 @@ mod tests {
     }
 
     fn pixels(bytes: &[u8]) -> (png::ColorType, Vec<u8>) {
-        let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().expect("a header");
+        let mut reader = png::Decoder::new(Cursor::new(bytes))
+            .read_info()
+            .expect("a header");
         let mut buffer = vec![0; reader.output_buffer_size().expect("a small picture")];
         reader.next_frame(&mut buffer).expect("pixels");
         (reader.info().color_type, buffer)
@@ -106,11 +147,21 @@ mod tests {
     #[test]
     fn pixels_arrive_as_they_were() {
         let frame = checkered(255);
-        let three: Vec<u8> = frame.pixels.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
-        assert_eq!(pixels(&written(&frame, &Scene::default())), (png::ColorType::Rgb, three));
+        let three: Vec<u8> = frame
+            .pixels
+            .iter()
+            .flat_map(|[r, g, b, _]| [*r, *g, *b])
+            .collect();
+        assert_eq!(
+            pixels(&written(&frame, &Scene::default())),
+            (png::ColorType::Rgb, three)
+        );
         let frame = checkered(128);
         let four = frame.pixels.concat();
-        assert_eq!(pixels(&written(&frame, &Scene::default())), (png::ColorType::Rgba, four));
+        assert_eq!(
+            pixels(&written(&frame, &Scene::default())),
+            (png::ColorType::Rgba, four)
+        );
     }
 
     #[test]
@@ -127,7 +178,9 @@ mod tests {
             let mut scene = Scene::default();
             scene.display.encoding = encoding;
             let bytes = written(&checkered(255), &scene);
-            let reader = png::Decoder::new(Cursor::new(&bytes)).read_info().expect("a header");
+            let reader = png::Decoder::new(Cursor::new(&bytes))
+                .read_info()
+                .expect("a header");
             assert_eq!(reader.info().srgb.is_some(), expected);
         }
     }
@@ -152,18 +205,30 @@ mod tests {
     fn text_behind_the_pixels_is_found_compressed_or_not() {
         for compressed in [false, true] {
             let bytes = with_text("version = 1".into(), compressed, SCENE_KEYWORD);
-            assert_eq!(read_scene_text(Cursor::new(bytes)).expect("a scene"), "version = 1");
+            assert_eq!(
+                read_scene_text(Cursor::new(bytes)).expect("a scene"),
+                "version = 1"
+            );
         }
     }
 
     #[test]
     fn what_holds_no_scene_is_refused() {
         let other = with_text("version = 1".into(), false, "Comment");
-        assert!(matches!(read_scene_text(Cursor::new(other)), Err(PictureError::NoScene)));
+        assert!(matches!(
+            read_scene_text(Cursor::new(other)),
+            Err(PictureError::NoScene)
+        ));
         let bomb = with_text(" ".repeat(Scene::MAX_TEXT + 1), true, SCENE_KEYWORD);
         assert!(bomb.len() < 100_000);
-        assert!(matches!(read_scene_text(Cursor::new(bomb)), Err(PictureError::UnreadableScene(_))));
-        assert!(matches!(read_scene_text(Cursor::new(b"GIF89a")), Err(PictureError::Damaged(_))));
+        assert!(matches!(
+            read_scene_text(Cursor::new(bomb)),
+            Err(PictureError::UnreadableScene(_))
+        ));
+        assert!(matches!(
+            read_scene_text(Cursor::new(b"GIF89a")),
+            Err(PictureError::Damaged(_))
+        ));
     }
 
     #[test]

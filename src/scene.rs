@@ -32,8 +32,8 @@ pub use choice::{Choice, ChoiceOption};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};
 pub use light::{AreaShape, Attenuation, Light, LightKind};
 pub use material::{
-    Ambient, AmbientSource, Backfacing, Distribution, Material, Pattern, PatternKind, Reflectance, Reflection,
-    ReflectionModel, Through, Transparency,
+    Ambient, AmbientSource, Backfacing, Distribution, Material, Pattern, PatternKind, Reflectance,
+    Reflection, ReflectionModel, Through, Transparency,
 };
 pub use nearest::nearest;
 pub use object::{NormalSource, Object, ObjectKind, Weighting};

@@ -13,7 +13,13 @@ fn scene(name: &str) -> Scene {
 }
 
 fn rolled(scene: &Scene, roll: f64) -> Scene {
-    Scene { camera: Camera { roll, ..scene.camera.clone() }, ..scene.clone() }
+    Scene {
+        camera: Camera {
+            roll,
+            ..scene.camera.clone()
+        },
+        ..scene.clone()
+    }
 }
 
 fn picture(scene: &Scene) -> Vec<[u8; 4]> {
@@ -23,7 +29,9 @@ fn picture(scene: &Scene) -> Vec<[u8; 4]> {
 /// The picture turned counter-clockwise by a quarter: what was at the right comes to the top.
 fn turned(pixels: &[[u8; 4]]) -> Vec<[u8; 4]> {
     let from = |x: usize, y: usize| pixels[x * SIDE + SIDE - 1 - y];
-    (0..SIDE * SIDE).map(|at| from(at % SIDE, at / SIDE)).collect()
+    (0..SIDE * SIDE)
+        .map(|at| from(at % SIDE, at / SIDE))
+        .collect()
 }
 
 /// How many pixels differ by more than rounding.
@@ -35,7 +43,12 @@ fn differences(a: &[[u8; 4]], b: &[[u8; 4]]) -> usize {
 #[test]
 fn a_quarter_turn_of_the_camera_is_a_quarter_turn_of_the_picture() {
     for name in ["cube", "plane", "shadows"] {
-        for mode in [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact] {
+        for mode in [
+            ShadingMode::Flat,
+            ShadingMode::Gouraud,
+            ShadingMode::Phong,
+            ShadingMode::Exact,
+        ] {
             let mut scene = scene(name);
             scene.shading.mode = mode;
             let mut expected = picture(&scene);
@@ -43,9 +56,15 @@ fn a_quarter_turn_of_the_camera_is_a_quarter_turn_of_the_picture() {
                 expected = turned(&expected);
                 let found = picture(&rolled(&scene, 90.0 * f64::from(quarter)));
                 let edges = differences(&expected, &found);
-                assert!(edges <= SIDE * SIDE / 200, "{name}, {mode:?}, {quarter} quarters: {edges} pixels differ");
+                assert!(
+                    edges <= SIDE * SIDE / 200,
+                    "{name}, {mode:?}, {quarter} quarters: {edges} pixels differ"
+                );
             }
-            assert!(differences(&picture(&scene), &expected) > SIDE * SIDE / 50, "{name}: there is something to turn");
+            assert!(
+                differences(&picture(&scene), &expected) > SIDE * SIDE / 50,
+                "{name}: there is something to turn"
+            );
             assert!(picture(&rolled(&scene, -720.0)) == picture(&scene));
         }
     }
@@ -61,7 +80,15 @@ fn the_probe_turns_with_the_picture() {
         probe(&mut renderer, &rolled, x, y)
     };
     let (plain, turned) = (at(0.0, 60, 30), at(90.0, 30, 95 - 60));
-    let (plain, turned) = (plain.hit.expect("the plane"), turned.hit.expect("the plane"));
-    assert!(plain.position.distance(turned.position) < 1e-6, "{} {}", plain.position, turned.position);
+    let (plain, turned) = (
+        plain.hit.expect("the plane"),
+        turned.hit.expect("the plane"),
+    );
+    assert!(
+        plain.position.distance(turned.position) < 1e-6,
+        "{} {}",
+        plain.position,
+        turned.position
+    );
     assert!((plain.sum - turned.sum).abs().max_element() < 1e-6);
 }

@@ -1,18 +1,28 @@
 //! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
 
 use shading_lab::analysis::{
-    DrawnPane, ErrorFigures, LinearPicture, PaneArea, brightest, comparison_sheet, difference_picture,
-    difference_scale, draw_panes, error_figures, luminance, pane_areas, pane_figures, panes_on_sheet, probe,
-    region_errors,
+    DrawnPane, ErrorFigures, LinearPicture, PaneArea, brightest, comparison_sheet,
+    difference_picture, difference_scale, draw_panes, error_figures, luminance, pane_areas,
+    pane_figures, panes_on_sheet, probe, region_errors,
 };
 use shading_lab::figure::palette;
 use shading_lab::render::Renderer;
-use shading_lab::scene::{Compare, CompareView, DifferenceKind, Pane, Rgb, Scene, ShadingMode, presets};
+use shading_lab::scene::{
+    Compare, CompareView, DifferenceKind, Pane, Rgb, Scene, ShadingMode, presets,
+};
 use std::convert::Infallible;
 
 fn drawn(scene: &Scene) -> Vec<DrawnPane> {
     let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), Infallible>(());
-    draw_panes(&mut Renderer::default(), scene, &panes_on_sheet(scene), 1, &mut |_| true, nothing).unwrap_or_default()
+    draw_panes(
+        &mut Renderer::default(),
+        scene,
+        &panes_on_sheet(scene),
+        1,
+        &mut |_| true,
+        nothing,
+    )
+    .unwrap_or_default()
 }
 
 /// A coarse sphere beside the true one.
@@ -22,17 +32,31 @@ fn scene(view: CompareView) -> Scene {
     scene.object.segments = 9;
     scene.object.rings = 5;
     scene.shading.mode = ShadingMode::Gouraud;
-    scene.compare = Compare { view, panes: vec![Pane::of(&["shading.mode=exact"])], ..Compare::default() };
+    scene.compare = Compare {
+        view,
+        panes: vec![Pane::of(&["shading.mode=exact"])],
+        ..Compare::default()
+    };
     scene
 }
 
 #[test]
 fn a_pane_is_the_scene_with_its_own_settings() {
     let scene = scene(CompareView::Wipe);
-    for (pane, mode) in drawn(&scene).iter().zip([ShadingMode::Gouraud, ShadingMode::Exact]) {
-        let mut alone = Scene { compare: Compare::default(), ..scene.clone() };
+    for (pane, mode) in drawn(&scene)
+        .iter()
+        .zip([ShadingMode::Gouraud, ShadingMode::Exact])
+    {
+        let mut alone = Scene {
+            compare: Compare::default(),
+            ..scene.clone()
+        };
         alone.shading.mode = mode;
-        assert_eq!(Renderer::default().render(&alone).pixels, pane.frame.pixels, "{mode:?}");
+        assert_eq!(
+            Renderer::default().render(&alone).pixels,
+            pane.frame.pixels,
+            "{mode:?}"
+        );
     }
 }
 
@@ -40,8 +64,15 @@ fn a_pane_is_the_scene_with_its_own_settings() {
 #[test]
 fn what_the_probe_calls_stored_is_the_scenes_own_picture() {
     let with = scene(CompareView::Panes);
-    let without = Scene { compare: Compare::default(), ..with.clone() };
-    let stored = |scene: &Scene| probe(&mut Renderer::default(), scene, 40, 30).hit.map(|hit| hit.stored);
+    let without = Scene {
+        compare: Compare::default(),
+        ..with.clone()
+    };
+    let stored = |scene: &Scene| {
+        probe(&mut Renderer::default(), scene, 40, 30)
+            .hit
+            .map(|hit| hit.stored)
+    };
     assert!(stored(&with).is_some() && stored(&with) == stored(&without));
     let frame = Renderer::default().render(&without).clone();
     assert_eq!(frame.pixel(40, 30), stored(&with));
@@ -50,7 +81,10 @@ fn what_the_probe_calls_stored_is_the_scenes_own_picture() {
 #[test]
 fn keeping_the_picture_before_the_display_does_not_change_what_is_stored() {
     for preset in presets::ALL {
-        let mut scene = Scene { compare: Compare::default(), ..preset.scene() };
+        let mut scene = Scene {
+            compare: Compare::default(),
+            ..preset.scene()
+        };
         scene.image.size = [48, 48];
         let stored = Renderer::default().render(&scene).pixels.clone();
         let mut renderer = Renderer::default();
@@ -82,17 +116,27 @@ fn of_stored(a: &DrawnPane, b: &DrawnPane) -> (f64, f64) {
 fn the_figures_are_those_of_the_stored_pixels_to_their_rounding() {
     let panes = drawn(&scene(CompareView::Difference));
     let figures = pane_figures(&panes);
-    let ErrorFigures { rms, greatest, at, .. } = figures[0].error.expect("against the last");
+    let ErrorFigures {
+        rms, greatest, at, ..
+    } = figures[0].error.expect("against the last");
     let (expected, most) = of_stored(&panes[0], &panes[1]);
     assert!((rms - expected).abs() < 0.6 / 255.0, "{rms} {expected}");
     assert!((greatest - most).abs() <= 1.0 / 255.0, "{greatest} {most}");
     let [x, y] = at.expect("they differ").map(|v| v as usize);
     let pixel = |pane: &DrawnPane| pane.linear[y * 96 + x];
-    let there = (0..3).map(|c| (pixel(&panes[0])[c] - pixel(&panes[1])[c]).abs()).fold(0.0, f32::max);
+    let there = (0..3)
+        .map(|c| (pixel(&panes[0])[c] - pixel(&panes[1])[c]).abs())
+        .fold(0.0, f32::max);
     assert!((f64::from(there) - greatest).abs() < 1e-12);
     assert_eq!(figures[1].error, None);
-    let brightest = panes[1].linear.iter().map(|p| luminance(Rgb::new(p[0].into(), p[1].into(), p[2].into())));
-    assert_eq!(figures[1].brightest.map(|b| b.value), Some(brightest.fold(0.0, f64::max)));
+    let brightest = panes[1]
+        .linear
+        .iter()
+        .map(|p| luminance(Rgb::new(p[0].into(), p[1].into(), p[2].into())));
+    assert_eq!(
+        figures[1].brightest.map(|b| b.value),
+        Some(brightest.fold(0.0, f64::max))
+    );
 }
 
 #[test]
@@ -137,23 +181,37 @@ fn a_difference_of_nothing_is_even_and_gain_makes_it_stronger() {
         let mut scene = scene.clone();
         scene.compare.gain = gain;
         let sheet = comparison_sheet(&scene, &panes, false);
-        let object = sheet.pixels.iter().zip(&panes[0].linear).filter(|(_, linear)| linear[3] > 0.0);
-        object.map(|(pixel, _)| pixel[..3].iter().map(|&v| u64::from(v)).sum::<u64>()).sum::<u64>()
+        let object = sheet
+            .pixels
+            .iter()
+            .zip(&panes[0].linear)
+            .filter(|(_, linear)| linear[3] > 0.0);
+        object
+            .map(|(pixel, _)| pixel[..3].iter().map(|&v| u64::from(v)).sum::<u64>())
+            .sum::<u64>()
     };
     assert!(sum(1.0) > 0 && sum(4.0) > 3 * sum(1.0));
     scene.compare.panes = vec![Pane::default()];
     let same = drawn(&scene);
-    assert_eq!(pane_figures(&same)[0].error.map(|e| (e.greatest, e.at)), Some((0.0, None)));
+    assert_eq!(
+        pane_figures(&same)[0].error.map(|e| (e.greatest, e.at)),
+        Some((0.0, None))
+    );
 }
 
 #[test]
 fn the_highlight_is_lost_by_gouraud_shading_and_kept_by_phong_shading() {
-    let mut scene = presets::find("highlight").map(|preset| preset.scene()).expect("built in");
+    let mut scene = presets::find("highlight")
+        .map(|preset| preset.scene())
+        .expect("built in");
     scene.image.size = [400, 300];
     let figures = pane_figures(&drawn(&scene));
     let names: Vec<&str> = figures.iter().map(|pane| pane.name.as_str()).collect();
     assert_eq!(names, ["Flat", "Gouraud", "Phong", "Exact"]);
-    let brightest: Vec<f64> = figures.iter().filter_map(|pane| Some(pane.brightest?.value)).collect();
+    let brightest: Vec<f64> = figures
+        .iter()
+        .filter_map(|pane| Some(pane.brightest?.value))
+        .collect();
     assert!(brightest[1] < 0.4 * brightest[3], "{brightest:?}");
     assert!((brightest[2] - brightest[3]).abs() < 1e-4, "{brightest:?}");
 }
@@ -166,13 +224,28 @@ fn what_is_drawn_over_panes_does_not_change_their_figures() {
         frame.pixels.fill([0, 0, 0, 255]);
         Ok::<(), Infallible>(())
     };
-    let panes = draw_panes(&mut Renderer::default(), &scene, &panes_on_sheet(&scene), 1, &mut |_| true, over);
-    assert_eq!(pane_figures(&panes.unwrap_or_default()), pane_figures(&drawn(&scene)));
+    let panes = draw_panes(
+        &mut Renderer::default(),
+        &scene,
+        &panes_on_sheet(&scene),
+        1,
+        &mut |_| true,
+        over,
+    );
+    assert_eq!(
+        pane_figures(&panes.unwrap_or_default()),
+        pane_figures(&drawn(&scene))
+    );
 }
 
 #[test]
 fn panes_stand_where_they_are_seen_largest() {
-    let sizes = |count, size| pane_areas(count, size).iter().map(|area| area.size).collect::<Vec<_>>();
+    let sizes = |count, size| {
+        pane_areas(count, size)
+            .iter()
+            .map(|area| area.size)
+            .collect::<Vec<_>>()
+    };
     assert_eq!(sizes(1, [640, 480]), [[640, 480]]);
     assert_eq!(sizes(2, [802, 400]), [[400, 400]; 2]);
     assert_eq!(sizes(2, [400, 802]), [[400, 400]; 2]);
@@ -190,11 +263,15 @@ fn panes_stay_inside_and_apart_at_any_size() {
             assert_eq!(areas.len(), count);
             for (index, area) in areas.iter().enumerate() {
                 for axis in 0..2 {
-                    assert!(area.min[axis] + area.size[axis] <= size[axis], "{count} {size:?} {area:?}");
+                    assert!(
+                        area.min[axis] + area.size[axis] <= size[axis],
+                        "{count} {size:?} {area:?}"
+                    );
                 }
                 let apart = |other: &PaneArea| {
                     (0..2).any(|a| {
-                        other.min[a] >= area.min[a] + area.size[a] || area.min[a] >= other.min[a] + other.size[a]
+                        other.min[a] >= area.min[a] + area.size[a]
+                            || area.min[a] >= other.min[a] + other.size[a]
                     })
                 };
                 assert!(areas[..index].iter().all(apart), "{count} {size:?}");
@@ -204,47 +281,105 @@ fn panes_stay_inside_and_apart_at_any_size() {
 }
 
 fn one(pixel: &[[f32; 4]; 1]) -> LinearPicture<'_> {
-    LinearPicture { width: 1, pixels: pixel, clamps: true }
+    LinearPicture {
+        width: 1,
+        pixels: pixel,
+        clamps: true,
+    }
 }
 
 fn shown(a: [f32; 4], b: [f32; 4], kind: DifferenceKind, gain: f64) -> palette::Rgb8 {
-    difference_picture(one(&[a]), one(&[b]), kind, gain).pixel(0, 0).expect("a pixel")
+    difference_picture(one(&[a]), one(&[b]), kind, gain)
+        .pixel(0, 0)
+        .expect("a pixel")
 }
 
 #[test]
 fn each_kind_shows_what_it_says() {
     let (a, b) = ([0.5, 0.5, 0.5, 1.0], [0.4, 0.5, 0.5, 1.0]);
     assert_eq!(shown(a, b, DifferenceKind::Absolute, 4.0), [102, 0, 0]);
-    assert_eq!(shown(a, a, DifferenceKind::Signed, 64.0), [0xF4, 0xF4, 0xF2]);
-    assert_eq!(shown(a, [0.0, 0.0, 0.0, 1.0], DifferenceKind::Signed, 64.0), palette::L);
-    assert_eq!(shown([0.0, 0.0, 0.0, 1.0], a, DifferenceKind::Signed, 64.0), palette::N);
-    assert_eq!(shown(a, b, DifferenceKind::FalseColor, 64.0), [0xFF, 0xEA, 0x46]);
-    assert_eq!(shown(a, a, DifferenceKind::FalseColor, 64.0), [0x00, 0x20, 0x4D]);
-    assert_eq!(shown([0.5, 0.5, 0.5, 0.0], [0.1, 0.0, 0.0, 0.0], DifferenceKind::Absolute, 1.0), [0x26, 0x27, 0x2B]);
+    assert_eq!(
+        shown(a, a, DifferenceKind::Signed, 64.0),
+        [0xF4, 0xF4, 0xF2]
+    );
+    assert_eq!(
+        shown(a, [0.0, 0.0, 0.0, 1.0], DifferenceKind::Signed, 64.0),
+        palette::L
+    );
+    assert_eq!(
+        shown([0.0, 0.0, 0.0, 1.0], a, DifferenceKind::Signed, 64.0),
+        palette::N
+    );
+    assert_eq!(
+        shown(a, b, DifferenceKind::FalseColor, 64.0),
+        [0xFF, 0xEA, 0x46]
+    );
+    assert_eq!(
+        shown(a, a, DifferenceKind::FalseColor, 64.0),
+        [0x00, 0x20, 0x4D]
+    );
+    assert_eq!(
+        shown(
+            [0.5, 0.5, 0.5, 0.0],
+            [0.1, 0.0, 0.0, 0.0],
+            DifferenceKind::Absolute,
+            1.0
+        ),
+        [0x26, 0x27, 0x2B]
+    );
 }
 
 fn picture(pixels: &[[f32; 4]]) -> LinearPicture<'_> {
-    LinearPicture { width: 2, pixels, clamps: true }
+    LinearPicture {
+        width: 2,
+        pixels,
+        clamps: true,
+    }
 }
 
 #[test]
 fn figures_are_of_the_object_alone_and_clamped_as_the_display_does() {
-    let a = [[0.5, 0.5, 0.5, 1.0], [3.0, 1.0, 0.0, 1.0], [0.9, 0.9, 0.9, 0.0], [0.0, 0.0, 0.0, 0.0]];
-    let b = [[0.5, 0.25, 0.5, 1.0], [1.0, 1.0, 0.0, 1.0], [0.1, 0.1, 0.1, 0.0], [0.0, 0.0, 0.5, 1.0]];
+    let a = [
+        [0.5, 0.5, 0.5, 1.0],
+        [3.0, 1.0, 0.0, 1.0],
+        [0.9, 0.9, 0.9, 0.0],
+        [0.0, 0.0, 0.0, 0.0],
+    ];
+    let b = [
+        [0.5, 0.25, 0.5, 1.0],
+        [1.0, 1.0, 0.0, 1.0],
+        [0.1, 0.1, 0.1, 0.0],
+        [0.0, 0.0, 0.5, 1.0],
+    ];
     let figures = error_figures(picture(&a), picture(&b));
-    let expected =
-        ErrorFigures { pixels: 3, mean: 0.75 / 9.0, rms: (0.3125_f64 / 9.0).sqrt(), greatest: 0.5, at: Some([1, 1]) };
+    let expected = ErrorFigures {
+        pixels: 3,
+        mean: 0.75 / 9.0,
+        rms: (0.3125_f64 / 9.0).sqrt(),
+        greatest: 0.5,
+        at: Some([1, 1]),
+    };
     assert_eq!(figures, expected);
-    let open = |pixels| LinearPicture { clamps: false, ..picture(pixels) };
+    let open = |pixels| LinearPicture {
+        clamps: false,
+        ..picture(pixels)
+    };
     assert_eq!(error_figures(open(&a), open(&b)).greatest, 2.0);
     assert_eq!(error_figures(picture(&a), picture(&a)).at, None);
 }
 
 #[test]
 fn the_brightest_pixel_is_the_objects_and_not_clamped() {
-    let a = [[0.5, 0.5, 0.5, 1.0], [3.0, 3.0, 3.0, 1.0], [9.0, 9.0, 9.0, 0.0]];
+    let a = [
+        [0.5, 0.5, 0.5, 1.0],
+        [3.0, 3.0, 3.0, 1.0],
+        [9.0, 9.0, 9.0, 0.0],
+    ];
     let found = brightest(picture(&a)).expect("an object");
-    assert!((found.value - 3.0).abs() < 1e-12 && found.at == [1, 0], "{found:?}");
+    assert!(
+        (found.value - 3.0).abs() < 1e-12 && found.at == [1, 0],
+        "{found:?}"
+    );
     assert_eq!(brightest(picture(&a[2..])), None);
 }
 
@@ -252,7 +387,12 @@ fn the_brightest_pixel_is_the_objects_and_not_clamped() {
 fn false_colours_grow_lighter_all_the_way() {
     let light = |step: u8| {
         let value = f32::from(step) / 100.0;
-        let colour = shown([value, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, 1.0], DifferenceKind::FalseColor, 1.0);
+        let colour = shown(
+            [value, 0.0, 0.0, 1.0],
+            [0.0, 0.0, 0.0, 1.0],
+            DifferenceKind::FalseColor,
+            1.0,
+        );
         palette::contrast(colour, [0; 3])
     };
     for step in 0..100 {
@@ -266,28 +406,61 @@ fn the_scale_has_short_numbers() {
         let texts = difference_scale([400, 300], kind, gain, 14.0).texts;
         texts.into_iter().map(|text| text.text).collect::<Vec<_>>()
     };
-    assert_eq!(texts(DifferenceKind::Signed, 8.0), ["−0.125", "0", "+0.125"]);
+    assert_eq!(
+        texts(DifferenceKind::Signed, 8.0),
+        ["−0.125", "0", "+0.125"]
+    );
     assert_eq!(texts(DifferenceKind::Signed, 1.0), ["−1", "0", "+1"]);
-    assert_eq!(texts(DifferenceKind::Absolute, 64.0), ["0", "0.0078", "0.0156"]);
+    assert_eq!(
+        texts(DifferenceKind::Absolute, 64.0),
+        ["0", "0.0078", "0.0156"]
+    );
 }
 
 /// 200 pixels that are off by 1/256 to 200/256, in falling order.
 #[test]
 fn a_percentile_is_of_nearest_rank() {
     let grey = |value: f32| [value, value, value, 1.0];
-    let a: Vec<[f32; 4]> = (1..=200u8).rev().map(|step| grey(f32::from(step) / 256.0)).collect();
+    let a: Vec<[f32; 4]> = (1..=200u8)
+        .rev()
+        .map(|step| grey(f32::from(step) / 256.0))
+        .collect();
     let b = vec![grey(0.0); 200];
-    let of = |count: usize| region_errors(picture(&a[..count]), picture(&b[..count]), &vec![true; count]).percentile_99;
+    let of = |count: usize| {
+        region_errors(
+            picture(&a[..count]),
+            picture(&b[..count]),
+            &vec![true; count],
+        )
+        .percentile_99
+    };
     assert_eq!((of(200), of(1), of(0)), (198.0 / 256.0, 200.0 / 256.0, 0.0));
 }
 
 #[test]
 fn inside_and_outline_are_told_apart() {
     let grey = |value: f32, seen: f32| [value, value, value, seen];
-    let a = [grey(0.5, 1.0), grey(0.5, 1.0), grey(0.0, 0.0), grey(0.4, 1.0)];
-    let b = [grey(0.25, 1.0), grey(0.0, 1.0), grey(0.5, 1.0), grey(0.0, 0.0)];
+    let a = [
+        grey(0.5, 1.0),
+        grey(0.5, 1.0),
+        grey(0.0, 0.0),
+        grey(0.4, 1.0),
+    ];
+    let b = [
+        grey(0.25, 1.0),
+        grey(0.0, 1.0),
+        grey(0.5, 1.0),
+        grey(0.0, 0.0),
+    ];
     let errors = region_errors(picture(&a), picture(&b), &[true, false, true, true]);
-    assert_eq!((errors.interior.pixels, errors.interior.rms, errors.percentile_99), (1, 0.25, 0.25));
+    assert_eq!(
+        (
+            errors.interior.pixels,
+            errors.interior.rms,
+            errors.percentile_99
+        ),
+        (1, 0.25, 0.25)
+    );
     assert_eq!(errors.outline_pixels, 2);
     let expected = ((0.25 + f64::from(0.4_f32).powi(2)) / 2.0).sqrt();
     assert!((errors.outline_rms - expected).abs() < 1e-12);

@@ -2,18 +2,20 @@
 
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::curves::{
-    COURSE, Distances, attenuation_plot, exponent_plot, lobe_plot, plot, reflectance_plot, shown_kinds,
+    COURSE, Distances, attenuation_plot, exponent_plot, lobe_plot, plot, reflectance_plot,
+    shown_kinds,
 };
 use shading_lab::analysis::{
-    Curve, Ink, OverlayLayer, OverlayOptions, Plot, PlotKind, Probe, ReflectionLobe, draw_overlay, probe,
+    Curve, Ink, OverlayLayer, OverlayOptions, Plot, PlotKind, Probe, ReflectionLobe, draw_overlay,
+    probe,
 };
 use shading_lab::figure::palette::contrast;
 use shading_lab::figure::{Drawing, Paper, PlotStyle, lay_out, lay_out_sheet};
 use shading_lab::illumination::{Index, attenuation_at, half_width};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Attenuation, Backfacing, Camera, Light, LightKind, Reflectance, ReflectionModel, Rgb, Scene, ShadingMode, View,
-    Viewer, presets,
+    Attenuation, Backfacing, Camera, Light, LightKind, Reflectance, ReflectionModel, Rgb, Scene,
+    ShadingMode, View, Viewer, presets,
 };
 use tiny_skia::Pixmap;
 
@@ -45,26 +47,44 @@ fn at_its_half_width_every_curve_of_the_family_is_one_half() {
     let scene = preset("sphere");
     let plot = exponent_plot(&scene, None);
     assert_eq!(plot.curves.len(), 1 + COURSE.len());
-    for (n, name) in COURSE.into_iter().map(|n| (n, format!("n = {n}"))).chain([(40.0, "n = 40, now".to_owned())]) {
+    for (n, name) in COURSE
+        .into_iter()
+        .map(|n| (n, format!("n = {n}")))
+        .chain([(40.0, "n = 40, now".to_owned())])
+    {
         let curve = plot.curve(&name).expect("a curve of its own");
         let half = half_width(n).to_degrees();
         for angle in [half, -half] {
             near(value(curve, angle), 0.5, 1e-3);
         }
-        assert_eq!((value(curve, 0.0), value(curve, 90.0), value(curve, -90.0)), (1.0, 0.0, 0.0));
+        assert_eq!(
+            (value(curve, 0.0), value(curve, 90.0), value(curve, -90.0)),
+            (1.0, 0.0, 0.0)
+        );
         for [x, y] in &curve.points {
             near(*y, x.to_radians().cos().max(0.0).powf(n), 1e-12);
         }
-        assert!(curve.points.windows(2).all(|pair| pair[0][0] < pair[1][0]), "{name}");
+        assert!(
+            curve.points.windows(2).all(|pair| pair[0][0] < pair[1][0]),
+            "{name}"
+        );
     }
-    let notes: Vec<&str> = plot.curves.iter().map(|curve| curve.notes[0].as_str()).collect();
+    let notes: Vec<&str> = plot
+        .curves
+        .iter()
+        .map(|curve| curve.notes[0].as_str())
+        .collect();
     assert_eq!(notes, ["10.6°", "29.5°", "17.3°", "10.0°", "2.1°"]);
 }
 
 #[test]
 fn the_ends_of_the_exponent_have_their_curves() {
     let mut scene = preset("sphere");
-    for (n, at_one_degree) in [(f64::INFINITY, 0.0), (0.0, 1.0), (0.5, 1f64.to_radians().cos().sqrt())] {
+    for (n, at_one_degree) in [
+        (f64::INFINITY, 0.0),
+        (0.0, 1.0),
+        (0.5, 1f64.to_radians().cos().sqrt()),
+    ] {
         scene.material.n = n;
         let plot = exponent_plot(&scene, None);
         near(value(&plot.curves[0], 1.0), at_one_degree, 1e-6);
@@ -72,7 +92,11 @@ fn the_ends_of_the_exponent_have_their_curves() {
         assert!(plot.curves[0].points.iter().all(|[_, y]| y.is_finite()));
     }
     scene.material.n = 45.0;
-    assert_eq!(exponent_plot(&scene, None).curves.len(), 4, "a curve of the course is not drawn twice");
+    assert_eq!(
+        exponent_plot(&scene, None).curves.len(),
+        4,
+        "a curve of the course is not drawn twice"
+    );
 }
 
 #[test]
@@ -99,13 +123,24 @@ fn the_probe_is_marked_with_its_own_values() {
     let terms = &probe.hit.as_ref().expect("the plane").lights[0];
     let mark = |kind| {
         let plot = plot(kind, &renderer, &scene, &probe, 0).expect("a plot");
-        plot.marks.into_iter().find(|mark| mark.probe).expect("the probe's mark")
+        plot.marks
+            .into_iter()
+            .find(|mark| mark.probe)
+            .expect("the probe's mark")
     };
     let attenuation = mark(PlotKind::Attenuation);
-    near(attenuation.values[0].1, terms.attenuation, 1e-9 * terms.attenuation);
+    near(
+        attenuation.values[0].1,
+        terms.attenuation,
+        1e-9 * terms.attenuation,
+    );
     let exponent = mark(PlotKind::Exponent);
     near(exponent.x, terms.phi.to_degrees(), 1e-9);
-    near(exponent.values[0].1, terms.phi.cos().powf(scene.material.n), 1e-12);
+    near(
+        exponent.values[0].1,
+        terms.phi.cos().powf(scene.material.n),
+        1e-12,
+    );
     let reflectance = mark(PlotKind::Reflectance);
     near(reflectance.x, terms.incidence.to_degrees(), 1e-9);
     for (channel, w) in reflectance.values {
@@ -116,9 +151,11 @@ fn the_probe_is_marked_with_its_own_values() {
 #[test]
 fn reflectance_begins_at_its_closed_form_and_ends_at_one() {
     let mut scene = preset("sphere");
-    for (kind, index) in
-        [(Reflectance::Glass, Index::GLASS), (Reflectance::Silver, Index::SILVER), (Reflectance::Gold, Index::GOLD)]
-    {
+    for (kind, index) in [
+        (Reflectance::Glass, Index::GLASS),
+        (Reflectance::Silver, Index::SILVER),
+        (Reflectance::Gold, Index::GOLD),
+    ] {
         scene.material.reflectance = kind;
         let plot = reflectance_plot(&scene, None);
         for (channel, curve) in plot.curves.iter().enumerate() {
@@ -128,11 +165,25 @@ fn reflectance_begins_at_its_closed_form_and_ends_at_one() {
             near(value(curve, 90.0), 1.0, 1e-12);
             assert_eq!(curve.notes[0], format!("{down:.3}"));
         }
-        let inks: Vec<_> = plot.curves.iter().map(|curve| (curve.ink, curve.dash, &curve.name)).collect();
-        assert!(inks.len() == 3 && inks[0].1 != inks[1].1 && inks[1].1 != inks[2].1 && inks[0].1 != inks[2].1);
+        let inks: Vec<_> = plot
+            .curves
+            .iter()
+            .map(|curve| (curve.ink, curve.dash, &curve.name))
+            .collect();
+        assert!(
+            inks.len() == 3
+                && inks[0].1 != inks[1].1
+                && inks[1].1 != inks[2].1
+                && inks[0].1 != inks[2].1
+        );
     }
     scene.material.reflectance = Reflectance::Constant;
-    assert!(reflectance_plot(&scene, None).curves[0].points.iter().all(|[_, y]| *y == 1.0));
+    assert!(
+        reflectance_plot(&scene, None).curves[0]
+            .points
+            .iter()
+            .all(|[_, y]| *y == 1.0)
+    );
 }
 
 #[test]
@@ -146,16 +197,35 @@ fn every_attenuation_has_its_curve_from_no_distance_on() {
     ];
     for attenuation in laws {
         for k in [0.0, 1.0] {
-            let light = Light { attenuation, k, c1: 0.0, ..Light::default() };
-            let distances = Distances { nearest: Some(1.5), farthest: Some(4.0), probe: Some(2.0) };
+            let light = Light {
+                attenuation,
+                k,
+                c1: 0.0,
+                ..Light::default()
+            };
+            let distances = Distances {
+                nearest: Some(1.5),
+                farthest: Some(4.0),
+                probe: Some(2.0),
+            };
             let plot = attenuation_plot(&light, &distances);
-            assert!(plot.curves[0].points.iter().flatten().all(|value| value.is_finite()), "{attenuation:?}");
+            assert!(
+                plot.curves[0]
+                    .points
+                    .iter()
+                    .flatten()
+                    .all(|value| value.is_finite()),
+                "{attenuation:?}"
+            );
             assert!(plot.y.high.is_finite() && plot.y.high > 0.0 && plot.x.high > 4.0);
             for mark in &plot.marks {
                 let f = attenuation_at(&light, attenuation, mark.x);
                 near(mark.values[0].1, f, 1e-12);
                 near(value(&plot.curves[0], mark.x), f, 1e-3 * f);
-                assert!(f <= plot.y.high * 1.05, "{attenuation:?}: the mark is inside the plot");
+                assert!(
+                    f <= plot.y.high * 1.05,
+                    "{attenuation:?}: the mark is inside the plot"
+                );
             }
             assert_eq!(plot.marks.len(), 3);
         }
@@ -170,22 +240,36 @@ fn the_distances_are_those_of_what_is_seen() {
     let (renderer, probe) = probed(&scene);
     let point = probe.hit.as_ref().map(|hit| hit.position);
     let distances = Distances::seen(&renderer, &scene, &scene.lights[0], point);
-    let (nearest, farthest) = (distances.nearest.expect("something"), distances.farthest.expect("something"));
+    let (nearest, farthest) = (
+        distances.nearest.expect("something"),
+        distances.farthest.expect("something"),
+    );
     // The lamp stands 0.55 before the middle of a square of side 2, and 0.15 above it.
     assert!((0.55..0.58).contains(&nearest), "{nearest}");
     let corner = (1.0f64 + 1.15 * 1.15 + 0.55 * 0.55).sqrt();
     assert!((corner - 0.1..=corner).contains(&farthest), "{farthest}");
     let probe = distances.probe.expect("the probe's");
     assert!((nearest..=farthest).contains(&probe));
-    let distant = Light { kind: LightKind::Directional, attenuation: Attenuation::Light, ..Light::default() };
-    assert_eq!(Distances::seen(&renderer, &scene, &distant, point), Distances::default());
+    let distant = Light {
+        kind: LightKind::Directional,
+        attenuation: Attenuation::Light,
+        ..Light::default()
+    };
+    assert_eq!(
+        Distances::seen(&renderer, &scene, &distant, point),
+        Distances::default()
+    );
 }
 
 fn lobe_of(scene: &Scene) -> (Plot, ReflectionLobe, Probe) {
     let (_, probe) = probed(scene);
     let hit = probe.hit.clone().expect("the object");
     let plot = lobe_plot(scene, &hit, 0).expect("a lit point");
-    (plot, ReflectionLobe::at(scene, &hit, 0).expect("a lit point"), probe)
+    (
+        plot,
+        ReflectionLobe::at(scene, &hit, 0).expect("a lit point"),
+        probe,
+    )
 }
 
 #[test]
@@ -194,16 +278,25 @@ fn phongs_lobe_is_longest_towards_r_and_even_about_it() {
         let mut scene = preset("sphere");
         scene.material.n = n;
         let (plot, lobe, _) = lobe_of(&scene);
-        let r = plot.directions.iter().find(|direction| direction.letter == "R").expect("R");
+        let r = plot
+            .directions
+            .iter()
+            .find(|direction| direction.letter == "R")
+            .expect("R");
         let total = plot.curve("diffuse + specular").expect("the lobe");
-        let longest = total.points.iter().max_by(|a, b| a[1].total_cmp(&b[1])).expect("points");
+        let longest = total
+            .points
+            .iter()
+            .max_by(|a, b| a[1].total_cmp(&b[1]))
+            .expect("points");
         near(longest[0], r.angle, 1e-9);
         let light = &scene.lights[0];
         let peak = (light.color * scene.material.ks).dot(Rgb::new(0.2126, 0.7152, 0.0722));
         near(lobe.towards(lobe.r).specular, peak, 0.01 * peak);
         for degrees in [0.5f64, 4.0, 15.0] {
             let turn = degrees.to_radians();
-            let [left, right] = [-turn, turn].map(|turn| lobe.towards(lobe.in_plane(lobe.mirror_angle() + turn)));
+            let [left, right] =
+                [-turn, turn].map(|turn| lobe.towards(lobe.in_plane(lobe.mirror_angle() + turn)));
             near(left.specular, right.specular, 1e-9);
             near(left.specular, peak * turn.cos().powf(n), 1e-6);
         }
@@ -219,20 +312,31 @@ fn the_diffuse_part_is_a_half_circle_and_nothing_leaves_below_the_surface() {
     for [_, y] in &diffuse.points {
         near(*y, radius, 1e-12);
     }
-    assert_eq!((diffuse.points[0][0], diffuse.points[diffuse.points.len() - 1][0]), (-90.0, 90.0));
+    assert_eq!(
+        (
+            diffuse.points[0][0],
+            diffuse.points[diffuse.points.len() - 1][0]
+        ),
+        (-90.0, 90.0)
+    );
     assert_eq!(lobe.towards(-lobe.n).total(), 0.0);
 }
 
 #[test]
 fn towards_the_eye_the_lobe_is_what_the_probe_says() {
-    for model in [ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance] {
+    for model in [
+        ReflectionModel::Phong,
+        ReflectionModel::Blinn,
+        ReflectionModel::CookTorrance,
+    ] {
         for name in ["sphere", "attenuation", "torus"] {
             let mut scene = preset(name);
             scene.reflection.model = model;
             scene.material.reflectance = Reflectance::Glass;
             let (_, lobe, probe) = lobe_of(&scene);
             let hit = probe.hit.expect("the object");
-            let seen = (hit.lights[0].diffuse + hit.lights[0].specular).dot(Rgb::new(0.2126, 0.7152, 0.0722));
+            let seen = (hit.lights[0].diffuse + hit.lights[0].specular)
+                .dot(Rgb::new(0.2126, 0.7152, 0.0722));
             near(lobe.towards(hit.view).total(), seen, 1e-9);
         }
     }
@@ -241,18 +345,35 @@ fn towards_the_eye_the_lobe_is_what_the_probe_says() {
 /// What the surface of `scene` sends towards `v` of parallel light from `l`, without the cosine that Cook and Torrance's
 /// and Phong's models have in different places.
 fn specular(scene: &Scene, l: DVec3, v: DVec3) -> f64 {
-    let light = Light { kind: LightKind::Directional, direction: -l, ..Light::default() };
-    let scene = Scene { lights: vec![light], ..scene.clone() };
+    let light = Light {
+        kind: LightKind::Directional,
+        direction: -l,
+        ..Light::default()
+    };
+    let scene = Scene {
+        lights: vec![light],
+        ..scene.clone()
+    };
     let mut probe = probed(&scene).1;
     let hit = probe.hit.as_mut().expect("the object");
     hit.normal = DVec3::Z;
-    ReflectionLobe::at(&scene, hit, 0).expect("lit from the front").towards(v).specular
+    ReflectionLobe::at(&scene, hit, 0)
+        .expect("lit from the front")
+        .towards(v)
+        .specular
 }
 
 #[test]
 fn light_and_viewer_may_change_places() {
-    let (a, b) = (DVec3::new(0.5, 0.3, 0.8).normalize(), DVec3::new(-0.6, 0.1, 0.5).normalize());
-    for model in [ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance] {
+    let (a, b) = (
+        DVec3::new(0.5, 0.3, 0.8).normalize(),
+        DVec3::new(-0.6, 0.1, 0.5).normalize(),
+    );
+    for model in [
+        ReflectionModel::Phong,
+        ReflectionModel::Blinn,
+        ReflectionModel::CookTorrance,
+    ] {
         let mut scene = preset("sphere");
         scene.reflection.model = model;
         scene.material.n = 6.0;
@@ -260,7 +381,11 @@ fn light_and_viewer_may_change_places() {
         let [there, back] = [specular(&scene, a, b), specular(&scene, b, a)];
         assert!(there > 1e-4);
         // Cook and Torrance's is a reflectance distribution times N·L.
-        let shared = if model == ReflectionModel::CookTorrance { (b.z, a.z) } else { (1.0, 1.0) };
+        let shared = if model == ReflectionModel::CookTorrance {
+            (b.z, a.z)
+        } else {
+            (1.0, 1.0)
+        };
         near(there * shared.0, back * shared.1, 1e-9);
     }
 }
@@ -279,13 +404,34 @@ fn a_light_behind_the_surface_has_a_lobe_only_where_the_surface_has_two_sides() 
 #[test]
 fn a_light_straight_above_and_a_viewer_at_infinity_have_a_lobe() {
     let mut scene = preset("sphere");
-    scene.camera = Camera { viewer: Viewer::Infinite, ..scene.camera };
+    scene.camera = Camera {
+        viewer: Viewer::Infinite,
+        ..scene.camera
+    };
     let mut hit = probed(&scene).1.hit.expect("the sphere");
-    scene.lights[0] = Light { kind: LightKind::Directional, direction: -hit.normal, ..Light::default() };
+    scene.lights[0] = Light {
+        kind: LightKind::Directional,
+        direction: -hit.normal,
+        ..Light::default()
+    };
     hit.view = hit.normal;
     let plot = lobe_plot(&scene, &hit, 0).expect("a lit point");
-    assert!(plot.curves.iter().flat_map(|curve| &curve.points).flatten().all(|value| value.is_finite()));
-    near(plot.directions.iter().find(|direction| direction.letter == "R").expect("R").angle, 0.0, 1e-6);
+    assert!(
+        plot.curves
+            .iter()
+            .flat_map(|curve| &curve.points)
+            .flatten()
+            .all(|value| value.is_finite())
+    );
+    near(
+        plot.directions
+            .iter()
+            .find(|direction| direction.letter == "R")
+            .expect("R")
+            .angle,
+        0.0,
+        1e-6,
+    );
 }
 
 #[test]
@@ -306,23 +452,39 @@ fn all_plots() -> Vec<Plot> {
     let mut scene = preset("attenuation");
     scene.material.reflectance = Reflectance::Gold;
     let (renderer, probe) = probed(&scene);
-    PlotKind::ALL.into_iter().filter_map(|kind| plot(kind, &renderer, &scene, &probe, 0)).collect()
+    PlotKind::ALL
+        .into_iter()
+        .filter_map(|kind| plot(kind, &renderer, &scene, &probe, 0))
+        .collect()
 }
 
 fn figure(size: [u32; 2], paper: Paper) -> Drawing {
     let plots = all_plots();
-    lay_out_sheet(&plots, DVec2::from_array(size.map(f64::from)), &PlotStyle::of(size, plots.len(), paper))
+    lay_out_sheet(
+        &plots,
+        DVec2::from_array(size.map(f64::from)),
+        &PlotStyle::of(size, plots.len(), paper),
+    )
 }
 
 /// Whether every tag that opens is closed, in order.
 fn well_formed(svg: &str) -> bool {
     let mut open: Vec<&str> = Vec::new();
     for piece in svg.split('<').skip(1) {
-        let Some((tag, text)) = piece.split_once('>') else { return false };
-        if text.contains('&') && !["&amp;", "&lt;", "&gt;", "&quot;"].iter().any(|entity| text.contains(entity)) {
+        let Some((tag, text)) = piece.split_once('>') else {
+            return false;
+        };
+        if text.contains('&')
+            && !["&amp;", "&lt;", "&gt;", "&quot;"]
+                .iter()
+                .any(|entity| text.contains(entity))
+        {
             return false;
         }
-        let name = tag.split([' ', '/']).find(|word| !word.is_empty()).unwrap_or_default();
+        let name = tag
+            .split([' ', '/'])
+            .find(|word| !word.is_empty())
+            .unwrap_or_default();
         match (tag.starts_with('/'), tag.ends_with('/')) {
             (true, _) if open.pop() != Some(name) => return false,
             (false, false) => open.push(name),
@@ -340,12 +502,20 @@ fn an_svg_is_text_with_its_labels_in_it() {
     let svg = figure([1200, 800], Paper::LIGHT).to_svg("a < b & \"c\"");
     assert!(svg.starts_with("<svg ") && well_formed(&svg), "{svg}");
     assert!(svg.contains("<title>a &lt; b &amp; &quot;c&quot;</title>"));
-    for label in
-        ["n = 20, now", "half-width", "W(80°)", "diffuse + specular", "farthest: f(", "distance from the light"]
-    {
+    for label in [
+        "n = 20, now",
+        "half-width",
+        "W(80°)",
+        "diffuse + specular",
+        "farthest: f(",
+        "distance from the light",
+    ] {
         assert!(svg.contains(label), "{label}");
     }
-    assert!(!svg.contains("NaN") && !svg.contains("inf"), "all places are numbers");
+    assert!(
+        !svg.contains("NaN") && !svg.contains("inf"),
+        "all places are numbers"
+    );
 }
 
 #[test]
@@ -359,14 +529,24 @@ fn a_figure_is_drawn_on_either_paper_and_at_any_size() {
             [ground.red(), ground.green(), ground.blue(), ground.alpha()],
             [paper.ground[0], paper.ground[1], paper.ground[2], 255]
         );
-        let inked = pixmap.pixels().iter().filter(|pixel| **pixel != ground).count();
-        assert!((20_000..300_000).contains(&inked), "{inked} pixels of 540000 are inked");
+        let inked = pixmap
+            .pixels()
+            .iter()
+            .filter(|pixel| **pixel != ground)
+            .count();
+        assert!(
+            (20_000..300_000).contains(&inked),
+            "{inked} pixels of 540000 are inked"
+        );
     }
     for size in [[1, 1], [40, 900], [900, 40], [160, 120], [3000, 2000]] {
         let drawing = figure(size, Paper::LIGHT);
         let mut pixmap = Pixmap::new(size[0], size[1]).expect("not empty");
         drawing.draw(&mut pixmap.as_mut());
-        assert!(drawing.texts.iter().all(|text| text.at.is_finite()), "{size:?}");
+        assert!(
+            drawing.texts.iter().all(|text| text.at.is_finite()),
+            "{size:?}"
+        );
     }
 }
 
@@ -381,9 +561,14 @@ fn texts_stay_on_the_sheet_and_off_each_other() {
             .iter()
             .map(|text| {
                 let left = text.at.x - text.align * text.width();
-                let (min, max) =
-                    (DVec2::new(left, text.at.y - 0.6 * text.size), DVec2::new(left + text.width(), text.at.y));
-                assert!(min.cmpge(DVec2::ZERO).all() && max.cmple(size).all(), "{text:?} leaves the sheet");
+                let (min, max) = (
+                    DVec2::new(left, text.at.y - 0.6 * text.size),
+                    DVec2::new(left + text.width(), text.at.y),
+                );
+                assert!(
+                    min.cmpge(DVec2::ZERO).all() && max.cmple(size).all(),
+                    "{text:?} leaves the sheet"
+                );
                 (min, max, &text.text)
             })
             .collect();
@@ -399,7 +584,11 @@ fn texts_stay_on_the_sheet_and_off_each_other() {
 #[test]
 fn a_place_in_a_plot_is_read_back() {
     for plot in all_plots() {
-        let drawing = lay_out(&plot, DVec2::new(800.0, 600.0), &PlotStyle::of([800, 600], 1, Paper::LIGHT));
+        let drawing = lay_out(
+            &plot,
+            DVec2::new(800.0, 600.0),
+            &PlotStyle::of([800, 600], 1, Paper::LIGHT),
+        );
         let x = plot.x.low + 0.4 * (plot.x.high - plot.x.low);
         let (at, _) = drawing.place([x, 0.5 * plot.y.high]).expect("room enough");
         near(drawing.x_at(at).expect("inside"), x, 1e-6);
@@ -412,13 +601,25 @@ const RING: usize = 100;
 
 /// Pixels that the lobe alone inks over an empty picture, and the mean of their places.
 fn inked(scene: &Scene, probe: &Probe, length: f64) -> (usize, DVec2) {
-    let options =
-        OverlayOptions { layers: vec![OverlayLayer::Lobe], length: Some(length), ..OverlayOptions::default() };
+    let options = OverlayOptions {
+        layers: vec![OverlayLayer::Lobe],
+        length: Some(length),
+        ..OverlayOptions::default()
+    };
     let mut pixmap = Pixmap::new(400, 400).expect("not empty");
     draw_overlay(&mut pixmap.as_mut(), scene, probe, &options);
-    let inked = pixmap.pixels().iter().enumerate().filter(|(_, pixel)| pixel.alpha() > 0);
-    let places: Vec<DVec2> = inked.map(|(i, _)| DVec2::new((i % 400) as f64, (i / 400) as f64)).collect();
-    (places.len(), places.iter().sum::<DVec2>() / places.len().max(1) as f64)
+    let inked = pixmap
+        .pixels()
+        .iter()
+        .enumerate()
+        .filter(|(_, pixel)| pixel.alpha() > 0);
+    let places: Vec<DVec2> = inked
+        .map(|(i, _)| DVec2::new((i % 400) as f64, (i / 400) as f64))
+        .collect();
+    (
+        places.len(),
+        places.iter().sum::<DVec2>() / places.len().max(1) as f64,
+    )
 }
 
 #[test]
@@ -431,8 +632,13 @@ fn the_lobe_over_the_picture_grows_with_the_vectors_and_leans_towards_r() {
     let at = |point| view.project(point).expect("before the eye").0;
     let (small, _) = inked(&scene, &probe, 0.2);
     let (large, middle) = inked(&scene, &probe, 0.8);
-    assert!(small > RING && large > 3 * small, "{small} and {large} pixels");
-    let lean = (middle - at(position)).normalize().dot((at(position + lobe.r) - at(position)).normalize());
+    assert!(
+        small > RING && large > 3 * small,
+        "{small} and {large} pixels"
+    );
+    let lean = (middle - at(position))
+        .normalize()
+        .dot((at(position + lobe.r) - at(position)).normalize());
     assert!(lean > 0.8, "{lean}");
 }
 
@@ -449,9 +655,24 @@ fn a_point_that_is_not_lit_has_no_lobe_over_the_picture() {
 
 #[test]
 fn a_curve_is_read_between_its_samples_and_not_beyond() {
-    let curve = Curve::new("", vec![[0.0, 1.0], [2.0, 3.0], [2.0, 5.0], [4.0, 5.0]], Ink::N);
+    let curve = Curve::new(
+        "",
+        vec![[0.0, 1.0], [2.0, 3.0], [2.0, 5.0], [4.0, 5.0]],
+        Ink::N,
+    );
     let read = [-0.1, 0.0, 1.0, 2.0, 3.0, 4.0, 4.1].map(|x| curve.at(x));
-    assert_eq!(read, [None, Some(1.0), Some(2.0), Some(3.0), Some(5.0), Some(5.0), None]);
+    assert_eq!(
+        read,
+        [
+            None,
+            Some(1.0),
+            Some(2.0),
+            Some(3.0),
+            Some(5.0),
+            Some(5.0),
+            None
+        ]
+    );
     assert_eq!(Curve::new("", vec![], Ink::N).at(0.0), None);
 }
 
@@ -460,13 +681,29 @@ fn every_colour_stands_out_from_its_paper() {
     let channels = (0..3).map(Ink::Channel);
     use ShadingMode::{Exact, Flat, Gouraud, Interpolated, Phong};
     let modes = [Flat, Interpolated, Gouraud, Phong, Exact].map(Ink::Shading);
-    let others = [Ink::N, Ink::L, Ink::R, Ink::V, Ink::H, Ink::Perceived, Ink::Reference];
+    let others = [
+        Ink::N,
+        Ink::L,
+        Ink::R,
+        Ink::V,
+        Ink::H,
+        Ink::Perceived,
+        Ink::Reference,
+    ];
     let historic = (0..3).map(Ink::Historic);
-    for ink in others.into_iter().chain(channels).chain(modes).chain(historic) {
+    for ink in others
+        .into_iter()
+        .chain(channels)
+        .chain(modes)
+        .chain(historic)
+    {
         for paper in [Paper::LIGHT, Paper::DARK] {
             assert!(contrast(paper.line(ink), paper.ground) >= 3.0, "{ink:?}");
             assert!(contrast(paper.letters(ink), paper.ground) >= 4.5, "{ink:?}");
-            assert!(contrast(paper.weak, paper.ground) >= 4.5 && contrast(paper.text, paper.ground) > 10.0);
+            assert!(
+                contrast(paper.weak, paper.ground) >= 4.5
+                    && contrast(paper.text, paper.ground) > 10.0
+            );
         }
     }
 }

@@ -4,7 +4,8 @@ use glam::DVec3;
 use shading_lab::analysis::{Defects, defect_plots, defects, defects_with_progress};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Camera, Interpolation, NormalSource, Object, ObjectKind, Projection, Scene, Shading, ShadingMode, Viewer, presets,
+    Camera, Interpolation, NormalSource, Object, ObjectKind, Projection, Scene, Shading,
+    ShadingMode, Viewer, presets,
 };
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -15,7 +16,9 @@ fn measured(scene: &Scene) -> Defects {
 }
 
 fn preset(name: &str, size: [u32; 2]) -> Scene {
-    let mut scene = presets::find(name).map(|preset| preset.scene()).expect("built in");
+    let mut scene = presets::find(name)
+        .map(|preset| preset.scene())
+        .expect("built in");
     scene.image.size = size;
     scene
 }
@@ -31,8 +34,16 @@ fn disc(segments: u32, size: [u32; 2]) -> Scene {
             viewer: Viewer::Infinite,
             ..Camera::default()
         },
-        object: Object { kind: ObjectKind::Cylinder, segments, rings: 1, ..Object::default() },
-        shading: Shading { mode: ShadingMode::Gouraud, ..Shading::default() },
+        object: Object {
+            kind: ObjectKind::Cylinder,
+            segments,
+            rings: 1,
+            ..Object::default()
+        },
+        shading: Shading {
+            mode: ShadingMode::Gouraud,
+            ..Shading::default()
+        },
         ..Scene::default()
     };
     scene.image.size = size;
@@ -48,7 +59,11 @@ fn the_silhouette_of_a_circle_of_segments_is_off_by_its_sagitta() {
             let expected = radius * (1.0 - (std::f64::consts::PI / f64::from(segments)).cos());
             let silhouette = measured(&scene).silhouette.expect("a circle");
             let off = (silhouette.greatest - expected).abs();
-            assert!(off < 0.02 + 0.5 / 256.0, "{segments} at {size:?}: {} for {expected}", silhouette.greatest);
+            assert!(
+                off < 0.02 + 0.5 / 256.0,
+                "{segments} at {size:?}: {} for {expected}",
+                silhouette.greatest
+            );
         }
     }
 }
@@ -56,17 +71,32 @@ fn the_silhouette_of_a_circle_of_segments_is_off_by_its_sagitta() {
 /// A sphere from above: a circle of radius 1 beside a polygon inscribed in it.
 #[test]
 fn the_silhouette_of_few_segments_is_their_sagitta_at_any_size() {
-    for (size, height) in [(768, 2.2), (768, 2.4), (768, 1.3), (512, 2.05), (300, 3.7), (200, 9.0)] {
+    for (size, height) in [
+        (768, 2.2),
+        (768, 2.4),
+        (768, 1.3),
+        (512, 2.05),
+        (300, 3.7),
+        (200, 9.0),
+    ] {
         for segments in [3, 4, 5, 7, 12] {
             let mut scene = disc(segments, [size, size]);
             scene.camera.height = height;
-            scene.object = Object { kind: ObjectKind::Sphere, segments, rings: 16, ..Object::default() };
+            scene.object = Object {
+                kind: ObjectKind::Sphere,
+                segments,
+                rings: 16,
+                ..Object::default()
+            };
             let radius = f64::from(size) / height;
             let sagitta = radius * (1.0 - (std::f64::consts::PI / f64::from(segments)).cos());
             // The middles of the sides are in the picture.
             if radius - sagitta < 0.5 * f64::from(size) - 2.0 {
                 let found = measured(&scene).silhouette.expect("a circle").greatest;
-                assert!((found - sagitta).abs() < 0.03, "{segments} at {size}, {height}: {found} for {sagitta}");
+                assert!(
+                    (found - sagitta).abs() < 0.03,
+                    "{segments} at {size}, {height}: {found} for {sagitta}"
+                );
             }
         }
     }
@@ -83,7 +113,10 @@ fn measuring_tells_how_far_it_is_and_can_be_stopped() {
     let watched = defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &note);
     let told = told.into_inner().expect("a list");
     assert_eq!(watched, measured(&scene));
-    assert!(told.is_sorted() && told.len() > 4 && told.last() == Some(&1.0), "{told:?}");
+    assert!(
+        told.is_sorted() && told.len() > 4 && told.last() == Some(&1.0),
+        "{told:?}"
+    );
     let after_first = |share: f32| share < 0.3;
     let stopped = defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &after_first);
     assert_eq!(stopped.silhouette, watched.silhouette);
@@ -100,9 +133,16 @@ fn many_unshared_vertices_are_measured_in_bounded_time() {
     for k in 0..count {
         let share = f64::from(k) / f64::from(count);
         let y = 1.9 * share - 0.95;
-        let own =
-            [DVec3::new(0.0, -1.0, 0.0), DVec3::new(0.5 + 0.4 * share, 0.0, 0.1 * share), DVec3::new(0.0, 1.0, 0.0)];
-        let beside = [DVec3::new(0.0, y, 0.0), DVec3::new(-0.9, y + 0.004, 0.0), DVec3::new(-0.9, y - 0.004, 0.0)];
+        let own = [
+            DVec3::new(0.0, -1.0, 0.0),
+            DVec3::new(0.5 + 0.4 * share, 0.0, 0.1 * share),
+            DVec3::new(0.0, 1.0, 0.0),
+        ];
+        let beside = [
+            DVec3::new(0.0, y, 0.0),
+            DVec3::new(-0.9, y + 0.004, 0.0),
+            DVec3::new(-0.9, y - 0.004, 0.0),
+        ];
         for corners in [own, beside] {
             let first = vertices.len() as u32;
             vertices.extend(corners);
@@ -110,8 +150,12 @@ fn many_unshared_vertices_are_measured_in_bounded_time() {
         }
     }
     let mut scene = preset("shared-vertices", [64, 64]);
-    scene.object =
-        Object { kind: ObjectKind::Polygons, vertices: vertices.into(), faces: faces.into(), ..Object::default() };
+    scene.object = Object {
+        kind: ObjectKind::Polygons,
+        vertices: vertices.into(),
+        faces: faces.into(),
+        ..Object::default()
+    };
     assert_eq!(scene.validate(), Ok(()));
     let steps = AtomicUsize::new(0);
     let count_steps = |_: f32| {
@@ -121,8 +165,17 @@ fn many_unshared_vertices_are_measured_in_bounded_time() {
     let found = defects_with_progress(&mut Renderer::default(), &scene, [40, 32], &count_steps);
     let steps = steps.into_inner();
     let shared = found.shared_vertices.expect("edges with unshared vertices");
-    assert!(shared.measured < 5000 && 2 * shared.measured <= shared.edges, "{} of {}", shared.measured, shared.edges);
-    assert!(steps < 2 * shared.measured, "{steps} steps for {} edges", shared.measured);
+    assert!(
+        shared.measured < 5000 && 2 * shared.measured <= shared.edges,
+        "{} of {}",
+        shared.measured,
+        shared.edges
+    );
+    assert!(
+        steps < 2 * shared.measured,
+        "{steps} steps for {} edges",
+        shared.measured
+    );
 }
 
 #[test]
@@ -140,26 +193,47 @@ fn the_silhouette_nears_the_outline_as_the_square_of_the_segments() {
 fn where_there_is_nothing_to_measure_it_says_why() {
     let mut scene = preset("orientation", [200, 200]);
     let found = measured(&scene);
-    assert_eq!(found.silhouette, Err("the object has no surface beyond its polygons"));
-    assert_eq!(found.perspective.map(|_| ()), Err("a parallel projection distorts nothing"));
+    assert_eq!(
+        found.silhouette,
+        Err("the object has no surface beyond its polygons")
+    );
+    assert_eq!(
+        found.perspective.map(|_| ()),
+        Err("a parallel projection distorts nothing")
+    );
     scene.shading.mode = ShadingMode::Flat;
-    assert_eq!(measured(&scene).orientation, Err("flat shading interpolates nothing"));
+    assert_eq!(
+        measured(&scene).orientation,
+        Err("flat shading interpolates nothing")
+    );
     scene.camera.target = scene.camera.eye * 2.0;
     scene.shading.mode = ShadingMode::Gouraud;
     let away = measured(&scene);
     assert_eq!(away.orientation, Err("the probe sees the background"));
-    assert_eq!(away.vertex_normals.map(|_| ()), Err("the object is not in the picture"));
+    assert_eq!(
+        away.vertex_normals.map(|_| ()),
+        Err("the object is not in the picture")
+    );
     let smooth = measured(&preset("sphere", [100, 100]));
-    assert_eq!(smooth.shared_vertices, Err("every vertex on an edge is shared by both of its sides"));
+    assert_eq!(
+        smooth.shared_vertices,
+        Err("every vertex on an edge is shared by both of its sides")
+    );
 }
 
 #[test]
 fn perspective_distortion_vanishes_with_the_polygons_size_and_in_a_parallel_projection() {
-    let coarse = measured(&preset("perspective-distortion", [300, 300])).perspective.expect("perspective");
+    let coarse = measured(&preset("perspective-distortion", [300, 300]))
+        .perspective
+        .expect("perspective");
     assert_eq!(coarse.interpolation, Interpolation::Affine);
     assert!(coarse.error.greatest > 0.1, "{coarse:?}");
     let mut plane = preset("plane", [300, 300]);
-    plane.shading = Shading { mode: ShadingMode::Gouraud, interpolation: Interpolation::Affine, ..plane.shading };
+    plane.shading = Shading {
+        mode: ShadingMode::Gouraud,
+        interpolation: Interpolation::Affine,
+        ..plane.shading
+    };
     plane.camera.eye = DVec3::new(2.0, 1.0, 1.2);
     let at = |divisions: u32| {
         let mut scene = plane.clone();
@@ -173,28 +247,60 @@ fn perspective_distortion_vanishes_with_the_polygons_size_and_in_a_parallel_proj
 fn a_turned_square_comes_back_at_right_angles_and_barycentric_weights_do_not_care() {
     let mut scene = preset("orientation", [256, 256]);
     scene.camera.roll = 0.0;
-    let orientation = defects(&mut Renderer::default(), &scene, [150, 110]).orientation.expect("a square");
-    let at = |angle: f64| orientation.samples.iter().find(|turned| turned.angle == angle).and_then(|t| t.scanline);
+    let orientation = defects(&mut Renderer::default(), &scene, [150, 110])
+        .orientation
+        .expect("a square");
+    let at = |angle: f64| {
+        orientation
+            .samples
+            .iter()
+            .find(|turned| turned.angle == angle)
+            .and_then(|t| t.scanline)
+    };
     let [zero, quarter, eighth] = [0.0, 90.0, 45.0].map(|angle| at(angle).expect("seen"));
     assert!((zero - quarter).abs() < 2e-3, "{zero} {quarter}");
     assert!((zero - eighth).abs() > 0.02, "{zero} {eighth}");
-    assert!(orientation.spread[0] > 0.1 && orientation.spread[1] < 2e-3, "{:?}", orientation.spread);
+    assert!(
+        orientation.spread[0] > 0.1 && orientation.spread[1] < 2e-3,
+        "{:?}",
+        orientation.spread
+    );
     assert_eq!(orientation.samples.len(), 121);
 }
 
 #[test]
 fn the_jump_at_an_unshared_vertex_is_that_of_the_two_interpolations() {
     let scene = preset("shared-vertices", [400, 400]);
-    let shared = measured(&scene).shared_vertices.expect("a vertex on an edge");
+    let shared = measured(&scene)
+        .shared_vertices
+        .expect("a vertex on an edge");
     assert_eq!(shared.edges, 1);
     // The edge runs away from the eye: its middle appears beside the middle.
-    assert!((0.4..0.6).contains(&shared.vertex) && (shared.vertex - 0.5).abs() > 0.01, "{}", shared.vertex);
+    assert!(
+        (0.4..0.6).contains(&shared.vertex) && (shared.vertex - 0.5).abs() > 0.01,
+        "{}",
+        shared.vertex
+    );
     // Without the vertex the edge is linear between its ends, with it it peaks there: the jump is greatest at the vertex.
-    let at = |s: f64| shared.samples.iter().find(|sample| (sample[0] - s).abs() < 1e-9).expect("a sample");
+    let at = |s: f64| {
+        shared
+            .samples
+            .iter()
+            .find(|sample| (sample[0] - s).abs() < 1e-9)
+            .expect("a sample")
+    };
     let [_, without, with] = *at(shared.vertex);
-    assert!((with - without - shared.greatest).abs() < 1e-3, "{with} {without} {}", shared.greatest);
+    assert!(
+        (with - without - shared.greatest).abs() < 1e-3,
+        "{with} {without} {}",
+        shared.greatest
+    );
     let ends = [at(0.005), at(0.995)];
-    assert!(ends.iter().all(|[_, without, with]| (with - without).abs() < 0.05 * shared.greatest), "{ends:?}");
+    assert!(
+        ends.iter()
+            .all(|[_, without, with]| (with - without).abs() < 0.05 * shared.greatest),
+        "{ends:?}"
+    );
     // The side without it runs straight but for perspective: the mean of the ends, within a few per cent.
     let mean = 0.5 * (ends[0][1] + ends[1][1]);
     assert!((without - mean).abs() < 0.03, "{without} {mean}");
@@ -206,15 +312,28 @@ fn averaged_normals_of_a_corrugated_sheet_are_all_alike_until_it_is_cut_finer() 
     let coarse = measured(&scene).vertex_normals.expect("Gouraud shading");
     // Slopes of the sheet: 10 over a width of 1.5, rising 0.2 each.
     let slope = (0.2_f64 / 0.15).atan().to_degrees();
-    assert!((coarse.greatest_angle - slope).abs() < 1e-3, "{} {slope}", coarse.greatest_angle);
-    assert!(coarse.contrast < 1e-3 && coarse.true_contrast > 0.1, "{coarse:?}");
+    assert!(
+        (coarse.greatest_angle - slope).abs() < 1e-3,
+        "{} {slope}",
+        coarse.greatest_angle
+    );
+    assert!(
+        coarse.contrast < 1e-3 && coarse.true_contrast > 0.1,
+        "{coarse:?}"
+    );
     let mut finer = scene.clone();
     finer.object.rings = 8;
     let finer = measured(&finer).vertex_normals.expect("Gouraud shading");
     assert!(finer.contrast > 0.6 * finer.true_contrast, "{finer:?}");
     let mut facet = scene;
     facet.object.normals = NormalSource::Facet;
-    assert!(measured(&facet).vertex_normals.expect("Gouraud shading").greatest_angle < 1e-3);
+    assert!(
+        measured(&facet)
+            .vertex_normals
+            .expect("Gouraud shading")
+            .greatest_angle
+            < 1e-3
+    );
 }
 
 #[test]

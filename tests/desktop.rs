@@ -43,7 +43,10 @@ fn installed(tool: &str) -> bool {
 fn wait(what: &str, mut condition: impl FnMut() -> bool) {
     let start = Instant::now();
     while !condition() {
-        assert!(start.elapsed() < Duration::from_secs(60), "waited in vain for {what}");
+        assert!(
+            start.elapsed() < Duration::from_secs(60),
+            "waited in vain for {what}"
+        );
         sleep(Duration::from_millis(100));
     }
 }
@@ -52,7 +55,16 @@ fn wait(what: &str, mut condition: impl FnMut() -> bool) {
 fn screen() -> (Running, String) {
     // Without -noreset the server starts anew when its last client leaves, and refuses whoever comes meanwhile.
     let mut server = Command::new("Xvfb")
-        .args(["-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset"])
+        .args([
+            "-displayfd",
+            "1",
+            "-screen",
+            "0",
+            "1280x800x24",
+            "-nolisten",
+            "tcp",
+            "-noreset",
+        ])
         .stdout(Stdio::piped())
         .stderr(Stdio::null())
         .spawn()
@@ -61,14 +73,17 @@ fn screen() -> (Running, String) {
     let server = Running(server);
     // The number comes once the server listens.
     let mut number = String::new();
-    BufReader::new(output).read_line(&mut number).expect("the number of the display");
+    BufReader::new(output)
+        .read_line(&mut number)
+        .expect("the number of the display");
     assert!(!number.trim().is_empty(), "Xvfb found no display");
     (server, format!(":{}", number.trim()))
 }
 
 impl Desktop {
     fn start(scene: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("shading-lab-desktop-{}", std::process::id()));
+        let folder =
+            std::env::temp_dir().join(format!("shading-lab-desktop-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder for the test");
         let (screen, display) = screen();
         let program = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
@@ -80,15 +95,34 @@ impl Desktop {
             .env("LIBGL_ALWAYS_SOFTWARE", "1")
             .spawn()
             .expect("the program starts");
-        let mut desktop = Self { program: Running(program), display, _screen: screen, folder };
+        let mut desktop = Self {
+            program: Running(program),
+            display,
+            _screen: screen,
+            folder,
+        };
         wait("the window", || {
             let ended = desktop.program.0.try_wait().expect("the program's state");
-            assert!(ended.is_none(), "the program ended before it showed a window: {ended:?}");
-            let search = desktop.command("xdotool", &["search", "--onlyvisible", "--name", "shading-lab"]).output();
+            assert!(
+                ended.is_none(),
+                "the program ended before it showed a window: {ended:?}"
+            );
+            let search = desktop
+                .command(
+                    "xdotool",
+                    &["search", "--onlyvisible", "--name", "shading-lab"],
+                )
+                .output();
             search.is_ok_and(|output| output.status.success())
         });
-        let window = desktop.run("xdotool", &["search", "--onlyvisible", "--name", "shading-lab"]);
-        desktop.run("xdotool", &["windowfocus", window.lines().next().unwrap_or_default()]);
+        let window = desktop.run(
+            "xdotool",
+            &["search", "--onlyvisible", "--name", "shading-lab"],
+        );
+        desktop.run(
+            "xdotool",
+            &["windowfocus", window.lines().next().unwrap_or_default()],
+        );
         desktop
     }
 
@@ -99,15 +133,31 @@ impl Desktop {
     }
 
     fn run(&self, tool: &str, words: &[&str]) -> String {
-        let output = self.command(tool, words).output().expect("an installed tool");
-        assert!(output.status.success(), "{tool} {words:?}: {}", String::from_utf8_lossy(&output.stderr));
+        let output = self
+            .command(tool, words)
+            .output()
+            .expect("an installed tool");
+        assert!(
+            output.status.success(),
+            "{tool} {words:?}: {}",
+            String::from_utf8_lossy(&output.stderr)
+        );
         String::from_utf8_lossy(&output.stdout).trim().to_owned()
     }
 
     /// The screen's pixels: 1280 × 800, red, green, blue.
     fn screen(&self) -> Vec<[u8; 3]> {
         let file = self.folder.join("screen.rgb");
-        self.run("import", &["-window", "root", "-depth", "8", &format!("rgb:{}", file.display())]);
+        self.run(
+            "import",
+            &[
+                "-window",
+                "root",
+                "-depth",
+                "8",
+                &format!("rgb:{}", file.display()),
+            ],
+        );
         let bytes = std::fs::read(&file).expect("a screenshot");
         assert_eq!(bytes.len(), 1280 * 800 * 3);
         bytes.as_chunks::<3>().0.to_vec()
@@ -116,8 +166,14 @@ impl Desktop {
     fn ticks(&self) -> u64 {
         let path = format!("/proc/{}/stat", self.program.0.id());
         let stat = std::fs::read_to_string(path).expect("the program runs");
-        let fields: Vec<&str> = stat.rsplit(')').next().unwrap_or_default().split_whitespace().collect();
-        fields[11].parse::<u64>().expect("user ticks") + fields[12].parse::<u64>().expect("system ticks")
+        let fields: Vec<&str> = stat
+            .rsplit(')')
+            .next()
+            .unwrap_or_default()
+            .split_whitespace()
+            .collect();
+        fields[11].parse::<u64>().expect("user ticks")
+            + fields[12].parse::<u64>().expect("system ticks")
     }
 
     /// Waits until the program has nothing more to do.
@@ -134,7 +190,11 @@ impl Desktop {
 /// Pixels of the area between the panels that are clearly red, as the sphere is.
 fn red(screen: &[[u8; 3]]) -> usize {
     let inside = |i: usize| (345..950).contains(&(i % 1280)) && (45..755).contains(&(i / 1280));
-    screen.iter().enumerate().filter(|(i, [r, g, b])| inside(*i) && *r > 60 && *r / 2 > *g && *r / 2 > *b).count()
+    screen
+        .iter()
+        .enumerate()
+        .filter(|(i, [r, g, b])| inside(*i) && *r > 60 && *r / 2 > *g && *r / 2 > *b)
+        .count()
 }
 
 /// The sum of the red channel over the picture's area, in millions.
@@ -146,8 +206,13 @@ fn light(screen: &[[u8; 3]]) -> f64 {
 
 #[test]
 fn the_window_draws_takes_a_drag_exports_and_rests() {
-    if let Some(missing) = ["Xvfb", "xdotool", "import"].into_iter().find(|tool| !installed(tool)) {
-        eprintln!("skipped: {missing} is not installed (Debian packages xvfb, xdotool, imagemagick)");
+    if let Some(missing) = ["Xvfb", "xdotool", "import"]
+        .into_iter()
+        .find(|tool| !installed(tool))
+    {
+        eprintln!(
+            "skipped: {missing} is not installed (Debian packages xvfb, xdotool, imagemagick)"
+        );
         return;
     }
     let desktop = Desktop::start("sphere");
@@ -169,13 +234,22 @@ fn the_window_draws_takes_a_drag_exports_and_rests() {
     }
     desktop.settle();
     let darker = desktop.screen();
-    assert!(light(&darker) < 0.9 * light(&first), "less Kd, less light: {} and {}", light(&first), light(&darker));
+    assert!(
+        light(&darker) < 0.9 * light(&first),
+        "less Kd, less light: {} and {}",
+        light(&first),
+        light(&darker)
+    );
 
     desktop.run("xdotool", &["mousemove", "650", "740", "key", "ctrl+z"]);
     sleep(Duration::from_millis(300));
     desktop.settle();
     let back = light(&desktop.screen());
-    assert!((back / light(&first) - 1.0).abs() < 0.01, "undo brings the light back: {} and {back}", light(&first));
+    assert!(
+        (back / light(&first) - 1.0).abs() < 0.01,
+        "undo brings the light back: {} and {back}",
+        light(&first)
+    );
 
     export_and_compare(&desktop);
 
@@ -195,18 +269,26 @@ fn export_and_compare(desktop: &Desktop) {
     desktop.run("xdotool", &["key", "ctrl+e"]);
     desktop.settle();
     desktop.run("xdotool", &["key", "ctrl+a"]);
-    desktop.run("xdotool", &["type", "--delay", "20", &target.display().to_string()]);
+    desktop.run(
+        "xdotool",
+        &["type", "--delay", "20", &target.display().to_string()],
+    );
     desktop.run("xdotool", &["key", "Return"]);
     wait("the exported picture", || target.is_file());
     let opened = load(&target).expect("an exported picture opens");
     let mut expected = load(Path::new("sphere")).expect("a built-in scene").scene;
     expected.image.size = opened.scene.image.size;
-    assert_eq!(opened.scene, expected, "the scene inside the picture is the one on the screen");
+    assert_eq!(
+        opened.scene, expected,
+        "the scene inside the picture is the one on the screen"
+    );
     let picture = Renderer::default().render(&opened.scene).clone();
     let [width, height] = opened.scene.image.size;
     // The picture's place on the screen, from its size: panels are 344 points wide at the left, menus 40 high on top.
     let matches = |screen: &[[u8; 3]], dx: u32, dy: u32| {
-        let places = (0..height).step_by(7).flat_map(|y| (0..width).step_by(7).map(move |x| (x, y)));
+        let places = (0..height)
+            .step_by(7)
+            .flat_map(|y| (0..width).step_by(7).map(move |x| (x, y)));
         let same = |(x, y): &(u32, u32)| {
             let at = ((y + dy) * 1280 + x + dx) as usize;
             screen.get(at).is_some_and(|seen| {
@@ -221,6 +303,9 @@ fn export_and_compare(desktop: &Desktop) {
     wait("the window to show the picture that is exported", || {
         let screen = desktop.screen();
         let places = (340..350).flat_map(|dx| (36..46).map(move |dy| (dx, dy)));
-        places.map(|(dx, dy)| matches(&screen, dx, dy)).fold(0.0, f64::max) > 0.93
+        places
+            .map(|(dx, dy)| matches(&screen, dx, dy))
+            .fold(0.0, f64::max)
+            > 0.93
     });
 }

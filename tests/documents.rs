@@ -18,7 +18,9 @@ impl Folder {
 
     fn names(&self) -> Vec<OsString> {
         let entries = fs::read_dir(&self.0).expect("a folder");
-        entries.map(|entry| entry.expect("an entry").file_name()).collect()
+        entries
+            .map(|entry| entry.expect("an entry").file_name())
+            .collect()
     }
 }
 
@@ -56,8 +58,15 @@ fn content_that_fails_leaves_the_old_file_and_nothing_else() {
 #[test]
 fn targets_that_cannot_be_written_are_refused() {
     let folder = Folder::new("refused");
-    for target in [folder.0.clone(), folder.0.join("no/such/a.txt"), PathBuf::from(""), PathBuf::from("/")] {
-        let error = write_whole(&target, |_| unreachable!("nothing is written to {}", target.display()));
+    for target in [
+        folder.0.clone(),
+        folder.0.join("no/such/a.txt"),
+        PathBuf::from(""),
+        PathBuf::from("/"),
+    ] {
+        let error = write_whole(&target, |_| {
+            unreachable!("nothing is written to {}", target.display())
+        });
         assert!(matches!(error, Err(SaveError::Target { .. })), "{error:?}");
     }
     assert!(folder.names().is_empty());
@@ -75,12 +84,19 @@ fn a_link_is_followed_and_a_device_is_not_replaced() {
     assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
     fs::remove_file(&target).expect("a file");
     write_whole(&link, |out| out.write_all(b"anew")).expect("written");
-    assert_eq!(fs::read_to_string(&target).expect("a text"), "anew", "a link may lead to what is not there yet");
+    assert_eq!(
+        fs::read_to_string(&target).expect("a text"),
+        "anew",
+        "a link may lead to what is not there yet"
+    );
     assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
     let round = folder.0.join("round.txt");
     std::os::unix::fs::symlink("round.txt", &round).expect("a link");
     let error = write_whole(&round, |_| unreachable!("a link to itself leads nowhere"));
-    assert!(matches!(error, Err(SaveError::Unwritable { .. })), "{error:?}");
+    assert!(
+        matches!(error, Err(SaveError::Unwritable { .. })),
+        "{error:?}"
+    );
     write_whole(Path::new("/dev/null"), |out| out.write_all(b"x")).expect("swallowed");
     assert!(!fs::metadata("/dev/null").expect("a device").is_file());
 }
@@ -91,12 +107,18 @@ fn a_model_beside_the_scene_is_written_relative_and_another_absolute() {
     let target = folder.0.join("s.toml");
     for (model, expected) in [
         (folder.0.join("models/a.obj"), PathBuf::from("models/a.obj")),
-        (std::env::temp_dir().join("b.obj"), std::env::temp_dir().join("b.obj")),
+        (
+            std::env::temp_dir().join("b.obj"),
+            std::env::temp_dir().join("b.obj"),
+        ),
     ] {
         let mut scene = Scene::default();
         scene.object.path = Some(model);
         save_scene(&target, &scene).expect("written");
         let text = fs::read_to_string(&target).expect("a text");
-        assert_eq!(Scene::parse(&text, "").expect("sound").object.path, Some(expected));
+        assert_eq!(
+            Scene::parse(&text, "").expect("sound").object.path,
+            Some(expected)
+        );
     }
 }

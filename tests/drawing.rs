@@ -3,13 +3,19 @@
 use glam::DVec2;
 use shading_lab::figure::palette::{Rgb8, contrast};
 use shading_lab::figure::{
-    Area, Axis, Drawing, Paper, Placer, Plot, PlotKind, PlotStyle, Run, Shape, Text, Wish, can_be_filled, clipped,
-    lay_out, round_up, short, ticks,
+    Area, Axis, Drawing, Paper, Placer, Plot, PlotKind, PlotStyle, Run, Shape, Text, Wish,
+    can_be_filled, clipped, lay_out, round_up, short, ticks,
 };
 use tiny_skia::Pixmap;
 
-const AREA: Area = Area { min: DVec2::ZERO, max: DVec2::splat(10.0) };
-const BOUNDS: Area = Area { min: DVec2::ZERO, max: DVec2::splat(100.0) };
+const AREA: Area = Area {
+    min: DVec2::ZERO,
+    max: DVec2::splat(10.0),
+};
+const BOUNDS: Area = Area {
+    min: DVec2::ZERO,
+    max: DVec2::splat(100.0),
+};
 const RED: Rgb8 = [255, 0, 0];
 
 fn points<const N: usize>(points: [(f64, f64); N]) -> Vec<DVec2> {
@@ -18,17 +24,42 @@ fn points<const N: usize>(points: [(f64, f64); N]) -> Vec<DVec2> {
 
 #[test]
 fn a_line_that_leaves_and_returns_is_two_lines() {
-    let runs = clipped(points([(0.0, 5.0), (4.0, -5.0), (8.0, 5.0), (9.0, 5.0)]), &AREA);
+    let runs = clipped(
+        points([(0.0, 5.0), (4.0, -5.0), (8.0, 5.0), (9.0, 5.0)]),
+        &AREA,
+    );
     assert_eq!(runs.len(), 2, "{runs:?}");
-    assert_eq!((runs[0].points[1], runs[1].points[0]), (DVec2::new(2.0, 0.0), DVec2::new(6.0, 0.0)));
+    assert_eq!(
+        (runs[0].points[1], runs[1].points[0]),
+        (DVec2::new(2.0, 0.0), DVec2::new(6.0, 0.0))
+    );
     assert_eq!((runs[0].start, runs[1].points.len()), (0.0, 3));
-    assert!((runs[1].start - 1.5 * 116.0_f64.sqrt()).abs() < 1e-9, "{}", runs[1].start);
+    assert!(
+        (runs[1].start - 1.5 * 116.0_f64.sqrt()).abs() < 1e-9,
+        "{}",
+        runs[1].start
+    );
 }
 
 #[test]
 fn whatever_the_numbers_what_is_left_is_inside() {
-    let numbers = [0.0, 5.0, -7.0, 1e18, -1e30, 1e300, f64::MAX, -f64::MAX, f64::INFINITY, f64::NAN];
-    let all = || numbers.iter().flat_map(|x| numbers.iter().map(move |y| (*x, *y)));
+    let numbers = [
+        0.0,
+        5.0,
+        -7.0,
+        1e18,
+        -1e30,
+        1e300,
+        f64::MAX,
+        -f64::MAX,
+        f64::INFINITY,
+        f64::NAN,
+    ];
+    let all = || {
+        numbers
+            .iter()
+            .flat_map(|x| numbers.iter().map(move |y| (*x, *y)))
+    };
     for (a, b) in all().flat_map(|a| all().map(move |b| (a, b))) {
         for run in clipped(points([a, b, (5.0, 5.0)]), &AREA) {
             let inside = |p: &DVec2| AREA.holds(&Area { min: *p, max: *p });
@@ -41,7 +72,13 @@ fn whatever_the_numbers_what_is_left_is_inside() {
 fn a_segment_to_an_end_far_away_keeps_its_direction() {
     for far in [1e6, 1e18, 1e300] {
         let seen = clipped(points([(5.0, 5.0), (5.0, far)]), &AREA);
-        assert_eq!(seen, [Run { points: points([(5.0, 5.0), (5.0, 10.0)]), start: 0.0 }]);
+        assert_eq!(
+            seen,
+            [Run {
+                points: points([(5.0, 5.0), (5.0, 10.0)]),
+                start: 0.0
+            }]
+        );
     }
 }
 
@@ -52,7 +89,10 @@ fn a_shape_beyond_all_proportion_is_not_filled() {
     for size in [1e9, f64::INFINITY, f64::NAN] {
         assert!(!can_be_filled(&triangle(size), &AREA), "{size}");
     }
-    assert!(!can_be_filled(&triangle(2.0).map(|point| point - 50.0), &AREA), "out of sight");
+    assert!(
+        !can_be_filled(&triangle(2.0).map(|point| point - 50.0), &AREA),
+        "out of sight"
+    );
 }
 
 #[test]
@@ -63,7 +103,10 @@ fn the_covered_length_of_a_segment() {
         ((0.0, 0.0), (10.0, 0.0), 0.0),
         ((-3.0, -4.0), (3.0, 4.0), 5.0),
     ] {
-        assert!((AREA.covers(DVec2::from(from), DVec2::from(to)) - length).abs() < 1e-12, "{from:?} {to:?}");
+        assert!(
+            (AREA.covers(DVec2::from(from), DVec2::from(to)) - length).abs() < 1e-12,
+            "{from:?} {to:?}"
+        );
     }
 }
 
@@ -72,29 +115,44 @@ fn placer(shapes: &[Shape]) -> Placer {
 }
 
 fn wish(x: f64, y: f64) -> Wish {
-    Wish { anchor: DVec2::new(x, y), direction: DVec2::X, size: DVec2::new(20.0, 10.0), clearance: 2.0 }
+    Wish {
+        anchor: DVec2::new(x, y),
+        direction: DVec2::X,
+        size: DVec2::new(20.0, 10.0),
+        clearance: 2.0,
+    }
 }
 
 #[test]
 fn a_label_stands_where_it_wants_when_there_is_room() {
     let place = Area::about(DVec2::new(62.0, 50.0), DVec2::new(20.0, 10.0));
     assert_eq!(placer(&[]).place(&wish(50.0, 50.0)), Some(place));
-    let area = Placer::new(BOUNDS, 10.0, &[], vec![place]).place(&wish(50.0, 50.0)).expect("room enough");
+    let area = Placer::new(BOUNDS, 10.0, &[], vec![place])
+        .place(&wish(50.0, 50.0))
+        .expect("room enough");
     assert!(!area.overlaps(&place));
 }
 
 #[test]
 fn a_label_avoids_a_line() {
     let line = Shape::line(points([(50.0, 50.0), (100.0, 50.0)]), 1.0, [0; 3]);
-    let area = placer(&[line]).place(&wish(50.0, 50.0)).expect("room enough");
+    let area = placer(&[line])
+        .place(&wish(50.0, 50.0))
+        .expect("room enough");
     assert!(area.max.y <= 50.0 || area.min.y >= 50.0, "{area:?}");
 }
 
 #[test]
 fn labels_fill_the_picture_without_overlap_and_then_give_up() {
     let mut placer = placer(&[]);
-    let placed: Vec<Area> = (0..100).map_while(|_| placer.place(&wish(95.0, 5.0))).collect();
-    assert!((10..=50).contains(&placed.len()), "{} labels of 200 pixels in 10000", placed.len());
+    let placed: Vec<Area> = (0..100)
+        .map_while(|_| placer.place(&wish(95.0, 5.0)))
+        .collect();
+    assert!(
+        (10..=50).contains(&placed.len()),
+        "{} labels of 200 pixels in 10000",
+        placed.len()
+    );
     for (i, a) in placed.iter().enumerate() {
         assert!(BOUNDS.holds(a));
         assert!(placed.iter().skip(i + 1).all(|b| !a.overlaps(b)));
@@ -103,7 +161,10 @@ fn labels_fill_the_picture_without_overlap_and_then_give_up() {
 
 #[test]
 fn a_label_larger_than_the_picture_is_left_out() {
-    let large = Wish { size: DVec2::splat(101.0), ..wish(50.0, 50.0) };
+    let large = Wish {
+        size: DVec2::splat(101.0),
+        ..wish(50.0, 50.0)
+    };
     assert_eq!(placer(&[]).place(&large), None);
 }
 
@@ -122,7 +183,11 @@ fn ascii(pixmap: &Pixmap) -> Vec<String> {
         (false, true) => '+',
         (false, false) => '.',
     };
-    pixmap.pixels().chunks(pixmap.width() as usize).map(|row| row.iter().map(symbol).collect()).collect()
+    pixmap
+        .pixels()
+        .chunks(pixmap.width() as usize)
+        .map(|row| row.iter().map(symbol).collect())
+        .collect()
 }
 
 #[test]
@@ -145,9 +210,13 @@ fn a_dashed_line_lies_in_one_halo() {
 
 #[test]
 fn a_line_from_far_outside_keeps_its_dashes_in_step() {
-    let from = |x: f64| [Shape::line(points([(x, 5.0), (60.0, 5.0)]), 2.0, RED).dashed(&[4.5, 1.5])];
+    let from =
+        |x: f64| [Shape::line(points([(x, 5.0), (60.0, 5.0)]), 2.0, RED).dashed(&[4.5, 1.5])];
     // A shift by whole periods of twelve pixels cannot be seen.
-    assert_eq!(ascii(&drawn(64, 10, &from(-89_981.0))), ascii(&drawn(64, 10, &from(-41.0))));
+    assert_eq!(
+        ascii(&drawn(64, 10, &from(-89_981.0))),
+        ascii(&drawn(64, 10, &from(-41.0)))
+    );
 }
 
 #[test]
@@ -163,7 +232,10 @@ fn what_is_outside_leaves_no_trace() {
     let shapes = [
         Shape::ring(far, 10.0, 2.0, RED),
         Shape::line(vec![far, far * 2.0], 2.0, RED),
-        Shape { width: 2.0, ..Shape::area(vec![far, far * 2.0, far + 1.0], RED) },
+        Shape {
+            width: 2.0,
+            ..Shape::area(vec![far, far * 2.0, far + 1.0], RED)
+        },
     ];
     assert!(drawn(20, 20, &shapes).data().iter().all(|byte| *byte == 0));
 }
@@ -177,15 +249,22 @@ fn svg(title: &str, text: &str, at: DVec2, size: f64) -> String {
 #[test]
 fn numbers_are_brief_and_text_is_escaped() {
     let text = svg("a < b & \"c\"", "x", DVec2::new(0.126, -0.001), 2.5);
-    assert!(text.contains("<title>a &lt; b &amp; &quot;c&quot;</title>"), "{text}");
-    assert!(text.contains("<text x=\"0.13\" y=\"0\" font-size=\"2.5\" fill=\"#ff0000\""), "{text}");
-    assert!(svg("", "x", DVec2::new(1.0, 100.0), 9.0).contains("x=\"1\" y=\"100\" font-size=\"9\""));
+    assert!(
+        text.contains("<title>a &lt; b &amp; &quot;c&quot;</title>"),
+        "{text}"
+    );
+    assert!(
+        text.contains("<text x=\"0.13\" y=\"0\" font-size=\"2.5\" fill=\"#ff0000\""),
+        "{text}"
+    );
+    assert!(
+        svg("", "x", DVec2::new(1.0, 100.0), 9.0).contains("x=\"1\" y=\"100\" font-size=\"9\"")
+    );
 }
 
 #[test]
 fn a_raised_letter_comes_back_to_the_line() {
-    let expected =
-        ">cos<tspan dy=\"-3.6\" font-size=\"6.8\">n</tspan><tspan dy=\"3.6\" font-size=\"10\"> </tspan>φ</text>";
+    let expected = ">cos<tspan dy=\"-3.6\" font-size=\"6.8\">n</tspan><tspan dy=\"3.6\" font-size=\"10\"> </tspan>φ</text>";
     let text = svg("", "cosⁿ φ", DVec2::ZERO, 10.0);
     assert!(text.contains(expected), "{text}");
 }
@@ -193,7 +272,9 @@ fn a_raised_letter_comes_back_to_the_line() {
 /// The rows that a text inks whose baseline is row 200, as drawn at a size of 100 pixels: from the first to the last.
 fn inked_rows(text: &str) -> Option<[usize; 2]> {
     let mut drawing = Drawing::new(DVec2::splat(300.0), [0; 3]);
-    drawing.texts.push(Text::new(text, DVec2::new(20.0, 200.0), 100.0, [255; 3]));
+    drawing
+        .texts
+        .push(Text::new(text, DVec2::new(20.0, 200.0), 100.0, [255; 3]));
     let frame = drawing.to_frame().expect("a picture");
     let rows = || frame.pixels.chunks(300);
     let inked = |row: &[[u8; 4]]| row.iter().any(|pixel| pixel[0] > 127);
@@ -203,19 +284,28 @@ fn inked_rows(text: &str) -> Option<[usize; 2]> {
 #[test]
 fn every_character_of_the_overlays_has_a_glyph() {
     for character in "NLRVHT0123456789θφ·°()−.ⁿ∞²⁻⁰⁷αηπ=’".chars() {
-        assert!(inked_rows(&character.to_string()).is_some(), "{character} has no outline");
+        assert!(
+            inked_rows(&character.to_string()).is_some(),
+            "{character} has no outline"
+        );
     }
 }
 
 #[test]
 fn a_capital_stands_on_the_baseline_and_a_subscript_hangs_below_it() {
     let [top, bottom] = inked_rows("L").expect("ink");
-    assert!(bottom.abs_diff(200) < 5 && (60..80).contains(&(200 - top)), "{top} to {bottom}");
+    assert!(
+        bottom.abs_diff(200) < 5 && (60..80).contains(&(200 - top)),
+        "{top} to {bottom}"
+    );
     let [_, low] = inked_rows("L₁").expect("ink");
     assert!((210..230).contains(&low), "{low}");
     let text = |text| Text::new(text, DVec2::ZERO, 100.0, RED);
     assert!(text("L₁").width() > text("L").width());
-    assert_eq!((inked_rows(""), inked_rows(" "), text("").width()), (None, None, 0.0));
+    assert_eq!(
+        (inked_rows(""), inked_rows(" "), text("").width()),
+        (None, None, 0.0)
+    );
 }
 
 #[test]
@@ -226,7 +316,11 @@ fn contrast_of_black_on_white_is_21() {
 #[test]
 fn text_is_broken_at_spaces_only_where_it_must_be() {
     let axis = || Axis::new("", 0.0, 1.0);
-    let style = PlotStyle { paper: Paper::LIGHT, text: 10.0, titled: false };
+    let style = PlotStyle {
+        paper: Paper::LIGHT,
+        text: 10.0,
+        titled: false,
+    };
     let lines = |note: &str, width: f64| -> Vec<String> {
         let plot = Plot::new(PlotKind::Profile, "", note, [axis(), axis()], vec![]);
         let texts = lay_out(&plot, DVec2::new(width, 10.0), &style).texts;
@@ -238,31 +332,60 @@ fn text_is_broken_at_spaces_only_where_it_must_be() {
 }
 
 fn labels(axis: &Axis, room: f64) -> Vec<String> {
-    ticks(axis, room).into_iter().map(|(_, text)| text).collect()
+    ticks(axis, room)
+        .into_iter()
+        .map(|(_, text)| text)
+        .collect()
 }
 
 #[test]
 fn ticks_are_round_numbers_within_the_axis() {
-    assert_eq!(labels(&Axis::new("", 0.0, 1.0), 6.0), ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+    assert_eq!(
+        labels(&Axis::new("", 0.0, 1.0), 6.0),
+        ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]
+    );
     assert_eq!(labels(&Axis::new("", 0.0, 3.7), 5.0), ["0", "1", "2", "3"]);
-    assert_eq!(labels(&Axis::new("", 0.0, 0.031), 4.0), ["0", "0.01", "0.02", "0.03"]);
-    assert_eq!(labels(&Axis::new("", 0.0, 2e7), 3.0), ["0", "1.0·10⁷", "2.0·10⁷"]);
-    assert_eq!(labels(&Axis::degrees("", -90.0, 90.0), 8.0), ["−90°", "−60°", "−30°", "0°", "30°", "60°", "90°"]);
+    assert_eq!(
+        labels(&Axis::new("", 0.0, 0.031), 4.0),
+        ["0", "0.01", "0.02", "0.03"]
+    );
+    assert_eq!(
+        labels(&Axis::new("", 0.0, 2e7), 3.0),
+        ["0", "1.0·10⁷", "2.0·10⁷"]
+    );
+    assert_eq!(
+        labels(&Axis::degrees("", -90.0, 90.0), 8.0),
+        ["−90°", "−60°", "−30°", "0°", "30°", "60°", "90°"]
+    );
 }
 
 #[test]
 fn decades_are_divided_as_far_as_there_is_room() {
     let axis = Axis::decades("", -1.1, 1.2);
-    assert_eq!(labels(&axis, 7.0), ["0.1", "0.2", "0.5", "1", "2", "5", "10"]);
+    assert_eq!(
+        labels(&axis, 7.0),
+        ["0.1", "0.2", "0.5", "1", "2", "5", "10"]
+    );
     assert_eq!(labels(&axis, 5.0), ["0.1", "0.3", "1", "3", "10"]);
     assert_eq!(labels(&axis, 3.0), ["0.1", "1", "10"]);
-    assert_eq!(labels(&Axis::decades("", -5.5, -2.5), 3.0), ["10⁻⁵", "10⁻⁴", "0.001"]);
-    assert_eq!(labels(&Axis::decades("", -6.0, 6.0), 6.0), ["10⁻⁶", "10⁻⁴", "0.01", "1", "100", "10000", "10⁶"]);
+    assert_eq!(
+        labels(&Axis::decades("", -5.5, -2.5), 3.0),
+        ["10⁻⁵", "10⁻⁴", "0.001"]
+    );
+    assert_eq!(
+        labels(&Axis::decades("", -6.0, 6.0), 6.0),
+        ["10⁻⁶", "10⁻⁴", "0.01", "1", "100", "10000", "10⁶"]
+    );
 }
 
 #[test]
 fn an_axis_without_extent_has_no_ticks() {
-    for (low, high) in [(1.0, 1.0), (0.0, f64::INFINITY), (0.0, f64::NAN), (2.0, 1.0)] {
+    for (low, high) in [
+        (1.0, 1.0),
+        (0.0, f64::INFINITY),
+        (0.0, f64::NAN),
+        (2.0, 1.0),
+    ] {
         assert!(ticks(&Axis::new("", low, high), 5.0).is_empty());
     }
 }
@@ -271,12 +394,27 @@ fn an_axis_without_extent_has_no_ticks() {
 fn any_number_is_rounded_up_by_less_than_a_factor_of_two_and_a_half() {
     for value in [1e-9, 0.2, 0.21, 1.0, 3.3, 9.99, 10.0, 1.7e12] {
         let round = round_up(value);
-        assert!((0.999_999..2.51).contains(&(round / value)), "{value}: {round}");
+        assert!(
+            (0.999_999..2.51).contains(&(round / value)),
+            "{value}: {round}"
+        );
     }
 }
 
 #[test]
 fn numbers_keep_three_digits() {
     let texts = [0.0, 1.0, -0.123_46, 12.345, 1005.0, 0.001_234, 1e-7, 4e18].map(short);
-    assert_eq!(texts, ["0", "1.00", "−0.123", "12.3", "1005", "0.00123", "1.0·10⁻⁷", "4.0·10¹⁸"]);
+    assert_eq!(
+        texts,
+        [
+            "0",
+            "1.00",
+            "−0.123",
+            "12.3",
+            "1005",
+            "0.00123",
+            "1.0·10⁻⁷",
+            "4.0·10¹⁸"
+        ]
+    );
 }

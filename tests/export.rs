@@ -16,7 +16,10 @@ use std::sync::OnceLock;
 /// The built-in scene `name` with overrides.
 fn scene(name: &str, overrides: &[&str]) -> Scene {
     let preset = presets::find(name).expect("a built-in scene");
-    preset.scene().with_overrides(overrides).expect("sound overrides")
+    preset
+        .scene()
+        .with_overrides(overrides)
+        .expect("sound overrides")
 }
 
 fn program(scene: &Scene) -> Export {
@@ -35,8 +38,18 @@ fn every_built_in_scene_is_exported_alike_each_time() {
         let scene = preset.scene();
         for export in [snippet(&scene), program(&scene), glsl_330(&scene)] {
             for part in &export.parts {
-                assert!(part.text.is_ascii() && part.text.ends_with("}\n"), "{} {}", preset.name, part.title);
-                assert!(part.text.lines().all(|line| line == line.trim_end()), "{} {}", preset.name, part.title);
+                assert!(
+                    part.text.is_ascii() && part.text.ends_with("}\n"),
+                    "{} {}",
+                    preset.name,
+                    part.title
+                );
+                assert!(
+                    part.text.lines().all(|line| line == line.trim_end()),
+                    "{} {}",
+                    preset.name,
+                    part.title
+                );
             }
         }
         assert_eq!(snippet(&scene), snippet(&scene));
@@ -47,7 +60,12 @@ fn every_built_in_scene_is_exported_alike_each_time() {
 
 #[test]
 fn the_calls_carry_the_numbers_of_the_scene() {
-    let set = ["material.n=17", "reflection.model=blinn", "material.ka=0.5", "material.color=[0.5, 0.25, 1]"];
+    let set = [
+        "material.n=17",
+        "reflection.model=blinn",
+        "material.ka=0.5",
+        "material.color=[0.5, 0.25, 1]",
+    ];
     let text = &snippet(&scene("sphere", &set)).parts[0].text;
     for line in [
         "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 17.0f); /* n of (N.H)^n */",
@@ -71,25 +89,38 @@ fn silent_lights_are_left_out() {
             && !text.contains("GL_LIGHT2")
     );
     let shaders = glsl_330(&mute);
-    assert!(shaders.parts[1].text.contains("light_2(") && !shaders.parts[1].text.contains("light_1("));
+    assert!(
+        shaders.parts[1].text.contains("light_2(") && !shaders.parts[1].text.contains("light_1(")
+    );
     let dark = scene("sphere", &["light=[]"]);
     assert!(!snippet(&dark).parts[0].text.contains("glLightf"));
 }
 
 /// The limits of `export` that contain `words`.
 fn count(export: &Export, words: &str) -> usize {
-    export.limits.iter().filter(|limit| limit.contains(words)).count()
+    export
+        .limits
+        .iter()
+        .filter(|limit| limit.contains(words))
+        .count()
 }
 
 #[test]
 fn fixed_function_names_what_it_cannot_say() {
-    let plain = ["shading.mode=gouraud", "reflection.model=blinn", "material.n=100"];
+    let plain = [
+        "shading.mode=gouraud",
+        "reflection.model=blinn",
+        "material.n=100",
+    ];
     assert_eq!(program(&scene("sphere", &plain)).limits, [] as [&str; 0]);
     for (set, words) in [
         ("shading.mode=phong", "Phong shading"),
         ("shading.mode=exact", "Exact shading"),
         ("shading.mode=flat", "polygon's centre"),
-        ("shading={mode=\"flat\", flat_at=\"vertex-mean\"}", "mean of the vertices"),
+        (
+            "shading={mode=\"flat\", flat_at=\"vertex-mean\"}",
+            "mean of the vertices",
+        ),
         ("shading.interpolation=affine", "Affine"),
         ("shading.interpolation=scanline", "scan lines"),
         ("reflection.model=phong", "Phong's (R.V)^n"),
@@ -98,7 +129,10 @@ fn fixed_function_names_what_it_cannot_say() {
         ("material.reflectance=gold", "W(theta)"),
         ("reflection.backfacing=flip", "GL_LIGHT_MODEL_TWO_SIDE"),
         ("pattern.kind=checker", "pattern"),
-        ("light.0.attenuation=viewer", "Light 0: attenuation by the distance to the viewer"),
+        (
+            "light.0.attenuation=viewer",
+            "Light 0: attenuation by the distance to the viewer",
+        ),
         ("light.0={kind=\"spot\", softness=0.5}", "soft edge"),
         ("light.0={kind=\"spot\", exponent=200}", "GL_SPOT_EXPONENT"),
         ("light.0={kind=\"area\", samples=9}", "area of 9 points"),
@@ -107,9 +141,18 @@ fn fixed_function_names_what_it_cannot_say() {
         ("ground.visible=true", "ground"),
         ("backdrop.pattern=checker", "backdrop"),
         ("depth_cueing.by=vertex", "Depth cueing at vertices"),
-        ("depth_cueing={by=\"pixel\", front=3.5, front_scale=0.9}", "Depth cueing: s0 goes on"),
-        ("depth_cueing={by=\"pixel\", front_scale=0.5, back_scale=0.5}", "the same s0 everywhere"),
-        ("depth_cueing={by=\"pixel\", color=[2,0,0]}", "clamps fog's colour"),
+        (
+            "depth_cueing={by=\"pixel\", front=3.5, front_scale=0.9}",
+            "Depth cueing: s0 goes on",
+        ),
+        (
+            "depth_cueing={by=\"pixel\", front_scale=0.5, back_scale=0.5}",
+            "the same s0 everywhere",
+        ),
+        (
+            "depth_cueing={by=\"pixel\", color=[2,0,0]}",
+            "clamps fog's colour",
+        ),
         ("ambient.source=bounce", "scattered"),
         ("display.overflow=scale", "greatest intensity"),
         ("display.overflow=mark", "hatching"),
@@ -118,14 +161,21 @@ fn fixed_function_names_what_it_cannot_say() {
         let export = program(&scene("sphere", &[&plain[..], &[set]].concat()));
         assert_eq!(count(&export, words), 1, "{set}: {:?}", export.limits);
         // Comments are broken into lines.
-        let comment = export.parts[0].text.replace("\n *  ", "").replace("\n * ", " ");
+        let comment = export.parts[0]
+            .text
+            .replace("\n *  ", "")
+            .replace("\n * ", " ");
         assert!(comment.contains(words), "{set}");
     }
 }
 
 #[test]
 fn what_fits_is_no_limit() {
-    let plain = ["shading.mode=gouraud", "reflection.model=blinn", "material.n=100"];
+    let plain = [
+        "shading.mode=gouraud",
+        "reflection.model=blinn",
+        "material.n=100",
+    ];
     for set in [
         "light.0={kind=\"area\", samples=8}",
         "light.0={kind=\"spot\"}",
@@ -140,10 +190,20 @@ fn what_fits_is_no_limit() {
         "light.0={attenuation=\"quadratic\", position=[0,0,3], c1=0, c2=0.51, c3=0}",
         "light.0={attenuation=\"quadratic\", position=[0,0,3], c1=0, c2=0.1, c3=0}",
     ] {
-        assert_eq!(program(&scene("sphere", &[&plain[..], &[set]].concat())).limits, [] as [&str; 0], "{set}");
+        assert_eq!(
+            program(&scene("sphere", &[&plain[..], &[set]].concat())).limits,
+            [] as [&str; 0],
+            "{set}"
+        );
     }
     let near = "light.0={attenuation=\"quadratic\", position=[0,0,3], c1=0, c2=0.4, c3=0}";
-    assert_eq!(count(&program(&scene("sphere", &[&plain[..], &[near]].concat())), "min(1"), 1);
+    assert_eq!(
+        count(
+            &program(&scene("sphere", &[&plain[..], &[near]].concat())),
+            "min(1"
+        ),
+        1
+    );
     // The program makes OpenGL keep intensities above 1; who copies the calls has to be told.
     assert_eq!(count(&snippet(&scene("sphere", &plain)), "glClampColor"), 1);
 }
@@ -153,13 +213,26 @@ fn more_than_eight_lights_are_too_many() {
     let list = format!("light=[{}]", ["{kind=\"point\"}"; 10].join(","));
     let export = program(&scene("sphere", &[&list]));
     assert_eq!(count(&export, "beyond the eighth"), 1);
-    assert!(export.parts[0].text.contains("GL_LIGHT7") && !export.parts[0].text.contains("GL_LIGHT8"));
+    assert!(
+        export.parts[0].text.contains("GL_LIGHT7") && !export.parts[0].text.contains("GL_LIGHT8")
+    );
 }
 
 #[test]
 fn shaders_name_what_they_cannot_say() {
-    for name in ["sphere", "teapot", "blinn", "attenuation", "infinite", "tinted-highlight"] {
-        assert_eq!(glsl_330(&scene(name, &[])).limits, [] as [&str; 0], "{name}");
+    for name in [
+        "sphere",
+        "teapot",
+        "blinn",
+        "attenuation",
+        "infinite",
+        "tinted-highlight",
+    ] {
+        assert_eq!(
+            glsl_330(&scene(name, &[])).limits,
+            [] as [&str; 0],
+            "{name}"
+        );
     }
     for (set, words) in [
         ("shading.mode=exact", "Exact shading"),
@@ -171,7 +244,11 @@ fn shaders_name_what_they_cannot_say() {
         ("display.overflow=scale", "greatest intensity"),
         ("camera.eye=[0,0,1e12]", "Lengths of this size"),
     ] {
-        assert_eq!(count(&glsl_330(&scene("sphere", &[set])), words), 1, "{set}");
+        assert_eq!(
+            count(&glsl_330(&scene("sphere", &[set])), words),
+            1,
+            "{set}"
+        );
     }
 }
 
@@ -182,16 +259,26 @@ fn a_point_appears_where_the_view_has_it() {
         let camera = format!("camera={{eye=[1,2,3], roll=25, projection=\"{projection}\"}}");
         let scene = scene("sphere", &[&camera, "image.size=[640,480]"]);
         let text = &glsl_330(&scene).parts[0].text;
-        let (_, matrix) = text.split_once("clip_from_world = mat4(").expect("a matrix");
+        let (_, matrix) = text
+            .split_once("clip_from_world = mat4(")
+            .expect("a matrix");
         let (matrix, _) = matrix.split_once(')').expect("its end");
-        let numbers: Vec<f64> = matrix.split(',').map(|number| number.trim().parse().expect("a number")).collect();
+        let numbers: Vec<f64> = matrix
+            .split(',')
+            .map(|number| number.trim().parse().expect("a number"))
+            .collect();
         let clip = DMat4::from_cols_slice(&numbers);
         let point = DVec3::new(0.3, -0.4, 0.5);
         let placed = clip * point.extend(1.0);
         let x = (placed.x / placed.w * 0.5 + 0.5) * 640.0;
         let y = (0.5 - placed.y / placed.w * 0.5) * 480.0;
-        let (pixel, _) = View::new(&scene.camera, [640, 480]).project(point).expect("in front of the eye");
-        assert!((pixel.x - x).abs() < 1e-3 && (pixel.y - y).abs() < 1e-3, "{projection}: {pixel} {x} {y}");
+        let (pixel, _) = View::new(&scene.camera, [640, 480])
+            .project(point)
+            .expect("in front of the eye");
+        assert!(
+            (pixel.x - x).abs() < 1e-3 && (pixel.y - y).abs() < 1e-3,
+            "{projection}: {pixel} {x} {y}"
+        );
         assert!((placed.z / placed.w).abs() < 1.0);
     }
 }
@@ -202,18 +289,30 @@ fn a_name_cannot_end_a_comment() {
     for name in ["*/ int x; /*", "line\nbreak", "a\\", "??/", "Schlüssel"] {
         hostile.lights[0].name = name.to_owned();
         for export in [snippet(&hostile), glsl_330(&hostile)] {
-            assert!(export.parts.iter().all(|part| !part.text.contains(name)), "{name}");
+            assert!(
+                export.parts.iter().all(|part| !part.text.contains(name)),
+                "{name}"
+            );
         }
     }
     hostile.lights[0].name = "key light".to_owned();
-    assert!(snippet(&hostile).parts[0].text.contains("Light 0 \"key light\", a point light"));
+    assert!(
+        snippet(&hostile).parts[0]
+            .text
+            .contains("Light 0 \"key light\", a point light")
+    );
 }
 
 #[test]
 fn a_mesh_beyond_measure_is_refused() {
     let large = scene("sphere", &["object.segments=1024", "object.rings=1024"]);
     let error = opengl_c(&large, &tessellate(&large.object));
-    assert_eq!(error, Err(ExportError::MeshTooLarge { triangles: 2 * 1024 * 1023 }));
+    assert_eq!(
+        error,
+        Err(ExportError::MeshTooLarge {
+            triangles: 2 * 1024 * 1023
+        })
+    );
     assert!(!snippet(&large).parts.is_empty());
 }
 
@@ -229,7 +328,13 @@ fn folder() -> PathBuf {
 /// Compiles `source`, a file of `folder()` or of the tests, with all warnings.
 fn compile(source: &Path, program: &Path) -> std::io::Result<Output> {
     let warnings = ["-std=c99", "-O1", "-Wall", "-Wextra", "-Werror"];
-    Command::new("cc").args(warnings).arg(source).arg("-o").arg(program).args(["-lEGL", "-lGL"]).output()
+    Command::new("cc")
+        .args(warnings)
+        .arg(source)
+        .arg("-o")
+        .arg(program)
+        .args(["-lEGL", "-lGL"])
+        .output()
 }
 
 fn run(program: &Path) -> Command {
@@ -263,7 +368,9 @@ fn succeeded(output: std::io::Result<Output>, what: &str) {
 fn read_ppm(path: &Path, frame: &Frame) -> Vec<[u8; 3]> {
     let bytes = fs::read(path).expect("a picture");
     let head = format!("P6\n{} {}\n255\n", frame.width, frame.height);
-    let pixels = bytes.strip_prefix(head.as_bytes()).expect("a picture of the size asked for");
+    let pixels = bytes
+        .strip_prefix(head.as_bytes())
+        .expect("a picture of the size asked for");
     pixels.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect()
 }
 
@@ -279,7 +386,8 @@ fn small(name: &str, overrides: &[&str]) -> Scene {
         Encoding::Raw => v,
         Encoding::Srgb => ((v + 0.055) / 1.055).powf(2.4),
     };
-    scene.image.background = DVec3::from_array(BACKGROUND.map(|code| linear(f64::from(code) / 255.0)));
+    scene.image.background =
+        DVec3::from_array(BACKGROUND.map(|code| linear(f64::from(code) / 255.0)));
     scene
 }
 
@@ -295,14 +403,22 @@ fn agree(name: &str, scene: &Scene, theirs: &Path) {
         if ours == BACKGROUND && *theirs == BACKGROUND {
             continue;
         }
-        let off = ours.iter().zip(theirs).map(|(&a, &b)| a.abs_diff(b)).max().unwrap_or(0);
+        let off = ours
+            .iter()
+            .zip(theirs)
+            .map(|(&a, &b)| a.abs_diff(b))
+            .max()
+            .unwrap_or(0);
         covered += 1;
         near += usize::from(off <= 2);
         greatest = greatest.max(off);
     }
     eprintln!("{name}: {near} of {covered} pixels within 2, greatest difference {greatest}");
     assert!(covered > 2000, "{name}: {covered} pixels covered");
-    assert!(near * 100 >= covered * 99, "{name}: {near} of {covered}, greatest difference {greatest}");
+    assert!(
+        near * 100 >= covered * 99,
+        "{name}: {near} of {covered}, greatest difference {greatest}"
+    );
 }
 
 /// Builds and runs the exported program of `scene` and compares its picture with ours.
@@ -317,39 +433,84 @@ fn compare_c(name: &str, scene: &Scene) {
 }
 
 /// What fixed-function OpenGL can say.
-const FIXED: [&str; 5] =
-    ["shading.mode=gouraud", "reflection.model=blinn", "material.n=40", "object.segments=48", "object.rings=24"];
+const FIXED: [&str; 5] = [
+    "shading.mode=gouraud",
+    "reflection.model=blinn",
+    "material.n=40",
+    "object.segments=48",
+    "object.rings=24",
+];
 
 #[test]
 fn the_program_in_c_draws_the_same_picture() {
     if !mesa() {
         return;
     }
-    let spot = "light=[{kind=\"spot\", position=[1,2,3], direction=[-1,-2,-3], cone=12, exponent=30}]";
+    let spot =
+        "light=[{kind=\"spot\", position=[1,2,3], direction=[-1,-2,-3], cone=12, exponent=30}]";
     let rays = "light=[{kind=\"directional\", direction=[-2,-1,-2], color=[1,0.8,0.6]}, {kind=\"directional\", \
                 direction=[3,1,-1], color=[0.1,0.2,0.5]}]";
     let quadratic = "light=[{attenuation=\"quadratic\", position=[1,1,2], c1=0.3, c2=0.2, c3=0.2, color=[2,2,2]}]";
     let area = "light=[{kind=\"area\", samples=6, shape=\"sphere\", radius=0.7, attenuation=\"light\", k=0.5}]";
     for (name, preset, set) in [
-        ("spot", "sphere", &[spot, "object.segments=96", "object.rings=48"][..]),
+        (
+            "spot",
+            "sphere",
+            &[spot, "object.segments=96", "object.rings=48"][..],
+        ),
         ("directional", "torus", &[rays, "camera.viewer=infinite"]),
         ("quadratic", "sphere", &[quadratic]),
         // The back of a plane, lit from the eye's side.
         (
             "two-sided",
             "plane",
-            &["camera.eye=[0.6,0.9,-3.8]", "light.0.position=[0.4,0.7,-0.9]", "reflection.backfacing=flip"],
+            &[
+                "camera.eye=[0.6,0.9,-3.8]",
+                "light.0.position=[0.4,0.7,-0.9]",
+                "reflection.backfacing=flip",
+            ],
         ),
-        ("one-sided", "plane", &["camera.eye=[0.6,0.9,-3.8]", "light.0.position=[0.4,0.7,-0.9]"]),
-        ("local-viewer", "torus", &["camera.viewer=local", "camera.fov_y=60", "camera.eye=[0,1,2]"]),
-        ("orthographic", "cylinder", &["camera.projection=orthographic"]),
+        (
+            "one-sided",
+            "plane",
+            &[
+                "camera.eye=[0.6,0.9,-3.8]",
+                "light.0.position=[0.4,0.7,-0.9]",
+            ],
+        ),
+        (
+            "local-viewer",
+            "torus",
+            &[
+                "camera.viewer=local",
+                "camera.fov_y=60",
+                "camera.eye=[0,1,2]",
+            ],
+        ),
+        (
+            "orthographic",
+            "cylinder",
+            &["camera.projection=orthographic"],
+        ),
         ("rolled", "torus", &["camera.roll=35"]),
-        ("corrugated", "plane", &["object={kind=\"corrugated\", segments=6, rings=2}"]),
+        (
+            "corrugated",
+            "plane",
+            &["object={kind=\"corrugated\", segments=6, rings=2}"],
+        ),
         ("interpolated", "torus", &["shading.mode=interpolated"]),
-        ("flat", "torus", &["shading={mode=\"flat\", flat_at=\"provoking-vertex\"}"]),
+        (
+            "flat",
+            "torus",
+            &["shading={mode=\"flat\", flat_at=\"provoking-vertex\"}"],
+        ),
         ("overflow", "sphere", &["light.0.color=[4,4,4]"]),
         ("area", "cube", &[area]),
-        ("fog", "torus", &["depth_cueing={by=\"pixel\", front=3.4, back=4.3, color=[0.5,0.6,0.7]}"]),
+        (
+            "fog",
+            "torus",
+            &["depth_cueing={by=\"pixel\", front=3.4, back=4.3, color=[0.5,0.6,0.7]}"],
+        ),
         (
             "thin-fog",
             "sphere",
@@ -361,7 +522,10 @@ fn the_program_in_c_draws_the_same_picture() {
     ] {
         let scene = small(preset, &[&FIXED[..], set].concat());
         let export = program(&scene);
-        let stated = export.limits.iter().all(|limit| name == "two-sided" && limit.contains("TWO_SIDE"));
+        let stated = export
+            .limits
+            .iter()
+            .all(|limit| name == "two-sided" && limit.contains("TWO_SIDE"));
         assert!(stated, "{name}: {:?}", export.limits);
         compare_c(name, &scene);
     }
@@ -372,27 +536,51 @@ fn the_calls_alone_compile() {
     if !mesa() {
         return;
     }
-    let main = "int main(void) { set_up_camera(8, 8); set_up_lights(); set_up_material(); return 0; }\n";
+    let main =
+        "int main(void) { set_up_camera(8, 8); set_up_lights(); set_up_material(); return 0; }\n";
     for name in ["teapot", "highlight", "infinite"] {
         let source = folder().join(format!("snippet-{name}.c"));
-        fs::write(&source, snippet(&scene(name, &[])).parts[0].text.clone() + main).expect("a file");
-        succeeded(compile(&source, &folder().join(format!("snippet-{name}"))), name);
+        fs::write(
+            &source,
+            snippet(&scene(name, &[])).parts[0].text.clone() + main,
+        )
+        .expect("a file");
+        succeeded(
+            compile(&source, &folder().join(format!("snippet-{name}"))),
+            name,
+        );
     }
 }
 
 /// A mesh as the host program reads it.
 fn bytes(mesh: &VertexMesh) -> Vec<u8> {
     let triangles: Vec<[u32; 3]> = (0..mesh.face_count())
-        .flat_map(|f| mesh.face(f).windows(2).skip(1).map(move |pair| [mesh.face(f)[0], pair[0], pair[1]]))
+        .flat_map(|f| {
+            mesh.face(f)
+                .windows(2)
+                .skip(1)
+                .map(move |pair| [mesh.face(f)[0], pair[0], pair[1]])
+        })
         .collect();
     let mut bytes = Vec::new();
     for count in [mesh.positions.len(), triangles.len()] {
         bytes.extend(u32::try_from(count).expect("a small mesh").to_ne_bytes());
     }
     for (position, normal) in mesh.positions.iter().zip(&mesh.normals) {
-        bytes.extend(position.to_array().iter().chain(&normal.to_array()).flat_map(|x| x.to_ne_bytes()));
+        bytes.extend(
+            position
+                .to_array()
+                .iter()
+                .chain(&normal.to_array())
+                .flat_map(|x| x.to_ne_bytes()),
+        );
     }
-    bytes.extend(triangles.iter().flatten().flat_map(|index| index.to_ne_bytes()));
+    bytes.extend(
+        triangles
+            .iter()
+            .flatten()
+            .flat_map(|index| index.to_ne_bytes()),
+    );
     bytes
 }
 
@@ -415,8 +603,7 @@ fn compare_glsl(host: &Path, name: &str, scene: &Scene) {
 }
 
 /// Polygons that reach far out of the unit sphere, towards the eye and away from it.
-const POLYGONS: &str =
-    "object={kind=\"polygons\", vertices=[[-1,-1,2],[1,-1,2],[1,1,-9],[-3,1,-9]], faces=[[0,1,2,3]]}";
+const POLYGONS: &str = "object={kind=\"polygons\", vertices=[[-1,-1,2],[1,-1,2],[1,1,-9],[-3,1,-9]], faces=[[0,1,2,3]]}";
 
 #[test]
 fn the_shaders_draw_the_same_picture() {
@@ -427,52 +614,144 @@ fn the_shaders_draw_the_same_picture() {
     succeeded(compile(Path::new("tests/export/host.c"), &host), "host");
     let spot = "light=[{kind=\"spot\", position=[1,2,3], direction=[-1,-2,-3], cone=14, exponent=8, softness=0.4}]";
     let area = "light=[{kind=\"area\", samples=25, attenuation=\"inverse-square\", color=[9,9,9]}]";
-    let viewer =
-        "light=[{attenuation=\"viewer\", k=-0.0, color=[3,3,3]}, {attenuation=\"light\", k=0.5, position=[-2,1,1]}]";
-    let gold = ["reflection.model=cook-torrance", "material.reflectance=gold"];
+    let viewer = "light=[{attenuation=\"viewer\", k=-0.0, color=[3,3,3]}, {attenuation=\"light\", k=0.5, position=[-2,1,1]}]";
+    let gold = [
+        "reflection.model=cook-torrance",
+        "material.reflectance=gold",
+    ];
     for (name, preset, set) in [
         ("phong-two-lights", "teapot", &["material.n=30"][..]),
         ("stiff", "mirror-like", &[]),
         ("blinn-spot", "sphere", &["reflection.model=blinn", spot]),
-        ("gold", "torus", &[&gold[..], &["material.kd=0", "material.ks=1"]].concat()),
-        ("grazing", "sphere", &[&gold[..], &["material.roughness=0.6", "light.0.position=[3,2,-2]"]].concat()),
-        ("ggx", "sphere", &[&gold[..], &["reflection.distribution=ggx", "material.roughness=0.4"]].concat()),
-        ("glass-phong", "sphere", &["material.reflectance=glass", "material.ks=5", "material.n=8"]),
+        (
+            "gold",
+            "torus",
+            &[&gold[..], &["material.kd=0", "material.ks=1"]].concat(),
+        ),
+        (
+            "grazing",
+            "sphere",
+            &[
+                &gold[..],
+                &["material.roughness=0.6", "light.0.position=[3,2,-2]"],
+            ]
+            .concat(),
+        ),
+        (
+            "ggx",
+            "sphere",
+            &[
+                &gold[..],
+                &["reflection.distribution=ggx", "material.roughness=0.4"],
+            ]
+            .concat(),
+        ),
+        (
+            "glass-phong",
+            "sphere",
+            &[
+                "material.reflectance=glass",
+                "material.ks=5",
+                "material.n=8",
+            ],
+        ),
         ("area", "cube", &[area]),
         ("falloff", "sphere", &[viewer]),
-        ("quadratic", "plane", &["light.0={attenuation=\"quadratic\", c1=0.1, c2=0.1, c3=0.9}"]),
-        ("flip", "plane", &["reflection.backfacing=flip", "light.0.position=[0.4,0.7,-0.9]"]),
+        (
+            "quadratic",
+            "plane",
+            &["light.0={attenuation=\"quadratic\", c1=0.1, c2=0.1, c3=0.9}"],
+        ),
+        (
+            "flip",
+            "plane",
+            &[
+                "reflection.backfacing=flip",
+                "light.0.position=[0.4,0.7,-0.9]",
+            ],
+        ),
         ("infinite", "infinite", &["material.n=0.5"]),
         ("srgb", "colored-lights", &["display.encoding=srgb"]),
-        ("cued-pixels", "torus", &["depth_cueing={by=\"pixel\", front=3.4, back=4.3, back_scale=0.2}"]),
-        ("cued-vertices", "plane", &["depth_cueing={by=\"vertex\", front=3.6, back=4.3}", "object.segments=3"]),
+        (
+            "cued-pixels",
+            "torus",
+            &["depth_cueing={by=\"pixel\", front=3.4, back=4.3, back_scale=0.2}"],
+        ),
+        (
+            "cued-vertices",
+            "plane",
+            &[
+                "depth_cueing={by=\"vertex\", front=3.6, back=4.3}",
+                "object.segments=3",
+            ],
+        ),
         (
             "cued-gouraud",
             "torus",
-            &["depth_cueing={by=\"vertex\", front=3.4, back=4.3, color=[1,0,0]}", "shading.mode=gouraud"],
+            &[
+                "depth_cueing={by=\"vertex\", front=3.4, back=4.3, color=[1,0,0]}",
+                "shading.mode=gouraud",
+            ],
         ),
         (
             "cued-affine",
             "plane",
-            &["depth_cueing.by=vertex", "shading.interpolation=affine", "object.segments=2", "object.rings=2"],
+            &[
+                "depth_cueing.by=vertex",
+                "shading.interpolation=affine",
+                "object.segments=2",
+                "object.rings=2",
+            ],
         ),
         (
             "cued-flat",
             "cone",
-            &["depth_cueing={by=\"pixel\", front=3}", "shading={mode=\"flat\", flat_at=\"provoking-vertex\"}"],
+            &[
+                "depth_cueing={by=\"pixel\", front=3}",
+                "shading={mode=\"flat\", flat_at=\"provoking-vertex\"}",
+            ],
         ),
-        ("hatching", "sphere", &["display.overflow=mark", "light.0.color=[2,2,2]"]),
-        ("forgetful", "sphere", &["shading.renormalise=false", "object.segments=8", "object.rings=6"]),
+        (
+            "hatching",
+            "sphere",
+            &["display.overflow=mark", "light.0.color=[2,2,2]"],
+        ),
+        (
+            "forgetful",
+            "sphere",
+            &[
+                "shading.renormalise=false",
+                "object.segments=8",
+                "object.rings=6",
+            ],
+        ),
         (
             "affine",
             "plane",
-            &["shading.interpolation=affine", "shading.mode=gouraud", "object.segments=2", "object.rings=2"],
+            &[
+                "shading.interpolation=affine",
+                "shading.mode=gouraud",
+                "object.segments=2",
+                "object.rings=2",
+            ],
         ),
-        ("gouraud", "torus", &["shading.mode=gouraud", "object.segments=24", "object.rings=12"]),
+        (
+            "gouraud",
+            "torus",
+            &[
+                "shading.mode=gouraud",
+                "object.segments=24",
+                "object.rings=12",
+            ],
+        ),
         (
             "flat",
             "torus",
-            &["shading={mode=\"flat\", flat_at=\"provoking-vertex\"}", "object.segments=24", "object.rings=12"],
+            &[
+                "shading={mode=\"flat\", flat_at=\"provoking-vertex\"}",
+                "object.segments=24",
+                "object.rings=12",
+            ],
         ),
         ("rings", "sphere", &["pattern={kind=\"rings\", scale=0.4}"]),
         ("orthographic", "cone", &["camera.projection=orthographic"]),

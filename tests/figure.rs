@@ -6,12 +6,14 @@ mod properties;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::analysis::{
-    Angle, ArrowHead, Halo, LightTerms, Overlay, OverlayLayer, OverlayOptions, Probe, ProbeHit, ZeroCauses,
-    draw_overlay, face_at, lay_out_scan, scan, scan_room,
+    Angle, ArrowHead, Halo, LightTerms, Overlay, OverlayLayer, OverlayOptions, Probe, ProbeHit,
+    ZeroCauses, draw_overlay, face_at, lay_out_scan, scan, scan_room,
 };
 use shading_lab::figure::{Area, Paper, PlotStyle, palette};
 use shading_lab::render::Renderer;
-use shading_lab::scene::{Light, LightKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer};
+use shading_lab::scene::{
+    Light, LightKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer,
+};
 use tiny_skia::Pixmap;
 
 /// Where the ray through `pixel` meets the unit sphere.
@@ -28,10 +30,15 @@ fn terms(scene: &Scene, light: &Light, position: DVec3, n: DVec3, v: DVec3) -> L
         _ => (light.position - position).normalize(),
     };
     let (r, h) = (2.0 * n.dot(l) * n - l, (l + v).normalize());
-    let phi = if scene.reflection.model == ReflectionModel::Blinn { n.angle_between(h) } else { r.angle_between(v) };
+    let phi = if scene.reflection.model == ReflectionModel::Blinn {
+        n.angle_between(h)
+    } else {
+        r.angle_between(v)
+    };
     let lit = if n.dot(l) > 0.0 { 1.0 } else { 0.0 };
     let diffuse = light.color * scene.material.kd * scene.material.color * n.dot(l) * lit;
-    let specular = light.color * scene.material.ks * phi.cos().max(0.0).powf(scene.material.n) * lit;
+    let specular =
+        light.color * scene.material.ks * phi.cos().max(0.0).powf(scene.material.n) * lit;
     let theta = n.angle_between(l);
     LightTerms {
         kind: light.kind,
@@ -56,16 +63,28 @@ fn terms(scene: &Scene, light: &Light, position: DVec3, n: DVec3, v: DVec3) -> L
 /// The equation at a pixel of the sphere.
 fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
     let view = View::new(&scene.camera, size);
-    let hit = meet(&view, DVec2::new(f64::from(pixel[0]) + 0.5, f64::from(pixel[1]) + 0.5)).map(|position| {
+    let hit = meet(
+        &view,
+        DVec2::new(f64::from(pixel[0]) + 0.5, f64::from(pixel[1]) + 0.5),
+    )
+    .map(|position| {
         let v = match scene.camera.viewer {
             Viewer::Local => view.towards_eye(position),
             Viewer::Infinite => -view.forward,
         };
-        let lights: Vec<_> = scene.lights.iter().map(|light| terms(scene, light, position, position, v)).collect();
+        let lights: Vec<_> = scene
+            .lights
+            .iter()
+            .map(|light| terms(scene, light, position, position, v))
+            .collect();
         let ambient = scene.material.ka * scene.material.color * scene.ambient.color;
-        let sum = lights.iter().fold(ambient, |sum, light| sum + light.diffuse + light.specular);
+        let sum = lights
+            .iter()
+            .fold(ambient, |sum, light| sum + light.diffuse + light.specular);
         let depth = (position - view.eye).dot(view.forward);
-        let stored = sum.to_array().map(|channel| (channel.clamp(0.0, 1.0) * 255.0).round() as u8);
+        let stored = sum
+            .to_array()
+            .map(|channel| (channel.clamp(0.0, 1.0) * 255.0).round() as u8);
         let (reflected, transmission) = (sum, None);
         ProbeHit {
             position,
@@ -85,7 +104,11 @@ fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
             stored,
         }
     });
-    Probe { pixel, hit, ambient_fit: None }
+    Probe {
+        pixel,
+        hit,
+        ambient_fit: None,
+    }
 }
 
 /// The sphere as it would be stored.
@@ -94,8 +117,11 @@ fn picture(scene: &Scene, size: [u32; 2]) -> Pixmap {
     let background = scene.image.background.to_array().map(|c| (c * 255.0) as u8);
     for y in 0..size[1] {
         for x in 0..size[0] {
-            let stored = probe_at(scene, size, [x, y]).hit.map_or(background, |hit| hit.stored);
-            let colour = tiny_skia::ColorU8::from_rgba(stored[0], stored[1], stored[2], 255).premultiply();
+            let stored = probe_at(scene, size, [x, y])
+                .hit
+                .map_or(background, |hit| hit.stored);
+            let colour =
+                tiny_skia::ColorU8::from_rgba(stored[0], stored[1], stored[2], 255).premultiply();
             pixmap.pixels_mut()[(y * size[0] + x) as usize] = colour;
         }
     }
@@ -105,7 +131,11 @@ fn picture(scene: &Scene, size: [u32; 2]) -> Pixmap {
 fn three_lights() -> Vec<Light> {
     vec![
         Light::default(),
-        Light { position: DVec3::new(-2.5, 1.0, 1.5), color: Rgb::new(0.3, 0.4, 0.7), ..Light::default() },
+        Light {
+            position: DVec3::new(-2.5, 1.0, 1.5),
+            color: Rgb::new(0.3, 0.4, 0.7),
+            ..Light::default()
+        },
         Light {
             kind: LightKind::Directional,
             direction: DVec3::new(-0.2, 1.0, -0.4),
@@ -117,7 +147,10 @@ fn three_lights() -> Vec<Light> {
 
 /// An overlay with every layer.
 fn everything() -> OverlayOptions {
-    OverlayOptions { layers: OverlayLayer::ALL.to_vec(), ..OverlayOptions::default() }
+    OverlayOptions {
+        layers: OverlayLayer::ALL.to_vec(),
+        ..OverlayOptions::default()
+    }
 }
 
 fn near(a: DVec2, b: DVec2, tolerance: f64) -> bool {
@@ -126,18 +159,37 @@ fn near(a: DVec2, b: DVec2, tolerance: f64) -> bool {
 
 #[test]
 fn arrows_end_where_the_vectors_end() {
-    let scene = Scene { lights: three_lights(), ..Scene::default() };
+    let scene = Scene {
+        lights: three_lights(),
+        ..Scene::default()
+    };
     let probe = probe_at(&scene, [768, 768], [420, 230]);
     let hit = probe.hit.as_ref().expect("on the sphere");
-    let options = OverlayOptions { length: Some(0.6), ..everything() };
+    let options = OverlayOptions {
+        length: Some(0.6),
+        ..everything()
+    };
     let overlay = Overlay::new([768, 768], &scene, &probe, &options);
     let view = View::new(&scene.camera, [768, 768]);
     let lights = &hit.lights;
-    let vectors = [hit.normal, lights[0].l, lights[0].r, hit.view, lights[1].l, lights[2].l];
+    let vectors = [
+        hit.normal,
+        lights[0].l,
+        lights[0].r,
+        hit.view,
+        lights[1].l,
+        lights[2].l,
+    ];
     assert_eq!(overlay.arrows.len(), vectors.len());
     for (arrow, vector) in overlay.arrows.iter().zip(vectors) {
-        let (tip, _) = view.project(hit.position + vector * 0.6).expect("in front of the eye");
-        assert!(near(arrow.tip, tip, 2e-3), "{:?} should end at {tip}", arrow);
+        let (tip, _) = view
+            .project(hit.position + vector * 0.6)
+            .expect("in front of the eye");
+        assert!(
+            near(arrow.tip, tip, 2e-3),
+            "{:?} should end at {tip}",
+            arrow
+        );
         assert!(near(arrow.tail, DVec2::new(420.5, 230.5), 1e-6));
     }
 }
@@ -161,11 +213,21 @@ fn v_is_seen_from_the_front_and_a_vector_into_the_picture_from_behind() {
     scene.camera.projection = Projection::Orthographic;
     let probe = probe_at(&scene, [200, 200], [130, 90]);
     let overlay = Overlay::new([200, 200], &scene, &probe, &OverlayOptions::default());
-    let head = |letter| overlay.arrows.iter().find(|arrow| arrow.vector == letter).map(|arrow| arrow.head);
+    let head = |letter| {
+        overlay
+            .arrows
+            .iter()
+            .find(|arrow| arrow.vector == letter)
+            .map(|arrow| arrow.head)
+    };
     assert_eq!(head(palette::Vector::V), Some(ArrowHead::Towards));
     assert_eq!(head(palette::Vector::L), Some(ArrowHead::Away));
     assert_eq!(head(palette::Vector::N), Some(ArrowHead::Plain));
-    assert_eq!(head(palette::Vector::R), None, "there is no reflection of a light behind the surface");
+    assert_eq!(
+        head(palette::Vector::R),
+        None,
+        "there is no reflection of a light behind the surface"
+    );
 }
 
 #[test]
@@ -173,41 +235,94 @@ fn arcs_run_from_arrow_to_arrow() {
     let scene = Scene::default();
     let probe = probe_at(&scene, [600, 600], [240, 250]);
     let overlay = Overlay::new([600, 600], &scene, &probe, &OverlayOptions::default());
-    let tip = |letter| overlay.arrows.iter().find(|arrow| arrow.vector == letter).expect("drawn").tip;
+    let tip = |letter| {
+        overlay
+            .arrows
+            .iter()
+            .find(|arrow| arrow.vector == letter)
+            .expect("drawn")
+            .tip
+    };
     let origin = overlay.arrows[0].tail;
     let on_shaft = |point: DVec2, letter| {
         let along = (tip(letter) - origin).normalize_or_zero();
         along.perp_dot(point - origin).abs() < 1e-6 && along.dot(point - origin) > 0.0
     };
-    let arc = |angle| overlay.arcs.iter().find(|arc| arc.angle == angle).expect("drawn");
-    for (angle, ends) in [(Angle::Theta, palette::Vector::L), (Angle::Mirror, palette::Vector::R)] {
+    let arc = |angle| {
+        overlay
+            .arcs
+            .iter()
+            .find(|arc| arc.angle == angle)
+            .expect("drawn")
+    };
+    for (angle, ends) in [
+        (Angle::Theta, palette::Vector::L),
+        (Angle::Mirror, palette::Vector::R),
+    ] {
         let points = &arc(angle).points;
-        assert!(on_shaft(points[0], palette::Vector::N) && on_shaft(points[points.len() - 1], ends), "{angle:?}");
+        assert!(
+            on_shaft(points[0], palette::Vector::N) && on_shaft(points[points.len() - 1], ends),
+            "{angle:?}"
+        );
         assert!(!arc(angle).edge_on);
     }
-    assert!(arc(Angle::Phi).edge_on, "the plane of R and V holds the line of sight");
+    assert!(
+        arc(Angle::Phi).edge_on,
+        "the plane of R and V holds the line of sight"
+    );
     let hit = probe.hit.expect("on the sphere");
     let theta = format!("θ {:.1}°", hit.lights[0].theta.to_degrees());
     let phi = format!("φ {:.1}°", hit.lights[0].phi.to_degrees());
     for text in [theta, phi] {
-        assert!(overlay.labels.iter().any(|label| label.text == text), "{text} in {:?}", overlay.labels);
+        assert!(
+            overlay.labels.iter().any(|label| label.text == text),
+            "{text} in {:?}",
+            overlay.labels
+        );
     }
 }
 
 #[test]
 fn only_the_chosen_light_has_a_reflection_and_its_number() {
-    let scene = Scene { lights: three_lights(), ..Scene::default() };
+    let scene = Scene {
+        lights: three_lights(),
+        ..Scene::default()
+    };
     let probe = probe_at(&scene, [768, 768], [330, 330]);
-    let options = OverlayOptions { light: Some(1), ..OverlayOptions::default() };
+    let options = OverlayOptions {
+        light: Some(1),
+        ..OverlayOptions::default()
+    };
     let overlay = Overlay::new([768, 768], &scene, &probe, &options);
-    let texts: Vec<&str> = overlay.labels.iter().map(|label| label.text.as_str()).collect();
+    let texts: Vec<&str> = overlay
+        .labels
+        .iter()
+        .map(|label| label.text.as_str())
+        .collect();
     for text in ["N", "V", "L₁", "L₂", "L₃", "R₂"] {
         assert!(texts.contains(&text), "{text} in {texts:?}");
     }
     assert!(!texts.contains(&"R₁"));
-    assert!(overlay.arrows.iter().all(|arrow| arrow.emphasised == (arrow.light.is_none_or(|light| light == 1))));
-    let none = Overlay::new([768, 768], &scene, &probe, &OverlayOptions { light: Some(7), ..options });
-    assert!(none.arrows.iter().any(|arrow| arrow.vector == palette::Vector::R && arrow.light == Some(0)));
+    assert!(
+        overlay
+            .arrows
+            .iter()
+            .all(|arrow| arrow.emphasised == (arrow.light.is_none_or(|light| light == 1)))
+    );
+    let none = Overlay::new(
+        [768, 768],
+        &scene,
+        &probe,
+        &OverlayOptions {
+            light: Some(7),
+            ..options
+        },
+    );
+    assert!(
+        none.arrows
+            .iter()
+            .any(|arrow| arrow.vector == palette::Vector::R && arrow.light == Some(0))
+    );
 }
 
 #[test]
@@ -215,9 +330,15 @@ fn h_belongs_to_blinns_model_or_is_asked_for() {
     let mut scene = Scene::default();
     let shows_h = |scene: &Scene, half_vector| {
         let probe = probe_at(scene, [300, 300], [140, 140]);
-        let options = OverlayOptions { half_vector, ..OverlayOptions::default() };
+        let options = OverlayOptions {
+            half_vector,
+            ..OverlayOptions::default()
+        };
         let overlay = Overlay::new([300, 300], scene, &probe, &options);
-        overlay.arrows.iter().any(|arrow| arrow.vector == palette::Vector::H)
+        overlay
+            .arrows
+            .iter()
+            .any(|arrow| arrow.vector == palette::Vector::H)
     };
     assert!(!shows_h(&scene, false) && shows_h(&scene, true));
     scene.reflection.model = ReflectionModel::Blinn;
@@ -231,37 +352,83 @@ fn every_vector_is_seen_in_its_colour() {
     scene.lights[0].position = DVec3::new(-2.0, 3.0, 2.0);
     let probe = probe_at(&scene, [600, 600], [330, 240]);
     let mut pixmap = Pixmap::new(600, 600).expect("not empty");
-    draw_overlay(&mut pixmap.as_mut(), &scene, &probe, &OverlayOptions::default());
-    for colour in [palette::N, palette::L, palette::R, palette::V, palette::H, [255; 3], [24; 3]] {
-        let inked = pixmap.pixels().iter().filter(|p| [p.red(), p.green(), p.blue()] == colour).count();
+    draw_overlay(
+        &mut pixmap.as_mut(),
+        &scene,
+        &probe,
+        &OverlayOptions::default(),
+    );
+    for colour in [
+        palette::N,
+        palette::L,
+        palette::R,
+        palette::V,
+        palette::H,
+        [255; 3],
+        [24; 3],
+    ] {
+        let inked = pixmap
+            .pixels()
+            .iter()
+            .filter(|p| [p.red(), p.green(), p.blue()] == colour)
+            .count();
         assert!(inked > 100, "{inked} pixels of {colour:?}");
     }
     let bare = pixmap.pixels().iter().filter(|p| p.alpha() == 0).count();
-    assert!(bare > 600 * 600 * 9 / 10, "the picture is still to be seen: {bare} pixels untouched");
+    assert!(
+        bare > 600 * 600 * 9 / 10,
+        "the picture is still to be seen: {bare} pixels untouched"
+    );
 }
 
 #[test]
 fn lights_stand_where_they_appear_or_at_the_edge_towards_them() {
-    let mut scene = Scene { lights: three_lights(), ..Scene::default() };
+    let mut scene = Scene {
+        lights: three_lights(),
+        ..Scene::default()
+    };
     scene.lights[1].position = DVec3::new(-0.9, 0.8, 0.5);
-    scene.lights.push(Light { position: DVec3::new(3.0, 0.0, 9.0), ..Light::default() });
-    let nothing = Probe { pixel: [0, 0], hit: None, ambient_fit: None };
+    scene.lights.push(Light {
+        position: DVec3::new(3.0, 0.0, 9.0),
+        ..Light::default()
+    });
+    let nothing = Probe {
+        pixel: [0, 0],
+        hit: None,
+        ambient_fit: None,
+    };
     let overlay = Overlay::new([500, 400], &scene, &nothing, &everything());
     let view = View::new(&scene.camera, [500, 400]);
     assert_eq!(overlay.lights.len(), 4);
-    let (shown, _) = view.project(scene.lights[1].position).expect("in front of the eye");
+    let (shown, _) = view
+        .project(scene.lights[1].position)
+        .expect("in front of the eye");
     assert!(near(overlay.lights[1].pixel, shown, 1e-9) && !overlay.lights[1].outside);
     let above_right = &overlay.lights[0];
-    assert!(above_right.outside && above_right.pixel.x > 400.0 && above_right.pixel.y < 100.0, "{above_right:?}");
+    assert!(
+        above_right.outside && above_right.pixel.x > 400.0 && above_right.pixel.y < 100.0,
+        "{above_right:?}"
+    );
     let behind_right = &overlay.lights[3];
     assert!(
         behind_right.outside
             && behind_right.pixel.x > 400.0
-            && near(behind_right.pixel, DVec2::new(behind_right.pixel.x, 200.0), 1e-6)
+            && near(
+                behind_right.pixel,
+                DVec2::new(behind_right.pixel.x, 200.0),
+                1e-6
+            )
     );
     let rays = &overlay.lights[2];
-    assert!(!rays.outside && rays.pixel.y > 200.0, "the light that travels upwards comes from below: {rays:?}");
-    let texts: Vec<&str> = overlay.labels.iter().map(|label| label.text.as_str()).collect();
+    assert!(
+        !rays.outside && rays.pixel.y > 200.0,
+        "the light that travels upwards comes from below: {rays:?}"
+    );
+    let texts: Vec<&str> = overlay
+        .labels
+        .iter()
+        .map(|label| label.text.as_str())
+        .collect();
     assert_eq!(texts, ["1", "2", "3", "4"]);
 }
 
@@ -269,14 +436,26 @@ fn lights_stand_where_they_appear_or_at_the_edge_towards_them() {
 fn nothing_is_drawn_where_the_probe_met_nothing() {
     let scene = Scene::default();
     let mut pixmap = Pixmap::new(64, 64).expect("not empty");
-    let nothing = Probe { pixel: [0, 0], hit: None, ambient_fit: None };
-    draw_overlay(&mut pixmap.as_mut(), &scene, &nothing, &OverlayOptions::default());
+    let nothing = Probe {
+        pixel: [0, 0],
+        hit: None,
+        ambient_fit: None,
+    };
+    draw_overlay(
+        &mut pixmap.as_mut(),
+        &scene,
+        &nothing,
+        &OverlayOptions::default(),
+    );
     assert!(pixmap.data().iter().all(|byte| *byte == 0));
 }
 
 #[test]
 fn the_same_overlay_has_the_same_pixels() {
-    let scene = Scene { lights: three_lights(), ..Scene::default() };
+    let scene = Scene {
+        lights: three_lights(),
+        ..Scene::default()
+    };
     let probe = probe_at(&scene, [320, 240], [150, 110]);
     let draw = || {
         let mut pixmap = Pixmap::new(320, 240).expect("not empty");
@@ -288,26 +467,56 @@ fn the_same_overlay_has_the_same_pixels() {
 
 #[test]
 fn slender_and_tiny_and_vast_pictures_are_drawn() {
-    let scene = Scene { lights: three_lights(), ..Scene::default() };
-    for size in [[1, 1], [2, 3], [1, 400], [400, 1], [16_384, 40], [40, 16_384], [40, 40]] {
+    let scene = Scene {
+        lights: three_lights(),
+        ..Scene::default()
+    };
+    for size in [
+        [1, 1],
+        [2, 3],
+        [1, 400],
+        [400, 1],
+        [16_384, 40],
+        [40, 16_384],
+        [40, 40],
+    ] {
         let probe = probe_at(&scene, size, [size[0] / 2, size[1] / 2]);
         let mut pixmap = Pixmap::new(size[0], size[1]).expect("not empty");
         draw_overlay(&mut pixmap.as_mut(), &scene, &probe, &everything());
-        assert!(pixmap.pixels().iter().any(|pixel| pixel.alpha() > 0), "{size:?}");
+        assert!(
+            pixmap.pixels().iter().any(|pixel| pixel.alpha() > 0),
+            "{size:?}"
+        );
     }
     let size = [16_384, 16_384];
-    let overlay = Overlay::new(size, &scene, &probe_at(&scene, size, [7000, 7000]), &everything());
+    let overlay = Overlay::new(
+        size,
+        &scene,
+        &probe_at(&scene, size, [7000, 7000]),
+        &everything(),
+    );
     assert!(overlay.labels.len() > 10);
 }
 
 #[test]
 fn numbers_beyond_reason_neither_panic_nor_reach_the_layout() {
     let sound = probe_at(&Scene::default(), [100, 100], [50, 50]);
-    let values = [0.0, -1.0, 1e-300, 1e-15, 1e15, 1e300, f64::MAX, f64::INFINITY, f64::NAN];
+    let values = [
+        0.0,
+        -1.0,
+        1e-300,
+        1e-15,
+        1e15,
+        1e300,
+        f64::MAX,
+        f64::INFINITY,
+        f64::NAN,
+    ];
     for value in values {
         let vector = DVec3::new(value, -value, 0.5 * value);
         for place in 0..8 {
-            let (mut scene, mut probe, mut options) = (Scene::default(), sound.clone(), everything());
+            let (mut scene, mut probe, mut options) =
+                (Scene::default(), sound.clone(), everything());
             let hit = probe.hit.as_mut().expect("on the sphere");
             let light = &mut hit.lights[0];
             match place {
@@ -325,7 +534,11 @@ fn numbers_beyond_reason_neither_panic_nor_reach_the_layout() {
             }
             let overlay = Overlay::new([100, 100], &scene, &probe, &options);
             let finite = overlay.arrows.iter().all(|arrow| arrow.tip.is_finite())
-                && overlay.arcs.iter().flat_map(|arc| &arc.points).all(|point| point.is_finite())
+                && overlay
+                    .arcs
+                    .iter()
+                    .flat_map(|arc| &arc.points)
+                    .all(|point| point.is_finite())
                 && overlay.lights.iter().all(|light| light.pixel.is_finite());
             assert!(finite, "{value} at {place}: {overlay:?}");
             let mut pixmap = Pixmap::new(100, 100).expect("not empty");
@@ -336,11 +549,18 @@ fn numbers_beyond_reason_neither_panic_nor_reach_the_layout() {
 
 #[test]
 fn many_lights_are_laid_out_in_bounded_work() {
-    let scene = Scene { lights: vec![Light::default(); 500], ..Scene::default() };
+    let scene = Scene {
+        lights: vec![Light::default(); 500],
+        ..Scene::default()
+    };
     let probe = probe_at(&scene, [300, 300], [120, 120]);
     let overlay = Overlay::new([300, 300], &scene, &probe, &everything());
     assert_eq!((overlay.lights.len(), overlay.arrows.len()), (500, 3 + 500));
-    assert!(overlay.labels.len() < 30, "the crowd is not lettered: {}", overlay.labels.len());
+    assert!(
+        overlay.labels.len() < 30,
+        "the crowd is not lettered: {}",
+        overlay.labels.len()
+    );
 }
 
 proptest! {
@@ -388,16 +608,26 @@ proptest! {
 #[test]
 #[ignore = "draws pictures to look at into the directory that SHADING_LAB_PICTURES names"]
 fn pictures_to_look_at() {
-    let directory = std::env::var("SHADING_LAB_PICTURES").expect("SHADING_LAB_PICTURES names a directory");
-    let all = OverlayOptions { layers: OverlayLayer::ALL.to_vec(), ..OverlayOptions::default() };
+    let directory =
+        std::env::var("SHADING_LAB_PICTURES").expect("SHADING_LAB_PICTURES names a directory");
+    let all = OverlayOptions {
+        layers: OverlayLayer::ALL.to_vec(),
+        ..OverlayOptions::default()
+    };
     let simple = OverlayOptions::default();
-    let several = Scene { lights: three_lights(), ..Scene::default() };
+    let several = Scene {
+        lights: three_lights(),
+        ..Scene::default()
+    };
     let mut blinn = Scene::default();
     blinn.reflection.model = ReflectionModel::Blinn;
     let mut white = Scene::default();
     white.image.background = Rgb::ONE;
     white.material.color = Rgb::splat(0.8);
-    let dark = OverlayOptions { halo: Halo::Dark, ..all.clone() };
+    let dark = OverlayOptions {
+        halo: Halo::Dark,
+        ..all.clone()
+    };
     let views: [(&str, &Scene, &OverlayOptions, [f64; 2]); 9] = [
         ("dark-halo", &Scene::default(), &dark, [0.40, 0.42]),
         ("white-dark-halo", &white, &dark, [0.7, 0.6]),
@@ -417,7 +647,9 @@ fn pictures_to_look_at() {
             let start = std::time::Instant::now();
             draw_overlay(&mut pixmap.as_mut(), scene, &probe, options);
             println!("{name} {side}: {:?}", start.elapsed());
-            pixmap.save_png(format!("{directory}/{name}-{side}.png")).expect("the picture is written");
+            pixmap
+                .save_png(format!("{directory}/{name}-{side}.png"))
+                .expect("the picture is written");
         }
     }
 }
@@ -428,23 +660,41 @@ fn every_step_is_drawn_within_its_room() {
     let mut scene = Scene::default();
     scene.image.size = [96, 96];
     let mut renderer = Renderer::default();
-    for (mode, pixel) in [(ShadingMode::Gouraud, [40, 30]), (ShadingMode::Phong, [70, 66])] {
+    for (mode, pixel) in [
+        (ShadingMode::Gouraud, [40, 30]),
+        (ShadingMode::Phong, [70, 66]),
+    ] {
         scene.shading.mode = mode;
         let face = face_at(&mut renderer, &scene, pixel[0], pixel[1]).expect("the sphere");
         let scan = scan(&mut renderer, &scene, face, 12).expect("a polygon in sight");
         for titled in [true, false] {
-            let style = PlotStyle { paper: Paper::DARK, text: 14.0, titled };
+            let style = PlotStyle {
+                paper: Paper::DARK,
+                text: 14.0,
+                titled,
+            };
             let room = scan_room(&scan, 300.0, 260.0, &style);
-            let size = if titled { DVec2::new(672.0, 520.0) } else { room };
+            let size = if titled {
+                DVec2::new(672.0, 520.0)
+            } else {
+                room
+            };
             for step in 0..=scan.last() {
                 let drawing = lay_out_scan(&scan, step, size, &style);
-                let inside = |place: DVec2| place.cmpge(DVec2::ZERO).all() && place.cmple(size).all();
+                let inside =
+                    |place: DVec2| place.cmpge(DVec2::ZERO).all() && place.cmple(size).all();
                 for text in &drawing.texts {
                     let left = text.at - DVec2::new(text.align * text.width(), 0.0);
                     let right = left + DVec2::new(text.width(), 0.0);
                     assert!(inside(left) && inside(right), "{mode:?} {step}: {text:?}");
                 }
-                assert!(drawing.shapes.iter().flat_map(|shape| &shape.points).all(|place| inside(*place)));
+                assert!(
+                    drawing
+                        .shapes
+                        .iter()
+                        .flat_map(|shape| &shape.points)
+                        .all(|place| inside(*place))
+                );
             }
         }
     }
@@ -458,7 +708,11 @@ fn the_filled_pixels_have_the_stored_colours() {
     let mut renderer = Renderer::default();
     let face = face_at(&mut renderer, &scene, 40, 30).expect("the sphere");
     let scan = scan(&mut renderer, &scene, face, 12).expect("a polygon in sight");
-    let style = PlotStyle { paper: Paper::LIGHT, text: 2.0, titled: false };
+    let style = PlotStyle {
+        paper: Paper::LIGHT,
+        text: 2.0,
+        titled: false,
+    };
     let drawing = lay_out_scan(&scan, scan.last(), DVec2::new(600.0, 400.0), &style);
     let frame = drawing.to_frame().expect("a picture");
     let (mut found, mut all) = (0, 0);
@@ -468,6 +722,9 @@ fn the_filled_pixels_have_the_stored_colours() {
         found += usize::from(frame.pixel(place.x as u32, place.y as u32) == Some(pixel.stored));
         all += 1;
     }
-    assert!(all > 50 && found * 10 >= all * 7, "{found} of {all}; edges cross the others");
+    assert!(
+        all > 50 && found * 10 >= all * 7,
+        "{found} of {all}; edges cross the others"
+    );
     assert!(drawing.to_svg("a polygon").contains("<polygon"));
 }

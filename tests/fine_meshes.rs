@@ -4,7 +4,9 @@
 mod simd;
 
 use shading_lab::render::Renderer;
-use shading_lab::scene::{Encoding, FlatAt, Interpolation, ObjectKind, Overflow, Projection, Rgb, Scene, ShadingMode};
+use shading_lab::scene::{
+    Encoding, FlatAt, Interpolation, ObjectKind, Overflow, Projection, Rgb, Scene, ShadingMode,
+};
 use simd::levels;
 
 /// Triangles smaller than pixels.
@@ -19,7 +21,9 @@ type Change = (&'static str, fn(&mut Scene));
 
 const VIEWS: [Change; 6] = [
     ("as it is", |_| {}),
-    ("orthographic", |s| s.camera.projection = Projection::Orthographic),
+    ("orthographic", |s| {
+        s.camera.projection = Projection::Orthographic;
+    }),
     ("near by, cut by the near plane", |s| {
         s.camera.eye = s.camera.target + 0.5 * (s.camera.eye - s.camera.target).normalize();
     }),
@@ -34,10 +38,18 @@ const VIEWS: [Change; 6] = [
 ];
 
 const SHADINGS: [Change; 8] = [
-    ("flat", |s| (s.shading.mode, s.shading.flat_at) = (ShadingMode::Flat, FlatAt::Centre)),
-    ("flat, first vertex", |s| (s.shading.mode, s.shading.flat_at) = (ShadingMode::Flat, FlatAt::ProvokingVertex)),
-    ("flat, mean", |s| (s.shading.mode, s.shading.flat_at) = (ShadingMode::Flat, FlatAt::VertexMean)),
-    ("interpolated", |s| s.shading.mode = ShadingMode::Interpolated),
+    ("flat", |s| {
+        (s.shading.mode, s.shading.flat_at) = (ShadingMode::Flat, FlatAt::Centre);
+    }),
+    ("flat, first vertex", |s| {
+        (s.shading.mode, s.shading.flat_at) = (ShadingMode::Flat, FlatAt::ProvokingVertex);
+    }),
+    ("flat, mean", |s| {
+        (s.shading.mode, s.shading.flat_at) = (ShadingMode::Flat, FlatAt::VertexMean);
+    }),
+    ("interpolated", |s| {
+        s.shading.mode = ShadingMode::Interpolated;
+    }),
     ("Gouraud", |s| s.shading.mode = ShadingMode::Gouraud),
     ("Gouraud, affine", |s| {
         (s.shading.mode, s.shading.interpolation) = (ShadingMode::Gouraud, Interpolation::Affine);
@@ -52,7 +64,9 @@ const MOVES: [Change; 6] = [
     ("light", |s| s.lights[0].position.x -= 1.5),
     ("n", |s| s.material.n = 7.0),
     ("Ka", |s| s.material.ka = Rgb::splat(0.3)),
-    ("background", |s| s.image.background = Rgb::new(0.2, 0.1, 0.4)),
+    ("background", |s| {
+        s.image.background = Rgb::new(0.2, 0.1, 0.4);
+    }),
     ("light, up", |s| s.lights[0].position.y += 2.0),
     ("camera", |s| s.camera.eye.x += 0.3),
 ];
@@ -73,9 +87,16 @@ fn what_is_kept_is_what_would_be_drawn() {
                     for (name, change) in MOVES {
                         change(&mut scene);
                         let kept = &renderer.render(&scene).pixels;
-                        let anew = Renderer::default().with_level(level).render(&scene).pixels.clone();
+                        let anew = Renderer::default()
+                            .with_level(level)
+                            .render(&scene)
+                            .pixels
+                            .clone();
                         let off = kept.iter().zip(&anew).filter(|(a, b)| a != b).count();
-                        assert_eq!(off, 0, "{level:?}, {kind:?}, {view}, {shading}: pixels after a change of {name}");
+                        assert_eq!(
+                            off, 0,
+                            "{level:?}, {kind:?}, {view}, {shading}: pixels after a change of {name}"
+                        );
                     }
                 }
             }

@@ -9,10 +9,16 @@ use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, VertexMesh};
 use shading_lab::scene::{NormalSource, Weighting};
 
 fn mesh(positions: &[[f32; 3]], faces: &[&[u32]]) -> Mesh {
-    let mut mesh = Mesh { starts: vec![0], ..Mesh::default() };
+    let mut mesh = Mesh {
+        starts: vec![0],
+        ..Mesh::default()
+    };
     mesh.positions = positions.iter().copied().map(Vec3::from).collect();
     for face in faces {
-        mesh.corners.extend(face.iter().map(|&position| Corner { position, normal: NO_NORMAL }));
+        mesh.corners.extend(face.iter().map(|&position| Corner {
+            position,
+            normal: NO_NORMAL,
+        }));
         mesh.starts.push(mesh.corners.len() as u32);
     }
     mesh
@@ -34,7 +40,10 @@ fn box_corner() -> Mesh {
         [0.0, 0.0, -2.0],
         [1.0, 0.0, -2.0],
     ];
-    mesh(&positions, &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 5, 4], &[0, 6, 7, 1]])
+    mesh(
+        &positions,
+        &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 5, 4], &[0, 6, 7, 1]],
+    )
 }
 
 #[test]
@@ -47,7 +56,10 @@ fn weightings_by_hand() {
     ];
     for (weighting, sum) in expected {
         let found = averaged(&box_corner(), weighting).normals[0].as_dvec3();
-        assert!(found.distance(sum.normalize()) < 1e-6, "{weighting:?}: {found}");
+        assert!(
+            found.distance(sum.normalize()) < 1e-6,
+            "{weighting:?}: {found}"
+        );
     }
 }
 
@@ -66,20 +78,36 @@ fn a_reflex_corner_weighs_by_its_inside() {
     ];
     let mesh = mesh(&positions, &[&[0, 1, 2, 3, 4, 5], &[0, 1, 7, 6]]);
     let found = averaged(&mesh, Weighting::Angle).normals[0].as_dvec3();
-    assert!(found.distance(DVec3::new(1.0, 0.0, 3.0).normalize()) < 1e-6, "{found}");
+    assert!(
+        found.distance(DVec3::new(1.0, 0.0, 3.0).normalize()) < 1e-6,
+        "{found}"
+    );
 }
 
 #[test]
 fn opposed_and_empty_faces_still_give_a_direction() {
-    let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [5.0, 5.0, 5.0]];
+    let positions = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [5.0, 5.0, 5.0],
+    ];
     for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
-        let opposed = averaged(&mesh(&positions, &[&[1, 1, 2], &[0, 2, 1], &[0, 1, 2]]), weighting);
-        assert_eq!(opposed.normals[0], Vec3::NEG_Z, "the first face with an area");
+        let opposed = averaged(
+            &mesh(&positions, &[&[1, 1, 2], &[0, 2, 1], &[0, 1, 2]]),
+            weighting,
+        );
+        assert_eq!(
+            opposed.normals[0],
+            Vec3::NEG_Z,
+            "the first face with an area"
+        );
         assert_eq!(opposed.normals[3], Vec3::Z, "no face at all");
         let empty = averaged(&mesh(&positions, &[&[0, 1, 1]]), weighting);
         assert_eq!(empty.normals, vec![Vec3::Z; 4]);
     }
-    let facets = mesh(&positions, &[&[0, 1, 1]]).with_vertex_normals(NormalSource::Facet, Weighting::Equal);
+    let facets =
+        mesh(&positions, &[&[0, 1, 1]]).with_vertex_normals(NormalSource::Facet, Weighting::Equal);
     assert_eq!(facets.normals, vec![Vec3::Z; 3]);
 }
 
@@ -87,30 +115,53 @@ fn opposed_and_empty_faces_still_give_a_direction() {
 fn many_normals_at_one_point_are_told_apart_quickly() {
     // A fan of 20 000 triangles with a normal each: searching them pair by pair would take minutes.
     let count = 20_000u32;
-    let mut fan = Mesh { starts: vec![0], positions: vec![Vec3::ZERO], ..Mesh::default() };
+    let mut fan = Mesh {
+        starts: vec![0],
+        positions: vec![Vec3::ZERO],
+        ..Mesh::default()
+    };
     for k in 0..count {
         let (sin, cos) = (k as f32 / count as f32 * 6.0).sin_cos();
         fan.positions.push(Vec3::new(cos, sin, 0.0));
         fan.normals.push(Vec3::new(cos, sin, 1.0).normalize());
         let next = (k + 1) % count;
-        fan.corners.extend([0, k + 1, next + 1].map(|position| Corner { position, normal: k }));
+        fan.corners
+            .extend([0, k + 1, next + 1].map(|position| Corner {
+                position,
+                normal: k,
+            }));
         fan.starts.push(fan.corners.len() as u32);
     }
     let vertices = fan.with_vertex_normals(NormalSource::Exact, Weighting::Equal);
-    let at_the_hub = vertices.positions.iter().filter(|p| **p == Vec3::ZERO).count();
+    let at_the_hub = vertices
+        .positions
+        .iter()
+        .filter(|p| **p == Vec3::ZERO)
+        .count();
     assert!(at_the_hub > 19_900);
     for f in 0..vertices.face_count() {
-        assert!(vertices.face(f).iter().all(|&v| vertices.normals[v as usize] == fan.normals[f]));
+        assert!(
+            vertices
+                .face(f)
+                .iter()
+                .all(|&v| vertices.normals[v as usize] == fan.normals[f])
+        );
     }
 }
 
 #[test]
 fn face_normal_and_centre() {
-    let mesh = Mesh { origin: DVec3::new(1e9, 0.0, 0.0), ..box_corner() };
+    let mesh = Mesh {
+        origin: DVec3::new(1e9, 0.0, 0.0),
+        ..box_corner()
+    };
     assert_eq!(mesh.face_normal(2), DVec3::NEG_X);
     assert_eq!(mesh.face_centre(3), DVec3::new(1e9 + 0.5, 0.0, -1.0));
     let vertices = averaged(&mesh, Weighting::Equal);
-    assert_eq!((vertices.face_normal(2), vertices.face_centre(3)), (mesh.face_normal(2), mesh.face_centre(3)));
+    assert_eq!(
+        (vertices.face_normal(2), vertices.face_centre(3)),
+        (mesh.face_normal(2), mesh.face_centre(3))
+    );
     assert_eq!((mesh.triangle_count(), vertices.triangle_count()), (6, 6));
     assert_eq!(<Mesh>::default().face_count(), 0);
 }

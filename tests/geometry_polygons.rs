@@ -19,7 +19,9 @@ fn polygons(vertices: &[[f64; 3]], faces: &[&[u32]]) -> Object {
 }
 
 fn faces(mesh: &Mesh) -> Vec<Vec<u32>> {
-    (0..mesh.face_count()).map(|f| mesh.face(f).iter().map(|corner| corner.position).collect()).collect()
+    (0..mesh.face_count())
+        .map(|f| mesh.face(f).iter().map(|corner| corner.position).collect())
+        .collect()
 }
 
 /// A wall of two quads, the right one's left edge divided by vertex 6.
@@ -38,25 +40,55 @@ const T_JUNCTION: [[f64; 3]; 8] = [
 fn vertices_are_shared_by_their_number_only() {
     let object = polygons(&T_JUNCTION, &[&[0, 1, 2, 3], &[1, 4, 7, 6], &[6, 7, 5, 2]]);
     let mesh = tessellate(&object);
-    assert_eq!(faces(&mesh), [vec![0, 1, 2, 3], vec![1, 4, 7, 6], vec![6, 7, 5, 2]]);
+    assert_eq!(
+        faces(&mesh),
+        [vec![0, 1, 2, 3], vec![1, 4, 7, 6], vec![6, 7, 5, 2]]
+    );
     assert_eq!(mesh.positions.len(), 8);
     assert!(!mesh.closed);
     // A straight corner is one: the same wall without a gap.
-    let joined = polygons(&T_JUNCTION, &[&[0, 1, 6, 2, 3], &[1, 4, 7, 6], &[6, 7, 5, 2]]);
-    let mut scene = Scene { object: joined, ..Scene::default() };
+    let joined = polygons(
+        &T_JUNCTION,
+        &[&[0, 1, 6, 2, 3], &[1, 4, 7, 6], &[6, 7, 5, 2]],
+    );
+    let mut scene = Scene {
+        object: joined,
+        ..Scene::default()
+    };
     assert_eq!(scene.validate(), Ok(()));
     // Two vertices in one place are two, and each averages its own polygons.
     let mut tilted = T_JUNCTION.to_vec();
-    tilted.extend([[0.0, -1.0, 0.0], [0.0, 1.0, 0.0], [1.0, -1.0, 1.0], [1.0, 1.0, 1.0]]);
+    tilted.extend([
+        [0.0, -1.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [1.0, -1.0, 1.0],
+        [1.0, 1.0, 1.0],
+    ]);
     let apart = tessellate(&polygons(&tilted, &[&[0, 1, 2, 3], &[8, 10, 11, 9]]));
-    let normals = apart.with_vertex_normals(NormalSource::Averaged, Weighting::Equal).normals;
+    let normals = apart
+        .with_vertex_normals(NormalSource::Averaged, Weighting::Equal)
+        .normals;
     assert_eq!(normals[1].as_dvec3(), DVec3::Z);
-    assert!(normals[8].as_dvec3().distance(DVec3::new(-1.0, 0.0, 1.0).normalize()) < 1e-6);
+    assert!(
+        normals[8]
+            .as_dvec3()
+            .distance(DVec3::new(-1.0, 0.0, 1.0).normalize())
+            < 1e-6
+    );
     let shared = tessellate(&polygons(&tilted, &[&[0, 1, 2, 3], &[1, 10, 11, 2]]));
-    let normals = shared.with_vertex_normals(NormalSource::Averaged, Weighting::Equal).normals;
+    let normals = shared
+        .with_vertex_normals(NormalSource::Averaged, Weighting::Equal)
+        .normals;
     assert!(normals[1].x < -0.3 && normals[1] == normals[2]);
-    scene.object = Object { kind: ObjectKind::Polygons, ..Object::default() };
-    assert_eq!(scene.validate(), Ok(()), "a quadrilateral stands for polygons that are not given");
+    scene.object = Object {
+        kind: ObjectKind::Polygons,
+        ..Object::default()
+    };
+    assert_eq!(
+        scene.validate(),
+        Ok(()),
+        "a quadrilateral stands for polygons that are not given"
+    );
     assert_eq!(tessellate(&scene.object).face(0).len(), 4);
 }
 
@@ -64,39 +96,87 @@ fn vertices_are_shared_by_their_number_only() {
 fn every_source_of_normals_works() {
     let mut object = polygons(&T_JUNCTION, &[&[0, 1, 2, 3]]);
     object.vertex_normals = (0..8).map(|v| DVec3::new(f64::from(v), 0.0, 2.0)).collect();
-    let normals = |source| tessellate(&object).with_vertex_normals(source, Weighting::Equal).normals;
+    let normals = |source| {
+        tessellate(&object)
+            .with_vertex_normals(source, Weighting::Equal)
+            .normals
+    };
     for source in [NormalSource::File, NormalSource::Exact] {
         for (v, normal) in normals(source).iter().take(4).enumerate() {
-            assert!(normal.as_dvec3().distance(object.vertex_normals[v].normalize()) < 1e-6);
+            assert!(
+                normal
+                    .as_dvec3()
+                    .distance(object.vertex_normals[v].normalize())
+                    < 1e-6
+            );
         }
     }
     for source in [NormalSource::Averaged, NormalSource::Facet] {
-        assert!(normals(source).iter().take(4).all(|normal| normal.as_dvec3() == DVec3::Z));
+        assert!(
+            normals(source)
+                .iter()
+                .take(4)
+                .all(|normal| normal.as_dvec3() == DVec3::Z)
+        );
     }
     object.vertex_normals = Vec::new().into();
-    let plain = tessellate(&object).with_vertex_normals(NormalSource::File, Weighting::Equal).normals;
-    assert!(plain.iter().take(4).all(|normal| normal.as_dvec3() == DVec3::Z), "averaged where none is given");
+    let plain = tessellate(&object)
+        .with_vertex_normals(NormalSource::File, Weighting::Equal)
+        .normals;
+    assert!(
+        plain
+            .iter()
+            .take(4)
+            .all(|normal| normal.as_dvec3() == DVec3::Z),
+        "averaged where none is given"
+    );
 }
 
 #[test]
 fn a_concave_polygon_is_cut_and_a_closed_one_is_noticed() {
-    let arrow = [[-1.0, -1.0, 0.0], [0.0, -0.2, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
+    let arrow = [
+        [-1.0, -1.0, 0.0],
+        [0.0, -0.2, 0.0],
+        [1.0, -1.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ];
     let object = polygons(&arrow, &[&[0, 1, 2, 3]]);
-    assert_eq!(Scene { object: object.clone(), ..Scene::default() }.validate(), Ok(()));
+    assert_eq!(
+        Scene {
+            object: object.clone(),
+            ..Scene::default()
+        }
+        .validate(),
+        Ok(())
+    );
     let mesh = tessellate(&object);
     assert_eq!(mesh.triangle_count(), 2);
     let area: f64 = (0..mesh.face_count()).map(|f| doubled_area(&mesh, f)).sum();
     assert!((area - 2.4).abs() < 1e-6, "its fan covers it once: {area}");
-    let tetrahedron = [[1.0, 1.0, 1.0], [-1.0, -1.0, 1.0], [-1.0, 1.0, -1.0], [1.0, -1.0, -1.0]];
-    let mesh = tessellate(&polygons(&tetrahedron, &[&[0, 2, 1], &[0, 1, 3], &[0, 3, 2], &[1, 2, 3]]));
+    let tetrahedron = [
+        [1.0, 1.0, 1.0],
+        [-1.0, -1.0, 1.0],
+        [-1.0, 1.0, -1.0],
+        [1.0, -1.0, -1.0],
+    ];
+    let mesh = tessellate(&polygons(
+        &tetrahedron,
+        &[&[0, 2, 1], &[0, 1, 3], &[0, 3, 2], &[1, 2, 3]],
+    ));
     assert!(mesh.closed && mesh.signed_volume() > 0.0);
 }
 
 /// Twice the area of the triangles of a face's fan.
 fn doubled_area(mesh: &Mesh, f: usize) -> f64 {
-    let points: Vec<DVec3> =
-        mesh.face(f).iter().map(|corner| mesh.positions[corner.position as usize].as_dvec3()).collect();
-    points[1..].windows(2).map(|pair| (pair[0] - points[0]).cross(pair[1] - points[0]).length()).sum()
+    let points: Vec<DVec3> = mesh
+        .face(f)
+        .iter()
+        .map(|corner| mesh.positions[corner.position as usize].as_dvec3())
+        .collect();
+    points[1..]
+        .windows(2)
+        .map(|pair| (pair[0] - points[0]).cross(pair[1] - points[0]).length())
+        .sum()
 }
 
 #[test]
@@ -110,22 +190,41 @@ fn what_lies_far_away_keeps_its_shape() {
 
 #[test]
 fn a_moved_vertex_is_drawn_and_an_equal_list_is_not_drawn_anew() {
-    let mut scene = Scene { object: polygons(&T_JUNCTION, &[&[0, 1, 2, 3]]), ..Scene::default() };
+    let mut scene = Scene {
+        object: polygons(&T_JUNCTION, &[&[0, 1, 2, 3]]),
+        ..Scene::default()
+    };
     scene.image.size = [64, 64];
     scene.shading.mode = ShadingMode::Gouraud;
     let mut renderer = Renderer::default();
     let before = renderer.render(&scene).clone();
-    let geometry =
-        |renderer: &Renderer| renderer.report().stages.iter().any(|run| run.stage == Stage::Geometry && run.ran);
-    let copy = Scene { object: polygons(&T_JUNCTION, &[&[0, 1, 2, 3]]), ..scene.clone() };
+    let geometry = |renderer: &Renderer| {
+        renderer
+            .report()
+            .stages
+            .iter()
+            .any(|run| run.stage == Stage::Geometry && run.ran)
+    };
+    let copy = Scene {
+        object: polygons(&T_JUNCTION, &[&[0, 1, 2, 3]]),
+        ..scene.clone()
+    };
     renderer.render(&copy);
     assert!(!geometry(&renderer));
     scene.object.vertices_mut()[2].x = 0.8;
-    assert_eq!(copy.object.vertices[2].x, 0.0, "a copy keeps its own vertices");
+    assert_eq!(
+        copy.object.vertices[2].x, 0.0,
+        "a copy keeps its own vertices"
+    );
     let after = renderer.render(&scene).clone();
     assert!(geometry(&renderer) && after.pixels != before.pixels);
     assert!(after.pixels == Renderer::default().render(&scene).pixels);
-    scene.object.vertex_normals = scene.object.vertices.iter().map(|_| DVec3::new(1.0, 0.0, 1.0)).collect();
+    scene.object.vertex_normals = scene
+        .object
+        .vertices
+        .iter()
+        .map(|_| DVec3::new(1.0, 0.0, 1.0))
+        .collect();
     scene.object.normals = NormalSource::File;
     assert!(renderer.render(&scene).pixels != after.pixels);
 }
@@ -134,39 +233,74 @@ fn a_moved_vertex_is_drawn_and_an_equal_list_is_not_drawn_anew() {
 fn exact_shading_of_polygons_is_phong_shading() {
     let object = polygons(&T_JUNCTION, &[&[0, 1, 2, 3], &[1, 4, 7, 6], &[6, 7, 5, 2]]);
     assert!(Surface::of(&object).is_none());
-    let mut scene = Scene { object, ..Scene::default() };
+    let mut scene = Scene {
+        object,
+        ..Scene::default()
+    };
     scene.image.size = [80, 80];
     let phong = Renderer::default().render(&scene).clone();
     scene.shading.mode = ShadingMode::Exact;
     let exact = Renderer::default().render(&scene).clone();
-    let worst = phong.pixels.as_flattened().iter().zip(exact.pixels.as_flattened()).map(|(a, b)| a.abs_diff(*b)).max();
+    let worst = phong
+        .pixels
+        .as_flattened()
+        .iter()
+        .zip(exact.pixels.as_flattened())
+        .map(|(a, b)| a.abs_diff(*b))
+        .max();
     assert!(worst <= Some(1), "{worst:?}");
 }
 
 fn sheet(slopes: u32, strips: u32) -> Object {
-    Object { kind: ObjectKind::Corrugated, segments: slopes, rings: strips, ..Object::default() }
+    Object {
+        kind: ObjectKind::Corrugated,
+        segments: slopes,
+        rings: strips,
+        ..Object::default()
+    }
 }
 
 #[test]
 fn undivided_slopes_average_to_one_normal_and_divided_ones_do_not() {
     for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
         for slopes in [2, 3, 8] {
-            let vertices = tessellate(&sheet(slopes, 1)).with_vertex_normals(NormalSource::Averaged, weighting);
+            let vertices = tessellate(&sheet(slopes, 1))
+                .with_vertex_normals(NormalSource::Averaged, weighting);
             assert_eq!(vertices.normals.len(), 2 * (slopes as usize + 1));
-            assert!(vertices.normals.iter().all(|normal| normal.as_dvec3().distance(DVec3::Z) < 1e-6));
+            assert!(
+                vertices
+                    .normals
+                    .iter()
+                    .all(|normal| normal.as_dvec3().distance(DVec3::Z) < 1e-6)
+            );
         }
     }
-    let vertices = tessellate(&sheet(8, 2)).with_vertex_normals(NormalSource::Averaged, Weighting::Equal);
-    let leaning = vertices.normals.iter().filter(|normal| normal.x.abs() > 0.5).count();
+    let vertices =
+        tessellate(&sheet(8, 2)).with_vertex_normals(NormalSource::Averaged, Weighting::Equal);
+    let leaning = vertices
+        .normals
+        .iter()
+        .filter(|normal| normal.x.abs() > 0.5)
+        .count();
     assert_eq!(leaning, 16, "the middle of each slope has its own normal");
     // At a ridge each slope keeps its own.
     let exact = tessellate(&sheet(8, 1)).with_vertex_normals(NormalSource::Exact, Weighting::Equal);
     assert_eq!(exact.positions.len(), 2 * 2 * 8);
     for f in 0..8 {
         let own = exact.face_normal(f);
-        assert!(exact.face(f).iter().all(|&v| exact.normals[v as usize].as_dvec3().distance(own) < 1e-6));
+        assert!(
+            exact
+                .face(f)
+                .iter()
+                .all(|&v| exact.normals[v as usize].as_dvec3().distance(own) < 1e-6)
+        );
     }
-    assert!(tessellate(&sheet(9, 3)).positions.iter().all(|p| p.length() <= 1.0));
+    assert!(
+        tessellate(&sheet(9, 3))
+            .positions
+            .iter()
+            .all(|p| p.length() <= 1.0)
+    );
 }
 
 /// How far above the sheet of `slopes` slopes a point is, along z; and whether it is over or under the sheet at all.

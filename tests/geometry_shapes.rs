@@ -10,11 +10,21 @@ use shading_lab::scene::{Choice, NormalSource, Object, ObjectKind, Scene, Weight
 use std::collections::HashSet;
 use std::f64::consts::PI;
 
-const CLOSED: [ObjectKind; 5] =
-    [ObjectKind::Sphere, ObjectKind::Torus, ObjectKind::Cylinder, ObjectKind::Cone, ObjectKind::Cube];
+const CLOSED: [ObjectKind; 5] = [
+    ObjectKind::Sphere,
+    ObjectKind::Torus,
+    ObjectKind::Cylinder,
+    ObjectKind::Cone,
+    ObjectKind::Cube,
+];
 
 fn mesh(kind: ObjectKind, segments: u32, rings: u32) -> Mesh {
-    tessellate(&Object { kind, segments, rings, ..Object::default() })
+    tessellate(&Object {
+        kind,
+        segments,
+        rings,
+        ..Object::default()
+    })
 }
 
 fn euler_characteristic(mesh: &Mesh) -> i64 {
@@ -52,8 +62,15 @@ fn closed_shapes_have_the_right_topology() {
         for (segments, rings) in [(3, 1), (3, 2), (4, 3), (7, 5), (32, 16), (13, 40)] {
             let mesh = mesh(kind, segments, rings);
             let expected = if kind == ObjectKind::Torus { 0 } else { 2 };
-            assert_eq!(euler_characteristic(&mesh), expected, "{kind:?} {segments} × {rings}");
-            assert!(mesh.closed && mesh.clone().with_closedness_detected().closed, "{kind:?} {segments} × {rings}");
+            assert_eq!(
+                euler_characteristic(&mesh),
+                expected,
+                "{kind:?} {segments} × {rings}"
+            );
+            assert!(
+                mesh.closed && mesh.clone().with_closedness_detected().closed,
+                "{kind:?} {segments} × {rings}"
+            );
             assert_eq!(mesh.convex, kind != ObjectKind::Torus);
         }
     }
@@ -79,7 +96,8 @@ fn a_reversed_or_torn_mesh_is_not_closed() {
     // A large sphere outwards and a small one inside out: the total volume is positive, one part is not.
     let mut two = mesh(ObjectKind::Sphere, 8, 8);
     let (points, corners) = (two.positions.len() as u32, two.corners.clone());
-    two.positions.extend(two.positions.clone().iter().map(|p| *p * 0.5));
+    two.positions
+        .extend(two.positions.clone().iter().map(|p| *p * 0.5));
     for window in two.starts.clone().windows(2) {
         for corner in corners[window[0] as usize..window[1] as usize].iter().rev() {
             let mut corner = *corner;
@@ -107,7 +125,10 @@ fn volumes_converge_to_the_analytic_ones_from_below() {
         assert!(errors[2] < 0.01, "{kind:?} {errors:?}");
         if kind != ObjectKind::Cube {
             let order = (errors[1] / errors[2]).log2();
-            assert!((order - 2.0).abs() < 0.05, "{kind:?} converges with order {order}");
+            assert!(
+                (order - 2.0).abs() < 0.05,
+                "{kind:?} converges with order {order}"
+            );
         }
     }
 }
@@ -117,8 +138,15 @@ fn the_sphere_has_the_documented_layout() {
     let (segments, rings) = (5, 4);
     let mesh = mesh(ObjectKind::Sphere, segments, rings);
     let at = |i: u32, j: u32| {
-        let (theta, phi) = (PI * f64::from(j) / f64::from(rings), 2.0 * PI * f64::from(i) / f64::from(segments));
-        DVec3::new(theta.sin() * phi.sin(), theta.cos(), theta.sin() * phi.cos())
+        let (theta, phi) = (
+            PI * f64::from(j) / f64::from(rings),
+            2.0 * PI * f64::from(i) / f64::from(segments),
+        );
+        DVec3::new(
+            theta.sin() * phi.sin(),
+            theta.cos(),
+            theta.sin() * phi.cos(),
+        )
     };
     for j in 0..rings {
         for i in 0..segments {
@@ -152,11 +180,23 @@ fn points_lie_on_the_surface_and_normals_are_its_gradient() {
                 // The gradient a little way into the face, where no crease is in the way.
                 let q = p.lerp(centre, 1e-3);
                 let step = 1e-6;
-                let along = |axis: DVec3| implicit(kind, q + axis * step) - implicit(kind, q - axis * step);
-                let gradient = DVec3::new(along(DVec3::X), along(DVec3::Y), along(DVec3::Z)) / (2.0 * step);
-                let tolerance = if kind == ObjectKind::Cone && p.y > 0.99 { 0.2 } else { 2e-3 };
-                assert!(gradient.normalize().distance(n) < tolerance, "{kind:?} {p} {n} {gradient}");
-                assert!(mesh.face_normal(f).dot(n) > 0.9, "{kind:?}: face and normal are on one side");
+                let along =
+                    |axis: DVec3| implicit(kind, q + axis * step) - implicit(kind, q - axis * step);
+                let gradient =
+                    DVec3::new(along(DVec3::X), along(DVec3::Y), along(DVec3::Z)) / (2.0 * step);
+                let tolerance = if kind == ObjectKind::Cone && p.y > 0.99 {
+                    0.2
+                } else {
+                    2e-3
+                };
+                assert!(
+                    gradient.normalize().distance(n) < tolerance,
+                    "{kind:?} {p} {n} {gradient}"
+                );
+                assert!(
+                    mesh.face_normal(f).dot(n) > 0.9,
+                    "{kind:?}: face and normal are on one side"
+                );
             }
         }
     }
@@ -165,18 +205,34 @@ fn points_lie_on_the_surface_and_normals_are_its_gradient() {
 #[test]
 fn every_shape_fits_where_it_should() {
     for kind in CLOSED {
-        let vertices = mesh(kind, 40, 20).with_vertex_normals(NormalSource::Exact, Weighting::Equal);
-        assert!((vertices.radius() - 1.0).abs() < 1e-6, "{kind:?} {}", vertices.radius());
+        let vertices =
+            mesh(kind, 40, 20).with_vertex_normals(NormalSource::Exact, Weighting::Equal);
+        assert!(
+            (vertices.radius() - 1.0).abs() < 1e-6,
+            "{kind:?} {}",
+            vertices.radius()
+        );
     }
     let plane = mesh(ObjectKind::Plane, 2, 2);
-    assert!(plane.positions.iter().all(|p| p.abs().max_element() <= 1.0 && p.z == 0.0));
+    assert!(
+        plane
+            .positions
+            .iter()
+            .all(|p| p.abs().max_element() <= 1.0 && p.z == 0.0)
+    );
 }
 
 #[test]
 fn counts_follow_segments_and_rings() {
-    assert_eq!(mesh(ObjectKind::Sphere, 32, 16).triangle_count(), 2 * 32 * 15);
+    assert_eq!(
+        mesh(ObjectKind::Sphere, 32, 16).triangle_count(),
+        2 * 32 * 15
+    );
     assert_eq!(mesh(ObjectKind::Cube, 4, 1).face_count(), 6);
-    assert_eq!(mesh(ObjectKind::Cube, 12, 5).face_count(), 4 * 3 * 5 + 2 * 9);
+    assert_eq!(
+        mesh(ObjectKind::Cube, 12, 5).face_count(),
+        4 * 3 * 5 + 2 * 9
+    );
     assert_eq!(mesh(ObjectKind::Cylinder, 6, 1).face_count(), 8);
     assert_eq!(mesh(ObjectKind::Plane, 1, 1).face_count(), 1);
     assert_eq!(mesh(ObjectKind::Plane, 3, 2).face_count(), 6);
@@ -195,7 +251,8 @@ fn a_smooth_shape_has_one_vertex_a_point_and_a_crease_splits_them() {
     let exact = cylinder.with_vertex_normals(NormalSource::Exact, Weighting::Equal);
     assert_eq!(averaged.positions.len(), 32 * 5);
     assert_eq!(exact.positions.len(), 32 * 7);
-    let cube = mesh(ObjectKind::Cube, 4, 1).with_vertex_normals(NormalSource::Facet, Weighting::Equal);
+    let cube =
+        mesh(ObjectKind::Cube, 4, 1).with_vertex_normals(NormalSource::Facet, Weighting::Equal);
     assert_eq!((cube.positions.len(), cube.corners.len()), (24, 24));
 }
 
@@ -220,7 +277,10 @@ proptest! {
 
 /// The shapes with a true surface.
 fn shapes() -> impl Iterator<Item = ObjectKind> {
-    ObjectKind::VALUES.iter().copied().filter(|kind| kind.has_surface())
+    ObjectKind::VALUES
+        .iter()
+        .copied()
+        .filter(|kind| kind.has_surface())
 }
 
 #[test]
@@ -228,7 +288,12 @@ fn triangles_are_counted_as_they_are_made() {
     for kind in shapes() {
         for segments in [1, 3, 4, 7, 8, 12, 33] {
             for rings in [1, 2, 3, 5, 8, 13] {
-                let object = Object { kind, segments, rings, ..Object::default() };
+                let object = Object {
+                    kind,
+                    segments,
+                    rings,
+                    ..Object::default()
+                };
                 let made = tessellate(&object).triangle_count() as u64;
                 assert_eq!(triangles(&object), made, "{kind:?} {segments} × {rings}");
             }
@@ -240,7 +305,12 @@ fn triangles_are_counted_as_they_are_made() {
 fn any_number_of_triangles_comes_near() {
     for kind in shapes() {
         let smallest = divisions_for(kind, 0);
-        let least = triangles(&Object { kind, segments: smallest[0], rings: smallest[1], ..Object::default() });
+        let least = triangles(&Object {
+            kind,
+            segments: smallest[0],
+            rings: smallest[1],
+            ..Object::default()
+        });
         let mut before = 0;
         for step in 0..400 {
             let wanted = (1.05_f64.powi(step) as u64).max(least);
@@ -248,18 +318,36 @@ fn any_number_of_triangles_comes_near() {
                 break;
             }
             let [segments, rings] = divisions_for(kind, wanted);
-            let object = Object { kind, segments, rings, ..Object::default() };
+            let object = Object {
+                kind,
+                segments,
+                rings,
+                ..Object::default()
+            };
             let found = triangles(&object);
             // Half a row, or four of them where only every fourth division counts.
-            let row = if matches!(kind, ObjectKind::Cube | ObjectKind::Teapot) { 16.0 } else { 2.0 };
+            let row = if matches!(kind, ObjectKind::Cube | ObjectKind::Teapot) {
+                16.0
+            } else {
+                2.0
+            };
             let slack = row * (wanted as f64).sqrt() + 64.0;
-            assert!(found.abs_diff(wanted) as f64 <= slack, "{kind:?}: {found} for {wanted}");
+            assert!(
+                found.abs_diff(wanted) as f64 <= slack,
+                "{kind:?}: {found} for {wanted}"
+            );
             assert!(found >= before, "{kind:?}: {found} after {before}");
             before = found;
-            let scene = Scene { object, ..Scene::default() };
+            let scene = Scene {
+                object,
+                ..Scene::default()
+            };
             assert_eq!(scene.validate(), Ok(()));
         }
     }
     assert_eq!(divisions_for(ObjectKind::Sphere, 0), [3, 2]);
-    assert_eq!(divisions_for(ObjectKind::Sphere, u64::MAX), [Object::MAX_DIVISIONS; 2]);
+    assert_eq!(
+        divisions_for(ObjectKind::Sphere, u64::MAX),
+        [Object::MAX_DIVISIONS; 2]
+    );
 }

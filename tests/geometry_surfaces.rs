@@ -8,11 +8,20 @@ use proptest::prelude::*;
 use shading_lab::geometry::{Ray, Surface};
 use shading_lab::scene::{Object, ObjectKind};
 
-const SOLIDS: [ObjectKind; 5] =
-    [ObjectKind::Sphere, ObjectKind::Torus, ObjectKind::Cylinder, ObjectKind::Cone, ObjectKind::Cube];
+const SOLIDS: [ObjectKind; 5] = [
+    ObjectKind::Sphere,
+    ObjectKind::Torus,
+    ObjectKind::Cylinder,
+    ObjectKind::Cone,
+    ObjectKind::Cube,
+];
 
 fn surface(kind: ObjectKind) -> Surface {
-    Surface::of(&Object { kind, ..Object::default() }).expect("a built-in shape has a surface")
+    Surface::of(&Object {
+        kind,
+        ..Object::default()
+    })
+    .expect("a built-in shape has a surface")
 }
 
 /// Negative inside, positive outside.
@@ -41,7 +50,11 @@ fn by_search(kind: ObjectKind, ray: &Ray, t_max: f64) -> (Option<f64>, usize) {
         changes += 1;
         for _ in 0..50 {
             let middle = 0.5 * (low + high);
-            if (at(middle) < 0.0) == (at(low) < 0.0) { low = middle } else { high = middle }
+            if (at(middle) < 0.0) == (at(low) < 0.0) {
+                low = middle;
+            } else {
+                high = middle;
+            }
         }
         first = first.or(Some(low));
     }
@@ -123,40 +136,86 @@ proptest! {
 
 #[test]
 fn a_torus_ray_meets_four_sheets() {
-    let ray = Ray { origin: DVec3::new(-3.0, 0.1, 0.05), direction: DVec3::X };
+    let ray = Ray {
+        origin: DVec3::new(-3.0, 0.1, 0.05),
+        direction: DVec3::X,
+    };
     assert_eq!(all_hits(surface(ObjectKind::Torus), &ray).len(), 4);
-    let through_the_hole = Ray { origin: DVec3::new(0.1, 3.0, 0.1), direction: DVec3::NEG_Y };
-    assert!(surface(ObjectKind::Torus).intersect(&through_the_hole, 0.0).is_none());
+    let through_the_hole = Ray {
+        origin: DVec3::new(0.1, 3.0, 0.1),
+        direction: DVec3::NEG_Y,
+    };
+    assert!(
+        surface(ObjectKind::Torus)
+            .intersect(&through_the_hole, 0.0)
+            .is_none()
+    );
 }
 
 #[test]
 fn rays_through_special_points_hit() {
-    let down_the_axis = Ray { origin: DVec3::Y * 5.0, direction: DVec3::NEG_Y };
-    let hit = surface(ObjectKind::Cone).intersect(&down_the_axis, 0.0).expect("the apex");
+    let down_the_axis = Ray {
+        origin: DVec3::Y * 5.0,
+        direction: DVec3::NEG_Y,
+    };
+    let hit = surface(ObjectKind::Cone)
+        .intersect(&down_the_axis, 0.0)
+        .expect("the apex");
     assert!((hit.t - 4.0).abs() < 1e-7 && hit.normal.y > 0.4);
-    let hit = surface(ObjectKind::Cone).intersect(&down_the_axis, 4.5).expect("the base, from inside");
+    let hit = surface(ObjectKind::Cone)
+        .intersect(&down_the_axis, 4.5)
+        .expect("the base, from inside");
     assert!((hit.t - 5.6).abs() < 1e-12 && hit.normal == DVec3::NEG_Y);
-    let hit = surface(ObjectKind::Cylinder).intersect(&down_the_axis, 0.0).expect("the cap");
+    let hit = surface(ObjectKind::Cylinder)
+        .intersect(&down_the_axis, 0.0)
+        .expect("the cap");
     assert!((hit.t - 4.2).abs() < 1e-12 && hit.normal == DVec3::Y);
-    let at_an_edge = Ray { origin: DVec3::splat(4.0), direction: DVec3::splat(-1.0) };
-    assert!(surface(ObjectKind::Cube).intersect(&at_an_edge, 0.0).is_some());
-    let along_a_face = Ray { origin: DVec3::new(5.0, 0.1, 0.2), direction: DVec3::NEG_X };
-    assert!(surface(ObjectKind::Cube).intersect(&along_a_face, 0.0).is_some());
+    let at_an_edge = Ray {
+        origin: DVec3::splat(4.0),
+        direction: DVec3::splat(-1.0),
+    };
+    assert!(
+        surface(ObjectKind::Cube)
+            .intersect(&at_an_edge, 0.0)
+            .is_some()
+    );
+    let along_a_face = Ray {
+        origin: DVec3::new(5.0, 0.1, 0.2),
+        direction: DVec3::NEG_X,
+    };
+    assert!(
+        surface(ObjectKind::Cube)
+            .intersect(&along_a_face, 0.0)
+            .is_some()
+    );
     // Parallel to the side of the cone, inside and outside of it.
     let slope = DVec3::new(1.0, -2.0, 0.0);
-    let inside = Ray { origin: DVec3::new(-0.1, 0.5, 0.0), direction: slope };
-    let hit = surface(ObjectKind::Cone).intersect(&inside, 0.0).expect("the base");
+    let inside = Ray {
+        origin: DVec3::new(-0.1, 0.5, 0.0),
+        direction: slope,
+    };
+    let hit = surface(ObjectKind::Cone)
+        .intersect(&inside, 0.0)
+        .expect("the base");
     assert!((inside.origin + hit.t * slope).y + 0.6 < 1e-12);
 }
 
 #[test]
 fn the_plane_is_seen_from_both_sides_with_one_normal() {
     for z in [2.0, -2.0] {
-        let ray = Ray { origin: DVec3::new(0.5, 0.5, z), direction: DVec3::new(0.0, 0.0, -z) };
-        let hit = surface(ObjectKind::Plane).intersect(&ray, 0.0).expect("the plane");
+        let ray = Ray {
+            origin: DVec3::new(0.5, 0.5, z),
+            direction: DVec3::new(0.0, 0.0, -z),
+        };
+        let hit = surface(ObjectKind::Plane)
+            .intersect(&ray, 0.0)
+            .expect("the plane");
         assert_eq!((hit.t, hit.normal), (1.0, DVec3::Z));
     }
-    let beside = Ray { origin: DVec3::new(1.5, 0.0, 1.0), direction: DVec3::NEG_Z };
+    let beside = Ray {
+        origin: DVec3::new(1.5, 0.0, 1.0),
+        direction: DVec3::NEG_Z,
+    };
     assert!(surface(ObjectKind::Plane).intersect(&beside, 0.0).is_none());
 }
 
@@ -164,15 +223,29 @@ fn the_plane_is_seen_from_both_sides_with_one_normal() {
 fn a_far_eye_loses_only_the_digits_of_its_own_distance() {
     let eye = DVec3::new(1e6, 2e6, 3e6);
     for kind in SOLIDS {
-        let ray = Ray { origin: eye, direction: (DVec3::new(0.5, 0.1, 0.3) - eye).normalize() };
-        let hit = surface(kind).intersect(&ray, 0.0).expect("the ray is aimed inside the shape");
-        assert!(implicit(kind, ray.origin + hit.t * ray.direction).abs() < 1e-8, "{kind:?}");
+        let ray = Ray {
+            origin: eye,
+            direction: (DVec3::new(0.5, 0.1, 0.3) - eye).normalize(),
+        };
+        let hit = surface(kind)
+            .intersect(&ray, 0.0)
+            .expect("the ray is aimed inside the shape");
+        assert!(
+            implicit(kind, ray.origin + hit.t * ray.direction).abs() < 1e-8,
+            "{kind:?}"
+        );
     }
 }
 
 #[test]
 fn a_model_has_no_surface() {
     for kind in [ObjectKind::Obj, ObjectKind::Polygons] {
-        assert!(Surface::of(&Object { kind, ..Object::default() }).is_none());
+        assert!(
+            Surface::of(&Object {
+                kind,
+                ..Object::default()
+            })
+            .is_none()
+        );
     }
 }

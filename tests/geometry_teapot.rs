@@ -10,15 +10,27 @@ use shading_lab::scene::{NormalSource, Object, ObjectKind, Weighting};
 use std::collections::{HashMap, HashSet};
 
 fn mesh(segments: u32, rings: u32) -> Mesh {
-    tessellate(&Object { kind: ObjectKind::Teapot, segments, rings, ..Object::default() })
+    tessellate(&Object {
+        kind: ObjectKind::Teapot,
+        segments,
+        rings,
+        ..Object::default()
+    })
 }
 
 fn surface() -> Surface {
-    Surface::of(&Object { kind: ObjectKind::Teapot, ..Object::default() }).expect("the teapot has a surface")
+    Surface::of(&Object {
+        kind: ObjectKind::Teapot,
+        ..Object::default()
+    })
+    .expect("the teapot has a surface")
 }
 
 fn points(mesh: &Mesh, f: usize) -> Vec<DVec3> {
-    mesh.face(f).iter().map(|corner| mesh.positions[corner.position as usize].as_dvec3()).collect()
+    mesh.face(f)
+        .iter()
+        .map(|corner| mesh.positions[corner.position as usize].as_dvec3())
+        .collect()
 }
 
 /// Van der Corput's sequence: spread evenly over 0 to 1, the same at every run.
@@ -34,7 +46,10 @@ fn spread(mut k: u32, base: u32) -> f64 {
 
 /// A direction spread evenly over the sphere.
 fn direction(k: u32) -> DVec3 {
-    let (y, turn) = (2.0 * spread(k, 2) - 1.0, std::f64::consts::TAU * spread(k, 3));
+    let (y, turn) = (
+        2.0 * spread(k, 2) - 1.0,
+        std::f64::consts::TAU * spread(k, 3),
+    );
     let radial = (1.0 - y * y).sqrt();
     DVec3::new(radial * turn.sin(), y, radial * turn.cos())
 }
@@ -43,12 +58,25 @@ fn direction(k: u32) -> DVec3 {
 fn it_has_the_published_size() {
     let mesh = mesh(128, 128);
     let start = mesh.positions[0];
-    let (low, high) = mesh.positions.iter().fold((start, start), |(l, h), p| (l.min(*p), h.max(*p)));
+    let (low, high) = mesh
+        .positions
+        .iter()
+        .fold((start, start), |(l, h), p| (l.min(*p), h.max(*p)));
     // Handle to spout, base to knob, and across, in the units of the listing; the spout's lip is at 3.43404.
-    let expected = [(-3.0 - 0.217, 3.434_04 - 0.217), (-1.575, 1.575), (-2.0, 2.0)];
+    let expected = [
+        (-3.0 - 0.217, 3.434_04 - 0.217),
+        (-1.575, 1.575),
+        (-2.0, 2.0),
+    ];
     for (axis, (least, most)) in expected.into_iter().enumerate() {
-        assert!((f64::from(low[axis]) - least / 3.35).abs() < 1e-5, "{axis} {low}");
-        assert!((f64::from(high[axis]) - most / 3.35).abs() < 1e-5, "{axis} {high}");
+        assert!(
+            (f64::from(low[axis]) - least / 3.35).abs() < 1e-5,
+            "{axis} {low}"
+        );
+        assert!(
+            (f64::from(high[axis]) - most / 3.35).abs() < 1e-5,
+            "{axis} {high}"
+        );
     }
     assert!(mesh.positions.iter().all(|p| p.length() < 1.0));
 }
@@ -72,10 +100,18 @@ fn neighbouring_patches_share_their_edges_and_only_the_six_openings_are_open() {
         }
         // Inside of the rim, outside of the lid: four patches round. Both ends of handle and spout: two patches round.
         let open = edges.values().filter(|count| **count == 0).count();
-        assert_eq!(open as u32, 8 * (segments / 4) + 8 * (segments / 4).max(2), "{segments} × {rings}");
+        assert_eq!(
+            open as u32,
+            8 * (segments / 4) + 8 * (segments / 4).max(2),
+            "{segments} × {rings}"
+        );
         assert!(!mesh.closed && !mesh.clone().with_closedness_detected().closed);
 
-        let mut distinct: Vec<[u32; 3]> = mesh.positions.iter().map(|p| p.to_array().map(f32::to_bits)).collect();
+        let mut distinct: Vec<[u32; 3]> = mesh
+            .positions
+            .iter()
+            .map(|p| p.to_array().map(f32::to_bits))
+            .collect();
         distinct.sort_unstable();
         distinct.dedup();
         // The handle touches the body in one point without being joined to it.
@@ -120,8 +156,9 @@ fn the_poles_of_lid_and_bottom_have_their_limit_normals() {
     let axis = -0.217 / 3.35f32;
     for (y, expected) in [(1.575 / 3.35, Vec3::Y), (-1.575 / 3.35, Vec3::NEG_Y)] {
         let pole = Vec3::new(axis, y, 0.0);
-        let at: Vec<usize> =
-            (0..vertices.positions.len()).filter(|&v| vertices.positions[v].distance(pole) < 1e-6).collect();
+        let at: Vec<usize> = (0..vertices.positions.len())
+            .filter(|&v| vertices.positions[v].distance(pole) < 1e-6)
+            .collect();
         assert_eq!(at.len(), 1, "one vertex at the pole {pole}");
         assert!(vertices.normals[at[0]].distance(expected) < 1e-6);
     }
@@ -134,13 +171,21 @@ fn smooth_seams_have_one_vertex_and_averaged_normals_near_the_exact_ones() {
     let averaged = mesh.with_vertex_normals(NormalSource::Averaged, Weighting::Angle);
     assert_eq!(averaged.positions.len(), mesh.positions.len());
     // Rim and body, lid and knob, body and bottom meet in creases: few points, round the pot, have two normals.
-    assert!(exact.positions.len() - mesh.positions.len() < 8 * 64, "{}", exact.positions.len() - mesh.positions.len());
+    assert!(
+        exact.positions.len() - mesh.positions.len() < 8 * 64,
+        "{}",
+        exact.positions.len() - mesh.positions.len()
+    );
     let mut far = 0;
     for (c, corner) in mesh.corners.iter().enumerate() {
         let average = averaged.normals[corner.position as usize];
         far += usize::from(average.distance(exact.normals[exact.corners[c] as usize]) > 0.1);
     }
-    assert!(far * 20 < mesh.corners.len(), "{far} of {}", mesh.corners.len());
+    assert!(
+        far * 20 < mesh.corners.len(),
+        "{far} of {}",
+        mesh.corners.len()
+    );
 }
 
 /// The points on edges with a face on one side only.
@@ -148,9 +193,15 @@ fn border(mesh: &Mesh) -> HashSet<u32> {
     let mut edges = HashSet::new();
     for f in 0..mesh.face_count() {
         let face = mesh.face(f);
-        edges.extend((0..face.len()).map(|k| (face[k].position, face[(k + 1) % face.len()].position)));
+        edges.extend(
+            (0..face.len()).map(|k| (face[k].position, face[(k + 1) % face.len()].position)),
+        );
     }
-    edges.iter().filter(|(a, b)| !edges.contains(&(*b, *a))).flat_map(|(a, b)| [*a, *b]).collect()
+    edges
+        .iter()
+        .filter(|(a, b)| !edges.contains(&(*b, *a)))
+        .flat_map(|(a, b)| [*a, *b])
+        .collect()
 }
 
 #[test]
@@ -171,11 +222,18 @@ fn a_ray_at_any_point_of_the_pot_meets_it_there() {
             continue;
         }
         tried += 1;
-        let ray = Ray { origin: p - 3.0 * d, direction: d };
-        let first = surface.intersect(&ray, 0.0).unwrap_or_else(|| panic!("{p} from {d} is missed"));
+        let ray = Ray {
+            origin: p - 3.0 * d,
+            direction: d,
+        };
+        let first = surface
+            .intersect(&ray, 0.0)
+            .unwrap_or_else(|| panic!("{p} from {d} is missed"));
         assert!(first.t < 3.0 + 1e-5);
         // Points are rounded to single precision; along the ray that is 10⁻⁷ over the cosine.
-        let hit = surface.intersect(&ray, 3.0 - 1e-5).unwrap_or_else(|| panic!("{p} from {d} is missed, n {n}"));
+        let hit = surface
+            .intersect(&ray, 3.0 - 1e-5)
+            .unwrap_or_else(|| panic!("{p} from {d} is missed, n {n}"));
         assert!((hit.t - 3.0).abs() < 1e-5, "{p} from {d}: {}", hit.t);
     }
     assert!(tried > 10_000);
@@ -207,15 +265,26 @@ fn hits_agree_with_a_fine_mesh() {
     let (mut both, mut one) = (0, 0);
     for k in 1..400 {
         let origin = 2.5 * direction(k);
-        let target = DVec3::new(1.9 * spread(k, 5) - 0.95, 0.9 * spread(k, 7) - 0.45, 1.1 * spread(k, 11) - 0.55);
-        let ray = Ray { origin, direction: target - origin };
+        let target = DVec3::new(
+            1.9 * spread(k, 5) - 0.95,
+            0.9 * spread(k, 7) - 0.45,
+            1.1 * spread(k, 11) - 0.55,
+        );
+        let ray = Ray {
+            origin,
+            direction: target - origin,
+        };
         match (surface.intersect(&ray, 0.0), by_triangles(&mesh, &ray)) {
             (Some(hit), Some((t, normal))) => {
                 let cosine = hit.normal.dot(ray.direction.normalize()).abs();
                 let error = (hit.t - t).abs() * ray.direction.length() * cosine;
                 if error < 1e-3 {
                     both += 1;
-                    assert!(cosine < 0.1 || hit.normal.dot(normal) > 0.98, "{k}: {normal} {}", hit.normal);
+                    assert!(
+                        cosine < 0.1 || hit.normal.dot(normal) > 0.98,
+                        "{k}: {normal} {}",
+                        hit.normal
+                    );
                 } else {
                     one += 1;
                 }
@@ -238,11 +307,25 @@ fn normals_are_those_of_the_points_hit() {
         let origin = -2.0 * d + across * (spread(k, 5) - 0.5) + up * (spread(k, 7) - 0.5);
         let h = 1e-5;
         let at = |offset: DVec3| {
-            let ray = Ray { origin: origin + offset, direction: d };
-            surface.intersect(&ray, 0.0).map(|hit| (ray.origin + hit.t * d, hit.normal))
+            let ray = Ray {
+                origin: origin + offset,
+                direction: d,
+            };
+            surface
+                .intersect(&ray, 0.0)
+                .map(|hit| (ray.origin + hit.t * d, hit.normal))
         };
         let hits = [DVec3::ZERO, h * across, -h * across, h * up, -h * up].map(at);
-        let [Some((_, normal)), Some((r, _)), Some((l, _)), Some((u, _)), Some((b, _))] = hits else { continue };
+        let [
+            Some((_, normal)),
+            Some((r, _)),
+            Some((l, _)),
+            Some((u, _)),
+            Some((b, _)),
+        ] = hits
+        else {
+            continue;
+        };
         if normal.dot(d).abs() < 0.3 {
             continue;
         }
@@ -251,7 +334,10 @@ fn normals_are_those_of_the_points_hit() {
         let bent = r.distance(l).max(u.distance(b)) > 20.0 * h;
         if !bent {
             checked += 1;
-            assert!(difference.dot(normal).abs() > 1.0 - 1e-5, "{k}: {normal} {difference}");
+            assert!(
+                difference.dot(normal).abs() > 1.0 - 1e-5,
+                "{k}: {normal} {difference}"
+            );
         }
     }
     assert!(checked > 400, "{checked}");
@@ -262,9 +348,14 @@ fn from_inside_the_normals_still_point_outwards() {
     let inside = DVec3::new(-0.05, -0.2, 0.0);
     let surface = surface();
     for k in 1..500 {
-        let ray = Ray { origin: inside, direction: direction(k) };
+        let ray = Ray {
+            origin: inside,
+            direction: direction(k),
+        };
         if ray.direction.y < 0.3 {
-            let hit = surface.intersect(&ray, 0.0).expect("below the rim the pot surrounds its inside");
+            let hit = surface
+                .intersect(&ray, 0.0)
+                .expect("below the rim the pot surrounds its inside");
             assert!(hit.normal.dot(ray.direction) > 0.0);
         }
     }

@@ -21,11 +21,15 @@ const ROUNDING: u8 = 1;
 const AT_EDGES: usize = SIDE as usize * SIDE as usize / 400;
 
 fn kept(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(format!("{name}.png"))
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/golden")
+        .join(format!("{name}.png"))
 }
 
 fn read(path: &Path) -> Option<Vec<[u8; 3]>> {
-    let mut reader = png::Decoder::new(BufReader::new(File::open(path).ok()?)).read_info().ok()?;
+    let mut reader = png::Decoder::new(BufReader::new(File::open(path).ok()?))
+        .read_info()
+        .ok()?;
     let mut bytes = vec![0; reader.output_buffer_size()?];
     let info = reader.next_frame(&mut bytes).ok()?;
     let sound = info.width == SIDE && info.height == SIDE && info.color_type == png::ColorType::Rgb;
@@ -34,11 +38,17 @@ fn read(path: &Path) -> Option<Vec<[u8; 3]>> {
 
 fn write(path: &Path, pixels: &[[u8; 3]]) {
     create_dir_all(path.parent().expect("a folder")).expect("the folder is made");
-    let mut encoder = png::Encoder::new(BufWriter::new(File::create(path).expect("created")), SIDE, SIDE);
+    let mut encoder = png::Encoder::new(
+        BufWriter::new(File::create(path).expect("created")),
+        SIDE,
+        SIDE,
+    );
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::High);
     let mut writer = encoder.write_header().expect("written");
-    writer.write_image_data(pixels.as_flattened()).expect("written");
+    writer
+        .write_image_data(pixels.as_flattened())
+        .expect("written");
 }
 
 fn colours(frame: &Frame) -> Vec<[u8; 3]> {
@@ -47,19 +57,30 @@ fn colours(frame: &Frame) -> Vec<[u8; 3]> {
 
 /// What is wrong with a scene's picture, if anything is.
 fn compare(name: &str, actual: &[[u8; 3]]) -> Option<String> {
-    let Some(expected) = read(&kept(name)) else { return Some(format!("{name}: no picture is kept")) };
+    let Some(expected) = read(&kept(name)) else {
+        return Some(format!("{name}: no picture is kept"));
+    };
     let off = |(a, b): (&[u8; 3], &[u8; 3])| (0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0);
     let differences: Vec<u8> = actual.iter().zip(&expected).map(off).collect();
-    let edges = differences.iter().filter(|&&difference| difference > ROUNDING).count();
+    let edges = differences
+        .iter()
+        .filter(|&&difference| difference > ROUNDING)
+        .count();
     if edges <= AT_EDGES {
         return None;
     }
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden");
     write(&folder.join(format!("{name}-expected.png")), &expected);
     write(&folder.join(format!("{name}-actual.png")), actual);
-    let shown: Vec<[u8; 3]> = differences.iter().map(|d| [d.saturating_mul(16); 3]).collect();
+    let shown: Vec<[u8; 3]> = differences
+        .iter()
+        .map(|d| [d.saturating_mul(16); 3])
+        .collect();
     write(&folder.join(format!("{name}-difference.png")), &shown);
-    Some(format!("{name}: {edges} pixels differ, see {}", folder.display()))
+    Some(format!(
+        "{name}: {edges} pixels differ, see {}",
+        folder.display()
+    ))
 }
 
 #[test]
@@ -71,7 +92,14 @@ fn every_built_in_scene_is_drawn_as_it_was() {
         let mut scene = preset.scene();
         scene.image.size = [SIDE, SIDE];
         let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), Infallible>(());
-        let panes = draw_panes(&mut renderer, &scene, &panes_on_sheet(&scene), 1, &mut |_| true, nothing);
+        let panes = draw_panes(
+            &mut renderer,
+            &scene,
+            &panes_on_sheet(&scene),
+            1,
+            &mut |_| true,
+            nothing,
+        );
         let actual = colours(&comparison_sheet(&scene, &panes.unwrap_or_default(), false));
         if let Some(message) = compare(preset.name, &actual) {
             if update {
@@ -80,7 +108,16 @@ fn every_built_in_scene_is_drawn_as_it_was() {
             wrong.push(message);
         }
     }
-    assert!(wrong.is_empty(), "{}{}", wrong.join("\n"), if update { "\nreplaced: look at them" } else { "" });
+    assert!(
+        wrong.is_empty(),
+        "{}{}",
+        wrong.join("\n"),
+        if update {
+            "\nreplaced: look at them"
+        } else {
+            ""
+        }
+    );
 }
 
 #[test]
@@ -91,7 +128,11 @@ fn no_picture_is_kept_of_a_scene_that_is_gone() {
         if path.is_dir() {
             continue;
         }
-        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        let name = path
+            .file_stem()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned();
         assert!(presets::find(&name).is_some(), "{name}");
     }
 }

@@ -3,8 +3,8 @@
 use fearless_simd::{Level, Simd, dispatch};
 use glam::DVec3;
 use shading_lab::illumination::{
-    Equation, Fields, Lanes, Real, V3, area_samples, blinn_from_phong, critical_angle, half_width, mirror,
-    phong_from_blinn, rectangle_axes, refract,
+    Equation, Fields, Lanes, Real, V3, area_samples, blinn_from_phong, critical_angle, half_width,
+    mirror, phong_from_blinn, rectangle_axes, refract,
 };
 use shading_lab::scene::{
     AreaShape, Camera, Distribution, Light, LightKind, PatternKind, ReflectionModel, Scene, Viewer,
@@ -13,7 +13,8 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Applies `function` to a number at the machine's best level and at its baseline.
 fn at_both(function: Function, x: f32) -> [f32; 2] {
-    [Level::new(), Level::baseline()].map(|level| dispatch!(level, simd => apply(simd, function, x)))
+    [Level::new(), Level::baseline()]
+        .map(|level| dispatch!(level, simd => apply(simd, function, x)))
 }
 
 #[derive(Clone, Copy)]
@@ -46,11 +47,18 @@ fn inverse_square_roots_are_good_to_three_units() {
         for step in 0..50 {
             let x = 2_f32.powi(exponent) * (1.0 + step as f32 / 50.0);
             for got in at_both(Function::InverseSqrt, x) {
-                assert!(relative(got, 1.0 / f64::from(x).sqrt()) < 3.6e-7, "{x}: {got}");
+                assert!(
+                    relative(got, 1.0 / f64::from(x).sqrt()) < 3.6e-7,
+                    "{x}: {got}"
+                );
             }
         }
     }
-    assert!(at_both(Function::InverseSqrt, 0.0).iter().all(|y| y.is_finite()));
+    assert!(
+        at_both(Function::InverseSqrt, 0.0)
+            .iter()
+            .all(|y| y.is_finite())
+    );
 }
 
 #[test]
@@ -65,7 +73,10 @@ fn powers_and_logarithms_are_good_to_their_documented_errors() {
         let x = step as f32 / 5000.0;
         for got in at_both(Function::Log2, x) {
             let truth = f64::from(x).log2();
-            assert!((f64::from(got) - truth).abs() < 2e-7 * truth.abs().max(1.0), "log2 {x}: {got}");
+            assert!(
+                (f64::from(got) - truth).abs() < 2e-7 * truth.abs().max(1.0),
+                "log2 {x}: {got}"
+            );
         }
     }
     for step in 1..2900 {
@@ -100,7 +111,10 @@ fn the_sines_are_as_the_indices() {
             match through {
                 Some(t) => {
                     assert!((t.length() - 1.0).abs() < 1e-14);
-                    assert!((t.x - sine).abs() < 1e-14 && t.y == 0.0 && t.z <= 0.0, "η {eta}, {degrees}°: {t}");
+                    assert!(
+                        (t.x - sine).abs() < 1e-14 && t.y == 0.0 && t.z <= 0.0,
+                        "η {eta}, {degrees}°: {t}"
+                    );
                 }
                 None => assert!(sine > 1.0, "η {eta}, {degrees}°"),
             }
@@ -154,8 +168,17 @@ fn at_the_half_width_the_lobe_is_half_as_high() {
         assert!(((n * cosine.ln_1p()).exp() - 0.5).abs() < 1e-9, "n = {n}");
     }
     // The course's exponents, worked out apart: arccos 2^(−1/n).
-    for (n, degrees) in [(5.0, 29.477_318), (15.0, 17.284_424), (45.0, 10.030_639), (1005.0, 2.127_734)] {
-        assert!((half_width(n).to_degrees() - degrees).abs() < 1e-6, "n = {n}: {}", half_width(n).to_degrees());
+    for (n, degrees) in [
+        (5.0, 29.477_318),
+        (15.0, 17.284_424),
+        (45.0, 10.030_639),
+        (1005.0, 2.127_734),
+    ] {
+        assert!(
+            (half_width(n).to_degrees() - degrees).abs() < 1e-6,
+            "n = {n}: {}",
+            half_width(n).to_degrees()
+        );
     }
     assert_eq!(half_width(f64::INFINITY), 0.0);
     assert!((half_width(0.0) - FRAC_PI_2).abs() < 1e-15);
@@ -180,24 +203,44 @@ fn on_pattern(kind: PatternKind, point: [f64; 3]) -> bool {
 
 #[test]
 fn fields_are_centred_at_the_origin_and_alternate() {
-    for kind in [PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings] {
+    for kind in [
+        PatternKind::Checker,
+        PatternKind::Stripes,
+        PatternKind::Rings,
+    ] {
         assert!(!on_pattern(kind, [0.2, 0.2, 0.1]), "{kind:?}");
     }
-    assert!(on_pattern(PatternKind::Checker, [0.3, 0.0, 0.0]) && on_pattern(PatternKind::Checker, [0.0, -0.3, 0.0]));
+    assert!(
+        on_pattern(PatternKind::Checker, [0.3, 0.0, 0.0])
+            && on_pattern(PatternKind::Checker, [0.0, -0.3, 0.0])
+    );
     assert!(!on_pattern(PatternKind::Checker, [0.3, -0.3, 0.0]));
-    assert!(on_pattern(PatternKind::Stripes, [9.0, 0.3, 9.0]) && !on_pattern(PatternKind::Stripes, [0.0, 0.8, 0.0]));
-    assert!(on_pattern(PatternKind::Rings, [0.3, 5.0, 0.0]) && !on_pattern(PatternKind::Rings, [0.8, 0.0, 0.0]));
+    assert!(
+        on_pattern(PatternKind::Stripes, [9.0, 0.3, 9.0])
+            && !on_pattern(PatternKind::Stripes, [0.0, 0.8, 0.0])
+    );
+    assert!(
+        on_pattern(PatternKind::Rings, [0.3, 5.0, 0.0])
+            && !on_pattern(PatternKind::Rings, [0.8, 0.0, 0.0])
+    );
 }
 
 #[test]
 fn no_pattern_has_no_fields() {
-    assert_eq!(Fields::<f64>::new(PatternKind::None, 1.0, 1, DVec3::ZERO, 1.0), None);
+    assert_eq!(
+        Fields::<f64>::new(PatternKind::None, 1.0, 1, DVec3::ZERO, 1.0),
+        None
+    );
 }
 
 #[test]
 fn any_number_of_samples_covers_a_rectangle_evenly() {
     for count in [1, 2, 3, 5, 7, 16, 17, 100, 1023, 1024, 4096] {
-        let light = Light { position: DVec3::ZERO, samples: count, ..Light::default() };
+        let light = Light {
+            position: DVec3::ZERO,
+            samples: count,
+            ..Light::default()
+        };
         let samples = area_samples(&light);
         assert_eq!(samples.len(), count as usize);
         let mean = samples.iter().sum::<DVec3>() / f64::from(count);
@@ -209,29 +252,64 @@ fn any_number_of_samples_covers_a_rectangle_evenly() {
 #[test]
 fn one_sample_is_the_middle() {
     for shape in [AreaShape::Rectangle, AreaShape::Sphere] {
-        let light = Light { position: DVec3::new(1.0, 2.0, 3.0), radius: 0.7, shape, samples: 1, ..Light::default() };
+        let light = Light {
+            position: DVec3::new(1.0, 2.0, 3.0),
+            radius: 0.7,
+            shape,
+            samples: 1,
+            ..Light::default()
+        };
         assert_eq!(area_samples(&light), [light.position], "{shape:?}");
-        let two = area_samples(&Light { samples: 2, ..light.clone() });
-        assert!(((two[0] + two[1]) / 2.0 - light.position).length() < 1e-12, "{shape:?}: {two:?}");
+        let two = area_samples(&Light {
+            samples: 2,
+            ..light.clone()
+        });
+        assert!(
+            ((two[0] + two[1]) / 2.0 - light.position).length() < 1e-12,
+            "{shape:?}: {two:?}"
+        );
     }
 }
 
 #[test]
 fn samples_lie_on_the_light() {
-    let light = Light { position: DVec3::new(1.0, 2.0, 3.0), radius: 0.7, ..Light::default() };
-    let sphere = Light { shape: AreaShape::Sphere, samples: 50, ..light.clone() };
-    assert!(area_samples(&sphere).iter().all(|p| ((*p - sphere.position).length() - 0.7).abs() < 1e-12));
+    let light = Light {
+        position: DVec3::new(1.0, 2.0, 3.0),
+        radius: 0.7,
+        ..Light::default()
+    };
+    let sphere = Light {
+        shape: AreaShape::Sphere,
+        samples: 50,
+        ..light.clone()
+    };
+    assert!(
+        area_samples(&sphere)
+            .iter()
+            .all(|p| ((*p - sphere.position).length() - 0.7).abs() < 1e-12)
+    );
     let facing = light.direction.normalize();
     let [across, up] = rectangle_axes(&light);
-    assert!(across.dot(facing).abs() < 1e-12 && up.dot(facing).abs() < 1e-12 && across.dot(up).abs() < 1e-12);
+    assert!(
+        across.dot(facing).abs() < 1e-12
+            && up.dot(facing).abs() < 1e-12
+            && across.dot(up).abs() < 1e-12
+    );
     assert!(across.y.abs() < 1e-12);
-    assert!(area_samples(&light).iter().all(|p| (*p - light.position).dot(facing).abs() < 1e-12));
+    assert!(
+        area_samples(&light)
+            .iter()
+            .all(|p| (*p - light.position).dot(facing).abs() < 1e-12)
+    );
 }
 
 /// S of a surface with normal `n` that the viewer sees along −z, under light from half-way between +x and +z.
 fn specular(distribution: Distribution, n: DVec3) -> f64 {
     let mut scene = Scene {
-        camera: Camera { viewer: Viewer::Infinite, ..Camera::default() },
+        camera: Camera {
+            viewer: Viewer::Infinite,
+            ..Camera::default()
+        },
         lights: vec![Light {
             kind: LightKind::Directional,
             direction: DVec3::new(-1.0, 0.0, -1.0),
@@ -240,8 +318,11 @@ fn specular(distribution: Distribution, n: DVec3) -> f64 {
         ..Scene::default()
     };
     scene.material.roughness = 1.0;
-    (scene.reflection.model, scene.reflection.distribution) = (ReflectionModel::CookTorrance, distribution);
-    Equation::<f64>::new(&scene).respond_world(0, DVec3::ZERO, n, None).specular_factor
+    (scene.reflection.model, scene.reflection.distribution) =
+        (ReflectionModel::CookTorrance, distribution);
+    Equation::<f64>::new(&scene)
+        .respond_world(0, DVec3::ZERO, n, None)
+        .specular_factor
 }
 
 #[test]
@@ -251,7 +332,10 @@ fn the_lobe_is_continued_past_the_outline_and_fades() {
             let n = DVec3::new((1.0 - n_dot_v * n_dot_v).sqrt(), 0.0, n_dot_v);
             specular(distribution, n)
         };
-        assert!(at(-0.01) > 0.5 * at(0.0) && at(-0.1) > 0.0, "{distribution:?}: nothing breaks off");
+        assert!(
+            at(-0.01) > 0.5 * at(0.0) && at(-0.1) > 0.0,
+            "{distribution:?}: nothing breaks off"
+        );
         assert_eq!((at(-0.25), at(-0.5)), (0.0, 0.0));
     }
 }

@@ -37,7 +37,10 @@ struct Import {
 #[test]
 fn no_file_imports_from_a_folder_above_its_own() {
     let modules = modules();
-    let rank = |path: &ModulePath| path.first().and_then(|top| ORDER.iter().position(|folder| folder == top));
+    let rank = |path: &ModulePath| {
+        path.first()
+            .and_then(|top| ORDER.iter().position(|folder| folder == top))
+    };
     let mut upwards = BTreeSet::new();
     for (from, imports) in edges(&modules) {
         for to in imports {
@@ -48,9 +51,22 @@ fn no_file_imports_from_a_folder_above_its_own() {
             }
         }
     }
-    let tops: BTreeSet<&str> = modules.keys().filter_map(|path| path.first()).map(String::as_str).collect();
-    assert_eq!(tops, ORDER.into_iter().collect(), "the order above names every folder");
-    assert!(upwards.is_empty(), "{} imports run upwards:\n{}", upwards.len(), lines(&upwards));
+    let tops: BTreeSet<&str> = modules
+        .keys()
+        .filter_map(|path| path.first())
+        .map(String::as_str)
+        .collect();
+    assert_eq!(
+        tops,
+        ORDER.into_iter().collect(),
+        "the order above names every folder"
+    );
+    assert!(
+        upwards.is_empty(),
+        "{} imports run upwards:\n{}",
+        upwards.len(),
+        lines(&upwards)
+    );
 }
 
 #[test]
@@ -58,9 +74,20 @@ fn files_do_not_import_each_other_in_a_circle() {
     let edges = edges(&modules());
     let circles: BTreeSet<String> = circles(&edges)
         .into_iter()
-        .map(|files| files.iter().map(|path| path.join("::")).collect::<Vec<_>>().join(" → "))
+        .map(|files| {
+            files
+                .iter()
+                .map(|path| path.join("::"))
+                .collect::<Vec<_>>()
+                .join(" → ")
+        })
         .collect();
-    assert!(circles.is_empty(), "{} circles:\n{}", circles.len(), lines(&circles));
+    assert!(
+        circles.is_empty(),
+        "{} circles:\n{}",
+        circles.len(),
+        lines(&circles)
+    );
 }
 
 fn lines(items: &BTreeSet<String>) -> String {
@@ -82,11 +109,18 @@ fn modules() -> BTreeMap<ModulePath, Vec<Import>> {
             if file.extension().is_none_or(|ending| ending != "rs") {
                 continue;
             }
-            let relative = file.strip_prefix(&root).expect("below src").with_extension("");
-            let path: ModulePath = relative.iter().map(|part| part.to_string_lossy().into_owned()).collect();
+            let relative = file
+                .strip_prefix(&root)
+                .expect("below src")
+                .with_extension("");
+            let path: ModulePath = relative
+                .iter()
+                .map(|part| part.to_string_lossy().into_owned())
+                .collect();
             if path != ["lib"] && path != ["main"] {
                 let source = fs::read_to_string(&file).expect("a source");
-                let source = syn::parse_file(&source).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+                let source = syn::parse_file(&source)
+                    .unwrap_or_else(|error| panic!("{}: {error}", file.display()));
                 let mut imports = Vec::new();
                 collect(&source.items, &path, &mut imports);
                 modules.insert(path, imports);
@@ -103,7 +137,11 @@ fn collect(items: &[Item], module: &ModulePath, imports: &mut Vec<Import>) {
             Item::Use(item) if !is_test(&item.attrs) => {
                 let re_export = !matches!(item.vis, Visibility::Inherited);
                 flatten(&item.tree, Vec::new(), &mut |name, path| {
-                    imports.push(Import { name, path: absolute(path, module), re_export });
+                    imports.push(Import {
+                        name,
+                        path: absolute(path, module),
+                        re_export,
+                    });
                 });
             }
             Item::Mod(inner) if !is_test(&inner.attrs) => {
@@ -118,7 +156,10 @@ fn collect(items: &[Item], module: &ModulePath, imports: &mut Vec<Import>) {
 
 fn is_test(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
-        attribute.path().is_ident("cfg") && attribute.parse_args::<syn::Path>().is_ok_and(|path| path.is_ident("test"))
+        attribute.path().is_ident("cfg")
+            && attribute
+                .parse_args::<syn::Path>()
+                .is_ok_and(|path| path.is_ident("test"))
     })
 }
 
@@ -129,11 +170,18 @@ fn flatten(tree: &UseTree, mut prefix: Vec<String>, found: &mut impl FnMut(Strin
             prefix.push(path.ident.to_string());
             flatten(&path.tree, prefix, found);
         }
-        UseTree::Group(group) => group.items.iter().for_each(|tree| flatten(tree, prefix.clone(), found)),
+        UseTree::Group(group) => group
+            .items
+            .iter()
+            .for_each(|tree| flatten(tree, prefix.clone(), found)),
         UseTree::Glob(_) => found(String::new(), prefix),
         UseTree::Name(name) => {
             let name = name.ident.to_string();
-            let leaf = if name == "self" { prefix.last().cloned().unwrap_or_default() } else { name.clone() };
+            let leaf = if name == "self" {
+                prefix.last().cloned().unwrap_or_default()
+            } else {
+                name.clone()
+            };
             if name != "self" {
                 prefix.push(name);
             }
@@ -157,7 +205,9 @@ fn absolute(path: Vec<String>, module: &ModulePath) -> ModulePath {
 }
 
 /// Which files each file imports from.
-fn edges(modules: &BTreeMap<ModulePath, Vec<Import>>) -> BTreeMap<ModulePath, BTreeSet<ModulePath>> {
+fn edges(
+    modules: &BTreeMap<ModulePath, Vec<Import>>,
+) -> BTreeMap<ModulePath, BTreeSet<ModulePath>> {
     let targets = |path: &ModulePath, imports: &[Import]| {
         let files = imports
             .iter()
@@ -165,17 +215,34 @@ fn edges(modules: &BTreeMap<ModulePath, Vec<Import>>) -> BTreeMap<ModulePath, BT
             .filter_map(|import| defining_file(&import.path, modules, 0));
         files.filter(|file| file != path).collect()
     };
-    modules.iter().map(|(path, imports)| (path.clone(), targets(path, imports))).collect()
+    modules
+        .iter()
+        .map(|(path, imports)| (path.clone(), targets(path, imports)))
+        .collect()
 }
 
 /// The file that defines what a path names, through re-exports.
-fn defining_file(path: &[String], modules: &BTreeMap<ModulePath, Vec<Import>>, depth: u32) -> Option<ModulePath> {
-    assert!(depth < 20, "the re-exports of {} run in a circle", path.join("::"));
-    let known = (1..=path.len()).rev().find(|length| modules.contains_key(&path[..*length]))?;
+fn defining_file(
+    path: &[String],
+    modules: &BTreeMap<ModulePath, Vec<Import>>,
+    depth: u32,
+) -> Option<ModulePath> {
+    assert!(
+        depth < 20,
+        "the re-exports of {} run in a circle",
+        path.join("::")
+    );
+    let known = (1..=path.len())
+        .rev()
+        .find(|length| modules.contains_key(&path[..*length]))?;
     let (module, rest) = path.split_at(known);
-    let Some(name) = rest.first() else { return Some(module.to_vec()) };
+    let Some(name) = rest.first() else {
+        return Some(module.to_vec());
+    };
     let imports = &modules[module];
-    let named = imports.iter().find(|import| import.name == *name && import.path != path);
+    let named = imports
+        .iter()
+        .find(|import| import.name == *name && import.path != path);
     named
         .and_then(|import| {
             let through = [&import.path, &rest[1..]].concat();

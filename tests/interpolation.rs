@@ -13,8 +13,8 @@ use shading_lab::analysis::{ProfileQuestion, probe, profile};
 use shading_lab::geometry::read_obj;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Backfacing, Interpolation, Light, LightKind, NormalSource, ObjectKind, PatternKind, Projection, Rgb, Scene,
-    ShadingMode, Shared, View, presets,
+    Backfacing, Interpolation, Light, LightKind, NormalSource, ObjectKind, PatternKind, Projection,
+    Rgb, Scene, ShadingMode, Shared, View, presets,
 };
 
 /// An odd side, so that a pixel's centre is the picture's middle.
@@ -31,12 +31,19 @@ fn polygon(corners: &[(DVec3, f64)], interpolation: Interpolation) -> Scene {
     scene.object.kind = ObjectKind::Polygons;
     scene.object.normals = NormalSource::File;
     scene.object.vertices = corners.iter().map(|(place, _)| *place).collect();
-    scene.object.vertex_normals = corners.iter().map(|(_, i)| DVec3::new((1.0 - i * i).sqrt(), 0.0, *i)).collect();
+    scene.object.vertex_normals = corners
+        .iter()
+        .map(|(_, i)| DVec3::new((1.0 - i * i).sqrt(), 0.0, *i))
+        .collect();
     scene.object.faces = vec![(0..corners.len() as u32).collect()].into();
     (scene.material.ka, scene.material.kd, scene.material.ks) = (Rgb::ZERO, Rgb::ONE, Rgb::ZERO);
     scene.material.color = Rgb::ONE;
     (scene.shading.mode, scene.shading.interpolation) = (ShadingMode::Gouraud, interpolation);
-    scene.lights = vec![Light { kind: LightKind::Directional, direction: DVec3::NEG_Z, ..Light::default() }];
+    scene.lights = vec![Light {
+        kind: LightKind::Directional,
+        direction: DVec3::NEG_Z,
+        ..Light::default()
+    }];
     scene
 }
 
@@ -46,8 +53,13 @@ fn intensities(scene: &Scene) -> Vec<([u32; 2], f64)> {
     let mut renderer = Renderer::default();
     let picture = renderer.render(scene).clone();
     let mut found = Vec::new();
-    for (x, y) in (0..SIDE).step_by(2).flat_map(|y| (0..SIDE).step_by(3).map(move |x| (x, y))) {
-        let Some(hit) = probe(&mut renderer, scene, x, y).hit else { continue };
+    for (x, y) in (0..SIDE)
+        .step_by(2)
+        .flat_map(|y| (0..SIDE).step_by(3).map(move |x| (x, y)))
+    {
+        let Some(hit) = probe(&mut renderer, scene, x, y).hit else {
+            continue;
+        };
         let stored = picture.pixel(x, y).expect("inside")[0];
         // The picture's vertices lie on a grid of 1/256 pixel.
         let off = (hit.sum.x * 255.0 - f64::from(stored)).abs();
@@ -59,7 +71,11 @@ fn intensities(scene: &Scene) -> Vec<([u32; 2], f64)> {
 
 /// The intensity in the picture's middle.
 fn in_the_middle(scene: &Scene) -> f64 {
-    probe(&mut Renderer::default(), scene, SIDE / 2, SIDE / 2).hit.expect("the polygon").sum.x
+    probe(&mut Renderer::default(), scene, SIDE / 2, SIDE / 2)
+        .hit
+        .expect("the polygon")
+        .sum
+        .x
 }
 
 fn centre([x, y]: [u32; 2]) -> DVec2 {
@@ -69,7 +85,10 @@ fn centre([x, y]: [u32; 2]) -> DVec2 {
 /// Where the corners appear, with their intensities.
 fn seen(scene: &Scene, corners: &[(DVec3, f64)]) -> Vec<(DVec2, f64)> {
     let view = View::new(&scene.camera, scene.image.size);
-    corners.iter().map(|(place, i)| (view.project(*place).expect("in front of the eye").0, *i)).collect()
+    corners
+        .iter()
+        .map(|(place, i)| (view.project(*place).expect("in front of the eye").0, *i))
+        .collect()
 }
 
 /// Linear over the triangle: each corner weighs by the area of the triangle opposite.
@@ -93,7 +112,10 @@ fn bilinear(corners: &[(DVec2, f64)], at: DVec2) -> f64 {
         let (to, i2) = corners[(k + 1) % corners.len()];
         if from.y.min(to.y) <= at.y && at.y < from.y.max(to.y) {
             let alpha = (at.y - from.y) / (to.y - from.y);
-            cuts.push((from.x + alpha * (to.x - from.x), (1.0 - alpha) * i1 + alpha * i2));
+            cuts.push((
+                from.x + alpha * (to.x - from.x),
+                (1.0 - alpha) * i1 + alpha * i2,
+            ));
         }
     }
     assert_eq!(cuts.len(), 2, "a convex outline is cut twice at {at}");
@@ -108,7 +130,11 @@ fn intensity() -> impl Strategy<Value = f64> {
 }
 
 fn corner() -> impl Strategy<Value = (DVec3, f64)> {
-    ((-30.0..30.0f64, -30.0..30.0f64, -20.0..20.0f64), intensity()).prop_map(|((x, y, z), i)| (DVec3::new(x, y, z), i))
+    (
+        (-30.0..30.0f64, -30.0..30.0f64, -20.0..20.0f64),
+        intensity(),
+    )
+        .prop_map(|((x, y, z), i)| (DVec3::new(x, y, z), i))
 }
 
 /// Convex: one corner in each quarter of a circle.
@@ -172,7 +198,11 @@ proptest! {
 /// A square about the picture's middle, counter-clockwise from its lower left.
 fn square(values: [f64; 4]) -> Vec<(DVec3, f64)> {
     let corners = [[-20.0, -20.0], [20.0, -20.0], [20.0, 20.0], [-20.0, 20.0]];
-    corners.into_iter().zip(values).map(|([x, y], i)| (DVec3::new(x, y, 0.0), i)).collect()
+    corners
+        .into_iter()
+        .zip(values)
+        .map(|([x, y], i)| (DVec3::new(x, y, 0.0), i))
+        .collect()
 }
 
 #[test]
@@ -190,9 +220,15 @@ fn a_turned_square_changes_its_shade_and_a_triangle_does_not() {
         assert!((found - mean).abs() < SINGLE, "{found}");
     }
     // On its corner, the line through the middle runs from corner to corner: the upper right one is then at the top.
-    for (roll, expected) in [(45.0, (values[1] + values[3]) / 2.0), (135.0, (values[0] + values[2]) / 2.0)] {
+    for (roll, expected) in [
+        (45.0, (values[1] + values[3]) / 2.0),
+        (135.0, (values[0] + values[2]) / 2.0),
+    ] {
         let found = at(roll);
-        assert!((found - expected).abs() < 1e-3 && (found - mean).abs() > 0.2, "{roll}: {found}, expected {expected}");
+        assert!(
+            (found - expected).abs() < 1e-3 && (found - mean).abs() > 0.2,
+            "{roll}: {found}, expected {expected}"
+        );
     }
     for (rule, corners) in [
         (Interpolation::Scanline, &corners[..3]),
@@ -200,7 +236,10 @@ fn a_turned_square_changes_its_shade_and_a_triangle_does_not() {
         (Interpolation::Perspective, &corners),
     ] {
         // The middle of the picture lies on the diagonal of the square, and so in the triangle moved by a little.
-        let moved: Vec<_> = corners.iter().map(|(place, i)| (place + DVec3::new(-5.0, 3.0, 0.0), *i)).collect();
+        let moved: Vec<_> = corners
+            .iter()
+            .map(|(place, i)| (place + DVec3::new(-5.0, 3.0, 0.0), *i))
+            .collect();
         let mut scene = polygon(&moved, rule);
         let upright = in_the_middle(&scene);
         for step in 1..24 {
@@ -222,7 +261,9 @@ fn a_point_fixed_to_the_square_is_followed() {
     let mut scene = polygon(&square([0.9, 0.2, 0.7, 0.1]), Interpolation::Scanline);
     let mut at = |roll: f64, x: u32, y: u32| {
         scene.camera.roll = roll;
-        let hit = probe(&mut Renderer::default(), &scene, 32 + x, 32 - y).hit.expect("the square");
+        let hit = probe(&mut Renderer::default(), &scene, 32 + x, 32 - y)
+            .hit
+            .expect("the square");
         (hit.position, hit.sum.x)
     };
     let ((p0, i0), (p45, i45), (p90, i90)) = (at(0.0, 17, 0), at(45.0, 12, 12), at(90.0, 0, 17));
@@ -236,8 +277,12 @@ fn a_point_fixed_to_the_square_is_followed() {
 fn half_way_in_the_picture_weighs_by_the_other_ends_depth() {
     for (z1, z2) in [(1.0, 9.0), (2.0, 3.0), (1.0, 100.0)] {
         let (i1, i2) = (0.1, 0.9);
-        let corner = |side: f64, z: f64, slope: f64, i: f64| (DVec3::new(side * z, slope * z, -z), i);
-        let (near, far) = (|side| corner(side, z1, -0.2, i1), |side| corner(side, z2, 0.2, i2));
+        let corner =
+            |side: f64, z: f64, slope: f64, i: f64| (DVec3::new(side * z, slope * z, -z), i);
+        let (near, far) = (
+            |side| corner(side, z1, -0.2, i1),
+            |side| corner(side, z2, 0.2, i2),
+        );
         let corners = [near(-0.3), near(0.3), far(0.1), far(-0.1)];
         for (rule, expected) in [
             (Interpolation::Perspective, (z2 * i1 + z1 * i2) / (z1 + z2)),
@@ -248,9 +293,20 @@ fn half_way_in_the_picture_weighs_by_the_other_ends_depth() {
             scene.camera.projection = Projection::Perspective;
             (scene.camera.eye, scene.camera.target) = (DVec3::ZERO, DVec3::NEG_Z);
             let found = in_the_middle(&scene);
-            assert!((found - expected).abs() < SINGLE, "{rule:?} from {z1} to {z2}: {found}, expected {expected}");
-            let stored = f64::from(Renderer::default().render(&scene).pixel(SIDE / 2, SIDE / 2).expect("inside")[0]);
-            assert!((stored - 255.0 * expected).abs() < 2.0, "{rule:?}: {stored}");
+            assert!(
+                (found - expected).abs() < SINGLE,
+                "{rule:?} from {z1} to {z2}: {found}, expected {expected}"
+            );
+            let stored = f64::from(
+                Renderer::default()
+                    .render(&scene)
+                    .pixel(SIDE / 2, SIDE / 2)
+                    .expect("inside")[0],
+            );
+            assert!(
+                (stored - 255.0 * expected).abs() < 2.0,
+                "{rule:?}: {stored}"
+            );
         }
     }
 }
@@ -262,9 +318,12 @@ fn off_the_picture(scene: &Scene) -> (f64, u8) {
     let (mut worst, mut brightest) = (0.0_f64, 0);
     let [width, height] = scene.image.size;
     for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-        let Some(hit) = probe(&mut renderer, scene, x, y).hit else { continue };
+        let Some(hit) = probe(&mut renderer, scene, x, y).hit else {
+            continue;
+        };
         for k in 0..3 {
-            worst = worst.max((hit.sum[k].clamp(0.0, 1.0) * 255.0 - f64::from(hit.stored[k])).abs());
+            worst =
+                worst.max((hit.sum[k].clamp(0.0, 1.0) * 255.0 - f64::from(hit.stored[k])).abs());
             brightest = brightest.max(hit.stored[k]);
         }
     }
@@ -276,7 +335,12 @@ fn warped() -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [96, 96];
     scene.object.kind = ObjectKind::Polygons;
-    let corners = [[-1.0, -1.0, -1.0], [1.0, -1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 2.0]];
+    let corners = [
+        [-1.0, -1.0, -1.0],
+        [1.0, -1.0, -1.0],
+        [1.0, -1.0, 1.0],
+        [-1.0, 1.0, 2.0],
+    ];
     scene.object.vertices = corners.map(DVec3::from_array).into_iter().collect();
     scene.object.faces = vec![(0..4).collect()].into();
     scene.reflection.backfacing = Backfacing::Flip;
@@ -286,7 +350,11 @@ fn warped() -> Scene {
 #[test]
 fn on_a_warped_face_picture_and_probe_are_the_same() {
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
-        for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
+        for interpolation in [
+            Interpolation::Scanline,
+            Interpolation::Affine,
+            Interpolation::Perspective,
+        ] {
             let mut scene = warped();
             (scene.shading.mode, scene.shading.interpolation) = (mode, interpolation);
             let (off, _) = off_the_picture(&scene);
@@ -304,11 +372,18 @@ fn clipped_polygons_are_probed_as_they_are_drawn() {
     (narrow.camera.fov_y, narrow.image.size) = (0.01, [64; 2]);
     narrow.camera.target = DVec3::new(0.3, 0.2, 0.0);
     for mut scene in [near, narrow] {
-        for interpolation in [Interpolation::Scanline, Interpolation::Affine, Interpolation::Perspective] {
+        for interpolation in [
+            Interpolation::Scanline,
+            Interpolation::Affine,
+            Interpolation::Perspective,
+        ] {
             for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
                 (scene.shading.interpolation, scene.shading.mode) = (interpolation, mode);
                 let (off, brightest) = off_the_picture(&scene);
-                assert!(off <= 1.0 && brightest > 30, "{interpolation:?} {mode:?}: {off}, {brightest}");
+                assert!(
+                    off <= 1.0 && brightest > 30,
+                    "{interpolation:?} {mode:?}: {off}, {brightest}"
+                );
             }
         }
     }
@@ -319,10 +394,19 @@ fn clipped_polygons_are_probed_as_they_are_drawn() {
 fn vertices_on_the_borders_of_fields_are_in_one_field_for_picture_and_probe() {
     let mut scene = presets::find("plane").expect("a built-in scene").scene();
     scene.image.size = [96; 2];
-    for kind in [PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings] {
+    for kind in [
+        PatternKind::Checker,
+        PatternKind::Stripes,
+        PatternKind::Rings,
+    ] {
         for scale in [0.25, 0.125, 0.1] {
             (scene.pattern.kind, scene.pattern.scale) = (kind, scale);
-            for mode in [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong] {
+            for mode in [
+                ShadingMode::Flat,
+                ShadingMode::Interpolated,
+                ShadingMode::Gouraud,
+                ShadingMode::Phong,
+            ] {
                 scene.shading.mode = mode;
                 let (off, _) = off_the_picture(&scene);
                 assert!(off <= 1.0, "{kind:?} {scale} {mode:?}: {off}");
@@ -337,7 +421,14 @@ fn vertices_on_the_borders_of_fields_are_in_one_field_for_picture_and_probe() {
 fn a_polygon_of_twenty_thousand_corners_is_drawn_and_read_along_a_line() {
     let corners = 20_000_u32;
     let angle = |k: u32| f64::from(k) / f64::from(corners) * std::f64::consts::TAU;
-    let vertex = |k: u32| format!("v {} {} {}\n", angle(k).cos(), angle(k).sin(), 0.1 * (5.0 * angle(k)).sin());
+    let vertex = |k: u32| {
+        format!(
+            "v {} {} {}\n",
+            angle(k).cos(),
+            angle(k).sin(),
+            0.1 * (5.0 * angle(k)).sin()
+        )
+    };
     let mut text: String = (0..corners).map(vertex).collect();
     text.push('f');
     (1..=corners).for_each(|k| text.push_str(&format!(" {k}")));
@@ -346,16 +437,25 @@ fn a_polygon_of_twenty_thousand_corners_is_drawn_and_read_along_a_line() {
     let mut scene = Scene::default();
     scene.image.size = [128; 2];
     (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("rim.obj".into()));
-    (scene.shading.mode, scene.shading.interpolation) = (ShadingMode::Gouraud, Interpolation::Scanline);
+    (scene.shading.mode, scene.shading.interpolation) =
+        (ShadingMode::Gouraud, Interpolation::Scanline);
     let mut renderer = Renderer::default();
     renderer.set_model(Some(std::sync::Arc::new(model)));
     let began = std::time::Instant::now();
     renderer.render(&scene);
     assert!(renderer.report().covered > 2000);
     let modes = vec![ShadingMode::Gouraud];
-    let line = ProfileQuestion { modes, ..ProfileQuestion::new(DVec2::new(60.0, 60.0), DVec2::new(80.0, 70.0)) };
+    let line = ProfileQuestion {
+        modes,
+        ..ProfileQuestion::new(DVec2::new(60.0, 60.0), DVec2::new(80.0, 70.0))
+    };
     let profile = profile(&mut renderer, &scene, &line).expect("a line in the picture");
-    assert!(profile.traces.iter().all(|trace| trace.intensity.iter().all(|value| value.is_finite())));
+    assert!(
+        profile
+            .traces
+            .iter()
+            .all(|trace| trace.intensity.iter().all(|value| value.is_finite()))
+    );
     assert!(began.elapsed().as_secs() < 100, "{:?}", began.elapsed());
 }
 
@@ -396,15 +496,25 @@ fn linear_polygon(corners: &[(DVec2, f64)], interpolation: Interpolation) -> Vec
     (scene.camera.projection, scene.camera.height) = (Projection::Orthographic, f64::from(SQUARE));
     let half = f64::from(SQUARE / 2);
     scene.object.kind = ObjectKind::Polygons;
-    scene.object.vertices = corners.iter().map(|(at, _)| DVec3::new(at.x - half, half - at.y, 0.0)).collect();
+    scene.object.vertices = corners
+        .iter()
+        .map(|(at, _)| DVec3::new(at.x - half, half - at.y, 0.0))
+        .collect();
     // Under light along −z, I is the normal's z.
-    scene.object.vertex_normals = corners.iter().map(|(_, i)| DVec3::new((1.0 - i * i).sqrt(), 0.0, *i)).collect();
+    scene.object.vertex_normals = corners
+        .iter()
+        .map(|(_, i)| DVec3::new((1.0 - i * i).sqrt(), 0.0, *i))
+        .collect();
     scene.object.faces = vec![(0..corners.len() as u32).collect::<Shared<u32>>()].into();
     scene.object.normals = NormalSource::File;
     (scene.material.ka, scene.material.kd, scene.material.ks) = (Rgb::ZERO, Rgb::ONE, Rgb::ZERO);
     scene.material.color = Rgb::ONE;
     (scene.shading.mode, scene.shading.interpolation) = (ShadingMode::Gouraud, interpolation);
-    scene.lights = vec![Light { kind: LightKind::Directional, direction: DVec3::NEG_Z, ..Light::default() }];
+    scene.lights = vec![Light {
+        kind: LightKind::Directional,
+        direction: DVec3::NEG_Z,
+        ..Light::default()
+    }];
     assert_eq!(scene.validate(), Ok(()));
     let mut renderer = Renderer::default();
     renderer.keep_linear(true);
@@ -414,7 +524,8 @@ fn linear_polygon(corners: &[(DVec2, f64)], interpolation: Interpolation) -> Vec
 
 /// A place on the grid of the picture, off the rows of the pixels' centres.
 fn place() -> impl Strategy<Value = DVec2> {
-    [0..16_000u32, 0..16_000u32].prop_map(|xy| DVec2::from_array(xy.map(|k| (f64::from(k) + 64.0).floor() / 256.0)))
+    [0..16_000u32, 0..16_000u32]
+        .prop_map(|xy| DVec2::from_array(xy.map(|k| (f64::from(k) + 64.0).floor() / 256.0)))
 }
 
 proptest! {

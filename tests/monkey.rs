@@ -15,7 +15,10 @@
 //! ```
 
 #[path = "common/any_scene.rs"]
-#[expect(dead_code, reason = "the other random scenes are for tests of the engine")]
+#[expect(
+    dead_code,
+    reason = "the other random scenes are for tests of the engine"
+)]
 mod any_scene;
 #[path = "common/window.rs"]
 mod hands;
@@ -50,7 +53,12 @@ const WIDEST: f32 = 20_000.0;
 /// Polygons round an object that make every frame slow by right.
 const FINE: u32 = 512;
 /// Variables of the environment by which a program finds a display or a message bus.
-const DESKTOP: [&str; 4] = ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DBUS_SESSION_BUS_ADDRESS"];
+const DESKTOP: [&str; 4] = [
+    "DISPLAY",
+    "WAYLAND_DISPLAY",
+    "WAYLAND_SOCKET",
+    "DBUS_SESSION_BUS_ADDRESS",
+];
 
 #[test]
 fn a_monkey_at_the_window_finds_nothing() {
@@ -58,7 +66,10 @@ fn a_monkey_at_the_window_finds_nothing() {
     std::fs::create_dir_all(&folder).expect("a folder for the monkey");
     let mut command = Command::new(std::env::current_exe().expect("this program"));
     command.args(["--exact", "the_monkey", "--ignored", "--nocapture"]);
-    command.current_dir(&folder).stdin(Stdio::null()).env("MONKEY_CAGE", &folder);
+    command
+        .current_dir(&folder)
+        .stdin(Stdio::null())
+        .env("MONKEY_CAGE", &folder);
     for name in ["HOME", "XDG_RUNTIME_DIR", "XDG_DATA_HOME", "TMPDIR"] {
         command.env(name, &folder);
     }
@@ -67,7 +78,10 @@ fn a_monkey_at_the_window_finds_nothing() {
     }
     let status = command.status().expect("the monkey starts");
     let _ = std::fs::remove_dir_all(&folder);
-    assert!(status.success(), "the monkey found something, see above: {status}");
+    assert!(
+        status.success(),
+        "the monkey found something, see above: {status}"
+    );
 }
 
 #[test]
@@ -76,7 +90,11 @@ fn the_monkey() {
     if std::env::var_os("MONKEY_CAGE").is_none() {
         return;
     }
-    let number = |name: &str| std::env::var(name).ok().map(|text| text.parse::<u64>().expect("a whole number"));
+    let number = |name: &str| {
+        std::env::var(name)
+            .ok()
+            .map(|text| text.parse::<u64>().expect("a whole number"))
+    };
     let (minutes, first) = (number("MONKEY_MINUTES"), number("MONKEY_SEED").unwrap_or(0));
     std::panic::set_hook(Box::new(|panic| found(&panic.to_string())));
     std::thread::spawn(watch);
@@ -85,7 +103,9 @@ fn the_monkey() {
         None => done < EPISODES,
         Some(minutes) => done == 0 || began.elapsed() < Duration::from_secs(60 * minutes),
     };
-    let seeds = (0..).take_while(|done| goes_on(*done)).map(|done| first + done);
+    let seeds = (0..)
+        .take_while(|done| goes_on(*done))
+        .map(|done| first + done);
     for seed in seeds {
         episode(seed, minutes == Some(0));
     }
@@ -101,15 +121,25 @@ struct Diary {
 static DIARY: Mutex<Option<Diary>> = Mutex::new(None);
 
 fn diary<T>(write: impl FnOnce(&mut Diary) -> T) -> T {
-    let mut diary = DIARY.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-    write(diary.get_or_insert_with(|| Diary { seed: 0, steps: Vec::new(), frame: Instant::now() }))
+    let mut diary = DIARY
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner);
+    write(diary.get_or_insert_with(|| Diary {
+        seed: 0,
+        steps: Vec::new(),
+        frame: Instant::now(),
+    }))
 }
 
 /// Says what was found and how it came to that, and ends the process: its threads may be in no state to go on.
 fn found(what: &str) {
     diary(|Diary { seed, steps, .. }| {
         eprintln!("episode {seed}, step {}: {what}", steps.len());
-        for (number, step) in steps.iter().enumerate().skip(steps.len().saturating_sub(25)) {
+        for (number, step) in steps
+            .iter()
+            .enumerate()
+            .skip(steps.len().saturating_sub(25))
+        {
             eprintln!("  {}: {step}", number + 1);
         }
     });
@@ -121,7 +151,10 @@ fn watch() {
     loop {
         std::thread::sleep(Duration::from_millis(20));
         if diary(|diary| diary.frame.elapsed()) > LONGEST_FRAME {
-            found(&format!("a frame takes more than {} s", LONGEST_FRAME.as_secs()));
+            found(&format!(
+                "a frame takes more than {} s",
+                LONGEST_FRAME.as_secs()
+            ));
         }
         if resident().is_some_and(|bytes| bytes > MOST_MEMORY) {
             found(&format!("more than {} MiB of memory", MOST_MEMORY >> 20));
@@ -140,7 +173,12 @@ fn beginning(dice: &mut Dice, seed: u64) -> Loaded {
     let any = any_scene(seed);
     if dice.unit() < 0.3 && any.scene.validate().is_ok() && any.model.is_ok() {
         let model = any.model.ok().flatten();
-        return Loaded { scene: any.scene, model, name: format!("scene {seed}"), path: None };
+        return Loaded {
+            scene: any.scene,
+            model,
+            name: format!("scene {seed}"),
+            path: None,
+        };
     }
     let preset = &presets::ALL[(dice.unit() * presets::ALL.len() as f64) as usize];
     load(Path::new(preset.name)).expect("a built-in scene")
@@ -148,7 +186,11 @@ fn beginning(dice: &mut Dice, seed: u64) -> Loaded {
 
 /// Whether drawing a scene is slow by right, so that little else would be tried.
 fn slow(scene: &Scene) -> bool {
-    let samples: u64 = scene.lights.iter().map(|light| u64::from(light.samples)).sum();
+    let samples: u64 = scene
+        .lights
+        .iter()
+        .map(|light| u64::from(light.samples))
+        .sum();
     scene.object.segments.max(scene.object.rings) > FINE || samples > 128
 }
 
@@ -156,14 +198,21 @@ fn episode(seed: u64, told: bool) {
     let mut dice = Dice(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
     let loaded = beginning(&mut dice, seed);
     diary(|diary| {
-        *diary = Diary { seed, steps: vec![format!("opens {}", loaded.name)], frame: Instant::now() };
+        *diary = Diary {
+            seed,
+            steps: vec![format!("opens {}", loaded.name)],
+            frame: Instant::now(),
+        };
     });
     if told {
         eprintln!("opens {}\n{}", loaded.name, loaded.scene.to_toml());
     }
     let began = Instant::now();
     // A window shows a box for a letter that its fonts lack.
-    let builder = Harness::builder().with_size([800.0, 500.0]).allow_missing_glyphs().renderer(hands::Nowhere);
+    let builder = Harness::builder()
+        .with_size([800.0, 500.0])
+        .allow_missing_glyphs()
+        .renderer(hands::Nowhere);
     let mut harness = builder.build_eframe(|cc| App::new(cc, loaded));
     harness.input_mut().max_texture_side = Some(16_384);
     let mut longest = (Duration::ZERO, String::new());
@@ -182,7 +231,10 @@ fn episode(seed: u64, told: bool) {
             check(&harness);
             let took = diary(|diary| diary.frame.elapsed());
             if took > longest.0 {
-                longest = (took, diary(|diary| diary.steps.last().cloned().unwrap_or_default()));
+                longest = (
+                    took,
+                    diary(|diary| diary.steps.last().cloned().unwrap_or_default()),
+                );
             }
         }
         if slow(hands::scene(&harness)) {
@@ -207,7 +259,9 @@ fn check(harness: &Harness<'_, App>) {
             found(&format!("reaches too far, or is no number: {shape:?}"));
         }
     }
-    let meshes = harness.ctx.tessellate(shapes.clone(), harness.ctx.pixels_per_point());
+    let meshes = harness
+        .ctx
+        .tessellate(shapes.clone(), harness.ctx.pixels_per_point());
     let vertices: usize = meshes
         .iter()
         .map(|mesh| match &mesh.primitive {
@@ -245,7 +299,14 @@ fn what_strays_is_found() {
     use eframe::egui::{Color32, Stroke, pos2};
     let line = |to| Shape::line(vec![pos2(0.0, 0.0), to], Stroke::new(1.0, Color32::WHITE));
     assert!(stray(&line(pos2(10.0, 10.0))).is_none());
-    for to in [pos2(1e6, 0.0), pos2(f32::NAN, 0.0), pos2(0.0, f32::INFINITY)] {
-        assert!(stray(&Shape::Vec(vec![line(pos2(1.0, 1.0)), line(to)])).is_some(), "{to:?}");
+    for to in [
+        pos2(1e6, 0.0),
+        pos2(f32::NAN, 0.0),
+        pos2(0.0, f32::INFINITY),
+    ] {
+        assert!(
+            stray(&Shape::Vec(vec![line(pos2(1.0, 1.0)), line(to)])).is_some(),
+            "{to:?}"
+        );
     }
 }

@@ -2,18 +2,28 @@
 //! stand in a picture.
 
 use glam::{DVec2, DVec3, Vec3};
-use shading_lab::analysis::{LitVertex, NeedleKind, Needles, NormalField, OverlayLayer, OverlayOptions, VertexNormal};
+use shading_lab::analysis::{
+    LitVertex, NeedleKind, Needles, NormalField, OverlayLayer, OverlayOptions, VertexNormal,
+};
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, NormalOrigin, tessellate};
 use shading_lab::render::Renderer;
-use shading_lab::scene::{NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, View, Weighting};
+use shading_lab::scene::{
+    NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, View, Weighting,
+};
 use std::sync::Arc;
 use tiny_skia::Pixmap;
 
 fn mesh(positions: &[[f32; 3]], faces: &[&[u32]]) -> Mesh {
-    let mut mesh = Mesh { starts: vec![0], ..Mesh::default() };
+    let mut mesh = Mesh {
+        starts: vec![0],
+        ..Mesh::default()
+    };
     mesh.positions = positions.iter().copied().map(Vec3::from).collect();
     for face in faces {
-        mesh.corners.extend(face.iter().map(|&position| Corner { position, normal: NO_NORMAL }));
+        mesh.corners.extend(face.iter().map(|&position| Corner {
+            position,
+            normal: NO_NORMAL,
+        }));
         mesh.starts.push(mesh.corners.len() as u32);
     }
     mesh
@@ -26,7 +36,12 @@ fn vertex(mesh: &Mesh, weighting: Weighting, number: u32) -> VertexNormal {
 
 /// The shares of the faces that face each way.
 fn share_towards(vertex: &VertexNormal, way: DVec3) -> f64 {
-    vertex.faces.iter().filter(|face| face.normal.dot(way) > 0.999).map(|face| face.share).sum()
+    vertex
+        .faces
+        .iter()
+        .filter(|face| face.normal.dot(way) > 0.999)
+        .map(|face| face.share)
+        .sum()
 }
 
 #[track_caller]
@@ -36,15 +51,32 @@ fn close(a: f64, b: f64) {
 
 /// A box of edges a, b, c at the origin, its six faces as quadrilaterals.
 fn cuboid([a, b, c]: [f32; 3]) -> Mesh {
-    let at = |i: u32| [a * (i & 1) as f32, b * (i >> 1 & 1) as f32, c * (i >> 2 & 1) as f32];
+    let at = |i: u32| {
+        [
+            a * (i & 1) as f32,
+            b * (i >> 1 & 1) as f32,
+            c * (i >> 2 & 1) as f32,
+        ]
+    };
     let positions: Vec<[f32; 3]> = (0..8).map(at).collect();
-    let faces: [&[u32]; 6] = [&[0, 2, 3, 1], &[4, 5, 7, 6], &[0, 1, 5, 4], &[2, 6, 7, 3], &[0, 4, 6, 2], &[1, 3, 7, 5]];
+    let faces: [&[u32]; 6] = [
+        &[0, 2, 3, 1],
+        &[4, 5, 7, 6],
+        &[0, 1, 5, 4],
+        &[2, 6, 7, 3],
+        &[0, 4, 6, 2],
+        &[1, 3, 7, 5],
+    ];
     mesh(&positions, &faces)
 }
 
 /// The same, each face as two triangles by the diagonal through its first corner.
 fn fanned(mesh: &Mesh) -> Mesh {
-    let mut cut = Mesh { starts: vec![0], corners: vec![], ..mesh.clone() };
+    let mut cut = Mesh {
+        starts: vec![0],
+        corners: vec![],
+        ..mesh.clone()
+    };
     for f in 0..mesh.face_count() {
         let face = mesh.face(f);
         for pair in face[1..].windows(2) {
@@ -60,7 +92,10 @@ fn at_a_cubes_corner_three_faces_count_a_third_each() {
     let cube = cuboid([1.0; 3]);
     for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
         let corner = vertex(&cube, weighting, 7);
-        assert_eq!((corner.origin, corner.faces.len()), (NormalOrigin::Averaged, 3));
+        assert_eq!(
+            (corner.origin, corner.faces.len()),
+            (NormalOrigin::Averaged, 3)
+        );
         for face in &corner.faces {
             close(face.share, 1.0 / 3.0);
             // The diagonal's angle with an axis.
@@ -73,8 +108,16 @@ fn at_a_cubes_corner_three_faces_count_a_third_each() {
     assert_eq!([Weighting::Equal, Weighting::Area].map(raw), [1.0, 1.0]);
     close(raw(Weighting::Angle), 90.0);
     // A unit cube of n-gons: more corners on an edge change nothing by angle.
-    let built_in = tessellate(&Object { kind: ObjectKind::Cube, segments: 4, rings: 1, ..Object::default() });
-    vertex(&built_in, Weighting::Equal, 0).faces.iter().for_each(|face| close(face.share, 1.0 / 3.0));
+    let built_in = tessellate(&Object {
+        kind: ObjectKind::Cube,
+        segments: 4,
+        rings: 1,
+        ..Object::default()
+    });
+    vertex(&built_in, Weighting::Equal, 0)
+        .faces
+        .iter()
+        .for_each(|face| close(face.share, 1.0 / 3.0));
 }
 
 #[test]
@@ -84,14 +127,26 @@ fn angles_do_not_see_how_a_side_is_cut_and_counting_does() {
     for number in 0..8 {
         let by_angle = vertex(&cut, Weighting::Angle, number);
         let outwards = by_angle.position * 2.0 - 1.0;
-        sides.iter().for_each(|side| close(share_towards(&by_angle, side * outwards), 1.0 / 3.0));
+        sides
+            .iter()
+            .for_each(|side| close(share_towards(&by_angle, side * outwards), 1.0 / 3.0));
     }
     // Corner 4 begins one fan: two triangles on one side, one on either other.
     let counted = vertex(&cut, Weighting::Equal, 4);
     assert_eq!(counted.faces.len(), 4);
-    counted.faces.iter().for_each(|face| close(face.share, 0.25));
+    counted
+        .faces
+        .iter()
+        .for_each(|face| close(face.share, 0.25));
     let shares = sides.map(|side| share_towards(&counted, side * (counted.position * 2.0 - 1.0)));
-    assert_eq!(shares.iter().filter(|share| (**share - 0.5).abs() < 1e-9).count(), 1, "{shares:?}");
+    assert_eq!(
+        shares
+            .iter()
+            .filter(|share| (**share - 0.5).abs() < 1e-9)
+            .count(),
+        1,
+        "{shares:?}"
+    );
 }
 
 #[test]
@@ -100,7 +155,11 @@ fn area_weights_of_a_box_are_its_sides() {
     // 2·4, 1·4 and 1·2 of 14 together.
     for (way, area) in [(DVec3::X, 8.0), (DVec3::Y, 4.0), (DVec3::Z, 2.0)] {
         close(share_towards(&corner, way), area / 14.0);
-        let face = corner.faces.iter().find(|face| face.normal.dot(way) > 0.999).expect("a side");
+        let face = corner
+            .faces
+            .iter()
+            .find(|face| face.normal.dot(way) > 0.999)
+            .expect("a side");
         close(face.weight, area);
     }
     close(corner.length, 84f64.sqrt() / 14.0);
@@ -113,8 +172,23 @@ fn angle_weights_at_a_pyramids_apex_are_its_apex_angles() {
     // Over a rectangle 2a × 2b with height h; at the apex cos of a side's angle is (h² ± …)/(h² + a² + b²).
     let (a, b, h) = (1.0f64, 0.5f64, 2.0f64);
     let (x, y, z) = (a as f32, b as f32, h as f32);
-    let positions = [[0.0, 0.0, z], [-x, -y, 0.0], [x, -y, 0.0], [x, y, 0.0], [-x, y, 0.0]];
-    let pyramid = mesh(&positions, &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 4], &[0, 4, 1], &[4, 3, 2, 1]]);
+    let positions = [
+        [0.0, 0.0, z],
+        [-x, -y, 0.0],
+        [x, -y, 0.0],
+        [x, y, 0.0],
+        [-x, y, 0.0],
+    ];
+    let pyramid = mesh(
+        &positions,
+        &[
+            &[0, 1, 2],
+            &[0, 2, 3],
+            &[0, 3, 4],
+            &[0, 4, 1],
+            &[4, 3, 2, 1],
+        ],
+    );
     let squares = a * a + b * b + h * h;
     let along = |half: f64| ((squares - 2.0 * half * half) / squares).acos();
     let (wide, narrow) = (along(a), along(b));
@@ -124,38 +198,76 @@ fn angle_weights_at_a_pyramids_apex_are_its_apex_angles() {
         close(face.share, angle / (2.0 * (wide + narrow)));
     }
     assert!(apex.normal.distance(DVec3::Z) < 1e-6);
-    assert_eq!(apex.faces.iter().map(|face| face.face).collect::<Vec<_>>(), [0, 1, 2, 3]);
+    assert_eq!(
+        apex.faces.iter().map(|face| face.face).collect::<Vec<_>>(),
+        [0, 1, 2, 3]
+    );
 }
 
 #[test]
 fn given_and_facet_normals_and_cancelled_ones_say_so() {
-    let cube = Object { kind: ObjectKind::Cube, segments: 4, rings: 1, ..Object::default() };
+    let cube = Object {
+        kind: ObjectKind::Cube,
+        segments: 4,
+        rings: 1,
+        ..Object::default()
+    };
     let of = |source| NormalField::of_mesh(Arc::new(tessellate(&cube)), source, Weighting::Equal);
     let exact = of(NormalSource::Exact);
     assert_eq!(exact.vertex_count(), 24);
     let corner = exact.vertex(0).expect("a vertex");
-    assert_eq!((corner.origin, corner.faces.len(), corner.length), (NormalOrigin::Given, 1, 0.0));
+    assert_eq!(
+        (corner.origin, corner.faces.len(), corner.length),
+        (NormalOrigin::Given, 1, 0.0)
+    );
     let facet = of(NormalSource::Facet).vertex(5).expect("a vertex");
-    assert_eq!((facet.origin, facet.faces.len(), facet.faces[0].share), (NormalOrigin::Facet, 1, 1.0));
+    assert_eq!(
+        (facet.origin, facet.faces.len(), facet.faces[0].share),
+        (NormalOrigin::Facet, 1, 1.0)
+    );
     assert_eq!(facet.faces[0].normal, facet.normal);
     assert_eq!(exact.vertex(24), None);
     let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    let leaf = vertex(&mesh(&positions, &[&[0, 1, 2], &[0, 2, 1]]), Weighting::Area, 0);
-    assert_eq!((leaf.origin, leaf.length, leaf.normal), (NormalOrigin::FirstFace, 0.0, DVec3::Z));
+    let leaf = vertex(
+        &mesh(&positions, &[&[0, 1, 2], &[0, 2, 1]]),
+        Weighting::Area,
+        0,
+    );
+    assert_eq!(
+        (leaf.origin, leaf.length, leaf.normal),
+        (NormalOrigin::FirstFace, 0.0, DVec3::Z)
+    );
     leaf.faces.iter().for_each(|face| close(face.share, 0.5));
     // The same point, whichever normals are chosen.
     let averaged = of(NormalSource::Averaged);
     for vertex in 0..24 {
         let point = exact.point_of(vertex).expect("a vertex of a face");
-        let other = averaged.vertex_at(point).and_then(|vertex| averaged.vertex(vertex)).expect("a vertex");
-        assert_eq!(other.position, exact.vertex(vertex).expect("a vertex").position);
+        let other = averaged
+            .vertex_at(point)
+            .and_then(|vertex| averaged.vertex(vertex))
+            .expect("a vertex");
+        assert_eq!(
+            other.position,
+            exact.vertex(vertex).expect("a vertex").position
+        );
     }
 }
 
 #[test]
 fn what_is_shown_is_what_the_averaging_gives() {
-    for kind in [ObjectKind::Sphere, ObjectKind::Teapot, ObjectKind::Cone, ObjectKind::Corrugated, ObjectKind::Torus] {
-        let object = Object { kind, segments: 11, rings: 5, ..Object::default() };
+    for kind in [
+        ObjectKind::Sphere,
+        ObjectKind::Teapot,
+        ObjectKind::Cone,
+        ObjectKind::Corrugated,
+        ObjectKind::Torus,
+    ] {
+        let object = Object {
+            kind,
+            segments: 11,
+            rings: 5,
+            ..Object::default()
+        };
         let mesh = Arc::new(tessellate(&object));
         for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
             let field = NormalField::of_mesh(Arc::clone(&mesh), NormalSource::Averaged, weighting);
@@ -163,7 +275,10 @@ fn what_is_shown_is_what_the_averaging_gives() {
                 let vertex = field.vertex(number).expect("a vertex");
                 if vertex.origin == NormalOrigin::Averaged {
                     close(vertex.faces.iter().map(|face| face.share).sum(), 1.0);
-                    assert!(vertex.sum.normalize().distance(vertex.normal) < 1e-6, "{kind:?} {number}");
+                    assert!(
+                        vertex.sum.normalize().distance(vertex.normal) < 1e-6,
+                        "{kind:?} {number}"
+                    );
                 }
             }
         }
@@ -175,7 +290,10 @@ fn needles(scene: &Scene, layers: &[OverlayLayer]) -> (Renderer, NormalField, Ne
     let mut renderer = Renderer::default();
     renderer.render(scene);
     let field = NormalField::new(&renderer, &scene.object);
-    let options = OverlayOptions { layers: layers.to_vec(), ..OverlayOptions::default() };
+    let options = OverlayOptions {
+        layers: layers.to_vec(),
+        ..OverlayOptions::default()
+    };
     let laid = Needles::new(scene.image.size, scene, &renderer, &field, &options);
     (renderer, field, laid)
 }
@@ -183,7 +301,11 @@ fn needles(scene: &Scene, layers: &[OverlayLayer]) -> (Renderer, NormalField, Ne
 fn sphere(segments: u32, rings: u32) -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [500, 400];
-    scene.object = Object { segments, rings, ..Object::default() };
+    scene.object = Object {
+        segments,
+        rings,
+        ..Object::default()
+    };
     scene
 }
 
@@ -200,7 +322,10 @@ fn needles_stand_where_their_points_and_ends_appear() {
         let faces = tessellate(&scene.object);
         for needle in &laid.needles {
             let (point, normal) = match needle.kind {
-                NeedleKind::Vertex => field.vertex(needle.index).map(|v| (v.position, v.normal)).expect("a vertex"),
+                NeedleKind::Vertex => field
+                    .vertex(needle.index)
+                    .map(|v| (v.position, v.normal))
+                    .expect("a vertex"),
                 NeedleKind::Face => {
                     let f = needle.index as usize;
                     (faces.face_centre(f), faces.face_normal(f))
@@ -211,7 +336,10 @@ fn needles_stand_where_their_points_and_ends_appear() {
             assert!(needle.tip.distance(at(point + normal * laid.length)) < 1e-9);
         }
         // Half a median edge, and the edge is between that of the equator and that of a meridian.
-        assert!((0.5 * field.median_edge - laid.length).abs() < 1e-9 || laid.length < 0.5 * field.median_edge);
+        assert!(
+            (0.5 * field.median_edge - laid.length).abs() < 1e-9
+                || laid.length < 0.5 * field.median_edge
+        );
     }
 }
 
@@ -221,15 +349,28 @@ fn back_faces_and_what_is_hidden_have_no_needles() {
     for needle in &laid.needles {
         let towards = match needle.kind {
             NeedleKind::Vertex => field.vertex(needle.index).expect("a vertex").normal.z,
-            NeedleKind::Face => field.outline(needle.index).iter().map(|corner| corner.z).sum(),
+            NeedleKind::Face => field
+                .outline(needle.index)
+                .iter()
+                .map(|corner| corner.z)
+                .sum(),
         };
         // A vertex on the outline leans away a little.
-        assert!(towards > if needle.kind == NeedleKind::Face { 0.0 } else { -0.3 }, "{needle:?}: {towards}");
+        assert!(
+            towards
+                > if needle.kind == NeedleKind::Face {
+                    0.0
+                } else {
+                    -0.3
+                },
+            "{needle:?}: {towards}"
+        );
     }
     // Two squares, one behind the other: of eight vertices the four before are seen.
     let mut scene = sphere(3, 3);
     let square = |z: f64, side: f64| {
-        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| DVec3::new(x * side, y * side, z))
+        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+            .map(|[x, y]| DVec3::new(x * side, y * side, z))
     };
     scene.object.kind = ObjectKind::Polygons;
     scene.object.normals = NormalSource::Averaged;
@@ -238,13 +379,23 @@ fn back_faces_and_what_is_hidden_have_no_needles() {
     for mode in [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong] {
         scene.shading.mode = mode;
         let (renderer, field, laid) = needles(&scene, &[OverlayLayer::VertexNormals]);
-        assert_eq!(laid.needles.iter().map(|needle| needle.index).collect::<Vec<_>>(), [0, 1, 2, 3]);
+        assert_eq!(
+            laid.needles
+                .iter()
+                .map(|needle| needle.index)
+                .collect::<Vec<_>>(),
+            [0, 1, 2, 3]
+        );
         let view = View::new(&scene.camera, scene.image.size);
         let seen = field.facing(&view, scene.image.size);
         assert_eq!(seen.vertices.len(), 8);
         // The hidden one is nearer to this place, and yet not meant.
-        let (pixel, _) = view.project(DVec3::new(0.5, 0.5, -2.0)).expect("before the eye");
-        let near = field.vertex_near(&renderer, &seen, pixel, 1e9).expect("one is seen");
+        let (pixel, _) = view
+            .project(DVec3::new(0.5, 0.5, -2.0))
+            .expect("before the eye");
+        let near = field
+            .vertex_near(&renderer, &seen, pixel, 1e9)
+            .expect("one is seen");
         assert_eq!(near.index, 2);
         assert_eq!(field.vertex_near(&renderer, &seen, pixel, 3.0), None);
     }
@@ -254,16 +405,35 @@ fn back_faces_and_what_is_hidden_have_no_needles() {
 fn of_too_many_an_even_choice_is_drawn_and_said() {
     let (_, field, laid) = needles(&sphere(400, 200), &BOTH);
     let note = laid.note.clone().expect("not all are drawn");
-    assert!(note.text.contains(" of 25037 vertex normals, "), "{}", note.text);
-    assert!((200..6000).contains(&laid.needles.len()), "{}", laid.needles.len());
-    let vertices = laid.needles.iter().filter(|needle| needle.kind == NeedleKind::Vertex);
-    let feet: Vec<DVec3> = vertices.map(|needle| field.vertex(needle.index).expect("a vertex").position).collect();
+    assert!(
+        note.text.contains(" of 25037 vertex normals, "),
+        "{}",
+        note.text
+    );
+    assert!(
+        (200..6000).contains(&laid.needles.len()),
+        "{}",
+        laid.needles.len()
+    );
+    let vertices = laid
+        .needles
+        .iter()
+        .filter(|needle| needle.kind == NeedleKind::Vertex);
+    let feet: Vec<DVec3> = vertices
+        .map(|needle| field.vertex(needle.index).expect("a vertex").position)
+        .collect();
     let nearest = |i: usize| {
-        let others = feet.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, other)| other.distance(feet[i]));
+        let others = feet
+            .iter()
+            .enumerate()
+            .filter(|(j, _)| *j != i)
+            .map(|(_, other)| other.distance(feet[i]));
         others.fold(f64::INFINITY, f64::min)
     };
     let gaps: Vec<f64> = (0..feet.len()).map(nearest).collect();
-    let (least, most) = gaps.iter().fold((f64::INFINITY, 0.0f64), |(l, m), gap| (l.min(*gap), m.max(*gap)));
+    let (least, most) = gaps.iter().fold((f64::INFINITY, 0.0f64), |(l, m), gap| {
+        (l.min(*gap), m.max(*gap))
+    });
     assert!(least > 0.03 && most < 2.5 * least, "{least} to {most}");
 }
 
@@ -273,27 +443,56 @@ fn a_lit_vertex_is_lettered_with_its_shares() {
     scene.object.normals = NormalSource::Averaged;
     scene.object.weighting = Weighting::Area;
     let (_, field, laid) = needles(&scene, &BOTH);
-    let facing = laid.needles.iter().filter(|needle| needle.kind == NeedleKind::Vertex);
+    let facing = laid
+        .needles
+        .iter()
+        .filter(|needle| needle.kind == NeedleKind::Vertex);
     let middle = DVec2::new(250.0, 200.0);
-    let nearest = facing.min_by(|a, b| a.foot.distance(middle).total_cmp(&b.foot.distance(middle))).expect("needles");
+    let nearest = facing
+        .min_by(|a, b| a.foot.distance(middle).total_cmp(&b.foot.distance(middle)))
+        .expect("needles");
     let vertex = field.vertex(nearest.index).expect("a vertex");
     let options = OverlayOptions::default();
-    let lit = LitVertex::new(scene.image.size, &scene, &field, &vertex, &options).expect("it appears");
+    let lit =
+        LitVertex::new(scene.image.size, &scene, &field, &vertex, &options).expect("it appears");
     let mut texts: Vec<&str> = lit.labels.iter().map(|label| label.text.as_str()).collect();
     texts.sort_unstable();
-    let mut shares: Vec<String> = vertex.faces.iter().map(|face| format!("{:.2}", face.share)).collect();
+    let mut shares: Vec<String> = vertex
+        .faces
+        .iter()
+        .map(|face| format!("{:.2}", face.share))
+        .collect();
     shares.sort();
     shares.push("N".to_owned());
     assert_eq!(texts, shares);
     let mut pixmap = Pixmap::new(500, 400).expect("not empty");
     lit.draw(&mut pixmap.as_mut());
-    let inked = pixmap.pixels().iter().filter(|pixel| pixel.alpha() > 0).count();
+    let inked = pixmap
+        .pixels()
+        .iter()
+        .filter(|pixel| pixel.alpha() > 0)
+        .count();
     assert!((2000..100_000).contains(&inked), "{inked}");
     // The pole of many faces is counted.
     scene.object.segments = 64;
     let (_, field, _) = needles(&scene, &BOTH);
-    let pole = (0..field.vertex_count() as u32).filter_map(|v| field.vertex(v)).find(|v| v.faces.len() == 64);
+    let pole = (0..field.vertex_count() as u32)
+        .filter_map(|v| field.vertex(v))
+        .find(|v| v.faces.len() == 64);
     scene.camera.eye = DVec3::new(0.0, 4.0, 0.1);
-    let lit = LitVertex::new(scene.image.size, &scene, &field, &pole.expect("a pole"), &options).expect("it appears");
-    assert!(lit.labels.iter().any(|label| label.text == "64 faces, 0.016 each"), "{:?}", lit.labels);
+    let lit = LitVertex::new(
+        scene.image.size,
+        &scene,
+        &field,
+        &pole.expect("a pole"),
+        &options,
+    )
+    .expect("it appears");
+    assert!(
+        lit.labels
+            .iter()
+            .any(|label| label.text == "64 faces, 0.016 each"),
+        "{:?}",
+        lit.labels
+    );
 }

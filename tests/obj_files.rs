@@ -16,9 +16,20 @@ fn read(file: impl AsRef<[u8]>) -> Result<Mesh, ObjError> {
 
 fn good(file: impl AsRef<[u8]>) -> Mesh {
     let mesh = read(file).expect("the model is sound");
-    assert_eq!(mesh.corners.len(), *mesh.starts.last().expect("starts has an end") as usize);
-    assert!(mesh.corners.iter().all(|c| (c.position as usize) < mesh.positions.len()));
-    assert!(mesh.corners.iter().all(|c| c.normal == NO_NORMAL || (c.normal as usize) < mesh.normals.len()));
+    assert_eq!(
+        mesh.corners.len(),
+        *mesh.starts.last().expect("starts has an end") as usize
+    );
+    assert!(
+        mesh.corners
+            .iter()
+            .all(|c| (c.position as usize) < mesh.positions.len())
+    );
+    assert!(
+        mesh.corners
+            .iter()
+            .all(|c| c.normal == NO_NORMAL || (c.normal as usize) < mesh.normals.len())
+    );
     mesh
 }
 
@@ -61,12 +72,22 @@ fn line_ends_marks_and_encodings() {
         square("f 1 2 \\\n3 4\n").replace('\n', "\r\n"),
         square("\tf  1\t2 3  4  # a face\n\n#f 9 9 9\n"),
         square("# Größe \\\nf 1 2 3 4\n"),
-        square("mtllib no such file.mtl\nusemtl x\ng\ns 1\no\nvp 1 2\ncurv 0 1 1 2\nf 1 2 3 4\nl 1 2\np 1\ncall x\n"),
+        square(
+            "mtllib no such file.mtl\nusemtl x\ng\ns 1\no\nvp 1 2\ncurv 0 1 1 2\nf 1 2 3 4\nl 1 2\np 1\ncall x\n",
+        ),
     ] {
         let mesh = good(&variant);
-        assert_eq!((&mesh.positions, &mesh.corners), (&plain.positions, &plain.corners), "{variant:?}");
+        assert_eq!(
+            (&mesh.positions, &mesh.corners),
+            (&plain.positions, &plain.corners),
+            "{variant:?}"
+        );
     }
-    let latin_1 = [b"# Gr\xf6\xdfe\ng \xe9t\xe9\n".as_slice(), square("f 1 2 3 4\n").as_bytes()].concat();
+    let latin_1 = [
+        b"# Gr\xf6\xdfe\ng \xe9t\xe9\n".as_slice(),
+        square("f 1 2 3 4\n").as_bytes(),
+    ]
+    .concat();
     assert_eq!(good(latin_1).positions, plain.positions);
 }
 
@@ -89,11 +110,21 @@ fn polygons_of_any_size() {
 
 #[test]
 fn numbers_of_every_form() {
-    let mesh = good(square("f -4 -3 -2 -1\nv 5 5 5\nf -5 -4 -3\nf +1 2/7/ 3// 4/9\n"));
+    let mesh = good(square(
+        "f -4 -3 -2 -1\nv 5 5 5\nf -5 -4 -3\nf +1 2/7/ 3// 4/9\n",
+    ));
     assert_eq!(arities(&mesh), [4, 3, 4]);
     assert_eq!(mesh.positions.len(), 4);
-    let mesh = good("v 1e0 .5 -2.\nv +1 1E1 0 0.1 0.2 0.3\nv 2 4 6 2\nv 0 0 0 1 0.5 0.5 0.5\nf 1 2 3\n");
-    assert_eq!(mesh.positions, [Vec3::new(1.0, 0.5, -2.0), Vec3::new(1.0, 10.0, 0.0), Vec3::new(1.0, 2.0, 3.0)]);
+    let mesh =
+        good("v 1e0 .5 -2.\nv +1 1E1 0 0.1 0.2 0.3\nv 2 4 6 2\nv 0 0 0 1 0.5 0.5 0.5\nf 1 2 3\n");
+    assert_eq!(
+        mesh.positions,
+        [
+            Vec3::new(1.0, 0.5, -2.0),
+            Vec3::new(1.0, 10.0, 0.0),
+            Vec3::new(1.0, 2.0, 3.0)
+        ]
+    );
 }
 
 #[test]
@@ -103,16 +134,40 @@ fn given_normals_missing_ones_and_useless_ones() {
          f 1//1 2//-1 3//2\nf 1//3 3 4//4\n",
     );
     let mesh = good(file);
-    let given: Vec<Option<Vec3>> = mesh.corners.iter().map(|c| mesh.normals.get(c.normal as usize).copied()).collect();
+    let given: Vec<Option<Vec3>> = mesh
+        .corners
+        .iter()
+        .map(|c| mesh.normals.get(c.normal as usize).copied())
+        .collect();
     let slanted = Vec3::new(0.6, 0.0, 0.8);
-    assert_eq!(given, [None, None, None, Some(Vec3::Z), Some(slanted), None, None, None, Some(slanted)]);
+    assert_eq!(
+        given,
+        [
+            None,
+            None,
+            None,
+            Some(Vec3::Z),
+            Some(slanted),
+            None,
+            None,
+            None,
+            Some(slanted)
+        ]
+    );
     let vertices = mesh.with_vertex_normals(NormalSource::File, Weighting::Equal);
     assert_eq!(vertices.normals[vertices.corners[3] as usize], Vec3::Z);
     assert_eq!(vertices.normals[vertices.corners[4] as usize], slanted);
-    assert_eq!(vertices.normals[vertices.corners[7] as usize], Vec3::Z, "averaged");
+    assert_eq!(
+        vertices.normals[vertices.corners[7] as usize],
+        Vec3::Z,
+        "averaged"
+    );
     let none = good(square("f 1 2 3 4\n"));
     for source in [NormalSource::File, NormalSource::Exact] {
-        assert_eq!(none.with_vertex_normals(source, Weighting::Area).normals, vec![Vec3::Z; 4]);
+        assert_eq!(
+            none.with_vertex_normals(source, Weighting::Area).normals,
+            vec![Vec3::Z; 4]
+        );
     }
 }
 
@@ -125,7 +180,9 @@ fn objects_share_points_at_one_place() {
 
 #[test]
 fn faces_without_area_do_no_harm() {
-    let mesh = good(square("f 1 1 1\nf 1 2 2 3\nf 1 2 1\nf 3 1 2 3\nf 1 2 3 4\nf 1 2 3 4\nv 2 0 0\nf 1 2 5\n"));
+    let mesh = good(square(
+        "f 1 1 1\nf 1 2 2 3\nf 1 2 1\nf 3 1 2 3\nf 1 2 3 4\nf 1 2 3 4\nv 2 0 0\nf 1 2 5\n",
+    ));
     assert_eq!(arities(&mesh), [3, 3, 4, 4, 3]);
     let vertices = mesh.with_vertex_normals(NormalSource::Averaged, Weighting::Angle);
     assert!(vertices.normals.iter().all(|n| n.is_normalized()));
@@ -154,12 +211,18 @@ fn concave_polygons_are_covered_by_their_fans() {
     }
     // A corner on a straight edge is no reason to change a polygon.
     let straight = good("v 0 0 0\nv 0.1 0.1 0\nv 0.3 0.3 0\nv 0 1 0\nf 1 2 3 4\n");
-    assert_eq!((arities(&straight), straight.corners[0].position), (vec![4], 0));
+    assert_eq!(
+        (arities(&straight), straight.corners[0].position),
+        (vec![4], 0)
+    );
 }
 
 /// A model of one polygon.
 fn one_polygon(points: &[DVec2]) -> Mesh {
-    let mut text: String = points.iter().map(|p| format!("v {} {} 0\n", p.x, p.y)).collect();
+    let mut text: String = points
+        .iter()
+        .map(|p| format!("v {} {} 0\n", p.x, p.y))
+        .collect();
     text.push('f');
     (1..=points.len()).for_each(|k| text.push_str(&format!(" {k}")));
     good(text)
@@ -210,13 +273,27 @@ fn comb(teeth: u32, square: bool) -> Vec<DVec2> {
 #[test]
 fn a_comb_of_any_number_of_corners_is_filled_as_a_comb() {
     const SIDE: u32 = 200;
-    for (points, corners) in [(comb(200, false), 403), (comb(60, true), 482), (comb(700, false), 1403)] {
+    for (points, corners) in [
+        (comb(200, false), 403),
+        (comb(60, true), 482),
+        (comb(700, false), 1403),
+    ] {
         assert_eq!(points.len(), corners);
         let mesh = one_polygon(&points);
-        let area: f64 = (0..mesh.face_count()).map(|f| doubled_area(&face_points(&mesh, f))).sum();
-        let expected = points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.perp_dot(*b)).sum::<f64>();
-        assert!((area - expected).abs() < 1e-5 * expected, "{corners}: {area}, expected {expected}");
-        let used: std::collections::HashSet<u32> = mesh.corners.iter().map(|corner| corner.position).collect();
+        let area: f64 = (0..mesh.face_count())
+            .map(|f| doubled_area(&face_points(&mesh, f)))
+            .sum();
+        let expected = points
+            .iter()
+            .zip(points.iter().cycle().skip(1))
+            .map(|(a, b)| a.perp_dot(*b))
+            .sum::<f64>();
+        assert!(
+            (area - expected).abs() < 1e-5 * expected,
+            "{corners}: {area}, expected {expected}"
+        );
+        let used: std::collections::HashSet<u32> =
+            mesh.corners.iter().map(|corner| corner.position).collect();
         assert_eq!(used.len(), corners, "each corner belongs to a triangle");
         let mut scene = Scene::default();
         (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("comb.obj".into()));
@@ -229,8 +306,12 @@ fn a_comb_of_any_number_of_corners_is_filled_as_a_comb() {
         let pixel = 2.2 / f64::from(SIDE);
         let mut compared = 0;
         for (k, [_, _, _, covered]) in (0..).zip(renderer.linear()) {
-            let centre = DVec2::new(f64::from(k % SIDE) + 0.5, f64::from(SIDE - k / SIDE) - 0.5) * pixel - 1.1;
-            let Some(inside) = is_inside(&points, centre, pixel / 64.0) else { continue };
+            let centre = DVec2::new(f64::from(k % SIDE) + 0.5, f64::from(SIDE - k / SIDE) - 0.5)
+                * pixel
+                - 1.1;
+            let Some(inside) = is_inside(&points, centre, pixel / 64.0) else {
+                continue;
+            };
             compared += 1;
             assert_eq!(*covered > 0.0, inside, "{corners} corners, {centre}");
         }
@@ -239,31 +320,48 @@ fn a_comb_of_any_number_of_corners_is_filled_as_a_comb() {
 }
 
 fn face_points(mesh: &Mesh, f: usize) -> Vec<DVec3> {
-    mesh.face(f).iter().map(|corner| mesh.positions[corner.position as usize].as_dvec3()).collect()
+    mesh.face(f)
+        .iter()
+        .map(|corner| mesh.positions[corner.position as usize].as_dvec3())
+        .collect()
 }
 
 /// Twice the area of a plane face's fan.
 fn doubled_area(points: &[DVec3]) -> f64 {
-    points[1..].windows(2).map(|pair| (pair[0] - points[0]).cross(pair[1] - points[0]).z).sum()
+    points[1..]
+        .windows(2)
+        .map(|pair| (pair[0] - points[0]).cross(pair[1] - points[0]).z)
+        .sum()
 }
 
 /// Polygons that cross themselves have no right cut; they come to an end all the same.
 #[test]
 fn a_tangle_of_many_corners_is_read() {
     let golden = |k: u32, part: f64| (f64::from(k) * part).fract() * 2.0 - 1.0;
-    let points: Vec<DVec2> =
-        (0..5000).map(|k| DVec2::new(golden(k, 0.618_033_988), golden(k, 0.414_213_562))).collect();
+    let points: Vec<DVec2> = (0..5000)
+        .map(|k| DVec2::new(golden(k, 0.618_033_988), golden(k, 0.414_213_562)))
+        .collect();
     assert!(one_polygon(&points).face_count() > 0);
 }
 
 #[test]
 fn far_models_keep_their_digits() {
-    let mesh = good("v 500000.125 4000000.25 0\nv 500001.125 4000000.25 0\nv 500000.125 4000001.375 0\nf 1 2 3\n");
-    let world: Vec<DVec3> = mesh.positions.iter().map(|p| mesh.origin + p.as_dvec3()).collect();
+    let mesh = good(
+        "v 500000.125 4000000.25 0\nv 500001.125 4000000.25 0\nv 500000.125 4000001.375 0\nf 1 2 3\n",
+    );
+    let world: Vec<DVec3> = mesh
+        .positions
+        .iter()
+        .map(|p| mesh.origin + p.as_dvec3())
+        .collect();
     assert_eq!(world[2], DVec3::new(500_000.125, 4_000_001.375, 0.0));
     let fitted = mesh.fitted();
     assert_eq!(fitted.origin, DVec3::ZERO);
-    let farthest = fitted.positions.iter().map(|p| p.length()).fold(0.0, f32::max);
+    let farthest = fitted
+        .positions
+        .iter()
+        .map(|p| p.length())
+        .fold(0.0, f32::max);
     assert!((farthest - 1.0).abs() < 1e-6);
 }
 
@@ -285,7 +383,10 @@ fn many_faces_come_in_pieces_and_make_one_mesh() {
     let mut told = Vec::new();
     let reader = BufReader::with_capacity(1000, Cursor::new(&file));
     let mesh = read_obj(reader, &mut |bytes| told.push(bytes)).expect("the model is sound");
-    assert_eq!((mesh.face_count(), mesh.positions.len()), (n * n, (n + 1) * (n + 1)));
+    assert_eq!(
+        (mesh.face_count(), mesh.positions.len()),
+        (n * n, (n + 1) * (n + 1))
+    );
     for corner in &mesh.corners {
         let y = mesh.positions[corner.position as usize].y;
         let expected = Vec3::new(0.0, y % 7.0, 1.0).normalize();
@@ -301,10 +402,22 @@ fn errors_name_the_line_and_what_was_expected() {
         ("f 1 2 5\n", Some(5), "vertex 5, expected 1 to 4"),
         ("f 0 1 2\n", Some(5), "vertex 0, expected 1 to 4"),
         ("f -5 1 2\n", Some(5), "-4 to -1"),
-        ("f 1 2 99999999999999999999999999\n", Some(5), "vertex 99999999999999999999999999"),
-        ("f 1 2 -9223372036854775808\n", Some(5), "vertex -9223372036854775808"),
+        (
+            "f 1 2 99999999999999999999999999\n",
+            Some(5),
+            "vertex 99999999999999999999999999",
+        ),
+        (
+            "f 1 2 -9223372036854775808\n",
+            Some(5),
+            "vertex -9223372036854775808",
+        ),
         ("\n# x\nf 1//1 2 3\n", Some(7), "normal 1"),
-        ("f 1\n", Some(5), "a face of 1 vertices, expected at least 3"),
+        (
+            "f 1\n",
+            Some(5),
+            "a face of 1 vertices, expected at least 3",
+        ),
         ("f 1 2 3\nf 1 2\n", Some(6), "a face of 2 vertices"),
         ("f\n", Some(5), "a face of 0 vertices"),
         ("f 1 2 x\n", Some(5), "`x` is not a corner"),
@@ -312,14 +425,34 @@ fn errors_name_the_line_and_what_was_expected() {
         ("f 1 2 3.5\n", Some(5), "`3.5` is not"),
         ("f 1 2 3-\n", Some(5), "`3-` is not"),
         ("f 1 2 \\\n3 \\\nq\nv\n", Some(5), "`q` is not"),
-        ("v 1 2\nf 1 2 3\n", Some(5), "2 numbers, expected three coordinates"),
-        ("v 1 2 nan\nf 1 2 3\n", Some(5), "coordinate nan is not finite"),
-        ("v 1 -inf 2\nf 1 2 3\n", Some(5), "coordinate -inf is not finite"),
-        ("v 1 1e39 2\nf 1 2 3\n", Some(5), "coordinate 1e39 is not finite"),
+        (
+            "v 1 2\nf 1 2 3\n",
+            Some(5),
+            "2 numbers, expected three coordinates",
+        ),
+        (
+            "v 1 2 nan\nf 1 2 3\n",
+            Some(5),
+            "coordinate nan is not finite",
+        ),
+        (
+            "v 1 -inf 2\nf 1 2 3\n",
+            Some(5),
+            "coordinate -inf is not finite",
+        ),
+        (
+            "v 1 1e39 2\nf 1 2 3\n",
+            Some(5),
+            "coordinate 1e39 is not finite",
+        ),
         ("v 1 1e999 2\nf 1 2 3\n", Some(5), "coordinate 1e999"),
         ("v 1 2 3 0\nf 1 2 3\n", Some(5), "weight"),
         ("v 1,5 2 3\nf 1 2 3\n", Some(5), "`1,5` is not a coordinate"),
-        ("vn 0 1\nf 1 2 3\n", Some(5), "2 numbers, expected three components"),
+        (
+            "vn 0 1\nf 1 2 3\n",
+            Some(5),
+            "2 numbers, expected three components",
+        ),
         ("vn 0 1 z\nf 1 2 3\n", Some(5), "`z` is not a component"),
         ("", None, "no face"),
         ("l 1 2\np 1\n", None, "no face"),
@@ -344,9 +477,19 @@ fn what_is_no_model_at_all_is_refused() {
     assert_eq!(bad("").1, None);
     assert!(bad("").0.contains("empty"));
     let binary = bad([square("").as_bytes(), b"\x7fELF\x02\x01\x01\0\0\0"].concat());
-    assert!(binary.0.contains("not text") && binary.1 == Some(5), "{binary:?}");
+    assert!(
+        binary.0.contains("not text") && binary.1 == Some(5),
+        "{binary:?}"
+    );
     assert!(bad(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR").0.contains("not text"));
-    assert!(bad("f 1 2 3\n".encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>()).0.contains("not text"));
+    assert!(
+        bad("f 1 2 3\n"
+            .encode_utf16()
+            .flat_map(u16::to_le_bytes)
+            .collect::<Vec<_>>())
+        .0
+        .contains("not text")
+    );
     assert!(bad(vec![b'x'; 3 << 20]).0.contains("longer than"));
     assert!(bad("# only a comment\n").0.contains("no face"));
     let in_a_number = bad([b"v 0 0 \xff1\n".as_slice()].concat());

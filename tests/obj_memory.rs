@@ -29,8 +29,16 @@ impl<F: FnMut(&mut Vec<u8>)> Read for Generated<F> {
 /// The most memory that this process has held, in bytes.
 fn peak() -> usize {
     let status = std::fs::read_to_string("/proc/self/status").expect("Linux");
-    let line = status.lines().find(|line| line.starts_with("VmHWM:")).expect("Linux");
-    let kilobytes: usize = line.split_whitespace().nth(1).expect("a number").parse().expect("a number");
+    let line = status
+        .lines()
+        .find(|line| line.starts_with("VmHWM:"))
+        .expect("Linux");
+    let kilobytes: usize = line
+        .split_whitespace()
+        .nth(1)
+        .expect("a number")
+        .parse()
+        .expect("a number");
     kilobytes * 1024
 }
 
@@ -54,7 +62,11 @@ fn check(name: &str, line: impl Fn(usize) -> String) {
     let start = std::time::Instant::now();
     let mesh = read_obj(BufReader::new(generated), &mut |_| {}).expect("the model is sound");
     let ratio = (peak() - before) as f64 / SIZE as f64;
-    println!("{name}: {} triangles, {ratio:.2} times the file, {:.1?}", mesh.triangle_count(), start.elapsed());
+    println!(
+        "{name}: {} triangles, {ratio:.2} times the file, {:.1?}",
+        mesh.triangle_count(),
+        start.elapsed()
+    );
     assert!(ratio < 6.0, "{name}: {ratio}");
 }
 
@@ -65,26 +77,48 @@ fn grid(k: usize, corner: impl Fn(usize) -> String, triangles: bool) -> String {
         return String::new();
     }
     let [a, b, c, d] = [k - 1001, k - 1000, k, k - 1].map(|k| corner(k + 1));
-    if triangles { format!("f {a} {b} {c}\nf {a} {c} {d}\n") } else { format!("f {a} {b} {c} {d}\n") }
+    if triangles {
+        format!("f {a} {b} {c}\nf {a} {c} {d}\n")
+    } else {
+        format!("f {a} {b} {c} {d}\n")
+    }
 }
 
 #[test]
 #[ignore = "reads 400 MB and needs the process to itself"]
 fn a_large_model_takes_less_than_six_times_its_file() {
-    let vertex = |k: usize| format!("v {:.6} {:.6} {:.6}\n", k % 1000, k / 1000, (k as f64 * 0.37).sin());
-    check("triangles", |k| vertex(k) + &grid(k, |c| c.to_string(), true));
+    let vertex = |k: usize| {
+        format!(
+            "v {:.6} {:.6} {:.6}\n",
+            k % 1000,
+            k / 1000,
+            (k as f64 * 0.37).sin()
+        )
+    };
+    check("triangles", |k| {
+        vertex(k) + &grid(k, |c| c.to_string(), true)
+    });
     check("quads with normals", |k| {
         let normal = format!("vn {:.4} {:.4} 0.5\n", (k as f64).sin(), (k as f64).cos());
         vertex(k) + "vt 0.5 0.5\n" + &normal + &grid(k, |c| format!("{c}/{c}/{c}"), false)
     });
     check("many faces of few vertices", |k| {
-        if k < 9 { vertex(k * k) } else { format!("f {} {} 9\n", k % 4 + 1, k % 3 + 5) }
+        if k < 9 {
+            vertex(k * k)
+        } else {
+            format!("f {} {} 9\n", k % 4 + 1, k % 3 + 5)
+        }
     });
     check("scattered faces", |k| {
         if k < 1_000_000 {
             return vertex(k);
         }
         let scattered = |step: usize| k.wrapping_mul(step) % 1_000_000 + 1;
-        format!("f {} {} {}\n", scattered(7_919), scattered(104_729), scattered(1_299_709))
+        format!(
+            "f {} {} {}\n",
+            scattered(7_919),
+            scattered(104_729),
+            scattered(1_299_709)
+        )
     });
 }

@@ -5,12 +5,18 @@ use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use shading_lab::render::{Frame, Per, Renderer, Term};
 use shading_lab::scene::{
-    Attenuation, Backfacing, Choice, CuedBy, Distribution, Interpolation, Light, LightKind, NormalSource, ObjectKind,
-    Projection, Reflectance, ReflectionModel, Rgb, Scene, ShadingMode, Viewer, presets,
+    Attenuation, Backfacing, Choice, CuedBy, Distribution, Interpolation, Light, LightKind,
+    NormalSource, ObjectKind, Projection, Reflectance, ReflectionModel, Rgb, Scene, ShadingMode,
+    Viewer, presets,
 };
 
-const MODES: [ShadingMode; 5] =
-    [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+const MODES: [ShadingMode; 5] = [
+    ShadingMode::Flat,
+    ShadingMode::Interpolated,
+    ShadingMode::Gouraud,
+    ShadingMode::Phong,
+    ShadingMode::Exact,
+];
 
 /// The pictures by the plan, and with everything left in.
 fn both(scene: &Scene) -> (Frame, Frame) {
@@ -24,10 +30,20 @@ fn both(scene: &Scene) -> (Frame, Frame) {
 /// Pixels that differ: how many, and the first with both its colours.
 fn difference(scene: &Scene) -> Option<String> {
     let (planned, all) = both(scene);
-    let mut pairs = planned.pixels.iter().zip(&all.pixels).enumerate().filter(|(_, (a, b))| a != b);
+    let mut pairs = planned
+        .pixels
+        .iter()
+        .zip(&all.pixels)
+        .enumerate()
+        .filter(|(_, (a, b))| a != b);
     let width = planned.width as usize;
     let (index, (a, b)) = pairs.next()?;
-    Some(format!("{} pixels, {},{}: planned {a:?}, all {b:?}", 1 + pairs.count(), index % width, index / width))
+    Some(format!(
+        "{} pixels, {},{}: planned {a:?}, all {b:?}",
+        1 + pairs.count(),
+        index % width,
+        index / width
+    ))
 }
 
 #[test]
@@ -63,7 +79,13 @@ fn place(reach: f64) -> impl Strategy<Value = DVec3> {
 }
 
 fn light() -> impl Strategy<Value = Light> {
-    let kind = pick(&[LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Spot, LightKind::Area]);
+    let kind = pick(&[
+        LightKind::Point,
+        LightKind::Directional,
+        LightKind::Spot,
+        LightKind::Spot,
+        LightKind::Area,
+    ]);
     let falloff = pick(&[
         Attenuation::None,
         Attenuation::None,
@@ -73,58 +95,134 @@ fn light() -> impl Strategy<Value = Light> {
         Attenuation::InverseSquare,
     ]);
     let switched = (0..8_u8, 0..12_u8);
-    (kind, place(6.0), place(1.0), colour(), falloff, 2.0..70.0_f64, part(), switched).prop_map(
-        |(kind, position, direction, color, attenuation, cone, softness, (muted, soloed))| Light {
-            kind,
-            position,
-            direction: if direction.length() > 0.01 { direction } else { DVec3::NEG_Y },
-            color,
-            attenuation,
-            cone,
-            softness: softness.min(1.0),
-            samples: 5,
-            mute: muted == 0,
-            solo: soloed == 0,
-            ..Light::default()
-        },
+    (
+        kind,
+        place(6.0),
+        place(1.0),
+        colour(),
+        falloff,
+        2.0..70.0_f64,
+        part(),
+        switched,
     )
+        .prop_map(
+            |(kind, position, direction, color, attenuation, cone, softness, (muted, soloed))| {
+                Light {
+                    kind,
+                    position,
+                    direction: if direction.length() > 0.01 {
+                        direction
+                    } else {
+                        DVec3::NEG_Y
+                    },
+                    color,
+                    attenuation,
+                    cone,
+                    softness: softness.min(1.0),
+                    samples: 5,
+                    mute: muted == 0,
+                    solo: soloed == 0,
+                    ..Light::default()
+                }
+            },
+        )
 }
 
 /// Scenes with much to leave out.
 fn scene() -> impl Strategy<Value = Scene> {
-    let shapes: Vec<_> = ObjectKind::VALUES.iter().copied().filter(|kind| kind.has_surface()).collect();
+    let shapes: Vec<_> = ObjectKind::VALUES
+        .iter()
+        .copied()
+        .filter(|kind| kind.has_surface())
+        .collect();
     let kind = pick(&shapes);
-    let normals = pick(&[NormalSource::Averaged, NormalSource::Exact, NormalSource::Facet]);
-    let object = (kind, 3..24_u32, 3..16_u32, normals, place(4.5), any::<[bool; 4]>());
-    let material = (colour(), colour(), colour(), pick(&[0.0, 1.0, 7.5, 40.0, 64.0, 300.0, 1e5]), colour());
-    let models = pick(&[ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance]);
-    let law =
-        (models, pick(&[Distribution::Beckmann, Distribution::Ggx]), pick(&[Reflectance::Constant, Reflectance::Gold]));
-    let rule = pick(&[Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline]);
+    let normals = pick(&[
+        NormalSource::Averaged,
+        NormalSource::Exact,
+        NormalSource::Facet,
+    ]);
+    let object = (
+        kind,
+        3..24_u32,
+        3..16_u32,
+        normals,
+        place(4.5),
+        any::<[bool; 4]>(),
+    );
+    let material = (
+        colour(),
+        colour(),
+        colour(),
+        pick(&[0.0, 1.0, 7.5, 40.0, 64.0, 300.0, 1e5]),
+        colour(),
+    );
+    let models = pick(&[
+        ReflectionModel::Phong,
+        ReflectionModel::Blinn,
+        ReflectionModel::CookTorrance,
+    ]);
+    let law = (
+        models,
+        pick(&[Distribution::Beckmann, Distribution::Ggx]),
+        pick(&[Reflectance::Constant, Reflectance::Gold]),
+    );
+    let rule = pick(&[
+        Interpolation::Perspective,
+        Interpolation::Affine,
+        Interpolation::Scanline,
+    ]);
     let shading = (pick(&MODES), rule, any::<[bool; 5]>(), part());
-    (object, material, law, shading, prop::collection::vec(light(), 0..4)).prop_map(
-        |((kind, segments, rings, normals, eye, around), material, law, shading, lights)| {
-            let mut scene = Scene::default();
-            scene.image.size = [32, 32];
-            (scene.object.kind, scene.object.segments, scene.object.rings) = (kind, segments, rings);
-            scene.object.normals = normals;
-            scene.camera.eye = if eye.length() > 0.5 { eye } else { DVec3::new(0.3, 0.2, 3.0) };
-            scene.camera.projection = if around[0] { Projection::Perspective } else { Projection::Orthographic };
-            scene.camera.viewer = if around[1] { Viewer::Local } else { Viewer::Infinite };
-            (scene.shading.shadows, scene.ground.visible) = (around[2], around[2] && around[3]);
-            let m = &mut scene.material;
-            (m.ka, m.kd, m.ks, m.n, m.color) = material;
-            (scene.reflection.model, scene.reflection.distribution, scene.material.reflectance) = law;
-            let (mode, interpolation, [renormalise, flip, cued, _, _], kt) = shading;
-            (scene.shading.mode, scene.shading.interpolation) = (mode, interpolation);
-            scene.shading.renormalise = renormalise;
-            scene.reflection.backfacing = if flip { Backfacing::Flip } else { Backfacing::Clamp };
-            scene.depth_cueing.by = if cued { CuedBy::Pixel } else { CuedBy::Off };
-            scene.transparency.kt = if kt > 0.9 { 0.5 } else { 0.0 };
-            scene.lights = lights;
-            scene
-        },
+    (
+        object,
+        material,
+        law,
+        shading,
+        prop::collection::vec(light(), 0..4),
     )
+        .prop_map(
+            |((kind, segments, rings, normals, eye, around), material, law, shading, lights)| {
+                let mut scene = Scene::default();
+                scene.image.size = [32, 32];
+                (scene.object.kind, scene.object.segments, scene.object.rings) =
+                    (kind, segments, rings);
+                scene.object.normals = normals;
+                scene.camera.eye = if eye.length() > 0.5 {
+                    eye
+                } else {
+                    DVec3::new(0.3, 0.2, 3.0)
+                };
+                scene.camera.projection = if around[0] {
+                    Projection::Perspective
+                } else {
+                    Projection::Orthographic
+                };
+                scene.camera.viewer = if around[1] {
+                    Viewer::Local
+                } else {
+                    Viewer::Infinite
+                };
+                (scene.shading.shadows, scene.ground.visible) = (around[2], around[2] && around[3]);
+                let m = &mut scene.material;
+                (m.ka, m.kd, m.ks, m.n, m.color) = material;
+                (
+                    scene.reflection.model,
+                    scene.reflection.distribution,
+                    scene.material.reflectance,
+                ) = law;
+                let (mode, interpolation, [renormalise, flip, cued, _, _], kt) = shading;
+                (scene.shading.mode, scene.shading.interpolation) = (mode, interpolation);
+                scene.shading.renormalise = renormalise;
+                scene.reflection.backfacing = if flip {
+                    Backfacing::Flip
+                } else {
+                    Backfacing::Clamp
+                };
+                scene.depth_cueing.by = if cued { CuedBy::Pixel } else { CuedBy::Off };
+                scene.transparency.kt = if kt > 0.9 { 0.5 } else { 0.0 };
+                scene.lights = lights;
+                scene
+            },
+        )
 }
 
 fn random_scenes(cases: u32) {
@@ -134,14 +232,22 @@ fn random_scenes(cases: u32) {
         failure_persistence: None,
         ..ProptestConfig::default()
     };
-    let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
+    let mut runner =
+        TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
     let result = runner.run(&scene(), |scene| {
         prop_assume!(scene.validate().is_ok());
         let difference = difference(&scene);
         prop_assert!(difference.is_none(), "{difference:?}\n{}", scene.to_toml());
         Ok(())
     });
-    assert!(result.is_ok(), "{}", result.err().map(|error| error.to_string()).unwrap_or_default());
+    assert!(
+        result.is_ok(),
+        "{}",
+        result
+            .err()
+            .map(|error| error.to_string())
+            .unwrap_or_default()
+    );
 }
 
 #[test]
@@ -156,47 +262,84 @@ fn terms(scene: &Scene) -> Vec<Term> {
 }
 
 fn find<'a>(terms: &'a [Term], name: &str) -> &'a Term {
-    terms.iter().find(|term| term.name == name).unwrap_or_else(|| panic!("no {name}"))
+    terms
+        .iter()
+        .find(|term| term.name == name)
+        .unwrap_or_else(|| panic!("no {name}"))
 }
 
 #[test]
 fn reasons_and_counts_are_those_of_the_scene() {
-    let mut scene = Scene { lights: vec![Light::default(); 3], ..Scene::default() };
+    let mut scene = Scene {
+        lights: vec![Light::default(); 3],
+        ..Scene::default()
+    };
     scene.image.size = [64, 64];
     scene.material.ks = Rgb::ZERO;
     scene.lights[1].mute = true;
-    scene.lights[2] =
-        Light { kind: LightKind::Spot, position: DVec3::new(0.0, 5.0, 0.0), direction: DVec3::Y, ..Light::default() };
+    scene.lights[2] = Light {
+        kind: LightKind::Spot,
+        position: DVec3::new(0.0, 5.0, 0.0),
+        direction: DVec3::Y,
+        ..Light::default()
+    };
     let mut renderer = Renderer::default();
     renderer.render(&scene);
     let (terms, covered) = (renderer.terms(), renderer.report().covered);
     assert_eq!(find(&terms, "light 2: N·L").omitted, Some("it is muted"));
-    assert_eq!(find(&terms, "light 3: N·L").omitted, Some("its cone passes the object by"));
+    assert_eq!(
+        find(&terms, "light 3: N·L").omitted,
+        Some("its cone passes the object by")
+    );
     assert_eq!(find(&terms, "light 1: specular").omitted, Some("Ks is 0"));
-    assert_eq!(find(&terms, "light 1: attenuation").omitted, Some("f is the same everywhere"));
+    assert_eq!(
+        find(&terms, "light 1: attenuation").omitted,
+        Some("f is the same everywhere")
+    );
     let diffuse = find(&terms, "light 1: diffuse");
     assert_eq!((diffuse.per, diffuse.evaluations), (Per::Pixel, covered));
-    assert_eq!(find(&terms, "back faces").omitted, Some("a closed solid hides them"));
+    assert_eq!(
+        find(&terms, "back faces").omitted,
+        Some("a closed solid hides them")
+    );
     renderer.leave_nothing_out(true);
     renderer.render(&scene);
     let all = renderer.terms();
-    assert!(find(&all, "back faces").evaluations > 100 && find(&all, "coverage").evaluations > 3 * covered / 2);
+    assert!(
+        find(&all, "back faces").evaluations > 100
+            && find(&all, "coverage").evaluations > 3 * covered / 2
+    );
     assert_eq!(find(&all, "light 2: specular").evaluations, covered);
-    assert!(terms.iter().all(|term| term.omitted.is_none() || (term.per == Per::None && term.evaluations == 0)));
+    assert!(
+        terms
+            .iter()
+            .all(|term| term.omitted.is_none() || (term.per == Per::None && term.evaluations == 0))
+    );
 }
 
 #[test]
 fn an_area_light_counts_each_of_its_samples_and_gouraud_its_vertices() {
     let mut scene = Scene::default();
     scene.shading.mode = ShadingMode::Gouraud;
-    scene.lights[0] = Light { kind: LightKind::Area, samples: 7, ..scene.lights[0].clone() };
+    scene.lights[0] = Light {
+        kind: LightKind::Area,
+        samples: 7,
+        ..scene.lights[0].clone()
+    };
     let mut renderer = Renderer::default();
     renderer.render(&scene);
     let vertices = renderer.report().vertices;
     let diffuse = find(&renderer.terms(), "light 1: diffuse").clone();
-    assert_eq!((diffuse.per, diffuse.evaluations), (Per::Vertex, 7 * vertices));
+    assert_eq!(
+        (diffuse.per, diffuse.evaluations),
+        (Per::Vertex, 7 * vertices)
+    );
     scene.lights.clear();
-    assert!(terms(&scene).iter().any(|term| term.name == "V" && term.omitted == Some("no light adds anything")));
+    assert!(
+        terms(&scene)
+            .iter()
+            .any(|term| term.name == "V" && term.omitted == Some("no light adds anything"))
+    );
 }
 
 /// A coefficient is said to be 0 only if it is.
@@ -207,7 +350,10 @@ fn what_is_left_out_is_not_laid_on_a_coefficient_that_is_not_zero() {
     scene.lights[0].color = Rgb::new(1.0, 0.0, 0.0);
     scene.material.specular_color = Rgb::new(0.0, 1.0, 0.0);
     let why = |scene: &Scene, name: &str| find(&terms(scene), name).omitted;
-    assert_eq!(why(&scene, "light 1: specular"), Some("no light has a colour that Ks·Os reflects"));
+    assert_eq!(
+        why(&scene, "light 1: specular"),
+        Some("no light has a colour that Ks·Os reflects")
+    );
     assert_eq!(why(&scene, "light 1: cone"), Some("it is no spot light"));
     scene.material.specular_color = Rgb::ZERO;
     assert_eq!(why(&scene, "light 1: specular"), Some("Ks·Os is 0"));
@@ -216,6 +362,12 @@ fn what_is_left_out_is_not_laid_on_a_coefficient_that_is_not_zero() {
     assert_eq!(why(&scene, "light 1: diffuse"), Some("Kd·Od is 0"));
     assert_eq!(why(&scene, "ambient"), Some("Ka·Od·Ia is 0"));
     scene.material.ks = Rgb::ZERO;
-    assert_eq!((why(&scene, "V"), why(&scene, "shadows")), (Some("no light adds anything"), Some("switched off")));
-    assert_eq!(why(&scene, "light 1: specular"), Some("the material takes no part of it"));
+    assert_eq!(
+        (why(&scene, "V"), why(&scene, "shadows")),
+        (Some("no light adds anything"), Some("switched off"))
+    );
+    assert_eq!(
+        why(&scene, "light 1: specular"),
+        Some("the material takes no part of it")
+    );
 }

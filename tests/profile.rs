@@ -2,35 +2,50 @@
 
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::{
-    Perception, Profile, ProfileError, ProfileQuestion, ResponseModel, Trace, Viewing, blur_line, blur_picture,
-    luminance, perceived_picture, probe, profile,
+    Perception, Profile, ProfileError, ProfileQuestion, ResponseModel, Trace, Viewing, blur_line,
+    blur_picture, luminance, perceived_picture, probe, profile,
 };
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, Rgb, Scene, ShadingMode, Viewer, presets,
+    Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, Rgb, Scene, ShadingMode,
+    Viewer, presets,
 };
 use std::f64::consts::{PI, TAU};
 
 /// A line of samples, `h` pixels apart, of a function.
 fn line(h: f64, count: usize, of: impl Fn(f64) -> f64) -> Vec<f64> {
-    (0..count).map(|k| of((k as f64 - (count / 2) as f64) * h)).collect()
+    (0..count)
+        .map(|k| of((k as f64 - (count / 2) as f64) * h))
+        .collect()
 }
 
 fn respond(perception: &Perception, values: &[f64], h: f64, per_degree: f64) -> Vec<f64> {
-    perception.respond(values, per_degree, &|values, sigma| blur_line(values, sigma / h))
+    perception.respond(values, per_degree, &|values, sigma| {
+        blur_line(values, sigma / h)
+    })
 }
 
 #[test]
 fn a_corner_departs_by_the_product_of_its_slope_and_the_widths() {
     for h in [0.25, 1.0] {
         for (before, after) in [(0.0, 0.01), (0.02, -0.005), (-0.01, -0.011)] {
-            for (centre, surround, weight) in [(0.04, 0.2, 1.0), (0.1, 0.3, 0.5), (0.05, 0.08, 2.0)] {
-                let perception = Perception { centre, surround, weight, ..Perception::default() };
+            for (centre, surround, weight) in [(0.04, 0.2, 1.0), (0.1, 0.3, 0.5), (0.05, 0.08, 2.0)]
+            {
+                let perception = Perception {
+                    centre,
+                    surround,
+                    weight,
+                    ..Perception::default()
+                };
                 let per_degree = 40.0;
                 let corner = line(h, 1601, |x| 0.5 + x * if x < 0.0 { before } else { after });
                 let departure = respond(&perception, &corner, h, per_degree)[800] - corner[800];
-                let expected = weight * (after - before) * (centre - surround) * per_degree / TAU.sqrt();
-                assert!((departure / expected - 1.0).abs() < 0.01, "{departure} is not {expected}");
+                let expected =
+                    weight * (after - before) * (centre - surround) * per_degree / TAU.sqrt();
+                assert!(
+                    (departure / expected - 1.0).abs() < 0.01,
+                    "{departure} is not {expected}"
+                );
             }
         }
     }
@@ -40,10 +55,16 @@ fn a_corner_departs_by_the_product_of_its_slope_and_the_widths() {
 fn a_straight_ramp_is_seen_as_it_is() {
     let ramp = line(0.25, 4001, |x| 0.4 + 0.003 * x);
     for model in ResponseModel::ALL {
-        let perception = Perception { model, ..Perception::default() };
+        let perception = Perception {
+            model,
+            ..Perception::default()
+        };
         let response = respond(&perception, &ramp, 0.25, 40.0);
         for (k, (seen, there)) in response.iter().zip(&ramp).enumerate().skip(1000).take(2000) {
-            assert!((seen - there).abs() < 1e-9, "{model:?} at {k}: {seen} is not {there}");
+            assert!(
+                (seen - there).abs() < 1e-9,
+                "{model:?} at {k}: {seen} is not {there}"
+            );
         }
     }
 }
@@ -51,20 +72,30 @@ fn a_straight_ramp_is_seen_as_it_is() {
 #[test]
 fn normalisation_leaves_corners_and_weakens_steps() {
     let greatest = |model, values: &[f64]| {
-        let perception = Perception { model, ..Perception::default() };
+        let perception = Perception {
+            model,
+            ..Perception::default()
+        };
         let response = respond(&perception, values, 0.25, 40.0);
         let inner = response.iter().zip(values).skip(500).take(3000);
         inner.map(|(seen, there)| seen - there).fold(0.0, f64::max)
     };
     let step = line(0.25, 4001, |x| if x < 0.0 { 0.2 } else { 0.8 });
     let knee = line(0.25, 4001, |x| 0.5 + (0.002 * x).clamp(-0.1, 0.1));
-    let [inhibited, normalised] = ResponseModel::ALL.map(|model| greatest(model, &knee) / greatest(model, &step));
-    assert!(normalised > 3.0 * inhibited, "beside a step a corner is seen better: {normalised} and {inhibited}");
+    let [inhibited, normalised] =
+        ResponseModel::ALL.map(|model| greatest(model, &knee) / greatest(model, &step));
+    assert!(
+        normalised > 3.0 * inhibited,
+        "beside a step a corner is seen better: {normalised} and {inhibited}"
+    );
 }
 
 #[test]
 fn a_degree_is_as_many_pixels_as_the_screen_has_in_it() {
-    let viewing = Viewing { distance: 1000.0, density: 2.0 };
+    let viewing = Viewing {
+        distance: 1000.0,
+        density: 2.0,
+    };
     assert!((viewing.pixels_per_degree() - 2000.0 * (PI / 180.0).tan()).abs() < 1e-9);
     assert!((Viewing::default().pixels_per_degree() - 39.59).abs() < 0.01);
 }
@@ -90,20 +121,36 @@ fn cylinder(segments: u32) -> Scene {
     scene.material.kd = Rgb::ONE;
     scene.material.ks = Rgb::ZERO;
     scene.material.color = Rgb::ONE;
-    scene.lights = vec![Light { kind: LightKind::Directional, direction: DVec3::NEG_Z, ..Light::default() }];
+    scene.lights = vec![Light {
+        kind: LightKind::Directional,
+        direction: DVec3::NEG_Z,
+        ..Light::default()
+    }];
     scene
 }
 
 fn taken(scene: &Scene, from: [f64; 2], to: [f64; 2]) -> Profile {
-    let request = ProfileQuestion { modes: ALL.to_vec(), ..ProfileQuestion::new(DVec2::from(from), DVec2::from(to)) };
+    let request = ProfileQuestion {
+        modes: ALL.to_vec(),
+        ..ProfileQuestion::new(DVec2::from(from), DVec2::from(to))
+    };
     profile(&mut Renderer::default(), scene, &request).expect("a line in the picture")
 }
 
-const ALL: [ShadingMode; 5] =
-    [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+const ALL: [ShadingMode; 5] = [
+    ShadingMode::Flat,
+    ShadingMode::Interpolated,
+    ShadingMode::Gouraud,
+    ShadingMode::Phong,
+    ShadingMode::Exact,
+];
 
 fn trace(profile: &Profile, mode: ShadingMode) -> &Trace {
-    profile.traces.iter().find(|trace| trace.mode == mode).expect("the mode was asked for")
+    profile
+        .traces
+        .iter()
+        .find(|trace| trace.mode == mode)
+        .expect("the mode was asked for")
 }
 
 #[test]
@@ -114,7 +161,9 @@ fn the_slope_jumps_at_the_edges_of_a_cylinder_by_the_theory() {
         let h = RADIUS * TAU / f64::from(segments);
         let mut edges = 0;
         for (index, border) in profile.borders.iter().enumerate() {
-            let [Some(before), Some(after)] = border.faces else { continue };
+            let [Some(before), Some(after)] = border.faces else {
+                continue;
+            };
             let sine = (border.x - 500.0) / RADIUS;
             if before == after || !(0.25..0.9).contains(&sine) {
                 continue;
@@ -127,33 +176,59 @@ fn the_slope_jumps_at_the_edges_of_a_cylinder_by_the_theory() {
             let gouraud = -spacing / phi.cos().powi(3) / RADIUS.powi(2);
             let phong = phi.sin().powi(2) * gouraud;
             for (mode, expected) in [(ShadingMode::Gouraud, gouraud), (ShadingMode::Phong, phong)] {
-                let corner = trace(&profile, mode).corners[index].expect("a polygon on either side");
+                let corner =
+                    trace(&profile, mode).corners[index].expect("a polygon on either side");
                 let ratio = corner.jump / expected;
-                assert!((ratio - 1.0).abs() < 0.1, "{mode:?}, {segments} facets, φ = {phi:.2}: {ratio}");
-                assert!(corner.step.abs() < 1e-4, "{mode:?} is continuous: {}", corner.step);
+                assert!(
+                    (ratio - 1.0).abs() < 0.1,
+                    "{mode:?}, {segments} facets, φ = {phi:.2}: {ratio}"
+                );
+                assert!(
+                    corner.step.abs() < 1e-4,
+                    "{mode:?} is continuous: {}",
+                    corner.step
+                );
                 if mode == ShadingMode::Phong {
                     // Its slope changes within the facets as well.
                     continue;
                 }
                 // The same jump is in the profile itself, between the samples beside the edge.
                 let slopes = &trace(&profile, mode).slope;
-                let after = profile.samples.partition_point(|sample| sample.x <= border.x + 1e-6);
-                let before = profile.samples.partition_point(|sample| sample.x < border.x - 1e-6) - 1;
-                assert!(((slopes[after] - slopes[before]) / expected - 1.0).abs() < 0.1, "{mode:?}, {segments}");
+                let after = profile
+                    .samples
+                    .partition_point(|sample| sample.x <= border.x + 1e-6);
+                let before = profile
+                    .samples
+                    .partition_point(|sample| sample.x < border.x - 1e-6)
+                    - 1;
+                assert!(
+                    ((slopes[after] - slopes[before]) / expected - 1.0).abs() < 0.1,
+                    "{mode:?}, {segments}"
+                );
             }
         }
-        assert!(edges >= segments as usize / 12, "{edges} edges of {segments} facets");
+        assert!(
+            edges >= segments as usize / 12,
+            "{edges} edges of {segments} facets"
+        );
     }
 }
 
 #[test]
 fn the_profile_passes_through_the_pixels_of_the_picture() {
-    for (name, to) in
-        [("sphere", [96.0, 40.5]), ("torus", [96.0, 40.5]), ("shadows", [96.0, 40.5]), ("glass-ball", [96.0, 40.5])]
-    {
+    for (name, to) in [
+        ("sphere", [96.0, 40.5]),
+        ("torus", [96.0, 40.5]),
+        ("shadows", [96.0, 40.5]),
+        ("glass-ball", [96.0, 40.5]),
+    ] {
         let mut scene = presets::find(name).expect("a built-in scene").scene();
         scene.image.size = [96, 96];
-        for interpolation in [Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline] {
+        for interpolation in [
+            Interpolation::Perspective,
+            Interpolation::Affine,
+            Interpolation::Scanline,
+        ] {
             scene.shading.interpolation = interpolation;
             let profile = taken(&scene, [0.0, 40.5], to);
             for trace in &profile.traces {
@@ -183,14 +258,29 @@ fn a_flat_picture_is_constant_from_border_to_border() {
     let profile = taken(&cylinder(24), [50.0, 50.5], [950.0, 50.5]);
     let flat = trace(&profile, ShadingMode::Flat);
     assert!(flat.slope.iter().all(|slope| *slope == 0.0));
-    let border = |from: f64, to: f64| profile.borders.iter().any(|border| (from..=to).contains(&border.x));
+    let border = |from: f64, to: f64| {
+        profile
+            .borders
+            .iter()
+            .any(|border| (from..=to).contains(&border.x))
+    };
     for (places, values) in profile.samples.windows(2).zip(flat.intensity.windows(2)) {
         let crossed = border(places[0].x - 1e-9, places[1].x + 1e-9);
         assert!(crossed || values[0] == values[1], "{places:?}");
     }
-    let steps = flat.corners.iter().flatten().filter(|corner| corner.step.abs() > 1e-3).count();
+    let steps = flat
+        .corners
+        .iter()
+        .flatten()
+        .filter(|corner| corner.step.abs() > 1e-3)
+        .count();
     assert!(steps >= 10, "{steps} steps");
-    assert!(trace(&profile, ShadingMode::Exact).corners.iter().all(Option::is_none));
+    assert!(
+        trace(&profile, ShadingMode::Exact)
+            .corners
+            .iter()
+            .all(Option::is_none)
+    );
 }
 
 #[test]
@@ -204,12 +294,20 @@ fn phong_shading_weakens_mach_bands_and_does_not_abolish_them() {
             let at = profile.samples.partition_point(|sample| sample.x < x);
             (trace.perceived[at] - trace.intensity[at]).abs()
         };
-        let borders: Vec<f64> =
-            profile.borders.iter().filter(|border| border.faces[0] != border.faces[1]).map(|b| added(b.x)).collect();
+        let borders: Vec<f64> = profile
+            .borders
+            .iter()
+            .filter(|border| border.faces[0] != border.faces[1])
+            .map(|b| added(b.x))
+            .collect();
         borders.iter().sum::<f64>() / borders.len() as f64
     };
-    let [gouraud, phong, exact] = [ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact].map(band);
-    assert!(gouraud > 1.2 * phong && phong > 1.2 * exact, "{gouraud}, {phong}, {exact}");
+    let [gouraud, phong, exact] =
+        [ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact].map(band);
+    assert!(
+        gouraud > 1.2 * phong && phong > 1.2 * exact,
+        "{gouraud}, {phong}, {exact}"
+    );
 }
 
 #[test]
@@ -217,13 +315,29 @@ fn any_line_in_any_scene_gives_numbers() {
     for preset in presets::ALL {
         let mut scene = preset.scene();
         scene.image.size = [40, 30];
-        for (from, to) in [([0.0, 0.0], [40.0, 30.0]), ([20.0, 15.0], [20.0, 30.0]), ([39.2, 3.3], [0.1, 29.9])] {
+        for (from, to) in [
+            ([0.0, 0.0], [40.0, 30.0]),
+            ([20.0, 15.0], [20.0, 30.0]),
+            ([39.2, 3.3], [0.1, 29.9]),
+        ] {
             let profile = taken(&scene, from, to);
             for trace in &profile.traces {
-                let values = trace.intensity.iter().chain(&trace.slope).chain(&trace.perceived);
-                assert!(values.clone().all(|value| value.is_finite()), "{} {:?}", preset.name, trace.mode);
+                let values = trace
+                    .intensity
+                    .iter()
+                    .chain(&trace.slope)
+                    .chain(&trace.perceived);
+                assert!(
+                    values.clone().all(|value| value.is_finite()),
+                    "{} {:?}",
+                    preset.name,
+                    trace.mode
+                );
                 assert_eq!(trace.perceived.len(), profile.samples.len());
-                assert_eq!((trace.slope.len(), trace.corners.len()), (profile.samples.len(), profile.borders.len()));
+                assert_eq!(
+                    (trace.slope.len(), trace.corners.len()),
+                    (profile.samples.len(), profile.borders.len())
+                );
             }
         }
     }
@@ -233,14 +347,24 @@ fn any_line_in_any_scene_gives_numbers() {
 fn a_line_that_is_none_is_refused() {
     let scene = cylinder(8);
     let asked = |from, to, modes: &[ShadingMode]| {
-        let request = ProfileQuestion { modes: modes.to_vec(), ..ProfileQuestion::new(from, to) };
+        let request = ProfileQuestion {
+            modes: modes.to_vec(),
+            ..ProfileQuestion::new(from, to)
+        };
         profile(&mut Renderer::default(), &scene, &request).map(|_| ())
     };
     let (a, b) = (DVec2::new(1.0, 1.0), DVec2::new(9.0, 9.0));
     assert_eq!(asked(a, a, &ALL), Err(ProfileError::NoLength));
     assert_eq!(asked(a, b, &[]), Err(ProfileError::NoMode));
-    for outside in [DVec2::new(-0.1, 3.0), DVec2::new(1000.1, 3.0), DVec2::new(f64::NAN, 3.0)] {
-        assert_eq!(asked(a, outside, &ALL), Err(ProfileError::Outside { size: [1000, 101] }));
+    for outside in [
+        DVec2::new(-0.1, 3.0),
+        DVec2::new(1000.1, 3.0),
+        DVec2::new(f64::NAN, 3.0),
+    ] {
+        assert_eq!(
+            asked(a, outside, &ALL),
+            Err(ProfileError::Outside { size: [1000, 101] })
+        );
     }
     assert_eq!(asked(DVec2::ZERO, DVec2::new(1000.0, 101.0), &ALL), Ok(()));
 }
@@ -273,8 +397,14 @@ fn the_perceived_picture_agrees_with_the_profile_where_it_varies_one_way() {
         if outline || (sample.x.fract() - 0.5).abs() > 1e-9 {
             continue;
         }
-        let [red, _, _] = seen.pixel(sample.x as u32, 40).expect("a pixel of the picture");
-        assert!((f64::from(red) - 255.0 * value.min(1.0)).abs() < 1.5, "at {}: {red} and {value}", sample.x);
+        let [red, _, _] = seen
+            .pixel(sample.x as u32, 40)
+            .expect("a pixel of the picture");
+        assert!(
+            (f64::from(red) - 255.0 * value.min(1.0)).abs() < 1.5,
+            "at {}: {red} and {value}",
+            sample.x
+        );
     }
 }
 
@@ -286,17 +416,32 @@ fn the_weights_of_a_gaussian_add_up_to_one_and_spread_as_wide_as_asked() {
         assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
         // A tent of one sample's width adds its own variance, 1/6.
         let squares = line(1.0, 801, |x| x * x);
-        let variance: f64 = weights.iter().zip(&squares).map(|(weight, square)| weight * square).sum();
+        let variance: f64 = weights
+            .iter()
+            .zip(&squares)
+            .map(|(weight, square)| weight * square)
+            .sum();
         let expected = sigma * sigma + 1.0 / 6.0;
-        assert!(sigma < 1.0 || (variance - expected).abs() < 1e-5 * (1.0 + expected), "{sigma}: {variance}");
+        assert!(
+            sigma < 1.0 || (variance - expected).abs() < 1e-5 * (1.0 + expected),
+            "{sigma}: {variance}"
+        );
     }
 }
 
 #[test]
 fn a_constant_stays_what_it_is_however_wide_the_gaussian() {
     for sigma in [0.5, 3.0, 500.0] {
-        assert!(blur_line(&[0.7; 9], sigma).iter().all(|v| (v - 0.7).abs() < 1e-12));
-        assert!(blur_picture(&[0.7; 12], 4, sigma).iter().all(|v| (v - 0.7).abs() < 1e-12));
+        assert!(
+            blur_line(&[0.7; 9], sigma)
+                .iter()
+                .all(|v| (v - 0.7).abs() < 1e-12)
+        );
+        assert!(
+            blur_picture(&[0.7; 12], 4, sigma)
+                .iter()
+                .all(|v| (v - 0.7).abs() < 1e-12)
+        );
     }
     assert!(blur_line(&[], 1.0).is_empty() && blur_picture(&[], 0, 1.0).is_empty());
 }
@@ -316,13 +461,23 @@ fn rows_and_columns_are_blurred_alike() {
 fn every_pixel_centre_on_the_line_is_a_sample() {
     let mut scene = Scene::default();
     scene.image.size = [64, 64];
-    for (from, to) in [([0.0, 20.5], [64.0, 20.5]), ([10.3, 20.5], [50.0, 20.5]), ([60.0, 61.0], [2.0, 3.0])] {
+    for (from, to) in [
+        ([0.0, 20.5], [64.0, 20.5]),
+        ([10.3, 20.5], [50.0, 20.5]),
+        ([60.0, 61.0], [2.0, 3.0]),
+    ] {
         let samples = taken(&scene, from, to).samples;
         assert!(samples.windows(2).all(|pair| pair[0].t < pair[1].t));
         assert_eq!((samples[0].t, samples[samples.len() - 1].t), (0.0, 1.0));
         let (low, high) = (from[0].min(to[0]), from[0].max(to[0]));
-        for x in (0..64).map(|x| f64::from(x) + 0.5).filter(|x| (low..=high).contains(x)) {
-            assert!(samples.iter().any(|sample| (sample.x - x).abs() < 1e-9), "{x} of {from:?} to {to:?}");
+        for x in (0..64)
+            .map(|x| f64::from(x) + 0.5)
+            .filter(|x| (low..=high).contains(x))
+        {
+            assert!(
+                samples.iter().any(|sample| (sample.x - x).abs() < 1e-9),
+                "{x} of {from:?} to {to:?}"
+            );
         }
     }
     let short = taken(&scene, [3.3, 3.0], [3.4, 3.0]).samples;

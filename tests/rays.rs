@@ -4,8 +4,8 @@ use glam::{DVec2, DVec3};
 use shading_lab::analysis::probe;
 use shading_lab::render::{Renderer, Stage};
 use shading_lab::scene::{
-    AmbientSource, AreaShape, Ground, Light, LightKind, NormalSource, ObjectKind, PatternKind, Rgb, Scene, ShadingMode,
-    Through, presets,
+    AmbientSource, AreaShape, Ground, Light, LightKind, NormalSource, ObjectKind, PatternKind, Rgb,
+    Scene, ShadingMode, Through, presets,
 };
 use std::time::Instant;
 
@@ -20,7 +20,13 @@ fn over_floor() -> Scene {
     scene.object.normals = NormalSource::Exact;
     (scene.object.segments, scene.object.rings) = (128, 64);
     scene.material.ka = Rgb::ZERO;
-    scene.ground = Ground { visible: true, height: -1.2, ka: 0.0, kd: 1.0, color: Rgb::ONE };
+    scene.ground = Ground {
+        visible: true,
+        height: -1.2,
+        ka: 0.0,
+        kd: 1.0,
+        color: Rgb::ONE,
+    };
     scene.shading.shadows = true;
     scene
 }
@@ -33,8 +39,14 @@ fn eye_ray(scene: &Scene, x: u32, y: u32) -> (DVec3, DVec3) {
     let up = right.cross(forward);
     let [width, height] = scene.image.size.map(f64::from);
     let focal = 0.5 * height / (0.5 * camera.fov_y.to_radians()).tan();
-    let place = DVec2::new(f64::from(x) + 0.5 - 0.5 * width, 0.5 * height - f64::from(y) - 0.5) / focal;
-    (camera.eye, (forward + right * place.x + up * place.y).normalize())
+    let place = DVec2::new(
+        f64::from(x) + 0.5 - 0.5 * width,
+        0.5 * height - f64::from(y) - 0.5,
+    ) / focal;
+    (
+        camera.eye,
+        (forward + right * place.x + up * place.y).normalize(),
+    )
 }
 
 /// How near a ray comes to the unit sphere about the origin, and whether ahead.
@@ -46,10 +58,21 @@ fn nearest_approach(origin: DVec3, direction: DVec3) -> Option<f64> {
 
 #[test]
 fn a_spheres_shadow_on_the_floor_is_where_rays_to_the_light_meet_it() {
-    let lamp = Light { position: DVec3::new(2.0, 3.0, 1.0), ..Light::default() };
-    let sun = Light { kind: LightKind::Directional, direction: DVec3::new(-1.0, -1.3, 0.4), ..Light::default() };
+    let lamp = Light {
+        position: DVec3::new(2.0, 3.0, 1.0),
+        ..Light::default()
+    };
+    let sun = Light {
+        kind: LightKind::Directional,
+        direction: DVec3::new(-1.0, -1.3, 0.4),
+        ..Light::default()
+    };
     let mut renderer = Renderer::default();
-    for (light, mode) in [(&lamp, ShadingMode::Phong), (&sun, ShadingMode::Phong), (&lamp, ShadingMode::Exact)] {
+    for (light, mode) in [
+        (&lamp, ShadingMode::Phong),
+        (&sun, ShadingMode::Phong),
+        (&lamp, ShadingMode::Exact),
+    ] {
         let mut scene = over_floor();
         scene.lights = vec![light.clone()];
         scene.shading.mode = mode;
@@ -61,14 +84,25 @@ fn a_spheres_shadow_on_the_floor_is_where_rays_to_the_light_meet_it() {
                 continue;
             }
             let p = origin + direction * ((scene.ground.height - origin.y) / direction.y);
-            let l = if light.kind == LightKind::Directional { -light.direction } else { light.position - p };
+            let l = if light.kind == LightKind::Directional {
+                -light.direction
+            } else {
+                light.position - p
+            };
             let approach = nearest_approach(p, l).unwrap_or(9.0);
             if (approach - 1.0).abs() < 5e-3 {
                 continue;
             }
             let red = frame.pixel(x, y).expect("inside")[0];
-            let expected = if approach < 1.0 { 0.0 } else { l.normalize().y * 255.0 };
-            assert!((f64::from(red) - expected).abs() <= 1.0, "{mode:?} {x},{y}: {red}, expected {expected}");
+            let expected = if approach < 1.0 {
+                0.0
+            } else {
+                l.normalize().y * 255.0
+            };
+            assert!(
+                (f64::from(red) - expected).abs() <= 1.0,
+                "{mode:?} {x},{y}: {red}, expected {expected}"
+            );
             if approach < 1.0 { dark += 1 } else { lit += 1 }
         }
         assert!(dark > 300 && lit > 3000, "{dark} {lit}");
@@ -84,7 +118,10 @@ fn points_extremely_far_away_lie_in_the_shadow_and_cost_no_more_than_near_ones()
         let mut scene = over_floor();
         scene.image.size = [SIDE; 2];
         (scene.object.segments, scene.object.rings) = (256, 128);
-        scene.lights = vec![Light { position: lamp, ..Light::default() }];
+        scene.lights = vec![Light {
+            position: lamp,
+            ..Light::default()
+        }];
         (scene.camera.eye, scene.camera.target) = (DVec3::new(0.0, away, 0.3 * away), DVec3::ZERO);
         scene.ground.height = -away;
         let mut renderer = Renderer::default();
@@ -103,8 +140,15 @@ fn points_extremely_far_away_lie_in_the_shadow_and_cost_no_more_than_near_ones()
             continue;
         }
         let red = frame.pixel(x, y).expect("inside")[0];
-        let expected = if approach < 1.0 { 0.0 } else { (lamp - p).normalize().y * 255.0 };
-        assert!((f64::from(red) - expected).abs() <= 1.0, "{x},{y}: {red}, expected {expected}");
+        let expected = if approach < 1.0 {
+            0.0
+        } else {
+            (lamp - p).normalize().y * 255.0
+        };
+        assert!(
+            (f64::from(red) - expected).abs() <= 1.0,
+            "{x},{y}: {red}, expected {expected}"
+        );
         if approach < 1.0 { dark += 1 } else { lit += 1 }
     }
     assert!(dark > 200 && lit > 500, "{dark} {lit}");
@@ -115,19 +159,36 @@ fn points_extremely_far_away_lie_in_the_shadow_and_cost_no_more_than_near_ones()
 #[test]
 fn a_convex_solid_is_free_of_its_own_shadow_in_every_mode() {
     let mut renderer = Renderer::default();
-    let modes =
-        [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
-    for kind in [ObjectKind::Sphere, ObjectKind::Cylinder, ObjectKind::Cone, ObjectKind::Cube] {
+    let modes = [
+        ShadingMode::Flat,
+        ShadingMode::Interpolated,
+        ShadingMode::Gouraud,
+        ShadingMode::Phong,
+        ShadingMode::Exact,
+    ];
+    for kind in [
+        ObjectKind::Sphere,
+        ObjectKind::Cylinder,
+        ObjectKind::Cone,
+        ObjectKind::Cube,
+    ] {
         for mode in modes {
             let mut scene = over_floor();
             scene.object.kind = kind;
             (scene.object.segments, scene.object.rings) = (24, 12);
             // A cube's averaged normals stand for no solid.
             let averaged = kind != ObjectKind::Cube;
-            scene.object.normals = if averaged { NormalSource::Averaged } else { NormalSource::Exact };
+            scene.object.normals = if averaged {
+                NormalSource::Averaged
+            } else {
+                NormalSource::Exact
+            };
             scene.shading.mode = mode;
             scene.ground.height = -3.0;
-            scene.lights = vec![Light { position: DVec3::new(3.0, 1.0, -1.0), ..Light::default() }];
+            scene.lights = vec![Light {
+                position: DVec3::new(3.0, 1.0, -1.0),
+                ..Light::default()
+            }];
             let shadowed = renderer.render(&scene).clone();
             scene.shading.shadows = false;
             let plain = renderer.render(&scene).clone();
@@ -147,16 +208,28 @@ fn polygons_cast_the_shadow_of_the_surface_they_stand_for() {
     let mut scene = over_floor();
     scene.object.kind = ObjectKind::Torus;
     (scene.object.segments, scene.object.rings) = (192, 96);
-    scene.lights = vec![Light { position: DVec3::new(2.0, 1.2, 0.5), ..Light::default() }];
+    scene.lights = vec![Light {
+        position: DVec3::new(2.0, 1.2, 0.5),
+        ..Light::default()
+    }];
     let polygons = renderer.render(&scene).clone();
     scene.shading.mode = ShadingMode::Exact;
     let exact = renderer.render(&scene).clone();
-    let far =
-        polygons.pixels.iter().zip(&exact.pixels).filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 6)).count();
+    let far = polygons
+        .pixels
+        .iter()
+        .zip(&exact.pixels)
+        .filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 6))
+        .count();
     assert!(far < 120, "{far} pixels differ");
     scene.shading.shadows = false;
     let none = renderer.render(&scene).clone();
-    let shaded = exact.pixels.iter().zip(&none.pixels).filter(|(a, b)| a != b).count();
+    let shaded = exact
+        .pixels
+        .iter()
+        .zip(&none.pixels)
+        .filter(|(a, b)| a != b)
+        .count();
     assert!(shaded > 2000, "{shaded} pixels are in shadow");
 }
 
@@ -177,7 +250,10 @@ fn an_area_light_has_a_penumbra_as_deep_as_the_part_that_is_hidden() {
     for x in 0..SIDE {
         levels.insert(frame.pixel(x, SIDE - 12).expect("inside")[0]);
     }
-    assert!(levels.len() > 12, "shades between light and dark: {levels:?}");
+    assert!(
+        levels.len() > 12,
+        "shades between light and dark: {levels:?}"
+    );
 }
 
 #[test]
@@ -187,7 +263,13 @@ fn shadows_are_kept_while_the_material_changes_and_traced_again_when_a_light_mov
     for mode in [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong] {
         scene.shading.mode = mode;
         renderer.render(&scene);
-        let ran = |renderer: &Renderer| renderer.report().stages.iter().any(|run| run.stage == Stage::Rays && run.ran);
+        let ran = |renderer: &Renderer| {
+            renderer
+                .report()
+                .stages
+                .iter()
+                .any(|run| run.stage == Stage::Rays && run.ran)
+        };
         assert!(ran(&renderer), "{mode:?}");
         scene.material.n += 1.0;
         scene.material.ks *= 0.9;
@@ -203,24 +285,44 @@ fn shadows_are_kept_while_the_material_changes_and_traced_again_when_a_light_mov
 /// it is mirrored beyond the critical angle, and only there.
 #[test]
 fn what_the_scenes_say_of_total_reflection_is_seen_in_them() {
-    for (name, critical) in [("glass-ball", None), ("under-water", Some((1.0_f64 / 1.33).asin().to_degrees()))] {
+    for (name, critical) in [
+        ("glass-ball", None),
+        ("under-water", Some((1.0_f64 / 1.33).asin().to_degrees())),
+    ] {
         let preset = presets::find(name).expect("a scene");
         let mut scene = preset.scene();
         scene.image.size = [64, 64];
         let (mut renderer, mut total, mut passing) = (Renderer::default(), 0, 0);
         for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
-            let Some(hit) = probe(&mut renderer, &scene, x, y).hit else { continue };
+            let Some(hit) = probe(&mut renderer, &scene, x, y).hit else {
+                continue;
+            };
             let through = hit.transmission.expect("glass");
-            let angle = hit.normal.dot((scene.camera.eye - hit.position).normalize()).acos().to_degrees();
+            let angle = hit
+                .normal
+                .dot((scene.camera.eye - hit.position).normalize())
+                .acos()
+                .to_degrees();
             assert_eq!(
                 through.total_reflections > 0,
                 critical.is_some_and(|critical| angle > critical),
                 "{name} {x},{y}"
             );
-            if through.total_reflections > 0 { total += 1 } else { passing += 1 }
+            if through.total_reflections > 0 {
+                total += 1;
+            } else {
+                passing += 1;
+            }
         }
-        assert!(passing > 1000 && (total > 500) == critical.is_some(), "{name}: {total} and {passing}");
-        assert_eq!(critical.is_some(), preset.about().sentence.contains("all light is reflected"), "{name}");
+        assert!(
+            passing > 1000 && (total > 500) == critical.is_some(),
+            "{name}: {total} and {passing}"
+        );
+        assert_eq!(
+            critical.is_some(),
+            preset.about().sentence.contains("all light is reflected"),
+            "{name}"
+        );
         assert!(!preset.about().sentence.contains("totally"), "{name}");
     }
 }
@@ -251,7 +353,11 @@ fn wall(scene: &Scene, origin: DVec3, direction: DVec3) -> Option<Rgb> {
         return Some(scene.image.background);
     }
     let odd = (cell(p.x) + cell(p.y)).rem_euclid(2) == 1;
-    (!near_edge(p.x) && !near_edge(p.y)).then_some(if odd { scene.backdrop.color } else { scene.image.background })
+    (!near_edge(p.x) && !near_edge(p.y)).then_some(if odd {
+        scene.backdrop.color
+    } else {
+        scene.image.background
+    })
 }
 
 fn refract(d: DVec3, n: DVec3, eta: f64) -> Option<DVec3> {
@@ -282,7 +388,9 @@ fn a_glass_ball_shows_what_two_refractions_lead_to() {
                 continue;
             }
             let p = origin + direction * (-b - discriminant.sqrt());
-            let Some(inside) = refract(direction, p, eta) else { continue };
+            let Some(inside) = refract(direction, p, eta) else {
+                continue;
+            };
             let seen = if through == Through::Surface {
                 wall(&scene, p, inside)
             } else {
@@ -293,9 +401,13 @@ fn a_glass_ball_shows_what_two_refractions_lead_to() {
             let Some(seen) = seen else { continue };
             let stored = frame.pixel(x, y).expect("inside");
             compared += 1;
-            wrong += u32::from((0..3).any(|c| (seen[c] * 255.0 - f64::from(stored[c])).abs() > 1.0));
+            wrong +=
+                u32::from((0..3).any(|c| (seen[c] * 255.0 - f64::from(stored[c])).abs() > 1.0));
         }
-        assert!(compared > 1500 && wrong == 0, "η {eta} {through:?}: {wrong} of {compared}");
+        assert!(
+            compared > 1500 && wrong == 0,
+            "η {eta} {through:?}: {wrong} of {compared}"
+        );
     }
 }
 
@@ -306,15 +418,28 @@ fn beyond_the_critical_angle_nothing_passes() {
     let mut renderer = Renderer::default();
     let critical = (1.0_f64 / 1.33).asin();
     let (mut through, mut back) = (0, 0);
-    for (x, y) in (0..SIDE).step_by(7).flat_map(|y| (0..SIDE).step_by(7).map(move |x| (x, y))) {
-        let Some(hit) = probe(&mut renderer, &scene, x, y).hit else { continue };
+    for (x, y) in (0..SIDE)
+        .step_by(7)
+        .flat_map(|y| (0..SIDE).step_by(7).map(move |x| (x, y)))
+    {
+        let Some(hit) = probe(&mut renderer, &scene, x, y).hit else {
+            continue;
+        };
         let angle = hit.view.dot(hit.normal).acos();
         let transmission = hit.transmission.expect("transparent");
-        assert_eq!(transmission.t.is_some(), angle < critical, "{x},{y} at {}°", angle.to_degrees());
+        assert_eq!(
+            transmission.t.is_some(),
+            angle < critical,
+            "{x},{y} at {}°",
+            angle.to_degrees()
+        );
         match transmission.t {
             Some(t) => {
                 let sine = t.cross(hit.normal).length();
-                assert!((sine / angle.sin() - 1.33).abs() < 1e-9, "sin θ₂ = sin θ₁·1.33");
+                assert!(
+                    (sine / angle.sin() - 1.33).abs() < 1e-9,
+                    "sin θ₂ = sin θ₁·1.33"
+                );
                 through += 1;
             }
             None => back += 1,
@@ -331,9 +456,17 @@ fn what_passes_and_what_is_reflected_are_mixed_by_kt() {
         scene.transparency.kt = kt;
         let hit = probe(&mut renderer, &scene, 80, 80).hit.expect("the ball");
         let seen = hit.transmission.map_or(Rgb::ZERO, |through| through.seen);
-        assert!((hit.sum - (hit.reflected * (1.0 - kt) + seen * kt)).abs().max_element() < 1e-12);
+        assert!(
+            (hit.sum - (hit.reflected * (1.0 - kt) + seen * kt))
+                .abs()
+                .max_element()
+                < 1e-12
+        );
         for c in 0..3 {
-            assert!((hit.sum[c].min(1.0) * 255.0 - f64::from(hit.stored[c])).abs() <= 1.0, "kt {kt}");
+            assert!(
+                (hit.sum[c].min(1.0) * 255.0 - f64::from(hit.stored[c])).abs() <= 1.0,
+                "kt {kt}"
+            );
         }
     }
 }
@@ -347,17 +480,28 @@ fn nearest(scene: &Scene, origin: DVec3, direction: DVec3) -> Option<Rgb> {
     let to_wall = (centre - origin).dot(forward) / direction.dot(forward);
     let to_floor = (scene.ground.height - origin.y) / direction.y;
     let floor = direction.y < 0.0 && to_floor > 0.0;
-    if direction.dot(forward).abs() < 1e-4 || direction.y.abs() < 1e-4 || (to_wall / to_floor - 1.0).abs() < 1e-3 {
+    if direction.dot(forward).abs() < 1e-4
+        || direction.y.abs() < 1e-4
+        || (to_wall / to_floor - 1.0).abs() < 1e-3
+    {
         return None;
     }
     if to_wall < 0.0 || (floor && to_floor < to_wall) {
-        return Some(if floor { scene.ground.color } else { scene.image.background });
+        return Some(if floor {
+            scene.ground.color
+        } else {
+            scene.image.background
+        });
     }
     let place = (origin + direction * to_wall - centre) / scene.backdrop.scale;
     let (x, y) = (place.dot(right), place.dot(up));
     let near_edge = |x: f64| ((x - 0.5).rem_euclid(1.0) - 0.5).abs() > 0.48;
     let odd = (x.round() + y.round()).rem_euclid(2.0) == 1.0;
-    let color = if odd { scene.backdrop.color } else { scene.image.background };
+    let color = if odd {
+        scene.backdrop.color
+    } else {
+        scene.image.background
+    };
     (!near_edge(x) && !near_edge(y)).then_some(color)
 }
 
@@ -367,7 +511,9 @@ fn of_the_ground_and_the_wall_a_ray_sees_the_nearer() {
     let mut renderer = Renderer::default();
     let mut seed = 7_u64;
     let mut number = |from: f64, to: f64| {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         from + (to - from) * (seed >> 11) as f64 / (1_u64 << 53) as f64
     };
     let (mut direct, mut through, mut mirrored) = ([0; 3], [0; 3], [0; 3]);
@@ -386,8 +532,13 @@ fn of_the_ground_and_the_wall_a_ray_sees_the_nearer() {
         }
         scene.backdrop.distance = number(0.5, 8.0);
         scene.backdrop.scale = number(0.2, 0.8);
-        scene.ground =
-            Ground { visible: true, height: number(-2.0, -0.2), ka: 1.0, kd: 0.0, color: Rgb::new(0.1, 0.6, 0.3) };
+        scene.ground = Ground {
+            visible: true,
+            height: number(-2.0, -0.2),
+            ka: 1.0,
+            kd: 0.0,
+            color: Rgb::new(0.1, 0.6, 0.3),
+        };
         scene.lights.clear();
         let frame = renderer.render(&scene).clone();
         for (x, y) in (0..30).flat_map(|y| (0..40).map(move |x| (x, y))) {
@@ -403,20 +554,35 @@ fn of_the_ground_and_the_wall_a_ray_sees_the_nearer() {
                 let n = DVec3::Z * -direction.z.signum();
                 match refract(direction, n, scene.transparency.ior) {
                     Some(on) => (nearest(&scene, p, on), &mut through),
-                    None => (nearest(&scene, p, direction - n * (2.0 * n.dot(direction))), &mut mirrored),
+                    None => (
+                        nearest(&scene, p, direction - n * (2.0 * n.dot(direction))),
+                        &mut mirrored,
+                    ),
                 }
             } else {
                 (nearest(&scene, origin, direction), &mut direct)
             };
             let Some(seen) = seen else { continue };
-            let which = if seen == scene.ground.color { 0 } else { 1 + usize::from(seen == scene.backdrop.color) };
+            let which = if seen == scene.ground.color {
+                0
+            } else {
+                1 + usize::from(seen == scene.backdrop.color)
+            };
             count[which] += 1;
             let stored = frame.pixel(x, y).expect("inside");
-            let off = (0..3).map(|c| (seen[c] * 255.0 - f64::from(stored[c])).abs()).fold(0.0, f64::max);
+            let off = (0..3)
+                .map(|c| (seen[c] * 255.0 - f64::from(stored[c])).abs())
+                .fold(0.0, f64::max);
             assert!(off <= 1.0, "case {case} at {x},{y}: {stored:?} for {seen}");
         }
     }
-    assert!([direct, through].as_flattened().iter().all(|count| *count > 5000), "{direct:?} {through:?}");
+    assert!(
+        [direct, through]
+            .as_flattened()
+            .iter()
+            .all(|count| *count > 5000),
+        "{direct:?} {through:?}"
+    );
     assert!(mirrored.iter().sum::<i32>() > 500, "{mirrored:?}");
 }
 
@@ -437,21 +603,33 @@ fn a_bounce_does_not_depend_on_the_constant_that_it_takes_the_place_of() {
             assert!(same, "{mode:?}, Ia {ia}");
             let hit = probe(&mut renderer, &scene, 45, 30).hit.expect("the ball");
             assert!(
-                (0..3).all(|c| (hit.sum[c].min(1.0) * 255.0 - f64::from(hit.stored[c])).abs() <= 1.0),
+                (0..3)
+                    .all(|c| (hit.sum[c].min(1.0) * 255.0 - f64::from(hit.stored[c])).abs() <= 1.0),
                 "{mode:?} {ia}"
             );
         }
         scene.ambient.source = AmbientSource::Split;
-        let refused = scene.validate().expect_err("white beside a bounce").to_string();
-        assert!(refused.contains("ambient.color") && refused.contains("10000"), "{refused}");
+        let refused = scene
+            .validate()
+            .expect_err("white beside a bounce")
+            .to_string();
+        assert!(
+            refused.contains("ambient.color") && refused.contains("10000"),
+            "{refused}"
+        );
     }
 }
 
 /// However near the eye is to its target: it is the direction alone that counts, in every mode, for picture and probe.
 #[test]
 fn an_eye_next_to_its_target_sees_what_one_a_little_farther_sees() {
-    let modes =
-        [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+    let modes = [
+        ShadingMode::Flat,
+        ShadingMode::Interpolated,
+        ShadingMode::Gouraud,
+        ShadingMode::Phong,
+        ShadingMode::Exact,
+    ];
     let mut renderer = Renderer::default();
     for mode in modes {
         let mut scene = Scene::default();
@@ -460,13 +638,18 @@ fn an_eye_next_to_its_target_sees_what_one_a_little_farther_sees() {
         scene.shading.mode = mode;
         scene.camera.eye = DVec3::new(0.0, 0.0, 1e-6);
         let expected = renderer.render(&scene).clone();
-        assert!(expected.pixels.iter().any(|pixel| pixel[0] > 150), "{mode:?}");
+        assert!(
+            expected.pixels.iter().any(|pixel| pixel[0] > 150),
+            "{mode:?}"
+        );
         for distance in [1e-9, 1e-12, 1e-14, 1e-18, 1e-22, 1e-29] {
             scene.camera.eye.z = distance;
             assert_eq!(scene.validate(), Ok(()));
             let found = renderer.render(&scene).clone();
             let pairs = found.pixels.iter().zip(&expected.pixels);
-            let off = pairs.filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 2)).count();
+            let off = pairs
+                .filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 2))
+                .count();
             assert!(off <= 24, "{mode:?} at {distance:e}: {off} pixels");
             let hit = probe(&mut renderer, &scene, 10, 20).hit.expect("the torus");
             assert!(
@@ -489,13 +672,25 @@ fn the_bounce_off_an_infinite_floor_is_its_view_factor() {
     scene.material.ks = Rgb::ZERO;
     scene.material.color = Rgb::ONE;
     scene.object.normals = NormalSource::Exact;
-    scene.ground = Ground { visible: true, height: -60.0, ka: 0.0, kd: 0.5, color: Rgb::ONE };
+    scene.ground = Ground {
+        visible: true,
+        height: -60.0,
+        ka: 0.0,
+        kd: 0.5,
+        color: Rgb::ONE,
+    };
     scene.ambient.source = AmbientSource::Bounce;
-    scene.lights = vec![Light { kind: LightKind::Directional, direction: DVec3::NEG_Y, ..Light::default() }];
+    scene.lights = vec![Light {
+        kind: LightKind::Directional,
+        direction: DVec3::NEG_Y,
+        ..Light::default()
+    }];
     let mut renderer = Renderer::default();
     let (mut most, mut sum, mut count): (f64, f64, f64) = (0.0, 0.0, 0.0);
     for y in 20..90 {
-        let Some(hit) = probe(&mut renderer, &scene, 48, y).hit else { continue };
+        let Some(hit) = probe(&mut renderer, &scene, 48, y).hit else {
+            continue;
+        };
         let expected = 0.8 * 0.5 * 0.5 * (1.0 - hit.normal.y);
         let error = hit.ambient.x - expected;
         most = most.max(error.abs());
@@ -503,7 +698,11 @@ fn the_bounce_off_an_infinite_floor_is_its_view_factor() {
         count += 1.0;
     }
     // 64 directions a point and a few points a pixel: a hundredth of the share, and nothing on the whole.
-    assert!(most < 0.025 && (sum / count).abs() < 0.004, "the greatest error is {most}, the mean {}", sum / count);
+    assert!(
+        most < 0.025 && (sum / count).abs() < 0.004,
+        "the greatest error is {most}, the mean {}",
+        sum / count
+    );
 }
 
 #[test]
@@ -519,7 +718,13 @@ fn the_best_ambient_is_that_whose_picture_is_as_bright() {
         scene.ambient.color = Rgb::from_array(fit) * factor;
         let constant = renderer.render(&scene);
         let pairs = constant.pixels.iter().zip(&bounced.pixels);
-        pairs.map(|(a, b)| (0..3).map(|c| f64::from(a[c].abs_diff(b[c])).powi(2)).sum::<f64>()).sum()
+        pairs
+            .map(|(a, b)| {
+                (0..3)
+                    .map(|c| f64::from(a[c].abs_diff(b[c])).powi(2))
+                    .sum::<f64>()
+            })
+            .sum()
     };
     let [less, best, more] = [0.8, 1.0, 1.25].map(&mut squared);
     assert!(best < less && best < more, "{less} {best} {more}");

@@ -13,14 +13,26 @@ const COUNTS: [u32; 5] = [1, 4, 16, 64, 256];
 
 fn scene(shape: AreaShape, samples: u32) -> Scene {
     let mut scene = presets::find("sphere").expect("a built-in scene").scene();
-    let light = Light { kind: LightKind::Area, shape, samples, extent: [1.5, 1.0], radius: 0.6, ..Light::default() };
-    scene.lights =
-        vec![Light { position: DVec3::new(2.0, 2.5, 3.0), direction: DVec3::new(-2.0, -2.5, -3.0), ..light }];
+    let light = Light {
+        kind: LightKind::Area,
+        shape,
+        samples,
+        extent: [1.5, 1.0],
+        radius: 0.6,
+        ..Light::default()
+    };
+    scene.lights = vec![Light {
+        position: DVec3::new(2.0, 2.5, 3.0),
+        direction: DVec3::new(-2.0, -2.5, -3.0),
+        ..light
+    }];
     scene
 }
 
 fn errors(shape: AreaShape) -> Vec<SamplingError> {
-    let error = |&samples: &u32| sampling_error(&scene(shape, samples), 0).expect("an area light on a sphere");
+    let error = |&samples: &u32| {
+        sampling_error(&scene(shape, samples), 0).expect("an area light on a sphere")
+    };
     COUNTS.iter().map(error).collect()
 }
 
@@ -39,7 +51,10 @@ fn the_error_falls_as_the_points_grow_in_number() {
     for shape in [AreaShape::Rectangle, AreaShape::Sphere] {
         let errors = errors(shape);
         for (count, error) in COUNTS.iter().zip(&errors) {
-            println!("{shape:?}, N = {count}: rms {:.3e}, greatest {:.3e}", error.rms, error.greatest);
+            println!(
+                "{shape:?}, N = {count}: rms {:.3e}, greatest {:.3e}",
+                error.rms, error.greatest
+            );
             assert!(error.rms <= error.greatest);
         }
         for pair in errors.windows(2) {
@@ -47,7 +62,10 @@ fn the_error_falls_as_the_points_grow_in_number() {
         }
         let slope = slope(&errors.iter().map(|error| error.rms).collect::<Vec<_>>());
         println!("{shape:?}: the error falls as N^{slope:.2}");
-        assert!(slope < -0.7, "{shape:?}: the error falls as N^{slope:.2} only");
+        assert!(
+            slope < -0.7,
+            "{shape:?}: the error falls as N^{slope:.2} only"
+        );
     }
 }
 
@@ -61,9 +79,16 @@ fn only_an_area_light_that_is_seen_has_an_error() {
         change(&mut scene);
         sampling_error(&scene, 0)
     };
-    assert_eq!(change(&|scene| scene.lights[0].kind = LightKind::Spot), None);
+    assert_eq!(
+        change(&|scene| scene.lights[0].kind = LightKind::Spot),
+        None
+    );
     assert_eq!(change(&|scene| scene.lights[0].mute = true), None);
-    assert_eq!(change(&|scene| scene.camera.target.z = 10.0), None, "the object is behind the viewer");
+    assert_eq!(
+        change(&|scene| scene.camera.target.z = 10.0),
+        None,
+        "the object is behind the viewer"
+    );
 }
 
 #[test]

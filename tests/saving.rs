@@ -32,8 +32,12 @@ impl Folder {
     }
 
     fn names(&self) -> Vec<String> {
-        let entries = fs::read_dir(&self.0).expect("a folder").map(|entry| entry.expect("an entry").file_name());
-        let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
+        let entries = fs::read_dir(&self.0)
+            .expect("a folder")
+            .map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<String> = entries
+            .map(|name| name.to_string_lossy().into_owned())
+            .collect();
         names.sort();
         names
     }
@@ -46,7 +50,9 @@ impl Drop for Folder {
 }
 
 fn change(window: &mut Window, n: f64) {
-    window.get_by_role_and_label(Role::Slider, "n specular exponent").set_value_accesskit(n);
+    window
+        .get_by_role_and_label(Role::Slider, "n specular exponent")
+        .set_value_accesskit(n);
     window.run();
 }
 
@@ -61,12 +67,20 @@ fn fill_in(window: &mut Window, path: &str, button: &str) {
     // What the field suggests goes.
     window.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.run();
-    window.get_by_role_and_label(Role::TextInput, "File").type_text(path);
+    window
+        .get_by_role_and_label(Role::TextInput, "File")
+        .type_text(path);
     window.run();
     press(window, button);
 }
 
-const SAVE_AS: (Modifiers, Key) = (Modifiers { shift: true, ..Modifiers::COMMAND }, Key::S);
+const SAVE_AS: (Modifiers, Key) = (
+    Modifiers {
+        shift: true,
+        ..Modifiers::COMMAND
+    },
+    Key::S,
+);
 const EXPORT: (Modifiers, Key) = (Modifiers::COMMAND, Key::E);
 
 fn asks(window: &Harness<'_, App>, question: &str) -> bool {
@@ -81,11 +95,20 @@ fn a_name_without_an_ending_is_given_one_that_opens() {
     save_as(&mut window, SAVE_AS, &folder.path("version.2"), "Save");
     save_as(&mut window, EXPORT, &folder.path("picture"), "Export");
     assert!(wait(&mut window, |window| asks(window, "exported")));
-    assert_eq!(folder.names(), ["myscene.toml", "picture.png", "version.2.toml"]);
+    assert_eq!(
+        folder.names(),
+        ["myscene.toml", "picture.png", "version.2.toml"]
+    );
     for name in folder.names() {
-        assert_eq!(load(&folder.0.join(&name)).expect(&name).scene.material, scene(&window).material);
+        assert_eq!(
+            load(&folder.0.join(&name)).expect(&name).scene.material,
+            scene(&window).material
+        );
     }
-    assert_eq!(window.state().state().document.origin, Origin::File(folder.0.join("version.2.toml")));
+    assert_eq!(
+        window.state().state().document.origin,
+        Origin::File(folder.0.join("version.2.toml"))
+    );
 }
 
 #[test]
@@ -114,7 +137,9 @@ fn no_file_is_replaced_without_a_question() {
     fs::write(folder.0.join("old.frag"), "old").expect("a file");
     window.key_press_modifiers(Modifiers::COMMAND, Key::U);
     window.run();
-    window.get_by_role_and_label(Role::Tab, "GLSL 330").click_accesskit();
+    window
+        .get_by_role_and_label(Role::Tab, "GLSL 330")
+        .click_accesskit();
     window.run();
     assert!(wait(&mut window, |window| asks(window, "lines")));
     press(&mut window, "Save…");
@@ -133,7 +158,9 @@ fn an_export_that_is_cancelled_writes_nothing() {
     enter(&mut window, "Samples per pixel", 1024.0);
     fill_in(&mut window, &folder.path("picture.png"), "Export");
     assert!(asks(&window, "Drawing "));
-    window.get_by_role_and_label(Role::Button, "Cancel").click_accesskit();
+    window
+        .get_by_role_and_label(Role::Button, "Cancel")
+        .click_accesskit();
     window.run();
     assert!(!asks(&window, "Drawing "));
     std::thread::sleep(std::time::Duration::from_secs(2));
@@ -152,22 +179,35 @@ fn no_shortcut_acts_while_a_file_is_opened() {
     let before = scene(&window).clone();
     window.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();
-    window.get_by_role_and_label(Role::TextInput, "File").type_text(&folder.path("large.obj"));
+    window
+        .get_by_role_and_label(Role::TextInput, "File")
+        .type_text(&folder.path("large.obj"));
     window.run();
-    window.get_by_role_and_label(Role::Button, "Open").click_accesskit();
+    window
+        .get_by_role_and_label(Role::Button, "Open")
+        .click_accesskit();
     let opening = |window: &mut Window| {
         window.step();
         asks(window, "Opening ")
     };
     assert!((0..9).any(|_| opening(&mut window)));
-    for (modifiers, key) in [(Modifiers::NONE, Key::Num1), (Modifiers::COMMAND, Key::Z), SAVE_AS] {
+    for (modifiers, key) in [
+        (Modifiers::NONE, Key::Num1),
+        (Modifiers::COMMAND, Key::Z),
+        SAVE_AS,
+    ] {
         window.key_press_modifiers(modifiers, key);
         window.step();
     }
     assert!(opening(&mut window));
     assert_eq!(scene(&window), &before, "a shortcut has acted");
-    assert!(!asks(&window, "Save the scene"), "a shortcut has opened a dialog");
-    window.get_by_role_and_label(Role::Button, "Cancel").click_accesskit();
+    assert!(
+        !asks(&window, "Save the scene"),
+        "a shortcut has opened a dialog"
+    );
+    window
+        .get_by_role_and_label(Role::Button, "Cancel")
+        .click_accesskit();
     window.run();
     assert!(!asks(&window, "Opening "));
     assert_eq!(scene(&window), &before);
@@ -175,22 +215,36 @@ fn no_shortcut_acts_while_a_file_is_opened() {
 
 /// What the window does when its close button is pressed: whether it stays.
 fn stays_when_closed(window: &mut Window) -> bool {
-    let viewport = window.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+    let viewport = window
+        .input_mut()
+        .viewports
+        .entry(ViewportId::ROOT)
+        .or_default();
     viewport.events.push(ViewportEvent::Close);
     window.step();
     let stays = commands(window).contains(&ViewportCommand::CancelClose);
-    window.input_mut().viewports.entry(ViewportId::ROOT).or_default().events.clear();
+    window
+        .input_mut()
+        .viewports
+        .entry(ViewportId::ROOT)
+        .or_default()
+        .events
+        .clear();
     window.run();
     stays
 }
 
 fn commands(window: &Window) -> Vec<ViewportCommand> {
-    window.output().viewport_output[&ViewportId::ROOT].commands.clone()
+    window.output().viewport_output[&ViewportId::ROOT]
+        .commands
+        .clone()
 }
 
 /// Presses a button and looks whether the window closes for it.
 fn closes_by(window: &mut Window, button: &str) -> bool {
-    window.get_by_role_and_label(Role::Button, button).click_accesskit();
+    window
+        .get_by_role_and_label(Role::Button, button)
+        .click_accesskit();
     (0..4).any(|_| {
         window.step();
         commands(window).contains(&ViewportCommand::Close)
@@ -213,11 +267,21 @@ fn a_changed_scene_is_not_closed_without_a_question() {
     press(&mut window, "Save");
     press(&mut window, "Cancel");
     save_as(&mut window, SAVE_AS, &folder.path("first"), "Save");
-    assert!(!commands(&window).contains(&ViewportCommand::Close), "saving alone does not close");
+    assert!(
+        !commands(&window).contains(&ViewportCommand::Close),
+        "saving alone does not close"
+    );
     change(&mut window, 8.0);
     assert!(stays_when_closed(&mut window));
     assert!(closes_by(&mut window, "Save"), "it has a file by now");
-    assert_eq!(load(&folder.0.join("first.toml")).expect("a scene").scene.material.n, 8.0);
+    assert_eq!(
+        load(&folder.0.join("first.toml"))
+            .expect("a scene")
+            .scene
+            .material
+            .n,
+        8.0
+    );
     assert!(!stays_when_closed(&mut window));
 }
 
@@ -241,7 +305,11 @@ fn kept(window: &mut Window, folder: &Folder) -> Vec<String> {
     window.run_steps(20);
     std::thread::sleep(std::time::Duration::from_millis(300));
     window.run();
-    folder.names().into_iter().filter(|name| name.ends_with(".toml")).collect()
+    folder
+        .names()
+        .into_iter()
+        .filter(|name| name.ends_with(".toml"))
+        .collect()
 }
 
 #[test]
@@ -263,10 +331,18 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
     let state = third.state().state();
     assert!(state.modified() && state.document.origin == Origin::BuiltIn("torus".to_owned()));
-    assert_eq!(kept(&mut third, &folder), ["0.toml", "1.toml"], "what is restored is as unsaved as before");
+    assert_eq!(
+        kept(&mut third, &folder),
+        ["0.toml", "1.toml"],
+        "what is restored is as unsaved as before"
+    );
     assert!(stays_when_closed(&mut third) && closes_by(&mut third, "Close without saving"));
     assert!(!stays_when_closed(&mut third));
-    assert_eq!(kept(&mut third, &folder), ["1.toml"], "who closes does not want it back");
+    assert_eq!(
+        kept(&mut third, &folder),
+        ["1.toml"],
+        "who closes does not want it back"
+    );
     drop((second, third));
     let mut fourth = keeping("cube", &folder.0);
     press(&mut fourth, "Later");
@@ -283,7 +359,11 @@ fn what_is_saved_is_not_kept_and_rest_costs_nothing() {
     change(&mut window, 7.0);
     assert_eq!(kept(&mut window, &folder), ["0.toml"]);
     let waits = |window: &Window| window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
-    assert!(waits(&window).as_secs() > 60, "no frame is asked for once it is kept: {:?}", waits(&window));
+    assert!(
+        waits(&window).as_secs() > 60,
+        "no frame is asked for once it is kept: {:?}",
+        waits(&window)
+    );
     save_as(&mut window, SAVE_AS, &folder.path("saved"), "Save");
     assert_eq!(kept(&mut window, &folder), ["saved.toml"]);
 }
@@ -300,8 +380,15 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     fs::rename(&model, folder.0.join("elsewhere.obj")).expect("renamed");
     let mut second = keeping("sphere", &folder.0);
     press(&mut second, "Restore");
-    assert!(wait(&mut second, |window| asks(window, "triangle.obj: no such file")));
-    assert_eq!(kept(&mut second, &folder), ["0.toml"], "it stays where it is");
+    assert!(wait(&mut second, |window| asks(
+        window,
+        "triangle.obj: no such file"
+    )));
+    assert_eq!(
+        kept(&mut second, &folder),
+        ["0.toml"],
+        "it stays where it is"
+    );
     drop(second);
     fs::rename(folder.0.join("elsewhere.obj"), &model).expect("renamed");
     let mut third = keeping("sphere", &folder.0);

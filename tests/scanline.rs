@@ -18,18 +18,33 @@ fn opened(name: &str) -> Harness<'static, App> {
     let mut harness = window(name);
     harness.key_press(Key::Num3);
     harness.run();
-    harness.get_by_role_and_label(Role::Tab, "Scan line").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Tab, "Scan line")
+        .click_accesskit();
     harness.run();
     assert_eq!(harness.state().state().look.tab, NumbersTab::ScanLine);
     harness
 }
 
 fn step(harness: &Harness<'_, App>) -> usize {
-    harness.state().state().own.get::<ScanView>().expect("the tab is shown").step()
+    harness
+        .state()
+        .state()
+        .own
+        .get::<ScanView>()
+        .expect("the tab is shown")
+        .step()
 }
 
 fn shown<'h>(harness: &'h Harness<'_, App>) -> &'h Scan {
-    harness.state().state().own.get::<ScanView>().expect("the tab is shown").ready().expect("a polygon under the probe")
+    harness
+        .state()
+        .state()
+        .own
+        .get::<ScanView>()
+        .expect("the tab is shown")
+        .ready()
+        .expect("a polygon under the probe")
 }
 
 fn key(harness: &mut Harness<'_, App>, key: Key) {
@@ -42,7 +57,10 @@ fn buttons_and_keys_walk_by_pixel_edge_and_line() {
     let mut harness = opened("flat-facets");
     let scan = shown(&harness).clone();
     let start = step(&harness);
-    assert!(scan.at(start).pixel.is_some(), "it begins at the pixel under the probe");
+    assert!(
+        scan.at(start).pixel.is_some(),
+        "it begins at the pixel under the probe"
+    );
     let ways = [
         ("Pixel", Key::Comma, Key::Period, ScanLevel::Pixel),
         ("Edge", Key::OpenBracket, Key::CloseBracket, ScanLevel::Edge),
@@ -64,7 +82,9 @@ fn buttons_and_keys_walk_by_pixel_edge_and_line() {
     assert_eq!(step(&harness), scan.last());
     press(&mut harness, "First step");
     assert_eq!(step(&harness), 0);
-    harness.get_by_role_and_label(Role::Slider, "Scan step").set_value_accesskit(33.0);
+    harness
+        .get_by_role_and_label(Role::Slider, "Scan step")
+        .set_value_accesskit(33.0);
     harness.run();
     assert_eq!(step(&harness), 33);
     for _ in 0..3 {
@@ -78,7 +98,9 @@ fn buttons_and_keys_walk_by_pixel_edge_and_line() {
 fn it_plays_until_the_end_and_asks_for_frames_only_then() {
     let mut harness = opened("flat-facets");
     key(&mut harness, Key::Home);
-    harness.get_by_role_and_label(Role::SpinButton, "Scan speed").set_value_accesskit(8.0);
+    harness
+        .get_by_role_and_label(Role::SpinButton, "Scan speed")
+        .set_value_accesskit(8.0);
     harness.run();
     harness.key_press(Key::Space);
     for _ in 0..12 {
@@ -86,17 +108,34 @@ fn it_plays_until_the_end_and_asks_for_frames_only_then() {
     }
     let reached = step(&harness);
     assert!(
-        reached > 3 && harness.state().state().own.get::<ScanView>().expect("the tab is shown").is_playing(),
+        reached > 3
+            && harness
+                .state()
+                .state()
+                .own
+                .get::<ScanView>()
+                .expect("the tab is shown")
+                .is_playing(),
         "{reached}"
     );
-    harness.get_by_role_and_label(Role::Button, "Pause").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Button, "Pause")
+        .click_accesskit();
     harness.run();
     let paused = step(&harness);
     for _ in 0..10 {
         harness.step();
     }
     assert_eq!(step(&harness), paused);
-    assert!(!harness.state().state().own.get::<ScanView>().expect("the tab is shown").is_playing());
+    assert!(
+        !harness
+            .state()
+            .state()
+            .own
+            .get::<ScanView>()
+            .expect("the tab is shown")
+            .is_playing()
+    );
     press(&mut harness, "Last step");
     for _ in 0..5 {
         key(&mut harness, Key::Comma);
@@ -108,7 +147,11 @@ fn it_plays_until_the_end_and_asks_for_frames_only_then() {
     assert_eq!(step(&harness), shown(&harness).last());
     // Idle again: a window that goes on asking for frames would not settle.
     harness.run();
-    assert!(harness.query_by_role_and_label(Role::Button, "Play").is_some());
+    assert!(
+        harness
+            .query_by_role_and_label(Role::Button, "Play")
+            .is_some()
+    );
 }
 
 #[test]
@@ -118,21 +161,44 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
     let mut sized = scene(&harness).clone();
     sized.image.size = [frame.width, frame.height];
     let taken = shown(&harness).clone();
-    assert_eq!(scan(&mut Renderer::default(), &sized, taken.face, Scan::USUAL_ROWS).as_ref(), Ok(&taken));
+    assert_eq!(
+        scan(
+            &mut Renderer::default(),
+            &sized,
+            taken.face,
+            Scan::USUAL_ROWS
+        )
+        .as_ref(),
+        Ok(&taken)
+    );
     let point = taken.at(step(&harness));
-    let (Some(span), Some(pixel)) = (point.span, point.pixel) else { panic!("a pixel's step") };
+    let (Some(span), Some(pixel)) = (point.span, point.pixel) else {
+        panic!("a pixel's step")
+    };
     let has = |harness: &Harness<'_, App>, text: &str| {
         harness
-            .query_all_by(|node| [node.label(), node.value()].into_iter().flatten().any(|t| t.contains(text)))
+            .query_all_by(|node| {
+                [node.label(), node.value()]
+                    .into_iter()
+                    .flatten()
+                    .any(|t| t.contains(text))
+            })
             .next()
             .is_some()
     };
     let mix = taken.found(step(&harness)).pop().expect("a pixel's step");
     let [r, g, b] = pixel.stored;
-    for text in [mix.alpha_text(), mix.row(0), format!("stored {r}, {g}, {b}"), format!("{:.4}", span.q.value.x)] {
+    for text in [
+        mix.alpha_text(),
+        mix.row(0),
+        format!("stored {r}, {g}, {b}"),
+        format!("{:.4}", span.q.value.x),
+    ] {
         assert!(has(&harness, &text), "{text}");
     }
-    assert!(has(&harness, "Edge table") && has(&harness, &format!("Face {}, 4 corners", taken.face)));
+    assert!(
+        has(&harness, "Edge table") && has(&harness, &format!("Face {}, 4 corners", taken.face))
+    );
     // Another polygon, another scan; another view of the same one, the same place in it.
     for _ in 0..9 {
         harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowDown);
@@ -141,15 +207,29 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
     assert!(shown(&harness).face != taken.face);
     let face = shown(&harness).face;
     let line = shown(&harness).at(step(&harness)).line.y;
-    harness.get_by_role_and_label(Role::SpinButton, "Scan rows").set_value_accesskit(32.0);
+    harness
+        .get_by_role_and_label(Role::SpinButton, "Scan rows")
+        .set_value_accesskit(32.0);
     harness.run();
-    assert_eq!((shown(&harness).grid.rows, shown(&harness).face), (32, face));
+    assert_eq!(
+        (shown(&harness).grid.rows, shown(&harness).face),
+        (32, face)
+    );
     assert!(shown(&harness).at(step(&harness)).line.y.abs_diff(2 * line) <= 2);
     for _ in 0..40 {
         harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowRight);
         harness.run();
     }
-    assert!(harness.state().state().own.get::<ScanView>().expect("the tab is shown").ready().is_none());
+    assert!(
+        harness
+            .state()
+            .state()
+            .own
+            .get::<ScanView>()
+            .expect("the tab is shown")
+            .ready()
+            .is_none()
+    );
     assert!(has(&harness, "The probe sees the background"));
 }
 

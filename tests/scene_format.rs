@@ -2,23 +2,33 @@
 
 use glam::DVec3;
 use shading_lab::scene::{
-    About, Cause, Choice, Light, LightKind, Material, ObjectKind, Rgb, Scene, ShadingMode, materials, nearest, presets,
+    About, Cause, Choice, Light, LightKind, Material, ObjectKind, Rgb, Scene, ShadingMode,
+    materials, nearest, presets,
 };
 
 /// Everything that reading `text` as the file `s.toml` objects to, a line each.
 fn objections(text: &str) -> String {
-    Scene::parse(text, "s.toml").expect_err("a mistake").to_string()
+    Scene::parse(text, "s.toml")
+        .expect_err("a mistake")
+        .to_string()
 }
 
 #[track_caller]
 fn assert_objections(text: &str, expected: &[&str]) {
-    assert_eq!(objections(text).lines().collect::<Vec<_>>(), expected, "{text}");
+    assert_eq!(
+        objections(text).lines().collect::<Vec<_>>(),
+        expected,
+        "{text}"
+    );
 }
 
 #[test]
 fn an_empty_file_is_the_default_scene() {
     assert_eq!(Scene::parse("", "s.toml"), Ok(Scene::default()));
-    assert_eq!(Scene::parse("\u{feff}version = 1\r\n", "s.toml"), Ok(Scene::default()));
+    assert_eq!(
+        Scene::parse("\u{feff}version = 1\r\n", "s.toml"),
+        Ok(Scene::default())
+    );
 }
 
 #[test]
@@ -39,13 +49,24 @@ fn values_are_read_as_an_author_writes_them() {
     assert_eq!(scene.shading.mode, ShadingMode::Gouraud);
     assert_eq!(scene.lights.len(), 2);
     assert_eq!(scene.lights[1], Light::default());
-    assert_eq!(Scene::parse("light = []", "s.toml").expect("darkness").lights, []);
+    assert_eq!(
+        Scene::parse("light = []", "s.toml")
+            .expect("darkness")
+            .lights,
+        []
+    );
 }
 
 #[test]
 fn text_that_is_no_toml_is_named_with_its_line() {
-    assert_objections("version = 1\n[camera\neye = 1\n", &["s.toml:2: unclosed table, expected `]`"]);
-    assert_objections("\n\nmode = phong\n", &["s.toml:3: string values must be quoted, expected literal string"]);
+    assert_objections(
+        "version = 1\n[camera\neye = 1\n",
+        &["s.toml:2: unclosed table, expected `]`"],
+    );
+    assert_objections(
+        "\n\nmode = phong\n",
+        &["s.toml:3: string values must be quoted, expected literal string"],
+    );
     assert_objections("[camera]\n[camera]\n", &["s.toml:2: duplicate key"]);
 }
 
@@ -64,8 +85,10 @@ fn unknown_keys_are_all_named_with_their_choices() {
     );
     assert_objections(
         "lights = []\n",
-        &["s.toml:1: unknown key `lights`, expected one of version, about, camera, image, display, object, material, \
-           reflection, ambient, pattern, transparency, shading, ground, backdrop, depth_cueing, compare, light (did you mean light?)"],
+        &[
+            "s.toml:1: unknown key `lights`, expected one of version, about, camera, image, display, object, material, \
+           reflection, ambient, pattern, transparency, shading, ground, backdrop, depth_cueing, compare, light (did you mean light?)",
+        ],
     );
 }
 
@@ -73,13 +96,17 @@ fn unknown_keys_are_all_named_with_their_choices() {
 fn unknown_words_are_named_with_their_choices() {
     assert_objections(
         "[shading]\nmode = \"Gourad\"\n",
-        &["s.toml:2: `shading.mode` is \"Gourad\", expected one of flat, interpolated, gouraud, phong, exact \
-           (did you mean gouraud?)"],
+        &[
+            "s.toml:2: `shading.mode` is \"Gourad\", expected one of flat, interpolated, gouraud, phong, exact \
+           (did you mean gouraud?)",
+        ],
     );
     assert_objections(
         "[[light]]\nattenuation = \"squared\"\n",
-        &["s.toml:2: `light.0.attenuation` is \"squared\", expected one of none, viewer, light, inverse-square, \
-           quadratic"],
+        &[
+            "s.toml:2: `light.0.attenuation` is \"squared\", expected one of none, viewer, light, inverse-square, \
+           quadratic",
+        ],
     );
     assert_objections(
         "[object]\nkind = 3\n",
@@ -93,27 +120,78 @@ fn unknown_words_are_named_with_their_choices() {
 #[test]
 fn wrong_types_are_named_with_what_was_expected() {
     for (text, expected) in [
-        ("[material]\nn = \"abc\"\n", "s.toml:2: `material.n` is \"abc\", expected a number"),
-        ("[material]\nka = true\n", "s.toml:2: `material.ka` is true, expected a number or [red, green, blue]"),
+        (
+            "[material]\nn = \"abc\"\n",
+            "s.toml:2: `material.n` is \"abc\", expected a number",
+        ),
+        (
+            "[material]\nka = true\n",
+            "s.toml:2: `material.ka` is true, expected a number or [red, green, blue]",
+        ),
         (
             "[material]\nka = [1, 2]\n",
             "s.toml:2: `material.ka` is a list of 2, expected a number or [red, green, blue]",
         ),
-        ("[camera]\neye = [1,\n2,\n'x']\n", "s.toml:4: `camera.eye.2` is \"x\", expected a number"),
-        ("[camera]\neye = [1, 2]\n", "s.toml:2: `camera.eye` is a list of 2, expected a list of three numbers"),
-        ("[camera]\neye = [1, 2, 3, 4]\n", "s.toml:2: `camera.eye` is a list of 4, expected a list of three numbers"),
-        ("[camera]\neye = 1979-05-27\n", "s.toml:2: `camera.eye` is a date, expected a list of three numbers"),
-        ("[camera]\nfov_y = {}\n", "s.toml:2: `camera.fov_y` is a table of keys, expected a number"),
-        ("[object]\nsegments = 2.5\n", "s.toml:2: `object.segments` is 2.5, expected a whole number, 0 or more"),
-        ("[object]\nsegments = -4\n", "s.toml:2: `object.segments` is -4, expected a whole number, 0 or more"),
-        ("[object]\npath = 4\n", "s.toml:2: `object.path` is 4, expected a path in quotation marks"),
-        ("[object]\nfit = 1\n", "s.toml:2: `object.fit` is 1, expected true or false"),
-        ("[image]\nsize = [1]\n", "s.toml:2: `image.size` is a list of 1, expected a list of two whole numbers"),
-        ("camera = 7\n", "s.toml:1: `camera` is 7, expected a table of keys"),
-        ("[light]\nk = 1\n", "s.toml:1: `light` is a table of keys, expected a list of tables"),
-        ("light = [1]\n", "s.toml:1: `light.0` is 1, expected a table of keys"),
-        ("[material]\nn = 1e999\n", "s.toml:2: `material.n` is 1e999, expected a number below 1.8e308 (or inf)"),
-        ("version = 'x'\n", "s.toml:1: `version` is \"x\", expected a whole number, 0 or more"),
+        (
+            "[camera]\neye = [1,\n2,\n'x']\n",
+            "s.toml:4: `camera.eye.2` is \"x\", expected a number",
+        ),
+        (
+            "[camera]\neye = [1, 2]\n",
+            "s.toml:2: `camera.eye` is a list of 2, expected a list of three numbers",
+        ),
+        (
+            "[camera]\neye = [1, 2, 3, 4]\n",
+            "s.toml:2: `camera.eye` is a list of 4, expected a list of three numbers",
+        ),
+        (
+            "[camera]\neye = 1979-05-27\n",
+            "s.toml:2: `camera.eye` is a date, expected a list of three numbers",
+        ),
+        (
+            "[camera]\nfov_y = {}\n",
+            "s.toml:2: `camera.fov_y` is a table of keys, expected a number",
+        ),
+        (
+            "[object]\nsegments = 2.5\n",
+            "s.toml:2: `object.segments` is 2.5, expected a whole number, 0 or more",
+        ),
+        (
+            "[object]\nsegments = -4\n",
+            "s.toml:2: `object.segments` is -4, expected a whole number, 0 or more",
+        ),
+        (
+            "[object]\npath = 4\n",
+            "s.toml:2: `object.path` is 4, expected a path in quotation marks",
+        ),
+        (
+            "[object]\nfit = 1\n",
+            "s.toml:2: `object.fit` is 1, expected true or false",
+        ),
+        (
+            "[image]\nsize = [1]\n",
+            "s.toml:2: `image.size` is a list of 1, expected a list of two whole numbers",
+        ),
+        (
+            "camera = 7\n",
+            "s.toml:1: `camera` is 7, expected a table of keys",
+        ),
+        (
+            "[light]\nk = 1\n",
+            "s.toml:1: `light` is a table of keys, expected a list of tables",
+        ),
+        (
+            "light = [1]\n",
+            "s.toml:1: `light.0` is 1, expected a table of keys",
+        ),
+        (
+            "[material]\nn = 1e999\n",
+            "s.toml:2: `material.n` is 1e999, expected a number below 1.8e308 (or inf)",
+        ),
+        (
+            "version = 'x'\n",
+            "s.toml:1: `version` is \"x\", expected a whole number, 0 or more",
+        ),
     ] {
         assert_objections(text, &[expected]);
     }
@@ -179,15 +257,21 @@ c3 = 0
 fn values_that_contradict_each_other_are_named() {
     assert_objections(
         "[camera]\neye = [1, 2, 3]\ntarget = [1, 2, 3]\n",
-        &["s.toml:2: `camera.eye` is the same point as `camera.target`, expected two different points"],
+        &[
+            "s.toml:2: `camera.eye` is the same point as `camera.target`, expected two different points",
+        ],
     );
     assert_objections(
         "[camera]\ntarget = [0, 0, 4]\n",
-        &["s.toml:1: `camera.eye` is the same point as `camera.target`, expected two different points"],
+        &[
+            "s.toml:1: `camera.eye` is the same point as `camera.target`, expected two different points",
+        ],
     );
     assert_objections(
         "[camera]\neye = [0, 3, 0]\n",
-        &["s.toml:1: `camera.up` is parallel to the viewing direction, expected a direction across it"],
+        &[
+            "s.toml:1: `camera.up` is parallel to the viewing direction, expected a direction across it",
+        ],
     );
     assert_objections(
         "[camera]\nup = [0, 0, 0]\n",
@@ -195,13 +279,20 @@ fn values_that_contradict_each_other_are_named() {
     );
     assert_objections(
         "[depth_cueing]\nfront = 4\nback = 4\n",
-        &["s.toml:3: `depth_cueing.back` is not beyond `depth_cueing.front`, expected a greater one"],
+        &[
+            "s.toml:3: `depth_cueing.back` is not beyond `depth_cueing.front`, expected a greater one",
+        ],
     );
     assert_objections(
         "[object]\nkind = 'obj'\n",
-        &["s.toml:1: `object.path` is missing, expected the path of a model since `object.kind` is \"obj\""],
+        &[
+            "s.toml:1: `object.path` is missing, expected the path of a model since `object.kind` is \"obj\"",
+        ],
     );
-    assert_objections("[object]\npath = ''\n", &["s.toml:2: `object.path` is empty, expected the path of a model"]);
+    assert_objections(
+        "[object]\npath = ''\n",
+        &["s.toml:2: `object.path` is empty, expected the path of a model"],
+    );
     assert_objections(
         "[image]\nsize = [16384, 16384]\n",
         &["s.toml:2: `image.size` is [16384, 16384], expected at most 134217728 pixels in all"],
@@ -227,8 +318,10 @@ fn a_pane_at_fault_is_named_with_its_setting() {
     );
     assert_objections(
         "[[compare.pane]]\nset = 3\n",
-        &["s.toml:2: `compare.pane.0.set` is 3, expected a list of settings in quotation marks, as in \
-           [\"shading.mode=exact\"]"],
+        &[
+            "s.toml:2: `compare.pane.0.set` is 3, expected a list of settings in quotation marks, as in \
+           [\"shading.mode=exact\"]",
+        ],
     );
     assert_objections(
         "compare.pane = [{}, {}, {}, {}]\n",
@@ -239,7 +332,11 @@ fn a_pane_at_fault_is_named_with_its_setting() {
 #[test]
 fn the_shapes_have_their_own_least_tessellation() {
     let read = |kind: &str, segments: u32, rings: u32| {
-        Scene::parse(&format!("object = {{kind = '{kind}', segments = {segments}, rings = {rings}}}"), "").is_ok()
+        Scene::parse(
+            &format!("object = {{kind = '{kind}', segments = {segments}, rings = {rings}}}"),
+            "",
+        )
+        .is_ok()
     };
     assert!(read("sphere", 3, 2) && !read("sphere", 3, 1) && !read("sphere", 2, 2));
     assert!(read("torus", 3, 3) && !read("torus", 3, 2));
@@ -257,15 +354,27 @@ fn no_text_takes_the_reader_down() {
     for text in [deep, dotted, long_key, long_word, controls] {
         let message = objections(&text);
         assert!(message.starts_with("s.toml:1: "), "{message}");
-        assert!(message.len() < 400 && !message.contains(['\n', '\u{1b}']), "{message:?}");
+        assert!(
+            message.len() < 400 && !message.contains(['\n', '\u{1b}']),
+            "{message:?}"
+        );
     }
-    assert_eq!(objections(&" ".repeat(Scene::MAX_TEXT + 1)), "s.toml:1: longer than 4 MiB, expected a scene");
+    assert_eq!(
+        objections(&" ".repeat(Scene::MAX_TEXT + 1)),
+        "s.toml:1: longer than 4 MiB, expected a scene"
+    );
     let unknown: String = (0..300_000).map(|i| format!("k{i}=1\n")).collect();
     let message = objections(&unknown);
     assert_eq!(message.lines().count(), 101);
-    assert_eq!(message.lines().last(), Some("s.toml: 299900 more problems, expected none"));
+    assert_eq!(
+        message.lines().last(),
+        Some("s.toml: 299900 more problems, expected none")
+    );
     let many = format!("light = [{}]", "{},".repeat(Scene::MAX_LIGHTS + 1));
-    assert_eq!(objections(&many), "s.toml:1: `light` is a list of 1001, expected at most 1000");
+    assert_eq!(
+        objections(&many),
+        "s.toml:1: `light` is a list of 1001, expected at most 1000"
+    );
 }
 
 #[test]
@@ -274,17 +383,43 @@ fn a_key_is_overridden() {
     let set = |assignments: &[&str]| scene.with_overrides(assignments).expect("sound");
     assert_eq!(set(&["material.n=1005"]).material.n, 1005.0);
     assert_eq!(set(&["material.n = inf"]).material.n, f64::INFINITY);
-    assert_eq!(set(&["shading.mode=gouraud"]).shading.mode, ShadingMode::Gouraud);
-    assert_eq!(set(&["shading.mode=\"flat\""]).shading.mode, ShadingMode::Flat);
-    assert_eq!(set(&["light.0.position=[2,2,3.5]"]).lights[0].position, DVec3::new(2.0, 2.0, 3.5));
+    assert_eq!(
+        set(&["shading.mode=gouraud"]).shading.mode,
+        ShadingMode::Gouraud
+    );
+    assert_eq!(
+        set(&["shading.mode=\"flat\""]).shading.mode,
+        ShadingMode::Flat
+    );
+    assert_eq!(
+        set(&["light.0.position=[2,2,3.5]"]).lights[0].position,
+        DVec3::new(2.0, 2.0, 3.5)
+    );
     assert_eq!(set(&["light.0.k=7"]).lights[0].k, 7.0);
-    assert_eq!(set(&["camera.eye.1=-0.5"]).camera.eye, DVec3::new(0.0, -0.5, 4.0));
+    assert_eq!(
+        set(&["camera.eye.1=-0.5"]).camera.eye,
+        DVec3::new(0.0, -0.5, 4.0)
+    );
     assert_eq!(set(&["light=[]"]).lights, []);
     assert_eq!(set(&["light=[{}, {kind='directional'}]"]).lights.len(), 2);
-    assert_eq!(set(&["material={n=2}"]).material, Material { n: 2.0, ..Material::default() });
+    assert_eq!(
+        set(&["material={n=2}"]).material,
+        Material {
+            n: 2.0,
+            ..Material::default()
+        }
+    );
     let model = set(&["object.kind=obj", "object.path=/models/a=b.obj"]).object;
-    assert_eq!((model.kind, model.path), (ObjectKind::Obj, Some("/models/a=b.obj".into())));
-    assert_eq!(set(&["camera.eye=[0,0,0]", "camera.target=[0,0,-1]"]).camera.target, DVec3::NEG_Z);
+    assert_eq!(
+        (model.kind, model.path),
+        (ObjectKind::Obj, Some("/models/a=b.obj".into()))
+    );
+    assert_eq!(
+        set(&["camera.eye=[0,0,0]", "camera.target=[0,0,-1]"])
+            .camera
+            .target,
+        DVec3::NEG_Z
+    );
     assert_eq!(set(&[]), scene);
 }
 
@@ -292,10 +427,22 @@ fn a_key_is_overridden() {
 fn an_override_at_fault_is_named() {
     let scene = Scene::default();
     for (assignments, expected) in [
-        (&["material.n=abc"][..], "--set material.n=abc: `material.n` is \"abc\", expected a number"),
-        (&["material.n=-1"], "--set material.n=-1: `material.n` is -1, expected 0 to inf"),
-        (&["material.n"], "--set material.n: no `=` after a key, expected KEY=VALUE, for example material.n=50"),
-        (&["=3"], "--set =3: no `=` after a key, expected KEY=VALUE, for example material.n=50"),
+        (
+            &["material.n=abc"][..],
+            "--set material.n=abc: `material.n` is \"abc\", expected a number",
+        ),
+        (
+            &["material.n=-1"],
+            "--set material.n=-1: `material.n` is -1, expected 0 to inf",
+        ),
+        (
+            &["material.n"],
+            "--set material.n: no `=` after a key, expected KEY=VALUE, for example material.n=50",
+        ),
+        (
+            &["=3"],
+            "--set =3: no `=` after a key, expected KEY=VALUE, for example material.n=50",
+        ),
         (
             &["material.m=3"],
             "--set material.m=3: unknown key `material.m`, expected one of ka, kd, ks, n, color, specular_color, roughness, reflectance, ior, extinction",
@@ -305,10 +452,22 @@ fn an_override_at_fault_is_named() {
             "--set shading.mode=gouraux: `shading.mode` is \"gouraux\", expected one of flat, interpolated, gouraud, \
              phong, exact (did you mean gouraud?)",
         ),
-        (&["light.1.k=3"], "--set light.1.k=3: `light` has no element 1, expected 0, its only one"),
-        (&["camera.eye.3=1"], "--set camera.eye.3=1: `camera.eye` has no element 3, expected 0 to 2"),
-        (&["light.x.k=3"], "--set light.x.k=3: `light` is a list, expected a number from 0 after it"),
-        (&["material.n.x=3"], "--set material.n.x=3: `material.n` is a single value, expected no `x` after it"),
+        (
+            &["light.1.k=3"],
+            "--set light.1.k=3: `light` has no element 1, expected 0, its only one",
+        ),
+        (
+            &["camera.eye.3=1"],
+            "--set camera.eye.3=1: `camera.eye` has no element 3, expected 0 to 2",
+        ),
+        (
+            &["light.x.k=3"],
+            "--set light.x.k=3: `light` is a list, expected a number from 0 after it",
+        ),
+        (
+            &["material.n.x=3"],
+            "--set material.n.x=3: `material.n` is a single value, expected no `x` after it",
+        ),
         (
             &["camera.eye=[1,2"],
             "--set camera.eye=[1,2: `camera.eye` is not a value (unclosed array, expected `]`), expected one as in a \
@@ -332,7 +491,10 @@ fn an_override_at_fault_is_named() {
         let error = scene.with_overrides(assignments).expect_err("a mistake");
         assert_eq!(error.to_string(), expected);
     }
-    let two = scene.with_overrides(&["material.n=-1", "camera.fov_y=0"]).expect_err("two mistakes").to_string();
+    let two = scene
+        .with_overrides(&["material.n=-1", "camera.fov_y=0"])
+        .expect_err("two mistakes")
+        .to_string();
     assert_eq!(two.lines().count(), 2);
 }
 
@@ -343,34 +505,80 @@ fn a_scene_made_in_the_program_is_checked_too() {
     scene.material.n = f64::NAN;
     scene.camera.eye.x = f64::INFINITY;
     let error = scene.validate().expect_err("two numbers that are none");
-    let keys: Vec<_> = error.problems().iter().map(|problem| problem.key.as_str()).collect();
+    let keys: Vec<_> = error
+        .problems()
+        .iter()
+        .map(|problem| problem.key.as_str())
+        .collect();
     assert_eq!(keys, ["camera.eye", "material.n"]);
     let is_value = |cause: &Cause| matches!(cause, Cause::Key(words) if words.starts_with(" is "));
-    assert!(error.problems().iter().all(|problem| is_value(&problem.cause)));
+    assert!(
+        error
+            .problems()
+            .iter()
+            .all(|problem| is_value(&problem.cause))
+    );
 }
 
 #[test]
 fn shadows_of_more_samples_than_memory_holds_are_refused() {
-    let settings = ["light.0.kind=area", "light.0.samples=1024", "image.size=[8192,8192]"];
-    let scene = Scene::default().with_overrides(&settings).expect("without shadows it is only slow");
-    let error = scene.with_override("shading.shadows=true").expect_err("8 GiB of bits").to_string();
-    assert!(error.contains("`image.size` has too many pixels for so many shadows"), "{error}");
-    assert!(scene.with_overrides(&["image.size=[2048,2048]", "shading.shadows=true"]).is_ok());
+    let settings = [
+        "light.0.kind=area",
+        "light.0.samples=1024",
+        "image.size=[8192,8192]",
+    ];
+    let scene = Scene::default()
+        .with_overrides(&settings)
+        .expect("without shadows it is only slow");
+    let error = scene
+        .with_override("shading.shadows=true")
+        .expect_err("8 GiB of bits")
+        .to_string();
+    assert!(
+        error.contains("`image.size` has too many pixels for so many shadows"),
+        "{error}"
+    );
+    assert!(
+        scene
+            .with_overrides(&["image.size=[2048,2048]", "shading.shadows=true"])
+            .is_ok()
+    );
     let mut many = Scene::default();
-    let area = Light { kind: LightKind::Area, samples: 1024, ..Light::default() };
+    let area = Light {
+        kind: LightKind::Area,
+        samples: 1024,
+        ..Light::default()
+    };
     many.lights = vec![area; 5];
     let error = many.validate().expect_err("5120 points").to_string();
-    assert!(error.contains("5120 samples in all, expected at most 4096"), "{error}");
+    assert!(
+        error.contains("5120 samples in all, expected at most 4096"),
+        "{error}"
+    );
 }
 
 #[test]
 fn sizes_beyond_all_counting_are_refused() {
     let side = u32::MAX;
-    let settings =
-        [format!("image.size=[{side},{side}]"), "light.0.kind=area".into(), format!("light.0.samples={side}")];
-    let error = Scene::default().with_overrides(&settings).expect_err("no memory holds that").to_string();
-    assert!(error.contains("`image.size` is [4294967295, 4294967295], expected sides of 1 to 16384 pixels"), "{error}");
-    assert!(error.contains("`light.0.samples` is 4294967295, expected 1 to 1024"), "{error}");
+    let settings = [
+        format!("image.size=[{side},{side}]"),
+        "light.0.kind=area".into(),
+        format!("light.0.samples={side}"),
+    ];
+    let error = Scene::default()
+        .with_overrides(&settings)
+        .expect_err("no memory holds that")
+        .to_string();
+    assert!(
+        error.contains(
+            "`image.size` is [4294967295, 4294967295], expected sides of 1 to 16384 pixels"
+        ),
+        "{error}"
+    );
+    assert!(
+        error.contains("`light.0.samples` is 4294967295, expected 1 to 1024"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -387,12 +595,22 @@ const DOCUMENTATION: &str = include_str!("../docs/scene-file.md");
 
 #[test]
 fn polygons_are_refused_with_the_reason() {
-    let of =
-        |vertices: &str, faces: &str| objections(&format!("[object]\nvertices = {vertices}\nfaces = [\n{faces}]\n"));
-    const SQUARE: &str = "[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, 0, 0], [0.5, 1.5, 0], [0, 0, 0]]";
+    let of = |vertices: &str, faces: &str| {
+        objections(&format!(
+            "[object]\nvertices = {vertices}\nfaces = [\n{faces}]\n"
+        ))
+    };
+    const SQUARE: &str =
+        "[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, 0, 0], [0.5, 1.5, 0], [0, 0, 0]]";
     for (faces, expected) in [
-        ("[0, 1, 2],\n[0, 1, 9],\n", "s.toml:5: `object.faces.1.2` is 9, expected the number of a vertex, 0 to 6"),
-        ("[0, 1],\n", "s.toml:4: `object.faces.0` is a list of 2, expected 3 to 256 vertices"),
+        (
+            "[0, 1, 2],\n[0, 1, 9],\n",
+            "s.toml:5: `object.faces.1.2` is 9, expected the number of a vertex, 0 to 6",
+        ),
+        (
+            "[0, 1],\n",
+            "s.toml:4: `object.faces.0` is a list of 2, expected 3 to 256 vertices",
+        ),
         (
             "[0, 1, 2, 1],\n",
             "s.toml:4: `object.faces.0` is a polygon with the vertex 1 twice, expected each vertex once",
@@ -417,13 +635,23 @@ fn polygons_are_refused_with_the_reason() {
             "s.toml:4: `object.faces.0` is a polygon whose edges from vertex 0 to 1 and 2 to 6 meet, \
           expected one that neither crosses nor touches itself",
         ),
-        ("", "s.toml:3: `object.faces` is empty, expected at least one polygon since there are `object.vertices`"),
-        ("[-1, 2, 3],\n", "s.toml:4: `object.faces.0.0` is -1, expected a whole number, 0 or more"),
+        (
+            "",
+            "s.toml:3: `object.faces` is empty, expected at least one polygon since there are `object.vertices`",
+        ),
+        (
+            "[-1, 2, 3],\n",
+            "s.toml:4: `object.faces.0.0` is -1, expected a whole number, 0 or more",
+        ),
         ("4,\n", "s.toml:4: `object.faces.0` is 4, expected a list"),
     ] {
         assert_eq!(of(SQUARE, faces), expected, "{faces}");
     }
-    for faces in ["[0, 4, 1, 2, 3],\n", "[0, 1, 2, 5, 3],\n", "[3, 2, 1],\n[4, 1, 2]\n"] {
+    for faces in [
+        "[0, 4, 1, 2, 3],\n",
+        "[0, 1, 2, 5, 3],\n",
+        "[3, 2, 1],\n[4, 1, 2]\n",
+    ] {
         let text = format!("[object]\nvertices = {SQUARE}\nfaces = [\n{faces}]\n");
         assert!(Scene::parse(&text, "s.toml").is_ok(), "{faces}");
     }
@@ -437,7 +665,9 @@ fn polygons_are_refused_with_the_reason() {
     );
     assert_eq!(
         of("[]", "[0, 1, 2]\n").lines().next(),
-        Some("s.toml:4: `object.faces.0.0` is 0, expected no polygon, since `object.vertices` is empty")
+        Some(
+            "s.toml:4: `object.faces.0.0` is 0, expected no polygon, since `object.vertices` is empty"
+        )
     );
     assert_objections(
         "[object]\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]\nvertex_normals = [[0, 0, 1], [0, 0, 0]]\n",
@@ -447,18 +677,25 @@ fn polygons_are_refused_with_the_reason() {
         ],
     );
     let many = format!("[object]\nvertices = [{}]\n", "[0, 0, 0],".repeat(16_385));
-    assert_eq!(objections(&many), "s.toml:2: `object.vertices` is a list of 16385, expected at most 16384");
+    assert_eq!(
+        objections(&many),
+        "s.toml:2: `object.vertices` is a list of 16385, expected at most 16384"
+    );
 }
 
 #[test]
 fn the_longest_polygons_survive_their_file() {
     let mut scene = Scene::default();
-    let coordinate = |k: u32| -1.234_567_890_123_456_7e-5 * (f64::from(k) + 0.123_456_789_012_345_6);
-    let vertices: Vec<DVec3> =
-        (0..16_384).map(|k| DVec3::new(coordinate(k), coordinate(k) * coordinate(k), -1.0 / 3.0)).collect();
+    let coordinate =
+        |k: u32| -1.234_567_890_123_456_7e-5 * (f64::from(k) + 0.123_456_789_012_345_6);
+    let vertices: Vec<DVec3> = (0..16_384)
+        .map(|k| DVec3::new(coordinate(k), coordinate(k) * coordinate(k), -1.0 / 3.0))
+        .collect();
     scene.object.vertices = vertices.into();
     scene.object.vertex_normals = scene.object.vertices.clone();
-    scene.object.faces = (0..16_384u32).map(|k| [0, 1, 2, 3].map(|c| (4 * k + c) % 16_381).to_vec().into()).collect();
+    scene.object.faces = (0..16_384u32)
+        .map(|k| [0, 1, 2, 3].map(|c| (4 * k + c) % 16_381).to_vec().into())
+        .collect();
     let text = scene.to_toml();
     assert!(text.len() < Scene::MAX_TEXT * 3 / 4, "{}", text.len());
 }
@@ -470,16 +707,23 @@ fn a_single_vertex_can_be_replaced() {
         "object.vertices=[[0,0,0],[1,0,0],[0,1,0]]",
         "object.faces=[[0,1,2]]",
     ]);
-    let scene = scene.and_then(|scene| scene.with_override("object.vertices.2.1=3.5")).expect("sound");
+    let scene = scene
+        .and_then(|scene| scene.with_override("object.vertices.2.1=3.5"))
+        .expect("sound");
     assert_eq!(scene.object.vertices[2], DVec3::new(0.0, 3.5, 0.0));
 }
 
 #[test]
 fn the_documented_scenes_are_sound() {
-    let blocks: Vec<_> = DOCUMENTATION.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    let blocks: Vec<_> = DOCUMENTATION
+        .split("```toml\n")
+        .skip(1)
+        .filter_map(|rest| rest.split("```").next())
+        .collect();
     assert!(!blocks.is_empty());
     for block in blocks {
-        let scene = Scene::parse(block, "scene-file.md").unwrap_or_else(|error| panic!("{error}\n{block}"));
+        let scene =
+            Scene::parse(block, "scene-file.md").unwrap_or_else(|error| panic!("{error}\n{block}"));
         assert_ne!(scene, Scene::default());
     }
 }
@@ -493,20 +737,28 @@ fn quoted(cell: &str) -> Vec<&str> {
 fn the_readme_names_every_built_in_scene_under_its_topic() {
     let readme = include_str!("../README.md");
     for preset in presets::ALL {
-        let row = readme.lines().find(|line| line.starts_with(&format!("| {} |", preset.about().topic)));
+        let row = readme
+            .lines()
+            .find(|line| line.starts_with(&format!("| {} |", preset.about().topic)));
         let named = row.is_some_and(|row| quoted(row).contains(&preset.name));
-        assert!(named, "{} is not named under {}", preset.name, preset.about().topic);
+        assert!(
+            named,
+            "{} is not named under {}",
+            preset.name,
+            preset.about().topic
+        );
     }
 }
 
 #[test]
 fn a_key_that_is_not_written_is_at_fault_in_the_line_of_its_table() {
-    let text =
-        "[camera]\neye = [0, 4, 0]\n\n[[light]]\nkind = \"area\"\n[object]\nkind = \"obj\"\n[[light]]\nc1 = -1\n";
+    let text = "[camera]\neye = [0, 4, 0]\n\n[[light]]\nkind = \"area\"\n[object]\nkind = \"obj\"\n[[light]]\nc1 = -1\n";
     let found = objections(text);
-    for line in
-        ["s.toml:1: `camera.up` is parallel", "s.toml:6: `object.path` is missing", "s.toml:9: `light.1.c1` is -1"]
-    {
+    for line in [
+        "s.toml:1: `camera.up` is parallel",
+        "s.toml:6: `object.path` is missing",
+        "s.toml:9: `light.1.c1` is -1",
+    ] {
         assert!(found.contains(line), "{found}");
     }
 }
@@ -515,31 +767,71 @@ fn a_key_that_is_not_written_is_at_fault_in_the_line_of_its_table() {
 fn every_scene_is_read_and_survives_its_file() {
     for preset in presets::ALL {
         let scene = preset.scene();
-        assert_eq!(Scene::parse(&scene.to_toml(), preset.name), Ok(scene), "{}", preset.name);
+        assert_eq!(
+            Scene::parse(&scene.to_toml(), preset.name),
+            Ok(scene),
+            "{}",
+            preset.name
+        );
     }
 }
 
 #[test]
 fn every_name_is_its_own_and_every_scene_says_what_it_is_about() {
-    let files = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes")).expect("a folder");
+    let files =
+        std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes")).expect("a folder");
     assert_eq!(files.count(), presets::ALL.len(), "every file is listed");
     for preset in presets::ALL {
-        assert!(preset.name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", preset.name);
-        let About { title, sentence, topic, view } = preset.about();
-        assert!(std::ptr::eq(presets::find(preset.name).expect("listed"), preset));
-        assert!(!title.is_empty() && sentence.ends_with('.') && !topic.is_empty(), "{}", preset.name);
-        assert_eq!(view.is_empty(), preset.name == presets::DEFAULT, "{}", preset.name);
+        assert!(
+            preset
+                .name
+                .chars()
+                .all(|c| c.is_ascii_lowercase() || c == '-'),
+            "{}",
+            preset.name
+        );
+        let About {
+            title,
+            sentence,
+            topic,
+            view,
+        } = preset.about();
+        assert!(std::ptr::eq(
+            presets::find(preset.name).expect("listed"),
+            preset
+        ));
+        assert!(
+            !title.is_empty() && sentence.ends_with('.') && !topic.is_empty(),
+            "{}",
+            preset.name
+        );
+        assert_eq!(
+            view.is_empty(),
+            preset.name == presets::DEFAULT,
+            "{}",
+            preset.name
+        );
     }
     let mut sorted = presets::topics();
     sorted.sort_unstable();
     sorted.dedup();
-    assert_eq!(sorted.len(), presets::topics().len(), "scenes of a topic stand together");
+    assert_eq!(
+        sorted.len(),
+        presets::topics().len(),
+        "scenes of a topic stand together"
+    );
 }
 
 #[test]
 fn every_shape_without_a_file_is_shown() {
-    let shapes: Vec<_> = presets::ALL.iter().map(|preset| preset.scene().object.kind).collect();
-    for kind in ObjectKind::VALUES.iter().filter(|kind| **kind != ObjectKind::Obj) {
+    let shapes: Vec<_> = presets::ALL
+        .iter()
+        .map(|preset| preset.scene().object.kind)
+        .collect();
+    for kind in ObjectKind::VALUES
+        .iter()
+        .filter(|kind| **kind != ObjectKind::Obj)
+    {
         assert!(shapes.contains(kind), "{kind:?}");
     }
 }
@@ -548,27 +840,51 @@ fn every_shape_without_a_file_is_shown() {
 fn every_material_is_sound_and_survives_its_file() {
     assert_eq!(materials::NAMED.len(), 4 * materials::OF_A_KIND);
     for named in materials::NAMED {
-        let scene = Scene { material: named.material(), ..Scene::default() };
+        let scene = Scene {
+            material: named.material(),
+            ..Scene::default()
+        };
         assert_eq!(scene.validate(), Ok(()), "{}", named.name);
-        assert_eq!(Scene::parse(&scene.to_toml(), named.name), Ok(scene), "{}", named.name);
+        assert_eq!(
+            Scene::parse(&scene.to_toml(), named.name),
+            Ok(scene),
+            "{}",
+            named.name
+        );
     }
 }
 
 #[test]
 fn every_material_is_found_by_its_name_and_by_its_numbers() {
     for named in materials::NAMED {
-        assert!(named.name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", named.name);
+        assert!(
+            named
+                .name
+                .chars()
+                .all(|c| c.is_ascii_lowercase() || c == '-'),
+            "{}",
+            named.name
+        );
         assert_eq!(materials::find(named.name), Some(named));
-        assert_eq!(materials::recognise(&named.material()), Some(named), "{}", named.name);
+        assert_eq!(
+            materials::recognise(&named.material()),
+            Some(named),
+            "{}",
+            named.name
+        );
     }
     assert_eq!(materials::recognise(&Material::default()), None);
 }
 
 #[test]
 fn the_numbers_are_the_published_ones() {
-    let gold = materials::find("gold").expect("a named material").material();
+    let gold = materials::find("gold")
+        .expect("a named material")
+        .material();
     assert_eq!((gold.ka, gold.n), (Rgb::new(0.24725, 0.1995, 0.0745), 51.2));
-    let pearl = materials::find("pearl").expect("a named material").material();
+    let pearl = materials::find("pearl")
+        .expect("a named material")
+        .material();
     assert_eq!((pearl.kd, pearl.n), (Rgb::new(1.0, 0.829, 0.829), 11.264));
 }
 

@@ -6,21 +6,31 @@ mod properties;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::scene::{
-    About, Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Compare, CompareView, CuedBy,
-    DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt, Ground, Image, Interpolation, Light,
-    LightKind, Material, NormalSource, Object, ObjectKind, Overflow, Pane, Pattern, PatternKind, Projection,
-    Reflectance, Reflection, ReflectionModel, Scene, Shading, ShadingMode, Shared, Through, Transparency, Viewer,
-    Weighting,
+    About, Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Compare,
+    CompareView, CuedBy, DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt,
+    Ground, Image, Interpolation, Light, LightKind, Material, NormalSource, Object, ObjectKind,
+    Overflow, Pane, Pattern, PatternKind, Projection, Reflectance, Reflection, ReflectionModel,
+    Scene, Shading, ShadingMode, Shared, Through, Transparency, Viewer, Weighting,
 };
 use std::f64::consts::TAU;
 
 fn number(least: f64, greatest: f64) -> impl Strategy<Value = f64> {
-    prop_oneof![least..=greatest, Just(least), Just(greatest), Just(1.0 / 3.0)]
+    prop_oneof![
+        least..=greatest,
+        Just(least),
+        Just(greatest),
+        Just(1.0 / 3.0)
+    ]
 }
 
 fn triple(least: f64, greatest: f64) -> impl Strategy<Value = DVec3> {
     prop_oneof![
-        [number(least, greatest), number(least, greatest), number(least, greatest)].prop_map(DVec3::from_array),
+        [
+            number(least, greatest),
+            number(least, greatest),
+            number(least, greatest)
+        ]
+        .prop_map(DVec3::from_array),
         number(least, greatest).prop_map(DVec3::splat),
     ]
 }
@@ -76,17 +86,33 @@ prop_compose! {
 
 /// Fans of convex polygons over the corners of a circle of any place and size, or none.
 fn polygons() -> impl Strategy<Value = (Shared<DVec3>, Shared<Shared<u32>>, Shared<DVec3>)> {
-    let shape = (0usize..6, 3..12u32, triple(-1e3, 1e3), number(1e-6, 1e20), any::<bool>());
+    let shape = (
+        0usize..6,
+        3..12u32,
+        triple(-1e3, 1e3),
+        number(1e-6, 1e20),
+        any::<bool>(),
+    );
     shape.prop_map(|(count, corners, centre, size, normals)| {
         if count == 0 {
             return Default::default();
         }
-        let on_circle =
-            |k: u32| DVec3::from((DVec2::from_angle(f64::from(k) / f64::from(corners) * TAU), 0.25 * f64::from(k)));
+        let on_circle = |k: u32| {
+            DVec3::from((
+                DVec2::from_angle(f64::from(k) / f64::from(corners) * TAU),
+                0.25 * f64::from(k),
+            ))
+        };
         let vertices: Shared<DVec3> = (0..corners).map(|k| on_circle(k) * size + centre).collect();
-        let faces = (0..count).map(|k| (0..corners).map(|c| (c + k as u32) % corners).collect()).collect();
+        let faces = (0..count)
+            .map(|k| (0..corners).map(|c| (c + k as u32) % corners).collect())
+            .collect();
         let count = if normals { corners } else { 0 };
-        (vertices, faces, (0..count).map(|k| on_circle(k) * size).collect())
+        (
+            vertices,
+            faces,
+            (0..count).map(|k| on_circle(k) * size).collect(),
+        )
     })
 }
 
@@ -261,7 +287,10 @@ fn a_sound_scene_survives_its_file() {
         });
     };
     // Without optimisation a whole scene's strategy needs more than the stack that a test has.
-    let thread = std::thread::Builder::new().stack_size(16 << 20).spawn(run).expect("a thread");
+    let thread = std::thread::Builder::new()
+        .stack_size(16 << 20)
+        .spawn(run)
+        .expect("a thread");
     assert!(thread.join().is_ok(), "a scene does not survive its file");
 }
 

@@ -32,7 +32,12 @@ fn median(mut values: Vec<f64>) -> f64 {
 #[ignore = "measures times"]
 fn a_slider_costs_little_more_than_its_picture() {
     let fine = ["object.segments=512", "object.rings=257"];
-    for (name, settings) in [("teapot", &[][..]), ("sphere", &[]), ("torus", &[]), ("sphere", &fine)] {
+    for (name, settings) in [
+        ("teapot", &[][..]),
+        ("sphere", &[]),
+        ("torus", &[]),
+        ("sphere", &fine),
+    ] {
         measure(name, settings);
     }
 }
@@ -43,16 +48,25 @@ fn measure(built_in: &str, settings: &[&str]) {
     loaded.scene = loaded.scene.with_overrides(&settings).expect("settings");
     let mut harness = window_of(loaded);
     let mut renderer = Renderer::default();
-    for (name, step) in [("Ka ambient coefficient", 0.001), ("n specular exponent", 0.1)] {
+    for (name, step) in [
+        ("Ka ambient coefficient", 0.001),
+        ("n specular exponent", 0.1),
+    ] {
         let (mut changed, mut unchanged, mut engine, mut alone) = (vec![], vec![], vec![], vec![]);
-        let mut value = if name.starts_with('n') { scene(&harness).material.n } else { 0.2 };
+        let mut value = if name.starts_with('n') {
+            scene(&harness).material.n
+        } else {
+            0.2
+        };
         for _ in 0..DRAGS {
             harness.run();
             unchanged.extend((0..FRAMES).map(|_| milliseconds(|| harness.step())));
             let before = picture(&harness);
             for frame in 0..FRAMES {
                 value += step;
-                harness.get_by_role_and_label(Role::Slider, name).set_value_accesskit(value);
+                harness
+                    .get_by_role_and_label(Role::Slider, name)
+                    .set_value_accesskit(value);
                 let time = milliseconds(|| harness.step());
                 if frame > 0 {
                     changed.push(time);

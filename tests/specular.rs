@@ -13,7 +13,9 @@ mod simd;
 use dice::Dice;
 use fearless_simd::{Level, dispatch, prelude::*};
 use glam::DVec3;
-use shading_lab::illumination::{Lanes, Lobe, PhongChord, PhongCosine, ShadingPoint, Specular, SpecularForm, V3};
+use shading_lab::illumination::{
+    Lanes, Lobe, PhongChord, PhongCosine, ShadingPoint, Specular, SpecularForm, V3,
+};
 use shading_lab::scene::{Material, ReflectionModel, Scene};
 use shading_lab::with_form;
 use simd::levels;
@@ -66,14 +68,26 @@ fn anywhere(dice: &mut Dice) -> DVec3 {
 
 fn exponent(dice: &mut Dice) -> f64 {
     let special = [0.0, 0.5, 1.0, 2.0, 64_f64.next_down(), 64.0, 65.0, 1e6, 1e7];
-    if dice.unit() < 0.1 { dice.of(&special) } else { 10_f64.powf(dice.between(-3.0, 7.0)) }
+    if dice.unit() < 0.1 {
+        dice.of(&special)
+    } else {
+        10_f64.powf(dice.between(-3.0, 7.0))
+    }
 }
 
 /// Mostly within some widths of the lobe about its axis; L at any angle, at times almost level with the surface.
 fn directions(dice: &mut Dice, model: ReflectionModel, n: f64) -> Directions {
-    let normal = if dice.unit() < 0.05 { dice.of(&[DVec3::X, DVec3::Y, DVec3::NEG_Z]) } else { anywhere(dice) };
+    let normal = if dice.unit() < 0.05 {
+        dice.of(&[DVec3::X, DVec3::Y, DVec3::NEG_Z])
+    } else {
+        anywhere(dice)
+    };
     let grazing = dice.unit() < 0.3;
-    let from_level = if grazing { 10_f64.powf(dice.between(-6.0, -1.0)) } else { dice.unit() };
+    let from_level = if grazing {
+        10_f64.powf(dice.between(-6.0, -1.0))
+    } else {
+        dice.unit()
+    };
     let l = beside(dice, normal, from_level.acos());
     let away = dice.between(0.0, 5.0) * (1.0 / n.max(1.0)).sqrt();
     let mirrored = |axis: DVec3| (2.0 * axis * axis.dot(l) - l).normalize();
@@ -98,7 +112,12 @@ fn factors<S: Simd, F: Specular>(simd: S, lobe: &Lobe<f32>, directions: &[Direct
         };
         let vector = |k: usize| V3::new(component(k, 0), component(k, 1), component(k, 2));
         let [normal, l, view] = [0, 1, 2].map(vector);
-        let site = ShadingPoint { normal, position: -view, view, inverse_distance: Lanes::splat(simd, 1.0) };
+        let site = ShadingPoint {
+            normal,
+            position: -view,
+            view,
+            inverse_distance: Lanes::splat(simd, 1.0),
+        };
         let factor = F::factor(&site, l, normal.dot(l), lobe);
         all.extend(&factor.0.as_slice()[..chunk.len()]);
     }
@@ -119,8 +138,12 @@ fn the_factor_is_right_at_every_exponent_and_level() {
         let which = index % 2;
         let model = MODELS[which];
         scene.reflection.model = model;
-        scene.material = Material { n, ..Material::default() };
-        let directions: Vec<Directions> = (0..EACH).map(|_| directions(&mut dice, model, n)).collect();
+        scene.material = Material {
+            n,
+            ..Material::default()
+        };
+        let directions: Vec<Directions> =
+            (0..EACH).map(|_| directions(&mut dice, model, n)).collect();
         let lobe = Lobe::of(&scene.material);
         for &level in &levels {
             let factors = with_form!(SpecularForm::of(&scene), F => {
@@ -131,11 +154,18 @@ fn the_factor_is_right_at_every_exponent_and_level() {
                 if n > 0.0 && n < RIM.0 && cosine.abs() < RIM.1 {
                     continue;
                 }
-                let truth = if n == 0.0 { 1.0 } else { cosine.clamp(0.0, 1.0).powf(n) };
+                let truth = if n == 0.0 {
+                    1.0
+                } else {
+                    cosine.clamp(0.0, 1.0).powf(n)
+                };
                 let error = (f64::from(*factor) - truth).abs();
                 let decade = (n.max(1e-3).log10() + 3.0).floor() as usize;
                 worst[which][decade] = worst[which][decade].max(error);
-                assert!(error < WITHIN, "{model:?}, n = {n}, {level:?}: {factor}, not {truth}; {directions:?}");
+                assert!(
+                    error < WITHIN,
+                    "{model:?}, n = {n}, {level:?}: {factor}, not {truth}; {directions:?}"
+                );
             }
         }
     }
@@ -146,16 +176,32 @@ fn the_factor_is_right_at_every_exponent_and_level() {
 fn the_cosine_alone_would_lose_a_stiff_lobe() {
     const N: f64 = 1e7;
     let mut dice = Dice(1977);
-    let lobe = Lobe::of(&Material { n: N, ..Material::default() });
-    let directions: Vec<Directions> = (0..4000).map(|_| directions(&mut dice, ReflectionModel::Phong, N)).collect();
+    let lobe = Lobe::of(&Material {
+        n: N,
+        ..Material::default()
+    });
+    let directions: Vec<Directions> = (0..4000)
+        .map(|_| directions(&mut dice, ReflectionModel::Phong, N))
+        .collect();
     let worst = |factors: Vec<f32>| {
-        let truth = |directions: &Directions| directions.cosine(ReflectionModel::Phong).clamp(0.0, 1.0).powf(N);
-        let errors = factors.iter().zip(&directions).map(|(got, at)| (f64::from(*got) - truth(at)).abs());
+        let truth = |directions: &Directions| {
+            directions
+                .cosine(ReflectionModel::Phong)
+                .clamp(0.0, 1.0)
+                .powf(N)
+        };
+        let errors = factors
+            .iter()
+            .zip(&directions)
+            .map(|(got, at)| (f64::from(*got) - truth(at)).abs());
         errors.fold(0.0, f64::max)
     };
     let (cosine, chord) = dispatch!(Level::new(), simd => {
         (factors::<_, PhongCosine>(simd, &lobe, &directions), factors::<_, PhongChord>(simd, &lobe, &directions))
     });
     let [cosine, chord] = [cosine, chord].map(worst);
-    assert!(chord < WITHIN && cosine > 0.1, "chord {chord}, cosine {cosine}");
+    assert!(
+        chord < WITHIN && cosine > 0.1,
+        "chord {chord}, cosine {cosine}"
+    );
 }

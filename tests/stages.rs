@@ -8,8 +8,13 @@ use dice::Dice;
 use shading_lab::render::{Renderer, Stage, coarseness, coarser_size};
 use shading_lab::scene::{Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer};
 
-const MODES: [ShadingMode; 5] =
-    [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+const MODES: [ShadingMode; 5] = [
+    ShadingMode::Flat,
+    ShadingMode::Interpolated,
+    ShadingMode::Gouraud,
+    ShadingMode::Phong,
+    ShadingMode::Exact,
+];
 
 fn scene(mode: ShadingMode) -> Scene {
     let mut scene = Scene::default();
@@ -19,7 +24,13 @@ fn scene(mode: ShadingMode) -> Scene {
 }
 
 fn ran(renderer: &Renderer) -> Vec<Stage> {
-    renderer.report().stages.iter().filter(|run| run.ran).map(|run| run.stage).collect()
+    renderer
+        .report()
+        .stages
+        .iter()
+        .filter(|run| run.ran)
+        .map(|run| run.stage)
+        .collect()
 }
 
 #[test]
@@ -78,13 +89,19 @@ fn what_is_kept_is_what_would_be_drawn() {
         ("camera", |s| s.camera.eye.y = 2.0),
         ("torus", |s| s.object.kind = ObjectKind::Torus),
         ("phong", |s| s.shading.mode = ShadingMode::Phong),
-        ("affine", |s| s.shading.interpolation = Interpolation::Affine),
+        ("affine", |s| {
+            s.shading.interpolation = Interpolation::Affine;
+        }),
         ("no renormalisation", |s| s.shading.renormalise = false),
-        ("scan line", |s| s.shading.interpolation = Interpolation::Scanline),
+        ("scan line", |s| {
+            s.shading.interpolation = Interpolation::Scanline;
+        }),
         ("exact", |s| s.shading.mode = ShadingMode::Exact),
         ("size", |s| s.image.size = [121, 77]),
         ("background", |s| s.image.background.y = 0.5),
-        ("mark", |s| s.display.overflow = shading_lab::scene::Overflow::Mark),
+        ("mark", |s| {
+            s.display.overflow = shading_lab::scene::Overflow::Mark;
+        }),
         ("srgb", |s| {
             s.display = shading_lab::scene::Display {
                 overflow: shading_lab::scene::Overflow::Clamp,
@@ -113,27 +130,61 @@ fn what_is_kept_is_what_would_be_drawn_on_any_way() {
             "shading.mode=phong",
             "shading.mode=exact",
         ],
-        &["material.n=0", "material.n=20", "material.n=300", "material.n=1e8", "material.n=inf"],
+        &[
+            "material.n=0",
+            "material.n=20",
+            "material.n=300",
+            "material.n=1e8",
+            "material.n=inf",
+        ],
         &["material.ka=0", "material.ka=0.3"],
         &["material.kd=0", "material.kd=0.7"],
         &["material.ks=0", "material.ks=0.5", "material.ks=1.5"],
         &["material.color=[1, 0, 0.5]", "material.color=[0.2, 0.9, 1]"],
-        &["light.0.color=[1, 1, 1]", "light.0.color=[0, 0, 0]", "light.0.color=[0.2, 0.9, 0.4]"],
+        &[
+            "light.0.color=[1, 1, 1]",
+            "light.0.color=[0, 0, 0]",
+            "light.0.color=[0.2, 0.9, 0.4]",
+        ],
         &["light.1.mute=true", "light.1.mute=false"],
         &["light.1.position=[-3, 1, 2]", "light.1.position=[0, -4, 2]"],
-        &["shading.interpolation=affine", "shading.interpolation=perspective", "shading.interpolation=scanline"],
+        &[
+            "shading.interpolation=affine",
+            "shading.interpolation=perspective",
+            "shading.interpolation=scanline",
+        ],
         &["shading.renormalise=true", "shading.renormalise=false"],
         &["shading.shadows=true", "shading.shadows=false"],
         &["ground.visible=true", "ground.visible=false"],
-        &["display.overflow=clamp", "display.overflow=mark", "display.overflow=scale"],
+        &[
+            "display.overflow=clamp",
+            "display.overflow=mark",
+            "display.overflow=scale",
+        ],
         &["display.encoding=raw", "display.encoding=srgb"],
-        &["depth_cueing.by=off", "depth_cueing.by=vertex", "depth_cueing.by=pixel"],
+        &[
+            "depth_cueing.by=off",
+            "depth_cueing.by=vertex",
+            "depth_cueing.by=pixel",
+        ],
         &["pattern.kind=none", "pattern.kind=checker"],
         &["transparency.kt=0", "transparency.kt=0.4"],
-        &["reflection.model=phong", "reflection.model=blinn", "reflection.model=cook-torrance"],
+        &[
+            "reflection.model=phong",
+            "reflection.model=blinn",
+            "reflection.model=cook-torrance",
+        ],
         &["camera.viewer=local", "camera.viewer=infinite"],
-        &["camera.eye=[0, 1, 3]", "camera.eye=[2, 1, 3]", "camera.eye=[0, 0, 60000]"],
-        &["object.kind=sphere", "object.kind=torus", "object.kind=cube"],
+        &[
+            "camera.eye=[0, 1, 3]",
+            "camera.eye=[2, 1, 3]",
+            "camera.eye=[0, 0, 60000]",
+        ],
+        &[
+            "object.kind=sphere",
+            "object.kind=torus",
+            "object.kind=cube",
+        ],
         &["image.size=[47, 33]", "image.size=[40, 40]"],
     ];
     let mut renderer = Renderer::default();
@@ -155,7 +206,11 @@ fn what_is_kept_is_what_would_be_drawn_on_any_way() {
         }
         let kept = renderer.render(&scene).clone();
         let fresh = Renderer::default().render(&scene).clone();
-        assert!(kept.pixels == fresh.pixels, "the last changes: {way:#?}\n{}", scene.to_toml());
+        assert!(
+            kept.pixels == fresh.pixels,
+            "the last changes: {way:#?}\n{}",
+            scene.to_toml()
+        );
     }
 }
 
@@ -168,7 +223,10 @@ fn switches_of_the_shading_are_noticed() {
     for renormalise in [true, false, true] {
         scene.shading.renormalise = renormalise;
         let kept = renderer.render(&scene).clone();
-        assert!(kept.pixels == Renderer::default().render(&scene).pixels, "renormalise = {renormalise}");
+        assert!(
+            kept.pixels == Renderer::default().render(&scene).pixels,
+            "renormalise = {renormalise}"
+        );
     }
     let mut glass = scene.clone();
     (glass.object.kind, glass.transparency.kt) = (ObjectKind::Torus, 0.4);
@@ -178,7 +236,10 @@ fn switches_of_the_shading_are_noticed() {
     let shadowed = [true, false, true].map(|shadows| {
         glass.shading.shadows = shadows;
         let kept = renderer.render(&glass).clone();
-        assert!(kept.pixels == Renderer::default().render(&glass).pixels, "shadows = {shadows}");
+        assert!(
+            kept.pixels == Renderer::default().render(&glass).pixels,
+            "shadows = {shadows}"
+        );
         kept.pixels
     });
     assert!(shadowed[0] != shadowed[1]);
@@ -188,7 +249,10 @@ fn switches_of_the_shading_are_noticed() {
     renderer.render(&scene);
     scene.shading.mode = ShadingMode::Exact;
     renderer.render(&scene);
-    assert!(ran(&renderer).contains(&Stage::PixelShading), "a model's exact picture is evaluated in double precision");
+    assert!(
+        ran(&renderer).contains(&Stage::PixelShading),
+        "a model's exact picture is evaluated in double precision"
+    );
 }
 
 #[test]
@@ -207,7 +271,10 @@ fn an_infinite_viewer_and_far_lights_change_the_picture() {
 #[test]
 fn a_picture_that_keeps_up_is_drawn_whole() {
     let in_ms = |ms: u64| coarseness(ms * 1_000_000);
-    assert_eq!([0, 5, 26, 27, 104, 105, 700, 100_000].map(in_ms), [1, 1, 1, 2, 2, 3, 6, 8]);
+    assert_eq!(
+        [0, 5, 26, 27, 104, 105, 700, 100_000].map(in_ms),
+        [1, 1, 1, 2, 2, 3, 6, 8]
+    );
     assert_eq!(coarser_size([641, 480], 2), [321, 240]);
     assert_eq!(coarser_size([3, 1], 8), [1, 1]);
 }

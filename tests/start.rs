@@ -35,7 +35,10 @@ fn main() {
 /// A window with nothing in it, opened as the program opens its own.
 fn empty_window() {
     let viewport = egui::ViewportBuilder::default().with_inner_size([1280.0, 800.0]);
-    let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
+    let options = eframe::NativeOptions {
+        viewport,
+        ..eframe::NativeOptions::default()
+    };
     eframe::run_native("empty", options, Box::new(|_| Ok(Box::new(Empty)))).expect("a window");
 }
 
@@ -73,7 +76,10 @@ fn measure() {
     for round in 0..=STARTS {
         let mut empty = Command::new(&own);
         empty.arg("--empty-window");
-        for (starts, program) in starts.iter_mut().zip([empty, Command::new(env!("CARGO_BIN_EXE_shading-lab"))]) {
+        for (starts, program) in starts
+            .iter_mut()
+            .zip([empty, Command::new(env!("CARGO_BIN_EXE_shading-lab"))])
+        {
             let start = time(program, &folder);
             if round > 0 {
                 starts.push(start);
@@ -82,8 +88,13 @@ fn measure() {
     }
     let _ = std::fs::remove_dir_all(&folder);
     let told = |name: &str, get: fn(&Start) -> f64| {
-        let [empty, program] = starts.each_ref().map(|starts| median(starts.iter().map(get).collect()));
-        println!("{name}: empty {empty:.0} ms, shading-lab {program:.0} ms, {:.2} times", program / empty);
+        let [empty, program] = starts
+            .each_ref()
+            .map(|starts| median(starts.iter().map(get).collect()));
+        println!(
+            "{name}: empty {empty:.0} ms, shading-lab {program:.0} ms, {:.2} times",
+            program / empty
+        );
     };
     told("window", |start| start.window);
     told("picture", |start| start.picture);
@@ -97,7 +108,17 @@ fn median(mut values: Vec<f64>) -> f64 {
 /// Starts `program` on a screen of its own and watches that.
 fn time(mut program: Command, folder: &Path) -> Start {
     let mut server = Command::new("Xvfb")
-        .args(["-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset", "-fbdir"])
+        .args([
+            "-displayfd",
+            "1",
+            "-screen",
+            "0",
+            "1280x800x24",
+            "-nolisten",
+            "tcp",
+            "-noreset",
+            "-fbdir",
+        ])
         .arg(folder)
         .stdout(Stdio::piped())
         .stderr(Stdio::null())
@@ -106,7 +127,9 @@ fn time(mut program: Command, folder: &Path) -> Start {
     let output = server.stdout.take().expect("its output is piped");
     let _server = Running(server);
     let mut display = String::new();
-    BufReader::new(output).read_line(&mut display).expect("the number of the display");
+    BufReader::new(output)
+        .read_line(&mut display)
+        .expect("the number of the display");
     let screen = || std::fs::read(folder.join("Xvfb_screen0")).expect("Xvfb's screen");
     let before = screen();
     program
@@ -123,7 +146,10 @@ fn time(mut program: Command, folder: &Path) -> Start {
         let last = seen.last().map_or(&before, |(_, screen)| screen);
         if now != *last {
             seen.push((elapsed, now));
-        } else if seen.last().is_some_and(|(when, screen)| most(screen, &before) && elapsed > *when + QUIET) {
+        } else if seen
+            .last()
+            .is_some_and(|(when, screen)| most(screen, &before) && elapsed > *when + QUIET)
+        {
             break;
         }
         assert!(elapsed < LONGEST, "no window appeared, or it never rests");
@@ -131,7 +157,10 @@ fn time(mut program: Command, folder: &Path) -> Start {
     }
     let (_, end) = seen.last().expect("something was seen");
     let first = |there: &dyn Fn(&[u8]) -> bool| {
-        let (when, _) = seen.iter().find(|(_, screen)| there(screen)).expect("the end at least");
+        let (when, _) = seen
+            .iter()
+            .find(|(_, screen)| there(screen))
+            .expect("the end at least");
         when.as_secs_f64() * 1e3
     };
     let pixels = end.len() / PIXEL;
@@ -147,5 +176,8 @@ fn most(screen: &[u8], before: &[u8]) -> bool {
 
 /// Pixels that differ.
 fn different(a: &[u8], b: &[u8]) -> usize {
-    a.chunks(PIXEL).zip(b.chunks(PIXEL)).filter(|(a, b)| a != b).count()
+    a.chunks(PIXEL)
+        .zip(b.chunks(PIXEL))
+        .filter(|(a, b)| a != b)
+        .count()
 }

@@ -3,10 +3,12 @@
 use glam::DVec3;
 use serde_json::Value;
 use shading_lab::analysis::{
-    CHANGES, Column, Method, Setting, Study, StudyQuestion, Table, Watch, as_it_is, fit_line, fixed, median_and_spread,
-    order_of, pareto_front, student, study, study_plot, unwatched,
+    CHANGES, Column, Method, Setting, Study, StudyQuestion, Table, Watch, as_it_is, fit_line,
+    fixed, median_and_spread, order_of, pareto_front, student, study, study_plot, unwatched,
 };
-use shading_lab::scene::{Choice, Interpolation, Light, LightKind, Overflow, Projection, Rgb, Scene, presets};
+use shading_lab::scene::{
+    Choice, Interpolation, Light, LightKind, Overflow, Projection, Rgb, Scene, presets,
+};
 use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -23,23 +25,42 @@ fn matt_sphere(towards: DVec3, projection: Projection) -> Scene {
     scene.material.ks = Rgb::ZERO;
     scene.material.kd = Rgb::ONE;
     scene.material.color = Rgb::ONE;
-    scene.lights = vec![Light { kind: LightKind::Directional, direction: towards, ..Light::default() }];
+    scene.lights = vec![Light {
+        kind: LightKind::Directional,
+        direction: towards,
+        ..Light::default()
+    }];
     scene
 }
 
 fn request(methods: &[Method], segments: &[u32], repeats: u32) -> StudyQuestion {
     let interpolations = vec![Interpolation::Perspective];
-    StudyQuestion { methods: methods.to_vec(), segments: segments.to_vec(), interpolations, n: vec![], repeats }
+    StudyQuestion {
+        methods: methods.to_vec(),
+        segments: segments.to_vec(),
+        interpolations,
+        n: vec![],
+        repeats,
+    }
 }
 
 fn measured(scene: &Scene, methods: &[Method], segments: &[u32]) -> Study {
-    study(scene, None, &request(methods, segments, 1), || 0, &unwatched)
+    study(
+        scene,
+        None,
+        &request(methods, segments, 1),
+        || 0,
+        &unwatched,
+    )
 }
 
 /// The order of the greatest error.
 fn order(study: &Study, method: Method) -> f64 {
     for row in study.rows.iter().filter(|row| row.setting.method == method) {
-        println!("{:?} {:.4}: {:.6}, RMS {:.6}", row.setting, row.spacing, row.error_max, row.error_rms);
+        println!(
+            "{:?} {:.4}: {:.6}, RMS {:.6}",
+            row.setting, row.spacing, row.error_max, row.error_rms
+        );
     }
     let series = study.series_of(method).expect("a series");
     println!("{series:?}");
@@ -53,12 +74,21 @@ const FINE: [u32; 5] = [24, 32, 48, 64, 96];
 fn without_a_terminator_flat_is_of_first_order_and_gouraud_and_phong_of_second() {
     for projection in [Projection::Orthographic, Projection::Perspective] {
         let scene = matt_sphere(DVec3::NEG_Z, projection);
-        let study = measured(&scene, &[Method::Flat, Method::Gouraud, Method::Phong], &FINE);
-        for (method, expected, within) in
-            [(Method::Flat, 1.0, 0.15), (Method::Gouraud, 2.0, 0.25), (Method::Phong, 2.0, 0.25)]
-        {
+        let study = measured(
+            &scene,
+            &[Method::Flat, Method::Gouraud, Method::Phong],
+            &FINE,
+        );
+        for (method, expected, within) in [
+            (Method::Flat, 1.0, 0.15),
+            (Method::Gouraud, 2.0, 0.25),
+            (Method::Phong, 2.0, 0.25),
+        ] {
             let found = order(&study, method);
-            assert!((found - expected).abs() <= within, "{projection:?}, {method:?}: {found} is not {expected}");
+            assert!(
+                (found - expected).abs() <= within,
+                "{projection:?}, {method:?}: {found} is not {expected}"
+            );
         }
     }
 }
@@ -71,15 +101,25 @@ fn errors_are_told_before_the_display_and_as_shown() {
     let row = |scene: &Scene| measured(scene, &[Method::Flat], &[32]).rows[0].clone();
     let clamped = row(&scene);
     assert!((clamped.error_rms - 0.0328).abs() < 1e-4, "{clamped:?}");
-    assert!((clamped.error_rms_shown - 0.0295).abs() < 1e-4, "{clamped:?}");
+    assert!(
+        (clamped.error_rms_shown - 0.0295).abs() < 1e-4,
+        "{clamped:?}"
+    );
     assert!(clamped.error_max_shown <= clamped.error_max);
     scene.display.overflow = Overflow::Scale;
     let scaled = row(&scene);
-    assert_eq!((scaled.error_rms_shown, scaled.error_max_shown), (scaled.error_rms, scaled.error_max));
+    assert_eq!(
+        (scaled.error_rms_shown, scaled.error_max_shown),
+        (scaled.error_rms, scaled.error_max)
+    );
     scene.display.overflow = Overflow::Clamp;
     scene.material.ks = Rgb::ZERO;
     let matt = row(&scene);
-    assert_eq!((matt.error_rms_shown, matt.error_max_shown), (matt.error_rms, matt.error_max), "all of it below 1");
+    assert_eq!(
+        (matt.error_rms_shown, matt.error_max_shown),
+        (matt.error_rms, matt.error_max),
+        "all of it below 1"
+    );
 }
 
 /// max(N·L, 0) has a corner at the terminator. A polygon that lies across it interpolates over the corner: off by its slope
@@ -98,23 +138,46 @@ fn the_historic_methods_come_near_phong_shading_and_are_of_its_order() {
     let mut scene = matt_sphere(DVec3::new(-0.4, -0.3, -1.0), Projection::Orthographic);
     scene.material.ks = Rgb::splat(0.5);
     scene.material.n = 10.0;
-    let methods = [Method::Phong, Method::PhongScalar, Method::Taylor, Method::Angular];
+    let methods = [
+        Method::Phong,
+        Method::PhongScalar,
+        Method::Taylor,
+        Method::Angular,
+    ];
     let study = measured(&scene, &methods, &FINE);
-    let of = |method: Method| study.rows.iter().filter(move |row| row.setting.method == method);
+    let of = |method: Method| {
+        study
+            .rows
+            .iter()
+            .filter(move |row| row.setting.method == method)
+    };
     for (engine, scalar) in of(Method::Phong).zip(of(Method::PhongScalar)) {
-        assert!((engine.error_rms - scalar.error_rms).abs() < 1e-5, "{engine:?} {scalar:?}");
+        assert!(
+            (engine.error_rms - scalar.error_rms).abs() < 1e-5,
+            "{engine:?} {scalar:?}"
+        );
         assert!(engine.outline_pixels.abs_diff(scalar.outline_pixels) <= 8);
-        assert_eq!(engine.evaluations.abs_diff(scalar.evaluations) / 100, 0, "{engine:?} {scalar:?}");
+        assert_eq!(
+            engine.evaluations.abs_diff(scalar.evaluations) / 100,
+            0,
+            "{engine:?} {scalar:?}"
+        );
     }
     for method in [Method::Taylor, Method::Angular] {
         for (phong, other) in of(Method::Phong).zip(of(method)) {
-            assert!((other.error_rms / phong.error_rms - 1.0).abs() < 0.05, "{phong:?} {other:?}");
+            assert!(
+                (other.error_rms / phong.error_rms - 1.0).abs() < 0.05,
+                "{phong:?} {other:?}"
+            );
         }
         let found = order(&study, method);
         assert!((found - 2.0).abs() < 0.3, "{method:?}: {found}");
     }
     // Triangles are expanded, pixels are not.
-    let (taylor, phong) = (of(Method::Taylor).next().expect("a row"), of(Method::Phong).next().expect("a row"));
+    let (taylor, phong) = (
+        of(Method::Taylor).next().expect("a row"),
+        of(Method::Phong).next().expect("a row"),
+    );
     assert!(10 * taylor.evaluations < phong.evaluations);
 }
 
@@ -128,7 +191,10 @@ impl Watch<Study> for Seen {
     }
 
     fn found(&self, study: &Study) {
-        self.0.lock().expect("a list").push(study.rows.iter().map(|row| row.samples).collect());
+        self.0
+            .lock()
+            .expect("a list")
+            .push(study.rows.iter().map(|row| row.samples).collect());
     }
 }
 
@@ -141,8 +207,15 @@ fn settings_are_timed_in_turn() {
     let found = study(&scene, None, &request, || 0, &seen);
     let seen = seen.0.into_inner().expect("a list");
     assert!(found.complete && seen.len() == 12);
-    assert_eq!((&seen[1], &seen[3], &seen[5]), (&vec![1, 1], &vec![1; 4], &vec![2, 2, 1, 1]));
-    assert_eq!(study_plot(&found), None, "a clock that stands still has no times to plot");
+    assert_eq!(
+        (&seen[1], &seen[3], &seen[5]),
+        (&vec![1, 1], &vec![1; 4], &vec![2, 2, 1, 1])
+    );
+    assert_eq!(
+        study_plot(&found),
+        None,
+        "a clock that stands still has no times to plot"
+    );
 }
 
 #[test]
@@ -158,13 +231,28 @@ fn a_study_that_is_cancelled_keeps_what_it_has() {
 
 /// Runs `study` on a built-in scene; returns its exit status and what it printed.
 fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_shading-lab")).arg("study").args(arguments).output().expect("it runs");
+    let output = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
+        .arg("study")
+        .args(arguments)
+        .output()
+        .expect("it runs");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
-    (output.status.code(), text(output.stdout), text(output.stderr))
+    (
+        output.status.code(),
+        text(output.stdout),
+        text(output.stderr),
+    )
 }
 
-const SMALL: [&str; 7] = ["sphere", "--size", "64x64", "--segments", "8,16,32", "--repeats", "2"];
+const SMALL: [&str; 7] = [
+    "sphere",
+    "--size",
+    "64x64",
+    "--segments",
+    "8,16,32",
+    "--repeats",
+    "2",
+];
 
 #[test]
 fn the_command_prints_the_keys_that_scripts_read() {
@@ -175,7 +263,10 @@ fn the_command_prints_the_keys_that_scripts_read() {
     // Nine methods, two without an interpolation, angular interpolation with one; three tessellations; two exponents.
     assert_eq!(rows.len(), (2 + 6 * 2 + 1) * 3 * 2);
     for row in rows {
-        assert!(row["method"].is_string() && row["segments"].is_u64() && row["rings"].is_u64(), "{row}");
+        assert!(
+            row["method"].is_string() && row["segments"].is_u64() && row["rings"].is_u64(),
+            "{row}"
+        );
         for key in [
             "error_rms",
             "error_max",
@@ -188,12 +279,21 @@ fn the_command_prints_the_keys_that_scripts_read() {
             "n",
             "evaluations",
         ] {
-            assert!(row[key].as_f64().is_some_and(|number| number >= 0.0), "{key} of {row}");
+            assert!(
+                row[key].as_f64().is_some_and(|number| number >= 0.0),
+                "{key} of {row}"
+            );
         }
-        assert!(row["time_ms"].as_f64() > Some(0.0) && row["error_rms"].as_f64() <= row["error_max"].as_f64());
+        assert!(
+            row["time_ms"].as_f64() > Some(0.0)
+                && row["error_rms"].as_f64() <= row["error_max"].as_f64()
+        );
     }
     for method in Method::VALUES.iter().map(|method| method.word()) {
-        assert!(value["orders"][method].is_f64() && value["order_confidence"][method].is_f64(), "{method}");
+        assert!(
+            value["orders"][method].is_f64() && value["order_confidence"][method].is_f64(),
+            "{method}"
+        );
     }
     assert_eq!(value["omitted"][0]["method"], "angular");
 }
@@ -202,24 +302,45 @@ fn the_command_prints_the_keys_that_scripts_read() {
 fn the_command_writes_table_and_plot_and_refuses_what_it_does_not_know() {
     let folder = std::env::temp_dir().join(format!("shading-lab-study-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
-    let [csv, svg, png] = ["rows.csv", "plot.svg", "plot.png"].map(|name| folder.join(name).display().to_string());
+    let [csv, svg, png] =
+        ["rows.csv", "plot.svg", "plot.png"].map(|name| folder.join(name).display().to_string());
     let few = [&SMALL[..], &["--methods", "flat,gouraud,taylor"]].concat();
     let (status, out, err) = run(&[&few[..], &["--csv", &csv, "-o", &svg]].concat());
     assert_eq!((status, out.as_str(), err.as_str()), (Some(0), "", ""));
     let table = std::fs::read_to_string(&csv).expect("a table");
     assert_eq!(table.lines().count(), 1 + (1 + 2 + 2) * 3);
-    assert!(table.lines().nth(1).is_some_and(|line| line.starts_with("flat,8,4,none,")), "{table}");
+    assert!(
+        table
+            .lines()
+            .nth(1)
+            .is_some_and(|line| line.starts_with("flat,8,4,none,")),
+        "{table}"
+    );
     let plot = std::fs::read_to_string(&svg).expect("a plot");
     assert!(plot.contains("front of Pareto") && plot.contains("Gouraud, affine"));
     assert_eq!(run(&[&few[..], &["-o", &png]].concat()).0, Some(0));
     assert!(std::fs::metadata(&png).is_ok_and(|file| file.len() > 1000));
     std::fs::remove_dir_all(&folder).expect("the folder goes");
     let (status, out, _) = run(&few);
-    assert!(status == Some(0) && out.contains("Order of convergence"), "{out}");
-    for wrong in [["--methods", "gourand"], ["--n", "-1"], ["--segments", "2"], ["-o", "rows.gif"]] {
+    assert!(
+        status == Some(0) && out.contains("Order of convergence"),
+        "{out}"
+    );
+    for wrong in [
+        ["--methods", "gourand"],
+        ["--n", "-1"],
+        ["--segments", "2"],
+        ["-o", "rows.gif"],
+    ] {
         assert_eq!(run(&[&SMALL[..1], &wrong].concat()).0, Some(2), "{wrong:?}");
     }
-    let cook = ["sphere", "--set", "reflection.model=cook-torrance", "--methods", "taylor"];
+    let cook = [
+        "sphere",
+        "--set",
+        "reflection.model=cook-torrance",
+        "--methods",
+        "taylor",
+    ];
     assert!(run(&cook).2.contains("no single cosine"));
 }
 
@@ -228,31 +349,62 @@ fn a_line_is_found_with_its_confidence() {
     // Montgomery's kind of example, worked by hand: x̄ = 3, ȳ = 4, Sxx = 10, Sxy = 8, residuals' squares 3.6.
     let points = [[1.0, 2.0], [2.0, 4.0], [3.0, 5.0], [4.0, 4.0], [5.0, 5.0]];
     let fit = fit_line(&points).expect("five points");
-    assert!((fit.slope - 0.6).abs() < 1e-12 && (fit.offset - 2.2).abs() < 1e-12, "{fit:?}");
+    assert!(
+        (fit.slope - 0.6).abs() < 1e-12 && (fit.offset - 2.2).abs() < 1e-12,
+        "{fit:?}"
+    );
     let expected = 3.182 * (2.4_f64 / 3.0 / 10.0).sqrt();
-    assert!((fit.confidence - expected).abs() < 1e-12, "{fit:?} is not {expected}");
+    assert!(
+        (fit.confidence - expected).abs() < 1e-12,
+        "{fit:?} is not {expected}"
+    );
 }
 
 #[test]
 fn a_power_is_its_order_and_what_is_rounding_is_left_out() {
     let power = |h: f64| (h, 3.0 * h.powi(2));
     let fit = order_of([0.5, 0.25, 0.125, 1e-9].map(power)).expect("three points");
-    assert!((fit.slope - 2.0).abs() < 1e-12 && fit.confidence < 1e-6 && fit.points == 3, "{fit:?}");
+    assert!(
+        (fit.slope - 2.0).abs() < 1e-12 && fit.confidence < 1e-6 && fit.points == 3,
+        "{fit:?}"
+    );
     assert_eq!(order_of([power(0.5), power(0.1)]), None);
     assert_eq!(order_of([power(0.5), power(0.5), power(0.5)]), None);
 }
 
 #[test]
 fn students_t_goes_on_beyond_its_table() {
-    for (freedom, expected) in [(1, 12.706), (30, 2.042), (31, 2.0395), (60, 2.0003), (1000, 1.9623)] {
-        assert!((student(freedom) - expected).abs() < 1e-3, "{freedom}: {}", student(freedom));
+    for (freedom, expected) in [
+        (1, 12.706),
+        (30, 2.042),
+        (31, 2.0395),
+        (60, 2.0003),
+        (1000, 1.9623),
+    ] {
+        assert!(
+            (student(freedom) - expected).abs() < 1e-3,
+            "{freedom}: {}",
+            student(freedom)
+        );
     }
 }
 
 #[test]
 fn the_front_is_what_nothing_beats() {
-    let points = [[1.0, 9.0], [2.0, 5.0], [2.0, 6.0], [3.0, 5.0], [4.0, 1.0], [4.0, 1.0], [9.0, 2.0], [0.1, f64::NAN]];
-    assert_eq!(pareto_front(&points), [true, true, false, false, true, true, false, false]);
+    let points = [
+        [1.0, 9.0],
+        [2.0, 5.0],
+        [2.0, 6.0],
+        [3.0, 5.0],
+        [4.0, 1.0],
+        [4.0, 1.0],
+        [9.0, 2.0],
+        [0.1, f64::NAN],
+    ];
+    assert_eq!(
+        pareto_front(&points),
+        [true, true, false, false, true, true, false, false]
+    );
     assert!(pareto_front(&[]).is_empty());
 }
 
@@ -260,12 +412,28 @@ fn the_front_is_what_nothing_beats() {
 fn a_setting_is_loaded_into_the_scene_unless_it_is_historic() {
     let mut scene = Scene::default();
     let interpolation = Some(Interpolation::Affine);
-    let setting = Setting { method: Method::PhongUnnormalised, segments: 12, rings: 7, interpolation, n: 9.0 };
+    let setting = Setting {
+        method: Method::PhongUnnormalised,
+        segments: 12,
+        rings: 7,
+        interpolation,
+        n: 9.0,
+    };
     assert!(setting.load(&mut scene));
-    assert_eq!((scene.object.segments, scene.object.rings, scene.material.n), (12, 7, 9.0));
+    assert_eq!(
+        (scene.object.segments, scene.object.rings, scene.material.n),
+        (12, 7, 9.0)
+    );
     assert!(!scene.shading.renormalise && scene.shading.interpolation == Interpolation::Affine);
     let before = scene.clone();
-    assert!(!Setting { method: Method::Taylor, n: 3.0, ..setting }.load(&mut scene));
+    assert!(
+        !Setting {
+            method: Method::Taylor,
+            n: 3.0,
+            ..setting
+        }
+        .load(&mut scene)
+    );
     assert_eq!(scene, before);
 }
 
@@ -275,19 +443,35 @@ fn what_the_scalar_text_cannot_draw_is_said() {
     plain.image.size = [8, 8];
     let omitted = |scene: &Scene| -> Vec<Method> {
         let scalar = [Method::PhongScalar, Method::Taylor, Method::Angular];
-        measured(scene, &scalar, &[8]).omitted.iter().map(|omission| omission.method).collect()
+        measured(scene, &scalar, &[8])
+            .omitted
+            .iter()
+            .map(|omission| omission.method)
+            .collect()
     };
     assert_eq!(omitted(&plain), [Method::Angular], "in perspective");
     plain.camera.projection = Projection::Orthographic;
     for (change, left_out) in [
         ("camera.roll=1", &[][..]),
-        ("shading.shadows=true", &[Method::PhongScalar, Method::Taylor, Method::Angular]),
-        ("backdrop.pattern=checker", &[Method::PhongScalar, Method::Taylor, Method::Angular]),
-        ("transparency.kt=0.5", &[Method::PhongScalar, Method::Taylor, Method::Angular]),
+        (
+            "shading.shadows=true",
+            &[Method::PhongScalar, Method::Taylor, Method::Angular],
+        ),
+        (
+            "backdrop.pattern=checker",
+            &[Method::PhongScalar, Method::Taylor, Method::Angular],
+        ),
+        (
+            "transparency.kt=0.5",
+            &[Method::PhongScalar, Method::Taylor, Method::Angular],
+        ),
         ("reflection.model=cook-torrance", &[Method::Taylor]),
         ("pattern.kind=stripes", &[Method::Taylor]),
     ] {
-        let mut changed = plain.clone().with_overrides(&[change]).expect("a sound scene");
+        let mut changed = plain
+            .clone()
+            .with_overrides(&[change])
+            .expect("a sound scene");
         // At a perspective interpolation without perspective, equal angles are as good as any.
         changed.shading.interpolation = Interpolation::Affine;
         assert_eq!(omitted(&changed), left_out, "{change}");
@@ -304,11 +488,27 @@ fn a_table_is_written_for_files_and_for_people() {
         Column::shown("note", as_it_is),
     ];
     let mut table = Table::new(columns);
-    table.rows.push(vec!["n = 1".into(), 1e-7.into(), 3_u32.into(), "a".into()]);
-    table.rows.push(vec!["a \"b\", c".into(), f64::INFINITY.into(), None::<u32>.into(), "b".into()]);
-    assert_eq!(table.text(), "  name      size  note\n  n = 1     0.00  a\n  a \"b\", c   inf  b\n");
-    table.rows.push(vec!["".into(), "two\nlines".into(), 0_u64.into(), "".into()]);
-    let expected = "name,value,code\nn = 1,0.0000001,3\n\"a \"\"b\"\", c\",inf,\n,\"two\nlines\",0\n";
+    table
+        .rows
+        .push(vec!["n = 1".into(), 1e-7.into(), 3_u32.into(), "a".into()]);
+    table.rows.push(vec![
+        "a \"b\", c".into(),
+        f64::INFINITY.into(),
+        None::<u32>.into(),
+        "b".into(),
+    ]);
+    assert_eq!(
+        table.text(),
+        "  name      size  note\n  n = 1     0.00  a\n  a \"b\", c   inf  b\n"
+    );
+    table.rows.push(vec![
+        "".into(),
+        "two\nlines".into(),
+        0_u64.into(),
+        "".into(),
+    ]);
+    let expected =
+        "name,value,code\nn = 1,0.0000001,3\n\"a \"\"b\"\", c\",inf,\n,\"two\nlines\",0\n";
     assert_eq!(table.to_csv(), expected);
 }
 
@@ -319,7 +519,10 @@ fn every_change_changes_one_thing_and_leaves_the_scene_sound() {
     far.lights[0].position = DVec3::splat(1e20);
     let mut mirror = Scene::default();
     mirror.material.n = f64::INFINITY;
-    let lit = presets::ALL.iter().map(|preset| preset.scene()).filter(|scene| !scene.lights.is_empty());
+    let lit = presets::ALL
+        .iter()
+        .map(|preset| preset.scene())
+        .filter(|scene| !scene.lights.is_empty());
     for scene in lit.chain([far, mirror]) {
         for (name, change) in CHANGES {
             let frames = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0].map(|number| {
@@ -328,7 +531,9 @@ fn every_change_changes_one_thing_and_leaves_the_scene_sound() {
                 changed
             });
             for pair in frames.windows(2) {
-                let [a, b] = pair else { unreachable!("windows of two") };
+                let [a, b] = pair else {
+                    unreachable!("windows of two")
+                };
                 assert_ne!(a, b, "{name}");
                 assert_eq!(a.validate(), Ok(()), "{name}");
                 let parts = [
@@ -338,35 +543,76 @@ fn every_change_changes_one_thing_and_leaves_the_scene_sound() {
                     a.camera != b.camera,
                     a.object != b.object,
                 ];
-                assert_eq!(parts.iter().filter(|&&differs| differs).count(), 1, "{name}");
+                assert_eq!(
+                    parts.iter().filter(|&&differs| differs).count(),
+                    1,
+                    "{name}"
+                );
             }
         }
     }
-    assert_eq!(CHANGES[0].1(&mut Scene { lights: vec![], ..Scene::default() }, 1.0), None);
+    assert_eq!(
+        CHANGES[0].1(
+            &mut Scene {
+                lights: vec![],
+                ..Scene::default()
+            },
+            1.0
+        ),
+        None
+    );
 }
 
 #[test]
 fn what_makes_no_difference_is_measured_once() {
     let mut scene = Scene::default();
     scene.image.size = [4, 4];
-    let request = StudyQuestion { segments: vec![32, 8, 8], repeats: 1, ..StudyQuestion::default() };
+    let request = StudyQuestion {
+        segments: vec![32, 8, 8],
+        repeats: 1,
+        ..StudyQuestion::default()
+    };
     let found = study(&scene, None, &request, || 0, &unwatched);
-    let count = |method| found.rows.iter().filter(|row| row.setting.method == method).count();
-    assert_eq!([Method::Flat, Method::Gouraud, Method::Taylor, Method::Angular].map(count), [2, 4, 4, 2]);
+    let count = |method| {
+        found
+            .rows
+            .iter()
+            .filter(|row| row.setting.method == method)
+            .count()
+    };
+    assert_eq!(
+        [
+            Method::Flat,
+            Method::Gouraud,
+            Method::Taylor,
+            Method::Angular
+        ]
+        .map(count),
+        [2, 4, 4, 2]
+    );
     assert_eq!(found.omitted.len(), 1, "{:?}", found.omitted);
     let [coarse, fine] = [0, 1].map(|row: usize| found.rows[row].setting);
     assert_eq!((coarse.segments, coarse.rings, fine.segments), (8, 4, 32));
     scene.camera.projection = Projection::Orthographic;
     let found = study(&scene, None, &request, || 0, &unwatched);
-    assert_eq!((found.rows.len(), found.omitted.len()), (2 * Method::VALUES.len(), 0));
+    assert_eq!(
+        (found.rows.len(), found.omitted.len()),
+        (2 * Method::VALUES.len(), 0)
+    );
 }
 
 #[test]
 fn the_middle_of_samples_is_their_median_and_quartiles() {
     for (samples, expected) in [
-        (&mut [5_000_000, 1_000_000, 3_000_000, 2_000_000, 4_000_000][..], (3.0, 2.0)),
+        (
+            &mut [5_000_000, 1_000_000, 3_000_000, 2_000_000, 4_000_000][..],
+            (3.0, 2.0),
+        ),
         (&mut [2_000_000, 1_000_000], (1.5, 0.5)),
-        (&mut [4_000_000, 1_000_000, 2_000_000, 3_000_000], (2.5, 1.5)),
+        (
+            &mut [4_000_000, 1_000_000, 2_000_000, 3_000_000],
+            (2.5, 1.5),
+        ),
         (&mut [7_000_000], (7.0, 0.0)),
         (&mut [], (0.0, 0.0)),
     ] {

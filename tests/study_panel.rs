@@ -12,34 +12,70 @@ use shading_lab::scene::{ObjectKind, ShadingMode};
 #[test]
 fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
     let mut harness = window("sphere");
-    harness.get_by_role_and_label(Role::Tab, "Study").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Tab, "Study")
+        .click_accesskit();
     harness.run();
     for segments in ["16", "64", "128"] {
         press(&mut harness, segments);
     }
-    for method in ["flat, vertex mean", "Phong, not unit", "Phong, scalar", "angular, scalar"] {
+    for method in [
+        "flat, vertex mean",
+        "Phong, not unit",
+        "Phong, scalar",
+        "angular, scalar",
+    ] {
         press(&mut harness, method);
     }
     press(&mut harness, "3 ×");
     press(&mut harness, "Start");
-    assert!(wait(&mut harness, |harness| harness.query_by_label("Start").is_some()), "it comes to its end");
-    assert!(harness.query_by_label_contains("Error against run time").is_some(), "the plot is there");
+    assert!(
+        wait(&mut harness, |harness| harness
+            .query_by_label("Start")
+            .is_some()),
+        "it comes to its end"
+    );
+    assert!(
+        harness
+            .query_by_label_contains("Error against run time")
+            .is_some(),
+        "the plot is there"
+    );
     let before = scene(&harness).clone();
     press(&mut harness, "Gouraud 8×4");
     let after = scene(&harness).clone();
-    assert_eq!((after.shading.mode, after.object.segments, after.object.rings), (ShadingMode::Gouraud, 8, 4));
+    assert_eq!(
+        (
+            after.shading.mode,
+            after.object.segments,
+            after.object.rings
+        ),
+        (ShadingMode::Gouraud, 8, 4)
+    );
     press(&mut harness, "Taylor, scalar 8×4");
-    assert_eq!(*scene(&harness), after, "a historic method is no mode of the picture");
-    assert!(harness.query_by_label_contains("it cannot be shown").is_some());
+    assert_eq!(
+        *scene(&harness),
+        after,
+        "a historic method is no mode of the picture"
+    );
+    assert!(
+        harness
+            .query_by_label_contains("it cannot be shown")
+            .is_some()
+    );
     undo(&mut harness);
     assert_eq!(*scene(&harness), before, "one step of undo");
     // Another is stopped by hand and keeps what it has.
     press(&mut harness, "27 ×");
     press(&mut harness, "512");
     press(&mut harness, "Start");
-    assert!(wait(&mut harness, |harness| harness.query_by_label("flat 8×4").is_some()));
+    assert!(wait(&mut harness, |harness| harness
+        .query_by_label("flat 8×4")
+        .is_some()));
     press(&mut harness, "Stop");
-    assert!(wait(&mut harness, |harness| harness.query_by_label("Start").is_some()));
+    assert!(wait(&mut harness, |harness| harness
+        .query_by_label("Start")
+        .is_some()));
     assert!(harness.query_by_label("flat 8×4").is_some());
 }
 
@@ -47,23 +83,40 @@ fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
 fn the_catalogue_is_drawn_and_a_case_opens_as_the_scene() {
     let mut harness = window("sphere");
     let before = scene(&harness).clone();
-    harness.get_by_role_and_label(Role::Tab, "Stability").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Tab, "Stability")
+        .click_accesskit();
     harness.run();
     let last = stability_cases().last().expect("cases").title;
     assert!(
-        wait(&mut harness, |harness| harness.query_by_role_and_label(Role::Button, last).is_some()),
+        wait(&mut harness, |harness| harness
+            .query_by_role_and_label(Role::Button, last)
+            .is_some()),
         "all are drawn"
     );
-    let case = stability_cases().find(|case| case.name == "far-from-the-origin").expect("a case");
+    let case = stability_cases()
+        .find(|case| case.name == "far-from-the-origin")
+        .expect("a case");
     press(&mut harness, case.title);
     assert!(
-        harness.query_by_label_contains(case.wrong).is_some() && harness.query_by_label_contains(case.robust).is_some()
+        harness.query_by_label_contains(case.wrong).is_some()
+            && harness.query_by_label_contains(case.robust).is_some()
     );
-    assert!(harness.query_by_label_contains("Condition number 10⁷").is_some());
+    assert!(
+        harness
+            .query_by_label_contains("Condition number 10⁷")
+            .is_some()
+    );
     press(&mut harness, "Open as the scene");
     let opened = scene(&harness).clone();
-    assert_eq!((opened.object.kind, opened.image.size), (ObjectKind::Polygons, before.image.size));
-    assert_eq!(opened.object.vertices, case.scene().expect("a scene").object.vertices);
+    assert_eq!(
+        (opened.object.kind, opened.image.size),
+        (ObjectKind::Polygons, before.image.size)
+    );
+    assert_eq!(
+        opened.object.vertices,
+        case.scene().expect("a scene").object.vertices
+    );
     undo(&mut harness);
     assert_eq!(*scene(&harness), before, "one step of undo");
 }

@@ -4,8 +4,13 @@ use shading_lab::analysis::{Here, Product, clearest_pixel, digits, digits_below,
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Rgb, Scene, ShadingMode, presets};
 
-const MODES: [ShadingMode; 5] =
-    [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+const MODES: [ShadingMode; 5] = [
+    ShadingMode::Flat,
+    ShadingMode::Interpolated,
+    ShadingMode::Gouraud,
+    ShadingMode::Phong,
+    ShadingMode::Exact,
+];
 
 fn multiplied(product: &Product) -> Rgb {
     let (mut sum, mut running) = (Rgb::ZERO, Rgb::ONE);
@@ -21,7 +26,10 @@ fn multiplied(product: &Product) -> Rgb {
 
 fn assert_makes_its_value(product: &Product, what: &str) {
     let (made, value) = (multiplied(product), product.value);
-    assert!((made - value).abs().max_element() <= 1e-9 * (1.0 + value.max_element()), "{what}: {made} and {value}");
+    assert!(
+        (made - value).abs().max_element() <= 1e-9 * (1.0 + value.max_element()),
+        "{what}: {made} and {value}"
+    );
 }
 
 /// The terms of every built-in scene, in every shading mode, at a few pixels.
@@ -35,8 +43,16 @@ fn the_columns_multiply_to_the_terms_and_the_terms_add_up_to_the_pixel() {
         for mode in MODES {
             scene.shading.mode = mode;
             for [x, y] in [[16, 16], [19, 13], [12, 18], [16, 24]] {
-                let Some(hit) = probe(&mut renderer, &scene, x, y).hit else { continue };
-                check(Here { scene: &scene, hit: &hit }, &format!("{} {mode:?} {x},{y}", preset.name));
+                let Some(hit) = probe(&mut renderer, &scene, x, y).hit else {
+                    continue;
+                };
+                check(
+                    Here {
+                        scene: &scene,
+                        hit: &hit,
+                    },
+                    &format!("{} {mode:?} {x},{y}", preset.name),
+                );
             }
         }
     }
@@ -52,7 +68,13 @@ fn check(here: Here<'_>, what: &str) {
         }
         sum += light.terms.diffuse + light.terms.specular;
     }
-    assert!((sum.max(Rgb::ZERO) - here.hit.reflected).abs().max_element() < 1e-9, "{what}: {sum}");
+    assert!(
+        (sum.max(Rgb::ZERO) - here.hit.reflected)
+            .abs()
+            .max_element()
+            < 1e-9,
+        "{what}: {sum}"
+    );
     if let Some(mixture) = here.mixture() {
         assert_makes_its_value(&mixture, &format!("{what} mixture"));
     }
@@ -65,11 +87,25 @@ fn check(here: Here<'_>, what: &str) {
 fn a_factor_that_is_one_by_construction_is_left_out() {
     let mut scene = Scene::default();
     scene.image.size = [32, 32];
-    let hit = probe(&mut Renderer::default(), &scene, 16, 16).hit.expect("the sphere");
-    let here = Here { scene: &scene, hit: &hit };
+    let hit = probe(&mut Renderer::default(), &scene, 16, 16)
+        .hit
+        .expect("the sphere");
+    let here = Here {
+        scene: &scene,
+        hit: &hit,
+    };
     let light = here.lights().next().expect("a light");
-    let factors = |product: Product| product.columns.into_iter().flat_map(|c| c.factors).collect::<Vec<_>>();
-    assert_eq!(factors(light.diffuse()), ["{Ip}", "{Kd}", "{Od}", "({N}·{L})"]);
+    let factors = |product: Product| {
+        product
+            .columns
+            .into_iter()
+            .flat_map(|c| c.factors)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        factors(light.diffuse()),
+        ["{Ip}", "{Kd}", "{Od}", "({N}·{L})"]
+    );
     assert_eq!(factors(light.specular()), ["{Ip}", "{Ks}", "({R}·{V}){n}"]);
 }
 
@@ -104,15 +140,31 @@ fn very_small_and_very_large_numbers_have_a_power_of_ten() {
 fn without_a_pixel_one_is_found_whose_vectors_are_apart() {
     for name in ["sphere", "teapot", "torus", "three-lights"] {
         let scene = presets::find(name).expect("a scene").scene();
-        let hit = clearest_pixel(&mut Renderer::default(), &scene).hit.expect("the object");
-        let light = hit.lights.iter().find(|light| light.n_dot_l > 0.0).expect("a light that shines");
+        let hit = clearest_pixel(&mut Renderer::default(), &scene)
+            .hit
+            .expect("the object");
+        let light = hit
+            .lights
+            .iter()
+            .find(|light| light.n_dot_l > 0.0)
+            .expect("a light that shines");
         for angle in [light.theta, light.phi, hit.normal.angle_between(hit.view)] {
-            assert!((15.0..=65.0).contains(&angle.to_degrees()), "{name}: {angle}");
+            assert!(
+                (15.0..=65.0).contains(&angle.to_degrees()),
+                "{name}: {angle}"
+            );
         }
     }
-    let mut dark = Scene { lights: vec![], ..Scene::default() };
+    let mut dark = Scene {
+        lights: vec![],
+        ..Scene::default()
+    };
     dark.image.size = [3, 2];
-    assert!(clearest_pixel(&mut Renderer::default(), &dark).hit.is_some());
+    assert!(
+        clearest_pixel(&mut Renderer::default(), &dark)
+            .hit
+            .is_some()
+    );
     dark.camera.target = dark.camera.eye * 2.0;
     let missed = clearest_pixel(&mut Renderer::default(), &dark);
     assert_eq!((missed.pixel, missed.hit.is_none()), ([1, 1], true));

@@ -26,7 +26,11 @@ impl TestRenderer for Card {
         for (id, deltas) in &delta.set {
             for delta in deltas.iter().filter(|delta| delta.pos.is_none()) {
                 let ImageData::Color(image) = &delta.image;
-                let image = if self.keeps { Arc::clone(image) } else { Arc::new(ColorImage::clone(image)) };
+                let image = if self.keeps {
+                    Arc::clone(image)
+                } else {
+                    Arc::new(ColorImage::clone(image))
+                };
                 self.textures.borrow_mut().insert(*id, image);
             }
         }
@@ -45,9 +49,16 @@ fn assert_shown(harness: &mut Harness<'_, App>, card: &Card, what: &str) {
             continue;
         }
         let size = [frame.width as usize, frame.height as usize];
-        let colors = frame.pixels.iter().map(|&[r, g, b, a]| Color32::from_rgba_premultiplied(r, g, b, a));
+        let colors = frame
+            .pixels
+            .iter()
+            .map(|&[r, g, b, a]| Color32::from_rgba_premultiplied(r, g, b, a));
         let expected = ColorImage::new(size, colors.collect());
-        let shown = card.textures.borrow().values().any(|image| **image == expected);
+        let shown = card
+            .textures
+            .borrow()
+            .values()
+            .any(|image| **image == expected);
         assert!(shown, "{what}: another picture is shown");
         return;
     }
@@ -57,7 +68,9 @@ fn assert_shown(harness: &mut Harness<'_, App>, card: &Card, what: &str) {
 type Change = (&'static str, fn(&mut Harness<'_, App>));
 
 fn slide(harness: &mut Harness<'_, App>, name: &str, value: f64) {
-    harness.get_by_role_and_label(Role::Slider, name).set_value_accesskit(value);
+    harness
+        .get_by_role_and_label(Role::Slider, name)
+        .set_value_accesskit(value);
 }
 
 #[test]
@@ -72,7 +85,9 @@ fn the_window_shows_what_was_drawn() {
         ("exact shading", |h| h.key_press(Key::Num5)),
         ("Ks", |h| slide(h, "Ks specular coefficient", 0.65)),
         ("Gouraud shading", |h| h.key_press(Key::Num3)),
-        ("n in Gouraud shading", |h| slide(h, "n specular exponent", 30.0)),
+        ("n in Gouraud shading", |h| {
+            slide(h, "n specular exponent", 30.0);
+        }),
         ("a larger window", |h| {
             h.set_size(LARGE);
         }),
@@ -81,8 +96,16 @@ fn the_window_shows_what_was_drawn() {
         ("n once more", |h| slide(h, "n specular exponent", 9.0)),
         ("n and again", |h| slide(h, "n specular exponent", 8.0)),
     ];
-    for (scene, keeps) in [("sphere", false), ("sphere", true), ("teapot", false), ("shadows", true)] {
-        let card = Card { keeps, ..Card::default() };
+    for (scene, keeps) in [
+        ("sphere", false),
+        ("sphere", true),
+        ("teapot", false),
+        ("shadows", true),
+    ] {
+        let card = Card {
+            keeps,
+            ..Card::default()
+        };
         let mut harness = window_on(scene, card.clone());
         for (name, change) in changes {
             change(&mut harness);

@@ -15,28 +15,57 @@ fn vector(range: f64) -> impl Strategy<Value = DVec3> {
 
 fn camera() -> impl Strategy<Value = Camera> {
     let place = (vector(10.0), vector(10.0), vector(1.0), -1e3..1e3f64);
-    (place, any::<bool>(), 1.0..170.0, 0.01..100.0).prop_map(|((eye, target, up, roll), perspective, fov_y, height)| {
-        let projection = if perspective { Projection::Perspective } else { Projection::Orthographic };
-        Camera { eye, target, up, roll, projection, fov_y, height, ..Camera::default() }
-    })
+    (place, any::<bool>(), 1.0..170.0, 0.01..100.0).prop_map(
+        |((eye, target, up, roll), perspective, fov_y, height)| {
+            let projection = if perspective {
+                Projection::Perspective
+            } else {
+                Projection::Orthographic
+            };
+            Camera {
+                eye,
+                target,
+                up,
+                roll,
+                projection,
+                fov_y,
+                height,
+                ..Camera::default()
+            }
+        },
+    )
 }
 
 #[test]
 fn the_target_is_in_the_middle_and_the_field_of_view_spans_the_height() {
     let view = View::new(&Camera::default(), SIZE);
-    assert_eq!(view.project(DVec3::ZERO), Some((DVec2::new(320.0, 240.0), 4.0)));
+    assert_eq!(
+        view.project(DVec3::ZERO),
+        Some((DVec2::new(320.0, 240.0), 4.0))
+    );
     let top = DVec3::new(0.0, 4.0 * 20f64.to_radians().tan(), 0.0);
     let (pixel, _) = view.project(top).expect("in front of the eye");
     assert!((pixel - DVec2::new(320.0, 0.0)).length() < 1e-9, "{pixel}");
     let (right, _) = view.project(DVec3::X).expect("in front of the eye");
-    assert!(right.x > 320.0 && (right.y - 240.0).abs() < 1e-12, "+x is to the right of an eye on +z");
+    assert!(
+        right.x > 320.0 && (right.y - 240.0).abs() < 1e-12,
+        "+x is to the right of an eye on +z"
+    );
 }
 
 #[test]
 fn an_orthographic_picture_spans_its_height_at_every_depth() {
-    let view = View::new(&Camera { projection: Projection::Orthographic, ..Camera::default() }, SIZE);
+    let view = View::new(
+        &Camera {
+            projection: Projection::Orthographic,
+            ..Camera::default()
+        },
+        SIZE,
+    );
     for z in [-5.0, 0.0, 3.0] {
-        let (pixel, depth) = view.project(DVec3::new(0.0, 1.25, z)).expect("in front of the eye");
+        let (pixel, depth) = view
+            .project(DVec3::new(0.0, 1.25, z))
+            .expect("in front of the eye");
         assert!(pixel.y.abs() < 1e-12 && (depth - (4.0 - z)).abs() < 1e-12);
     }
 }
@@ -44,7 +73,13 @@ fn an_orthographic_picture_spans_its_height_at_every_depth() {
 #[test]
 fn a_roll_turns_what_is_seen_counter_clockwise() {
     let at = |roll: f64, world: DVec3| {
-        let view = View::new(&Camera { roll, ..Camera::default() }, SIZE);
+        let view = View::new(
+            &Camera {
+                roll,
+                ..Camera::default()
+            },
+            SIZE,
+        );
         let (pixel, _) = view.project(world).expect("in front of the eye");
         // Upwards, from the middle.
         (pixel - view.centre) * DVec2::new(1.0, -1.0)
@@ -52,15 +87,33 @@ fn a_roll_turns_what_is_seen_counter_clockwise() {
     let across = at(0.0, DVec3::X).x;
     for quarters in -9..9i32 {
         let turned = at(f64::from(quarters) * 90.0, DVec3::X);
-        let expected = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y][quarters.rem_euclid(4) as usize] * across;
-        assert!((turned - expected).length() < 1e-12, "{quarters} quarters: {turned}");
+        let expected = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y]
+            [quarters.rem_euclid(4) as usize]
+            * across;
+        assert!(
+            (turned - expected).length() < 1e-12,
+            "{quarters} quarters: {turned}"
+        );
     }
     let turned = at(30.0, DVec3::X);
-    assert!((turned.to_angle().to_degrees() - 30.0).abs() < 1e-9, "{turned}");
+    assert!(
+        (turned.to_angle().to_degrees() - 30.0).abs() < 1e-9,
+        "{turned}"
+    );
     let back = View::without_roll(turned, 30.0);
     assert!((back - DVec2::new(across, 0.0)).length() < 1e-9);
     for roll in [f64::NAN, f64::INFINITY, -1e300] {
-        assert!(View::new(&Camera { roll, ..Camera::default() }, SIZE).right.is_finite());
+        assert!(
+            View::new(
+                &Camera {
+                    roll,
+                    ..Camera::default()
+                },
+                SIZE
+            )
+            .right
+            .is_finite()
+        );
     }
 }
 
@@ -82,8 +135,19 @@ fn a_degenerate_camera_still_has_a_frame() {
         (DVec3::Z * 1e-300, DVec3::ZERO, DVec3::Y * 1e-300),
         (DVec3::Z * 1e308, DVec3::Z * -1e308, DVec3::X * 1e308),
     ] {
-        let view = View::new(&Camera { eye, target, up, ..Camera::default() }, SIZE);
-        assert!((view.right.cross(view.up) + view.forward).length() < 1e-9, "{eye} {target} {up}: {view:?}");
+        let view = View::new(
+            &Camera {
+                eye,
+                target,
+                up,
+                ..Camera::default()
+            },
+            SIZE,
+        );
+        assert!(
+            (view.right.cross(view.up) + view.forward).length() < 1e-9,
+            "{eye} {target} {up}: {view:?}"
+        );
     }
 }
 

@@ -15,7 +15,8 @@ use shading_lab::app::{App, Look, NumbersTab, ProfileLook};
 use shading_lab::document::load;
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{
-    CompareView, Distribution, Light, LightKind, Pane, PatternKind, ReflectionModel, Rgb, Scene, ShadingMode, View,
+    CompareView, Distribution, Light, LightKind, Pane, PatternKind, ReflectionModel, Rgb, Scene,
+    ShadingMode, View,
 };
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -25,12 +26,20 @@ use std::sync::Arc;
 fn slider_changes_the_picture(scene: &str, name: &str, value: f64) {
     let mut harness = window(scene);
     let before = picture(&harness);
-    harness.get_by_role_and_label(Role::Slider, name).set_value_accesskit(value);
+    harness
+        .get_by_role_and_label(Role::Slider, name)
+        .set_value_accesskit(value);
     harness.run();
-    assert!(picture(&harness) != before, "{name} = {value} changes nothing in {scene}");
+    assert!(
+        picture(&harness) != before,
+        "{name} = {value} changes nothing in {scene}"
+    );
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     harness.run();
-    assert!(picture(&harness) == before, "undo of {name} does not bring the picture back");
+    assert!(
+        picture(&harness) == before,
+        "undo of {name} does not bring the picture back"
+    );
 }
 
 #[test]
@@ -66,19 +75,31 @@ fn keys_choose_the_shading_mode() {
     for (key, mode, renormalise) in modes {
         harness.key_press(key);
         harness.run();
-        assert_eq!((scene(&harness).shading.mode, scene(&harness).shading.renormalise), (mode, renormalise));
+        assert_eq!(
+            (
+                scene(&harness).shading.mode,
+                scene(&harness).shading.renormalise
+            ),
+            (mode, renormalise)
+        );
         seen.push(picture(&harness));
     }
     seen.sort();
     seen.dedup();
-    assert_eq!(seen.len(), 6, "six ways of shading are six pictures, and the last is the first again");
+    assert_eq!(
+        seen.len(),
+        6,
+        "six ways of shading are six pictures, and the last is the first again"
+    );
 }
 
 #[test]
 fn a_number_can_be_infinite() {
     let mut harness = window("sphere");
     let before = picture(&harness);
-    harness.get_by_role_and_label(Role::Button, "n specular exponent infinite").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Button, "n specular exponent infinite")
+        .click_accesskit();
     harness.run();
     assert_eq!(scene(&harness).material.n, f64::INFINITY);
     assert!(picture(&harness) != before);
@@ -88,12 +109,16 @@ fn a_number_can_be_infinite() {
 fn lights_are_added_and_removed() {
     let mut harness = window("sphere");
     let before = picture(&harness);
-    harness.get_by_role_and_label(Role::Button, "Add a light").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Button, "Add a light")
+        .click_accesskit();
     harness.run();
     assert_eq!(scene(&harness).lights.len(), 2);
     let lit = picture(&harness);
     assert!(lit != before, "another light changes the picture");
-    harness.get_by_role_and_label(Role::Button, "Remove this light").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Button, "Remove this light")
+        .click_accesskit();
     harness.run();
     assert!(picture(&harness) == before);
 }
@@ -101,10 +126,15 @@ fn lights_are_added_and_removed() {
 #[test]
 fn a_control_without_effect_is_disabled() {
     let mut harness = window("sphere");
-    harness.get_by_role_and_label(Role::Slider, "Ks specular coefficient").set_value_accesskit(0.0);
+    harness
+        .get_by_role_and_label(Role::Slider, "Ks specular coefficient")
+        .set_value_accesskit(0.0);
     harness.run();
     let n = harness.get_by_role_and_label(Role::Slider, "n specular exponent");
-    assert!(n.accesskit_node().is_disabled(), "n has no effect without Ks");
+    assert!(
+        n.accesskit_node().is_disabled(),
+        "n has no effect without Ks"
+    );
 }
 
 #[test]
@@ -114,7 +144,10 @@ fn keys_turn_the_camera_and_move_the_probe() {
     harness.key_press(Key::D);
     harness.run();
     assert!(scene(&harness).camera.eye.distance(before) > 0.1);
-    assert!((scene(&harness).camera.eye.length() - before.length()).abs() < 1e-9, "turning keeps the distance");
+    assert!(
+        (scene(&harness).camera.eye.length() - before.length()).abs() < 1e-9,
+        "turning keeps the distance"
+    );
     let probe = harness.state().state().probe;
     harness.key_press(Key::ArrowLeft);
     harness.run();
@@ -131,9 +164,13 @@ fn a_file_that_cannot_be_opened_says_so_and_changes_nothing() {
     let before = scene(&harness).clone();
     harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
     harness.run();
-    harness.get_by_role_and_label(Role::TextInput, "File").type_text(&path.display().to_string());
+    harness
+        .get_by_role_and_label(Role::TextInput, "File")
+        .type_text(&path.display().to_string());
     harness.run();
-    harness.get_by_role_and_label(Role::Button, "Open").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Button, "Open")
+        .click_accesskit();
     let mut shown = false;
     for _ in 0..200 {
         harness.run_ok();
@@ -157,26 +194,47 @@ fn choice_changes_the_picture(scene: &str, prepare: &[Key], list: &str, entry: &
     }
     let before = picture(&harness);
     choose(&mut harness, list, entry);
-    assert!(picture(&harness) != before, "{list}: {entry} changes nothing in {scene}");
+    assert!(
+        picture(&harness) != before,
+        "{list}: {entry} changes nothing in {scene}"
+    );
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     harness.run();
-    assert!(picture(&harness) == before, "undo of {list} does not bring the picture back");
+    assert!(
+        picture(&harness) == before,
+        "undo of {list} does not bring the picture back"
+    );
 }
 
 #[test]
 fn controls_appear_where_they_have_an_effect() {
     let mut harness = window("cone");
-    assert!(harness.query_by_role_and_label(Role::ComboBox, "Weighting").is_none(), "exact normals have no weights");
+    assert!(
+        harness
+            .query_by_role_and_label(Role::ComboBox, "Weighting")
+            .is_none(),
+        "exact normals have no weights"
+    );
     choose(&mut harness, "Vertex normals", "averaged");
     let equal = picture(&harness);
     choose(&mut harness, "Weighting", "by angle");
     assert!(picture(&harness) != equal);
 
-    assert!(harness.query_by_role_and_label(Role::SpinButton, "Height").is_none());
+    assert!(
+        harness
+            .query_by_role_and_label(Role::SpinButton, "Height")
+            .is_none()
+    );
     choose(&mut harness, "Projection", "orthographic");
-    assert!(harness.query_by_role_and_label(Role::SpinButton, "Field of view").is_none());
+    assert!(
+        harness
+            .query_by_role_and_label(Role::SpinButton, "Field of view")
+            .is_none()
+    );
     let near = picture(&harness);
-    harness.get_by_role_and_label(Role::SpinButton, "Height").set_value_accesskit(5.0);
+    harness
+        .get_by_role_and_label(Role::SpinButton, "Height")
+        .set_value_accesskit(5.0);
     harness.run();
     assert!(picture(&harness) != near);
 }
@@ -221,32 +279,65 @@ fn typed_numbers_change_the_picture() {
     for (name, value) in fields {
         let mut harness = window("sphere");
         let before = picture(&harness);
-        harness.get_by_role_and_label(Role::SpinButton, name).set_value_accesskit(value);
+        harness
+            .get_by_role_and_label(Role::SpinButton, name)
+            .set_value_accesskit(value);
         harness.run();
-        assert!(picture(&harness) != before, "{name} = {value} changes nothing");
+        assert!(
+            picture(&harness) != before,
+            "{name} = {value} changes nothing"
+        );
         harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
         harness.run();
-        assert!(picture(&harness) == before, "undo of {name} does not bring the picture back");
+        assert!(
+            picture(&harness) == before,
+            "undo of {name} does not bring the picture back"
+        );
     }
 }
 
 #[test]
 fn a_spot_lights_cone_is_typed() {
     let mut harness = window("sphere");
-    assert!(harness.query_by_role_and_label(Role::SpinButton, "Light 1 cone").is_none(), "a point has no cone");
+    assert!(
+        harness
+            .query_by_role_and_label(Role::SpinButton, "Light 1 cone")
+            .is_none(),
+        "a point has no cone"
+    );
     choose(&mut harness, "Light 1 kind", "spot");
-    for (name, value) in
-        [("Light 1 cone", 6.0), ("Light 1 softness", 0.8), ("Light 1 exponent", 90.0), ("Light 1 direction x", -2.0)]
-    {
+    for (name, value) in [
+        ("Light 1 cone", 6.0),
+        ("Light 1 softness", 0.8),
+        ("Light 1 exponent", 90.0),
+        ("Light 1 direction x", -2.0),
+    ] {
         let before = picture(&harness);
         enter(&mut harness, name, value);
-        assert!(picture(&harness) != before, "{name} = {value} changes nothing");
+        assert!(
+            picture(&harness) != before,
+            "{name} = {value} changes nothing"
+        );
     }
-    assert_eq!((scene(&harness).lights[0].kind, scene(&harness).lights[0].cone), (LightKind::Spot, 6.0));
+    assert_eq!(
+        (
+            scene(&harness).lights[0].kind,
+            scene(&harness).lights[0].cone
+        ),
+        (LightKind::Spot, 6.0)
+    );
     enter(&mut harness, "Light 1 cone", 500.0);
-    assert_eq!(scene(&harness).lights[0].cone, 6.0, "a cone is at most a half-space, so this is refused");
+    assert_eq!(
+        scene(&harness).lights[0].cone,
+        6.0,
+        "a cone is at most a half-space, so this is refused"
+    );
     let reason = harness.state().state().notice.as_deref();
-    assert_eq!(reason, Some("`light.0.cone` is 500, expected 0.1 to 90 degrees"), "as a scene file would be");
+    assert_eq!(
+        reason,
+        Some("`light.0.cone` is 500, expected 0.1 to 90 degrees"),
+        "as a scene file would be"
+    );
     // What would take all memory is refused before it is drawn.
     let before = scene(&harness).clone();
     enter(&mut harness, "Segments", 4e9);
@@ -260,7 +351,12 @@ fn lights_are_muted_and_soloed() {
     press(&mut harness, "Light 1 mute");
     let muted = picture(&harness);
     assert!(scene(&harness).lights[0].mute && muted != all);
-    assert!(harness.query_by_role_and_label(Role::ComboBox, "Light 1 kind").is_some(), "its controls stay");
+    assert!(
+        harness
+            .query_by_role_and_label(Role::ComboBox, "Light 1 kind")
+            .is_some(),
+        "its controls stay"
+    );
     press(&mut harness, "Reset Light 1");
     assert!(picture(&harness) == all);
     press(&mut harness, "Light 2");
@@ -275,13 +371,24 @@ fn lights_are_muted_and_soloed() {
 fn a_light_is_named() {
     let mut harness = window("sphere");
     let before = picture(&harness);
-    harness.get_by_role_and_label(Role::TextInput, "Light 1 name").focus();
+    harness
+        .get_by_role_and_label(Role::TextInput, "Light 1 name")
+        .focus();
     harness.run();
-    harness.get_by_role_and_label(Role::TextInput, "Light 1 name").type_text("Key\u{7} lamp");
+    harness
+        .get_by_role_and_label(Role::TextInput, "Light 1 name")
+        .type_text("Key\u{7} lamp");
     harness.run();
     assert_eq!(scene(&harness).lights[0].name, "Key lamp");
-    assert!(harness.query_by_role_and_label(Role::Button, "Light 1, Key lamp").is_some(), "its chip says so");
-    harness.get_by_role_and_label(Role::TextInput, "Light 1 name").type_text(&"x".repeat(100));
+    assert!(
+        harness
+            .query_by_role_and_label(Role::Button, "Light 1, Key lamp")
+            .is_some(),
+        "its chip says so"
+    );
+    harness
+        .get_by_role_and_label(Role::TextInput, "Light 1 name")
+        .type_text(&"x".repeat(100));
     harness.run();
     assert_eq!(scene(&harness).lights[0].name.chars().count(), 64);
     assert_eq!(scene(&harness).validate(), Ok(()));
@@ -292,27 +399,44 @@ fn a_light_is_named() {
 fn an_area_lights_points_and_their_error_are_shown() {
     let mut harness = window("sphere");
     choose(&mut harness, "Light 1 kind", "area");
-    let shown = |text: &'static str| move |harness: &Harness<'_, App>| harness.query_by_label_contains(text).is_some();
-    assert!(wait(&mut harness, shown("N = 16: error ")), "the error of the default");
+    let shown = |text: &'static str| {
+        move |harness: &Harness<'_, App>| harness.query_by_label_contains(text).is_some()
+    };
+    assert!(
+        wait(&mut harness, shown("N = 16: error ")),
+        "the error of the default"
+    );
     let before = picture(&harness);
     enter(&mut harness, "Light 1 samples", 1.0);
     assert!(picture(&harness) != before);
-    assert!(wait(&mut harness, shown("N = 1: error ")), "the error of one point");
+    assert!(
+        wait(&mut harness, shown("N = 1: error ")),
+        "the error of one point"
+    );
     choose(&mut harness, "Light 1 shape", "sphere");
     assert!(
-        harness.query_by_role_and_label(Role::SpinButton, "Light 1 extent width").is_none(),
+        harness
+            .query_by_role_and_label(Role::SpinButton, "Light 1 extent width")
+            .is_none(),
         "a sphere has no width"
     );
     enter(&mut harness, "Light 1 radius", 1.5);
     assert_eq!(scene(&harness).lights[0].radius, 1.5);
     press(&mut harness, "Light 1 mute");
-    assert!(wait(&mut harness, shown("does not reach the picture")), "a muted light has no error");
+    assert!(
+        wait(&mut harness, shown("does not reach the picture")),
+        "a muted light has no error"
+    );
 }
 
 #[test]
 fn microfacets_have_a_roughness_instead_of_n() {
     let mut harness = window("sphere");
-    let is_there = |harness: &Harness<'_, App>, name| harness.query_by_role_and_label(Role::Slider, name).is_some();
+    let is_there = |harness: &Harness<'_, App>, name| {
+        harness
+            .query_by_role_and_label(Role::Slider, name)
+            .is_some()
+    };
     assert!(is_there(&harness, "n specular exponent") && !is_there(&harness, "m roughness"));
     choose(&mut harness, "Reflection model", "Cook–Torrance  D·G");
     assert!(!is_there(&harness, "n specular exponent") && is_there(&harness, "m roughness"));
@@ -331,11 +455,18 @@ fn another_model_with_an_equally_wide_highlight_is_one_step() {
     let before = scene(&harness).clone();
     press(&mut harness, "Match with Blinn's n");
     assert_eq!(scene(&harness).reflection.model, ReflectionModel::Blinn);
-    assert!((scene(&harness).material.n / before.material.n - 4.0).abs() < 0.1, "n = {}", scene(&harness).material.n);
+    assert!(
+        (scene(&harness).material.n / before.material.n - 4.0).abs() < 0.1,
+        "n = {}",
+        scene(&harness).material.n
+    );
     undo(&mut harness);
     assert_eq!(*scene(&harness), before);
     press(&mut harness, "Match with a roughness");
-    assert_eq!(scene(&harness).reflection.model, ReflectionModel::CookTorrance);
+    assert_eq!(
+        scene(&harness).reflection.model,
+        ReflectionModel::CookTorrance
+    );
 }
 
 #[test]
@@ -344,7 +475,11 @@ fn the_reflectance_of_a_metal_changes_the_picture() {
         choice_changes_the_picture("sphere", &[], "W reflectance by angle", entry);
     }
     let mut harness = window("sphere");
-    assert!(harness.query_by_role_and_label(Role::SpinButton, "k extinction red").is_none());
+    assert!(
+        harness
+            .query_by_role_and_label(Role::SpinButton, "k extinction red")
+            .is_none()
+    );
     choose(&mut harness, "W reflectance by angle", "custom η and k");
     let before = picture(&harness);
     enter(&mut harness, "k extinction red", 4.0);
@@ -370,16 +505,31 @@ fn a_pattern_and_a_highlight_colour_change_the_picture() {
 fn transparency_and_surroundings_unfold() {
     let mut harness = window("sphere");
     assert!(
-        harness.query_by_role_and_label(Role::SpinButton, "Kt transparency").is_none(),
+        harness
+            .query_by_role_and_label(Role::SpinButton, "Kt transparency")
+            .is_none(),
         "the section is folded at first"
     );
     unfold(&mut harness, "Transparency");
     let index = harness.get_by_role_and_label(Role::SpinButton, "η relative index");
-    assert!(index.accesskit_node().is_disabled(), "nothing is transmitted");
+    assert!(
+        index.accesskit_node().is_disabled(),
+        "nothing is transmitted"
+    );
     enter(&mut harness, "Kt transparency", 0.5);
     enter(&mut harness, "η relative index", 1.33);
-    assert_eq!((scene(&harness).transparency.kt, scene(&harness).transparency.ior), (0.5, 1.33));
-    assert!(harness.query_by_role_and_label(Role::Button, "Transmitted in the equation").is_some());
+    assert_eq!(
+        (
+            scene(&harness).transparency.kt,
+            scene(&harness).transparency.ior
+        ),
+        (0.5, 1.33)
+    );
+    assert!(
+        harness
+            .query_by_role_and_label(Role::Button, "Transmitted in the equation")
+            .is_some()
+    );
     unfold(&mut harness, "Surroundings");
     press(&mut harness, "Shadows on");
     press(&mut harness, "Ground on");
@@ -400,7 +550,10 @@ fn a_named_material_is_one_step() {
     let before = scene(&harness).clone();
     press(&mut harness, "Materials");
     press(&mut harness, "Gold");
-    assert_eq!(scene(&harness).material.ka, Rgb::new(0.24725, 0.1995, 0.0745));
+    assert_eq!(
+        scene(&harness).material.ka,
+        Rgb::new(0.24725, 0.1995, 0.0745)
+    );
     assert_eq!(scene(&harness).material.n, 51.2);
     undo(&mut harness);
     assert_eq!(*scene(&harness), before);
@@ -412,7 +565,11 @@ fn the_pixels_above_one_are_counted() {
     enter(&mut harness, "Light 1 intensity red", 0.5);
     assert!(harness.query_by_label("No pixel is above 1").is_some());
     enter(&mut harness, "Light 1 intensity red", 3.0);
-    assert!(harness.query_by_label_contains("pixels are above 1").is_some());
+    assert!(
+        harness
+            .query_by_label_contains("pixels are above 1")
+            .is_some()
+    );
 }
 
 #[test]
@@ -421,15 +578,31 @@ fn a_spot_lights_arrow_is_dragged() {
     choose(&mut harness, "Light 1 kind", "spot");
     let before = scene(&harness).clone();
     // The light has been aimed at the camera's target, so that its arrow ends in the picture's middle.
-    let middle = harness.get_by_role_and_label(Role::Image, "Picture, phong shading").rect().center();
+    let middle = harness
+        .get_by_role_and_label(Role::Image, "Picture, phong shading")
+        .rect()
+        .center();
     drag(&mut harness, middle, middle + vec2(60.0, 20.0));
     let turned = scene(&harness).clone();
-    assert!(turned.lights[0].direction.angle_between(before.lights[0].direction) > 0.02, "the arrow was turned");
-    assert_eq!((turned.camera, turned.lights[0].position), (before.camera.clone(), before.lights[0].position));
+    assert!(
+        turned.lights[0]
+            .direction
+            .angle_between(before.lights[0].direction)
+            > 0.02,
+        "the arrow was turned"
+    );
+    assert_eq!(
+        (turned.camera, turned.lights[0].position),
+        (before.camera.clone(), before.lights[0].position)
+    );
     undo(&mut harness);
     assert_eq!(*scene(&harness), before, "a drag is one step");
     // Beside the handles the camera turns.
-    drag(&mut harness, middle - vec2(0.0, 150.0), middle - vec2(50.0, 150.0));
+    drag(
+        &mut harness,
+        middle - vec2(0.0, 150.0),
+        middle - vec2(50.0, 150.0),
+    );
     assert_eq!(scene(&harness).lights, before.lights);
     assert!(scene(&harness).camera != before.camera);
 }
@@ -437,24 +610,41 @@ fn a_spot_lights_arrow_is_dragged() {
 #[test]
 fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_their_own() {
     let mut harness = window("torus");
-    harness.get_by_role_and_label(Role::Tab, "Compare").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Tab, "Compare")
+        .click_accesskit();
     harness.run();
     harness.key_press(Key::K);
     harness.run();
     assert_eq!(scene(&harness).compare.view, CompareView::Panes);
-    assert_eq!(scene(&harness).compare.panes, [Pane::of(&["shading.mode=exact"])]);
-    assert!(harness.query_by_role_and_label(Role::Button, "2 Exact").is_some());
+    assert_eq!(
+        scene(&harness).compare.panes,
+        [Pane::of(&["shading.mode=exact"])]
+    );
+    assert!(
+        harness
+            .query_by_role_and_label(Role::Button, "2 Exact")
+            .is_some()
+    );
     let phong = picture(&harness);
     harness.key_press(Key::N);
     harness.run();
     assert_eq!(harness.state().state().panes.active, 1);
-    assert!(picture(&harness) != phong, "the active pane is the exact one");
+    assert!(
+        picture(&harness) != phong,
+        "the active pane is the exact one"
+    );
     // The mode is this pane's own; Kd is everyone's.
     harness.key_press(Key::Num3);
     harness.run();
-    assert_eq!(scene(&harness).compare.panes, [Pane::of(&["shading.mode=gouraud"])]);
+    assert_eq!(
+        scene(&harness).compare.panes,
+        [Pane::of(&["shading.mode=gouraud"])]
+    );
     assert_eq!(scene(&harness).shading.mode, ShadingMode::Phong);
-    harness.get_by_role_and_label(Role::Slider, "Kd diffuse coefficient").set_value_accesskit(0.25);
+    harness
+        .get_by_role_and_label(Role::Slider, "Kd diffuse coefficient")
+        .set_value_accesskit(0.25);
     harness.run();
     assert_eq!(scene(&harness).material.kd, Rgb::splat(0.25));
     press(&mut harness, "shading.mode=gouraud  ×");
@@ -472,9 +662,15 @@ fn the_line_of_a_wipe_is_dragged_in_one_step() {
     harness.key_press(Key::K);
     harness.run();
     assert_eq!(scene(&harness).compare.view, CompareView::Wipe);
-    let picture = harness.get_by_role_and_label(Role::Image, "Picture, flat shading").rect();
+    let picture = harness
+        .get_by_role_and_label(Role::Image, "Picture, flat shading")
+        .rect();
     let from = picture.center_top() + vec2(0.0, 30.0);
-    drag(&mut harness, from, from + vec2(-0.25 * picture.width(), 60.0));
+    drag(
+        &mut harness,
+        from,
+        from + vec2(-0.25 * picture.width(), 60.0),
+    );
     let wipe = scene(&harness).compare.wipe;
     assert!((wipe - 0.25).abs() < 0.01, "{wipe}");
     undo(&mut harness);
@@ -484,14 +680,21 @@ fn the_line_of_a_wipe_is_dragged_in_one_step() {
 #[test]
 fn the_probe_jumps_to_the_greatest_difference() {
     let mut harness = window("flat-facets");
-    harness.get_by_role_and_label(Role::Tab, "Compare").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Tab, "Compare")
+        .click_accesskit();
     for _ in 0..3 {
         harness.key_press(Key::K);
         harness.run();
     }
     assert_eq!(scene(&harness).compare.view, CompareView::Difference);
     let before = harness.state().state().probe;
-    harness.get_by(|node| node.label().is_some_and(|label| label.starts_with("pixel "))).click_accesskit();
+    harness
+        .get_by(|node| {
+            node.label()
+                .is_some_and(|label| label.starts_with("pixel "))
+        })
+        .click_accesskit();
     harness.run();
     assert_ne!(harness.state().state().probe, before);
 }
@@ -500,23 +703,36 @@ fn the_probe_jumps_to_the_greatest_difference() {
 fn depth_cueing_unfolds_and_keeps_its_depths_in_order() {
     let mut harness = window("sphere");
     let plain = picture(&harness);
-    let front =
-        |harness: &Harness<'_, App>| harness.query_by_role_and_label(Role::SpinButton, "z start of fading").is_some();
+    let front = |harness: &Harness<'_, App>| {
+        harness
+            .query_by_role_and_label(Role::SpinButton, "z start of fading")
+            .is_some()
+    };
     assert!(!front(&harness), "it is off");
     choose(&mut harness, "Depth cueing", "at pixels");
     assert!(front(&harness) && picture(&harness) != plain);
     assert!(harness.query_all_by_label("Depth in the equation").count() > 0);
     enter(&mut harness, "z start of fading", 6.0);
     let cueing = scene(&harness).depth_cueing;
-    assert!(cueing.front == 6.0 && cueing.back > 6.0, "the back is pushed: {cueing:?}");
+    assert!(
+        cueing.front == 6.0 && cueing.back > 6.0,
+        "the back is pushed: {cueing:?}"
+    );
     enter(&mut harness, "z end of fading", 4.5);
     let cueing = scene(&harness).depth_cueing;
-    assert!(cueing.back == 4.5 && cueing.front < 4.5, "the front is pushed: {cueing:?}");
+    assert!(
+        cueing.back == 4.5 && cueing.front < 4.5,
+        "the front is pushed: {cueing:?}"
+    );
     enter(&mut harness, "s0 remaining intensity at the back", 0.25);
     enter(&mut harness, "Idc fading colour blue", 0.5);
     assert_eq!(scene(&harness).validate(), Ok(()));
     // The probe says what is left.
-    assert!(harness.query_by_label_contains("depth cueing at the probe").is_some());
+    assert!(
+        harness
+            .query_by_label_contains("depth cueing at the probe")
+            .is_some()
+    );
     // A list whose entry was chosen without a pointer stays open.
     press(&mut harness, "at vertices");
     press_key_for_every_mode(&mut harness);
@@ -537,7 +753,9 @@ fn press_key_for_every_mode(harness: &mut Harness<'_, App>) {
 fn pointing_at_a_vertex_lights_up_its_faces() {
     let mut harness = window("vertex-normals");
     // The tab that the scene opens has pictures of its own.
-    harness.get_by_role_and_label(Role::Tab, "Equation").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Tab, "Equation")
+        .click_accesskit();
     // From its panes by way of wipe and difference to one picture.
     for _ in 0..3 {
         harness.key_press(Key::K);
@@ -549,17 +767,27 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     let (rect, before) = (harness.get_by_role(Role::Image).rect(), picture(&harness));
     let at = |harness: &Harness<'_, App>, point: DVec3| {
         let size = [rect.width() as u32, rect.height() as u32];
-        let (pixel, _) = View::new(&scene(harness).camera, size).project(point).expect("before the eye");
+        let (pixel, _) = View::new(&scene(harness).camera, size)
+            .project(point)
+            .expect("before the eye");
         rect.min + vec2(pixel.x as f32, pixel.y as f32)
     };
     // The ridge in the middle of the sheet's upper border.
     let field = |harness: &Harness<'_, App>| {
         let object = &scene(harness).object;
-        NormalField::of_mesh(Arc::new(tessellate(object)), object.normals, object.weighting)
+        NormalField::of_mesh(
+            Arc::new(tessellate(object)),
+            object.normals,
+            object.weighting,
+        )
     };
     let sheet = field(&harness);
-    let upper = (0..sheet.vertex_count() as u32).filter_map(|v| sheet.vertex(v)).filter(|v| v.position.y > 0.6);
-    let middle = upper.min_by(|a, b| a.position.x.abs().total_cmp(&b.position.x.abs())).expect("a vertex");
+    let upper = (0..sheet.vertex_count() as u32)
+        .filter_map(|v| sheet.vertex(v))
+        .filter(|v| v.position.y > 0.6);
+    let middle = upper
+        .min_by(|a, b| a.position.x.abs().total_cmp(&b.position.x.abs()))
+        .expect("a vertex");
     let place = at(&harness, middle.position);
     harness.hover_at(place);
     harness.run();
@@ -586,14 +814,19 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     choose(&mut harness, "Weighting", "by area");
     assert_eq!(lit(&harness), Some(middle.vertex));
     choose(&mut harness, "Vertex normals", "true surface's");
-    let other = lit(&harness).and_then(|vertex| field(&harness).vertex(vertex)).expect("still lit");
+    let other = lit(&harness)
+        .and_then(|vertex| field(&harness).vertex(vertex))
+        .expect("still lit");
     assert_eq!(other.position, middle.position);
     harness.key_press(Key::M);
     harness.run();
     assert_eq!(lit(&harness), None, "hidden with the normals");
     undo(&mut harness);
     undo(&mut harness);
-    assert!(picture(&harness) == before, "needles are no part of the picture");
+    assert!(
+        picture(&harness) == before,
+        "needles are no part of the picture"
+    );
 }
 
 #[test]
@@ -601,17 +834,41 @@ fn a_new_light_goes_where_it_is_seen_and_no_other_is() {
     for name in ["sphere", "spotlight"] {
         let mut harness = window(name);
         for count in scene(&harness).lights.len() + 1..14 {
-            press(&mut harness, if count < 8 { "Add a light" } else { "Duplicate this light" });
+            press(
+                &mut harness,
+                if count < 8 {
+                    "Add a light"
+                } else {
+                    "Duplicate this light"
+                },
+            );
             let Scene { lights, camera, .. } = scene(&harness);
             assert_eq!(lights.len(), count);
-            let size = [harness.state().frame().width, harness.state().frame().height];
-            let at = |light: &Light| View::new(camera, size).project(light.position).map(|(pixel, _)| pixel);
+            let size = [
+                harness.state().frame().width,
+                harness.state().frame().height,
+            ];
+            let at = |light: &Light| {
+                View::new(camera, size)
+                    .project(light.position)
+                    .map(|(pixel, _)| pixel)
+            };
             let added = at(&lights[count - 1]).expect("before the eye");
-            let inside = added.cmpgt(DVec2::ZERO).all() && added.cmplt(DVec2::from_array(size.map(f64::from))).all();
-            assert!(inside, "light {count} is out of sight at {added} of {size:?}");
-            let nearest =
-                lights[..count - 1].iter().filter_map(at).map(|at| at.distance(added)).fold(f64::MAX, f64::min);
-            assert!(nearest > 16.0, "light {count} is {nearest} pixels from another");
+            let inside = added.cmpgt(DVec2::ZERO).all()
+                && added.cmplt(DVec2::from_array(size.map(f64::from))).all();
+            assert!(
+                inside,
+                "light {count} is out of sight at {added} of {size:?}"
+            );
+            let nearest = lights[..count - 1]
+                .iter()
+                .filter_map(at)
+                .map(|at| at.distance(added))
+                .fold(f64::MAX, f64::min);
+            assert!(
+                nearest > 16.0,
+                "light {count} is {nearest} pixels from another"
+            );
         }
     }
 }
@@ -622,9 +879,16 @@ fn a_light_from_afar_is_doubled_to_another_direction() {
     for _ in 0..12 {
         press(&mut harness, "Duplicate this light");
     }
-    let directions: Vec<DVec3> = scene(&harness).lights.iter().map(|light| light.direction.normalize()).collect();
+    let directions: Vec<DVec3> = scene(&harness)
+        .lights
+        .iter()
+        .map(|light| light.direction.normalize())
+        .collect();
     let close = |i: usize, j: usize| directions[i].dot(directions[j]) > 0.9999;
-    assert!((0..directions.len()).all(|i| (0..i).all(|j| !close(i, j))), "{directions:?}");
+    assert!(
+        (0..directions.len()).all(|i| (0..i).all(|j| !close(i, j))),
+        "{directions:?}"
+    );
 }
 
 /// What is stored between two sessions, in memory.
@@ -658,31 +922,65 @@ fn look_from(stored: &Look) -> Look {
     let mut storage = Stored::default();
     eframe::set_value(&mut storage, "look", &Kept { look: stored });
     let loaded = load(Path::new("teapot")).expect("a built-in scene");
-    let mut harness = Harness::builder().with_size([900.0, 600.0]).build_eframe(|cc| {
-        cc.storage = Some(&storage);
-        App::new(cc, loaded)
-    });
+    let mut harness = Harness::builder()
+        .with_size([900.0, 600.0])
+        .build_eframe(|cc| {
+            cc.storage = Some(&storage);
+            App::new(cc, loaded)
+        });
     harness.run();
     harness.state().state().look.clone()
 }
 
 #[test]
 fn what_was_stored_is_put_right_field_by_field() {
-    let usual = Look { tab: NumbersTab::Profile, stages: false, ..Look::default() };
+    let usual = Look {
+        tab: NumbersTab::Profile,
+        stages: false,
+        ..Look::default()
+    };
     for scale in [0.0, -3.0, 0.01, 3.0, 1e30, f32::INFINITY, f32::NAN] {
-        assert_eq!(look_from(&Look { scale, ..usual.clone() }), usual, "{scale}");
+        assert_eq!(
+            look_from(&Look {
+                scale,
+                ..usual.clone()
+            }),
+            usual,
+            "{scale}"
+        );
     }
     for wrong in [0.0, -1.0, 1e300, f64::INFINITY, f64::NAN] {
-        let mut stored = Look { scale: 1.25, ..usual.clone() };
+        let mut stored = Look {
+            scale: 1.25,
+            ..usual.clone()
+        };
         let profile = &mut stored.profile;
         profile.modes = [ShadingMode::Phong, ShadingMode::Gouraud].repeat(20);
         (profile.viewing.distance, profile.viewing.density) = (wrong, wrong);
         let perception = &mut profile.perception;
-        (perception.centre, perception.surround, perception.saturation) = (wrong, wrong, wrong);
+        (
+            perception.centre,
+            perception.surround,
+            perception.saturation,
+        ) = (wrong, wrong, wrong);
         perception.weight = if wrong == 0.0 { f64::NAN } else { wrong };
-        assert_eq!(look_from(&stored), Look { scale: 1.25, ..usual.clone() }, "{wrong}");
+        assert_eq!(
+            look_from(&stored),
+            Look {
+                scale: 1.25,
+                ..usual.clone()
+            },
+            "{wrong}"
+        );
     }
-    let sound = Look { scale: 2.5, profile: ProfileLook { perceived: true, ..ProfileLook::default() }, ..usual };
+    let sound = Look {
+        scale: 2.5,
+        profile: ProfileLook {
+            perceived: true,
+            ..ProfileLook::default()
+        },
+        ..usual
+    };
     assert_eq!(look_from(&sound), sound, "what is within bounds stays");
 }
 
@@ -691,18 +989,25 @@ fn what_a_screen_reader_sends_is_kept_within_bounds() {
     let mut harness = window("sphere");
     for role in [Role::Slider, Role::SpinButton] {
         for name in ["Kd diffuse coefficient", "n specular exponent", "Segments"] {
-            harness.get_by_role_and_label(role, name).set_value_accesskit(f64::NAN);
+            harness
+                .get_by_role_and_label(role, name)
+                .set_value_accesskit(f64::NAN);
             harness.run();
             assert_eq!(scene(&harness).validate(), Ok(()), "{name}");
             let mut shapes = harness.output().shapes.iter().map(|clipped| &clipped.shape);
             // An empty text has no bounds.
             let drawn = |shape: &&Shape| !matches!(shape, Shape::Text(_));
-            let broken = shapes.find(|shape| drawn(shape) && shape.visual_bounding_rect().any_nan());
+            let broken =
+                shapes.find(|shape| drawn(shape) && shape.visual_bounding_rect().any_nan());
             assert!(broken.is_none(), "{name} draws {broken:?}");
         }
     }
-    harness.get_by_role_and_label(Role::SpinButton, "Roll").set_value_accesskit(f64::NEG_INFINITY);
-    harness.get_by_role_and_label(Role::Tab, "Defects").click_accesskit();
+    harness
+        .get_by_role_and_label(Role::SpinButton, "Roll")
+        .set_value_accesskit(f64::NEG_INFINITY);
+    harness
+        .get_by_role_and_label(Role::Tab, "Defects")
+        .click_accesskit();
     harness.run();
     assert_eq!(scene(&harness).validate(), Ok(()));
 }

@@ -57,7 +57,11 @@ impl Question for BenchQuestion {
     type Answer = Bench;
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Bench>) -> Result<Bench, String> {
-        let more = if self.growth { growth::most_frames(self.frames) } else { 0 };
+        let more = if self.growth {
+            growth::most_frames(self.frames)
+        } else {
+            0
+        };
         let total = u64::from(self.frames) * (1 + CHANGES.len() as u64) + more;
         let done = Cell::new(0_u64);
         #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
@@ -65,8 +69,13 @@ impl Question for BenchQuestion {
             done.set(done.get() + 1);
             watch.at(done.get() as f32 / total as f32);
         };
-        let growth = self.growth.then(|| growth::measure(subject, self.frames, &count));
-        Ok(Bench { growth, ..measure(subject, self.frames, &count) })
+        let growth = self
+            .growth
+            .then(|| growth::measure(subject, self.frames, &count));
+        Ok(Bench {
+            growth,
+            ..measure(subject, self.frames, &count)
+        })
     }
 }
 
@@ -87,7 +96,11 @@ pub const CHANGES: [(&str, Change); 5] = [
     }),
     ("n", |scene, step| {
         let n = &mut scene.material.n;
-        *n = if n.is_finite() { *n * 0.9 + 0.1 * step } else { 1000.0 + step };
+        *n = if n.is_finite() {
+            *n * 0.9 + 0.1 * step
+        } else {
+            1000.0 + step
+        };
         Some(())
     }),
     ("ka", |scene, step| {
@@ -104,7 +117,11 @@ pub const CHANGES: [(&str, Change); 5] = [
         // The teapot and the cube are cut anew at every fourth segment only.
         let (object, more) = (&mut scene.object, 4 * step as u32);
         let finer = object.segments + more;
-        object.segments = if finer <= Object::MAX_DIVISIONS { finer } else { object.segments - more };
+        object.segments = if finer <= Object::MAX_DIVISIONS {
+            finer
+        } else {
+            object.segments - more
+        };
         (object.kind != ObjectKind::Obj).then_some(())
     }),
 ];
@@ -130,13 +147,17 @@ impl Panes {
             renderer.keep_linear(shown > 1);
             renderer
         };
-        Self { renderers: (0..shown).map(renderer).collect(), clock: subject.clock }
+        Self {
+            renderers: (0..shown).map(renderer).collect(),
+            clock: subject.clock,
+        }
     }
 
     /// Draws all panes, their sides divided by `coarser`, and says how long that took.
     fn draw(&mut self, scene: &Scene, coarser: u32) -> u64 {
         let mut time = 0;
-        for ((index, size), renderer) in panes_on_sheet(scene).into_iter().zip(&mut self.renderers) {
+        for ((index, size), renderer) in panes_on_sheet(scene).into_iter().zip(&mut self.renderers)
+        {
             let mut shown = scene.pane(index).unwrap_or_else(|_| scene.clone());
             shown.image.size = coarser_size(size, coarser);
             let began = (self.clock)();
@@ -148,7 +169,10 @@ impl Panes {
 
     /// The first one's figures.
     fn figures(&self) -> (Drawn, Memory) {
-        self.renderers.first().map(|first| (first.report().clone(), first.memory())).unwrap_or_default()
+        self.renderers
+            .first()
+            .map(|first| (first.report().clone(), first.memory()))
+            .unwrap_or_default()
     }
 
     /// The median time of a frame in which only `change` differs from the frame before, milliseconds.
@@ -182,7 +206,10 @@ fn measure(subject: &Subject, frames: u32, count: &dyn Fn()) -> Bench {
         let time = panes.draw(scene, 1);
         if frame >= WARM_UP {
             times.push(time);
-            panes.renderers.iter().for_each(|renderer| stages.add(renderer.report()));
+            panes
+                .renderers
+                .iter()
+                .for_each(|renderer| stages.add(renderer.report()));
             count();
         }
     }
@@ -194,7 +221,13 @@ fn measure(subject: &Subject, frames: u32, count: &dyn Fn()) -> Bench {
         if changed.triangles == drawn.triangles && held.total() > memory.total() {
             memory = held;
         }
-        (name, whole.map(|whole| Changed { whole, dragged: dragged(subject, change, whole, frames) }))
+        (
+            name,
+            whole.map(|whole| Changed {
+                whole,
+                dragged: dragged(subject, change, whole, frames),
+            }),
+        )
     });
     Bench {
         full: median_ms(&mut times),
@@ -218,7 +251,8 @@ fn dragged(subject: &Subject, change: Change, whole: f64, frames: u32) -> (u32, 
             return (coarser, ms);
         }
         coarser = next;
-        let measured = Panes::new(subject).measure_change(&subject.scene, change, coarser, frames, &|| ());
+        let measured =
+            Panes::new(subject).measure_change(&subject.scene, change, coarser, frames, &|| ());
         ms = measured.unwrap_or(ms);
     }
 }
@@ -239,7 +273,10 @@ impl StageTimes {
 
     /// In milliseconds.
     pub fn medians(self) -> Vec<(Stage, f64)> {
-        self.0.into_iter().map(|(stage, mut times)| (stage, median_ms(&mut times))).collect()
+        self.0
+            .into_iter()
+            .map(|(stage, mut times)| (stage, median_ms(&mut times)))
+            .collect()
     }
 }
 
@@ -268,8 +305,15 @@ impl Bench {
 
 impl Answer for Bench {
     fn report(&self, about: &About<'_>) -> Report {
-        let Drawn { triangles, covered, .. } = self.drawn;
-        let (evaluations, Self { threads, frames, .. }) = (self.evaluations(), self);
+        let Drawn {
+            triangles, covered, ..
+        } = self.drawn;
+        let (
+            evaluations,
+            Self {
+                threads, frames, ..
+            },
+        ) = (self.evaluations(), self);
         let mut report = Report::new(format!(
             "{}, {triangles} triangles, {covered} pixels covered, {evaluations} evaluations\n\
              {threads} threads, median of {frames} frames, ms",
@@ -281,20 +325,36 @@ impl Answer for Bench {
             Column::both("dragged_ms", "while dragged", fixed::<3>),
             Column::both("coarser", "at 1/… of the size", as_it_is),
         ]);
-        times.rows.push(cells!["everything", self.full, None::<f64>, None::<u32>]);
-        times.rows.extend(self.stages.iter().map(|(stage, ms)| cells![word(stage), *ms, None::<f64>, None::<u32>]));
-        times.rows.extend(self.changes.iter().map(|(name, changed)| {
-            let dragged = changed.map(|changed| changed.dragged);
-            let coarser = dragged.map(|(coarser, _)| coarser);
-            cells![format!("{name} changed"), changed.map(|changed| changed.whole), dragged.map(|(_, ms)| ms), coarser]
-        }));
+        times
+            .rows
+            .push(cells!["everything", self.full, None::<f64>, None::<u32>]);
+        times.rows.extend(
+            self.stages
+                .iter()
+                .map(|(stage, ms)| cells![word(stage), *ms, None::<f64>, None::<u32>]),
+        );
+        times
+            .rows
+            .extend(self.changes.iter().map(|(name, changed)| {
+                let dragged = changed.map(|changed| changed.dragged);
+                let coarser = dragged.map(|(coarser, _)| coarser);
+                cells![
+                    format!("{name} changed"),
+                    changed.map(|changed| changed.whole),
+                    dragged.map(|(_, ms)| ms),
+                    coarser
+                ]
+            }));
         report.section("").push(Part::Table(times));
         let memory = report.section("memory, bytes each");
         let each = self.bytes_each(about.scene.image.size);
         for (name, bytes) in ["vertex", "triangle", "pixel"].into_iter().zip(each) {
             memory.quantity(bytes.map_or_else(|| "–".to_owned(), fixed::<1>), name);
         }
-        memory.quantity(format!("{:.1} MB", self.memory.total() as f64 * 1e-6), "in all");
+        memory.quantity(
+            format!("{:.1} MB", self.memory.total() as f64 * 1e-6),
+            "in all",
+        );
         if let Some(growth) = &self.growth {
             growth.describe(&mut report);
         }
@@ -305,7 +365,11 @@ impl Answer for Bench {
         let stage = |(stage, ms): &(Stage, f64)| (word(stage), json!({ "median_ms": ms }));
         let change = |(name, changed): &(&str, Option<Changed>)| {
             let mut figures = json!({ "median_ms": changed.map(|changed| changed.whole) });
-            if let Some(Changed { dragged: (coarser, ms), .. }) = changed {
+            if let Some(Changed {
+                dragged: (coarser, ms),
+                ..
+            }) = changed
+            {
                 figures["dragged"] = json!({ "median_ms": ms, "coarser": coarser });
             }
             ((*name).to_owned(), figures)

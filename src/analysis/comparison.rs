@@ -3,8 +3,8 @@
 mod sheet;
 
 pub use sheet::{
-    DrawnPane, PaneArea, caption, comparison_sheet, difference_picture, difference_scale, draw_panes, pane_areas,
-    pane_figures, panes_on_sheet,
+    DrawnPane, PaneArea, caption, comparison_sheet, difference_picture, difference_scale,
+    draw_panes, pane_areas, pane_figures, panes_on_sheet,
 };
 
 use super::perception::pixel_luminance;
@@ -29,7 +29,11 @@ pub struct LinearPicture<'a> {
 impl LinearPicture<'_> {
     pub(crate) fn color(&self, index: usize) -> [f64; 3] {
         let [r, g, b, _] = self.pixels[index].map(f64::from);
-        if self.clamps { [r, g, b].map(|value| value.min(1.0)) } else { [r, g, b] }
+        if self.clamps {
+            [r, g, b].map(|value| value.min(1.0))
+        } else {
+            [r, g, b]
+        }
     }
 
     fn shows(&self, index: usize) -> bool {
@@ -44,7 +48,10 @@ impl LinearPicture<'_> {
 
     fn at(&self, index: usize) -> [u32; 2] {
         let (index, width) = (index as u64, u64::from(self.width.max(1)));
-        #[expect(clippy::cast_possible_truncation, reason = "sides of pictures are 32 bits")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "sides of pictures are 32 bits"
+        )]
         [(index % width) as u32, (index / width) as u32]
     }
 }
@@ -67,7 +74,9 @@ pub struct ErrorFigures {
 
 /// The error of `picture` against `reference`, which is as large.
 pub fn error_figures(picture: LinearPicture<'_>, reference: LinearPicture<'_>) -> ErrorFigures {
-    error_figures_where(picture, reference, |index| picture.shows(index) || reference.shows(index))
+    error_figures_where(picture, reference, |index| {
+        picture.shows(index) || reference.shows(index)
+    })
 }
 
 /// The same over the pixels that `counts`.
@@ -80,7 +89,8 @@ fn error_figures_where(
     // Of a part the sums in place of the means.
     let part = |chunk: usize| {
         let mut part = ErrorFigures::default();
-        for index in (chunk * CHUNK..count.min((chunk + 1) * CHUNK)).filter(|index| counts(*index)) {
+        for index in (chunk * CHUNK..count.min((chunk + 1) * CHUNK)).filter(|index| counts(*index))
+        {
             part.pixels += 1;
             for difference in picture.differences(&reference, index) {
                 part.mean += difference;
@@ -92,7 +102,10 @@ fn error_figures_where(
         }
         part
     };
-    let parts: Vec<ErrorFigures> = (0..count.div_ceil(CHUNK)).into_par_iter().map(part).collect();
+    let parts: Vec<ErrorFigures> = (0..count.div_ceil(CHUNK))
+        .into_par_iter()
+        .map(part)
+        .collect();
     // Added up in the picture's order, so that the number of threads does not matter.
     let mut total = ErrorFigures::default();
     for part in parts {
@@ -103,9 +116,16 @@ fn error_figures_where(
             (total.greatest, total.at) = (part.greatest, part.at);
         }
     }
-    #[expect(clippy::cast_precision_loss, reason = "pictures have far fewer than 2⁵³ pixels")]
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "pictures have far fewer than 2⁵³ pixels"
+    )]
     let values = (3 * total.pixels).max(1) as f64;
-    ErrorFigures { mean: total.mean / values, rms: (total.rms / values).sqrt(), ..total }
+    ErrorFigures {
+        mean: total.mean / values,
+        rms: (total.rms / values).sqrt(),
+        ..total
+    }
 }
 
 /// How far a picture is from another, apart where both show the object and where one alone does. Linear intensity.
@@ -123,12 +143,32 @@ pub struct RegionErrors {
 
 /// The errors of `picture` against `reference`, which is as large. What is inside is what `inside` says, as far as both show
 /// the object there.
-pub fn region_errors(picture: LinearPicture<'_>, reference: LinearPicture<'_>, inside: &[bool]) -> RegionErrors {
-    let count = picture.pixels.len().min(reference.pixels.len()).min(inside.len());
-    let interior = |index: usize| index < count && inside[index] && picture.shows(index) && reference.shows(index);
-    let outline = error_figures_where(picture, reference, |index| picture.shows(index) != reference.shows(index));
-    let greatest = |index| picture.differences(&reference, index).into_iter().fold(0.0, f64::max);
-    let mut greatest: Vec<f64> = (0..count).filter(|index| interior(*index)).map(greatest).collect();
+pub fn region_errors(
+    picture: LinearPicture<'_>,
+    reference: LinearPicture<'_>,
+    inside: &[bool],
+) -> RegionErrors {
+    let count = picture
+        .pixels
+        .len()
+        .min(reference.pixels.len())
+        .min(inside.len());
+    let interior = |index: usize| {
+        index < count && inside[index] && picture.shows(index) && reference.shows(index)
+    };
+    let outline = error_figures_where(picture, reference, |index| {
+        picture.shows(index) != reference.shows(index)
+    });
+    let greatest = |index| {
+        picture
+            .differences(&reference, index)
+            .into_iter()
+            .fold(0.0, f64::max)
+    };
+    let mut greatest: Vec<f64> = (0..count)
+        .filter(|index| interior(*index))
+        .map(greatest)
+        .collect();
     #[expect(clippy::cast_precision_loss, reason = "far fewer pixels than 2⁵³")]
     let rank = (0.99 * greatest.len() as f64).ceil() as usize;
     let percentile_99 = match rank.checked_sub(1) {
@@ -153,10 +193,28 @@ pub struct Brightest {
 
 /// The brightest pixel that shows the object, the first of equal ones.
 pub fn brightest(picture: LinearPicture<'_>) -> Option<Brightest> {
-    let seen = picture.pixels.par_iter().enumerate().with_min_len(CHUNK).filter(|(_, pixel)| pixel[3] > 0.0);
-    let values = seen.map(|(index, pixel)| (pixel_luminance(pixel), index)).filter(|(value, _)| !value.is_nan());
-    let brighter = |a: (f64, usize), b: (f64, usize)| if b.0 > a.0 || (b.0 == a.0 && b.1 < a.1) { b } else { a };
-    values.reduce_with(brighter).map(|(value, index)| Brightest { value, at: picture.at(index) })
+    let seen = picture
+        .pixels
+        .par_iter()
+        .enumerate()
+        .with_min_len(CHUNK)
+        .filter(|(_, pixel)| pixel[3] > 0.0);
+    let values = seen
+        .map(|(index, pixel)| (pixel_luminance(pixel), index))
+        .filter(|(value, _)| !value.is_nan());
+    let brighter = |a: (f64, usize), b: (f64, usize)| {
+        if b.0 > a.0 || (b.0 == a.0 && b.1 < a.1) {
+            b
+        } else {
+            a
+        }
+    };
+    values
+        .reduce_with(brighter)
+        .map(|(value, index)| Brightest {
+            value,
+            at: picture.at(index),
+        })
 }
 
 /// What a caption says of a pane.
@@ -179,15 +237,31 @@ pub struct Comparison(pub Vec<PaneFigures>);
 impl Question for ComparisonQuestion {
     type Answer = Comparison;
 
-    fn answer(&self, subject: &Subject, watch: &dyn Watch<Comparison>) -> Result<Comparison, String> {
+    fn answer(
+        &self,
+        subject: &Subject,
+        watch: &dyn Watch<Comparison>,
+    ) -> Result<Comparison, String> {
         let scene = &subject.scene;
         if scene.compare.panes.is_empty() {
-            return Err("nothing to compare with, expected --pane KEY=VALUE or a scene with panes".to_owned());
+            return Err(
+                "nothing to compare with, expected --pane KEY=VALUE or a scene with panes"
+                    .to_owned(),
+            );
         }
-        let which: Vec<_> = (0..scene.pane_count()).map(|index| (index, scene.image.size)).collect();
+        let which: Vec<_> = (0..scene.pane_count())
+            .map(|index| (index, scene.image.size))
+            .collect();
         let mut progress = |done: u32| watch.at(done as f32 / which.len() as f32);
         let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), String>(());
-        let panes = draw_panes(&mut subject.renderer(), scene, &which, 1, &mut progress, nothing)?;
+        let panes = draw_panes(
+            &mut subject.renderer(),
+            scene,
+            &which,
+            1,
+            &mut progress,
+            nothing,
+        )?;
         Ok(Comparison(pane_figures(&panes)))
     }
 }
@@ -196,7 +270,9 @@ impl Answer for Comparison {
     fn report(&self, about: &About<'_>) -> Report {
         let reference = self.0.last().map_or("", |last| last.name.as_str());
         let mut report = Report::new(format!("{}, against {reference}", about.heading()));
-        report.section("").note("Linear intensity: 1 is white, 1/255 = 0.0039 a code value");
+        report
+            .section("")
+            .note("Linear intensity: 1 is white, 1/255 = 0.0039 a code value");
         let mut table = Table::new([
             Column::both("pane", "pane", as_it_is),
             Column::both("brightest", "brightest", fixed::<4>),
@@ -210,7 +286,12 @@ impl Answer for Comparison {
             Column::key("x"),
             Column::key("y"),
         ]);
-        for PaneFigures { name, brightest, error } in &self.0 {
+        for PaneFigures {
+            name,
+            brightest,
+            error,
+        } in &self.0
+        {
             let (peak, at) = (brightest.map(|b| b.at), error.and_then(|e| e.at));
             table.rows.push(cells![
                 name.as_str(),

@@ -6,8 +6,8 @@
 use super::probe::{attenuation_law, clearest_pixel, exponent, probe};
 use super::report::{About, Answer, Part, Report};
 use super::{
-    Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Probe, ProbeHit, Question, ReflectionLobe, Subject, Tag,
-    Watch,
+    Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Probe, ProbeHit, Question,
+    ReflectionLobe, Subject, Tag, Watch,
 };
 pub(crate) use crate::figure::short;
 use crate::illumination::{Index, attenuation_at, half_width};
@@ -63,8 +63,15 @@ impl Curves {
     /// The plots that have something to say for `probe`, of a picture of `scene` that `renderer` has drawn, and a light.
     pub fn new(renderer: &Renderer, scene: &Scene, probe: &Probe, light: usize) -> Self {
         let plot = |kind| plot(kind, renderer, scene, probe, light);
-        let plots = shown_kinds(scene, light).into_iter().filter_map(plot).collect();
-        Self { pixel: probe.pixel, light, plots }
+        let plots = shown_kinds(scene, light)
+            .into_iter()
+            .filter_map(plot)
+            .collect();
+        Self {
+            pixel: probe.pixel,
+            light,
+            plots,
+        }
     }
 }
 
@@ -80,26 +87,44 @@ impl Question for CurvesQuestion {
         let (pixel, count) = (probed.pixel, scene.lights.len());
         let light = match self.light {
             Some(light) if light >= count => {
-                let expected = if count == 0 { "no light at all".into() } else { format!("0 to {}", count - 1) };
-                return Err(format!("--light {light}: no such light in the scene, which has {expected}"));
+                let expected = if count == 0 {
+                    "no light at all".into()
+                } else {
+                    format!("0 to {}", count - 1)
+                };
+                return Err(format!(
+                    "--light {light}: no such light in the scene, which has {expected}"
+                ));
             }
             Some(light) => light,
             None => {
                 let hit = probed.hit.as_ref();
-                hit.and_then(|hit| hit.lights.iter().position(|terms| terms.n_dot_l > 0.0)).unwrap_or(0)
+                hit.and_then(|hit| hit.lights.iter().position(|terms| terms.n_dot_l > 0.0))
+                    .unwrap_or(0)
             }
         };
-        let Some(kind) = self.kind else { return Ok(Curves::new(&renderer, scene, &probed, light)) };
+        let Some(kind) = self.kind else {
+            return Ok(Curves::new(&renderer, scene, &probed, light));
+        };
         let [x, y] = pixel;
         let missing = match (kind, &probed.hit) {
-            (PlotKind::Lobe, None) => format!("pixel {x},{y} shows the background, expected one that shows the object"),
+            (PlotKind::Lobe, None) => {
+                format!("pixel {x},{y} shows the background, expected one that shows the object")
+            }
             (PlotKind::Lobe, Some(_)) if light < count => {
-                format!("light {light} does not reach pixel {x},{y} from the front, expected one that does")
+                format!(
+                    "light {light} does not reach pixel {x},{y} from the front, expected one that does"
+                )
             }
             _ => "the scene has no light, expected one".to_owned(),
         };
         let plot = plot(kind, &renderer, scene, &probed, light);
-        plot.map(|plot| Curves { pixel, light, plots: vec![plot] }).ok_or(missing)
+        plot.map(|plot| Curves {
+            pixel,
+            light,
+            plots: vec![plot],
+        })
+        .ok_or(missing)
     }
 }
 
@@ -120,7 +145,13 @@ impl Answer for Curves {
 
 /// The plot of that kind for `probe`, of a picture of `scene` that `renderer` has drawn, and the light of index `light`.
 /// Nothing where there is nothing to plot: no such light, or for the lobe a light that does not reach the point.
-pub fn plot(kind: PlotKind, renderer: &Renderer, scene: &Scene, probe: &Probe, light: usize) -> Option<Plot> {
+pub fn plot(
+    kind: PlotKind,
+    renderer: &Renderer,
+    scene: &Scene,
+    probe: &Probe,
+    light: usize,
+) -> Option<Plot> {
     let hit = probe.hit.as_ref();
     let terms = hit.and_then(|hit| hit.lights.get(light));
     match kind {
@@ -139,7 +170,10 @@ pub fn plot(kind: PlotKind, renderer: &Renderer, scene: &Scene, probe: &Probe, l
 /// The kinds of plot that have more to say than that nothing varies: W and f only where they do.
 pub fn shown_kinds(scene: &Scene, light: usize) -> Vec<PlotKind> {
     let varies = |kind: &PlotKind| match kind {
-        PlotKind::Attenuation => scene.lights.get(light).is_some_and(|light| effective(light) != Attenuation::None),
+        PlotKind::Attenuation => scene
+            .lights
+            .get(light)
+            .is_some_and(|light| effective(light) != Attenuation::None),
         PlotKind::Reflectance => scene.material.reflectance != Reflectance::Constant,
         PlotKind::Exponent | PlotKind::Lobe => true,
         _ => false,
@@ -151,7 +185,11 @@ pub fn shown_kinds(scene: &Scene, light: usize) -> Vec<PlotKind> {
 /// viewer counts.
 fn effective(light: &Light) -> Attenuation {
     let counts = light.kind.has_position() || light.attenuation == Attenuation::Viewer;
-    if counts { light.attenuation } else { Attenuation::None }
+    if counts {
+        light.attenuation
+    } else {
+        Attenuation::None
+    }
 }
 
 /// An angle in degrees with one decimal.
@@ -161,17 +199,27 @@ fn degrees(radians: f64) -> String {
 
 /// The ink of what is specular.
 fn specular_ink(scene: &Scene) -> Ink {
-    if scene.reflection.model == ReflectionModel::Phong { Ink::R } else { Ink::H }
+    if scene.reflection.model == ReflectionModel::Phong {
+        Ink::R
+    } else {
+        Ink::H
+    }
 }
 
 /// cos θ, 0 at a right angle: there the cosine is 6·10⁻¹⁷ in double precision.
 fn cosine(theta: f64) -> f64 {
-    if theta.abs() >= FRAC_PI_2 - 1e-15 { 0.0 } else { theta.cos() }
+    if theta.abs() >= FRAC_PI_2 - 1e-15 {
+        0.0
+    } else {
+        theta.cos()
+    }
 }
 
 /// Angles from −90° to 90°, radians: even, and finer on both sides of some, each of which comes with its half-width.
 fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
-    let mut angles: Vec<f64> = (-EVEN..=EVEN).map(|i| FRAC_PI_2 * f64::from(i) / f64::from(EVEN)).collect();
+    let mut angles: Vec<f64> = (-EVEN..=EVEN)
+        .map(|i| FRAC_PI_2 * f64::from(i) / f64::from(EVEN))
+        .collect();
     for (middle, half_width) in finer {
         let step = half_width / f64::from(parts);
         let near = (-count..=count).map(|i| middle + step * f64::from(i));
@@ -202,11 +250,17 @@ impl Distances {
         };
         let distance = |point: DVec3| (point - from).length();
         let [width, height] = [renderer.frame().width, renderer.frame().height];
-        let middle = |i: u32, side: u32| (u64::from(2 * i + 1) * u64::from(side) / u64::from(2 * SEARCH)) as u32;
+        let middle = |i: u32, side: u32| {
+            (u64::from(2 * i + 1) * u64::from(side) / u64::from(2 * SEARCH)) as u32
+        };
         let pixels = (0..SEARCH).flat_map(|y| (0..SEARCH).map(move |x| (x, y)));
-        let points = pixels.filter_map(|(x, y)| renderer.evaluation(middle(x, width), middle(y, height)));
+        let points =
+            pixels.filter_map(|(x, y)| renderer.evaluation(middle(x, width), middle(y, height)));
         // The probe's point is one of those seen.
-        let seen = points.map(|evaluation| evaluation.position).chain(probe).map(distance);
+        let seen = points
+            .map(|evaluation| evaluation.position)
+            .chain(probe)
+            .map(distance);
         let seen: Vec<f64> = seen.filter(|d| d.is_finite()).collect();
         Self {
             nearest: seen.iter().copied().reduce(f64::min),
@@ -220,33 +274,72 @@ impl Distances {
 pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
     let attenuation = effective(light);
     let f = |d: f64| attenuation_at(light, attenuation, d);
-    let reach = distances.farthest.or(distances.probe).filter(|d| *d > 0.0).unwrap_or(1.0) * BEYOND;
+    let reach = distances
+        .farthest
+        .or(distances.probe)
+        .filter(|d| *d > 0.0)
+        .unwrap_or(1.0)
+        * BEYOND;
     let points = (0..=SAMPLES[0]).map(|i| {
         let share = f64::from(i) / f64::from(SAMPLES[0]);
         let d = reach * share * share;
         [d, f(d)]
     });
-    let marks = [("nearest", distances.nearest), ("probe", distances.probe), ("farthest", distances.farthest)];
+    let marks = [
+        ("nearest", distances.nearest),
+        ("probe", distances.probe),
+        ("farthest", distances.farthest),
+    ];
     let marks = marks.into_iter().filter_map(|(name, d)| {
         let d = d?;
         let label = format!("{name}: f({}) = {}", short(d), short(f(d)));
-        Some(Mark { x: d, label, values: vec![(0, f(d))], probe: name == "probe" })
+        Some(Mark {
+            x: d,
+            label,
+            values: vec![(0, f(d))],
+            probe: name == "probe",
+        })
     });
     let marks: Vec<Mark> = marks.collect();
     // Near the light f may rise without bound; the axis ends where the scene's own values do.
     let greatest = marks.iter().map(|mark| f(mark.x)).fold(f64::NAN, f64::max);
-    let top = if greatest.is_finite() && greatest > 0.0 { greatest } else { f(0.5 * reach) };
+    let top = if greatest.is_finite() && greatest > 0.0 {
+        greatest
+    } else {
+        f(0.5 * reach)
+    };
     let start = f(0.0);
-    let top = if start <= 2.0 * top { start.max(top) } else { BEYOND * top };
-    let from = if attenuation == Attenuation::Viewer { "viewer" } else { "light" };
-    let symbol = if matches!(attenuation, Attenuation::Viewer | Attenuation::Light) { "r" } else { "d" };
+    let top = if start <= 2.0 * top {
+        start.max(top)
+    } else {
+        BEYOND * top
+    };
+    let from = if attenuation == Attenuation::Viewer {
+        "viewer"
+    } else {
+        "light"
+    };
+    let symbol = if matches!(attenuation, Attenuation::Viewer | Attenuation::Light) {
+        "r"
+    } else {
+        "d"
+    };
     let axes = [
         Axis::new(format!("{symbol}, distance from the {from}"), 0.0, reach),
         Axis::new(format!("f({symbol})"), 0.0, top),
     ];
     let curves = vec![Curve::new("f", points.collect(), Ink::L)];
     let title = "A light weakens with distance";
-    Plot { marks, ..Plot::new(PlotKind::Attenuation, title, attenuation_law(light), axes, curves) }
+    Plot {
+        marks,
+        ..Plot::new(
+            PlotKind::Attenuation,
+            title,
+            attenuation_law(light),
+            axes,
+            curves,
+        )
+    }
 }
 
 /// W(θ): the part of the light that the surface reflects, from straight down to grazing; `incidence` is the probe's angle,
@@ -260,22 +353,46 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
     });
     let thetas: Vec<f64> = thetas.collect();
     let channels: &[(&str, Dash)] = match index {
-        Some(_) => &[("red", Dash::Solid), ("green", Dash::Dashed), ("blue", Dash::Dotted)],
+        Some(_) => &[
+            ("red", Dash::Solid),
+            ("green", Dash::Dashed),
+            ("blue", Dash::Dotted),
+        ],
         None => &[("all channels", Dash::Solid)],
     };
     let curves = (0u8..).zip(channels).map(|(channel, (name, dash))| {
         let value = |theta: f64| w(theta)[usize::from(channel)];
-        let ink = if index.is_some() { Ink::Channel(channel) } else { Ink::R };
-        let points = thetas.iter().map(|theta| [theta.to_degrees(), value(*theta)]).collect();
-        let notes = READ_AT.map(|angle| format!("{:.3}", value(angle.to_radians()))).to_vec();
-        Curve { notes, dash: *dash, ..Curve::new(*name, points, ink) }
+        let ink = if index.is_some() {
+            Ink::Channel(channel)
+        } else {
+            Ink::R
+        };
+        let points = thetas
+            .iter()
+            .map(|theta| [theta.to_degrees(), value(*theta)])
+            .collect();
+        let notes = READ_AT
+            .map(|angle| format!("{:.3}", value(angle.to_radians())))
+            .to_vec();
+        Curve {
+            notes,
+            dash: *dash,
+            ..Curve::new(*name, points, ink)
+        }
     });
-    let marks = incidence.filter(|theta| (0.0..=FRAC_PI_2).contains(theta)).map(|theta| {
-        let values: Vec<f64> = w(theta).to_array()[..channels.len()].to_vec();
-        let texts: Vec<String> = values.iter().copied().map(short).collect();
-        let label = format!("probe: W({}) = {}", degrees(theta), texts.join(", "));
-        Mark { x: theta.to_degrees(), label, values: values.into_iter().enumerate().collect(), probe: true }
-    });
+    let marks = incidence
+        .filter(|theta| (0.0..=FRAC_PI_2).contains(theta))
+        .map(|theta| {
+            let values: Vec<f64> = w(theta).to_array()[..channels.len()].to_vec();
+            let texts: Vec<String> = values.iter().copied().map(short).collect();
+            let label = format!("probe: W({}) = {}", degrees(theta), texts.join(", "));
+            Mark {
+                x: theta.to_degrees(),
+                label,
+                values: values.into_iter().enumerate().collect(),
+                probe: true,
+            }
+        });
     let substance = match scene.material.reflectance {
         Reflectance::Glass => "glass",
         Reflectance::Silver => "silver",
@@ -287,19 +404,39 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
     Plot {
         legend: READ_AT.map(|angle| format!("W({angle}°)")).to_vec(),
         marks: marks.into_iter().collect(),
-        ..Plot::new(PlotKind::Reflectance, title, reflectance_note(scene, index), axes, curves.collect())
+        ..Plot::new(
+            PlotKind::Reflectance,
+            title,
+            reflectance_note(scene, index),
+            axes,
+            curves.collect(),
+        )
     }
 }
 
 /// The index of refraction, and which angle θ is.
 fn reflectance_note(scene: &Scene, index: Option<Index>) -> String {
-    let Some(Index { eta, k }) = index else { return "W = 1: the specular coefficient is constant".into() };
-    let between = if scene.reflection.model == ReflectionModel::Phong { "N and L" } else { "H and L" };
+    let Some(Index { eta, k }) = index else {
+        return "W = 1: the specular coefficient is constant".into();
+    };
+    let between = if scene.reflection.model == ReflectionModel::Phong {
+        "N and L"
+    } else {
+        "H and L"
+    };
     let list = |values: Rgb| {
         let [r, g, b] = values.to_array().map(short);
-        if r == g && g == b { r } else { format!("{r}, {g}, {b}") }
+        if r == g && g == b {
+            r
+        } else {
+            format!("{r}, {g}, {b}")
+        }
     };
-    let k = if k == Rgb::ZERO { String::new() } else { format!("; k = {}", list(k)) };
+    let k = if k == Rgb::ZERO {
+        String::new()
+    } else {
+        format!("; k = {}", list(k))
+    };
     format!("Fresnel, η = {}{k}; θ between {between}", list(eta))
 }
 
@@ -308,18 +445,37 @@ fn reflectance_note(scene: &Scene, index: Option<Index>) -> String {
 pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
     let lobe = ReflectionLobe::at(scene, hit, light)?;
     let mirror = lobe.mirror_angle();
-    let angles = angles(&[(mirror, highlight_half_width(scene).max(NARROW))], FINE[0]);
+    let angles = angles(
+        &[(mirror, highlight_half_width(scene).max(NARROW))],
+        FINE[0],
+    );
     let responses = angles.into_iter().map(|angle| {
         // R itself, not R to rounding: a mirror sends nothing elsewhere.
-        let v = if angle == mirror { lobe.r } else { lobe.in_plane(angle) };
+        let v = if angle == mirror {
+            lobe.r
+        } else {
+            lobe.in_plane(angle)
+        };
         (angle.to_degrees(), lobe.towards(v))
     });
     let responses: Vec<_> = responses.collect();
-    let most = responses.iter().map(|(_, response)| response.total()).fold(0.0, f64::max);
-    let total = responses.iter().map(|(angle, response)| [*angle, response.total()]).collect();
-    let diffuse = responses.iter().map(|(angle, response)| [*angle, response.diffuse]).collect();
+    let most = responses
+        .iter()
+        .map(|(_, response)| response.total())
+        .fold(0.0, f64::max);
+    let total = responses
+        .iter()
+        .map(|(angle, response)| [*angle, response.total()])
+        .collect();
+    let diffuse = responses
+        .iter()
+        .map(|(angle, response)| [*angle, response.diffuse])
+        .collect();
     let curves = vec![
-        Curve { notes: vec![short(most)], ..Curve::new("diffuse + specular", total, specular_ink(scene)) },
+        Curve {
+            notes: vec![short(most)],
+            ..Curve::new("diffuse + specular", total, specular_ink(scene))
+        },
         Curve {
             dash: Dash::Dashed,
             emphasised: false,
@@ -327,34 +483,73 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
             ..Curve::new("diffuse", diffuse, Ink::L)
         },
     ];
-    let top = if most > 0.0 && most.is_finite() { most } else { 1.0 };
-    let axes = [Axis::degrees("angle from N", -90.0, 90.0), Axis::new("I", 0.0, top)];
+    let top = if most > 0.0 && most.is_finite() {
+        most
+    } else {
+        1.0
+    };
+    let axes = [
+        Axis::degrees("angle from N", -90.0, 90.0),
+        Axis::new("I", 0.0, top),
+    ];
     let out = out_of_plane(&lobe, lobe.v).abs();
-    let aside = if out < IN_PLANE { String::new() } else { format!(", {out:.0}° out of this plane") };
+    let aside = if out < IN_PLANE {
+        String::new()
+    } else {
+        format!(", {out:.0}° out of this plane")
+    };
     let at_v = short(lobe.towards(lobe.v).total());
-    let note = format!("in the plane of N and L, θ = {}; to the viewer I = {at_v}{aside}", degrees(mirror));
+    let note = format!(
+        "in the plane of N and L, θ = {}; to the viewer I = {at_v}{aside}",
+        degrees(mirror)
+    );
     Some(Plot {
         legend: vec!["greatest I".into()],
         directions: directions(&lobe),
-        ..Plot::new(PlotKind::Lobe, "What the point reflects to every side", note, axes, curves)
+        ..Plot::new(
+            PlotKind::Lobe,
+            "What the point reflects to every side",
+            note,
+            axes,
+            curves,
+        )
     })
 }
 
 /// Degrees between `vector` and the plane of incidence.
 fn out_of_plane(lobe: &ReflectionLobe, vector: DVec3) -> f64 {
-    vector.dot(lobe.n.cross(lobe.across)).clamp(-1.0, 1.0).asin().to_degrees()
+    vector
+        .dot(lobe.n.cross(lobe.across))
+        .clamp(-1.0, 1.0)
+        .asin()
+        .to_degrees()
 }
 
 /// N, L and R lie in the plane; V is shown by its shadow on it.
 fn directions(lobe: &ReflectionLobe) -> Vec<Direction> {
-    let vectors = [("N", lobe.n, Ink::N), ("L", lobe.l, Ink::L), ("R", lobe.r, Ink::R), ("V", lobe.v, Ink::V)];
+    let vectors = [
+        ("N", lobe.n, Ink::N),
+        ("L", lobe.l, Ink::L),
+        ("R", lobe.r, Ink::R),
+        ("V", lobe.v, Ink::V),
+    ];
     let seen = vectors.into_iter().map(|(letter, vector, ink)| {
         let (x, y) = (vector.dot(lobe.across), vector.dot(lobe.n));
-        let length = if out_of_plane(lobe, vector).abs() < IN_PLANE { 1.0 } else { x.hypot(y) };
-        Direction { letter, angle: x.atan2(y).to_degrees(), length, ink }
+        let length = if out_of_plane(lobe, vector).abs() < IN_PLANE {
+            1.0
+        } else {
+            x.hypot(y)
+        };
+        Direction {
+            letter,
+            angle: x.atan2(y).to_degrees(),
+            length,
+            ink,
+        }
     });
     // Below the surface there is nothing to point at.
-    seen.filter(|direction| direction.angle.abs() <= 90.0 && direction.length.is_finite()).collect()
+    seen.filter(|direction| direction.angle.abs() <= 90.0 && direction.length.is_finite())
+        .collect()
 }
 
 /// The present falling of the highlight with φ, beside the course's exponents; `phi` is the probe's, radians.
@@ -362,18 +557,43 @@ fn directions(lobe: &ReflectionLobe) -> Vec<Direction> {
 /// For Cook and Torrance's model, which has no exponent, the present curve is the distribution of its microfacets, D(φ)/D(0).
 pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
     let (falling, model) = (Falling::new(scene), scene.reflection.model);
-    let finer: Vec<_> = COURSE.into_iter().chain([falling.like_power()]).map(|n| (0.0, half_width(n))).collect();
+    let finer: Vec<_> = COURSE
+        .into_iter()
+        .chain([falling.like_power()])
+        .map(|n| (0.0, half_width(n)))
+        .collect();
     let grid = angles(&finer, FINE[1]);
-    let sampled = |falling: &Falling| grid.iter().map(|phi| [phi.to_degrees(), falling.at(*phi)]).collect::<Vec<_>>();
+    let sampled = |falling: &Falling| {
+        grid.iter()
+            .map(|phi| [phi.to_degrees(), falling.at(*phi)])
+            .collect::<Vec<_>>()
+    };
     let (name, symbol, formula) = falling.words(model);
     let notes = vec![degrees(falling.half_width())];
-    let present = Curve { notes, ..Curve::new(format!("{name}, now"), sampled(&falling), specular_ink(scene)) };
-    let top = present.points.iter().fold(1.0, |top: f64, [_, y]| top.max(*y));
-    let marks = phi.filter(|phi| phi.is_finite() && *phi <= FRAC_PI_2).map(|phi| {
-        let value = falling.at(phi);
-        let label = format!("probe: φ = {}, {}", degrees(phi), short(value));
-        Mark { x: phi.to_degrees(), label, values: vec![(0, value)], probe: true }
-    });
+    let present = Curve {
+        notes,
+        ..Curve::new(
+            format!("{name}, now"),
+            sampled(&falling),
+            specular_ink(scene),
+        )
+    };
+    let top = present
+        .points
+        .iter()
+        .fold(1.0, |top: f64, [_, y]| top.max(*y));
+    let marks = phi
+        .filter(|phi| phi.is_finite() && *phi <= FRAC_PI_2)
+        .map(|phi| {
+            let value = falling.at(phi);
+            let label = format!("probe: φ = {}, {}", degrees(phi), short(value));
+            Mark {
+                x: phi.to_degrees(),
+                label,
+                values: vec![(0, value)],
+                probe: true,
+            }
+        });
     let mut curves = vec![present];
     for ((n, dash), height) in COURSE.into_iter().zip(DASHES).zip(TAGS) {
         if falling != Falling::Power(n) {
@@ -382,17 +602,37 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
                 notes: vec![degrees(half_width(n))],
                 emphasised: false,
                 dash,
-                tag: Some(Tag { text: n.to_string(), at: [left, height] }),
-                ..Curve::new(format!("n = {n}"), sampled(&Falling::Power(n)), Ink::Reference)
+                tag: Some(Tag {
+                    text: n.to_string(),
+                    at: [left, height],
+                }),
+                ..Curve::new(
+                    format!("n = {n}"),
+                    sampled(&Falling::Power(n)),
+                    Ink::Reference,
+                )
             });
         }
     }
-    let angle = if model == ReflectionModel::Phong { "φ, between R and V" } else { "φ, between N and H" };
-    let axes = [Axis::degrees(angle, -90.0, 90.0), Axis::new(symbol, 0.0, top)];
+    let angle = if model == ReflectionModel::Phong {
+        "φ, between R and V"
+    } else {
+        "φ, between N and H"
+    };
+    let axes = [
+        Axis::degrees(angle, -90.0, 90.0),
+        Axis::new(symbol, 0.0, top),
+    ];
     Plot {
         legend: vec!["half-width".into()],
         marks: marks.into_iter().collect(),
-        ..Plot::new(PlotKind::Exponent, "The highlight falls with φ", formula, axes, curves)
+        ..Plot::new(
+            PlotKind::Exponent,
+            "The highlight falls with φ",
+            formula,
+            axes,
+            curves,
+        )
     }
 }
 
@@ -400,7 +640,11 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
 /// exact for Phong's model, and in the plane of incidence for those that measure N·H, where H turns half as fast as V.
 pub fn highlight_half_width(scene: &Scene) -> f64 {
     let own = Falling::new(scene).half_width();
-    if scene.reflection.model == ReflectionModel::Phong { own } else { 2.0 * own }
+    if scene.reflection.model == ReflectionModel::Phong {
+        own
+    } else {
+        2.0 * own
+    }
 }
 
 /// How the highlight falls with φ.
@@ -442,7 +686,11 @@ impl Falling {
         let (mut above, mut below) = (0.0, FRAC_PI_2);
         for _ in 0..60 {
             let middle = 0.5 * (above + below);
-            if self.at(middle) > 0.5 { above = middle } else { below = middle }
+            if self.at(middle) > 0.5 {
+                above = middle;
+            } else {
+                below = middle;
+            }
         }
         0.5 * (above + below)
     }
@@ -457,7 +705,11 @@ impl Falling {
 
     /// Its parameter, what is plotted, and the formula.
     fn words(self, model: ReflectionModel) -> (String, &'static str, &'static str) {
-        let vectors = if model == ReflectionModel::Phong { "(R·V)ⁿ = cosⁿ φ" } else { "(N·H)ⁿ = cosⁿ φ" };
+        let vectors = if model == ReflectionModel::Phong {
+            "(R·V)ⁿ = cosⁿ φ"
+        } else {
+            "(N·H)ⁿ = cosⁿ φ"
+        };
         let beckmann = "Beckmann’s D = exp(−tan² φ/m²)/(m² cos⁴ φ); beside it cosⁿ φ";
         let ggx = "D = α²/(α² cos² φ + sin² φ)² (GGX); beside it cosⁿ φ";
         match self {

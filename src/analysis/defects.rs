@@ -39,7 +39,10 @@ pub struct Defects {
 }
 
 /// A missing measurement is written as the reason.
-fn or_missing<T: Serialize, S: Serializer>(finding: &Finding<T>, serializer: S) -> Result<S::Ok, S::Error> {
+fn or_missing<T: Serialize, S: Serializer>(
+    finding: &Finding<T>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     match finding {
         Ok(measured) => measured.serialize(serializer),
         Err(missing) => json!({ "missing": missing }).serialize(serializer),
@@ -48,7 +51,11 @@ fn or_missing<T: Serialize, S: Serializer>(finding: &Finding<T>, serializer: S) 
 
 /// Goes on with a measurement, unless whoever waits has stopped.
 fn goes_on(watch: &dyn Watch<()>, share: f32) -> Finding<()> {
-    if watch.at(share) { Ok(()) } else { Err("stopped") }
+    if watch.at(share) {
+        Ok(())
+    } else {
+        Err("stopped")
+    }
 }
 
 /// Why nothing is interpolated in a scene, where nothing is.
@@ -73,13 +80,17 @@ pub fn defects_with_progress(
     pixel: [u32; 2],
     watch: &dyn Watch<()>,
 ) -> Defects {
-    let alone = &Scene { compare: Compare::default(), ..scene.clone() };
+    let alone = &Scene {
+        compare: Compare::default(),
+        ..scene.clone()
+    };
     let along = |share: f32| watch.at(0.5 + 0.3 * share);
     let found = Defects {
         silhouette: edges::silhouette(renderer, alone, watch),
         perspective: goes_on(watch, 0.3).and_then(|()| inside::perspective(renderer, alone)),
         orientation: goes_on(watch, 0.4).and_then(|()| inside::orientation(renderer, alone, pixel)),
-        shared_vertices: goes_on(&along, 0.0).and_then(|()| edges::shared_vertices(renderer, alone, &along)),
+        shared_vertices: goes_on(&along, 0.0)
+            .and_then(|()| edges::shared_vertices(renderer, alone, &along)),
         vertex_normals: goes_on(watch, 0.8).and_then(|()| inside::vertex_normals(renderer, alone)),
     };
     watch.at(1.0);
@@ -103,9 +114,15 @@ pub struct MeasuredDefects {
 impl Question for DefectsQuestion {
     type Answer = MeasuredDefects;
 
-    fn answer(&self, subject: &Subject, watch: &dyn Watch<MeasuredDefects>) -> Result<MeasuredDefects, String> {
+    fn answer(
+        &self,
+        subject: &Subject,
+        watch: &dyn Watch<MeasuredDefects>,
+    ) -> Result<MeasuredDefects, String> {
         let (mut renderer, scene) = (subject.renderer(), &subject.scene);
-        let pixel = self.pixel.unwrap_or_else(|| clearest_pixel(&mut renderer, scene).pixel);
+        let pixel = self
+            .pixel
+            .unwrap_or_else(|| clearest_pixel(&mut renderer, scene).pixel);
         let defects = defects_with_progress(&mut renderer, scene, pixel, &|share| watch.at(share));
         Ok(MeasuredDefects { pixel, defects })
     }
@@ -136,7 +153,10 @@ pub const DEFECTS: [Defect; 5] = [
         plot: None,
         figures: |defects| {
             let found = defects.silhouette.as_ref().map_err(|why| *why)?;
-            let at = format!("pixels from the true outline, at {:.0},{:.0}", found.polygon.x, found.polygon.y);
+            let at = format!(
+                "pixels from the true outline, at {:.0},{:.0}",
+                found.polygon.x, found.polygon.y
+            );
             Ok(vec![(format!("{:.2}", found.greatest), at)])
         },
     },
@@ -152,9 +172,15 @@ pub const DEFECTS: [Defect; 5] = [
                 Interpolation::Scanline => "scan-line",
                 Interpolation::Affine | Interpolation::Perspective => "affine",
             };
-            let at = found.error.at.map_or_else(String::new, |[x, y]| format!(", at {x},{y}"));
+            let at = found
+                .error
+                .at
+                .map_or_else(String::new, |[x, y]| format!(", at {x},{y}"));
             let greatest = format!("greatest difference, {rule} to perspective-correct{at}");
-            Ok(vec![code(found.error.greatest, greatest), code(found.error.mean, "mean difference")])
+            Ok(vec![
+                code(found.error.greatest, greatest),
+                code(found.error.mean, "mean difference"),
+            ])
         },
     },
     Defect {
@@ -176,14 +202,24 @@ pub const DEFECTS: [Defect; 5] = [
         try_this: "drag the lamp along the edge, or its middle vertex off it.",
         plot: Some(PlotKind::SharedEdge),
         figures: |defects| {
-            let SharedVertices { edges, measured, greatest, at, .. } =
-                defects.shared_vertices.as_ref().map_err(|why| *why)?;
+            let SharedVertices {
+                edges,
+                measured,
+                greatest,
+                at,
+                ..
+            } = defects.shared_vertices.as_ref().map_err(|why| *why)?;
             let edges = match (edges, measured) {
                 (1, _) => "1 edge".to_owned(),
-                (edges, measured) if measured < edges => format!("{edges} edges, {measured} of them measured"),
+                (edges, measured) if measured < edges => {
+                    format!("{edges} edges, {measured} of them measured")
+                }
                 (edges, _) => format!("{edges} edges"),
             };
-            let words = format!("greatest jump of the intensity, at {:.0},{:.0}; {edges}", at.x, at.y);
+            let words = format!(
+                "greatest jump of the intensity, at {:.0},{:.0}; {edges}",
+                at.x, at.y
+            );
             Ok(vec![code(*greatest, words)])
         },
     },
@@ -214,11 +250,15 @@ impl Answer for MeasuredDefects {
         for defect in DEFECTS {
             let section = report.section(defect.title);
             match (defect.figures)(&self.defects) {
-                Ok(figures) => figures.into_iter().for_each(|(value, name)| _ = section.quantity(value, name)),
+                Ok(figures) => figures
+                    .into_iter()
+                    .for_each(|(value, name)| _ = section.quantity(value, name)),
                 Err(why) => _ = section.note(format!("Not here: {why}.")),
             }
             let plot = plots.iter().find(|plot| Some(plot.kind) == defect.plot);
-            section.parts.extend(plot.cloned().map(|plot| Part::Plot(plot.into())));
+            section
+                .parts
+                .extend(plot.cloned().map(|plot| Part::Plot(plot.into())));
             section.note(defect.says);
         }
         report
@@ -229,11 +269,17 @@ impl Answer for MeasuredDefects {
         let mut table = Table::new(["curve", "x", "first", "second"].map(Column::key));
         if let Ok(orientation) = &self.defects.orientation {
             let turned = orientation.samples.iter();
-            table.rows.extend(turned.map(|one| cells!["orientation", one.angle, one.scanline, one.barycentric]));
+            table.rows.extend(
+                turned.map(|one| cells!["orientation", one.angle, one.scanline, one.barycentric]),
+            );
         }
         if let Ok(shared) = &self.defects.shared_vertices {
             let samples = shared.samples.iter();
-            table.rows.extend(samples.map(|[place, without, with]| cells!["shared-vertices", *place, *without, *with]));
+            table.rows.extend(
+                samples.map(|[place, without, with]| {
+                    cells!["shared-vertices", *place, *without, *with]
+                }),
+            );
         }
         Some(table)
     }

@@ -48,11 +48,28 @@ impl ReflectionLobe {
     /// The lobe of the light of index `light` at `hit`; nothing where there is no such light or no normal, or where the
     /// light stands behind the surface.
     pub fn at(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Self> {
-        let kind = |kind| if kind == LightKind::Area { LightKind::Point } else { kind };
+        let kind = |kind| {
+            if kind == LightKind::Area {
+                LightKind::Point
+            } else {
+                kind
+            }
+        };
         let light = scene.lights.get(light)?;
-        let alone = Light { kind: kind(light.kind), mute: false, solo: false, ..light.clone() };
-        let equation = Equation::<f64>::new(&Scene { lights: vec![alone], ..scene.clone() });
-        let site = equation.site(V3::from(equation.from_world(hit.position)), V3::from(hit.normal));
+        let alone = Light {
+            kind: kind(light.kind),
+            mute: false,
+            solo: false,
+            ..light.clone()
+        };
+        let equation = Equation::<f64>::new(&Scene {
+            lights: vec![alone],
+            ..scene.clone()
+        });
+        let site = equation.site(
+            V3::from(equation.from_world(hit.position)),
+            V3::from(hit.normal),
+        );
         let mut lobe = Self {
             od: equation.pattern_color(hit.position),
             equation,
@@ -63,7 +80,11 @@ impl ReflectionLobe {
             v: hit.view,
             across: DVec3::ZERO,
         };
-        lobe.l = lobe.equation.sources.first().map(|source| lobe.equation.respond_to(source, &lobe.site).l.into())?;
+        lobe.l = lobe
+            .equation
+            .sources
+            .first()
+            .map(|source| lobe.equation.respond_to(source, &lobe.site).l.into())?;
         if scene.reflection.backfacing == Backfacing::Flip && lobe.n.dot(lobe.l) < 0.0 {
             lobe.n = -lobe.n;
         }
@@ -92,16 +113,23 @@ impl ReflectionLobe {
 
     /// What a viewer in the unit direction `v` sees; nothing from below the surface.
     pub fn towards(&self, v: DVec3) -> Response {
-        let mut response = Response { diffuse: 0.0, specular: 0.0 };
+        let mut response = Response {
+            diffuse: 0.0,
+            specular: 0.0,
+        };
         // A viewer in the surface itself still sees it, whatever the last digit says.
         if v.dot(self.n) < -1e-12 {
             return response;
         }
-        let site = ShadingPoint { view: V3::from(v), ..self.site };
+        let site = ShadingPoint {
+            view: V3::from(v),
+            ..self.site
+        };
         for source in &self.equation.sources {
             let terms = self.equation.respond_to(source, &site);
             let w = self.equation.reflectance(terms.incidence);
-            response.diffuse += terms.diffuse * luminance(Rgb::from_array(source.diffuse) * self.od);
+            response.diffuse +=
+                terms.diffuse * luminance(Rgb::from_array(source.diffuse) * self.od);
             response.specular += terms.specular * luminance(Rgb::from_array(source.specular) * w);
         }
         response
@@ -113,5 +141,9 @@ fn mirrored(n: DVec3, l: DVec3) -> Option<DVec3> {
     let (n, l) = (V3::from(n), V3::from(l));
     let r = DVec3::from(n.scale_add(2.0 * n.dot(l), -l));
     // A normal that is not of unit length does not mirror.
-    if (r.length() - 1.0).abs() < UPRIGHT { Some(r) } else { r.try_normalize() }
+    if (r.length() - 1.0).abs() < UPRIGHT {
+        Some(r)
+    } else {
+        r.try_normalize()
+    }
 }

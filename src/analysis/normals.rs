@@ -94,20 +94,35 @@ pub struct SeenNormals {
 impl NormalField {
     /// The normals of the object that `renderer` last drew, from `object`'s choice of source and weights.
     pub fn new(renderer: &Renderer, object: &Object) -> Self {
-        Self::of_mesh(Arc::clone(renderer.mesh_shown()), object.normals, object.weighting)
+        Self::of_mesh(
+            Arc::clone(renderer.mesh_shown()),
+            object.normals,
+            object.weighting,
+        )
     }
 
     /// The normals of a mesh.
     pub fn of_mesh(mesh: Arc<Mesh>, source: NormalSource, weighting: Weighting) -> Self {
         let vertices = mesh.with_vertex_normals(source, weighting);
-        let faces = (0..mesh.face_count()).map(|f| [mesh.face_centre(f), mesh.face_normal(f)]).collect();
-        Self { median_edge: median_edge(&mesh), mesh, vertices, source, weighting, faces }
+        let faces = (0..mesh.face_count())
+            .map(|f| [mesh.face_centre(f), mesh.face_normal(f)])
+            .collect();
+        Self {
+            median_edge: median_edge(&mesh),
+            mesh,
+            vertices,
+            source,
+            weighting,
+            faces,
+        }
     }
 
     /// Whether it is what `new` would make.
     pub fn holds(&self, renderer: &Renderer, object: &Object) -> bool {
         let same_weights = self.weighting == object.weighting || !self.weighs();
-        Arc::ptr_eq(&self.mesh, renderer.mesh_shown()) && self.source == object.normals && same_weights
+        Arc::ptr_eq(&self.mesh, renderer.mesh_shown())
+            && self.source == object.normals
+            && same_weights
     }
 
     /// Whether points and faces have the numbers that they have in what `renderer` last drew, with whatever normals.
@@ -143,20 +158,30 @@ impl NormalField {
 
     /// A vertex at a point of the mesh.
     pub fn vertex_at(&self, point: u32) -> Option<u32> {
-        let corner = self.mesh.corners.iter().position(|corner| corner.position == point)?;
+        let corner = self
+            .mesh
+            .corners
+            .iter()
+            .position(|corner| corner.position == point)?;
         Some(self.vertices.corners[corner])
     }
 
     /// What is known of a vertex; nothing where there is no such vertex. Takes time in proportion to the mesh's corners.
     pub fn vertex(&self, vertex: u32) -> Option<VertexNormal> {
         let normal = self.vertices.normals.get(vertex as usize)?.as_dvec3();
-        let shares = self.mesh.vertex_shares(&self.vertices, vertex, self.source, self.weighting);
+        let shares = self
+            .mesh
+            .vertex_shares(&self.vertices, vertex, self.source, self.weighting);
         let degrees = self.weighting == Weighting::Angle && shares.origin == NormalOrigin::Averaged;
         let faces = shares.faces.iter().map(|share| VertexFace {
             face: share.face,
             centre: self.faces[share.face as usize][0],
             normal: share.normal,
-            weight: if degrees { share.weight.to_degrees() } else { share.weight },
+            weight: if degrees {
+                share.weight.to_degrees()
+            } else {
+                share.weight
+            },
             share: share.share,
             angle: angle_between(share.normal, normal).to_degrees(),
         });
@@ -179,7 +204,13 @@ impl NormalField {
         let seen = |index: u32, point: DVec3, normal: DVec3| {
             let (pixel, depth) = view.project(point)?;
             let inside = pixel.cmpge(DVec2::ZERO).all() && pixel.cmplt(picture).all();
-            inside.then_some(SeenNormal { index, point, normal, pixel, depth })
+            inside.then_some(SeenNormal {
+                index,
+                point,
+                normal,
+                pixel,
+                depth,
+            })
         };
         let towards = |point: DVec3| match view.projection {
             Projection::Perspective => view.eye - point,
@@ -190,33 +221,63 @@ impl NormalField {
         for (f, [centre, normal]) in (0u32..).zip(&self.faces) {
             if normal.dot(towards(*centre)) > 0.0 {
                 faces.extend(seen(f, *centre, *normal));
-                self.vertices.face(f as usize).iter().for_each(|&v| on_front[v as usize] = true);
+                self.vertices
+                    .face(f as usize)
+                    .iter()
+                    .for_each(|&v| on_front[v as usize] = true);
             }
         }
         let front = (0u32..).zip(&on_front).filter(|(_, front)| **front);
-        let vertices =
-            front.filter_map(|(v, _)| seen(v, self.position(v), self.vertices.normals[v as usize].as_dvec3()));
-        SeenNormals { vertices: vertices.collect(), faces }
+        let vertices = front.filter_map(|(v, _)| {
+            seen(
+                v,
+                self.position(v),
+                self.vertices.normals[v as usize].as_dvec3(),
+            )
+        });
+        SeenNormals {
+            vertices: vertices.collect(),
+            faces,
+        }
     }
 
     /// Whether what `renderer` last drew has something else before a point.
     pub fn hidden(&self, renderer: &Renderer, seen: &SeenNormal) -> bool {
-        let before = renderer.evaluation_seen(seen.pixel).map(|pixel| pixel.depth);
+        let before = renderer
+            .evaluation_seen(seen.pixel)
+            .map(|pixel| pixel.depth);
         before.is_some_and(|depth| depth + BEHIND * self.median_edge < seen.depth)
     }
 
     /// The vertex whose place in the picture is next to `pixel`, within `reach` pixels, of those that are seen. Where
     /// several share a point it is that of the face under the pixel.
-    pub fn vertex_near(&self, renderer: &Renderer, seen: &SeenNormals, pixel: DVec2, reach: f64) -> Option<SeenNormal> {
+    pub fn vertex_near(
+        &self,
+        renderer: &Renderer,
+        seen: &SeenNormals,
+        pixel: DVec2,
+        reach: f64,
+    ) -> Option<SeenNormal> {
         let distance = |vertex: &SeenNormal| vertex.pixel.distance(pixel);
-        let mut near: Vec<&SeenNormal> = seen.vertices.iter().filter(|vertex| distance(vertex) <= reach).collect();
+        let mut near: Vec<&SeenNormal> = seen
+            .vertices
+            .iter()
+            .filter(|vertex| distance(vertex) <= reach)
+            .collect();
         near.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let nearest = near.iter().position(|vertex| !self.hidden(renderer, vertex))?;
+        let nearest = near
+            .iter()
+            .position(|vertex| !self.hidden(renderer, vertex))?;
         let under = renderer.evaluation_seen(pixel).and_then(|pixel| pixel.face);
-        let upon =
-            |vertex: &&&SeenNormal| under.is_some_and(|face| self.vertices.face(face as usize).contains(&vertex.index));
+        let upon = |vertex: &&&SeenNormal| {
+            under.is_some_and(|face| self.vertices.face(face as usize).contains(&vertex.index))
+        };
         let same = |vertex: &&&SeenNormal| vertex.point == near[nearest].point;
-        let chosen = near[nearest..].iter().take_while(same).find(upon).unwrap_or(&near[nearest]);
+        let chosen = near[nearest..]
+            .iter()
+            .take_while(same)
+            .find(upon)
+            .unwrap_or(&near[nearest]);
         Some(**chosen)
     }
 
@@ -238,8 +299,18 @@ fn median_edge(mesh: &Mesh) -> f64 {
     for f in (0..faces).step_by(faces.div_ceil(TAKEN).max(1)) {
         let points: Vec<DVec3> = mesh.face_points(f).collect();
         let next = points.iter().cycle().skip(1);
-        lengths.extend(points.iter().zip(next).map(|(a, b)| a.distance(*b)).filter(|length| *length > 0.0));
+        lengths.extend(
+            points
+                .iter()
+                .zip(next)
+                .map(|(a, b)| a.distance(*b))
+                .filter(|length| *length > 0.0),
+        );
     }
     let middle = lengths.len() / 2;
-    if lengths.is_empty() { 0.0 } else { *lengths.select_nth_unstable_by(middle, f64::total_cmp).1 }
+    if lengths.is_empty() {
+        0.0
+    } else {
+        *lengths.select_nth_unstable_by(middle, f64::total_cmp).1
+    }
 }

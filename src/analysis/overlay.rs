@@ -60,7 +60,10 @@ impl OverlayLayer {
 
     /// Whether it explains the probe's point.
     pub fn of_point(self) -> bool {
-        !matches!(self, Self::Lights | Self::Profile | Self::Defects | Self::FaceNormals | Self::VertexNormals)
+        !matches!(
+            self,
+            Self::Lights | Self::Profile | Self::Defects | Self::FaceNormals | Self::VertexNormals
+        )
     }
 
     /// Whether it is drawn by an [`Overlay`](crate::analysis::Overlay).
@@ -132,25 +135,46 @@ pub(in crate::analysis) struct Style {
 impl Style {
     /// The style of a pane whose shorter side is `side` pixels.
     pub fn new(side: f64, options: &OverlayOptions) -> Self {
-        let scale = if options.scale.is_finite() { options.scale.clamp(0.05, 20.0) } else { 1.0 };
+        let scale = if options.scale.is_finite() {
+            options.scale.clamp(0.05, 20.0)
+        } else {
+            1.0
+        };
         let text = LEAST_TEXT.max(side / 28.0) * scale;
         let line = 0.115 * text;
         let (neutral, halo_colour) = match options.halo {
             Halo::Light => ([24; 3], [255; 3]),
             Halo::Dark => ([255; 3], [16; 3]),
         };
-        Self { text, line, halo: 0.075 * text, head: 5.0 * line, ring: 2.1 * line, neutral, halo_colour }
+        Self {
+            text,
+            line,
+            halo: 0.075 * text,
+            head: 5.0 * line,
+            ring: 2.1 * line,
+            neutral,
+            halo_colour,
+        }
     }
 
     /// A drawing over a picture with this style's halos.
     pub fn drawing(&self, shapes: Vec<Shape>) -> Drawing {
-        Drawing { shapes, ..Drawing::over_picture(self.halo_colour, self.halo) }
+        Drawing {
+            shapes,
+            ..Drawing::over_picture(self.halo_colour, self.halo)
+        }
     }
 
     /// The same, of labels.
     pub fn lettered<'a>(&self, labels: impl IntoIterator<Item = &'a Label>) -> Drawing {
-        let texts = labels.into_iter().map(|label| label.to_text(self.halo)).collect();
-        Drawing { texts, ..self.drawing(vec![]) }
+        let texts = labels
+            .into_iter()
+            .map(|label| label.to_text(self.halo))
+            .collect();
+        Drawing {
+            texts,
+            ..self.drawing(vec![])
+        }
     }
 }
 
@@ -183,7 +207,16 @@ impl Sketch {
         let (origin, depth) = view.project(position)?;
         let length = length.filter(|length| *length > 0.0 && length.is_finite());
         let length = length.unwrap_or(pixels * view.world_per_pixel(depth));
-        Some(Self { view, style, pane, position, origin, length, shapes: Vec::new(), pending: Vec::new() })
+        Some(Self {
+            view,
+            style,
+            pane,
+            position,
+            origin,
+            length,
+            shapes: Vec::new(),
+            pending: Vec::new(),
+        })
     }
 
     /// Where the end of `vector` appears when it starts at the point: in perspective, at the end's own depth. A vector
@@ -193,7 +226,11 @@ impl Sketch {
         let reach = vector * self.length;
         let approach = -reach.dot(self.view.forward);
         let room = (1.0 - NEAREST) * depth;
-        let share = if approach > room { room / approach } else { 1.0 };
+        let share = if approach > room {
+            room / approach
+        } else {
+            1.0
+        };
         let (end, _) = self.view.project(self.position + reach * share)?;
         let way = end - self.origin;
         let far = way.abs().max_element();
@@ -218,7 +255,10 @@ impl Sketch {
 
     /// The last point of the way from the origin to `point` inside the pane, `margin` from its edge.
     pub fn inside(&self, point: DVec2, margin: f64) -> DVec2 {
-        let room = Area { min: self.pane.min + margin, max: (self.pane.max - margin).max(self.pane.min + margin) };
+        let room = Area {
+            min: self.pane.min + margin,
+            max: (self.pane.max - margin).max(self.pane.min + margin),
+        };
         let from = room.nearest(self.origin);
         let way = point - from;
         let mut share = 1.0f64;
@@ -235,21 +275,41 @@ impl Sketch {
     /// The end of an arrow seen along its shaft: a dot in a circle where it points at the eye, a cross where it points away.
     pub fn draw_end_on(&mut self, at: DVec2, radius: f64, towards_eye: bool, colour: Rgb8) {
         let line = self.style.line;
-        self.shapes.push(Shape::ring(at, radius, 0.8 * line, colour));
+        self.shapes
+            .push(Shape::ring(at, radius, 0.8 * line, colour));
         if towards_eye {
             self.shapes.push(Shape::disc(at, 1.1 * line, colour));
             return;
         }
         let arm = DVec2::splat(radius * std::f64::consts::FRAC_1_SQRT_2);
-        let cross = [arm, arm.perp()].map(|arm| Shape::line(vec![at - arm, at + arm], 0.6 * line, colour));
+        let cross =
+            [arm, arm.perp()].map(|arm| Shape::line(vec![at - arm, at + arm], 0.6 * line, colour));
         self.shapes.extend(cross);
     }
 
     /// Asks for a label of `size` times the usual size.
-    pub fn letter(&mut self, text: String, size: f64, colour: Rgb8, anchor: DVec2, direction: DVec2, clearance: f64) {
+    pub fn letter(
+        &mut self,
+        text: String,
+        size: f64,
+        colour: Rgb8,
+        anchor: DVec2,
+        direction: DVec2,
+        clearance: f64,
+    ) {
         let em = size * self.style.text;
         let size = inked_size(&text, em) + 2.0 * self.style.halo + 0.1 * em;
-        self.pending.push((text, em, colour, Wish { anchor, direction, size, clearance }));
+        self.pending.push((
+            text,
+            em,
+            colour,
+            Wish {
+                anchor,
+                direction,
+                size,
+                clearance,
+            },
+        ));
     }
 
     /// Gives every label asked for its place, in that order, outside `reserved`.
@@ -257,21 +317,34 @@ impl Sketch {
         let mut placer = Placer::new(self.pane, self.style.text, &self.shapes, reserved.to_vec());
         let mut labels = Vec::new();
         for (text, size, colour, wish) in std::mem::take(&mut self.pending) {
-            let Some(area) = placer.place(&wish) else { continue };
+            let Some(area) = placer.place(&wish) else {
+                continue;
+            };
             self.leader(&wish, area, colour);
-            labels.push(Label { text, area, size, colour });
+            labels.push(Label {
+                text,
+                area,
+                size,
+                colour,
+            });
         }
         labels
     }
 
     /// A thin line from a label that had to go far away to what it names.
     fn leader(&mut self, wish: &Wish, label: Area, colour: Rgb8) {
-        let Wish { anchor, clearance, .. } = *wish;
+        let Wish {
+            anchor, clearance, ..
+        } = *wish;
         let near = label.nearest(anchor);
         let way = near - anchor;
         if way.length() > clearance + 1.3 * self.style.text {
             let start = anchor + way.normalize_or_zero() * clearance;
-            self.shapes.push(Shape::line(vec![start, near], 0.35 * self.style.line, colour));
+            self.shapes.push(Shape::line(
+                vec![start, near],
+                0.35 * self.style.line,
+                colour,
+            ));
         }
     }
 }

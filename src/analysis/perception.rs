@@ -47,12 +47,19 @@ impl Viewing {
 impl Default for Viewing {
     /// A screen of 96 pixels to an inch at 60 cm, about 40 pixels a degree.
     fn default() -> Self {
-        Self { distance: 600.0, density: 3.78 }
+        Self {
+            distance: 600.0,
+            density: 3.78,
+        }
     }
 }
 
 fn bounded(value: f64, [least, most]: [f64; 2], usual: f64) -> f64 {
-    if (least..=most).contains(&value) { value } else { usual }
+    if (least..=most).contains(&value) {
+        value
+    } else {
+        usual
+    }
 }
 
 /// A model of the response.
@@ -101,7 +108,13 @@ pub struct Perception {
 
 impl Default for Perception {
     fn default() -> Self {
-        Self { model: ResponseModel::default(), centre: 0.04, surround: 0.2, weight: 1.0, saturation: 0.02 }
+        Self {
+            model: ResponseModel::default(),
+            centre: 0.04,
+            surround: 0.2,
+            weight: 1.0,
+            saturation: 0.02,
+        }
     }
 }
 
@@ -130,15 +143,26 @@ impl Perception {
 
     /// The response to `intensity`, where `blur(values, σ)` is a Gaussian's mean of `values` and a degree has `per_degree` of
     /// the units in which it takes σ.
-    pub fn respond(&self, intensity: &[f64], per_degree: f64, blur: &dyn Fn(&[f64], f64) -> Vec<f64>) -> Vec<f64> {
+    pub fn respond(
+        &self,
+        intensity: &[f64],
+        per_degree: f64,
+        blur: &dyn Fn(&[f64], f64) -> Vec<f64>,
+    ) -> Vec<f64> {
         let [centre, surround] = self.widths(per_degree);
         match self.model {
             ResponseModel::LateralInhibition => {
                 let (near, wide) = (blur(intensity, centre), blur(intensity, surround));
                 let means = near.iter().zip(&wide);
-                intensity.iter().zip(means).map(|(i, (near, wide))| i + self.weight * (near - wide)).collect()
+                intensity
+                    .iter()
+                    .zip(means)
+                    .map(|(i, (near, wide))| i + self.weight * (near - wide))
+                    .collect()
             }
-            ResponseModel::ResponseNormalisation => self.normalised(intensity, [centre, surround], blur),
+            ResponseModel::ResponseNormalisation => {
+                self.normalised(intensity, [centre, surround], blur)
+            }
         }
     }
 
@@ -152,11 +176,16 @@ impl Perception {
         let mut near = blur(intensity, width);
         loop {
             let wide = blur(intensity, 2.0 * width);
-            let channel: Vec<f64> = near.iter().zip(&wide).map(|(near, wide)| near - wide).collect();
+            let channel: Vec<f64> = near
+                .iter()
+                .zip(&wide)
+                .map(|(near, wide)| near - wide)
+                .collect();
             let squares: Vec<f64> = channel.iter().map(|e| e * e).collect();
             let energy = blur(&squares, 2.0 * width);
             for ((response, e), energy) in response.iter_mut().zip(&channel).zip(&energy) {
-                *response += self.weight * self.saturation * e / (self.saturation + energy.max(0.0).sqrt());
+                *response +=
+                    self.weight * self.saturation * e / (self.saturation + energy.max(0.0).sqrt());
             }
             width *= 2.0;
             // The last channel is the one whose wider Gaussian is nearest to σs. A width of 0 would never come near.
@@ -175,7 +204,9 @@ impl Perception {
 /// The samples are taken as joined by straight lines, and the Gaussian's mean of that is exact: a sample's weight is that of a
 /// tent about it, the second difference of ψ(x) = x·Φ(x/σ) + σ·φ(x/σ), the Gaussian's second integral.
 fn gaussian(sigma: f64, longest: usize) -> Vec<f64> {
-    let length = ((REACH * sigma).ceil() as usize).saturating_add(2).min(longest.max(1));
+    let length = ((REACH * sigma).ceil() as usize)
+        .saturating_add(2)
+        .min(longest.max(1));
     if sigma < 1e-6 {
         return vec![1.0];
     }
@@ -204,13 +235,22 @@ fn gaussian(sigma: f64, longest: usize) -> Vec<f64> {
 fn mean(weights: &[f64], values: &[f64], at: usize) -> f64 {
     let last = values.len() - 1;
     let sides = |i: usize| values[at.saturating_sub(i)] + values[(at + i).min(last)];
-    weights.iter().enumerate().skip(1).fold(weights[0] * values[at], |sum, (i, weight)| sum + weight * sides(i))
+    weights
+        .iter()
+        .enumerate()
+        .skip(1)
+        .fold(weights[0] * values[at], |sum, (i, weight)| {
+            sum + weight * sides(i)
+        })
 }
 
 /// The Gaussian's mean of width `sigma` samples about each of equally spaced samples, joined by straight lines.
 pub fn blur_line(values: &[f64], sigma: f64) -> Vec<f64> {
     let weights = gaussian(sigma, values.len() + 1);
-    (0..values.len()).into_par_iter().map(|at| mean(&weights, values, at)).collect()
+    (0..values.len())
+        .into_par_iter()
+        .map(|at| mean(&weights, values, at))
+        .collect()
 }
 
 /// The Gaussian's mean of width `sigma` pixels about each pixel of a picture, rows of `width`: along rows, then along columns.
@@ -221,15 +261,26 @@ pub fn blur_picture(values: &[f64], width: usize, sigma: f64) -> Vec<f64> {
     let along_rows = |values: &[f64], width: usize| -> Vec<f64> {
         let weights = gaussian(sigma, width + 1);
         let rows = values.par_chunks(width);
-        rows.flat_map_iter(|row| (0..row.len()).map(|at| mean(&weights, row, at)).collect::<Vec<_>>()).collect()
+        rows.flat_map_iter(|row| {
+            (0..row.len())
+                .map(|at| mean(&weights, row, at))
+                .collect::<Vec<_>>()
+        })
+        .collect()
     };
     let height = values.len() / width;
-    transposed(&along_rows(&transposed(&along_rows(values, width), width), height), height)
+    transposed(
+        &along_rows(&transposed(&along_rows(values, width), width), height),
+        height,
+    )
 }
 
 fn transposed(values: &[f64], width: usize) -> Vec<f64> {
     let height = values.len() / width;
-    (0..width).into_par_iter().flat_map_iter(|x| (0..height).map(move |y| values[y * width + x])).collect()
+    (0..width)
+        .into_par_iter()
+        .flat_map_iter(|x| (0..height).map(move |y| values[y * width + x]))
+        .collect()
 }
 
 /// Rec. 709 luminance of a linear colour.

@@ -63,7 +63,8 @@ impl Question for PlanQuestion {
             }
             watch.at(frame as f32 / (WARM_UP + frames) as f32);
         }
-        let count = |renderer: &Renderer| renderer.terms().iter().map(|term| term.evaluations).sum();
+        let count =
+            |renderer: &Renderer| renderer.terms().iter().map(|term| term.evaluations).sum();
         let [planned, all] = &mut renderers;
         let (terms, runs) = (planned.terms(), planned.report().stages.clone());
         let measured = Some(Saved {
@@ -72,10 +73,19 @@ impl Question for PlanQuestion {
             evaluations: [count(planned), count(all)],
             times: times.map(|mut times| median_ms(&mut times)),
             changes: CHANGES
-                .map(|(name, change)| (name, run_again(planned, |step| changed(scene, change, step))))
+                .map(|(name, change)| {
+                    (
+                        name,
+                        run_again(planned, |step| changed(scene, change, step)),
+                    )
+                })
                 .to_vec(),
         });
-        Ok(FramePlan { terms, runs, measured })
+        Ok(FramePlan {
+            terms,
+            runs,
+            measured,
+        })
     }
 }
 
@@ -83,7 +93,15 @@ impl Question for PlanQuestion {
 fn run_again(renderer: &mut Renderer, change: impl Fn(u32) -> Option<Scene>) -> Option<Vec<Stage>> {
     renderer.render(&change(1)?);
     renderer.render(&change(2)?);
-    Some(renderer.report().stages.iter().filter(|run| run.ran).map(|run| run.stage).collect())
+    Some(
+        renderer
+            .report()
+            .stages
+            .iter()
+            .filter(|run| run.ran)
+            .map(|run| run.stage)
+            .collect(),
+    )
 }
 
 impl Saved {
@@ -98,7 +116,10 @@ impl Saved {
     #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³")]
     fn ratios(&self) -> [f64; 2] {
         let ratio = |[planned, all]: [f64; 2]| if planned > 0.0 { all / planned } else { 1.0 };
-        [ratio(self.evaluations.map(|count| count as f64)), ratio(self.times)]
+        [
+            ratio(self.evaluations.map(|count| count as f64)),
+            ratio(self.times),
+        ]
     }
 }
 
@@ -112,7 +133,9 @@ impl FramePlan {
                 Some((ms, share)) => format!("{name}, {ms:.3} ms, {:.1} %", 100.0 * share),
                 None => name.to_owned(),
             },
-            (None, Some(run)) if run.ran => format!("■ {name}, {:.2} ms", run.nanoseconds as f64 / 1e6),
+            (None, Some(run)) if run.ran => {
+                format!("■ {name}, {:.2} ms", run.nanoseconds as f64 / 1e6)
+            }
             (None, Some(_)) => format!("□ {name}, kept"),
             (None, None) => format!("□ {name}, not needed"),
         }
@@ -123,23 +146,36 @@ impl Answer for FramePlan {
     fn report(&self, about: &About<'_>) -> Report {
         let total: u64 = self.terms.iter().map(|term| term.evaluations).sum();
         let mut report = Report::new(match &self.measured {
-            Some(Saved { frames, .. }) => format!("{}, median of {frames} frames drawn anew", about.heading()),
+            Some(Saved { frames, .. }) => {
+                format!("{}, median of {frames} frames drawn anew", about.heading())
+            }
             None => format!("{total} evaluations a frame"),
         });
         if self.measured.is_none() {
-            report.section("").note("■ ran after the last change   □ kept from before");
+            report
+                .section("")
+                .note("■ ran after the last change   □ kept from before");
         }
         for terms in self.terms.chunk_by(|a, b| a.stage == b.stage) {
             let section = report.section(self.heading(terms[0].stage));
             let mut table = Table::new(["", "", "", ""].map(|head| Column::shown(head, as_it_is)));
-            table.rows.extend(terms.iter().filter(|term| term.omitted.is_none()).map(|term| {
-                cells![
-                    term.name.as_str(),
-                    if term.per == Per::None { String::new() } else { word(&term.per) },
-                    term.evaluations,
-                    term.note.unwrap_or_default()
-                ]
-            }));
+            table.rows.extend(
+                terms
+                    .iter()
+                    .filter(|term| term.omitted.is_none())
+                    .map(|term| {
+                        cells![
+                            term.name.as_str(),
+                            if term.per == Per::None {
+                                String::new()
+                            } else {
+                                word(&term.per)
+                            },
+                            term.evaluations,
+                            term.note.unwrap_or_default()
+                        ]
+                    }),
+            );
             if !table.rows.is_empty() {
                 section.push(Part::Table(table));
             }
@@ -147,41 +183,76 @@ impl Answer for FramePlan {
                 section.note(format!("left out: {} — {reason}", names.join(", ")));
             }
         }
-        let Some(saved) = &self.measured else { return report };
+        let Some(saved) = &self.measured else {
+            return report;
+        };
         let [evaluations, time] = saved.ratios();
-        let mut table = Table::new(["", "plan", "all left in", "ratio"].map(|head| Column::shown(head, fixed::<3>)));
+        let mut table = Table::new(
+            ["", "plan", "all left in", "ratio"].map(|head| Column::shown(head, fixed::<3>)),
+        );
         let [planned, all] = saved.evaluations;
-        table.rows.push(cells!["evaluations", planned, all, evaluations]);
-        table.rows.push(cells!["ms a frame", saved.times[0], saved.times[1], time]);
+        table
+            .rows
+            .push(cells!["evaluations", planned, all, evaluations]);
+        table
+            .rows
+            .push(cells!["ms a frame", saved.times[0], saved.times[1], time]);
         report.section("work saved").push(Part::Table(table));
         let mut table = Table::new(["", ""].map(|head| Column::shown(head, as_it_is)));
-        table.rows.extend(saved.changes.iter().map(|(name, stages)| {
-            let names = |stages: &Vec<Stage>| stages.iter().map(word).collect::<Vec<_>>().join(", ");
-            cells![*name, stages.as_ref().map_or_else(|| "–".to_owned(), names)]
-        }));
-        report.section("what runs again after a change").push(Part::Table(table));
+        table
+            .rows
+            .extend(saved.changes.iter().map(|(name, stages)| {
+                let names =
+                    |stages: &Vec<Stage>| stages.iter().map(word).collect::<Vec<_>>().join(", ");
+                cells![*name, stages.as_ref().map_or_else(|| "–".to_owned(), names)]
+            }));
+        report
+            .section("what runs again after a change")
+            .push(Part::Table(table));
         report
     }
 
     /// The terms, a row each.
     fn table(&self) -> Option<Table> {
-        let mut table = Table::new(["stage", "name", "per", "evaluations", "omitted", "note"].map(Column::key));
+        let mut table =
+            Table::new(["stage", "name", "per", "evaluations", "omitted", "note"].map(Column::key));
         table.rows.extend(self.terms.iter().map(|term| {
-            let Term { stage, name, per, evaluations, omitted, note } = term;
-            cells![word(stage), name.as_str(), word(per), *evaluations, *omitted, *note]
+            let Term {
+                stage,
+                name,
+                per,
+                evaluations,
+                omitted,
+                note,
+            } = term;
+            cells![
+                word(stage),
+                name.as_str(),
+                word(per),
+                *evaluations,
+                *omitted,
+                *note
+            ]
         }));
         Some(table)
     }
 
     fn json(&self, about: &About<'_>) -> Value {
-        let mut object = json!({ "scene": about.name, "size": about.scene.image.size, "terms": self.terms });
-        let Some(saved) = &self.measured else { return object };
+        let mut object =
+            json!({ "scene": about.name, "size": about.scene.image.size, "terms": self.terms });
+        let Some(saved) = &self.measured else {
+            return object;
+        };
         let stage = |(stage, ms): &(Stage, f64)| {
-            (word(stage), json!({ "time_ms": ms, "share": saved.time(*stage).map(|(_, share)| share) }))
+            (
+                word(stage),
+                json!({ "time_ms": ms, "share": saved.time(*stage).map(|(_, share)| share) }),
+            )
         };
         let names = |stages: &Vec<Stage>| stages.iter().map(word).collect::<Vec<_>>();
-        let change =
-            |(name, stages): &(&str, Option<Vec<Stage>>)| ((*name).to_owned(), json!(stages.as_ref().map(names)));
+        let change = |(name, stages): &(&str, Option<Vec<Stage>>)| {
+            ((*name).to_owned(), json!(stages.as_ref().map(names)))
+        };
         let ([planned, all], [planned_ms, all_ms]) = (saved.evaluations, saved.times);
         let [evaluations, time] = saved.ratios();
         object["frames"] = json!(saved.frames);
@@ -190,7 +261,12 @@ impl Answer for FramePlan {
             "evaluations": { "plan": planned, "all": all, "ratio": evaluations },
             "time": { "plan_ms": planned_ms, "all_ms": all_ms, "ratio": time },
         });
-        object["changes"] = saved.changes.iter().map(change).collect::<Map<_, _>>().into();
+        object["changes"] = saved
+            .changes
+            .iter()
+            .map(change)
+            .collect::<Map<_, _>>()
+            .into();
         object
     }
 }
@@ -201,10 +277,15 @@ fn by_reason(terms: &[Term]) -> Vec<(Vec<&str>, &'static str)> {
     for (term, reason) in terms.iter().filter_map(|term| Some((term, term.omitted?))) {
         // Of several parts of one light only the first names it.
         let (light, part) = term.name.split_once(": ").unwrap_or(("", &term.name));
-        match groups.last_mut().filter(|(names, known)| *known == reason && names[0].split(": ").next() == Some(light))
+        match groups
+            .last_mut()
+            .filter(|(names, known)| *known == reason && names[0].split(": ").next() == Some(light))
         {
             Some((names, _)) if !light.is_empty() => names.push(part),
-            _ => match groups.iter_mut().find(|(_, known)| *known == reason && light.is_empty()) {
+            _ => match groups
+                .iter_mut()
+                .find(|(_, known)| *known == reason && light.is_empty())
+            {
                 Some((names, _)) => names.push(&term.name),
                 None => groups.push((vec![&term.name], reason)),
             },
@@ -219,7 +300,10 @@ pub fn stage_words(stage: Stage) -> (&'static str, &'static str) {
         Stage::Geometry => ("geometry", "Tessellation and vertex normals"),
         Stage::Transform => ("transform", "Vertices to the picture; clipping; back faces"),
         Stage::Coverage => ("coverage", "Which polygon each pixel sees"),
-        Stage::Rays => ("rays", "Shadows, what is seen through the object, light from other surfaces"),
+        Stage::Rays => (
+            "rays",
+            "Shadows, what is seen through the object, light from other surfaces",
+        ),
         Stage::VertexShading => ("vertices", "The equation at vertices or faces"),
         Stage::Interpolation => ("interpolation", "Normals or intensities to the pixels"),
         Stage::PixelShading => ("pixels", "The equation at pixels"),

@@ -141,24 +141,41 @@ impl LightTerms {
 
     /// Why the specular term is 0 likewise.
     pub fn why_no_specular(&self) -> Option<String> {
-        self.specular_zero.clauses(if self.reflectance == Rgb::ONE { "Ks·Os" } else { "Ks·Os·W" })
+        self.specular_zero.clauses(if self.reflectance == Rgb::ONE {
+            "Ks·Os"
+        } else {
+            "Ks·Os·W"
+        })
     }
 
     /// Why the light adds nothing, in a clause; nothing where it adds something.
     pub fn why_nothing(&self) -> Option<String> {
         let (diffuse, specular) = (self.why_no_diffuse()?, self.why_no_specular()?);
-        Some(if diffuse == specular { diffuse } else { format!("{diffuse}, and {specular}") })
+        Some(if diffuse == specular {
+            diffuse
+        } else {
+            format!("{diffuse}, and {specular}")
+        })
     }
 
     /// The same in a word or two.
     pub fn why_nothing_in_short(&self) -> Option<&'static str> {
         self.why_nothing()?;
-        let one = self.diffuse_zero == self.specular_zero && self.diffuse_zero.first() == self.diffuse_zero;
-        Some(self.diffuse_zero.short().filter(|_| one).unwrap_or("adds nothing"))
+        let one = self.diffuse_zero == self.specular_zero
+            && self.diffuse_zero.first() == self.diffuse_zero;
+        Some(
+            self.diffuse_zero
+                .short()
+                .filter(|_| one)
+                .unwrap_or("adds nothing"),
+        )
     }
 }
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes fields by reference"
+)]
 fn in_degrees<S: Serializer>(radians: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_f64(radians.to_degrees())
 }
@@ -172,48 +189,65 @@ fn in_degrees<S: Serializer>(radians: &f64, serializer: S) -> Result<S::Ok, S::E
 pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
     let frame = renderer.render(scene);
     let stored = frame.pixel(x, y);
-    let hit = stored.zip(renderer.evaluation(x, y)).map(|(stored, evaluation)| {
-        let (equation, shining) = (renderer.equation(scene), renderer.shining_equation(scene));
-        let equations = [&equation, &shining];
-        let lights = (0..scene.lights.len()).map(|light| light_terms(scene, equations, &evaluation, light)).collect();
-        let mixture = renderer.mixture(x, y);
-        let bounced = mixture.and_then(|mixture| mixture.bounced);
-        // The constant ambient term where the equation is evaluated.
-        let color = evaluation.points.iter().map(|site| equation.pattern_color(site.point) * site.weight);
-        let constant = Rgb::from_array(equation.ambient) * color.sum::<Rgb>();
-        let difference = bounced.unwrap_or(Rgb::ZERO);
-        let reflected = (evaluation.intensity(&shining) + difference).max(Rgb::ZERO);
-        let transmission = mixture.and_then(|mixture| mixture.transmission);
-        let kt = scene.transparency.kt;
-        let mixed = |reflected: Rgb, s0: f64| {
-            transmission.map_or(reflected, |through| reflected * (1.0 - kt) + through.seen * (s0 * kt))
-        };
-        let intensity = mixed(reflected, 1.0);
-        let cue = evaluation.cue.map(|_| {
-            let scale = evaluation.scale();
-            let reflected = (evaluation.kept(&shining) + scale * difference).max(Rgb::ZERO);
-            CueTerms { scale, kept: mixed(reflected, scale), veil: evaluation.veil() }
+    let hit = stored
+        .zip(renderer.evaluation(x, y))
+        .map(|(stored, evaluation)| {
+            let (equation, shining) = (renderer.equation(scene), renderer.shining_equation(scene));
+            let equations = [&equation, &shining];
+            let lights = (0..scene.lights.len())
+                .map(|light| light_terms(scene, equations, &evaluation, light))
+                .collect();
+            let mixture = renderer.mixture(x, y);
+            let bounced = mixture.and_then(|mixture| mixture.bounced);
+            // The constant ambient term where the equation is evaluated.
+            let color = evaluation
+                .points
+                .iter()
+                .map(|site| equation.pattern_color(site.point) * site.weight);
+            let constant = Rgb::from_array(equation.ambient) * color.sum::<Rgb>();
+            let difference = bounced.unwrap_or(Rgb::ZERO);
+            let reflected = (evaluation.intensity(&shining) + difference).max(Rgb::ZERO);
+            let transmission = mixture.and_then(|mixture| mixture.transmission);
+            let kt = scene.transparency.kt;
+            let mixed = |reflected: Rgb, s0: f64| {
+                transmission.map_or(reflected, |through| {
+                    reflected * (1.0 - kt) + through.seen * (s0 * kt)
+                })
+            };
+            let intensity = mixed(reflected, 1.0);
+            let cue = evaluation.cue.map(|_| {
+                let scale = evaluation.scale();
+                let reflected = (evaluation.kept(&shining) + scale * difference).max(Rgb::ZERO);
+                CueTerms {
+                    scale,
+                    kept: mixed(reflected, scale),
+                    veil: evaluation.veil(),
+                }
+            });
+            ProbeHit {
+                position: evaluation.position,
+                normal: evaluation.normal,
+                view: equation.view_at(evaluation.position),
+                depth: evaluation.depth,
+                face: evaluation.face,
+                ambient: constant + difference,
+                bounced: bounced.is_some(),
+                lights,
+                reflected,
+                transmission,
+                intensity,
+                cue,
+                sum: cue.map_or(intensity, |cue| cue.kept + cue.veil),
+                divisor: renderer.report().divisor,
+                stored,
+            }
         });
-        ProbeHit {
-            position: evaluation.position,
-            normal: evaluation.normal,
-            view: equation.view_at(evaluation.position),
-            depth: evaluation.depth,
-            face: evaluation.face,
-            ambient: constant + difference,
-            bounced: bounced.is_some(),
-            lights,
-            reflected,
-            transmission,
-            intensity,
-            cue,
-            sum: cue.map_or(intensity, |cue| cue.kept + cue.veil),
-            divisor: renderer.report().divisor,
-            stored,
-        }
-    });
     let ambient_fit = renderer.report().ambient_fit.map(Rgb::from_array);
-    Probe { pixel: [x, y], hit, ambient_fit }
+    Probe {
+        pixel: [x, y],
+        hit,
+        ambient_fit,
+    }
 }
 
 /// One light's part; the second equation has only the sources that the picture is shaded with.
@@ -232,7 +266,13 @@ fn light_terms(
         reached += site.weight * response.reached;
     }
     let left_out = shining.sources_of(light).is_empty();
-    let [diffuse_zero, specular_zero] = zero_causes(scene, [equation, shining], evaluation, light, [diffuse, specular]);
+    let [diffuse_zero, specular_zero] = zero_causes(
+        scene,
+        [equation, shining],
+        evaluation,
+        light,
+        [diffuse, specular],
+    );
     let phi = match scene.reflection.model {
         ReflectionModel::Phong => angle(here.r, here.v),
         ReflectionModel::Blinn | ReflectionModel::CookTorrance => angle(evaluation.normal, here.h),
@@ -269,14 +309,26 @@ pub fn clearest_pixel(renderer: &mut Renderer, scene: &Scene) -> Probe {
     let [width, height] = scene.image.size;
     let middle = [width / 2, height / 2];
     let middles = |side: u32| (0..SEARCH_GRID).map(move |i| (2 * i + 1) * side / (2 * SEARCH_GRID));
-    let mut grid: Vec<[u32; 2]> = middles(height).flat_map(|y| middles(width).map(move |x| [x, y])).collect();
+    let mut grid: Vec<[u32; 2]> = middles(height)
+        .flat_map(|y| middles(width).map(move |x| [x, y]))
+        .collect();
     grid.dedup();
     let distance = |[x, y]: &[u32; 2]| {
-        let (dx, dy) = (u64::from(x.abs_diff(middle[0])), u64::from(y.abs_diff(middle[1])));
+        let (dx, dy) = (
+            u64::from(x.abs_diff(middle[0])),
+            u64::from(y.abs_diff(middle[1])),
+        );
         dx * dx + dy * dy
     };
     grid.sort_by_key(distance);
-    let mut best = (Clarity::Background, Probe { pixel: middle, hit: None, ambient_fit: None });
+    let mut best = (
+        Clarity::Background,
+        Probe {
+            pixel: middle,
+            hit: None,
+            ambient_fit: None,
+        },
+    );
     for [x, y] in grid {
         let probed = probe(renderer, scene, x, y);
         let clarity = Clarity::of(&probed);
@@ -303,9 +355,20 @@ enum Clarity {
 
 impl Clarity {
     fn of(probed: &Probe) -> Self {
-        let Some(hit) = &probed.hit else { return Self::Background };
-        let Some(light) = hit.lights.iter().find(|light| light.n_dot_l > 0.0) else { return Self::Dark };
+        let Some(hit) = &probed.hit else {
+            return Self::Background;
+        };
+        let Some(light) = hit.lights.iter().find(|light| light.n_dot_l > 0.0) else {
+            return Self::Dark;
+        };
         let angles = [light.theta, light.phi, hit.normal.angle_between(hit.view)];
-        if angles.iter().all(|angle| APART.contains(&angle.to_degrees())) { Self::Apart } else { Self::Lit }
+        if angles
+            .iter()
+            .all(|angle| APART.contains(&angle.to_degrees()))
+        {
+            Self::Apart
+        } else {
+            Self::Lit
+        }
     }
 }

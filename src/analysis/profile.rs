@@ -13,7 +13,9 @@ mod picture;
 mod plots;
 
 pub use line::Sample;
-pub use picture::{CURVE, PERCEIVED_WIDTH, ProfileCurves, draw_profile, lay_out_profile, perceived_picture};
+pub use picture::{
+    CURVE, PERCEIVED_WIDTH, ProfileCurves, draw_profile, lay_out_profile, perceived_picture,
+};
 pub use plots::profile_plots;
 
 use super::perception::{Perception, Viewing, blur_line};
@@ -40,13 +42,23 @@ pub struct ProfileQuestion {
 
 impl ProfileQuestion {
     /// The modes that are compared unless others are asked for.
-    pub const MODES: [ShadingMode; 4] =
-        [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+    pub const MODES: [ShadingMode; 4] = [
+        ShadingMode::Flat,
+        ShadingMode::Gouraud,
+        ShadingMode::Phong,
+        ShadingMode::Exact,
+    ];
 
     /// A line between two places, with everything else as usual.
     pub fn new(from: DVec2, to: DVec2) -> Self {
         let (viewing, perception) = Default::default();
-        Self { from, to, modes: Self::MODES.to_vec(), viewing, perception }
+        Self {
+            from,
+            to,
+            modes: Self::MODES.to_vec(),
+            viewing,
+            perception,
+        }
     }
 
     /// Whether there is such a profile in a picture of `size`.
@@ -58,7 +70,9 @@ impl ProfileQuestion {
     }
 
     fn line(&self, size: [u32; 2]) -> Result<Line, ProfileError> {
-        let inside = |p: DVec2| p.cmpge(DVec2::ZERO).all() && p.cmple(DVec2::from_array(size.map(f64::from))).all();
+        let inside = |p: DVec2| {
+            p.cmpge(DVec2::ZERO).all() && p.cmple(DVec2::from_array(size.map(f64::from))).all()
+        };
         if !inside(self.from) || !inside(self.to) {
             return Err(ProfileError::Outside { size });
         }
@@ -137,7 +151,11 @@ pub struct Corner {
 ///
 /// # Errors
 /// A line without length or with an end outside the picture, or no mode.
-pub fn profile(renderer: &mut Renderer, scene: &Scene, request: &ProfileQuestion) -> Result<Profile, ProfileError> {
+pub fn profile(
+    renderer: &mut Renderer,
+    scene: &Scene,
+    request: &ProfileQuestion,
+) -> Result<Profile, ProfileError> {
     let line = request.line(scene.image.size)?;
     let per_degree = request.viewing.pixels_per_degree();
     let widths = request.perception.widths(per_degree);
@@ -150,14 +168,23 @@ pub fn profile(renderer: &mut Renderer, scene: &Scene, request: &ProfileQuestion
         if borders.is_empty() {
             let border = |&(t, sides): &(f64, [Option<&Piece>; 2])| {
                 let DVec2 { x, y } = line.place(t);
-                Border { x, y, t, faces: sides.map(|piece| Some(piece?.face)) }
+                Border {
+                    x,
+                    y,
+                    t,
+                    faces: sides.map(|piece| Some(piece?.face)),
+                }
             };
             borders = joints.iter().map(border).collect();
         }
         let corner = |(t, sides)| {
             let [before, after] = source.sides(t, sides);
             let slopes = [before.1, after.1];
-            Some(Corner { step: after.0 - before.0, slopes, jump: slopes[1] - slopes[0] })
+            Some(Corner {
+                step: after.0 - before.0,
+                slopes,
+                jump: slopes[1] - slopes[0],
+            })
         };
         let corners = joints.into_iter().map(corner).collect();
         let (intensity, slope): (Vec<f64>, Vec<f64>) = source.values().into_iter().unzip();
@@ -175,7 +202,13 @@ pub fn profile(renderer: &mut Renderer, scene: &Scene, request: &ProfileQuestion
     for trace in &mut traces {
         trace.corners.resize(borders.len(), None);
     }
-    Ok(Profile { samples: line.samples(), traces, borders, length: request.from.distance(request.to), widths })
+    Ok(Profile {
+        samples: line.samples(),
+        traces,
+        borders,
+        length: request.from.distance(request.to),
+        widths,
+    })
 }
 
 /// The profile, and how it was asked.
@@ -188,22 +221,51 @@ pub struct TakenProfile {
 impl Question for ProfileQuestion {
     type Answer = TakenProfile;
 
-    fn answer(&self, subject: &Subject, _: &dyn Watch<TakenProfile>) -> Result<TakenProfile, String> {
-        let profile = profile(&mut subject.renderer(), &subject.scene, self).map_err(|error| error.to_string())?;
-        Ok(TakenProfile { profile, question: self.clone() })
+    fn answer(
+        &self,
+        subject: &Subject,
+        _: &dyn Watch<TakenProfile>,
+    ) -> Result<TakenProfile, String> {
+        let profile = profile(&mut subject.renderer(), &subject.scene, self)
+            .map_err(|error| error.to_string())?;
+        Ok(TakenProfile {
+            profile,
+            question: self.clone(),
+        })
     }
 }
 
 impl TakenProfile {
     /// The samples, a row each.
     fn samples(&self) -> Table {
-        let Profile { samples, traces, .. } = &self.profile;
-        let of_mode = |mode: &str| [mode.to_owned(), format!("{mode}_slope"), format!("{mode}_perceived")];
+        let Profile {
+            samples, traces, ..
+        } = &self.profile;
+        let of_mode = |mode: &str| {
+            [
+                mode.to_owned(),
+                format!("{mode}_slope"),
+                format!("{mode}_perceived"),
+            ]
+        };
         let modes = traces.iter().flat_map(|trace| of_mode(trace.mode.word()));
-        let mut table = Table::new(["x", "y", "t"].into_iter().map(Column::key).chain(modes.map(Column::key)));
+        let mut table = Table::new(
+            ["x", "y", "t"]
+                .into_iter()
+                .map(Column::key)
+                .chain(modes.map(Column::key)),
+        );
         for (i, sample) in samples.iter().enumerate() {
-            let values = traces.iter().flat_map(|trace| [trace.intensity[i], trace.slope[i], trace.perceived[i]]);
-            table.rows.push([sample.x, sample.y, sample.t].into_iter().chain(values).map(Cell::from).collect());
+            let values = traces
+                .iter()
+                .flat_map(|trace| [trace.intensity[i], trace.slope[i], trace.perceived[i]]);
+            table.rows.push(
+                [sample.x, sample.y, sample.t]
+                    .into_iter()
+                    .chain(values)
+                    .map(Cell::from)
+                    .collect(),
+            );
         }
         table
     }
@@ -231,9 +293,23 @@ impl Answer for TakenProfile {
     fn json(&self, _: &About<'_>) -> Value {
         let Self { profile, question } = self;
         let table = self.samples();
-        let keys = || table.columns.iter().map(|column| column.key.as_deref().unwrap_or_default().to_owned());
-        let number = |cell: &Cell| if let Cell::Number(value) = cell { json!(value) } else { Value::Null };
-        let samples = table.rows.iter().map(|row| Value::Object(keys().zip(row.iter().map(number)).collect()));
+        let keys = || {
+            table
+                .columns
+                .iter()
+                .map(|column| column.key.as_deref().unwrap_or_default().to_owned())
+        };
+        let number = |cell: &Cell| {
+            if let Cell::Number(value) = cell {
+                json!(value)
+            } else {
+                Value::Null
+            }
+        };
+        let samples = table
+            .rows
+            .iter()
+            .map(|row| Value::Object(keys().zip(row.iter().map(number)).collect()));
         let borders = profile.borders.iter().enumerate().map(|(i, border)| {
             let mut row = json!(border);
             for trace in &profile.traces {

@@ -11,14 +11,20 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 /// What is asked of a scene: plain data, so that it can be kept, compared and sent elsewhere.
-pub trait Question: Clone + Debug + PartialEq + Serialize + DeserializeOwned + Send + Sync + 'static {
+pub trait Question:
+    Clone + Debug + PartialEq + Serialize + DeserializeOwned + Send + Sync + 'static
+{
     type Answer: Answer + Clone + 'static;
 
     /// Finds the answer.
     ///
     /// # Errors
     /// Why there is none, in a sentence that says what was expected.
-    fn answer(&self, subject: &Subject, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String>;
+    fn answer(
+        &self,
+        subject: &Subject,
+        watch: &dyn Watch<Self::Answer>,
+    ) -> Result<Self::Answer, String>;
 }
 
 /// What a question is about.
@@ -89,20 +95,64 @@ impl Analysis {
 }
 
 const fn analysis(name: &'static str, asks: &'static str, formats: &'static [Format]) -> Analysis {
-    Analysis { name, asks, formats }
+    Analysis {
+        name,
+        asks,
+        formats,
+    }
 }
 
 /// All analyses. A new one is a line here, a module with its question and its answer, and its arguments in `cli`.
 pub const ANALYSES: [Analysis; 11] = [
     analysis("probe", "Fill in the equation at one pixel", &[Csv, Json]),
-    analysis("curves", "Plot the curves of local illumination at one pixel", &[Png, Svg, Csv, Json]),
-    analysis("profile", "Take the intensity along a line, its slope and what is perceived", &[Png, Svg, Csv, Json]),
-    analysis("scanline", "Convert one polygon to pixels, step by step", &[Png, Svg, Csv, Json]),
-    analysis("normals", "Show which faces a vertex normal comes from, with their weights", &[Csv, Json]),
-    analysis("compare", "Measure panes of one scene against the last of them", &[Csv, Json]),
-    analysis("defects", "Measure the five defects of interpolated shading", &[Png, Svg, Csv, Json]),
-    analysis("explain", "Print a frame's plan: what is evaluated, what is left out and why", &[Csv, Json]),
-    analysis("study", "Measure error against run time", &[Png, Svg, Csv, Json]),
-    analysis("stability", "Draw the stiff and extreme cases", &[Png, Csv, Json]),
-    analysis("bench", "Measure the time of a frame and of its stages", &[Csv, Json]),
+    analysis(
+        "curves",
+        "Plot the curves of local illumination at one pixel",
+        &[Png, Svg, Csv, Json],
+    ),
+    analysis(
+        "profile",
+        "Take the intensity along a line, its slope and what is perceived",
+        &[Png, Svg, Csv, Json],
+    ),
+    analysis(
+        "scanline",
+        "Convert one polygon to pixels, step by step",
+        &[Png, Svg, Csv, Json],
+    ),
+    analysis(
+        "normals",
+        "Show which faces a vertex normal comes from, with their weights",
+        &[Csv, Json],
+    ),
+    analysis(
+        "compare",
+        "Measure panes of one scene against the last of them",
+        &[Csv, Json],
+    ),
+    analysis(
+        "defects",
+        "Measure the five defects of interpolated shading",
+        &[Png, Svg, Csv, Json],
+    ),
+    analysis(
+        "explain",
+        "Print a frame's plan: what is evaluated, what is left out and why",
+        &[Csv, Json],
+    ),
+    analysis(
+        "study",
+        "Measure error against run time",
+        &[Png, Svg, Csv, Json],
+    ),
+    analysis(
+        "stability",
+        "Draw the stiff and extreme cases",
+        &[Png, Csv, Json],
+    ),
+    analysis(
+        "bench",
+        "Measure the time of a frame and of its stages",
+        &[Csv, Json],
+    ),
 ];

@@ -51,7 +51,10 @@ pub trait Answer: Debug + Send + Sync {
         let room = DVec2::from_array(size.map(f64::from));
         let titles: Vec<&str> = plots.iter().map(|plot| plot.title.as_str()).collect();
         let drawing = || lay_out_sheet(&plots, room, &PlotStyle::of(size, plots.len(), paper));
-        (!plots.is_empty()).then(|| Figure::Drawing { drawing: drawing(), title: titles.join("; ") })
+        (!plots.is_empty()).then(|| Figure::Drawing {
+            drawing: drawing(),
+            title: titles.join("; "),
+        })
     }
 }
 
@@ -102,12 +105,18 @@ pub enum Part {
 
 impl Report {
     pub fn new(title: impl Into<String>) -> Self {
-        Self { title: title.into(), ..Self::default() }
+        Self {
+            title: title.into(),
+            ..Self::default()
+        }
     }
 
     /// Begins a section.
     pub fn section(&mut self, title: impl Into<String>) -> &mut Section {
-        self.sections.push(Section { title: title.into(), parts: Vec::new() });
+        self.sections.push(Section {
+            title: title.into(),
+            parts: Vec::new(),
+        });
         let last = self.sections.len() - 1;
         &mut self.sections[last]
     }
@@ -117,7 +126,13 @@ impl Report {
     }
 
     pub fn plots(&self) -> impl Iterator<Item = &Plot> {
-        self.parts().filter_map(|part| if let Part::Plot(plot) = part { Some(&**plot) } else { None })
+        self.parts().filter_map(|part| {
+            if let Part::Plot(plot) = part {
+                Some(&**plot)
+            } else {
+                None
+            }
+        })
     }
 }
 
@@ -128,8 +143,13 @@ impl dyn Answer + '_ {
             return table.to_csv();
         }
         let report = self.report(about);
-        let mut tables =
-            report.parts().filter_map(|part| if let Part::Table(table) = part { Some(table) } else { None });
+        let mut tables = report.parts().filter_map(|part| {
+            if let Part::Table(table) = part {
+                Some(table)
+            } else {
+                None
+            }
+        });
         let own = tables.find(|table| table.columns.iter().any(|column| column.key.is_some()));
         own.map_or_else(|| samples(report.plots()).to_csv(), Table::to_csv)
     }
@@ -140,8 +160,16 @@ impl dyn Answer + '_ {
         if report.title.is_empty() {
             return self.csv(about);
         }
-        let sections: Vec<String> = report.sections.iter().map(Section::text).filter(|text| !text.is_empty()).collect();
-        format!("{}\n\n{}", report.title, sections.join("\n")).trim_end().to_owned() + "\n"
+        let sections: Vec<String> = report
+            .sections
+            .iter()
+            .map(Section::text)
+            .filter(|text| !text.is_empty())
+            .collect();
+        format!("{}\n\n{}", report.title, sections.join("\n"))
+            .trim_end()
+            .to_owned()
+            + "\n"
     }
 }
 
@@ -155,7 +183,10 @@ impl Section {
     }
 
     pub fn quantity(&mut self, value: impl Into<String>, name: impl Into<String>) -> &mut Self {
-        self.push(Part::Quantity { value: value.into(), name: name.into() })
+        self.push(Part::Quantity {
+            value: value.into(),
+            name: name.into(),
+        })
     }
 
     pub fn push(&mut self, part: Part) -> &mut Self {
@@ -164,7 +195,11 @@ impl Section {
     }
 
     fn text(&self) -> String {
-        let mut text = if self.title.is_empty() { String::new() } else { format!("{}\n", self.title) };
+        let mut text = if self.title.is_empty() {
+            String::new()
+        } else {
+            format!("{}\n", self.title)
+        };
         for part in &self.parts {
             match part {
                 Part::Text(line) | Part::Note(line) => text += &format!("{line}\n"),
@@ -181,16 +216,25 @@ impl Section {
 fn plot_text(plot: &Plot) -> String {
     let mut text = format!("{}\n  {}\n", plot.title, plot.note);
     if !plot.legend.is_empty() {
-        let heads = plot.legend.iter().map(|head| Column::shown(head.clone(), as_it_is));
+        let heads = plot
+            .legend
+            .iter()
+            .map(|head| Column::shown(head.clone(), as_it_is));
         let mut table = Table::new(std::iter::once(Column::shown("", as_it_is)).chain(heads));
         for curve in &plot.curves {
             let cells = std::iter::once(&curve.name).chain(&curve.notes);
-            table.rows.push(cells.map(|cell| cell.as_str().into()).collect());
+            table
+                .rows
+                .push(cells.map(|cell| cell.as_str().into()).collect());
         }
         text += &table.text();
     }
     text.extend(plot.marks.iter().map(|mark| format!("  {}\n", mark.label)));
-    text.extend(plot.directions.iter().map(|arrow| format!("  {:20}{:11.1}° from N\n", arrow.letter, arrow.angle)));
+    text.extend(
+        plot.directions
+            .iter()
+            .map(|arrow| format!("  {:20}{:11.1}° from N\n", arrow.letter, arrow.angle)),
+    );
     text
 }
 
@@ -201,7 +245,12 @@ fn samples<'a>(plots: impl Iterator<Item = &'a Plot>) -> Table {
         let kind = word(&plot.kind);
         for curve in &plot.curves {
             let name = curve.name.replace(", now", "");
-            table.rows.extend(curve.points.iter().map(|[x, y]| cells![kind.as_str(), name.as_str(), *x, *y]));
+            table.rows.extend(
+                curve
+                    .points
+                    .iter()
+                    .map(|[x, y]| cells![kind.as_str(), name.as_str(), *x, *y]),
+            );
         }
     }
     table
@@ -209,7 +258,10 @@ fn samples<'a>(plots: impl Iterator<Item = &'a Plot>) -> Table {
 
 /// The word that stands for a choice in files.
 pub fn word(choice: &impl serde::Serialize) -> String {
-    serde_json::to_value(choice).ok().and_then(|word| word.as_str().map(str::to_owned)).unwrap_or_default()
+    serde_json::to_value(choice)
+        .ok()
+        .and_then(|word| word.as_str().map(str::to_owned))
+        .unwrap_or_default()
 }
 
 /// A table; a column may be for people, for files, or for both.
@@ -261,59 +313,112 @@ pub fn fixed<const DECIMALS: usize>(value: f64) -> String {
 impl Column {
     /// A column for files.
     pub fn key(key: impl Into<Cow<'static, str>>) -> Self {
-        Self { key: Some(key.into()), head: None, show: as_it_is }
+        Self {
+            key: Some(key.into()),
+            head: None,
+            show: as_it_is,
+        }
     }
 
     /// A column for people.
     pub fn shown(head: impl Into<Cow<'static, str>>, show: fn(f64) -> String) -> Self {
-        Self { key: None, head: Some(head.into()), show }
+        Self {
+            key: None,
+            head: Some(head.into()),
+            show,
+        }
     }
 
     /// A column for both.
     pub fn both(key: &'static str, head: &'static str, show: fn(f64) -> String) -> Self {
-        Self { key: Some(key.into()), head: Some(head.into()), show }
+        Self {
+            key: Some(key.into()),
+            head: Some(head.into()),
+            show,
+        }
     }
 }
 
 impl Table {
     pub fn new(columns: impl IntoIterator<Item = Column>) -> Self {
-        Self { columns: columns.into_iter().collect(), rows: Vec::new() }
+        Self {
+            columns: columns.into_iter().collect(),
+            rows: Vec::new(),
+        }
     }
 
     /// A row for each of `rows`; every column says what stands in it.
     pub fn of<T, const N: usize>(rows: &[T], columns: [Filled<T>; N]) -> Self {
-        let rows = rows.iter().map(|row| columns.iter().map(|(_, cell)| cell(row)).collect()).collect();
-        Self { columns: columns.into_iter().map(|(column, _)| column).collect(), rows }
+        let rows = rows
+            .iter()
+            .map(|row| columns.iter().map(|(_, cell)| cell(row)).collect())
+            .collect();
+        Self {
+            columns: columns.into_iter().map(|(column, _)| column).collect(),
+            rows,
+        }
     }
 
     /// The heads that people see, and the rows below them; and whether each column holds numbers.
     pub fn for_people(&self) -> (Vec<&str>, Vec<Vec<String>>, Vec<bool>) {
-        let shown: Vec<(usize, &Column)> =
-            self.columns.iter().enumerate().filter(|(_, column)| column.head.is_some()).collect();
-        let heads = shown.iter().filter_map(|(_, column)| column.head.as_deref()).collect();
+        let shown: Vec<(usize, &Column)> = self
+            .columns
+            .iter()
+            .enumerate()
+            .filter(|(_, column)| column.head.is_some())
+            .collect();
+        let heads = shown
+            .iter()
+            .filter_map(|(_, column)| column.head.as_deref())
+            .collect();
         let cell = |row: &[Cell], (index, column): &(usize, &Column)| match row.get(*index) {
             Some(Cell::Text(text)) => text.clone(),
             Some(Cell::Number(value)) => (column.show)(*value),
             Some(Cell::Count(count)) => count.to_string(),
             Some(Cell::Empty) | None => "–".to_owned(),
         };
-        let rows = self.rows.iter().map(|row| shown.iter().map(|column| cell(row, column)).collect()).collect();
-        let text = |index: usize| self.rows.iter().any(|row| matches!(row.get(index), Some(Cell::Text(_))));
-        (heads, rows, shown.iter().map(|(index, _)| !text(*index)).collect())
+        let rows = self
+            .rows
+            .iter()
+            .map(|row| shown.iter().map(|column| cell(row, column)).collect())
+            .collect();
+        let text = |index: usize| {
+            self.rows
+                .iter()
+                .any(|row| matches!(row.get(index), Some(Cell::Text(_))))
+        };
+        (
+            heads,
+            rows,
+            shown.iter().map(|(index, _)| !text(*index)).collect(),
+        )
     }
 
     /// The table for a terminal; nothing where no column is for people.
     pub fn text(&self) -> String {
         let (heads, rows, numbers) = self.for_people();
         let heads: Vec<String> = heads.into_iter().map(str::to_owned).collect();
-        let lines = || std::iter::once(&heads).filter(|heads| heads.iter().any(|head| !head.is_empty())).chain(&rows);
-        let width = |column: usize| lines().map(|line| line[column].chars().count()).max().unwrap_or(0);
+        let lines = || {
+            std::iter::once(&heads)
+                .filter(|heads| heads.iter().any(|head| !head.is_empty()))
+                .chain(&rows)
+        };
+        let width = |column: usize| {
+            lines()
+                .map(|line| line[column].chars().count())
+                .max()
+                .unwrap_or(0)
+        };
         let widths: Vec<usize> = (0..heads.len()).map(width).collect();
         let mut text = String::new();
         for line in lines().filter(|line| !line.is_empty()) {
             let mut row = String::new();
             for ((cell, width), number) in line.iter().zip(&widths).zip(&numbers) {
-                row += &if *number { format!("  {cell:>width$}") } else { format!("  {cell:width$}") };
+                row += &if *number {
+                    format!("  {cell:>width$}")
+                } else {
+                    format!("  {cell:width$}")
+                };
             }
             text += row.trim_end();
             text.push('\n');
@@ -323,7 +428,12 @@ impl Table {
 
     /// The columns with keys, with all digits, as CSV (RFC 4180).
     pub fn to_csv(&self) -> String {
-        let kept = || self.columns.iter().zip(0..).filter_map(|(column, index)| Some((column.key.as_deref()?, index)));
+        let kept = || {
+            self.columns
+                .iter()
+                .zip(0..)
+                .filter_map(|(column, index)| Some((column.key.as_deref()?, index)))
+        };
         let field = |cell: Option<&Cell>| match cell {
             Some(Cell::Text(text)) => text.clone(),
             Some(Cell::Number(value)) => value.to_string(),

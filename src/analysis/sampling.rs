@@ -25,19 +25,32 @@ pub struct SamplingError {
 ///
 /// The equation is evaluated where the shading mode evaluates it, in double precision; of all lights only this one
 /// differs, so only its terms are. Shadows are left aside: every point of the light reaches every point of the object.
-pub fn sampling_error_with(renderer: &mut Renderer, scene: &Scene, light: usize) -> Option<SamplingError> {
-    let chosen = scene.lights.get(light).filter(|chosen| chosen.kind == LightKind::Area)?;
+pub fn sampling_error_with(
+    renderer: &mut Renderer,
+    scene: &Scene,
+    light: usize,
+) -> Option<SamplingError> {
+    let chosen = scene
+        .lights
+        .get(light)
+        .filter(|chosen| chosen.kind == LightKind::Area)?;
     if !chosen.shines(scene.soloing()) {
         return None;
     }
     let mut small = scene.clone();
     let longer = u64::from(scene.image.size[0].max(scene.image.size[1]).max(1));
-    small.image.size = scene.image.size.map(|side| (u64::from(side) * u64::from(SIDE) / longer).max(1) as u32);
+    small.image.size = scene
+        .image
+        .size
+        .map(|side| (u64::from(side) * u64::from(SIDE) / longer).max(1) as u32);
     small.shading.shadows = false;
     renderer.render(&small);
     let of = |samples: u32| {
         let mut alone = small.clone();
-        alone.lights = vec![Light { samples, ..chosen.clone() }];
+        alone.lights = vec![Light {
+            samples,
+            ..chosen.clone()
+        }];
         Equation::<f64>::new(&alone)
     };
     let (coarse, fine) = (of(chosen.samples), of(REFERENCE_SAMPLES));
@@ -58,5 +71,8 @@ pub fn sampling_error_with(renderer: &mut Renderer, scene: &Scene, light: usize)
         sum += difference.length_squared();
         greatest = greatest.max(difference.abs().max_element());
     }
-    (count > 0.0).then(|| SamplingError { rms: (sum / (3.0 * count)).sqrt(), greatest })
+    (count > 0.0).then(|| SamplingError {
+        rms: (sum / (3.0 * count)).sqrt(),
+        greatest,
+    })
 }

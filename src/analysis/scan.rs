@@ -178,7 +178,11 @@ pub enum ScanStep {
     /// Q is found.
     Q { line: usize, span: usize },
     /// A pixel is shaded.
-    Pixel { line: usize, span: usize, pixel: usize },
+    Pixel {
+        line: usize,
+        span: usize,
+        pixel: usize,
+    },
 }
 
 /// How large a step is. A larger one is also the beginning of smaller ones.
@@ -224,7 +228,9 @@ pub enum ScanError {
         "face {face} reaches behind the eye and is cut before it is drawn, expected one that is wholly in front of it"
     )]
     BehindTheEye { face: u32 },
-    #[error("face {face} is seen edge-on: no pixel's centre lies inside, expected one that is turned to the viewer")]
+    #[error(
+        "face {face} is seen edge-on: no pixel's centre lies inside, expected one that is turned to the viewer"
+    )]
     EdgeOn { face: u32 },
 }
 
@@ -242,13 +248,18 @@ impl Scan {
     /// The next step that is as large as `level` or larger; the last one after all of these.
     pub fn forward(&self, from: usize, level: ScanLevel) -> usize {
         let mut after = from.saturating_add(1)..self.steps.len();
-        after.find(|step| self.steps[*step].level() >= level).unwrap_or(self.last())
+        after
+            .find(|step| self.steps[*step].level() >= level)
+            .unwrap_or(self.last())
     }
 
     /// The step of that size before `from`; the first one before all of these.
     pub fn back(&self, from: usize, level: ScanLevel) -> usize {
         let before = &self.steps[..from.min(self.last())];
-        before.iter().rposition(|step| step.level() >= level).unwrap_or(0)
+        before
+            .iter()
+            .rposition(|step| step.level() >= level)
+            .unwrap_or(0)
     }
 
     /// What stands at step `step`, or at the last one.
@@ -290,7 +301,10 @@ impl Scan {
 
     /// The step of this scan that is most like step `step` of `other`, of the same polygon in another view.
     pub fn step_like(&self, other: &Self, step: usize) -> usize {
-        self.nearest(other.at(step).level, other.place_of(step) * self.grid.size() / other.grid.size())
+        self.nearest(
+            other.at(step).level,
+            other.place_of(step) * self.grid.size() / other.grid.size(),
+        )
     }
 
     /// The step that begins line `y` of the grid, and the one that ends it.
@@ -304,8 +318,11 @@ impl Scan {
     fn nearest(&self, level: ScanLevel, place: DVec2) -> usize {
         let steps = (0..self.steps.len()).filter(|step| self.steps[*step].level() == level);
         // Another line is farther than any pixel of this one.
-        let far =
-            |step: &usize| (self.place_of(*step) - place).abs().dot(DVec2::new(1.0, f64::from(self.grid.columns)));
+        let far = |step: &usize| {
+            (self.place_of(*step) - place)
+                .abs()
+                .dot(DVec2::new(1.0, f64::from(self.grid.columns)))
+        };
         steps.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0)
     }
 
@@ -313,6 +330,11 @@ impl Scan {
     fn place_of(&self, step: usize) -> DVec2 {
         let point = self.at(step);
         let crossing = point.q.or(point.p).map_or(0.0, |crossing| crossing.x);
-        DVec2::new(point.pixel.map_or(crossing, |pixel| f64::from(pixel.x) + 0.5), point.line.at())
+        DVec2::new(
+            point
+                .pixel
+                .map_or(crossing, |pixel| f64::from(pixel.x) + 0.5),
+            point.line.at(),
+        )
     }
 }

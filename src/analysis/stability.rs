@@ -55,8 +55,10 @@ impl fmt::Display for Condition {
         const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
         let text = format!("{:.1e}", self.value);
         let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-        let raised: String =
-            power.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize])).collect();
+        let raised: String = power
+            .chars()
+            .map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]))
+            .collect();
         match (digits.trim_end_matches(".0"), power) {
             (digits, "0") => write!(f, "{digits} {}", self.of),
             ("1", _) => write!(f, "10{raised} {}", self.of),
@@ -90,7 +92,17 @@ pub struct Case {
 /// A case of which nothing but its name is known yet.
 const fn case(name: &'static str, title: &'static str, topic: Topic) -> Case {
     let change: fn(&mut Scene) = |_| ();
-    Case { name, title, topic, wrong: "", robust: "", condition: None, make: Scene::default, change, pictures: None }
+    Case {
+        name,
+        title,
+        topic,
+        wrong: "",
+        robust: "",
+        condition: None,
+        make: Scene::default,
+        change,
+        pictures: None,
+    }
 }
 
 impl Case {
@@ -179,9 +191,17 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
         Some(make) => make(renderer),
         None => {
             let scene = case.scene().unwrap_or_default();
-            let naive = textbook::draw(&scene).into_iter().map(|color| color.map(f64::from)).collect();
+            let naive = textbook::draw(&scene)
+                .into_iter()
+                .map(|color| color.map(f64::from))
+                .collect();
             let engine = engine_picture(renderer, &scene);
-            Pictures { naive, engine, truth: reference::draw(&scene), scene: Some(scene) }
+            Pictures {
+                naive,
+                engine,
+                truth: reference::draw(&scene),
+                scene: Some(scene),
+            }
         }
     };
     let truth: Vec<[f64; 3]> = pictures.truth.iter().map(|truth| truth.color).collect();
@@ -194,20 +214,32 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
         naive_off: 0,
         naive_not_finite: not_finite(&pictures.naive),
         robust_not_finite: not_finite(&pictures.engine),
-        pictures: [frame(&pictures.naive, wrapped), frame(&pictures.engine, clamped), frame(&truth, clamped)],
+        pictures: [
+            frame(&pictures.naive, wrapped),
+            frame(&pictures.engine, clamped),
+            frame(&truth, clamped),
+        ],
         scene: pictures.scene,
     };
-    let compared = pictures.truth.iter().zip(pictures.naive.iter().zip(&pictures.engine));
+    let compared = pictures
+        .truth
+        .iter()
+        .zip(pictures.naive.iter().zip(&pictures.engine));
     for (truth, (naive, engine)) in compared.filter(|(truth, _)| truth.clear) {
         let truth = truth.color.map(clamped);
         let naive = greatest(truth, naive.map(wrapped));
         result.naive_error = result.naive_error.max(naive);
-        result.robust_error = result.robust_error.max(greatest(truth, engine.map(clamped)));
+        result.robust_error = result
+            .robust_error
+            .max(greatest(truth, engine.map(clamped)));
         result.naive_off += u64::from(naive > HALF_A_CODE_VALUE);
         result.pixels += 1;
     }
     let holds = |error: f64| error <= HALF_A_CODE_VALUE;
-    result.verdict = match (holds(result.robust_error), holds(result.naive_error) && result.naive_not_finite == 0) {
+    result.verdict = match (
+        holds(result.robust_error),
+        holds(result.naive_error) && result.naive_not_finite == 0,
+    ) {
         (false, _) => Verdict::Fails,
         (true, false) => Verdict::RobustHolds,
         (true, true) => Verdict::BothHold,
@@ -219,13 +251,20 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
 fn engine_picture(renderer: &mut Renderer, scene: &Scene) -> Vec<[f64; 3]> {
     renderer.keep_linear(true);
     renderer.render(scene);
-    let pixels = renderer.linear().iter().map(|&[r, g, b, _]| [r, g, b].map(f64::from)).collect();
+    let pixels = renderer
+        .linear()
+        .iter()
+        .map(|&[r, g, b, _]| [r, g, b].map(f64::from))
+        .collect();
     renderer.keep_linear(false);
     pixels
 }
 
 fn not_finite(pixels: &[[f64; 3]]) -> u64 {
-    pixels.iter().filter(|pixel| !pixel.iter().all(|v| v.is_finite())).count() as u64
+    pixels
+        .iter()
+        .filter(|pixel| !pixel.iter().all(|v| v.is_finite()))
+        .count() as u64
 }
 
 /// Greatest difference of code values in any channel; what is no number is off by the whole range.
@@ -236,13 +275,21 @@ fn greatest(truth: [f64; 3], value: [f64; 3]) -> f64 {
 
 /// The code value of an intensity before rounding.
 fn clamped(intensity: f64) -> f64 {
-    if intensity.is_nan() { f64::NAN } else { 255.0 * intensity.clamp(0.0, 1.0) }
+    if intensity.is_nan() {
+        f64::NAN
+    } else {
+        255.0 * intensity.clamp(0.0, 1.0)
+    }
 }
 
 /// What a cast to a byte leaves of an intensity times 255: its lowest 8 bits.
 fn wrapped(intensity: f64) -> f64 {
     let value = 255.0 * intensity;
-    if value < 256.0 { value } else { value.rem_euclid(256.0) }
+    if value < 256.0 {
+        value
+    } else {
+        value.rem_euclid(256.0)
+    }
 }
 
 /// How a pixel that is not finite is shown.
@@ -253,9 +300,17 @@ fn frame(pixels: &[[f64; 3]], code: fn(f64) -> f64) -> Frame {
         if !pixel.iter().all(|v| v.is_finite()) {
             return MARK;
         }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "rounded to 0..=255")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "rounded to 0..=255"
+        )]
         let [r, g, b] = pixel.map(|v| code(v).round().clamp(0.0, 255.0) as u8);
         [r, g, b, 255]
     };
-    Frame { width: cases::SIDE, height: cases::SIDE, pixels: pixels.iter().map(pixel).collect() }
+    Frame {
+        width: cases::SIDE,
+        height: cases::SIDE,
+        pixels: pixels.iter().map(pixel).collect(),
+    }
 }

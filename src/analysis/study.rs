@@ -135,12 +135,18 @@ impl Setting {
 
     /// Whether it belongs to the same row of tessellations.
     fn is_like(&self, other: &Self) -> bool {
-        (self.method, self.interpolation, self.n.to_bits()) == (other.method, other.interpolation, other.n.to_bits())
+        (self.method, self.interpolation, self.n.to_bits())
+            == (other.method, other.interpolation, other.n.to_bits())
     }
 
     /// The setting in words.
     pub fn title(&self) -> String {
-        format!("{} {}×{}", title(self.method, self.interpolation), self.segments, self.rings)
+        format!(
+            "{} {}×{}",
+            title(self.method, self.interpolation),
+            self.segments,
+            self.rings
+        )
     }
 }
 
@@ -226,8 +232,18 @@ impl Study {
     fn conclude(&mut self) {
         // Times of the two texts are not of one kind: the scalar one's count only where there is no other.
         let engine = self.rows.iter().any(|row| !row.scalar);
-        let time = |row: &StudyRow| if row.scalar && engine { f64::NAN } else { row.time_ms };
-        let points: Vec<[f64; 2]> = self.rows.iter().map(|row| [time(row), row.error_rms]).collect();
+        let time = |row: &StudyRow| {
+            if row.scalar && engine {
+                f64::NAN
+            } else {
+                row.time_ms
+            }
+        };
+        let points: Vec<[f64; 2]> = self
+            .rows
+            .iter()
+            .map(|row| [time(row), row.error_rms])
+            .collect();
         for (row, on) in self.rows.iter_mut().zip(pareto_front(&points)) {
             row.pareto = on;
         }
@@ -235,10 +251,21 @@ impl Study {
             .rows
             .chunk_by(|a, b| a.setting.is_like(&b.setting))
             .map(|rows| {
-                let Setting { method, interpolation, n, .. } = rows[0].setting;
+                let Setting {
+                    method,
+                    interpolation,
+                    n,
+                    ..
+                } = rows[0].setting;
                 let order = order_of(rows.iter().map(|row| (row.spacing, row.error_max)));
                 let order_rms = order_of(rows.iter().map(|row| (row.spacing, row.error_rms)));
-                Series { method, interpolation, n, order, order_rms }
+                Series {
+                    method,
+                    interpolation,
+                    n,
+                    order,
+                    order_rms,
+                }
             })
             .collect();
     }

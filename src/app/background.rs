@@ -32,12 +32,18 @@ impl<A: Clone + Send + Sync + 'static> Work for Task<A> {
 
 /// How far the work is, with a button that stops it; returns whether any runs.
 pub fn progress_ui<W: Work>(ui: &mut Ui, background: &Background<W>, tip: &str) -> bool {
-    let Some(share) = background.progress() else { return false };
+    let Some(share) = background.progress() else {
+        return false;
+    };
     ui.horizontal(|ui| {
         if ui.add(Button::new("Stop")).on_hover_text(tip).clicked() {
             background.stop();
         }
-        ui.add(ProgressBar::new(share).show_percentage().desired_width(ui.available_width()));
+        ui.add(
+            ProgressBar::new(share)
+                .show_percentage()
+                .desired_width(ui.available_width()),
+        );
     });
     true
 }

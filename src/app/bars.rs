@@ -38,8 +38,11 @@ pub fn menus_ui(ui: &mut Ui, state: &mut AppState) {
                 items_ui(ui, state, menu);
                 if menu == "View" {
                     ui.separator();
-                    let themes =
-                        [("System", ThemeChoice::System), ("Dark", ThemeChoice::Dark), ("Light", ThemeChoice::Light)];
+                    let themes = [
+                        ("System", ThemeChoice::System),
+                        ("Dark", ThemeChoice::Dark),
+                        ("Light", ThemeChoice::Light),
+                    ];
                     for (text, theme) in themes {
                         ui.radio_value(&mut state.look.theme, theme, text);
                     }
@@ -50,7 +53,11 @@ pub fn menus_ui(ui: &mut Ui, state: &mut AppState) {
         modes_ui(ui, state);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let name = state.document.origin.name();
-            let text = if state.modified() { format!("{name} *") } else { name };
+            let text = if state.modified() {
+                format!("{name} *")
+            } else {
+                name
+            };
             ui.label(RichText::new(text).weak());
         });
     });
@@ -59,7 +66,9 @@ pub fn menus_ui(ui: &mut Ui, state: &mut AppState) {
 
 /// The commands of a menu.
 fn items_ui(ui: &mut Ui, state: &mut AppState, menu: &str) {
-    let Some(section) = SECTIONS.iter().find(|section| section.title == menu) else { return };
+    let Some(section) = SECTIONS.iter().find(|section| section.title == menu) else {
+        return;
+    };
     for command in &section.commands {
         let Some(action) = command.actions.first().filter(|_| !command.name.is_empty()) else {
             if command.keys.is_empty() {
@@ -91,9 +100,16 @@ fn items_ui(ui: &mut Ui, state: &mut AppState, menu: &str) {
 fn scenes_ui(ui: &mut Ui, state: &mut AppState) {
     for topic in presets::topics() {
         ui.menu_button(topic, |ui| {
-            for preset in presets::ALL.iter().filter(|preset| preset.about().topic == topic) {
+            for preset in presets::ALL
+                .iter()
+                .filter(|preset| preset.about().topic == topic)
+            {
                 let about = preset.about();
-                if ui.button(&about.title).on_hover_text(&about.sentence).clicked() {
+                if ui
+                    .button(&about.title)
+                    .on_hover_text(&about.sentence)
+                    .clicked()
+                {
                     state.ask(Action::OpenBuiltIn(preset.name.to_owned()));
                     ui.close();
                 }
@@ -104,12 +120,20 @@ fn scenes_ui(ui: &mut Ui, state: &mut AppState) {
 
 fn modes_ui(ui: &mut Ui, state: &mut AppState) {
     let shading = &state.shown.scene.shading;
-    let present = (shading.mode, shading.renormalise || shading.mode != ShadingMode::Phong);
-    let modes = ShadingMode::VALUES.iter().map(|mode| (*mode, true, mode.label(), mode.help()));
+    let present = (
+        shading.mode,
+        shading.renormalise || shading.mode != ShadingMode::Phong,
+    );
+    let modes = ShadingMode::VALUES
+        .iter()
+        .map(|mode| (*mode, true, mode.label(), mode.help()));
     let tip = "Phong shading without renormalising the interpolated normals";
     let modes = modes.chain([(ShadingMode::Phong, false, "Phong, not renormalised", tip)]);
     for (index, (mode, renormalise, name, tip)) in modes.enumerate() {
-        let button = Button::selectable(present == (mode, renormalise), format!("{} {name}", index + 1));
+        let button = Button::selectable(
+            present == (mode, renormalise),
+            format!("{} {name}", index + 1),
+        );
         if ui.add(button).on_hover_text(tip).clicked() {
             state.ask(Action::Shade { mode, renormalise });
         }
@@ -130,13 +154,22 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         ui.label(RichText::new(format!("{ms:.1} ms")).monospace());
         if engine.coarser() > 1 {
             let text = format!("1/{} of the size while dragged", engine.coarser());
-            ui.label(text)
-                .on_hover_text("All of it would not keep up with the hand; it is drawn whole when you let go");
+            ui.label(text).on_hover_text(
+                "All of it would not keep up with the hand; it is drawn whole when you let go",
+            );
         }
         // A notice takes the room of the counts; so does a narrow window.
-        let room = if state.notice.is_none() { ui.available_width() } else { 0.0 };
+        let room = if state.notice.is_none() {
+            ui.available_width()
+        } else {
+            0.0
+        };
         if room > 250.0 {
-            let words = if evaluations == 1 { "evaluation" } else { "evaluations" };
+            let words = if evaluations == 1 {
+                "evaluation"
+            } else {
+                "evaluations"
+            };
             ui.label(format!("{} {words}", grouped(evaluations)));
         }
         if room > 530.0 {
@@ -148,7 +181,11 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let omitted = left_out(engine, &state.look);
             let tip = "What does not run and why: opens the plan of the frame";
-            if ui.link(format!("left out: {omitted}")).on_hover_text(tip).clicked() {
+            if ui
+                .link(format!("left out: {omitted}"))
+                .on_hover_text(tip)
+                .clicked()
+            {
                 state.show_tab(NumbersTab::Plan);
             }
             if let Some(notice) = &state.notice {
@@ -163,9 +200,16 @@ fn stage_ui(ui: &mut Ui, run: &StageRun) {
     let (name, what) = stage_words(run.stage);
     let (text, time) = if run.ran {
         let (ms, evaluations) = (run.nanoseconds as f64 / 1e6, grouped(run.evaluations));
-        (RichText::new(format!("■ {name}")).strong(), format!("ran for {ms:.2} ms, {evaluations} evaluations"))
+        (
+            RichText::new(format!("■ {name}")).strong(),
+            format!("ran for {ms:.2} ms, {evaluations} evaluations"),
+        )
     } else {
-        (RichText::new(format!("□ {name}")).weak(), "not run: nothing that it reads has changed".to_owned())
+        (
+            RichText::new(format!("□ {name}")).weak(),
+            "not run: nothing that it reads has changed".to_owned(),
+        )
     };
-    ui.add(Label::new(text).sense(Sense::hover())).on_hover_text(format!("{what}\n{time}"));
+    ui.add(Label::new(text).sense(Sense::hover()))
+        .on_hover_text(format!("{what}\n{time}"));
 }

@@ -14,7 +14,9 @@ use crate::jobs::{Asked, Background, Work};
 use crate::scene::Scene;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::LayoutJob;
-use eframe::egui::{Button, Context, Frame, Label, RichText, ScrollArea, TextBuffer, TextEdit, TextStyle, Ui};
+use eframe::egui::{
+    Button, Context, Frame, Label, RichText, ScrollArea, TextBuffer, TextEdit, TextStyle, Ui,
+};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -24,13 +26,21 @@ const PROGRAM_LINES: usize = 200;
 const TEXT_LINES: usize = 2000;
 /// The languages, what their tabs are called, and what they are.
 const LANGUAGES: [(Language, &str, &str); 3] = [
-    (Language::Calls, "OpenGL calls", "Camera, lights and material as calls of fixed-function OpenGL, in C"),
+    (
+        Language::Calls,
+        "OpenGL calls",
+        "Camera, lights and material as calls of fixed-function OpenGL, in C",
+    ),
     (
         Language::Shaders,
         "GLSL 330",
         "A vertex and a fragment shader that evaluate the equation where the shading mode does",
     ),
-    (Language::Program, "Whole program in C", "The calls and the polygons in a program that draws them off screen"),
+    (
+        Language::Program,
+        "Whole program in C",
+        "The calls and the polygons in a program that draws them off screen",
+    ),
 ];
 /// Width of the dialog in a window that has room for it, points: a line of 100 characters.
 const WIDTH: f32 = 920.0;
@@ -46,7 +56,11 @@ const MARGIN: f32 = 8.0;
 const LIMITS: f32 = 92.0;
 
 fn write(language: Language, scene: &Scene, model: Option<&Arc<Mesh>>) -> Result<Export, String> {
-    let mesh = || model.cloned().unwrap_or_else(|| Arc::new(tessellate(&scene.object)));
+    let mesh = || {
+        model
+            .cloned()
+            .unwrap_or_else(|| Arc::new(tessellate(&scene.object)))
+    };
     match language {
         Language::Calls => Ok(opengl_c_snippet(scene, &mesh())),
         Language::Shaders => Ok(glsl_330(scene)),
@@ -64,11 +78,19 @@ pub struct Written {
 impl Written {
     /// The files that are written for `target`.
     fn paths(&self, target: &Path) -> Vec<PathBuf> {
-        self.export.parts.iter().map(|part| self.export.path_of(part, target)).collect()
+        self.export
+            .parts
+            .iter()
+            .map(|part| self.export.path_of(part, target))
+            .collect()
     }
 
     fn names(&self, target: &Path) -> String {
-        self.paths(target).iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(" and ")
+        self.paths(target)
+            .iter()
+            .map(|path| path.display().to_string())
+            .collect::<Vec<_>>()
+            .join(" and ")
     }
 }
 
@@ -85,9 +107,18 @@ pub struct Shown {
 impl Shown {
     fn of(part: &Part, most: usize) -> Self {
         let all = part.text.lines().count();
-        let end = part.text.split_inclusive('\n').take(most).map(str::len).sum();
+        let end = part
+            .text
+            .split_inclusive('\n')
+            .take(most)
+            .map(str::len)
+            .sum();
         let text = part.text.get(..end).unwrap_or_default().to_owned();
-        Self { text, lines: all.min(most), hidden: all.saturating_sub(most) }
+        Self {
+            text,
+            lines: all.min(most),
+            hidden: all.saturating_sub(most),
+        }
     }
 }
 
@@ -97,8 +128,16 @@ impl Work for Asked<Language> {
     fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let language = self.question;
         let export = write(language, &self.scene, self.model.as_ref())?;
-        let most = if language == Language::Program { PROGRAM_LINES } else { TEXT_LINES };
-        let shown = export.parts.iter().map(|part| Shown::of(part, most)).collect();
+        let most = if language == Language::Program {
+            PROGRAM_LINES
+        } else {
+            TEXT_LINES
+        };
+        let shown = export
+            .parts
+            .iter()
+            .map(|part| Shown::of(part, most))
+            .collect();
         Ok(Arc::new(Written { export, shown }))
     }
 }
@@ -109,11 +148,19 @@ type Answer = Result<Arc<Written>, String>;
 pub type Writer = Background<Asked<Language>>;
 
 /// The text of `document`, or why there is none; nothing as long as it is being written.
-fn ask<'a>(writer: &'a mut Writer, ctx: &Context, document: &Document, language: Language) -> Option<&'a Answer> {
+fn ask<'a>(
+    writer: &'a mut Writer,
+    ctx: &Context,
+    document: &Document,
+    language: Language,
+) -> Option<&'a Answer> {
     let Document { scene, model, .. } = document;
-    let same = |asked: &Asked<Language>| asked.is(&language, scene, model.as_ref(), scene.image.size);
+    let same =
+        |asked: &Asked<Language>| asked.is(&language, scene, model.as_ref(), scene.image.size);
     writer.keep_only(same);
-    writer.ask(wake(ctx), same, || Asked::new(language, scene, model.as_ref(), scene.image.size));
+    writer.ask(wake(ctx), same, || {
+        Asked::new(language, scene, model.as_ref(), scene.image.size)
+    });
     writer.known()
 }
 
@@ -148,7 +195,12 @@ pub fn targets(state: &AppState, form: &CodeForm) -> Vec<PathBuf> {
 }
 
 /// What the dialog shows.
-pub fn code_ui(ui: &mut Ui, form: &mut CodeForm, writer: &mut Writer, document: &Document) -> Choice {
+pub fn code_ui(
+    ui: &mut Ui,
+    form: &mut CodeForm,
+    writer: &mut Writer,
+    document: &Document,
+) -> Choice {
     ui.heading("The scene as code");
     ui.add_space(6.0);
     ui.horizontal(|ui| {
@@ -156,7 +208,10 @@ pub fn code_ui(ui: &mut Ui, form: &mut CodeForm, writer: &mut Writer, document: 
             let on = form.language == language;
             let tab = switch_named(ui.add(Button::selectable(on, title)), Role::Tab, on, title);
             if tab.on_hover_text(what).clicked() && !on {
-                *form = CodeForm { language, ..CodeForm::default() };
+                *form = CodeForm {
+                    language,
+                    ..CodeForm::default()
+                };
             }
         }
     });
@@ -172,17 +227,31 @@ pub fn code_ui(ui: &mut Ui, form: &mut CodeForm, writer: &mut Writer, document: 
             if let Some(shown) = written.shown.get(form.part) {
                 // The parts to choose from, and how much of the text is seen.
                 ui.horizontal(|ui| {
-                    for (index, part) in written.export.parts.iter().enumerate().filter(|_| written.shown.len() > 1) {
+                    for (index, part) in written
+                        .export
+                        .parts
+                        .iter()
+                        .enumerate()
+                        .filter(|_| written.shown.len() > 1)
+                    {
                         ui.selectable_value(&mut form.part, index, part.title);
                     }
                     let Shown { lines, hidden, .. } = shown;
                     let text = match hidden {
                         0 => format!("{lines} lines"),
-                        _ => format!("the first {lines} of {} lines; copying and saving take them all", lines + hidden),
+                        _ => format!(
+                            "the first {lines} of {} lines; copying and saving take them all",
+                            lines + hidden
+                        ),
                     };
                     ui.label(RichText::new(text).weak());
                 });
-                text_ui(ui, form, &shown.text, (bottom - ui.cursor().top() - 2.0 * MARGIN).max(LEAST_TEXT));
+                text_ui(
+                    ui,
+                    form,
+                    &shown.text,
+                    (bottom - ui.cursor().top() - 2.0 * MARGIN).max(LEAST_TEXT),
+                );
             }
         }
     }
@@ -192,7 +261,9 @@ pub fn code_ui(ui: &mut Ui, form: &mut CodeForm, writer: &mut Writer, document: 
     if let Some(message) = &form.message {
         ui.label(message);
     }
-    let Some(path) = &mut form.path else { return actions_ui(ui, form, ready, document) };
+    let Some(path) = &mut form.path else {
+        return actions_ui(ui, form, ready, document);
+    };
     let entered = path_ui(ui, path, form.language.file_kind().example);
     let sound = ready.filter(|_| !path.trim().is_empty());
     if let Some(written) = sound.filter(|written| written.export.parts.len() > 1) {
@@ -208,36 +279,61 @@ fn limits_ui(ui: &mut Ui, limits: &[String]) {
         return;
     }
     ui.label(RichText::new("What it does not express:").weak());
-    ScrollArea::vertical().id_salt("limits").max_height(LIMITS).auto_shrink([false, true]).show(ui, |ui| {
-        for limit in limits {
-            ui.horizontal_top(|ui| {
-                ui.label("•");
-                ui.add(Label::new(limit).wrap());
-            });
-        }
-    });
+    ScrollArea::vertical()
+        .id_salt("limits")
+        .max_height(LIMITS)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            for limit in limits {
+                ui.horizontal_top(|ui| {
+                    ui.label("•");
+                    ui.add(Label::new(limit).wrap());
+                });
+            }
+        });
 }
 
 /// The text: scrolled, not wrapped, to be selected but not changed.
 fn text_ui(ui: &mut Ui, form: &CodeForm, text: &str, height: f32) {
-    let (font, colour) = (TextStyle::Monospace.resolve(ui.style()), ui.visuals().text_color());
+    let (font, colour) = (
+        TextStyle::Monospace.resolve(ui.style()),
+        ui.visuals().text_color(),
+    );
     let mut unwrapped = |ui: &Ui, text: &dyn TextBuffer, _: f32| {
-        let job = LayoutJob::simple(text.as_str().to_owned(), font.clone(), colour, f32::INFINITY);
+        let job = LayoutJob::simple(
+            text.as_str().to_owned(),
+            font.clone(),
+            colour,
+            f32::INFINITY,
+        );
         ui.fonts_mut(|fonts| fonts.layout_job(job))
     };
-    let well = Frame::new().fill(ui.visuals().extreme_bg_color).corner_radius(5).inner_margin(MARGIN);
+    let well = Frame::new()
+        .fill(ui.visuals().extreme_bg_color)
+        .corner_radius(5)
+        .inner_margin(MARGIN);
     well.show(ui, |ui| {
-        let scroll = ScrollArea::both().id_salt((form.language, form.part)).auto_shrink(false).max_height(height);
+        let scroll = ScrollArea::both()
+            .id_salt((form.language, form.part))
+            .auto_shrink(false)
+            .max_height(height);
         scroll.show(ui, |ui| {
             let mut buffer = text;
-            let view = TextEdit::multiline(&mut buffer).layouter(&mut unwrapped).frame(Frame::NONE);
+            let view = TextEdit::multiline(&mut buffer)
+                .layouter(&mut unwrapped)
+                .frame(Frame::NONE);
             let view = ui.add(view.cursor_at_end(false).desired_width(f32::INFINITY));
             named(view, Role::MultilineTextInput, "Code");
         });
     });
 }
 
-fn actions_ui(ui: &mut Ui, form: &mut CodeForm, ready: Option<&Written>, document: &Document) -> Choice {
+fn actions_ui(
+    ui: &mut Ui,
+    form: &mut CodeForm,
+    ready: Option<&Written>,
+    document: &Document,
+) -> Choice {
     let mut choice = Choice::Stay;
     ui.horizontal(|ui| {
         let copy = ui.add_enabled(ready.is_some(), Button::new("Copy"));
@@ -265,8 +361,16 @@ mod tests {
 
     #[test]
     fn a_long_text_is_cut_after_whole_lines() {
-        let part = |text: &str| Part { title: "C", ending: "c", text: text.to_owned() };
-        let shown = |text, lines, hidden| Shown { text: String::from(text), lines, hidden };
+        let part = |text: &str| Part {
+            title: "C",
+            ending: "c",
+            text: text.to_owned(),
+        };
+        let shown = |text, lines, hidden| Shown {
+            text: String::from(text),
+            lines,
+            hidden,
+        };
         assert_eq!(Shown::of(&part("a\nb\nc\n"), 2), shown("a\nb\n", 2, 1));
         assert_eq!(Shown::of(&part("a\nb\nc"), 3), shown("a\nb\nc", 3, 0));
         assert_eq!(Shown::of(&part(""), 3), shown("", 0, 0));

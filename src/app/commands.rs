@@ -36,14 +36,22 @@ impl Command {
     fn bindings(&self) -> impl Iterator<Item = (Modifiers, Key, &Action)> {
         let (command, keys) = held("Ctrl + ", self.keys);
         let (shift, keys) = held("Shift + ", keys);
-        let modifiers = Modifiers { command, shift, ..Modifiers::NONE };
-        keys.split(' ').filter_map(key).zip(&self.actions).map(move |(key, action)| (modifiers, key, action))
+        let modifiers = Modifiers {
+            command,
+            shift,
+            ..Modifiers::NONE
+        };
+        keys.split(' ')
+            .filter_map(key)
+            .zip(&self.actions)
+            .map(move |(key, action)| (modifiers, key, action))
     }
 }
 
 /// Whether a key is held, and what follows.
 fn held(name: &str, keys: &'static str) -> (bool, &'static str) {
-    keys.strip_prefix(name).map_or((false, keys), |rest| (true, rest))
+    keys.strip_prefix(name)
+        .map_or((false, keys), |rest| (true, rest))
 }
 
 fn key(name: &str) -> Option<Key> {
@@ -58,7 +66,10 @@ fn key(name: &str) -> Option<Key> {
 
 impl Section {
     fn new(title: &'static str) -> Self {
-        Self { title, commands: vec![] }
+        Self {
+            title,
+            commands: vec![],
+        }
     }
 
     /// A command with keys, named where it stands in a menu.
@@ -69,7 +80,12 @@ impl Section {
         does: &'static str,
         actions: impl IntoIterator<Item = Action>,
     ) -> Self {
-        self.commands.push(Command { name, keys, does, actions: actions.into_iter().collect() });
+        self.commands.push(Command {
+            name,
+            keys,
+            does,
+            actions: actions.into_iter().collect(),
+        });
         self
     }
 
@@ -107,40 +123,119 @@ pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
     let orbit = WAYS.map(|way| Action::Orbit(way.map(|part| TURN * part)));
     let pan = WAYS.map(|way| Action::Pan(way.map(|part| SHIFTED * part)));
     let (show, change) = (Action::Show, Action::ChangeLook);
-    let sizes = [Look::larger, Look::smaller, |look: &mut Look| look.scale = 1.0].map(change);
-    let follows = "turns the camera; a light, its arrow, its cone, a vertex or the probe follows the pointer";
+    let sizes = [Look::larger, Look::smaller, |look: &mut Look| {
+        look.scale = 1.0;
+    }]
+    .map(change);
+    let follows =
+        "turns the camera; a light, its arrow, its cone, a vertex or the probe follows the pointer";
     let normals = "the normals of polygons and vertices; a click keeps a vertex's faces lit";
     vec![
-        Section::new("Shading").row("", "1 2 3 4 5", "flat, interpolated, Gouraud, Phong, exact", modes).row(
-            "",
-            "6",
-            "Phong, not renormalised",
-            [shade(ShadingMode::Phong, false)],
-        ),
+        Section::new("Shading")
+            .row(
+                "",
+                "1 2 3 4 5",
+                "flat, interpolated, Gouraud, Phong, exact",
+                modes,
+            )
+            .row(
+                "",
+                "6",
+                "Phong, not renormalised",
+                [shade(ShadingMode::Phong, false)],
+            ),
         Section::new("Compare")
-            .row("Next view", "K", "one picture, panes, wipe, difference, in turn", [Action::NextView])
-            .row("Next pane", "N", "the next pane: its settings are in the controls", [Action::NextPane])
+            .row(
+                "Next view",
+                "K",
+                "one picture, panes, wipe, difference, in turn",
+                [Action::NextView],
+            )
+            .row(
+                "Next pane",
+                "N",
+                "the next pane: its settings are in the controls",
+                [Action::NextPane],
+            )
             .line()
             .item("Panes and figures…", Action::Tab(NumbersTab::Compare))
             .item("The five defects…", Action::Tab(NumbersTab::Defects)),
         Section::new("Probe")
-            .row("", "← → ↑ ↓", "moves the probe by a pixel", ARROWS.map(Action::MoveProbe))
-            .row("", "Shift + ← → ↑ ↓", "moves the probe by ten pixels", stride)
+            .row(
+                "",
+                "← → ↑ ↓",
+                "moves the probe by a pixel",
+                ARROWS.map(Action::MoveProbe),
+            )
+            .row(
+                "",
+                "Shift + ← → ↑ ↓",
+                "moves the probe by ten pixels",
+                stride,
+            )
             .row("", "Double click", "puts the probe there", []),
         Section::new("Camera")
-            .row("", "A D W S", "turns the camera left, right, up, down", orbit)
-            .row("", "Shift + A D W S", "shifts the camera left, right, up, down", pan)
-            .row("", "+ −", "nearer, farther", [NEARER, 1.0 / NEARER].map(Action::Zoom))
+            .row(
+                "",
+                "A D W S",
+                "turns the camera left, right, up, down",
+                orbit,
+            )
+            .row(
+                "",
+                "Shift + A D W S",
+                "shifts the camera left, right, up, down",
+                pan,
+            )
+            .row(
+                "",
+                "+ −",
+                "nearer, farther",
+                [NEARER, 1.0 / NEARER].map(Action::Zoom),
+            )
             .row("", "Drag", follows, [])
-            .row("", "Shift or middle drag", "shifts the camera; a light or a vertex moves in depth", [])
-            .row("", "Wheel", "nearer, farther; over a light, moves it in depth", []),
+            .row(
+                "",
+                "Shift or middle drag",
+                "shifts the camera; a light or a vertex moves in depth",
+                [],
+            )
+            .row(
+                "",
+                "Wheel",
+                "nearer, farther; over a light, moves it in depth",
+                [],
+            ),
         Section::new("View")
-            .row("Controls", "F4", "the panel of controls", [show(|look| &mut look.controls)])
-            .row("Numbers", "F5", "the panel of numbers", [show(|look| &mut look.numbers)])
-            .row("Stages", "F6", "the bar of stages", [show(|look| &mut look.stages)])
-            .row("Vectors", "V", "the vectors at the probe", [show(|look| &mut look.overlay.vectors)])
+            .row(
+                "Controls",
+                "F4",
+                "the panel of controls",
+                [show(|look| &mut look.controls)],
+            )
+            .row(
+                "Numbers",
+                "F5",
+                "the panel of numbers",
+                [show(|look| &mut look.numbers)],
+            )
+            .row(
+                "Stages",
+                "F6",
+                "the bar of stages",
+                [show(|look| &mut look.stages)],
+            )
+            .row(
+                "Vectors",
+                "V",
+                "the vectors at the probe",
+                [show(|look| &mut look.overlay.vectors)],
+            )
             .item("Angles", show(|look| &mut look.overlay.angles))
-            .item("Construction of R", show(|look| &mut look.overlay.construction))
+            .item(
+                "Construction of R",
+                show(|look| &mut look.overlay.construction),
+            )
             .item("Side view", show(|look| &mut look.overlay.side_view))
             .row(
                 "Lobe of reflection",
@@ -149,45 +244,133 @@ pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
                 [show(|look| &mut look.overlay.lobe)],
             )
             .item("H always", show(|look| &mut look.overlay.half_vector))
-            .row("Lights' handles", "L", "the handles of lights and vertices", [show(|look| &mut look.overlay.handles)])
+            .row(
+                "Lights' handles",
+                "L",
+                "the handles of lights and vertices",
+                [show(|look| &mut look.overlay.handles)],
+            )
             .item("Face normals", show(|look| &mut look.overlay.face_normals))
-            .item("Vertex normals", show(|look| &mut look.overlay.vertex_normals))
+            .item(
+                "Vertex normals",
+                show(|look| &mut look.overlay.vertex_normals),
+            )
             .row("", "M", normals, [change(Look::switch_normals)])
             .item("RGB values", show(|look| &mut look.channels))
-            .row("Next tab of the numbers", "C", "the next tab of the panel of numbers", [change(next_tab)])
+            .row(
+                "Next tab of the numbers",
+                "C",
+                "the next tab of the panel of numbers",
+                [change(next_tab)],
+            )
             .line()
-            .row("Picture alone", "F11", "the picture alone, on the whole screen", [Action::PictureAlone])
-            .row("Projector size", "F9", "projector size and back", [change(Look::projector)])
+            .row(
+                "Picture alone",
+                "F11",
+                "the picture alone, on the whole screen",
+                [Action::PictureAlone],
+            )
+            .row(
+                "Projector size",
+                "F9",
+                "projector size and back",
+                [change(Look::projector)],
+            )
             .item("Larger", change(Look::larger))
             .item("Smaller", change(Look::smaller))
             .row("", "Ctrl + + − 0", "larger, smaller, ordinary size", sizes),
         Section::new("Scan line, while its tab is shown")
-            .row("", ", .", "a pixel back, a pixel forwards", walk(ScanLevel::Pixel))
-            .row("", "[ ]", "an edge back, an edge forwards", walk(ScanLevel::Edge))
-            .row("", "PageUp PageDown", "a line back, a line forwards", walk(ScanLevel::Line))
-            .row("", "Home End", "the first step, the last", [Walk::First, Walk::Last].map(Action::Scan))
+            .row(
+                "",
+                ", .",
+                "a pixel back, a pixel forwards",
+                walk(ScanLevel::Pixel),
+            )
+            .row(
+                "",
+                "[ ]",
+                "an edge back, an edge forwards",
+                walk(ScanLevel::Edge),
+            )
+            .row(
+                "",
+                "PageUp PageDown",
+                "a line back, a line forwards",
+                walk(ScanLevel::Line),
+            )
+            .row(
+                "",
+                "Home End",
+                "the first step, the last",
+                [Walk::First, Walk::Last].map(Action::Scan),
+            )
             .row("", "Space", "plays and pauses", [Action::Scan(Walk::Play)]),
         Section::new("File")
-            .row("Open…", "Ctrl + O", "opens a scene, model or picture", [Action::Open])
+            .row(
+                "Open…",
+                "Ctrl + O",
+                "opens a scene, model or picture",
+                [Action::Open],
+            )
             .line()
             .row("Save scene", "Ctrl + S", "saves the scene", [Action::Save])
-            .row("Save scene as…", "Ctrl + Shift + S", "saves the scene under another name", [Action::SaveAs])
-            .row("Export picture…", "Ctrl + E", "exports the picture", [Action::Export])
+            .row(
+                "Save scene as…",
+                "Ctrl + Shift + S",
+                "saves the scene under another name",
+                [Action::SaveAs],
+            )
+            .row(
+                "Export picture…",
+                "Ctrl + E",
+                "exports the picture",
+                [Action::Export],
+            )
             .line()
             .row("Quit", "Ctrl + Q", "closes the window", [Action::Quit]),
         Section::new("Edit")
             .row("Undo", "Ctrl + Z", "undoes", [Action::Undo])
-            .row("Redo", "Ctrl + Shift + Z", "redoes; also Ctrl + Y", [Action::Redo])
+            .row(
+                "Redo",
+                "Ctrl + Shift + Z",
+                "redoes; also Ctrl + Y",
+                [Action::Redo],
+            )
             .row("", "Ctrl + Y", "", [Action::Redo])
             .line()
-            .row("Copy picture", "Ctrl + C", "copies the picture", [Action::CopyPicture])
-            .row("Code…", "Ctrl + U", "shows the scene as OpenGL calls and shaders", [Action::Code])
-            .row("Reset camera", "0", "resets the camera", [Action::ResetCamera])
-            .row("", "Tab", "goes to the next field, with Shift to the one before", []),
+            .row(
+                "Copy picture",
+                "Ctrl + C",
+                "copies the picture",
+                [Action::CopyPicture],
+            )
+            .row(
+                "Code…",
+                "Ctrl + U",
+                "shows the scene as OpenGL calls and shaders",
+                [Action::Code],
+            )
+            .row(
+                "Reset camera",
+                "0",
+                "resets the camera",
+                [Action::ResetCamera],
+            )
+            .row(
+                "",
+                "Tab",
+                "goes to the next field, with Shift to the one before",
+                [],
+            ),
         Section::new("Help")
             .row("Keys and gestures", "F1", "this table", [Action::Keys])
             .item("About", Action::About)
-            .row("", "Esc", "leaves a dialog, a field or the picture alone", []),
+            .row(
+                "",
+                "Esc",
+                "leaves a dialog, a field or the picture alone",
+                [],
+            ),
     ]
 });
 
@@ -195,7 +378,11 @@ pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
 fn next_tab(look: &mut Look) {
     let tabs = TABS.map(|tab| tab.key);
     let place = tabs.iter().position(|key| *key == look.tab).unwrap_or(0);
-    look.tab = if look.numbers { tabs[(place + 1) % tabs.len()] } else { NumbersTab::Curves };
+    look.tab = if look.numbers {
+        tabs[(place + 1) % tabs.len()]
+    } else {
+        NumbersTab::Curves
+    };
     look.numbers = true;
 }
 
@@ -203,7 +390,11 @@ fn next_tab(look: &mut Look) {
 /// picture: they may be meant for a field. Function keys and those with Ctrl are always the window's, but for those that
 /// fields know too.
 pub fn listen(ctx: &Context, state: &mut AppState) {
-    let free = ctx.memory(|memory| memory.focused().is_none_or(|focused| focused == focus::picture_id()));
+    let free = ctx.memory(|memory| {
+        memory
+            .focused()
+            .is_none_or(|focused| focused == focus::picture_id())
+    });
     let editing = ctx.text_edit_focused();
     let scanning = state.shows(NumbersTab::ScanLine);
     ctx.input_mut(|input| {
@@ -211,8 +402,14 @@ pub fn listen(ctx: &Context, state: &mut AppState) {
             let action = match event {
                 // The window's back end turns Ctrl + C into this.
                 Event::Copy if !editing => Some(Action::CopyPicture),
-                Event::Key { key, pressed: true, modifiers, .. } => {
-                    let wanted = find(*key, *modifiers).filter(|_| allowed(*key, *modifiers, free, editing));
+                Event::Key {
+                    key,
+                    pressed: true,
+                    modifiers,
+                    ..
+                } => {
+                    let wanted =
+                        find(*key, *modifiers).filter(|_| allowed(*key, *modifiers, free, editing));
                     wanted.filter(|action| scanning || !matches!(action, Action::Scan(_)))
                 }
                 _ => None,
@@ -232,13 +429,19 @@ fn find(key: Key, modifiers: Modifiers) -> Option<Action> {
     let key = if key == Key::Equals { Key::Plus } else { key };
     let shift = modifiers.shift && !matches!(key, Key::Plus | Key::Minus);
     let modifiers = Modifiers { shift, ..modifiers };
-    let mut all = SECTIONS.iter().flat_map(|section| &section.commands).flat_map(Command::bindings);
+    let mut all = SECTIONS
+        .iter()
+        .flat_map(|section| &section.commands)
+        .flat_map(Command::bindings);
     let (.., action) = all.find(|(wanted, k, _)| *k == key && modifiers.matches_exact(*wanted))?;
     Some(action.clone())
 }
 
 fn allowed(key: Key, modifiers: Modifiers, free: bool, editing: bool) -> bool {
-    let function = matches!(key, Key::F1 | Key::F4 | Key::F5 | Key::F6 | Key::F9 | Key::F11);
+    let function = matches!(
+        key,
+        Key::F1 | Key::F4 | Key::F5 | Key::F6 | Key::F9 | Key::F11
+    );
     let field_wants = editing && matches!(key, Key::Z | Key::Y | Key::C | Key::U);
     function || (modifiers.command && !field_wants) || free
 }
@@ -253,8 +456,14 @@ impl AppState {
             Action::Undo => self.history.undo(&mut self.document),
             Action::Redo => self.history.redo(&mut self.document),
             Action::ResetCamera => {
-                let Camera { projection, viewer, .. } = *camera;
-                *camera = Camera { projection, viewer, ..self.saved.scene.camera.clone() };
+                let Camera {
+                    projection, viewer, ..
+                } = *camera;
+                *camera = Camera {
+                    projection,
+                    viewer,
+                    ..self.saved.scene.camera.clone()
+                };
             }
             Action::Shade { mode, renormalise } => {
                 self.shown.scene.shading.mode = mode;
@@ -265,7 +474,10 @@ impl AppState {
             Action::Activate(pane) => self.activate(pane),
             Action::NextPane => {
                 let shown = self.document.scene.shown_panes();
-                let place = shown.iter().position(|pane| *pane == self.panes.active).unwrap_or(0);
+                let place = shown
+                    .iter()
+                    .position(|pane| *pane == self.panes.active)
+                    .unwrap_or(0);
                 self.activate(shown[(place + 1) % shown.len()]);
             }
             Action::AddLight(light) => self.add_light(light, size),
@@ -305,22 +517,38 @@ mod tests {
     #[test]
     fn every_action_has_a_key_and_no_key_is_given_twice() {
         let mut seen: Vec<(Modifiers, Key)> = Vec::new();
-        for command in SECTIONS.iter().flat_map(|section| &section.commands).filter(|command| !command.keys.is_empty())
+        for command in SECTIONS
+            .iter()
+            .flat_map(|section| &section.commands)
+            .filter(|command| !command.keys.is_empty())
         {
-            assert_eq!(command.bindings().count(), command.actions.len(), "{}", command.keys);
+            assert_eq!(
+                command.bindings().count(),
+                command.actions.len(),
+                "{}",
+                command.keys
+            );
             for (modifiers, key, _) in command.bindings() {
                 assert!(!seen.contains(&(modifiers, key)), "{modifiers:?} {key:?}");
                 seen.push((modifiers, key));
             }
         }
-        assert!(matches!(find(Key::Equals, Modifiers::SHIFT), Some(Action::Zoom(NEARER))));
+        assert!(matches!(
+            find(Key::Equals, Modifiers::SHIFT),
+            Some(Action::Zoom(NEARER))
+        ));
     }
 
     #[test]
     fn what_has_the_focus_keeps_its_keys() {
         let plain = |key, free, editing| allowed(key, Modifiers::NONE, free, editing);
         assert!(plain(Key::Num3, true, false) && plain(Key::F11, false, true));
-        for (key, editing) in [(Key::V, true), (Key::ArrowLeft, false), (Key::Num3, false), (Key::Num3, true)] {
+        for (key, editing) in [
+            (Key::V, true),
+            (Key::ArrowLeft, false),
+            (Key::Num3, false),
+            (Key::Num3, true),
+        ] {
             assert!(!plain(key, false, editing), "{key:?}");
         }
         assert!(!allowed(Key::Z, Modifiers::COMMAND, false, true));

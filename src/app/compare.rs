@@ -16,9 +16,21 @@ use eframe::egui::{Align, Button, Key, Layout, RichText, TextEdit, Ui, WidgetInf
 /// The views with their names.
 pub const VIEWS: [(CompareView, &str, &str); 4] = [
     (CompareView::Single, "One", "The scene alone"),
-    (CompareView::Panes, "Panes", "Side by side, with one camera and one probe"),
-    (CompareView::Wipe, "Wipe", "The first pane and the last on either side of a line to drag"),
-    (CompareView::Difference, "Difference", "The first pane less the last"),
+    (
+        CompareView::Panes,
+        "Panes",
+        "Side by side, with one camera and one probe",
+    ),
+    (
+        CompareView::Wipe,
+        "Wipe",
+        "The first pane and the last on either side of a line to drag",
+    ),
+    (
+        CompareView::Difference,
+        "Difference",
+        "The first pane less the last",
+    ),
 ];
 
 /// What is typed in the tab.
@@ -35,7 +47,11 @@ pub fn compare_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: 
         ui.spacing_mut().item_spacing.x = 4.0;
         for (view, name, tip) in VIEWS {
             let chosen = state.document.scene.compare.view == view;
-            if ui.add(Button::selectable(chosen, name)).on_hover_text(tip).clicked() {
+            if ui
+                .add(Button::selectable(chosen, name))
+                .on_hover_text(tip)
+                .clicked()
+            {
                 state.ask(Action::Compare(view));
             }
         }
@@ -61,7 +77,8 @@ pub fn compare_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: 
     }
     if count > 1 {
         let tip = "Otherwise a change concerns all panes, except for what a pane has of its own";
-        ui.checkbox(&mut state.panes.own, "Changes concern the active pane only").on_hover_text(tip);
+        ui.checkbox(&mut state.panes.own, "Changes concern the active pane only")
+            .on_hover_text(tip);
     }
     ui.add_space(8.0);
     figures_ui(ui, state, engine);
@@ -73,8 +90,14 @@ fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, coun
     let shown = engine.shown.contains(&pane);
     ui.horizontal(|ui| {
         let text = format!("{} {name}", pane + 1);
-        let button = ui.add_enabled(shown, Button::selectable(state.panes.active == pane && shown, text).truncate());
-        if button.on_hover_text("The controls show this pane").clicked() {
+        let button = ui.add_enabled(
+            shown,
+            Button::selectable(state.panes.active == pane && shown, text).truncate(),
+        );
+        if button
+            .on_hover_text("The controls show this pane")
+            .clicked()
+        {
             state.ask(Action::Activate(pane));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -92,19 +115,30 @@ fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, coun
                 }
             }
             if pane + 1 == count && count > 1 {
-                ui.label(RichText::new("reference").weak()).on_hover_text("The others are measured against this pane");
+                ui.label(RichText::new("reference").weak())
+                    .on_hover_text("The others are measured against this pane");
             }
         });
     });
-    let Some(own) = pane.checked_sub(1).and_then(|index| state.document.scene.compare.panes.get_mut(index)) else {
+    let Some(own) = pane
+        .checked_sub(1)
+        .and_then(|index| state.document.scene.compare.panes.get_mut(index))
+    else {
         return;
     };
     let mut released = None;
     ui.horizontal_wrapped(|ui| {
         ui.add_space(18.0);
         for (index, setting) in own.set.iter().enumerate() {
-            let tip = format!("Lets {} follow the first pane again", setting.split('=').next().unwrap_or(setting));
-            if ui.add(Button::new(format!("{setting}  ×")).small()).on_hover_text(tip).clicked() {
+            let tip = format!(
+                "Lets {} follow the first pane again",
+                setting.split('=').next().unwrap_or(setting)
+            );
+            if ui
+                .add(Button::new(format!("{setting}  ×")).small())
+                .on_hover_text(tip)
+                .clicked()
+            {
                 released = Some(index);
             }
         }
@@ -132,12 +166,18 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     if finer(scene).is_some() && ui.button("Four times as many polygons each way").clicked() {
         chosen = finer(scene);
     }
-    if ui.button("The same").on_hover_text("To change afterwards, alone").clicked() {
+    if ui
+        .button("The same")
+        .on_hover_text("To change afterwards, alone")
+        .clicked()
+    {
         chosen = Some(vec![]);
     }
     ui.separator();
     ui.horizontal(|ui| {
-        let field = TextEdit::singleline(&mut typed.setting).hint_text("material.n=1005").desired_width(170.0);
+        let field = TextEdit::singleline(&mut typed.setting)
+            .hint_text("material.n=1005")
+            .desired_width(170.0);
         let entered = ui.add(field).lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         if ui.button("Add").clicked() || entered {
             let setting = typed.setting.trim().to_owned();
@@ -153,7 +193,10 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     if let Some(set) = chosen {
         *typed = Typed::default();
         let compare = &mut state.document.scene.compare;
-        compare.panes.push(Pane { name: String::new(), set });
+        compare.panes.push(Pane {
+            name: String::new(),
+            set,
+        });
         if compare.view == CompareView::Single {
             compare.view = CompareView::Panes;
         }
@@ -163,28 +206,49 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
 
 /// The same object of more polygons, where that is possible.
 fn finer(scene: &Scene) -> Option<Vec<String>> {
-    let Object { segments, rings, .. } = scene.object;
-    let settings = vec![format!("object.segments={}", 4 * segments), format!("object.rings={}", 4 * rings)];
+    let Object {
+        segments, rings, ..
+    } = scene.object;
+    let settings = vec![
+        format!("object.segments={}", 4 * segments),
+        format!("object.rings={}", 4 * rings),
+    ];
     scene.with_overrides(&settings).is_ok().then_some(settings)
 }
 
 /// How far each pane is from the last one.
 fn figures_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     let figures = &engine.figures;
-    let (Some(reference), true) = (figures.last(), figures.len() > 1) else { return };
+    let (Some(reference), true) = (figures.last(), figures.len() > 1) else {
+        return;
+    };
     ui.label(RichText::new(format!("Against {}", reference.name)).strong());
     let mut view = ReportView::default();
-    view.set(Comparison(figures.to_vec()).report(&analysis::About { name: "", scene: &state.document.scene }));
+    view.set(Comparison(figures.to_vec()).report(&analysis::About {
+        name: "",
+        scene: &state.document.scene,
+    }));
     view.ui(ui);
     let size = engine.size;
     for one in figures {
-        let Some([x, y]) = one.error.and_then(|error| error.at) else { continue };
+        let Some([x, y]) = one.error.and_then(|error| error.at) else {
+            continue;
+        };
         let tip = format!("Puts the probe where {} differs most", one.name);
-        if ui.link(format!("pixel {x}, {y}")).on_hover_text(tip).clicked() {
+        if ui
+            .link(format!("pixel {x}, {y}"))
+            .on_hover_text(tip)
+            .clicked()
+        {
             state.probe = ProbePoint::at([x, y], size);
         }
     }
-    export_ui(ui, state, "compare", || Some((Box::new(Comparison(figures.to_vec())), engine.drawn()?.clone())));
+    export_ui(ui, state, "compare", || {
+        Some((
+            Box::new(Comparison(figures.to_vec())),
+            engine.drawn()?.clone(),
+        ))
+    });
 }
 
 impl AppState {
@@ -193,7 +257,11 @@ impl AppState {
         let exact = self.shown.scene.shading.mode == ShadingMode::Exact;
         let compare = &mut self.document.scene.compare;
         if view != CompareView::Single && compare.panes.is_empty() {
-            let other = if exact { "shading.mode=phong" } else { "shading.mode=exact" };
+            let other = if exact {
+                "shading.mode=phong"
+            } else {
+                "shading.mode=exact"
+            };
             compare.panes.push(Pane::of(&[other]));
         }
         compare.view = view;
@@ -202,7 +270,10 @@ impl AppState {
     /// The view after the present one.
     pub fn next_view(&self) -> CompareView {
         let present = self.document.scene.compare.view;
-        let place = VIEWS.iter().position(|(view, ..)| *view == present).unwrap_or(0);
+        let place = VIEWS
+            .iter()
+            .position(|(view, ..)| *view == present)
+            .unwrap_or(0);
         VIEWS[(place + 1) % VIEWS.len()].0
     }
 }

@@ -14,8 +14,8 @@ use super::state::AppState;
 use super::symbol::Symbol;
 use crate::scene::parameter::{Parameter, Slider};
 use crate::scene::{
-    AmbientSource, Choice, CuedBy, DepthCueing, GREATEST_LENGTH, PatternKind, Reflectance, ReflectionModel, Rgb, Scene,
-    ShadingMode, camera, material, shading, surroundings,
+    AmbientSource, Choice, CuedBy, DepthCueing, GREATEST_LENGTH, PatternKind, Reflectance,
+    ReflectionModel, Rgb, Scene, ShadingMode, camera, material, shading, surroundings,
 };
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, CollapsingHeader, RichText, ScrollArea, Ui};
@@ -39,12 +39,23 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
         "Material",
         &[],
         &[
-            Own(|ui, state, _| gallery_ui(ui, &mut state.lit, &mut state.gallery, &mut state.shown.scene.material)),
+            Own(|ui, state, _| {
+                gallery_ui(
+                    ui,
+                    &mut state.lit,
+                    &mut state.gallery,
+                    &mut state.shown.scene.material,
+                );
+            }),
             Rows(&[&material::KA, &material::KD, &material::KS]),
             While(has_facets, &[&material::ROUGHNESS]),
             While(|scene| !has_facets(scene), &[&material::N]),
             Own(|ui, state, _| matching_ui(ui, &mut state.lit, &mut state.shown.scene)),
-            Rows(&[&material::COLOR, &material::SPECULAR_COLOR, &material::PATTERN_KIND]),
+            Rows(&[
+                &material::COLOR,
+                &material::SPECULAR_COLOR,
+                &material::PATTERN_KIND,
+            ]),
             While(
                 |scene| scene.pattern.kind != PatternKind::None,
                 &[&material::PATTERN_COLOR, &material::PATTERN_SCALE],
@@ -52,16 +63,30 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
             Rows(&[&material::MODEL]),
             While(has_facets, &[&material::DISTRIBUTION]),
             Rows(&[&material::REFLECTANCE]),
-            While(|scene| scene.material.reflectance == Reflectance::Custom, &[&material::IOR, &material::EXTINCTION]),
+            While(
+                |scene| scene.material.reflectance == Reflectance::Custom,
+                &[&material::IOR, &material::EXTINCTION],
+            ),
             Rows(&[&material::BACKFACING]),
         ],
     ),
     (
         "Transparency",
         &[Symbol::Kt, Symbol::Transmitted],
-        &[Rows(&[&material::KT, &material::TRANSPARENCY_IOR, &material::THROUGH])],
+        &[Rows(&[
+            &material::KT,
+            &material::TRANSPARENCY_IOR,
+            &material::THROUGH,
+        ])],
     ),
-    ("Lights", &[], &[Rows(&[&material::AMBIENT_COLOR]), Own(|ui, state, _| lights::lights_ui(ui, state))]),
+    (
+        "Lights",
+        &[],
+        &[
+            Rows(&[&material::AMBIENT_COLOR]),
+            Own(|ui, state, _| lights::lights_ui(ui, state)),
+        ],
+    ),
     (
         "Surroundings",
         &[Symbol::Shadows, Symbol::Bounce],
@@ -79,10 +104,25 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
                 ],
             ),
             Rows(&[&surroundings::BACKDROP_PATTERN]),
-            Used(&[&surroundings::BACKDROP_COLOR, &surroundings::BACKDROP_SCALE, &surroundings::BACKDROP_DISTANCE]),
+            Used(&[
+                &surroundings::BACKDROP_COLOR,
+                &surroundings::BACKDROP_SCALE,
+                &surroundings::BACKDROP_DISTANCE,
+            ]),
         ],
     ),
-    ("Shading", &[], &[Own(mode_ui), Used(&[&shading::FLAT_AT, &shading::INTERPOLATION, &shading::RENORMALISE])]),
+    (
+        "Shading",
+        &[],
+        &[
+            Own(mode_ui),
+            Used(&[
+                &shading::FLAT_AT,
+                &shading::INTERPOLATION,
+                &shading::RENORMALISE,
+            ]),
+        ],
+    ),
     ("Object", &[], &[Own(object::object_ui)]),
     (
         "Camera",
@@ -92,7 +132,11 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
             Used(&[&camera::FOV_Y, &camera::HEIGHT]),
             Rows(&[&camera::ROLL, &camera::EYE, &camera::TARGET]),
             Own(|ui, state, _| {
-                if ui.button("Reset camera").on_hover_text("As the scene was opened (key 0)").clicked() {
+                if ui
+                    .button("Reset camera")
+                    .on_hover_text("As the scene was opened (key 0)")
+                    .clicked()
+                {
                     state.ask(Action::ResetCamera);
                 }
             }),
@@ -104,9 +148,17 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
         &[
             Rows(&[&camera::OVERFLOW]),
             Own(overflow_ui),
-            Rows(&[&camera::ENCODING, &camera::BACKGROUND, &surroundings::CUED_BY]),
+            Rows(&[
+                &camera::ENCODING,
+                &camera::BACKGROUND,
+                &surroundings::CUED_BY,
+            ]),
             Own(depths_ui),
-            Used(&[&surroundings::FRONT_SCALE, &surroundings::BACK_SCALE, &surroundings::CUE_COLOR]),
+            Used(&[
+                &surroundings::FRONT_SCALE,
+                &surroundings::BACK_SCALE,
+                &surroundings::CUE_COLOR,
+            ]),
         ],
     ),
 ];
@@ -127,18 +179,25 @@ pub fn controls_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             let sought = |symbol: &Symbol| folded_with.is_empty() || folded_with.contains(symbol);
             let open = state.lit.seek.filter(sought).map(|_| true);
             let header = CollapsingHeader::new(RichText::new(*title).strong()).id_salt(title);
-            header.default_open(folded_with.is_empty()).open(open).show_unindented(ui, |ui| {
-                ui.add_space(1.0);
-                items.iter().for_each(|item| item_ui(ui, state, engine, item));
-                ui.add_space(6.0);
-            });
+            header
+                .default_open(folded_with.is_empty())
+                .open(open)
+                .show_unindented(ui, |ui| {
+                    ui.add_space(1.0);
+                    items
+                        .iter()
+                        .for_each(|item| item_ui(ui, state, engine, item));
+                    ui.add_space(6.0);
+                });
         }
         ui.add_space(12.0);
     });
 }
 
 fn item_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, item: &Item) {
-    let AppState { shown, lit, look, .. } = state;
+    let AppState {
+        shown, lit, look, ..
+    } = state;
     let scene = &mut shown.scene;
     let rows = match item {
         Rows(rows) | Used(rows) => *rows,
@@ -146,7 +205,10 @@ fn item_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, item: &Item) {
         While(..) => &[],
         Own(control) => return control(ui, state, engine),
     };
-    let view = View { channels: look.channels, ..View::default() };
+    let view = View {
+        channels: look.channels,
+        ..View::default()
+    };
     for row in rows {
         if !matches!(item, Used(_)) || (row.idle)(scene, 0).is_none() {
             parameter_with(ui, lit, scene, row, &view);
@@ -156,7 +218,9 @@ fn item_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, item: &Item) {
 
 /// What the shading mode does.
 fn mode_ui(ui: &mut Ui, state: &mut AppState, _: &Engine) {
-    let Scene { shading, object, .. } = &state.shown.scene;
+    let Scene {
+        shading, object, ..
+    } = &state.shown.scene;
     let what = if shading.mode == ShadingMode::Exact && !object.kind.has_surface() {
         "There is no surface beyond these polygons: here Phong shading, evaluated in double precision"
     } else {
@@ -188,14 +252,22 @@ fn fit_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         name: "Best ambient light",
         tip: "The constant Ia whose ambient term differs least from the light that other surfaces really throw here: least squares over the picture. Red, green, blue.",
         symbol: Some(Symbol::Ia),
-        idle: fit.is_none().then_some("Ka is 0 where light is scattered: no constant makes a difference"),
+        idle: fit
+            .is_none()
+            .then_some("Ka is 0 where light is scattered: no constant makes a difference"),
         ..About::default()
     };
     row(ui, &mut state.lit, &about, false, |ui| {
-        let Some(fit) = fit.map(Rgb::from_array) else { return };
+        let Some(fit) = fit.map(Rgb::from_array) else {
+            return;
+        };
         let [r, g, b] = fit.to_array().map(|channel| format!("{channel:.3}"));
         let taken = (ambient.color - fit).abs().max_element() < 5e-4;
-        let button = named(ui.add_enabled(!taken, Button::new("take")), Role::Button, "Take the best ambient light");
+        let button = named(
+            ui.add_enabled(!taken, Button::new("take")),
+            Role::Button,
+            "Take the best ambient light",
+        );
         if button.on_hover_text("Makes it the constant Ia").clicked() {
             ambient.color = (fit * 1e3).round() / 1e3;
         }
@@ -215,7 +287,10 @@ fn depths_ui(ui: &mut Ui, state: &mut AppState, _: &Engine) {
     }
     let (before, reach) = (scene.depth_cueing.front, 2.0 * scene.camera.distance());
     for row in [&surroundings::FRONT, &surroundings::BACK] {
-        let view = View { slider: Some(Slider::linear(0.0, reach)), ..View::default() };
+        let view = View {
+            slider: Some(Slider::linear(0.0, reach)),
+            ..View::default()
+        };
         parameter_with(ui, lit, scene, row, &view);
     }
     let front_moved = scene.depth_cueing.front.to_bits() != before.to_bits();
@@ -243,13 +318,23 @@ mod tests {
 
     #[test]
     fn the_front_stays_before_the_back() {
-        for (front, back) in [(7.0, 5.0), (0.0, 0.0), (1e30, 3.0), (3.0, 0.0), (1e-30, 1e-30)] {
+        for (front, back) in [
+            (7.0, 5.0),
+            (0.0, 0.0),
+            (1e30, 3.0),
+            (3.0, 0.0),
+            (1e-30, 1e-30),
+        ] {
             for front_moved in [true, false] {
                 for reach in [8.0, 1e-20, 1e20] {
                     let mut scene = Scene::default();
                     (scene.depth_cueing.front, scene.depth_cueing.back) = (front, back);
                     part(&mut scene.depth_cueing, front_moved, reach);
-                    assert_eq!(scene.validate(), Ok(()), "{front} {back} {front_moved} {reach}");
+                    assert_eq!(
+                        scene.validate(),
+                        Ok(()),
+                        "{front} {back} {front_moved} {reach}"
+                    );
                 }
             }
         }

@@ -26,27 +26,41 @@ pub fn curves_ui(ui: &mut Ui, own: &mut CurvesView, state: &mut AppState, engine
         own.curves = engine.curves(light);
         let mut named = own.curves.clone().unwrap_or_default();
         for plot in &mut named.plots {
-            if scene.lights.len() > 1 && matches!(plot.kind, PlotKind::Attenuation | PlotKind::Lobe) {
+            if scene.lights.len() > 1 && matches!(plot.kind, PlotKind::Attenuation | PlotKind::Lobe)
+            {
                 plot.title += &format!(", light {}", light + 1);
             }
         }
         own.view.set(named.report(&About { name: "", scene }));
     }
     own.view.ui(ui);
-    if !own.curves.iter().flat_map(|curves| &curves.plots).any(|plot| plot.kind == PlotKind::Lobe) {
+    if !own
+        .curves
+        .iter()
+        .flat_map(|curves| &curves.plots)
+        .any(|plot| plot.kind == PlotKind::Lobe)
+    {
         missing_ui(ui, engine, light);
     }
-    export_ui(ui, state, "curves", || Some((Box::new(own.curves.clone()?), engine.drawn()?.clone())));
+    export_ui(ui, state, "curves", || {
+        Some((Box::new(own.curves.clone()?), engine.drawn()?.clone()))
+    });
 }
 
 /// Why there is no lobe.
 fn missing_ui(ui: &mut Ui, engine: &Engine, light: usize) {
     let Some(probe) = engine.probed() else { return };
     let text = match &probe.hit {
-        None => "The probe sees the background. Double-click the object, or drag the ring onto it.".to_owned(),
+        None => "The probe sees the background. Double-click the object, or drag the ring onto it."
+            .to_owned(),
         Some(hit) if hit.lights.is_empty() => "There is no light to be reflected.".to_owned(),
-        Some(hit) if hit.normal == glam::DVec3::ZERO => "The normal has no direction here.".to_owned(),
-        Some(_) => format!("Light {} is behind the surface here: nothing is reflected.", light + 1),
+        Some(hit) if hit.normal == glam::DVec3::ZERO => {
+            "The normal has no direction here.".to_owned()
+        }
+        Some(_) => format!(
+            "Light {} is behind the surface here: nothing is reflected.",
+            light + 1
+        ),
     };
     ui.label(text);
 }

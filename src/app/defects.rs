@@ -27,9 +27,21 @@ pub fn defects_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, eng
     if size.contains(&0) {
         return;
     }
-    measured.ask(ui.ctx(), &state.shown, size, &DefectsQuestion { pixel: Some(state.probe.pixel(size)) });
+    measured.ask(
+        ui.ctx(),
+        &state.shown,
+        size,
+        &DefectsQuestion {
+            pixel: Some(state.probe.pixel(size)),
+        },
+    );
     ui.label("Five things that interpolation gets wrong, measured in the active picture.");
-    if !progress_ui(ui, &measured.work, "Nothing is measured until the scene changes") && measured.work.stopped() {
+    if !progress_ui(
+        ui,
+        &measured.work,
+        "Nothing is measured until the scene changes",
+    ) && measured.work.stopped()
+    {
         ui.label(RichText::new("Stopped. Measured again when the scene changes.").weak());
     }
     export_ui(ui, state, "defects", || measured.latest());
@@ -46,18 +58,32 @@ pub fn defects_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, eng
         measured.view.section_ui(ui, index);
         if is_open(state, defect) {
             ui.label(format!("Try: {}", defect.try_this));
-        } else if ui.button(format!("Show “{}”", defect.title)).on_hover_text(defect.try_this).clicked() {
+        } else if ui
+            .button(format!("Show “{}”", defect.title))
+            .on_hover_text(defect.try_this)
+            .clicked()
+        {
             state.ask(Action::OpenBuiltIn(defect.scene.to_owned()));
         }
         ui.add_space(6.0);
     }
     ui.separator();
-    ui.collapsing("Where a vertex normal comes from", |ui| normal_ui(ui, normal, state, size));
+    ui.collapsing("Where a vertex normal comes from", |ui| {
+        normal_ui(ui, normal, state, size);
+    });
 }
 
 /// The normal of the vertex that is lit up, or of the one next to the probe, with its faces and their weights.
-fn normal_ui(ui: &mut Ui, normal: &mut Asking<NormalsQuestion>, state: &mut AppState, size: [u32; 2]) {
-    let question = NormalsQuestion { vertex: state.pointed.lit, pixel: Some(state.probe.pixel(size)) };
+fn normal_ui(
+    ui: &mut Ui,
+    normal: &mut Asking<NormalsQuestion>,
+    state: &mut AppState,
+    size: [u32; 2],
+) {
+    let question = NormalsQuestion {
+        vertex: state.pointed.lit,
+        pixel: Some(state.probe.pixel(size)),
+    };
     normal.ask(ui.ctx(), &state.shown, size, &question);
     match normal.work.known() {
         None => _ = ui.label("…"),
@@ -74,15 +100,35 @@ fn is_open(state: &AppState, defect: &Defect) -> bool {
 
 /// Marks what was last measured in the active picture.
 pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
-    let measured = state.own.get::<DefectsView>().filter(|_| state.shows(NumbersTab::Defects));
-    let Some(found) = measured.and_then(|view| view.measured.work.answer()) else { return };
+    let measured = state
+        .own
+        .get::<DefectsView>()
+        .filter(|_| state.shows(NumbersTab::Defects));
+    let Some(found) = measured.and_then(|view| view.measured.work.answer()) else {
+        return;
+    };
     let em = f64::from(font.size * place.pixels_per_point);
     for mark in defect_marks(&found.defects, em) {
-        for stroke in [Stroke::new(4.0, Color32::from_black_alpha(160)), Stroke::new(1.8, Color32::WHITE)] {
+        for stroke in [
+            Stroke::new(4.0, Color32::from_black_alpha(160)),
+            Stroke::new(1.8, Color32::WHITE),
+        ] {
             for line in &mark.lines {
-                lines::line(painter, line.iter().map(|point| place.exact_point(*point)), stroke, &[]);
+                lines::line(
+                    painter,
+                    line.iter().map(|point| place.exact_point(*point)),
+                    stroke,
+                    &[],
+                );
             }
         }
-        letter(painter, place.point(mark.label_at), Align2::CENTER_CENTER, &mark.label, font, Color32::WHITE);
+        letter(
+            painter,
+            place.point(mark.label_at),
+            Align2::CENTER_CENTER,
+            &mark.label,
+            font,
+            Color32::WHITE,
+        );
     }
 }

@@ -111,7 +111,13 @@ impl FileTask {
                 "scene.toml, model.obj or picture.png",
             ),
             Self::SaveScene => ("Save the scene", "Save", "Scene", &["toml"], "scene.toml"),
-            Self::Export(_) => ("Export the picture", "Export", "Picture", &["png"], "picture.png"),
+            Self::Export(_) => (
+                "Export the picture",
+                "Export",
+                "Picture",
+                &["png"],
+                "picture.png",
+            ),
             Self::SaveAnswer(format) => {
                 let example = match format {
                     Format::Json => "analysis.json",
@@ -119,31 +125,60 @@ impl FileTask {
                     Format::Png => "analysis.png",
                     Format::Svg => "analysis.svg",
                 };
-                ("Save the analysis", "Save", "Analysis", &["csv", "png", "svg", "json"], example)
+                (
+                    "Save the analysis",
+                    "Save",
+                    "Analysis",
+                    &["csv", "png", "svg", "json"],
+                    example,
+                )
             }
         };
-        FileKind { title, verb, files, endings, example }
+        FileKind {
+            title,
+            verb,
+            files,
+            endings,
+            example,
+        }
     }
 }
 
 impl Language {
     pub fn file_kind(self) -> FileKind {
-        let example = if self == Self::Shaders { "scene.vert" } else { "scene.c" };
-        FileKind { title: "Save the code", verb: "Save", files: "Code", endings: &[], example }
+        let example = if self == Self::Shaders {
+            "scene.vert"
+        } else {
+            "scene.c"
+        };
+        FileKind {
+            title: "Save the code",
+            verb: "Save",
+            files: "Code",
+            endings: &[],
+            example,
+        }
     }
 }
 
 impl Dialog {
     /// A message, for example an error.
     pub fn message(title: &str, text: String) -> Self {
-        Self::Message { title: title.to_owned(), text }
+        Self::Message {
+            title: title.to_owned(),
+            text,
+        }
     }
 
     /// The path that it asks for, and the kind of the file.
     pub fn file(&mut self) -> Option<(&mut String, FileKind)> {
         match self {
             Self::File { task, path } => Some((path, task.file_kind())),
-            Self::Code(CodeForm { path: Some(path), language, .. }) => Some((path, language.file_kind())),
+            Self::Code(CodeForm {
+                path: Some(path),
+                language,
+                ..
+            }) => Some((path, language.file_kind())),
             _ => None,
         }
     }
@@ -162,16 +197,42 @@ impl Dialog {
 
     /// Gives the file that is to be written the usual ending, where its name has none that the program knows.
     pub fn complete(&mut self) {
-        if matches!(self, Self::File { task: FileTask::Open, .. }) {
+        if matches!(
+            self,
+            Self::File {
+                task: FileTask::Open,
+                ..
+            }
+        ) {
             return;
         }
-        let Some((path, FileKind { endings, example, .. })) = self.file() else { return };
-        let extension = |path: &str| Path::new(path).extension().map(|ending| ending.to_string_lossy().into_owned());
+        let Some((
+            path,
+            FileKind {
+                endings, example, ..
+            },
+        )) = self.file()
+        else {
+            return;
+        };
+        let extension = |path: &str| {
+            Path::new(path)
+                .extension()
+                .map(|ending| ending.to_string_lossy().into_owned())
+        };
         let trimmed = path.trim().to_owned();
-        let known = extension(&trimmed)
-            .is_some_and(|ending| endings.is_empty() || endings.iter().any(|known| ending.eq_ignore_ascii_case(known)));
+        let known = extension(&trimmed).is_some_and(|ending| {
+            endings.is_empty()
+                || endings
+                    .iter()
+                    .any(|known| ending.eq_ignore_ascii_case(known))
+        });
         let complete = known || trimmed.ends_with(std::path::is_separator);
-        *path = if complete { trimmed } else { format!("{trimmed}.{}", extension(example).unwrap_or_default()) };
+        *path = if complete {
+            trimmed
+        } else {
+            format!("{trimmed}.{}", extension(example).unwrap_or_default())
+        };
     }
 }
 
@@ -179,11 +240,18 @@ impl Dialog {
 pub fn question_ui(ui: &mut Ui, title: &str, text: &str, answers: &[(&str, Choice)]) -> Choice {
     ui.heading(title);
     ui.add_space(8.0);
-    ScrollArea::vertical().max_height(320.0).show(ui, |ui| ui.label(text));
+    ScrollArea::vertical()
+        .max_height(320.0)
+        .show(ui, |ui| ui.label(text));
     ui.add_space(12.0);
     let enter = answers.len() == 1 && ui.input(|input| input.key_pressed(Key::Enter));
     let given = |ui: &mut Ui, answer: &str| ui.button(answer).clicked() || enter;
-    let chosen = ui.horizontal(|ui| answers.iter().filter(|(answer, _)| given(ui, answer)).last());
+    let chosen = ui.horizontal(|ui| {
+        answers
+            .iter()
+            .filter(|(answer, _)| given(ui, answer))
+            .last()
+    });
     chosen.inner.map_or(Choice::Stay, |(_, choice)| *choice)
 }
 
@@ -191,14 +259,20 @@ pub fn question_ui(ui: &mut Ui, title: &str, text: &str, answers: &[(&str, Choic
 pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str) -> Choice {
     let mut choice = Choice::Stay;
     ui.horizontal(|ui| {
-        let field = TextEdit::singleline(path).hint_text(hint).desired_width((ui.available_width() - 92.0).max(0.0));
+        let field = TextEdit::singleline(path)
+            .hint_text(hint)
+            .desired_width((ui.available_width() - 92.0).max(0.0));
         let field = named(ui.add(field), Role::TextInput, "File");
         if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
             choice = Choice::Accept;
         } else if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
             field.request_focus();
         }
-        if ui.button("Browse…").on_hover_text("The desktop's own dialog, where it has one").clicked() {
+        if ui
+            .button("Browse…")
+            .on_hover_text("The desktop's own dialog, where it has one")
+            .clicked()
+        {
             choice = Choice::Browse;
         }
     });
@@ -206,8 +280,18 @@ pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str) -> Choice {
 }
 
 /// The buttons below a path; what `entered` chose holds where the path is `ready`.
-pub fn buttons_ui(ui: &mut Ui, verb: &str, back: (&str, Choice), ready: bool, entered: Choice) -> Choice {
-    let mut choice = if entered == Choice::Accept && !ready { Choice::Stay } else { entered };
+pub fn buttons_ui(
+    ui: &mut Ui,
+    verb: &str,
+    back: (&str, Choice),
+    ready: bool,
+    entered: Choice,
+) -> Choice {
+    let mut choice = if entered == Choice::Accept && !ready {
+        Choice::Stay
+    } else {
+        entered
+    };
     ui.horizontal(|ui| {
         if ui.add_enabled(ready, Button::new(verb)).clicked() {
             choice = Choice::Accept;

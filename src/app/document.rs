@@ -31,8 +31,17 @@ pub enum Origin {
 
 impl From<Loaded> for Document {
     fn from(loaded: Loaded) -> Self {
-        let Loaded { scene, model, name, path } = loaded;
-        Self { scene, model, origin: path.map_or(Origin::BuiltIn(name), Origin::File) }
+        let Loaded {
+            scene,
+            model,
+            name,
+            path,
+        } = loaded;
+        Self {
+            scene,
+            model,
+            origin: path.map_or(Origin::BuiltIn(name), Origin::File),
+        }
     }
 }
 
@@ -40,13 +49,19 @@ impl Document {
     /// The built-in scene of this name, if there is one.
     pub fn built_in(name: &str) -> Option<Self> {
         let scene = presets::find(name)?.scene();
-        Some(Self { scene, model: None, origin: Origin::BuiltIn(name.to_owned()) })
+        Some(Self {
+            scene,
+            model: None,
+            origin: Origin::BuiltIn(name.to_owned()),
+        })
     }
 
     /// The scene file that it was opened from or saved to.
     pub fn scene_file(&self) -> Option<PathBuf> {
         match &self.origin {
-            Origin::File(path) if path.extension().is_some_and(|ending| ending == "toml") => Some(path.clone()),
+            Origin::File(path) if path.extension().is_some_and(|ending| ending == "toml") => {
+                Some(path.clone())
+            }
             _ => None,
         }
     }
@@ -57,7 +72,10 @@ impl Document {
             Origin::File(path) => path.with_extension(ending),
             _ => PathBuf::from(self.origin.name()).with_extension(ending),
         };
-        std::path::absolute(&path).unwrap_or(path).display().to_string()
+        std::path::absolute(&path)
+            .unwrap_or(path)
+            .display()
+            .to_string()
     }
 
     /// Whether the two show different models.
@@ -77,9 +95,10 @@ impl Origin {
         match self {
             Self::New => "untitled".to_owned(),
             Self::BuiltIn(name) => name.clone(),
-            Self::File(path) => {
-                path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
-            }
+            Self::File(path) => path.file_name().map_or_else(
+                || path.display().to_string(),
+                |name| name.to_string_lossy().into_owned(),
+            ),
         }
     }
 }
@@ -117,7 +136,10 @@ pub struct History {
 impl History {
     /// A history that begins with `document`.
     pub fn new(document: Document) -> Self {
-        Self { settled: document, ..Self::default() }
+        Self {
+            settled: document,
+            ..Self::default()
+        }
     }
 
     /// Records what has become of the document by the end of a frame. While `held` (the pointer is down) changes
@@ -131,7 +153,10 @@ impl History {
             return;
         }
         let change = change(&self.settled, document);
-        let goes_on = self.last.as_ref().is_some_and(|(name, when)| *name == change && time - when < PAUSE);
+        let goes_on = self
+            .last
+            .as_ref()
+            .is_some_and(|(name, when)| *name == change && time - when < PAUSE);
         let before = replace(&mut self.settled, document.clone());
         if !goes_on {
             self.past.push_back(before);
@@ -186,7 +211,9 @@ fn change(before: &Document, after: &Document) -> String {
         return "panes".to_owned();
     }
     let mut differing = a.differences(b);
-    let Some((first, index)) = differing.next() else { return "change".to_owned() };
+    let Some((first, index)) = differing.next() else {
+        return "change".to_owned();
+    };
     let mut others = differing.map(|(parameter, _)| parameter.section());
     match others.next() {
         None => first.full_name(index),
@@ -241,8 +268,22 @@ mod tests {
 
     #[test]
     fn turns_of_the_wheel_are_one_step_until_a_pause_and_drags_are_not() {
-        assert_eq!(undone(seen([(2.0, false, 0.0), (3.0, false, 0.5), (4.0, false, 3.0)])), [3.0, 1.0]);
-        assert_eq!(undone(seen([(2.0, false, 0.0), (2.0, true, 0.1), (3.0, false, 0.2)])), [2.0, 1.0]);
+        assert_eq!(
+            undone(seen([
+                (2.0, false, 0.0),
+                (3.0, false, 0.5),
+                (4.0, false, 3.0)
+            ])),
+            [3.0, 1.0]
+        );
+        assert_eq!(
+            undone(seen([
+                (2.0, false, 0.0),
+                (2.0, true, 0.1),
+                (3.0, false, 0.2)
+            ])),
+            [2.0, 1.0]
+        );
     }
 
     #[test]

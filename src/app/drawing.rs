@@ -6,8 +6,8 @@ use crate::analysis::Plot;
 use crate::figure::{Drawing, Paper, PlotStyle, Set, Shape, Text, can_be_filled, short};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    self, Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2,
-    WidgetInfo, pos2, vec2,
+    self, Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, Response, Sense, Stroke,
+    StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use glam::DVec2;
 
@@ -28,11 +28,18 @@ pub fn plot_style(ui: &Ui) -> PlotStyle {
         weak: rgb(visuals.weak_text_color()),
         grid: rgb(visuals.widgets.noninteractive.bg_stroke.color),
     };
-    PlotStyle { paper, text: LETTERS * f64::from(TEXT), titled: false }
+    PlotStyle {
+        paper,
+        text: LETTERS * f64::from(TEXT),
+        titled: false,
+    }
 }
 
 pub fn height(plot: &Plot, width: f64, letters: f64) -> f64 {
-    #[expect(clippy::cast_precision_loss, reason = "a plot has few curves and marks")]
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "a plot has few curves and marks"
+    )]
     let lines = (plot.curves.len() + plot.marks.len()) as f64;
     width * ASPECT[usize::from(plot.kind.is_polar())] + letters * (LINES[0] + LINES[1] * lines)
 }
@@ -42,22 +49,45 @@ pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) {
     // The plot in words, for those who do not see it.
     let words = || {
         let marks = plot.marks.iter().map(|mark| mark.label.as_str());
-        [plot.title.as_str(), plot.note.as_str()].into_iter().chain(marks).collect::<Vec<_>>().join("; ")
+        [plot.title.as_str(), plot.note.as_str()]
+            .into_iter()
+            .chain(marks)
+            .collect::<Vec<_>>()
+            .join("; ")
     };
-    let Some((response, painter)) = drawing_ui(ui, drawing, Sense::hover(), words) else { return };
+    let Some((response, painter)) = drawing_ui(ui, drawing, Sense::hover(), words) else {
+        return;
+    };
     let rect = response.rect;
-    let Some(pointer) = response.hover_pos() else { return };
-    let Some(x) = drawing.x_at(lines::exact(pointer) - lines::exact(rect.min)) else { return };
-    let Some((_, ends)) = drawing.place([x, 0.0]) else { return };
+    let Some(pointer) = response.hover_pos() else {
+        return;
+    };
+    let Some(x) = drawing.x_at(lines::exact(pointer) - lines::exact(rect.min)) else {
+        return;
+    };
+    let Some((_, ends)) = drawing.place([x, 0.0]) else {
+        return;
+    };
     let ends = ends.map(|end| lines::exact(rect.min) + end);
-    lines::line(&painter, ends, Stroke::new(1.0, ui.visuals().text_color()), &[]);
+    lines::line(
+        &painter,
+        ends,
+        Stroke::new(1.0, ui.visuals().text_color()),
+        &[],
+    );
     let unit = if plot.x.degrees { "°" } else { "" };
     let symbol = plot.x.name.split(',').next().unwrap_or_default();
     let line = |text: String, colour| Text::new(text, DVec2::ZERO, style.text, colour);
-    let mut lines = vec![line(format!("{symbol} = {}{unit}", short(x)), style.paper.text)];
+    let mut lines = vec![line(
+        format!("{symbol} = {}{unit}", short(x)),
+        style.paper.text,
+    )];
     for curve in &plot.curves {
         let Some(y) = curve.at(x) else { continue };
-        lines.push(line(format!("{}: {}", curve.name, short(y)), style.paper.letters(curve.ink)));
+        lines.push(line(
+            format!("{}: {}", curve.name, short(y)),
+            style.paper.letters(curve.ink),
+        ));
         let at = drawing.place([x, y]).map(|(at, _)| screen(at, rect.min));
         if let Some(at) = at.filter(|at| y <= plot.y.high && rect.contains(*at)) {
             painter.circle_filled(at, 3.0, colour_of(style.paper.line(curve.ink), 1.0));
@@ -69,17 +99,34 @@ pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) {
 /// Lines of text in a box beside the pointer, inside `rect`.
 pub fn boxed(ui: &Ui, painter: &Painter, lines: &[Text], (rect, pointer): (Rect, Pos2)) {
     let row = lines.first().map_or(0.0, |text| 1.4 * text.size as f32);
-    let width = lines.iter().map(|text| text.width() as f32).fold(0.0, f32::max);
+    let width = lines
+        .iter()
+        .map(|text| text.width() as f32)
+        .fold(0.0, f32::max);
     let size = vec2(width, row * lines.len() as f32) + Vec2::splat(12.0);
     let right = pointer.x + 14.0 + size.x <= rect.max.x;
-    let x = if right { pointer.x + 14.0 } else { (pointer.x - 14.0 - size.x).max(rect.min.x) };
+    let x = if right {
+        pointer.x + 14.0
+    } else {
+        (pointer.x - 14.0 - size.x).max(rect.min.x)
+    };
     let y = (pointer.y - 0.5 * size.y).clamp(rect.min.y, (rect.max.y - size.y).max(rect.min.y));
     let area = Rect::from_min_size(pos2(x, y), size);
     let visuals = ui.visuals();
     let outline = visuals.widgets.noninteractive.bg_stroke;
-    painter.rect(area, CornerRadius::same(4), visuals.window_fill, outline, StrokeKind::Inside);
+    painter.rect(
+        area,
+        CornerRadius::same(4),
+        visuals.window_fill,
+        outline,
+        StrokeKind::Inside,
+    );
     for (index, text) in lines.iter().enumerate() {
-        paint_text(painter, text, area.min + vec2(6.0, 6.0 + row * (index as f32 + 0.75)));
+        paint_text(
+            painter,
+            text,
+            area.min + vec2(6.0, 6.0 + row * (index as f32 + 0.75)),
+        );
     }
 }
 
@@ -118,7 +165,11 @@ pub fn colour_of([r, g, b]: [u8; 3], opacity: f64) -> Color32 {
 fn paint_shape(painter: &Painter, line: &Shape, origin: Pos2) {
     let colour = colour_of(line.colour, line.opacity);
     let stroke = Stroke::new(line.width as f32, colour);
-    let mut places: Vec<DVec2> = line.points.iter().map(|point| lines::exact(origin) + *point).collect();
+    let mut places: Vec<DVec2> = line
+        .points
+        .iter()
+        .map(|point| lines::exact(origin) + *point)
+        .collect();
     if !line.fill {
         let dashes: Vec<f32> = line.dashes.iter().map(|dash| dash * stroke.width).collect();
         places.extend(places.first().copied().filter(|_| line.closed));
@@ -133,10 +184,15 @@ fn paint_shape(painter: &Painter, line: &Shape, origin: Pos2) {
         // As triangles about its first point, from which all of it is seen.
         let mut mesh = Mesh::default();
         points.for_each(|point| mesh.colored_vertex(point, colour));
-        (2..u32::try_from(line.points.len()).unwrap_or(0)).for_each(|i| mesh.add_triangle(0, i - 1, i));
+        (2..u32::try_from(line.points.len()).unwrap_or(0))
+            .for_each(|i| mesh.add_triangle(0, i - 1, i));
         painter.add(egui::Shape::mesh(mesh));
     } else {
-        painter.add(egui::Shape::convex_polygon(points.collect(), colour, Stroke::NONE));
+        painter.add(egui::Shape::convex_polygon(
+            points.collect(),
+            colour,
+            Stroke::NONE,
+        ));
     }
 }
 
@@ -155,7 +211,10 @@ fn paint_text(painter: &Painter, text: &Text, origin: Pos2) {
         .into_iter()
         .map(|(set, run)| {
             let galley = painter.layout_no_wrap(run, FontId::proportional(size * set.size), colour);
-            let baseline = galley.rows.first().and_then(|row| Some(row.pos.y + row.glyphs.first()?.pos.y));
+            let baseline = galley
+                .rows
+                .first()
+                .and_then(|row| Some(row.pos.y + row.glyphs.first()?.pos.y));
             (baseline.unwrap_or(0.0) + size * set.rise, galley)
         })
         .collect();

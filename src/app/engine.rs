@@ -6,8 +6,8 @@ mod pane;
 use super::look::OverlayLook;
 use super::state::AppState;
 use crate::analysis::{
-    Brightest, Curves, ErrorFigures, Overlay, OverlayOptions, PaneFigures, Probe, Scan, ScanError, brightest,
-    difference_picture, difference_scale, error_figures, scan_drawn,
+    Brightest, Curves, ErrorFigures, Overlay, OverlayOptions, PaneFigures, Probe, Scan, ScanError,
+    brightest, difference_picture, difference_scale, error_figures, scan_drawn,
 };
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
@@ -51,7 +51,10 @@ struct DrawnOverlay {
 
 impl Engine {
     pub fn new() -> Self {
-        Self { panes: vec![PaneEngine::default()], ..Self::default() }
+        Self {
+            panes: vec![PaneEngine::default()],
+            ..Self::default()
+        }
     }
 
     /// Brings pictures, probes and overlay up to date for panes of `size` pixels each; what has not changed is kept.
@@ -68,11 +71,24 @@ impl Engine {
         let (mut redrawn, mut reprobed) = (false, false);
         let wanted: Vec<(usize, Wanted<'_>)> = shown
             .iter()
-            .map(|&pane| (pane, Wanted { scene: state.panes.scene(pane), model, size, linear: several }))
+            .map(|&pane| {
+                (
+                    pane,
+                    Wanted {
+                        scene: state.panes.scene(pane),
+                        model,
+                        size,
+                        linear: several,
+                    },
+                )
+            })
             .collect();
         // While something is dragged the pictures keep up with the hand, coarser if they must be.
         let held = ctx.input(|input| input.pointer.any_down());
-        let expected: u64 = wanted.iter().map(|(pane, wanted)| self.panes[*pane].expected(wanted)).sum();
+        let expected: u64 = wanted
+            .iter()
+            .map(|(pane, wanted)| self.panes[*pane].expected(wanted))
+            .sum();
         let coarser = if held { coarseness(expected) } else { 1 };
         self.size = size;
         for (pane, wanted) in &wanted {
@@ -95,27 +111,62 @@ impl Engine {
             ctx.request_repaint();
         }
         self.draw_overlay(ctx, state, reprobed);
-        self.normals.update(ctx, state, self.active, &self.panes[self.active]);
+        self.normals
+            .update(ctx, state, self.active, &self.panes[self.active]);
     }
 
     /// Lights up the faces of the vertex within `reach` pixels of the pointer, or else of the one that is kept; a click
     /// keeps what is under it.
-    pub fn point_at(&mut self, ctx: &Context, state: &mut AppState, pointer: Option<DVec2>, reach: f64, clicked: bool) {
-        self.normals.point_at(ctx, state, &self.panes[self.active], pointer, reach, clicked);
+    pub fn point_at(
+        &mut self,
+        ctx: &Context,
+        state: &mut AppState,
+        pointer: Option<DVec2>,
+        reach: f64,
+        clicked: bool,
+    ) {
+        self.normals.point_at(
+            ctx,
+            state,
+            &self.panes[self.active],
+            pointer,
+            reach,
+            clicked,
+        );
     }
 
     fn measure(&mut self, scene: &Scene) {
         self.figures.clear();
-        let Some((&last, _)) = self.shown.split_last().filter(|(_, others)| !others.is_empty()) else { return };
-        let Some(reference) = self.panes[last].linear() else { return };
+        let Some((&last, _)) = self
+            .shown
+            .split_last()
+            .filter(|(_, others)| !others.is_empty())
+        else {
+            return;
+        };
+        let Some(reference) = self.panes[last].linear() else {
+            return;
+        };
         for &pane in &self.shown {
-            let Some(picture) = self.panes[pane].linear() else { continue };
+            let Some(picture) = self.panes[pane].linear() else {
+                continue;
+            };
             let coarser = self.panes[pane].coarser;
             let in_whole = |at: [u32; 2]| at.map(|v| v * coarser + coarser / 2);
             let error = (pane != last).then(|| error_figures(picture, reference));
-            let error = error.map(|error| ErrorFigures { at: error.at.map(in_whole), ..error });
-            let brightest = brightest(picture).map(|b| Brightest { at: in_whole(b.at), ..b });
-            self.figures.push(PaneFigures { name: scene.pane_name(pane), brightest, error });
+            let error = error.map(|error| ErrorFigures {
+                at: error.at.map(in_whole),
+                ..error
+            });
+            let brightest = brightest(picture).map(|b| Brightest {
+                at: in_whole(b.at),
+                ..b
+            });
+            self.figures.push(PaneFigures {
+                name: scene.pane_name(pane),
+                brightest,
+                error,
+            });
         }
     }
 
@@ -126,38 +177,82 @@ impl Engine {
             return;
         };
         let look = (compare.difference, compare.gain, state.look.scale);
-        if !redrawn && self.difference.as_ref().is_some_and(|(_, drawn)| *drawn == look) {
+        if !redrawn
+            && self
+                .difference
+                .as_ref()
+                .is_some_and(|(_, drawn)| *drawn == look)
+        {
             return;
         }
-        let (Some(a), Some(b)) = (self.panes[first].linear(), self.panes[last].linear()) else { return };
+        let (Some(a), Some(b)) = (self.panes[first].linear(), self.panes[last].linear()) else {
+            return;
+        };
         let mut frame = difference_picture(a, b, compare.difference, compare.gain);
         let em = f64::from(ctx.pixels_per_point()) * f64::from(super::theme::TEXT);
         let em = em / f64::from(self.panes[first].coarser);
-        difference_scale([frame.width, frame.height], compare.difference, compare.gain, em).draw_over(&mut frame);
+        difference_scale(
+            [frame.width, frame.height],
+            compare.difference,
+            compare.gain,
+            em,
+        )
+        .draw_over(&mut frame);
         let mut texture = self.difference.take().map(|(texture, _)| texture);
-        upload(ctx, &mut texture, "difference", image_of(&frame), TextureOptions::NEAREST);
+        upload(
+            ctx,
+            &mut texture,
+            "difference",
+            image_of(&frame),
+            TextureOptions::NEAREST,
+        );
         self.difference = texture.map(|texture| (texture, look));
     }
 
     fn draw_overlay(&mut self, ctx: &Context, state: &AppState, reprobed: bool) {
         let scene = &state.shown.scene;
-        let look = (state.look.overlay.clone(), state.light, is_dark(scene), state.look.scale);
-        if !reprobed && self.overlay.as_ref().is_some_and(|overlay| overlay.look == look) {
+        let look = (
+            state.look.overlay.clone(),
+            state.light,
+            is_dark(scene),
+            state.look.scale,
+        );
+        if !reprobed
+            && self
+                .overlay
+                .as_ref()
+                .is_some_and(|overlay| overlay.look == look)
+        {
             return;
         }
         let scale = f64::from(state.look.scale);
-        let options = OverlayOptions { scale, ..overlay_options(&look.0, state.light, scene) };
+        let options = OverlayOptions {
+            scale,
+            ..overlay_options(&look.0, state.light, scene)
+        };
         let (size, pane) = (self.size, self.active());
-        let (Some((_, probe)), Some(scene)) = (&pane.probed, pane.drawn()) else { return };
+        let (Some((_, probe)), Some(scene)) = (&pane.probed, pane.drawn()) else {
+            return;
+        };
         let overlay = Overlay::new(size, scene, probe, &options);
         let drawn = self.overlay.take();
         // Most sliders move no vector.
-        let same = drawn.as_ref().is_some_and(|drawn| drawn.size == size && drawn.overlay == overlay);
+        let same = drawn
+            .as_ref()
+            .is_some_and(|drawn| drawn.size == size && drawn.overlay == overlay);
         let mut texture = drawn.map(|drawn| drawn.texture);
-        if let Some(image) = (!same).then(|| drawing(size, |pixmap| overlay.draw(pixmap))).flatten() {
+        if let Some(image) = (!same)
+            .then(|| drawing(size, |pixmap| overlay.draw(pixmap)))
+            .flatten()
+        {
             upload(ctx, &mut texture, "overlay", image, TextureOptions::NEAREST);
         }
-        self.overlay = texture.map(|texture| DrawnOverlay { texture, overlay, size, look });
+        self.overlay = texture.map(|texture| DrawnOverlay {
+            texture,
+            overlay,
+            size,
+            look,
+        });
     }
 
     fn active(&self) -> &PaneEngine {
@@ -166,14 +261,24 @@ impl Engine {
 
     /// What is shown of a pane, from the bottom up: its picture, or `instead` of it another or the difference; on the active one
     /// needles, overlay and lit faces as well.
-    pub fn layers<'a>(&'a self, pane: usize, instead: Option<&'a TextureHandle>) -> [Option<&'a TextureHandle>; 4] {
+    pub fn layers<'a>(
+        &'a self,
+        pane: usize,
+        instead: Option<&'a TextureHandle>,
+    ) -> [Option<&'a TextureHandle>; 4] {
         let difference = self.difference.as_ref().map(|(texture, _)| texture);
-        let picture = instead.or(difference).or_else(|| self.panes.get(pane)?.picture.as_ref());
+        let picture = instead
+            .or(difference)
+            .or_else(|| self.panes.get(pane)?.picture.as_ref());
         if pane != self.active {
             return [picture, None, None, None];
         }
         let [needles, lit] = self.normals.textures();
-        let overlay = self.overlay.as_ref().filter(|overlay| overlay.look.0.vectors).map(|overlay| &overlay.texture);
+        let overlay = self
+            .overlay
+            .as_ref()
+            .filter(|overlay| overlay.look.0.vectors)
+            .map(|overlay| &overlay.texture);
         [picture, needles, overlay, lit]
     }
 
@@ -189,7 +294,11 @@ impl Engine {
 
     /// Nanoseconds that the shown panes last took.
     pub fn nanoseconds(&self) -> u64 {
-        self.shown.iter().filter_map(|&pane| self.panes.get(pane)).map(|pane| pane.report().nanoseconds).sum()
+        self.shown
+            .iter()
+            .filter_map(|&pane| self.panes.get(pane))
+            .map(|pane| pane.report().nanoseconds)
+            .sum()
     }
 
     /// By what the sides of the pictures in sight are divided: more than 1 while something is dragged that they would not
@@ -219,12 +328,21 @@ impl Engine {
     pub fn probed_face(&self) -> Option<u32> {
         let ([x, y], probe) = self.active().probed.as_ref()?;
         let coarser = self.coarser();
-        probe.hit.as_ref()?.face.or_else(|| self.active().renderer().polygon_at(x / coarser, y / coarser))
+        probe.hit.as_ref()?.face.or_else(|| {
+            self.active()
+                .renderer()
+                .polygon_at(x / coarser, y / coarser)
+        })
     }
 
     /// A polygon of the picture, scanned in so many rows.
     pub fn scan(&self, face: u32, rows: u32) -> Option<Result<Scan, ScanError>> {
-        Some(scan_drawn(self.active().renderer(), self.drawn()?, face, rows))
+        Some(scan_drawn(
+            self.active().renderer(),
+            self.drawn()?,
+            face,
+            rows,
+        ))
     }
 
     /// The equation at the probe in the active pane.

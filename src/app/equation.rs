@@ -19,17 +19,34 @@ pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
         ui.set_max_width(width);
         ui.horizontal_wrapped(|ui| {
             for (number, part) in parts.iter().enumerate() {
-                let run: Vec<Piece> = part.iter().flat_map(|letters| pieces(ui.visuals(), letters)).collect();
+                let run: Vec<Piece> = part
+                    .iter()
+                    .flat_map(|letters| pieces(ui.visuals(), letters))
+                    .collect();
                 let id = ui.scope_id().with(("symbol", number));
-                run_ui(ui, state, &run, SIZE, Place { id, name: "in the equation" });
+                run_ui(
+                    ui,
+                    state,
+                    &run,
+                    SIZE,
+                    Place {
+                        id,
+                        name: "in the equation",
+                    },
+                );
             }
         });
     });
 }
 
 fn pieces(visuals: &Visuals, (letters, tone, absent): &Letters) -> Vec<Piece> {
-    let mut pieces = formula(visuals, letters, tone_text(visuals, *tone), |_| String::new());
-    for piece in pieces.iter_mut().filter(|piece| *absent && piece.symbol.is_some()) {
+    let mut pieces = formula(visuals, letters, tone_text(visuals, *tone), |_| {
+        String::new()
+    });
+    for piece in pieces
+        .iter_mut()
+        .filter(|piece| *absent && piece.symbol.is_some())
+    {
         piece.colour = visuals.weak_text_color().gamma_multiply(0.55);
     }
     pieces

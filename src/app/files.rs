@@ -9,8 +9,8 @@ use super::look::{Look, NumbersTab};
 use super::recovery;
 use super::state::AppState;
 use crate::analysis::{
-    NormalField, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay, draw_panes, draw_profile,
-    panes_on_sheet, probe, profile,
+    NormalField, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay, draw_panes,
+    draw_profile, panes_on_sheet, probe, profile,
 };
 use crate::document::{load_with, save_picture};
 use crate::jobs::Job;
@@ -39,7 +39,11 @@ pub struct Files {
 
 /// Draws over a picture of a scene what is drawn over it in the window.
 pub fn over(state: &AppState) -> impl Fn(&mut Frame, &mut Renderer, &Scene) + Send + Sync + use<> {
-    let Look { overlay, profile: profile_look, .. } = state.look.clone();
+    let Look {
+        overlay,
+        profile: profile_look,
+        ..
+    } = state.look.clone();
     let (light, point, vertex) = (state.light, state.probe, state.pointed.kept);
     let line = state.shows(NumbersTab::Profile).then_some(state.line);
     move |frame, renderer, scene| {
@@ -49,14 +53,24 @@ pub fn over(state: &AppState) -> impl Fn(&mut Frame, &mut Renderer, &Scene) + Se
         let options = overlay_options(&overlay, light, scene);
         let taken = line.and_then(|line| {
             let modes = vec![scene.shading.mode];
-            let request = ProfileQuestion { modes, ..profile_look.request(line.pixels([width, height])) };
+            let request = ProfileQuestion {
+                modes,
+                ..profile_look.request(line.pixels([width, height]))
+            };
             profile(renderer, scene, &request).ok()
         });
-        if let Some(mut map) = tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height) {
-            let lit = |field: &NormalField| Ok(vertex.and_then(|point| field.vertex(field.vertex_at(point)?)));
+        if let Some(mut map) =
+            tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height)
+        {
+            let lit = |field: &NormalField| {
+                Ok(vertex.and_then(|point| field.vertex(field.vertex_at(point)?)))
+            };
             let Ok(()) = draw_normals::<Infallible>(&mut map, scene, renderer, &options, lit);
             if let Some(taken) = &taken {
-                taken.traces.iter().for_each(|trace| draw_profile(&mut map, taken, trace, &options));
+                taken
+                    .traces
+                    .iter()
+                    .for_each(|trace| draw_profile(&mut map, taken, trace, &options));
             }
             draw_overlay(&mut map, scene, &probe, &options);
         }
@@ -82,8 +96,17 @@ pub fn picture(
         }
         if go_on.get() { Ok(()) } else { Err(()) }
     };
-    let panes = draw_panes(renderer, scene, &panes_on_sheet(scene), samples, &mut progress, draw_over);
-    panes.ok().map(|panes| comparison_sheet(scene, &panes, true))
+    let panes = draw_panes(
+        renderer,
+        scene,
+        &panes_on_sheet(scene),
+        samples,
+        &mut progress,
+        draw_over,
+    );
+    panes
+        .ok()
+        .map(|panes| comparison_sheet(scene, &panes, true))
 }
 
 impl Files {
@@ -112,68 +135,121 @@ impl Files {
 
     /// Opens a scene, a model or a picture.
     pub fn open(&mut self, ctx: &Context, path: PathBuf) {
-        self.start(ctx, format!("Opening {}", path.display()), "The file was not opened", move |watch| {
-            let mut progress = |read: u64, total: u64| _ = watch.at(read as f32 / total.max(1) as f32);
-            let loaded = load_with(&path, &[] as &[&str], &mut progress).map_err(|error| error.to_string())?;
-            let document = Document::from(loaded);
-            Ok(move |state: &mut AppState| state.open(document.clone()))
-        });
+        self.start(
+            ctx,
+            format!("Opening {}", path.display()),
+            "The file was not opened",
+            move |watch| {
+                let mut progress =
+                    |read: u64, total: u64| _ = watch.at(read as f32 / total.max(1) as f32);
+                let loaded = load_with(&path, &[] as &[&str], &mut progress)
+                    .map_err(|error| error.to_string())?;
+                let document = Document::from(loaded);
+                Ok(move |state: &mut AppState| state.open(document.clone()))
+            },
+        );
     }
 
     /// Opens unsaved work that was left in a file.
     pub fn restore(&mut self, ctx: &Context, path: PathBuf) {
         let failure = "The unsaved work was not restored";
-        self.start(ctx, "Restoring unsaved work".to_owned(), failure, move |_| {
-            let (document, original) = recovery::restore(&path)?;
-            Ok(move |state: &mut AppState| {
-                state.open(original.clone());
-                state.document = document.clone();
-                state.ask(Action::AdoptRestored);
-            })
-        });
+        self.start(
+            ctx,
+            "Restoring unsaved work".to_owned(),
+            failure,
+            move |_| {
+                let (document, original) = recovery::restore(&path)?;
+                Ok(move |state: &mut AppState| {
+                    state.open(original.clone());
+                    state.document = document.clone();
+                    state.ask(Action::AdoptRestored);
+                })
+            },
+        );
     }
 
     /// Draws and writes a picture of the document.
     pub fn export(&mut self, ctx: &Context, state: &AppState, form: ExportForm, path: PathBuf) {
         let over = form.overlay.then(|| over(state));
-        let Document { mut scene, model, .. } = state.document.clone();
+        let Document {
+            mut scene, model, ..
+        } = state.document.clone();
         scene.image.size = form.size;
         let total = f64::from(form.samples) * scene.shown_panes().len() as f64;
-        self.start(ctx, format!("Drawing {}", path.display()), "The picture was not exported", move |watch| {
-            check_memory(&scene).map_err(|error| error.to_string())?;
-            let mut renderer = Renderer::default();
-            renderer.set_model(model.clone());
-            let mut progress = |done: u32| watch.at((f64::from(done) / total) as f32);
-            let over = over.as_ref().map(|over| over as Over<'_>);
-            let frame = picture(&mut renderer, &scene, form.samples, over, &mut progress);
-            if let Some(frame) = frame.filter(|_| watch.at(1.0)) {
-                save_picture(&path, &frame, &scene).map_err(|error| error.to_string())?;
-            }
-            let notice = format!("exported {}", path.display());
-            Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
-        });
+        self.start(
+            ctx,
+            format!("Drawing {}", path.display()),
+            "The picture was not exported",
+            move |watch| {
+                check_memory(&scene).map_err(|error| error.to_string())?;
+                let mut renderer = Renderer::default();
+                renderer.set_model(model.clone());
+                let mut progress = |done: u32| watch.at((f64::from(done) / total) as f32);
+                let over = over.as_ref().map(|over| over as Over<'_>);
+                let frame = picture(&mut renderer, &scene, form.samples, over, &mut progress);
+                if let Some(frame) = frame.filter(|_| watch.at(1.0)) {
+                    save_picture(&path, &frame, &scene).map_err(|error| error.to_string())?;
+                }
+                let notice = format!("exported {}", path.display());
+                Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
+            },
+        );
     }
 
     /// Shows the desktop's own dialog for the file that `dialog` asks for. It asks itself whether to replace a file.
     pub fn pick(&mut self, ctx: &Context, dialog: &mut Dialog) {
-        let opens = matches!(dialog, Dialog::File { task: FileTask::Open, .. });
-        let Some((_, FileKind { files, endings, example, .. })) = dialog.file() else { return };
-        self.start(ctx, "Waiting for the desktop's file dialog".to_owned(), "That did not work", move |_| {
-            let all = rfd::FileDialog::new();
-            let dialog = if endings.is_empty() { all } else { all.add_filter(files, endings) };
-            let picked = if opens { dialog.pick_file() } else { dialog.set_file_name(example).save_file() };
-            Ok(move |state: &mut AppState| {
-                if let (Some(path), Some((typed, _))) = (&picked, state.dialog.as_mut().and_then(Dialog::file)) {
-                    *typed = path.display().to_string();
-                    state.agreed.clone_from(&picked);
-                }
-            })
-        });
+        let opens = matches!(
+            dialog,
+            Dialog::File {
+                task: FileTask::Open,
+                ..
+            }
+        );
+        let Some((
+            _,
+            FileKind {
+                files,
+                endings,
+                example,
+                ..
+            },
+        )) = dialog.file()
+        else {
+            return;
+        };
+        self.start(
+            ctx,
+            "Waiting for the desktop's file dialog".to_owned(),
+            "That did not work",
+            move |_| {
+                let all = rfd::FileDialog::new();
+                let dialog = if endings.is_empty() {
+                    all
+                } else {
+                    all.add_filter(files, endings)
+                };
+                let picked = if opens {
+                    dialog.pick_file()
+                } else {
+                    dialog.set_file_name(example).save_file()
+                };
+                Ok(move |state: &mut AppState| {
+                    if let (Some(path), Some((typed, _))) =
+                        (&picked, state.dialog.as_mut().and_then(Dialog::file))
+                    {
+                        *typed = path.display().to_string();
+                        state.agreed.clone_from(&picked);
+                    }
+                })
+            },
+        );
     }
 
     /// Takes what the thread has brought.
     pub fn poll(&mut self, ctx: &Context, state: &mut AppState) {
-        let Some((_, outcome)) = Job::take(&mut self.job) else { return };
+        let Some((_, outcome)) = Job::take(&mut self.job) else {
+            return;
+        };
         ctx.request_repaint();
         match outcome {
             Ok(then) => then(state),

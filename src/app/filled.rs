@@ -4,14 +4,15 @@ use super::palette::tone_text as colour;
 use super::state::AppState;
 use super::typeset::{Piece, Place, Run, formula, run_ui, spoken};
 use crate::analysis::{
-    CHANNELS, FilledLine, FilledPart, Here, LineValue, ProbeHit, Product, Share, digits, digits_below, percent,
+    CHANNELS, FilledLine, FilledPart, Here, LineValue, ProbeHit, Product, Share, digits,
+    digits_below, percent,
 };
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::{CollapsingState, paint_default_icon};
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{
-    Align, Color32, CornerRadius, FontId, Galley, Id, Layout, Rect, RichText, Sense, Stroke, StrokeKind, Ui,
-    WidgetInfo, pos2, vec2,
+    Align, Color32, CornerRadius, FontId, Galley, Id, Layout, Rect, RichText, Sense, Stroke,
+    StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 use std::sync::Arc;
 
@@ -58,7 +59,9 @@ pub fn filled_ui(ui: &mut Ui, state: &mut AppState, hit: &ProbeHit) {
         channels_ui(ui);
         for part in here.filled() {
             match &part {
-                FilledPart::Line(line) if !line.parts.is_empty() => fold_ui(ui, state, here, line, chosen),
+                FilledPart::Line(line) if !line.parts.is_empty() => {
+                    fold_ui(ui, state, here, line, chosen);
+                }
                 part => part_ui(ui, state, part, &[], Id::NULL),
             }
         }
@@ -79,7 +82,12 @@ fn part_ui(ui: &mut Ui, state: &mut AppState, part: &FilledPart, values: &Values
     match part {
         FilledPart::Note(text) => _ = ui.label(RichText::new(text).weak()),
         FilledPart::Evaluated(over) => {
-            ui.label(RichText::new(format!("Evaluated at {over}; a bar over letters marks the mean.")).weak());
+            ui.label(
+                RichText::new(format!(
+                    "Evaluated at {over}; a bar over letters marks the mean."
+                ))
+                .weak(),
+            );
         }
         FilledPart::Formula(formula) => formula_ui(ui, state, formula, values, id),
         FilledPart::Heading { name, tone, share } => {
@@ -90,20 +98,36 @@ fn part_ui(ui: &mut Ui, state: &mut AppState, part: &FilledPart, values: &Values
                 });
             });
         }
-        FilledPart::Product { name, product, letters, value } => {
+        FilledPart::Product {
+            name,
+            product,
+            letters,
+            value,
+        } => {
             let visuals = ui.visuals();
             let heads = product.columns.iter().map(|column| {
-                let tip = |letter: &str| format!("{}{}", here_words(values, letter), column.words());
+                let tip =
+                    |letter: &str| format!("{}{}", here_words(values, letter), column.words());
                 formula(visuals, &column.formula(), colour(visuals, *letters), tip)
             });
             let (heads, colour) = (heads.collect(), colour(visuals, *value));
-            Table { name, product, heads, colour }.ui(ui, state, Place { id, name: AT_PROBE });
+            Table {
+                name,
+                product,
+                heads,
+                colour,
+            }
+            .ui(ui, state, Place { id, name: AT_PROBE });
         }
         FilledPart::Line(line) => flat_ui(ui, state, line),
         FilledPart::Rule => {
             let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 5.0), Sense::hover());
             let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
-            ui.painter().hline(channel_edge(rect, 0) - COLUMN..=rect.max.x, rect.center().y, stroke);
+            ui.painter().hline(
+                channel_edge(rect, 0) - COLUMN..=rect.max.x,
+                rect.center().y,
+                stroke,
+            );
         }
     }
 }
@@ -117,7 +141,9 @@ fn here_words(values: &Values, letter: &str) -> String {
 /// A typeset formula that shrinks to fit the panel.
 fn formula_ui(ui: &mut Ui, state: &mut AppState, text: &str, values: &Values, id: Id) {
     let visuals = ui.visuals();
-    let pieces = formula(visuals, text, visuals.text_color(), |letter| here_words(values, letter));
+    let pieces = formula(visuals, text, visuals.text_color(), |letter| {
+        here_words(values, letter)
+    });
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         let width = Run::new(ui, &pieces, FORMULA).width();
@@ -132,7 +158,9 @@ fn channels_ui(ui: &mut Ui) {
     let weak = ui.visuals().weak_text_color();
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), LINE - 4.0), Sense::hover());
     for (index, channel) in CHANNELS.iter().enumerate() {
-        let galley = ui.painter().layout_no_wrap((*channel).to_owned(), FontId::proportional(TEXT), weak);
+        let galley =
+            ui.painter()
+                .layout_no_wrap((*channel).to_owned(), FontId::proportional(TEXT), weak);
         paint_right(ui, galley, channel_edge(rect, index), rect, weak);
     }
 }
@@ -140,12 +168,23 @@ fn channels_ui(ui: &mut Ui) {
 /// A line that does not unfold; letters in place of its name light up their control.
 fn flat_ui(ui: &mut Ui, state: &mut AppState, line: &FilledLine) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{} {}", line.name, line.value.words())));
+    response.widget_info(|| {
+        WidgetInfo::labeled(
+            Role::Label,
+            true,
+            format!("{} {}", line.name, line.value.words()),
+        )
+    });
     paint(ui, line, rect);
     if !line.letters.is_empty() {
         let visuals = ui.visuals();
-        let letters = formula(visuals, line.letters, colour(visuals, line.tone), |_| String::new());
-        let place = Place { id: ui.scope_id().with(("line", &line.name)), name: AT_PROBE };
+        let letters = formula(visuals, line.letters, colour(visuals, line.tone), |_| {
+            String::new()
+        });
+        let place = Place {
+            id: ui.scope_id().with(("line", &line.name)),
+            name: AT_PROBE,
+        };
         let left = pos2(rect.min.x + FLAT_INDENT, rect.center().y);
         Run::new(ui, &letters, LETTERS).paint(ui, state, left, place);
     }
@@ -154,22 +193,40 @@ fn flat_ui(ui: &mut Ui, state: &mut AppState, line: &FilledLine) {
 /// A line that unfolds to its parts, by a click, Enter or the space bar. That of a light unfolds, too, when its light has
 /// been `chosen`, and the others fold.
 fn fold_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, line: &FilledLine, chosen: bool) {
-    let id = ui.make_persistent_id(line.light.map_or_else(|| line.name.clone(), |index| format!("light {index}")));
+    let id = ui.make_persistent_id(
+        line.light
+            .map_or_else(|| line.name.clone(), |index| format!("light {index}")),
+    );
     let own = line.light.is_none_or(|index| index == state.light);
     let mut fold = CollapsingState::load_with_default_open(ui.ctx(), id, own);
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), LINE));
     let response = ui.interact(rect, id, Sense::click());
-    let unfolds = if chosen && line.light.is_some() { own != fold.is_open() } else { response.clicked() };
+    let unfolds = if chosen && line.light.is_some() {
+        own != fold.is_open()
+    } else {
+        response.clicked()
+    };
     if unfolds {
         fold.toggle(ui);
     }
     let name = format!("{} at the probe: {}", line.name, line.value.words());
     response.widget_info(|| WidgetInfo::labeled(Role::DisclosureTriangle, ui.is_enabled(), &name));
-    ui.ctx().accesskit_node_builder(id, |node| node.set_expanded(fold.is_open()));
+    ui.ctx()
+        .accesskit_node_builder(id, |node| node.set_expanded(fold.is_open()));
     if response.hovered() || response.has_focus() {
         let fill = ui.visuals().widgets.hovered.bg_fill.gamma_multiply(0.55);
-        let stroke = if response.has_focus() { ui.visuals().widgets.active.bg_stroke } else { Stroke::NONE };
-        ui.painter().rect(rect.expand2(vec2(2.0, 0.0)), 5.0, fill, stroke, StrokeKind::Inside);
+        let stroke = if response.has_focus() {
+            ui.visuals().widgets.active.bg_stroke
+        } else {
+            Stroke::NONE
+        };
+        ui.painter().rect(
+            rect.expand2(vec2(2.0, 0.0)),
+            5.0,
+            fill,
+            stroke,
+            StrokeKind::Inside,
+        );
     }
     let icon = Rect::from_center_size(pos2(rect.min.x + 22.0, rect.center().y), vec2(10.0, 10.0));
     let openness = fold.openness(ui.ctx());
@@ -192,21 +249,33 @@ fn fold_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, line: &FilledLine,
 
 /// The sign, the name and the value of a line.
 fn paint(ui: &Ui, line: &FilledLine, rect: Rect) {
-    let (weak, colour) = (ui.visuals().weak_text_color(), colour(ui.visuals(), line.tone));
+    let (weak, colour) = (
+        ui.visuals().weak_text_color(),
+        colour(ui.visuals(), line.tone),
+    );
     paint_text(ui, line.sign, rect.min.x, rect, weak, INDENT);
-    let left = rect.min.x + if line.parts.is_empty() { FLAT_INDENT } else { INDENT };
+    let left = rect.min.x
+        + if line.parts.is_empty() {
+            FLAT_INDENT
+        } else {
+            INDENT
+        };
     let mut free = rect.max.x;
     match &line.value {
         LineValue::Channels(values) => {
             for (index, value) in values.iter().enumerate() {
-                let galley = ui.painter().layout_no_wrap(value.clone(), FontId::monospace(TEXT), colour);
+                let galley =
+                    ui.painter()
+                        .layout_no_wrap(value.clone(), FontId::monospace(TEXT), colour);
                 let edge = channel_edge(rect, index);
                 free = free.min(edge - galley.size().x.max(COLUMN));
                 paint_right(ui, galley, edge, rect, colour);
             }
         }
         LineValue::Words(words) => {
-            let galley = ui.painter().layout_no_wrap(words.clone(), FontId::proportional(TEXT), weak);
+            let galley =
+                ui.painter()
+                    .layout_no_wrap(words.clone(), FontId::proportional(TEXT), weak);
             free -= galley.size().x;
             paint_right(ui, galley, rect.max.x, rect, weak);
         }
@@ -223,7 +292,11 @@ fn channel_edge(rect: Rect, index: usize) -> f32 {
 
 /// Paints words, cut short where they have no room.
 fn paint_text(ui: &Ui, words: &str, x: f32, rect: Rect, colour: Color32, room: f32) {
-    let format = TextFormat { font_id: FontId::proportional(TEXT), color: colour, ..TextFormat::default() };
+    let format = TextFormat {
+        font_id: FontId::proportional(TEXT),
+        color: colour,
+        ..TextFormat::default()
+    };
     let mut job = LayoutJob::single_section(words.to_owned(), format);
     job.wrap = TextWrapping::truncate_at_width(room.max(0.0));
     place_at(ui, ui.painter().layout_job(job), x, rect.center().y, colour);
@@ -246,13 +319,22 @@ fn bar_ui(ui: &mut Ui, shares: &[Share]) {
     let whole: f64 = shares.iter().map(|share| share.weight).sum();
     let seen: Vec<_> = shares.iter().filter(|share| share.weight > 0.0).collect();
     if seen.is_empty() {
-        ui.painter().rect_stroke(rect, 4.0, Stroke::new(1.0, ui.visuals().weak_text_color()), StrokeKind::Inside);
+        ui.painter().rect_stroke(
+            rect,
+            4.0,
+            Stroke::new(1.0, ui.visuals().weak_text_color()),
+            StrokeKind::Inside,
+        );
         return;
     }
     let mut x = rect.min.x;
     for (index, share) in seen.iter().enumerate() {
         let width = (share.weight / whole) as f32 * rect.width();
-        let space = if index + 1 < seen.len() { GAP.min(width * 0.5) } else { 0.0 };
+        let space = if index + 1 < seen.len() {
+            GAP.min(width * 0.5)
+        } else {
+            0.0
+        };
         let place = Rect::from_min_max(pos2(x, rect.min.y), pos2(x + width - space, rect.max.y));
         share_ui(ui, share, place, whole);
         x += width;
@@ -260,19 +342,39 @@ fn bar_ui(ui: &mut Ui, shares: &[Share]) {
 }
 
 fn share_ui(ui: &Ui, share: &Share, place: Rect, whole: f64) {
-    let text = format!("{}: {}", share.name, percent(share.weight, whole).unwrap_or_default());
-    let response = ui.interact(place, ui.scope_id().with(("share", &share.name)), Sense::hover());
+    let text = format!(
+        "{}: {}",
+        share.name,
+        percent(share.weight, whole).unwrap_or_default()
+    );
+    let response = ui.interact(
+        place,
+        ui.scope_id().with(("share", &share.name)),
+        Sense::hover(),
+    );
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
-    ui.painter().rect_filled(place, CornerRadius::same(3), colour(ui.visuals(), share.tone));
+    ui.painter().rect_filled(
+        place,
+        CornerRadius::same(3),
+        colour(ui.visuals(), share.tone),
+    );
     let dark = ui.visuals().panel_fill;
     let names = [&share.name, &share.short];
-    let galleys = names.map(|name| ui.painter().layout_no_wrap(name.clone(), FontId::proportional(13.0), dark));
-    if let Some(galley) = galleys.into_iter().find(|galley| galley.size().x + 6.0 <= place.width()) {
-        ui.painter().galley(place.center() - galley.size() / 2.0, galley, dark);
+    let galleys = names.map(|name| {
+        ui.painter()
+            .layout_no_wrap(name.clone(), FontId::proportional(13.0), dark)
+    });
+    if let Some(galley) = galleys
+        .into_iter()
+        .find(|galley| galley.size().x + 6.0 <= place.width())
+    {
+        ui.painter()
+            .galley(place.center() - galley.size() / 2.0, galley, dark);
     }
     if response.hovered() {
         let stroke = Stroke::new(2.0, ui.visuals().strong_text_color());
-        ui.painter().rect_stroke(place, CornerRadius::same(3), stroke, StrokeKind::Inside);
+        ui.painter()
+            .rect_stroke(place, CornerRadius::same(3), stroke, StrokeKind::Inside);
     }
     response.on_hover_text(format!("{text} of the pixel's luminance (Rec. 709)"));
 }
@@ -303,9 +405,14 @@ impl Table<'_> {
         let room = (ui.available_width() - MARK).max(0.0);
         let natural = self.lay_out(ui, 1.0);
         let scale = ((room - gaps * COLUMN_GAPS[0]) / total(&natural)).clamp(LEAST_SCALE, 1.0);
-        let laid = if scale < 1.0 { self.lay_out(ui, scale) } else { natural };
+        let laid = if scale < 1.0 {
+            self.lay_out(ui, scale)
+        } else {
+            natural
+        };
         let gap = ((room - total(&laid)) / gaps).clamp(COLUMN_GAPS[0], COLUMN_GAPS[1]);
-        let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), HEAD + 3.0 * ROW), Sense::hover());
+        let (rect, _) =
+            ui.allocate_exact_size(vec2(ui.available_width(), HEAD + 3.0 * ROW), Sense::hover());
         self.paint(ui, state, &laid, rect, gap, place);
         self.describe(ui, rect, place);
     }
@@ -323,28 +430,70 @@ impl Table<'_> {
     fn lay_out(&self, ui: &Ui, scale: f32) -> Vec<Laid<'_>> {
         let plain = ui.visuals().text_color();
         let laid = |index, head, size, numbers: [String; 3], colour, mean| {
-            let numbers = numbers.map(|number| ui.painter().layout_job(raised(&number, TEXT * scale, colour)));
-            let digits = numbers.iter().map(|number| number.size().x).fold(0.0, f32::max);
+            let numbers = numbers.map(|number| {
+                ui.painter()
+                    .layout_job(raised(&number, TEXT * scale, colour))
+            });
+            let digits = numbers
+                .iter()
+                .map(|number| number.size().x)
+                .fold(0.0, f32::max);
             let head = Run::new(ui, head, size);
-            Laid { width: digits.max(head.width()), head, numbers, digits, sign: self.sign(index), mean }
+            Laid {
+                width: digits.max(head.width()),
+                head,
+                numbers,
+                digits,
+                sign: self.sign(index),
+                mean,
+            }
         };
         let columns = self.product.columns.iter().zip(&self.heads).enumerate();
         let mut all: Vec<_> = columns
             .map(|(index, (column, head))| {
-                laid(index, head, LETTERS * scale.max(0.85), digits_below(column.values), plain, column.mean)
+                laid(
+                    index,
+                    head,
+                    LETTERS * scale.max(0.85),
+                    digits_below(column.values),
+                    plain,
+                    column.mean,
+                )
             })
             .collect();
         let value = self.product.value.to_array().map(digits);
-        all.push(laid(self.heads.len(), &[], LETTERS, value, self.colour, false));
+        all.push(laid(
+            self.heads.len(),
+            &[],
+            LETTERS,
+            value,
+            self.colour,
+            false,
+        ));
         all
     }
 
-    fn paint(&self, ui: &mut Ui, state: &mut AppState, laid: &[Laid<'_>], rect: Rect, gap: f32, place: Place<'_>) {
+    fn paint(
+        &self,
+        ui: &mut Ui,
+        state: &mut AppState,
+        laid: &[Laid<'_>],
+        rect: Rect,
+        gap: f32,
+        place: Place<'_>,
+    ) {
         let (plain, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
         let line = |channel: usize| rect.min.y + HEAD + ROW * (channel as f32 + 0.5);
-        let text = |ui: &Ui, text: &str, font| ui.painter().layout_no_wrap(text.to_owned(), font, weak);
+        let text =
+            |ui: &Ui, text: &str, font| ui.painter().layout_no_wrap(text.to_owned(), font, weak);
         for (channel, name) in CHANNELS.iter().enumerate() {
-            place_at(ui, text(ui, &name[..1], FontId::proportional(TEXT)), rect.min.x, line(channel), weak);
+            place_at(
+                ui,
+                text(ui, &name[..1], FontId::proportional(TEXT)),
+                rect.min.x,
+                line(channel),
+                weak,
+            );
         }
         let mut x = rect.min.x + MARK;
         for (index, column) in laid.iter().enumerate() {
@@ -362,15 +511,30 @@ impl Table<'_> {
             }
             let left = x + (column.width - column.head.width()) / 2.0;
             let middle = rect.min.y + HEAD / 2.0;
-            column.head.paint(ui, state, pos2(left, middle), Place { id: place.id.with(index), ..place });
+            column.head.paint(
+                ui,
+                state,
+                pos2(left, middle),
+                Place {
+                    id: place.id.with(index),
+                    ..place
+                },
+            );
             if column.mean {
                 // The line that the textbooks draw over a mean.
                 let top = middle - LETTERS * 0.66;
-                ui.painter().hline(left..=left + column.head.width(), top, (1.0, plain));
+                ui.painter()
+                    .hline(left..=left + column.head.width(), top, (1.0, plain));
             }
             let right = x + (column.width + column.digits) / 2.0;
             for (channel, number) in column.numbers.iter().enumerate() {
-                place_at(ui, Arc::clone(number), right - number.size().x, line(channel), plain);
+                place_at(
+                    ui,
+                    Arc::clone(number),
+                    right - number.size().x,
+                    line(channel),
+                    plain,
+                );
             }
             x += column.width;
         }
@@ -378,11 +542,20 @@ impl Table<'_> {
 
     /// The lines of numbers as sentences.
     fn describe(&self, ui: &Ui, rect: Rect, place: Place<'_>) {
-        let columns: Vec<_> = self.product.columns.iter().map(|column| digits_below(column.values)).collect();
+        let columns: Vec<_> = self
+            .product
+            .columns
+            .iter()
+            .map(|column| digits_below(column.values))
+            .collect();
         for (channel, name) in CHANNELS.iter().enumerate() {
             let mut text = format!("{} {name}: ", self.name);
             for (index, numbers) in columns.iter().enumerate() {
-                let sign = if index == 0 { String::new() } else { format!(" {} ", self.sign(index)) };
+                let sign = if index == 0 {
+                    String::new()
+                } else {
+                    format!(" {} ", self.sign(index))
+                };
                 text += &format!("{sign}{}", numbers[channel]);
             }
             text += &format!(" = {}", digits(self.product.value[channel]));
@@ -400,9 +573,16 @@ fn total(laid: &[Laid<'_>]) -> f32 {
 
 /// A number in digits of one width, its power of ten raised.
 fn raised(number: &str, size: f32, color: Color32) -> LayoutJob {
-    let format = |size, valign| TextFormat { font_id: FontId::monospace(size), color, valign, ..TextFormat::default() };
+    let format = |size, valign| TextFormat {
+        font_id: FontId::monospace(size),
+        color,
+        valign,
+        ..TextFormat::default()
+    };
     let mut job = LayoutJob::default();
-    let (digits, power) = number.split_once("·10^").map_or((number, None), |(digits, power)| (digits, Some(power)));
+    let (digits, power) = number
+        .split_once("·10^")
+        .map_or((number, None), |(digits, power)| (digits, Some(power)));
     job.append(digits, 0.0, format(size, Align::Center));
     if let Some(power) = power {
         job.append("·10", 0.0, format(size * 0.85, Align::Center));

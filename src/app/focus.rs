@@ -1,7 +1,10 @@
 //! The keyboard's focus: Tab goes from field to field, and a ring shows what has it. Names for screen readers.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Context, FocusDirection, Id, InputState, Key, Modifiers, Response, Stroke, StrokeKind, WidgetInfo};
+use eframe::egui::{
+    Context, FocusDirection, Id, InputState, Key, Modifiers, Response, Stroke, StrokeKind,
+    WidgetInfo,
+};
 
 /// Width of the ring, and its distance from what it surrounds; points.
 const RING: [f32; 2] = [2.0, 2.0];
@@ -39,7 +42,11 @@ pub fn switch_named(response: Response, role: Role, on: bool, name: &str) -> Res
 /// Adds a field to those that Tab goes through.
 pub fn register(field: &Response) {
     if field.enabled() {
-        field.ctx.data_mut(|data| data.get_temp_mut_or_default::<Fields>(id()).now.push(field.id));
+        field.ctx.data_mut(|data| {
+            data.get_temp_mut_or_default::<Fields>(id())
+                .now
+                .push(field.id);
+        });
     }
 }
 
@@ -50,13 +57,22 @@ pub fn listen(ctx: &Context) {
         fields.last = std::mem::take(&mut fields.now);
         fields.last.clone()
     });
-    let place = ctx.memory(|memory| memory.focused()).and_then(|focused| fields.iter().position(|id| *id == focused));
+    let place = ctx
+        .memory(|memory| memory.focused())
+        .and_then(|focused| fields.iter().position(|id| *id == focused));
     let Some(place) = place else { return };
-    let next = if ctx.input(|input| input.modifiers.shift) { place.checked_sub(1) } else { place.checked_add(1) };
+    let next = if ctx.input(|input| input.modifiers.shift) {
+        place.checked_sub(1)
+    } else {
+        place.checked_add(1)
+    };
     // Past the last field and before the first the toolkit's own order goes on.
-    let Some(next) = next.and_then(|next| fields.get(next)) else { return };
-    let tab =
-        |input: &mut InputState| [Modifiers::NONE, Modifiers::SHIFT].map(|held| input.consume_key(held, Key::Tab));
+    let Some(next) = next.and_then(|next| fields.get(next)) else {
+        return;
+    };
+    let tab = |input: &mut InputState| {
+        [Modifiers::NONE, Modifiers::SHIFT].map(|held| input.consume_key(held, Key::Tab))
+    };
     if ctx.input_mut(tab).contains(&true) {
         ctx.memory_mut(|memory| {
             memory.request_focus(*next);
@@ -67,8 +83,12 @@ pub fn listen(ctx: &Context) {
 
 /// At the end of a frame: a ring round what has the focus; the picture does without.
 pub fn show(ctx: &Context) {
-    let focused = ctx.memory(|memory| memory.focused()).filter(|focused| *focused != picture_id());
-    let Some(response) = focused.and_then(|id| ctx.read_response(id)) else { return };
+    let focused = ctx
+        .memory(|memory| memory.focused())
+        .filter(|focused| *focused != picture_id());
+    let Some(response) = focused.and_then(|id| ctx.read_response(id)) else {
+        return;
+    };
     let [width, gap] = RING;
     let painter = ctx.layer_painter(response.layer_id);
     let stroke = Stroke::new(width, ctx.global_style().visuals.strong_text_color());

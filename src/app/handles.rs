@@ -66,9 +66,22 @@ pub fn grips(state: &AppState, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
     if state.look.overlay.handles {
         let Scene { lights, camera, .. } = &state.shown.scene;
         let at = |light| marker(light, view, camera.target, place).0;
-        grips.extend(lights.iter().enumerate().map(|(index, light)| (Grip::Light(index), at(light))));
-        grips.extend(beam::chosen(state, view).into_iter().flat_map(|beam| beam.grips(view, place)));
-        grips.extend(vertex::seen(state, view, place).into_iter().map(|(v, at)| (Grip::Vertex(v), at)));
+        grips.extend(
+            lights
+                .iter()
+                .enumerate()
+                .map(|(index, light)| (Grip::Light(index), at(light))),
+        );
+        grips.extend(
+            beam::chosen(state, view)
+                .into_iter()
+                .flat_map(|beam| beam.grips(view, place)),
+        );
+        grips.extend(
+            vertex::seen(state, view, place)
+                .into_iter()
+                .map(|(v, at)| (Grip::Vertex(v), at)),
+        );
     }
     grips.push((Grip::Probe, place.point(state.probe.centre(place.size))));
     grips
@@ -89,24 +102,46 @@ pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
     }
     for (index, light) in state.shown.scene.lights.iter().enumerate() {
         let (at, marker) = marker(light, view, state.shown.scene.camera.target, place);
-        paint_light(painter, index, at, marker, swatch(light.color), index == state.light);
+        paint_light(
+            painter,
+            index,
+            at,
+            marker,
+            swatch(light.color),
+            index == state.light,
+        );
     }
-    beam::chosen(state, view).into_iter().for_each(|beam| beam.paint_grips(painter, view, place));
+    beam::chosen(state, view)
+        .into_iter()
+        .for_each(|beam| beam.paint_grips(painter, view, place));
 }
 
 /// Where a light's handle is, and how it shows.
 fn marker(light: &Light, view: &View, target: DVec3, place: Place) -> (Pos2, Marker) {
     let directional = light.kind == LightKind::Directional;
     let world = if directional {
-        target - light.direction.normalize_or(DVec3::NEG_Y) * sphere_radius(view, target, place.size)
+        target
+            - light.direction.normalize_or(DVec3::NEG_Y) * sphere_radius(view, target, place.size)
     } else {
         light.position
     };
     let inner = place.rect.shrink(MARGIN * 0.5);
-    let seen = view.project(world).map(|(pixel, _)| place.point(pixel)).filter(|at| inner.contains(*at));
-    let Some(at) = seen else { return at_edge(world, view, place) };
+    let seen = view
+        .project(world)
+        .map(|(pixel, _)| place.point(pixel))
+        .filter(|at| inner.contains(*at));
+    let Some(at) = seen else {
+        return at_edge(world, view, place);
+    };
     let front = (world - target).dot(view.forward) <= 0.0;
-    (at, if directional { Marker::Directional { front } } else { Marker::Point })
+    (
+        at,
+        if directional {
+            Marker::Directional { front }
+        } else {
+            Marker::Point
+        },
+    )
 }
 
 /// `light` moved, or turned if it is directional, to where its handle is as far as can be from those of `lights`: in the
@@ -115,7 +150,11 @@ pub fn apart(light: Light, lights: &[Light], camera: &Camera, size: [u32; 2]) ->
     let view = View::new(camera, size);
     let [width, height] = size.map(f64::from);
     let rect = Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32));
-    let place = Place { rect, size, pixels_per_point: 1.0 };
+    let place = Place {
+        rect,
+        size,
+        pixels_per_point: 1.0,
+    };
     let handle = |light: &Light| marker(light, &view, camera.target, place).0;
     let taken: Vec<Pos2> = lights.iter().map(handle).collect();
     let depth = 0.5 * camera.distance();
@@ -123,20 +162,36 @@ pub fn apart(light: Light, lights: &[Light], camera: &Camera, size: [u32; 2]) ->
     let moved = |pixel: DVec2| {
         let position = tidy(view.unproject(pixel, depth), unit);
         if light.kind == LightKind::Directional {
-            Light { direction: camera.target - position, ..light.clone() }
+            Light {
+                direction: camera.target - position,
+                ..light.clone()
+            }
         } else {
-            Light { position, ..light.clone() }
+            Light {
+                position,
+                ..light.clone()
+            }
         }
     };
     // More places than lights: not all of them are taken.
     let count = 4 + (f64::from(u32::try_from(lights.len()).unwrap_or(u32::MAX))).sqrt() as u32;
     let share = |index: u32| (f64::from(index) + 0.5) / f64::from(count);
     let places = (0..count * count).map(|index| {
-        DVec2::new(width * (0.1 + 0.8 * share(index % count)), height * (0.1 + 0.5 * share(index / count)))
+        DVec2::new(
+            width * (0.1 + 0.8 * share(index % count)),
+            height * (0.1 + 0.5 * share(index / count)),
+        )
     });
-    let room = |light: &Light| taken.iter().map(|at| at.distance(handle(light))).fold(f32::INFINITY, f32::min);
+    let room = |light: &Light| {
+        taken
+            .iter()
+            .map(|at| at.distance(handle(light)))
+            .fold(f32::INFINITY, f32::min)
+    };
     let found = places.map(moved).min_by(|a, b| room(b).total_cmp(&room(a)));
-    found.filter(|light| light.position.is_finite() && light.direction.is_finite()).unwrap_or(light.clone())
+    found
+        .filter(|light| light.position.is_finite() && light.direction.is_finite())
+        .unwrap_or(light.clone())
 }
 
 fn sphere_radius(view: &View, target: DVec3, size: [u32; 2]) -> f64 {
@@ -147,24 +202,38 @@ fn sphere_radius(view: &View, target: DVec3, size: [u32; 2]) -> f64 {
 /// The marker of a light that is not in the picture.
 fn at_edge(world: DVec3, view: &View, place: Place) -> (Pos2, Marker) {
     let from_eye = world - view.eye;
-    let across = vec2(from_eye.dot(view.right) as f32, -from_eye.dot(view.up) as f32);
-    let way = if across.length() > 0.0 && across.is_finite() { across.normalized() } else { vec2(0.0, -1.0) };
+    let across = vec2(
+        from_eye.dot(view.right) as f32,
+        -from_eye.dot(view.up) as f32,
+    );
+    let way = if across.length() > 0.0 && across.is_finite() {
+        across.normalized()
+    } else {
+        vec2(0.0, -1.0)
+    };
     let half = place.rect.size() / 2.0 - vec2(MARGIN, MARGIN);
-    let reach = (half.x.max(1.0) / way.x.abs().max(1e-6)).min(half.y.max(1.0) / way.y.abs().max(1e-6));
+    let reach =
+        (half.x.max(1.0) / way.x.abs().max(1e-6)).min(half.y.max(1.0) / way.y.abs().max(1e-6));
     (place.rect.center() + way * reach, Marker::Edge(way))
 }
 
 /// Moves light `index` so that its handle is at `pixel`.
 pub fn drag_light(scene: &mut Scene, index: usize, view: &View, pixel: DVec2) {
     let Scene { lights, camera, .. } = scene;
-    let (Some(light), target) = (lights.get_mut(index), camera.target) else { return };
+    let (Some(light), target) = (lights.get_mut(index), camera.target) else {
+        return;
+    };
     if light.kind == LightKind::Directional {
         turn_light(light, view, target, pixel);
         return;
     }
     let own = (light.position - view.eye).dot(view.forward);
     // A light behind the viewer comes into the picture beside the target.
-    let depth = if own > 0.0 { own } else { (target - view.eye).dot(view.forward) };
+    let depth = if own > 0.0 {
+        own
+    } else {
+        (target - view.eye).dot(view.forward)
+    };
     let wanted = view.unproject(pixel, depth);
     if wanted.is_finite() {
         light.position = tidy(wanted, view.world_per_pixel(depth));
@@ -181,7 +250,11 @@ fn turn_light(light: &mut Light, view: &View, target: DVec3, pixel: DVec2) {
     let length = x.hypot(y);
     // Past the rim the handle comes round on the side of the viewer.
     let front = length > 1.0 || light.direction.dot(view.forward) >= 0.0;
-    let scale = if length > 1.0 { (2.0 - length).max(0.0) / length } else { 1.0 };
+    let scale = if length > 1.0 {
+        (2.0 - length).max(0.0) / length
+    } else {
+        1.0
+    };
     let (x, y) = (x * scale, y * scale);
     let z = (1.0 - x * x - y * y).max(0.0).sqrt();
     let direction = view.forward * if front { z } else { -z } - view.right * x - view.up * y;
@@ -194,16 +267,33 @@ fn turn_light(light: &mut Light, view: &View, target: DVec3, pixel: DVec2) {
 /// light has no depth.
 pub fn push_light(scene: &mut Scene, index: usize, view: &View, step: f64) {
     let unit = (scene.camera.target - view.eye).length().max(1e-6);
-    let Some(light) = scene.lights.get_mut(index).filter(|light| light.kind.has_position()) else { return };
+    let Some(light) = scene
+        .lights
+        .get_mut(index)
+        .filter(|light| light.kind.has_position())
+    else {
+        return;
+    };
     let moved = light.position - view.forward * (step * unit);
     if moved.is_finite() {
         light.position = tidy(moved, unit * 1e-3);
     }
 }
 
-fn paint_light(painter: &Painter, index: usize, at: Pos2, marker: Marker, colour: Color32, chosen: bool) {
+fn paint_light(
+    painter: &Painter,
+    index: usize,
+    at: Pos2,
+    marker: Marker,
+    colour: Color32,
+    chosen: bool,
+) {
     let orange = palette::vector(Vector::L);
-    let ring = if chosen { Stroke::new(2.5, orange) } else { Stroke::new(1.5, orange.gamma_multiply(0.8)) };
+    let ring = if chosen {
+        Stroke::new(2.5, orange)
+    } else {
+        Stroke::new(1.5, orange.gamma_multiply(0.8))
+    };
     let halo = Stroke::new(ring.width + 2.5, Color32::from_black_alpha(150));
     let number = match marker {
         Marker::Point => {
@@ -216,17 +306,28 @@ fn paint_light(painter: &Painter, index: usize, at: Pos2, marker: Marker, colour
             for stroke in [halo, ring] {
                 for k in 0..8u8 {
                     let way = Vec2::angled(f32::from(k) * std::f32::consts::FRAC_PI_4);
-                    painter.line_segment([at + way * (RADIUS + 1.5), at + way * (RADIUS + 6.0)], stroke);
+                    painter.line_segment(
+                        [at + way * (RADIUS + 1.5), at + way * (RADIUS + 6.0)],
+                        stroke,
+                    );
                 }
             }
             painter.circle_stroke(at, RADIUS - 1.5, halo);
-            let fill = if front { colour } else { Color32::from_black_alpha(120) };
+            let fill = if front {
+                colour
+            } else {
+                Color32::from_black_alpha(120)
+            };
             painter.circle(at, RADIUS - 1.5, fill, ring);
             vec2(0.0, RADIUS + 15.0)
         }
         Marker::Edge(way) => {
             let side = way.rot90();
-            let points = vec![at + way * 11.0, at - way * 7.0 + side * 9.0, at - way * 7.0 - side * 9.0];
+            let points = vec![
+                at + way * 11.0,
+                at - way * 7.0 + side * 9.0,
+                at - way * 7.0 - side * 9.0,
+            ];
             painter.add(Shape::closed_line(points.clone(), halo));
             painter.add(Shape::convex_polygon(points, colour, ring));
             -way * 24.0
@@ -234,7 +335,14 @@ fn paint_light(painter: &Painter, index: usize, at: Pos2, marker: Marker, colour
     };
     let font = FontId::proportional(if chosen { 15.0 } else { 14.0 });
     let text = palette::readable(orange, Color32::BLACK);
-    letter(painter, at + number, Align2::CENTER_CENTER, &format!("L{}", index + 1), &font, text);
+    letter(
+        painter,
+        at + number,
+        Align2::CENTER_CENTER,
+        &format!("L{}", index + 1),
+        &font,
+        text,
+    );
 }
 
 fn ring(place: Place) -> f32 {
@@ -254,7 +362,10 @@ pub fn turn_to(state: &mut AppState, place: Place, at: Pos2) {
     if way.length() < 1.0 {
         return;
     }
-    let roll = f64::from((-way.y).atan2(way.x)).to_degrees().rem_euclid(360.0).round();
+    let roll = f64::from((-way.y).atan2(way.x))
+        .to_degrees()
+        .rem_euclid(360.0)
+        .round();
     let turned = roll - state.shown.scene.camera.roll;
     state.shown.scene.camera.roll = roll;
     // Pixels count downwards, so that counter-clockwise is clockwise to them.
@@ -280,7 +391,11 @@ fn paint_tabs(painter: &Painter, state: &AppState, place: Place, active: bool) {
     if state.shows(NumbersTab::Defects) {
         let centre = place.rect.center();
         painter.circle_stroke(centre, ring(place), dark(3.0, 110));
-        painter.circle_stroke(centre, ring(place), Stroke::new(1.0, Color32::from_white_alpha(130)));
+        painter.circle_stroke(
+            centre,
+            ring(place),
+            Stroke::new(1.0, Color32::from_white_alpha(130)),
+        );
         let at = knob(state, place);
         painter.circle(at, KNOB, Color32::from_black_alpha(170), dark(3.5, 150));
         painter.circle_stroke(at, KNOB, white(2.0));
@@ -289,14 +404,30 @@ fn paint_tabs(painter: &Painter, state: &AppState, place: Place, active: bool) {
 
 /// The curves above the line: what is there solid, what is perceived dashed, for the scene's own shading where it is taken.
 fn curves(painter: &Painter, state: &AppState, place: Place) {
-    let Some(taken) = state.own.get().and_then(Profiles::profile) else { return };
+    let Some(taken) = state.own.get().and_then(Profiles::profile) else {
+        return;
+    };
     let own = state.shown.scene.shading.mode;
-    let Some(trace) = taken.traces.iter().find(|trace| trace.mode == own).or(taken.traces.first()) else { return };
+    let Some(trace) = taken
+        .traces
+        .iter()
+        .find(|trace| trace.mode == own)
+        .or(taken.traces.first())
+    else {
+        return;
+    };
     let side = f64::from(place.size[0].min(place.size[1]));
     let em = f64::from(TEXT * place.pixels_per_point);
-    let Some(curves) = lay_out_profile(taken, trace, side, em) else { return };
+    let Some(curves) = lay_out_profile(taken, trace, side, em) else {
+        return;
+    };
     let draw = |points: &[DVec2], stroke: Stroke, dashes: &[f32]| {
-        line(painter, points.iter().map(|point| place.exact_point(*point)), stroke, dashes);
+        line(
+            painter,
+            points.iter().map(|point| place.exact_point(*point)),
+            stroke,
+            dashes,
+        );
     };
     let dark = Stroke::new(4.0, Color32::from_black_alpha(140));
     for tick in &curves.ticks {
@@ -304,8 +435,16 @@ fn curves(painter: &Painter, state: &AppState, place: Place) {
         draw(tick, Stroke::new(1.5, Color32::WHITE), &[]);
     }
     draw(&curves.perceived, dark, &[]);
-    draw(&curves.perceived, Stroke::new(1.6, Color32::WHITE), &[6.0, 4.0]);
+    draw(
+        &curves.perceived,
+        Stroke::new(1.6, Color32::WHITE),
+        &[6.0, 4.0],
+    );
     draw(&curves.intensity, dark, &[]);
     let [r, g, b] = CURVE;
-    draw(&curves.intensity, Stroke::new(2.0, Color32::from_rgb(r, g, b)), &[]);
+    draw(
+        &curves.intensity,
+        Stroke::new(2.0, Color32::from_rgb(r, g, b)),
+        &[],
+    );
 }

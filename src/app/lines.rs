@@ -16,18 +16,30 @@ fn rounded(at: &DVec2) -> Pos2 {
 /// What the painter shows, with room for a stroke of `width`; points.
 pub fn sight(painter: &Painter, width: f32) -> Area {
     let rect = painter.clip_rect().expand(2.0 * width);
-    Area { min: exact(rect.min), max: exact(rect.max) }
+    Area {
+        min: exact(rect.min),
+        max: exact(rect.max),
+    }
 }
 
 /// The whole window; points.
 pub fn window(painter: &Painter) -> Area {
     let rect = painter.ctx().content_rect();
-    Area { min: exact(rect.min), max: exact(rect.max) }
+    Area {
+        min: exact(rect.min),
+        max: exact(rect.max),
+    }
 }
 
 /// Draws a line through points of the screen; `dashes` are lengths of dashes and gaps in turn, none for a solid line.
-pub fn line(painter: &Painter, points: impl IntoIterator<Item = DVec2>, stroke: Stroke, dashes: &[f32]) {
-    let every_other = |from: usize| -> Vec<f32> { dashes.iter().skip(from).step_by(2).copied().collect() };
+pub fn line(
+    painter: &Painter,
+    points: impl IntoIterator<Item = DVec2>,
+    stroke: Stroke,
+    dashes: &[f32],
+) {
+    let every_other =
+        |from: usize| -> Vec<f32> { dashes.iter().skip(from).step_by(2).copied().collect() };
     let period = f64::from(dashes.iter().sum::<f32>());
     for run in clipped(points, &sight(painter, stroke.width)) {
         let mut points: Vec<Pos2> = run.points.iter().map(rounded).collect();
@@ -39,7 +51,13 @@ pub fn line(painter: &Painter, points: impl IntoIterator<Item = DVec2>, stroke: 
         if period > 0.0 {
             // What is clipped away has had its dashes too.
             let offset = -run.start.rem_euclid(period) as f32;
-            painter.extend(Shape::dashed_line_with_offset(&points, stroke, &every_other(0), &every_other(1), offset));
+            painter.extend(Shape::dashed_line_with_offset(
+                &points,
+                stroke,
+                &every_other(0),
+                &every_other(1),
+                offset,
+            ));
         } else {
             painter.add(Shape::line(points, stroke));
         }
@@ -49,10 +67,21 @@ pub fn line(painter: &Painter, points: impl IntoIterator<Item = DVec2>, stroke: 
 /// Draws a closed line through points of the screen.
 pub fn outline(painter: &Painter, points: &[DVec2], stroke: Stroke) {
     let sight = sight(painter, stroke.width);
-    if points.iter().all(|at| sight.holds(&Area { min: *at, max: *at })) {
-        painter.add(Shape::closed_line(points.iter().map(rounded).collect(), stroke));
+    if points
+        .iter()
+        .all(|at| sight.holds(&Area { min: *at, max: *at }))
+    {
+        painter.add(Shape::closed_line(
+            points.iter().map(rounded).collect(),
+            stroke,
+        ));
     } else {
-        line(painter, points.iter().chain(points.first()).copied(), stroke, &[]);
+        line(
+            painter,
+            points.iter().chain(points.first()).copied(),
+            stroke,
+            &[],
+        );
     }
 }
 
@@ -66,17 +95,38 @@ mod tests {
         let mut output = ctx.run_ui(Default::default(), |ui| {
             let rect = Rect::from_min_max(pos2(0.0, 0.0), pos2(100.0, 100.0));
             let painter = Painter::new(ui.ctx().clone(), LayerId::background(), rect);
-            line(&painter, points.iter().map(|at| DVec2::from_array(*at)), Stroke::new(2.0, Color32::WHITE), dashes);
+            line(
+                &painter,
+                points.iter().map(|at| DVec2::from_array(*at)),
+                Stroke::new(2.0, Color32::WHITE),
+                dashes,
+            );
         });
         output.textures_delta.clear();
-        std::mem::take(&mut output.shapes).into_iter().map(|clipped| clipped.shape).collect()
+        std::mem::take(&mut output.shapes)
+            .into_iter()
+            .map(|clipped| clipped.shape)
+            .collect()
     }
 
     #[test]
     fn a_dashed_line_that_touches_the_border_in_a_point_is_not_drawn() {
-        assert_eq!(drawn(&[[-10.0, 50.0], [-4.0, 50.0], [-10.0, 60.0]], &[6.0, 4.0]), []);
-        let shapes = drawn(&[[-30.0, 50.0], [10.0, 50.0], [10.0 + 1e-12, 50.0], [40.0, 50.0]], &[6.0, 4.0]);
-        let finite = shapes.iter().all(|shape| shape.visual_bounding_rect().is_finite());
+        assert_eq!(
+            drawn(&[[-10.0, 50.0], [-4.0, 50.0], [-10.0, 60.0]], &[6.0, 4.0]),
+            []
+        );
+        let shapes = drawn(
+            &[
+                [-30.0, 50.0],
+                [10.0, 50.0],
+                [10.0 + 1e-12, 50.0],
+                [40.0, 50.0],
+            ],
+            &[6.0, 4.0],
+        );
+        let finite = shapes
+            .iter()
+            .all(|shape| shape.visual_bounding_rect().is_finite());
         assert!(!shapes.is_empty() && finite, "{shapes:?}");
     }
 
@@ -84,10 +134,18 @@ mod tests {
     fn a_line_out_of_all_proportion_has_as_many_dashes_as_are_seen() {
         for far in [1e6, 1e12, 1e30, f64::MAX, f64::INFINITY, f64::NAN] {
             for dashes in [&[][..], &[6.0, 4.0]] {
-                let shapes = drawn(&[[10.0, 50.0], [50.0, far], [50.0, -far], [90.0, 50.0]], dashes);
+                let shapes = drawn(
+                    &[[10.0, 50.0], [50.0, far], [50.0, -far], [90.0, 50.0]],
+                    dashes,
+                );
                 assert!(shapes.len() <= 40, "{far}: {} shapes", shapes.len());
                 let near = Rect::from_min_max(pos2(-20.0, -20.0), pos2(120.0, 120.0));
-                assert!(shapes.iter().all(|shape| near.contains_rect(shape.visual_bounding_rect())), "{far}");
+                assert!(
+                    shapes
+                        .iter()
+                        .all(|shape| near.contains_rect(shape.visual_bounding_rect())),
+                    "{far}"
+                );
             }
         }
     }

@@ -29,8 +29,16 @@ impl Look {
     /// The same with what is out of bounds put back to its default.
     pub fn sound(self) -> Self {
         let sizes = SCALES[0]..=SCALES[SCALES.len() - 1];
-        let scale = if sizes.contains(&self.scale) { self.scale } else { Self::default().scale };
-        Self { scale, profile: self.profile.sound(), ..self }
+        let scale = if sizes.contains(&self.scale) {
+            self.scale
+        } else {
+            Self::default().scale
+        };
+        Self {
+            scale,
+            profile: self.profile.sound(),
+            ..self
+        }
     }
 
     /// Shows the normals of polygons and of vertices, or hides both.
@@ -41,12 +49,18 @@ impl Look {
 
     /// The next larger size of the interface.
     pub fn larger(&mut self) {
-        self.scale = SCALES.into_iter().find(|scale| *scale > self.scale + 0.01).unwrap_or(self.scale);
+        self.scale = SCALES
+            .into_iter()
+            .find(|scale| *scale > self.scale + 0.01)
+            .unwrap_or(self.scale);
     }
 
     /// The next smaller size.
     pub fn smaller(&mut self) {
-        self.scale = SCALES.into_iter().rfind(|scale| *scale < self.scale - 0.01).unwrap_or(self.scale);
+        self.scale = SCALES
+            .into_iter()
+            .rfind(|scale| *scale < self.scale - 0.01)
+            .unwrap_or(self.scale);
     }
 
     /// The size of text for a room, and back. It leaves no room for the picture between two panels; F5 brings the numbers back.
@@ -67,7 +81,12 @@ impl Default for Look {
             stages: true,
             channels: false,
             tab: NumbersTab::Equation,
-            overlay: OverlayLook { vectors: true, angles: true, handles: true, ..OverlayLook::default() },
+            overlay: OverlayLook {
+                vectors: true,
+                angles: true,
+                handles: true,
+                ..OverlayLook::default()
+            },
             profile: ProfileLook::default(),
         }
     }

@@ -12,13 +12,13 @@ use crate::render::Renderer;
 use crate::scene::material::no_highlight;
 use crate::scene::materials::{NAMED, NamedMaterial, OF_A_KIND, recognise};
 use crate::scene::{
-    Ambient, Camera, Distribution, Image, Light, Material, Object, ObjectKind, Reflection, ReflectionModel, Rgb, Scene,
-    Shading, ShadingMode,
+    Ambient, Camera, Distribution, Image, Light, Material, Object, ObjectKind, Reflection,
+    ReflectionModel, Rgb, Scene, Shading, ShadingMode,
 };
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Button, Color32, ColorImage, Context, Grid, Popup, PopupCloseBehavior, Rect, Sense, StrokeKind, TextStyle,
-    TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
+    Align2, Button, Color32, ColorImage, Context, Grid, Popup, PopupCloseBehavior, Rect, Sense,
+    StrokeKind, TextStyle, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
 };
 use glam::DVec3;
 
@@ -63,12 +63,14 @@ impl Gallery {
     fn prepare(&mut self, ctx: &Context) {
         let side = Spheres((SPHERE * ctx.pixels_per_point()).round().clamp(16.0, 512.0) as u32);
         self.work.keep_only(|known| *known == side);
-        self.work.ask(wake(ctx), |known| *known == side, || Spheres(side.0));
+        self.work
+            .ask(wake(ctx), |known| *known == side, || Spheres(side.0));
         let pictures = self.work.answer().map_or(&[][..], Vec::as_slice);
         self.textures.truncate(pictures.len());
         for (index, image) in pictures.iter().enumerate().skip(self.textures.len()) {
             let name = format!("material {index}");
-            self.textures.push(ctx.load_texture(name, image.clone(), TextureOptions::LINEAR));
+            self.textures
+                .push(ctx.load_texture(name, image.clone(), TextureOptions::LINEAR));
         }
     }
 }
@@ -76,14 +78,35 @@ impl Gallery {
 /// The sphere as OpenGL lights it: N against H, a distant light from above, little ambient light.
 fn scene(named: &NamedMaterial, side: u32) -> Scene {
     Scene {
-        image: Image { size: [side, side], background: Rgb::ZERO },
-        camera: Camera { fov_y: 33.0, ..Camera::default() },
-        object: Object { kind: ObjectKind::Sphere, ..Object::default() },
+        image: Image {
+            size: [side, side],
+            background: Rgb::ZERO,
+        },
+        camera: Camera {
+            fov_y: 33.0,
+            ..Camera::default()
+        },
+        object: Object {
+            kind: ObjectKind::Sphere,
+            ..Object::default()
+        },
         material: named.material(),
-        reflection: Reflection { model: ReflectionModel::Blinn, ..Reflection::default() },
-        shading: Shading { mode: ShadingMode::Exact, ..Shading::default() },
-        ambient: Ambient { color: Rgb::splat(0.4), ..Ambient::default() },
-        lights: vec![Light { position: DVec3::new(-2.0, 2.5, 4.0), ..Light::default() }],
+        reflection: Reflection {
+            model: ReflectionModel::Blinn,
+            ..Reflection::default()
+        },
+        shading: Shading {
+            mode: ShadingMode::Exact,
+            ..Shading::default()
+        },
+        ambient: Ambient {
+            color: Rgb::splat(0.4),
+            ..Ambient::default()
+        },
+        lights: vec![Light {
+            position: DVec3::new(-2.0, 2.5, 4.0),
+            ..Light::default()
+        }],
         ..Scene::default()
     }
 }
@@ -92,12 +115,18 @@ fn scene(named: &NamedMaterial, side: u32) -> Scene {
 fn picture(renderer: &mut Renderer, named: &NamedMaterial, side: u32) -> ColorImage {
     let frame = renderer.render_supersampled(&scene(named, side), SAMPLES, &mut |_| true);
     let mut white = scene(named, side);
-    white.material = Material { ka: Rgb::ONE, kd: Rgb::ZERO, ks: Rgb::ZERO, ..named.material() };
+    white.material = Material {
+        ka: Rgb::ONE,
+        kd: Rgb::ZERO,
+        ks: Rgb::ZERO,
+        ..named.material()
+    };
     white.ambient.color = Rgb::ONE;
     let coverage = renderer.render_supersampled(&white, SAMPLES, &mut |_| true);
     let pixels = frame.pixels.iter().zip(&coverage.pixels);
     // The background is black, so the colours are multiplied by the coverage already.
-    let pixels = pixels.map(|([r, g, b, _], [cover, ..])| Color32::from_rgba_premultiplied(*r, *g, *b, *cover));
+    let pixels = pixels
+        .map(|([r, g, b, _], [cover, ..])| Color32::from_rgba_premultiplied(*r, *g, *b, *cover));
     ColorImage::new([side as usize, side as usize], pixels.collect())
 }
 
@@ -107,60 +136,114 @@ const KINDS: [&str; 4] = ["Stones", "Metals", "Plastics", "Rubbers"];
 /// A button that says which of the named materials this is, and opens all of them.
 pub fn gallery_ui(ui: &mut Ui, lit: &mut Lit, gallery: &mut Gallery, material: &mut Material) {
     let present = recognise(material);
-    let tip = "The 24 named materials of OpenGL's teapots (Kilgard 1994): Ka, Kd, Ks and n as published.";
-    let about = About { label: "Material", name: "Materials", tip, ..About::default() };
+    let tip =
+        "The 24 named materials of OpenGL's teapots (Kilgard 1994): Ka, Kd, Ks and n as published.";
+    let about = About {
+        label: "Material",
+        name: "Materials",
+        tip,
+        ..About::default()
+    };
     let opened = lit.opened.material.clone();
     value_row(ui, lit, &about, opened, material, |ui, material| {
-        let button = Button::new(present.map_or("choose…", |named| named.title)).min_size(vec2(92.0, 0.0));
+        let button =
+            Button::new(present.map_or("choose…", |named| named.title)).min_size(vec2(92.0, 0.0));
         let response = named(ui.add(button), Role::Button, "Materials").on_hover_text(tip);
         let popup = Popup::menu(&response).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         popup.show(|ui| {
             gallery.prepare(ui.ctx());
-            Grid::new("materials").num_columns(KINDS.len()).spacing([6.0, 6.0]).show(ui, |ui| {
-                for kind in KINDS {
-                    ui.label(kind);
-                }
-                ui.end_row();
-                for place in 0..OF_A_KIND {
-                    for (index, named) in NAMED.iter().enumerate().skip(place).step_by(OF_A_KIND) {
-                        if material_ui(ui, named, gallery.textures.get(index), present == Some(named)) {
-                            *material = named.material();
-                        }
+            Grid::new("materials")
+                .num_columns(KINDS.len())
+                .spacing([6.0, 6.0])
+                .show(ui, |ui| {
+                    for kind in KINDS {
+                        ui.label(kind);
                     }
                     ui.end_row();
-                }
-            });
+                    for place in 0..OF_A_KIND {
+                        for (index, named) in
+                            NAMED.iter().enumerate().skip(place).step_by(OF_A_KIND)
+                        {
+                            if material_ui(
+                                ui,
+                                named,
+                                gallery.textures.get(index),
+                                present == Some(named),
+                            ) {
+                                *material = named.material();
+                            }
+                        }
+                        ui.end_row();
+                    }
+                });
         });
     });
 }
 
 /// A sphere of the material with its name below.
-fn material_ui(ui: &mut Ui, material: &NamedMaterial, texture: Option<&TextureHandle>, present: bool) -> bool {
+fn material_ui(
+    ui: &mut Ui,
+    material: &NamedMaterial,
+    texture: Option<&TextureHandle>,
+    present: bool,
+) -> bool {
     let (rect, response) = ui.allocate_exact_size(CELL, Sense::click());
     let visuals = ui.style().interact_selectable(&response, present);
     if present || response.hovered() || response.has_focus() {
-        ui.painter().rect(rect, 5.0, visuals.weak_bg_fill, visuals.bg_stroke, StrokeKind::Inside);
+        ui.painter().rect(
+            rect,
+            5.0,
+            visuals.weak_bg_fill,
+            visuals.bg_stroke,
+            StrokeKind::Inside,
+        );
     }
-    let sphere = Rect::from_center_size(rect.center_top() + vec2(0.0, SPHERE / 2.0 + 4.0), vec2(SPHERE, SPHERE));
+    let sphere = Rect::from_center_size(
+        rect.center_top() + vec2(0.0, SPHERE / 2.0 + 4.0),
+        vec2(SPHERE, SPHERE),
+    );
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     match texture {
-        Some(texture) => _ = ui.painter().image(texture.id(), sphere, whole, Color32::WHITE),
-        None => _ = ui.painter().circle_stroke(sphere.center(), SPHERE * 0.44, ui.visuals().window_stroke),
+        Some(texture) => {
+            _ = ui
+                .painter()
+                .image(texture.id(), sphere, whole, Color32::WHITE);
+        }
+        None => {
+            _ = ui.painter().circle_stroke(
+                sphere.center(),
+                SPHERE * 0.44,
+                ui.visuals().window_stroke,
+            );
+        }
     }
     let below = rect.center_bottom() - vec2(0.0, 3.0);
     let font = TextStyle::Small.resolve(ui.style());
-    ui.painter().text(below, Align2::CENTER_BOTTOM, material.title, font, visuals.text_color());
+    ui.painter().text(
+        below,
+        Align2::CENTER_BOTTOM,
+        material.title,
+        font,
+        visuals.text_color(),
+    );
     let response = switch_named(response, Role::Button, present, material.title);
     let NamedMaterial { ka, kd, ks, n, .. } = *material;
     let triple = |value: Rgb| format!("{}, {}, {}", value.x, value.y, value.z);
-    let numbers = format!("Ka {}\nKd {}\nKs {}\nn {n}", triple(ka), triple(kd), triple(ks));
+    let numbers = format!(
+        "Ka {}\nKd {}\nKs {}\nn {n}",
+        triple(ka),
+        triple(kd),
+        triple(ks)
+    );
     response.on_hover_text(numbers).clicked()
 }
 
 /// The other models, each with the n or m that matches the highlight of `scene`, as far as there is one: Phong's lobe is never
 /// wider than 90° to each side, and microfacets are never perfectly smooth here.
 fn matches(scene: &Scene) -> Vec<(ReflectionModel, f64)> {
-    let Material { n, roughness: m, .. } = scene.material;
+    let Material {
+        n, roughness: m, ..
+    } = scene.material;
     let model = scene.reflection.model;
     let blinn = match model {
         ReflectionModel::Phong => blinn_from_phong(n),
@@ -177,7 +260,10 @@ fn matches(scene: &Scene) -> Vec<(ReflectionModel, f64)> {
     let all = [
         (ReflectionModel::Phong, phong_from_blinn(blinn)),
         (ReflectionModel::Blinn, blinn),
-        (ReflectionModel::CookTorrance, roughness_from_exponent(blinn)),
+        (
+            ReflectionModel::CookTorrance,
+            roughness_from_exponent(blinn),
+        ),
     ];
     all.into_iter().filter(exists).collect()
 }
@@ -186,7 +272,8 @@ fn matches(scene: &Scene) -> Vec<(ReflectionModel, f64)> {
 fn take(scene: &mut Scene, model: ReflectionModel, number: f64) {
     scene.reflection.model = model;
     if model == ReflectionModel::CookTorrance {
-        (scene.reflection.distribution, scene.material.roughness) = (Distribution::Beckmann, number);
+        (scene.reflection.distribution, scene.material.roughness) =
+            (Distribution::Beckmann, number);
     } else {
         scene.material.n = number;
     }
@@ -211,15 +298,31 @@ pub fn matching_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
     row(ui, lit, &about, false, |ui| {
         ui.spacing_mut().button_padding.x = 6.0;
         for (model, number) in found {
-            let who = if model == ReflectionModel::Phong { "Phong" } else { "Blinn" };
+            let who = if model == ReflectionModel::Phong {
+                "Phong"
+            } else {
+                "Blinn"
+            };
             let (text, name, tip) = if model == ReflectionModel::CookTorrance {
                 let tip = "Takes Cook and Torrance's model with Beckmann's m that makes its highlight as narrow";
-                (format!("m {}", display(number, 3)), "Match with a roughness".to_owned(), tip.to_owned())
+                (
+                    format!("m {}", display(number, 3)),
+                    "Match with a roughness".to_owned(),
+                    tip.to_owned(),
+                )
             } else {
-                let tip = format!("Takes {who}'s model with the n that makes its highlight as wide");
-                (format!("{who} n {}", display(number, 2)), format!("Match with {who}'s n"), tip)
+                let tip =
+                    format!("Takes {who}'s model with the n that makes its highlight as wide");
+                (
+                    format!("{who} n {}", display(number, 2)),
+                    format!("Match with {who}'s n"),
+                    tip,
+                )
             };
-            if named(ui.button(text), Role::Button, &name).on_hover_text(tip).clicked() {
+            if named(ui.button(text), Role::Button, &name)
+                .on_hover_text(tip)
+                .clicked()
+            {
                 take(scene, model, number);
             }
         }
@@ -237,7 +340,10 @@ mod tests {
         let at = |x: usize, y: usize| image.pixels[y * 48 + x];
         assert_eq!(at(0, 0), Color32::TRANSPARENT);
         let middle = at(24, 24);
-        assert!(middle.a() == 255 && middle.r() > middle.g() && middle.g() > middle.b(), "gold: {middle:?}");
+        assert!(
+            middle.a() == 255 && middle.r() > middle.g() && middle.g() > middle.b(),
+            "gold: {middle:?}"
+        );
         for named in NAMED {
             assert_eq!(scene(named, 48).validate(), Ok(()));
         }
@@ -247,13 +353,24 @@ mod tests {
     fn going_to_another_model_and_back_keeps_the_number() {
         let mut scene = Scene::default();
         let before = scene.clone();
-        for model in [ReflectionModel::Blinn, ReflectionModel::CookTorrance, ReflectionModel::Phong] {
-            let found = matches(&scene).into_iter().find(|(other, _)| *other == model).expect("a match");
+        for model in [
+            ReflectionModel::Blinn,
+            ReflectionModel::CookTorrance,
+            ReflectionModel::Phong,
+        ] {
+            let found = matches(&scene)
+                .into_iter()
+                .find(|(other, _)| *other == model)
+                .expect("a match");
             take(&mut scene, model, found.1);
             assert_eq!(scene.validate(), Ok(()));
         }
         assert_eq!(scene.reflection.model, before.reflection.model);
-        assert!((scene.material.n / before.material.n - 1.0).abs() < 1e-9, "{}", scene.material.n);
+        assert!(
+            (scene.material.n / before.material.n - 1.0).abs() < 1e-9,
+            "{}",
+            scene.material.n
+        );
     }
 
     #[test]
@@ -263,6 +380,11 @@ mod tests {
         assert_eq!(matches(&scene), [(ReflectionModel::Blinn, f64::INFINITY)]);
         scene.reflection.model = ReflectionModel::Blinn;
         scene.material.n = 0.5;
-        assert!(!matches(&scene).iter().any(|(model, _)| *model == ReflectionModel::Phong), "no Phong lobe is as wide");
+        assert!(
+            !matches(&scene)
+                .iter()
+                .any(|(model, _)| *model == ReflectionModel::Phong),
+            "no Phong lobe is as wide"
+        );
     }
 }

@@ -18,7 +18,8 @@ use crate::analysis::{Here, Probe, ProbeHit, Probed, digits};
 use crate::figure::palette::Vector;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, Color32, CornerRadius, Grid, Label, Layout, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2,
+    Align, Button, Color32, CornerRadius, Grid, Label, Layout, RichText, ScrollArea, Sense, Ui,
+    WidgetInfo, vec2,
 };
 
 /// Height of a table's rows, points.
@@ -34,14 +35,46 @@ pub struct Tab {
 
 /// Every tab, in the order in which they are shown.
 pub const TABS: [Tab; 9] = [
-    Tab { key: NumbersTab::Equation, title: "Equation", show: equation_ui },
-    Tab { key: NumbersTab::Curves, title: "Curves", show: |ui, state, engine| with(ui, state, engine, curves_ui) },
-    Tab { key: NumbersTab::Profile, title: "Profile", show: |ui, state, engine| with(ui, state, engine, profile_ui) },
-    Tab { key: NumbersTab::ScanLine, title: "Scan line", show: |ui, state, engine| with(ui, state, engine, scan_ui) },
-    Tab { key: NumbersTab::Compare, title: "Compare", show: |ui, state, engine| with(ui, state, engine, compare_ui) },
-    Tab { key: NumbersTab::Defects, title: "Defects", show: |ui, state, engine| with(ui, state, engine, defects_ui) },
-    Tab { key: NumbersTab::Plan, title: "Plan", show: |ui, state, engine| with(ui, state, engine, plan_ui) },
-    Tab { key: NumbersTab::Study, title: "Study", show: |ui, state, engine| with(ui, state, engine, study_ui) },
+    Tab {
+        key: NumbersTab::Equation,
+        title: "Equation",
+        show: equation_ui,
+    },
+    Tab {
+        key: NumbersTab::Curves,
+        title: "Curves",
+        show: |ui, state, engine| with(ui, state, engine, curves_ui),
+    },
+    Tab {
+        key: NumbersTab::Profile,
+        title: "Profile",
+        show: |ui, state, engine| with(ui, state, engine, profile_ui),
+    },
+    Tab {
+        key: NumbersTab::ScanLine,
+        title: "Scan line",
+        show: |ui, state, engine| with(ui, state, engine, scan_ui),
+    },
+    Tab {
+        key: NumbersTab::Compare,
+        title: "Compare",
+        show: |ui, state, engine| with(ui, state, engine, compare_ui),
+    },
+    Tab {
+        key: NumbersTab::Defects,
+        title: "Defects",
+        show: |ui, state, engine| with(ui, state, engine, defects_ui),
+    },
+    Tab {
+        key: NumbersTab::Plan,
+        title: "Plan",
+        show: |ui, state, engine| with(ui, state, engine, plan_ui),
+    },
+    Tab {
+        key: NumbersTab::Study,
+        title: "Study",
+        show: |ui, state, engine| with(ui, state, engine, study_ui),
+    },
     Tab {
         key: NumbersTab::Stability,
         title: "Stability",
@@ -77,8 +110,13 @@ pub fn numbers_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         }
     });
     ui.add_space(4.0);
-    let Some(tab) = TABS.iter().find(|tab| tab.key == state.look.tab) else { return };
-    ScrollArea::vertical().id_salt(tab.title).auto_shrink(false).show(ui, |ui| (tab.show)(ui, state, engine));
+    let Some(tab) = TABS.iter().find(|tab| tab.key == state.look.tab) else {
+        return;
+    };
+    ScrollArea::vertical()
+        .id_salt(tab.title)
+        .auto_shrink(false)
+        .show(ui, |ui| (tab.show)(ui, state, engine));
 }
 
 /// The equation filled in at the probe.
@@ -90,7 +128,13 @@ fn equation_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     }
     export_ui(ui, state, "probe", || {
         let sampling = vec![None; probe.hit.as_ref().map_or(0, |hit| hit.lights.len())];
-        Some((Box::new(Probed { probe: probe.clone(), sampling }), engine.drawn()?.clone()))
+        Some((
+            Box::new(Probed {
+                probe: probe.clone(),
+                sampling,
+            }),
+            engine.drawn()?.clone(),
+        ))
     });
 }
 
@@ -108,7 +152,14 @@ fn hit_ui(ui: &mut Ui, state: &mut AppState, probe: &Probe, hit: &ProbeHit) {
     ui.add_space(8.0);
     ui.separator();
     let light = state.light.min(hit.lights.len().saturating_sub(1));
-    vectors_ui(ui, Here { scene: &state.shown.scene, hit }, light);
+    vectors_ui(
+        ui,
+        Here {
+            scene: &state.shown.scene,
+            hit,
+        },
+        light,
+    );
 }
 
 /// The pixel, its stored colour and where it lies.
@@ -117,11 +168,14 @@ fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
     let [r, g, b] = hit.stored;
     ui.horizontal(|ui| {
         let (rect, _) = ui.allocate_exact_size(vec2(34.0, 34.0), Sense::hover());
-        ui.painter().rect_filled(rect, CornerRadius::same(5), Color32::from_rgb(r, g, b));
+        ui.painter()
+            .rect_filled(rect, CornerRadius::same(5), Color32::from_rgb(r, g, b));
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 1.0;
             ui.label(RichText::new(format!("Pixel {x}, {y}")).strong());
-            let face = hit.face.map_or_else(|| "true surface".to_owned(), |face| format!("face {face}"));
+            let face = hit
+                .face
+                .map_or_else(|| "true surface".to_owned(), |face| format!("face {face}"));
             ui.label(RichText::new(format!("{face}, depth {:.3}", hit.depth)).weak());
         });
     });
@@ -138,32 +192,62 @@ fn cell(ui: &mut Ui, text: RichText, align: Align) {
 
 /// The vectors at the probe and the angles between them, for one light.
 fn vectors_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
-    let title = if here.hit.lights.len() > 1 { format!("Vectors, light {}", light + 1) } else { "Vectors".to_owned() };
+    let title = if here.hit.lights.len() > 1 {
+        format!("Vectors, light {}", light + 1)
+    } else {
+        "Vectors".to_owned()
+    };
     ui.label(RichText::new(title).strong());
     let visuals = ui.visuals().clone();
     let light = here.lights().nth(light);
-    Grid::new("vectors").num_columns(4).spacing([4.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
-        for (head, align) in [("", Align::Min), ("x", Align::Max), ("y", Align::Max), ("z", Align::Max)] {
-            cell(ui, RichText::new(head).weak(), align);
-        }
-        ui.end_row();
-        for (vector, _, v) in here.vectors().into_iter().chain(light.iter().flat_map(|light| light.vectors())) {
-            let colour = vector.map_or(visuals.text_color(), |vector| vector_text(&visuals, vector));
-            cell(ui, RichText::new(vector.map_or("point", Vector::letter)).color(colour), Align::Min);
-            for value in v.to_array() {
-                // Rounded: what is left of a 0 has no digits.
-                let number = digits((value * 1e4).round() / 1e4 + 0.0);
-                cell(ui, RichText::new(number).monospace().color(colour), Align::Max);
+    Grid::new("vectors")
+        .num_columns(4)
+        .spacing([4.0, 2.0])
+        .min_row_height(ROW)
+        .show(ui, |ui| {
+            for (head, align) in [
+                ("", Align::Min),
+                ("x", Align::Max),
+                ("y", Align::Max),
+                ("z", Align::Max),
+            ] {
+                cell(ui, RichText::new(head).weak(), align);
             }
             ui.end_row();
-        }
-    });
+            for (vector, _, v) in here
+                .vectors()
+                .into_iter()
+                .chain(light.iter().flat_map(|light| light.vectors()))
+            {
+                let colour =
+                    vector.map_or(visuals.text_color(), |vector| vector_text(&visuals, vector));
+                cell(
+                    ui,
+                    RichText::new(vector.map_or("point", Vector::letter)).color(colour),
+                    Align::Min,
+                );
+                for value in v.to_array() {
+                    // Rounded: what is left of a 0 has no digits.
+                    let number = digits((value * 1e4).round() / 1e4 + 0.0);
+                    cell(
+                        ui,
+                        RichText::new(number).monospace().color(colour),
+                        Align::Max,
+                    );
+                }
+                ui.end_row();
+            }
+        });
     ui.add_space(6.0);
-    Grid::new("angles").num_columns(2).spacing([4.0, 2.0]).min_row_height(ROW).show(ui, |ui| {
-        for (name, value) in light.iter().flat_map(|light| light.angles()) {
-            cell(ui, RichText::new(name), Align::Min);
-            cell(ui, RichText::new(value).monospace(), Align::Max);
-            ui.end_row();
-        }
-    });
+    Grid::new("angles")
+        .num_columns(2)
+        .spacing([4.0, 2.0])
+        .min_row_height(ROW)
+        .show(ui, |ui| {
+            for (name, value) in light.iter().flat_map(|light| light.angles()) {
+                cell(ui, RichText::new(name), Align::Min);
+                cell(ui, RichText::new(value).monospace(), Align::Max);
+                ui.end_row();
+            }
+        });
 }

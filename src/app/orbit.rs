@@ -13,10 +13,19 @@ pub fn orbit(camera: &mut Camera, right: f64, up: f64) {
     let offset = camera.eye - camera.target;
     let pole = camera.up.normalize_or(DVec3::Y);
     // The picture may be turned about its middle; the eye still goes round the upright axis.
-    let View { right: sideways, .. } = View::new(&Camera { roll: 0.0, ..camera.clone() }, [1, 1]);
+    let View {
+        right: sideways, ..
+    } = View::new(
+        &Camera {
+            roll: 0.0,
+            ..camera.clone()
+        },
+        [1, 1],
+    );
     let height = 90.0 - offset.angle_between(pole).to_degrees();
     let up = (height + up).clamp(-90.0 + POLE, 90.0 - POLE) - height;
-    let turn = DQuat::from_axis_angle(pole, right.to_radians()) * DQuat::from_axis_angle(sideways, -up.to_radians());
+    let turn = DQuat::from_axis_angle(pole, right.to_radians())
+        * DQuat::from_axis_angle(sideways, -up.to_radians());
     let turned = camera.target + turn * offset;
     if turned.is_finite() {
         camera.eye = turned;
@@ -73,19 +82,39 @@ mod tests {
 
     #[test]
     fn an_orbit_keeps_the_roll_and_the_way_it_goes() {
-        let (mut plain, mut rolled) = (Camera::default(), Camera { roll: 70.0, ..Camera::default() });
+        let (mut plain, mut rolled) = (
+            Camera::default(),
+            Camera {
+                roll: 70.0,
+                ..Camera::default()
+            },
+        );
         orbit(&mut plain, 10.0, 20.0);
         orbit(&mut rolled, 10.0, 20.0);
-        assert_eq!(rolled, Camera { roll: 70.0, ..plain });
+        assert_eq!(
+            rolled,
+            Camera {
+                roll: 70.0,
+                ..plain
+            }
+        );
     }
 
     #[test]
     fn panning_by_a_height_shifts_the_picture_by_its_height() {
         let mut camera = Camera::default();
-        let origin = |camera: &Camera| View::new(camera, [100, 100]).project(DVec3::ZERO).expect("in sight").0;
+        let origin = |camera: &Camera| {
+            View::new(camera, [100, 100])
+                .project(DVec3::ZERO)
+                .expect("in sight")
+                .0
+        };
         let before = origin(&camera);
         pan(&mut camera, 0.0, 1.0);
-        assert!((origin(&camera).y - before.y - 100.0).abs() < 1e-9, "{before}");
+        assert!(
+            (origin(&camera).y - before.y - 100.0).abs() < 1e-9,
+            "{before}"
+        );
     }
 
     #[test]
@@ -96,7 +125,10 @@ mod tests {
         camera.projection = Projection::Orthographic;
         (0..1000).for_each(|_| zoom(&mut camera, 2.0));
         assert!(camera.height <= 1e6);
-        let mut camera = Camera { eye: DVec3::ZERO, ..Camera::default() };
+        let mut camera = Camera {
+            eye: DVec3::ZERO,
+            ..Camera::default()
+        };
         orbit(&mut camera, 10.0, 10.0);
         pan(&mut camera, 1.0, 1.0);
         zoom(&mut camera, 2.0);

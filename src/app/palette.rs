@@ -56,7 +56,11 @@ mod tests {
         for visuals in [theme::dark_visuals(), theme::light_visuals()] {
             for letter in Vector::ALL {
                 let ratio = contrast(vector_text(&visuals, letter), visuals.panel_fill);
-                assert!(ratio >= READABLE, "{} has contrast {ratio}", letter.letter());
+                assert!(
+                    ratio >= READABLE,
+                    "{} has contrast {ratio}",
+                    letter.letter()
+                );
             }
             assert!(contrast(visuals.text_color(), visuals.panel_fill) >= 7.0);
             assert!(contrast(visuals.weak_text_color(), visuals.panel_fill) >= READABLE);

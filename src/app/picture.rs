@@ -14,7 +14,8 @@ use super::state::{AppState, Drag, Grip};
 use crate::scene::View;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Color32, CursorIcon, EventFilter, PointerButton, Pos2, Rect, Response, Sense, Stroke, TextStyle, Ui, pos2,
+    Color32, CursorIcon, EventFilter, PointerButton, Pos2, Rect, Response, Sense, Stroke,
+    TextStyle, Ui, pos2,
 };
 use glam::DVec2;
 
@@ -46,25 +47,55 @@ pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Roo
     let panes = panes::places(state, whole);
     let place = pointed(ui, state, &response, &panes).unwrap_or(whole);
     let view = View::new(&state.shown.scene.camera, place.size);
-    gesture(ui, state, &response, whole, &Pointed { place, view, grips: handles::grips(state, &view, place) });
+    gesture(
+        ui,
+        state,
+        &response,
+        whole,
+        &Pointed {
+            place,
+            view,
+            grips: handles::grips(state, &view, place),
+        },
+    );
     state.commit();
     engine.update(ui.ctx(), state, place.size);
     // Lights up the faces of the vertex that the pointer is on, where normals are shown.
-    let pointer = response.hover_pos().filter(|_| state.drag.is_none()).map(|at| place.pixel(at));
+    let pointer = response
+        .hover_pos()
+        .filter(|_| state.drag.is_none())
+        .map(|at| place.pixel(at));
     let clicked = response.clicked() && !response.double_clicked();
-    engine.point_at(ui.ctx(), state, pointer, f64::from(NEAR_VERTEX * place.pixels_per_point), clicked);
+    engine.point_at(
+        ui.ctx(),
+        state,
+        pointer,
+        f64::from(NEAR_VERTEX * place.pixels_per_point),
+        clicked,
+    );
     let panes = panes::places(state, whole);
     for pane in &panes {
         paint(ui, state, engine, pane);
     }
     panes::paint(ui, state, engine, &panes, whole);
-    Room { whole: whole.size, pane: place.size }
+    Room {
+        whole: whole.size,
+        pane: place.size,
+    }
 }
 
 /// Where the pane is that the pointer is about: under it, or the active one while it drags. A press makes a pane active.
-fn pointed(ui: &Ui, state: &mut AppState, response: &Response, panes: &[PanePlace]) -> Option<Place> {
-    let pressed = response.is_pointer_button_down_on() && ui.input(|input| input.pointer.any_pressed());
-    let origin = ui.input(|input| input.pointer.press_origin()).filter(|_| pressed);
+fn pointed(
+    ui: &Ui,
+    state: &mut AppState,
+    response: &Response,
+    panes: &[PanePlace],
+) -> Option<Place> {
+    let pressed =
+        response.is_pointer_button_down_on() && ui.input(|input| input.pointer.any_pressed());
+    let origin = ui
+        .input(|input| input.pointer.press_origin())
+        .filter(|_| pressed);
     if let Some(at) = origin
         && !panes::on_wipe(state, panes, at, REACH)
         && let Some(pane) = panes::pane_at(panes, state.panes.active, at)
@@ -73,7 +104,13 @@ fn pointed(ui: &Ui, state: &mut AppState, response: &Response, panes: &[PanePlac
     }
     let hover = response.hover_pos().filter(|_| state.drag.is_none());
     let hovered = hover.and_then(|at| panes::pane_at(panes, state.panes.active, at));
-    let active = || panes.iter().find(|pane| pane.pane == state.panes.active).or(panes.first()).copied();
+    let active = || {
+        panes
+            .iter()
+            .find(|pane| pane.pane == state.panes.active)
+            .or(panes.first())
+            .copied()
+    };
     hovered.or_else(active).map(|pane| pane.place)
 }
 
@@ -83,7 +120,11 @@ fn keep_arrows(ui: &Ui, response: &Response) {
         response.request_focus();
     }
     if response.has_focus() {
-        let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+        let filter = EventFilter {
+            horizontal_arrows: true,
+            vertical_arrows: true,
+            ..EventFilter::default()
+        };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     }
 }
@@ -105,13 +146,20 @@ impl Pointed {
             Grip::Probe => 3,
             _ => 2,
         };
-        let near = self.grips.iter().filter(|(_, there)| there.distance(at) <= REACH);
+        let near = self
+            .grips
+            .iter()
+            .filter(|(_, there)| there.distance(at) <= REACH);
         let nearest = near.min_by(|(a, place_a), (b, place_b)| {
-            rank(a).cmp(&rank(b)).then(place_a.distance(at).total_cmp(&place_b.distance(at)))
+            rank(a)
+                .cmp(&rank(b))
+                .then(place_a.distance(at).total_cmp(&place_b.distance(at)))
         });
         match nearest {
             Some((grip, there)) => (*grip, self.place.pixel(*there) - self.place.pixel(at)),
-            None if panes::on_wipe(state, &panes::places(state, self.place), at, REACH) => (Grip::Wipe, DVec2::ZERO),
+            None if panes::on_wipe(state, &panes::places(state, self.place), at, REACH) => {
+                (Grip::Wipe, DVec2::ZERO)
+            }
             None => (Grip::Camera, DVec2::ZERO),
         }
     }
@@ -121,10 +169,17 @@ fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, poi
     let place = pointed.place;
     let shift = ui.input(|input| input.modifiers.shift);
     if response.drag_started() {
-        let at = ui.input(|input| input.pointer.press_origin()).unwrap_or(place.rect.center());
-        let middle = response.dragged_by(PointerButton::Middle) || response.dragged_by(PointerButton::Secondary);
+        let at = ui
+            .input(|input| input.pointer.press_origin())
+            .unwrap_or(place.rect.center());
+        let middle = response.dragged_by(PointerButton::Middle)
+            || response.dragged_by(PointerButton::Secondary);
         let (grip, grab) = pointed.under(state, at);
-        state.drag = Some(Drag { grip, grab, deep: shift || (middle && grip == Grip::Camera) });
+        state.drag = Some(Drag {
+            grip,
+            grab,
+            deep: shift || (middle && grip == Grip::Camera),
+        });
         choose(state, grip);
     }
     if let Some(at) = response.interact_pointer_pos() {
@@ -141,12 +196,19 @@ fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, poi
     if response.drag_stopped() {
         state.drag = None;
     }
-    let Some(at) = response.hover_pos() else { return };
+    let Some(at) = response.hover_pos() else {
+        return;
+    };
     let (grip, _) = pointed.under(state, at);
     if !response.dragged() {
         ui.ctx().set_cursor_icon(cursor(grip, shift));
     }
-    let (scroll, pinch) = ui.input(|input| (f64::from(input.smooth_scroll_delta().y), f64::from(input.zoom_delta())));
+    let (scroll, pinch) = ui.input(|input| {
+        (
+            f64::from(input.smooth_scroll_delta().y),
+            f64::from(input.zoom_delta()),
+        )
+    });
     if scroll != 0.0 || pinch != 1.0 {
         let factor = (-scroll * ZOOM_PER_POINT).exp() / pinch;
         match grip {
@@ -170,11 +232,19 @@ fn choose(state: &mut AppState, grip: Grip) {
 fn put_probe(state: &mut AppState, place: Place, at: Pos2) {
     let pixel = place.pixel(at);
     let inside = |value: f64, side: u32| value.clamp(0.0, f64::from(side.saturating_sub(1))) as u32;
-    state.probe = ProbePoint::at([inside(pixel.x, place.size[0]), inside(pixel.y, place.size[1])], place.size);
+    state.probe = ProbePoint::at(
+        [
+            inside(pixel.x, place.size[0]),
+            inside(pixel.y, place.size[1]),
+        ],
+        place.size,
+    );
 }
 
 fn drag(state: &mut AppState, response: &Response, at: Pos2, whole: Place, pointed: &Pointed) {
-    let Some(Drag { grip, grab, deep }) = state.drag else { return };
+    let Some(Drag { grip, grab, deep }) = state.drag else {
+        return;
+    };
     let Pointed { place, view, .. } = pointed;
     let delta = response.drag_delta() / place.rect.height().max(1.0);
     let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));
@@ -184,7 +254,8 @@ fn drag(state: &mut AppState, response: &Response, at: Pos2, whole: Place, point
         Grip::Camera if deep => orbit::pan(&mut scene.camera, -dx, dy),
         Grip::Camera => {
             // What is under the pointer follows it, whichever way the picture is turned.
-            let way = View::without_roll(DVec2::new(-dx, dy) * DEGREES_PER_HEIGHT, scene.camera.roll);
+            let way =
+                View::without_roll(DVec2::new(-dx, dy) * DEGREES_PER_HEIGHT, scene.camera.roll);
             orbit::orbit(&mut scene.camera, way.x, way.y);
         }
         Grip::Probe => put_probe(state, *place, at),
@@ -206,7 +277,9 @@ fn drag(state: &mut AppState, response: &Response, at: Pos2, whole: Place, point
 fn cursor(grip: Grip, shift: bool) -> CursorIcon {
     match grip {
         Grip::Light(_) | Grip::Vertex(_) if shift => CursorIcon::ResizeVertical,
-        Grip::Light(_) | Grip::Vertex(_) | Grip::Aim { .. } | Grip::LineEnd(_) | Grip::Roll => CursorIcon::Grab,
+        Grip::Light(_) | Grip::Vertex(_) | Grip::Aim { .. } | Grip::LineEnd(_) | Grip::Roll => {
+            CursorIcon::Grab
+        }
         Grip::Rim(way) => handles::cursor(way),
         Grip::Probe => CursorIcon::Crosshair,
         Grip::Wipe => CursorIcon::ResizeHorizontal,
@@ -220,7 +293,10 @@ fn paint(ui: &Ui, state: &AppState, engine: &Engine, pane: &PanePlace) {
     let painter = ui.painter().with_clip_rect(pane.seen);
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     let active = pane.pane == state.panes.active;
-    let perceived = state.own.get().and_then(|own: &Profiles| own.perceived.as_ref());
+    let perceived = state
+        .own
+        .get()
+        .and_then(|own: &Profiles| own.perceived.as_ref());
     let perceived = perceived.filter(|_| active && profile::shows_perceived(state));
     for texture in engine.layers(pane.pane, perceived).into_iter().flatten() {
         painter.image(texture.id(), place.rect, whole, Color32::WHITE);

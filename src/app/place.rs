@@ -18,11 +18,21 @@ impl Place {
     pub fn of(ui: &Ui) -> Self {
         let pixels_per_point = ui.ctx().pixels_per_point();
         let room = ui.available_rect_before_wrap();
-        let min = vec2((room.min.x * pixels_per_point).ceil(), (room.min.y * pixels_per_point).ceil());
-        let max = vec2((room.max.x * pixels_per_point).floor(), (room.max.y * pixels_per_point).floor());
+        let min = vec2(
+            (room.min.x * pixels_per_point).ceil(),
+            (room.min.y * pixels_per_point).ceil(),
+        );
+        let max = vec2(
+            (room.max.x * pixels_per_point).floor(),
+            (room.max.y * pixels_per_point).floor(),
+        );
         let size = (max - min).max(vec2(1.0, 1.0));
         let rect = Rect::from_min_size((min / pixels_per_point).to_pos2(), size / pixels_per_point);
-        Self { rect, size: [size.x as u32, size.y as u32], pixels_per_point }
+        Self {
+            rect,
+            size: [size.x as u32, size.y as u32],
+            pixels_per_point,
+        }
     }
 
     /// A point of the screen in the picture's pixels.
@@ -57,8 +67,13 @@ impl ProbePoint {
     /// The pixel it stands on in a picture of `size` pixels, kept inside.
     pub fn pixel(self, size: [u32; 2]) -> [u32; 2] {
         let [width, height] = size.map(f64::from);
-        let inside = |value: f64, side: u32| value.floor().clamp(0.0, f64::from(side.saturating_sub(1))) as u32;
-        [inside(self.0.x * height + width * 0.5, size[0]), inside(self.0.y * height + height * 0.5, size[1])]
+        let inside = |value: f64, side: u32| {
+            value.floor().clamp(0.0, f64::from(side.saturating_sub(1))) as u32
+        };
+        [
+            inside(self.0.x * height + width * 0.5, size[0]),
+            inside(self.0.y * height + height * 0.5, size[1]),
+        ]
     }
 
     /// The centre of that pixel.
@@ -71,13 +86,18 @@ impl ProbePoint {
     pub fn at(pixel: [u32; 2], size: [u32; 2]) -> Self {
         let [width, height] = size.map(|side| f64::from(side.max(1)));
         let [x, y] = pixel.map(|value| f64::from(value) + 0.5);
-        Self(DVec2::new((x - width * 0.5) / height, (y - height * 0.5) / height))
+        Self(DVec2::new(
+            (x - width * 0.5) / height,
+            (y - height * 0.5) / height,
+        ))
     }
 
     /// The probe moved by whole pixels, not past the picture's edge.
     pub fn moved(self, by: [i32; 2], size: [u32; 2]) -> Self {
         let [x, y] = self.pixel(size);
-        let step = |value: u32, by: i32, side: u32| value.saturating_add_signed(by).min(side.saturating_sub(1));
+        let step = |value: u32, by: i32, side: u32| {
+            value.saturating_add_signed(by).min(side.saturating_sub(1))
+        };
         Self::at([step(x, by[0], size[0]), step(y, by[1], size[1])], size)
     }
 }
@@ -96,7 +116,8 @@ impl ProfileLine {
     /// Both ends in a picture of `size` pixels, kept inside.
     pub fn pixels(self, size: [u32; 2]) -> [DVec2; 2] {
         let size = DVec2::from_array(size.map(f64::from));
-        self.0.map(|end| (end * size.y + 0.5 * size).clamp(DVec2::ZERO, size))
+        self.0
+            .map(|end| (end * size.y + 0.5 * size).clamp(DVec2::ZERO, size))
     }
 
     /// Puts an end at a place of a picture of `size` pixels.
@@ -112,7 +133,11 @@ impl ProfileLine {
 pub fn tidy(v: DVec3, step: f64) -> DVec3 {
     let unit = 10f64.powf(step.max(1e-12).log10().floor());
     // Multiplying by a negative power of ten leaves a trail of digits; dividing by the positive one does not.
-    if unit < 1.0 { (v * (1.0 / unit).round()).round() / (1.0 / unit).round() } else { (v / unit).round() * unit }
+    if unit < 1.0 {
+        (v * (1.0 / unit).round()).round() / (1.0 / unit).round()
+    } else {
+        (v / unit).round() * unit
+    }
 }
 
 #[cfg(test)]
@@ -122,13 +147,27 @@ mod tests {
     #[test]
     fn the_probe_returns_to_its_pixel_and_stays_in_the_picture() {
         for size in [[1, 1], [640, 480], [33, 1001]] {
-            for pixel in [[0, 0], [size[0] - 1, size[1] - 1], [size[0] / 2, size[1] / 3]] {
+            for pixel in [
+                [0, 0],
+                [size[0] - 1, size[1] - 1],
+                [size[0] / 2, size[1] / 3],
+            ] {
                 assert_eq!(ProbePoint::at(pixel, size).pixel(size), pixel);
             }
         }
         let size = [10, 10];
-        assert_eq!(ProbePoint::at([0, 9], size).moved([-1, 1], size).pixel(size), [0, 9]);
-        assert_eq!(ProbePoint::at([0, 9], size).moved([3, -2], size).pixel(size), [3, 7]);
+        assert_eq!(
+            ProbePoint::at([0, 9], size)
+                .moved([-1, 1], size)
+                .pixel(size),
+            [0, 9]
+        );
+        assert_eq!(
+            ProbePoint::at([0, 9], size)
+                .moved([3, -2], size)
+                .pixel(size),
+            [3, 7]
+        );
         assert_eq!(ProbePoint::default().pixel([0, 0]), [0, 0]);
     }
 }

@@ -10,7 +10,8 @@ use super::report::{Asking, export_ui};
 use super::row::{About, NumberRow, SliderRange, number};
 use super::state::AppState;
 use crate::analysis::{
-    PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel, Viewing, Watch, perceived_picture,
+    PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel, Viewing, Watch,
+    perceived_picture,
 };
 use crate::jobs::{Asked, Background, Work};
 use crate::render::Frame;
@@ -27,7 +28,10 @@ pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, en
     if size.contains(&0) {
         return;
     }
-    ui.checkbox(&mut state.look.profile.perceived, "Show the picture as it is perceived");
+    ui.checkbox(
+        &mut state.look.profile.perceived,
+        "Show the picture as it is perceived",
+    );
     let question = state.look.profile.request(state.line.pixels(size));
     if state.look.profile.perceived {
         profiles.ask_perceived(ui.ctx(), &state.shown, size, &question);
@@ -61,27 +65,55 @@ impl Work for Perceived {
     type Answer = Frame;
 
     fn run(&self, _: &dyn Watch<Frame>) -> Result<Frame, String> {
-        let ProfileQuestion { viewing, perception, .. } = &self.0.question;
+        let ProfileQuestion {
+            viewing,
+            perception,
+            ..
+        } = &self.0.question;
         let [_, widest] = perception.widths(viewing.pixels_per_degree());
         if widest > PERCEIVED_WIDTH {
-            return Err(format!("σs is {widest:.0} pixels, expected at most {PERCEIVED_WIDTH} for a whole picture"));
+            return Err(format!(
+                "σs is {widest:.0} pixels, expected at most {PERCEIVED_WIDTH} for a whole picture"
+            ));
         }
         let subject = self.0.subject();
-        Ok(perceived_picture(&mut subject.renderer(), &subject.scene, viewing, perception))
+        Ok(perceived_picture(
+            &mut subject.renderer(),
+            &subject.scene,
+            viewing,
+            perception,
+        ))
     }
 }
 
 impl Profiles {
     /// Computes the picture as it is perceived in the background; until then the last one is shown.
-    fn ask_perceived(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: &ProfileQuestion) {
+    fn ask_perceived(
+        &mut self,
+        ctx: &Context,
+        document: &Document,
+        size: [u32; 2],
+        question: &ProfileQuestion,
+    ) {
         // The line does not matter to the whole picture.
-        let question = ProfileQuestion { from: DVec2::ZERO, to: DVec2::ZERO, modes: vec![], ..question.clone() };
+        let question = ProfileQuestion {
+            from: DVec2::ZERO,
+            to: DVec2::ZERO,
+            modes: vec![],
+            ..question.clone()
+        };
         let (scene, model) = (&document.scene, document.model.as_ref());
         let same = |seen: &Perceived| seen.0.is(&question, scene, model, size);
         let work = || Perceived(Asked::new(question.clone(), scene, model, size));
         if self.seen.ask(wake(ctx), same, work) {
             match self.seen.answer().map(image_of) {
-                Some(image) => upload(ctx, &mut self.perceived, "perceived", image, TextureOptions::NEAREST),
+                Some(image) => upload(
+                    ctx,
+                    &mut self.perceived,
+                    "perceived",
+                    image,
+                    TextureOptions::NEAREST,
+                ),
                 None => self.perceived = None,
             }
             ctx.request_repaint();
@@ -99,9 +131,23 @@ fn modes_ui(ui: &mut Ui, modes: &mut Vec<ShadingMode>) {
         ui.spacing_mut().item_spacing.x = 4.0;
         for &mode in ShadingMode::VALUES {
             let shown = modes.contains(&mode);
-            let name = if mode == ShadingMode::Interpolated { "Interp." } else { mode.label() };
-            if ui.add(Button::selectable(shown, name)).on_hover_text("Shows the profile of this shading").clicked() {
-                let kept = |other: &ShadingMode| if *other == mode { !shown } else { modes.contains(other) };
+            let name = if mode == ShadingMode::Interpolated {
+                "Interp."
+            } else {
+                mode.label()
+            };
+            if ui
+                .add(Button::selectable(shown, name))
+                .on_hover_text("Shows the profile of this shading")
+                .clicked()
+            {
+                let kept = |other: &ShadingMode| {
+                    if *other == mode {
+                        !shown
+                    } else {
+                        modes.contains(other)
+                    }
+                };
                 *modes = ShadingMode::VALUES.iter().copied().filter(kept).collect();
             }
         }
@@ -121,18 +167,70 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
         let (usual, eye) = (Viewing::default(), Perception::default());
         let far = "From the eye to the screen, millimetres.";
         let dense = "Pixels of the screen to a millimetre; 3.78 are 96 to an inch.";
-        let (centre, surround) = ("σc, degrees of visual angle.", "σs, degrees of visual angle.");
-        let (strong, weight) = ("w, the strength of the inhibition.", [0.01, Perception::WEIGHT[1]]);
+        let (centre, surround) = (
+            "σc, degrees of visual angle.",
+            "σs, degrees of visual angle.",
+        );
+        let (strong, weight) = (
+            "w, the strength of the inhibition.",
+            [0.01, Perception::WEIGHT[1]],
+        );
         for (label, tip, [low, high], default, value) in [
-            ("distance", far, Viewing::DISTANCE, usual.distance, &mut viewing.distance),
-            ("density", dense, Viewing::DENSITY, usual.density, &mut viewing.density),
-            ("centre", centre, Perception::WIDTH, eye.centre, &mut perception.centre),
-            ("surround", surround, Perception::WIDTH, eye.surround, &mut perception.surround),
-            ("strength", strong, weight, eye.weight, &mut perception.weight),
+            (
+                "distance",
+                far,
+                Viewing::DISTANCE,
+                usual.distance,
+                &mut viewing.distance,
+            ),
+            (
+                "density",
+                dense,
+                Viewing::DENSITY,
+                usual.density,
+                &mut viewing.density,
+            ),
+            (
+                "centre",
+                centre,
+                Perception::WIDTH,
+                eye.centre,
+                &mut perception.centre,
+            ),
+            (
+                "surround",
+                surround,
+                Perception::WIDTH,
+                eye.surround,
+                &mut perception.surround,
+            ),
+            (
+                "strength",
+                strong,
+                weight,
+                eye.weight,
+                &mut perception.weight,
+            ),
         ] {
-            let about = About { label, tip, ..About::default() };
-            let range = SliderRange { limits: low..=high, ..SliderRange::logarithmic(low..=high) };
-            number(ui, lit, &NumberRow { about, range, default }, value);
+            let about = About {
+                label,
+                tip,
+                ..About::default()
+            };
+            let range = SliderRange {
+                limits: low..=high,
+                ..SliderRange::logarithmic(low..=high)
+            };
+            number(
+                ui,
+                lit,
+                &NumberRow {
+                    about,
+                    range,
+                    default,
+                },
+                value,
+            );
         }
     });
 }

@@ -46,26 +46,43 @@ impl Recovery {
         fs::create_dir_all(folder).ok()?;
         // Nothing where another process has it.
         let lock = |path: PathBuf| {
-            let lock = File::options().create(true).append(true).open(path.with_extension("lock")).ok()?;
+            let lock = File::options()
+                .create(true)
+                .append(true)
+                .open(path.with_extension("lock"))
+                .ok()?;
             lock.try_lock().ok()?;
             Some(Slot { path, _lock: lock })
         };
         let (mut own, mut left) = (None, None);
         for path in (0..MOST).map(|number| folder.join(format!("{number}.toml"))) {
-            let when = fs::metadata(&path).and_then(|metadata| metadata.modified()).ok();
+            let when = fs::metadata(&path)
+                .and_then(|metadata| metadata.modified())
+                .ok();
             if when.is_none() && own.is_none() {
                 own = lock(path);
-            } else if let Some(when) = when.filter(|when| left.as_ref().is_none_or(|(latest, _)| when > latest)) {
+            } else if let Some(when) =
+                when.filter(|when| left.as_ref().is_none_or(|(latest, _)| when > latest))
+            {
                 left = lock(path).map(|slot| (when, slot)).or(left);
             }
         }
         let left = left.map(|(_, slot)| slot);
-        Some(Self { own: own?, left, kept: None, due: None, written: false, writing: None })
+        Some(Self {
+            own: own?,
+            left,
+            kept: None,
+            due: None,
+            written: false,
+            writing: None,
+        })
     }
 
     /// The file that was left behind, and the name of what is in it.
     pub fn left(&self) -> Option<(&Path, String)> {
-        self.left.as_ref().map(|slot| (&*slot.path, origin(&slot.path).name()))
+        self.left
+            .as_ref()
+            .map(|slot| (&*slot.path, origin(&slot.path).name()))
     }
 
     /// Makes what was left behind this window's work.
@@ -134,17 +151,27 @@ impl Recovery {
 fn origin(path: &Path) -> Origin {
     let text = fs::read_to_string(path).unwrap_or_default();
     let origin = text.lines().next().and_then(|line| line.strip_prefix(HEAD));
-    origin.and_then(|origin| serde_json::from_str(origin).ok()).unwrap_or_default()
+    origin
+        .and_then(|origin| serde_json::from_str(origin).ok())
+        .unwrap_or_default()
 }
 
 /// The document in a file of kept work, and the one that it was made from.
 pub fn restore(path: &Path) -> Result<(Document, Document), String> {
-    let loaded = load(path).map_err(|error| format!("{error}\n\nThe work stays in {}", path.display()))?;
+    let loaded =
+        load(path).map_err(|error| format!("{error}\n\nThe work stays in {}", path.display()))?;
     let origin = origin(path);
     let original = match &origin {
         Origin::New => None,
         Origin::BuiltIn(name) => Document::built_in(name),
         Origin::File(path) => load(path).ok().map(Document::from),
     };
-    Ok((Document { scene: loaded.scene, model: loaded.model, origin }, original.unwrap_or_default()))
+    Ok((
+        Document {
+            scene: loaded.scene,
+            model: loaded.model,
+            origin,
+        },
+        original.unwrap_or_default(),
+    ))
 }

@@ -67,9 +67,14 @@ impl ReportView {
         }
         for (number, part) in section.parts.iter().enumerate() {
             match part {
-                Part::Table(table) => picked = table_ui(ui, (index, number), table, pick).or(picked),
+                Part::Table(table) => {
+                    picked = table_ui(ui, (index, number), table, pick).or(picked);
+                }
                 Part::Plot(plot) => {
-                    let drawing = self.report.plots().position(|other| std::ptr::eq(other, &**plot));
+                    let drawing = self
+                        .report
+                        .plots()
+                        .position(|other| std::ptr::eq(other, &**plot));
                     if let Some(drawing) = drawing.and_then(|place| self.drawings.get(place)) {
                         ui.label(RichText::new(&plot.title).strong());
                         plot_ui(ui, plot, drawing, &style);
@@ -88,8 +93,13 @@ impl ReportView {
         let width = ui.available_width();
         if self.laid_out != Some((style, width)) {
             self.laid_out = Some((style, width));
-            let room = |plot: &Plot| DVec2::new(width.into(), height(plot, width.into(), style.text));
-            self.drawings = self.report.plots().map(|plot| lay_out(plot, room(plot), &style)).collect();
+            let room =
+                |plot: &Plot| DVec2::new(width.into(), height(plot, width.into(), style.text));
+            self.drawings = self
+                .report
+                .plots()
+                .map(|plot| lay_out(plot, room(plot), &style))
+                .collect();
         }
         style
     }
@@ -103,7 +113,10 @@ pub struct Asking<Q: Question> {
 
 impl<Q: Question> Default for Asking<Q> {
     fn default() -> Self {
-        Self { work: Background::default(), view: ReportView::default() }
+        Self {
+            work: Background::default(),
+            view: ReportView::default(),
+        }
     }
 }
 
@@ -112,7 +125,9 @@ impl<Q: Question> Asking<Q> {
     pub fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: &Q) {
         let Document { scene, model, .. } = document;
         let same = |asked: &Asked<Q>| asked.is(question, scene, model.as_ref(), size);
-        let new = self.work.ask(wake(ctx), same, || Asked::new(question.clone(), scene, model.as_ref(), size));
+        let new = self.work.ask(wake(ctx), same, || {
+            Asked::new(question.clone(), scene, model.as_ref(), size)
+        });
         if let Some(answer) = self.work.answer().filter(|_| new) {
             self.view.set(answer.report(&About { name: "", scene }));
         }
@@ -120,7 +135,10 @@ impl<Q: Question> Asking<Q> {
 
     /// Asks it once; [`Self::receive`] takes the answer.
     pub fn start(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: Q) {
-        self.work.start(Asked::new(question, &document.scene, document.model.as_ref(), size), wake(ctx));
+        self.work.start(
+            Asked::new(question, &document.scene, document.model.as_ref(), size),
+            wake(ctx),
+        );
     }
 
     /// Takes what a question that was asked once has found.
@@ -128,13 +146,19 @@ impl<Q: Question> Asking<Q> {
         if self.work.take()
             && let (Some(answer), Some(asked)) = (self.work.answer(), self.work.answered())
         {
-            self.view.set(answer.report(&About { name: "", scene: &asked.subject().scene }));
+            self.view.set(answer.report(&About {
+                name: "",
+                scene: &asked.subject().scene,
+            }));
         }
     }
 
     /// The latest answer with the scene that it is about.
     pub fn latest(&self) -> Option<(Box<dyn Answer>, Scene)> {
-        Some((Box::new(self.work.answer()?.clone()), self.work.answered()?.subject().scene))
+        Some((
+            Box::new(self.work.answer()?.clone()),
+            self.work.answered()?.subject().scene,
+        ))
     }
 }
 
@@ -155,12 +179,19 @@ pub fn words_ui(ui: &mut Ui, part: &Part) {
 }
 
 /// A table, which is scrolled where it is wider than the panel. Where a row is to be picked, its first cell is a button.
-pub fn table_ui(ui: &mut Ui, id: impl Hash + Copy + Debug, table: &Table, pick: bool) -> Option<usize> {
+pub fn table_ui(
+    ui: &mut Ui,
+    id: impl Hash + Copy + Debug,
+    table: &Table,
+    pick: bool,
+) -> Option<usize> {
     let (heads, rows, numbers) = table.for_people();
     let mut picked = None;
     let table = |ui: &mut Ui| {
         if heads.iter().any(|head| !head.is_empty()) {
-            heads.iter().for_each(|head| _ = ui.label(RichText::new(*head).weak()));
+            heads
+                .iter()
+                .for_each(|head| _ = ui.label(RichText::new(*head).weak()));
             ui.end_row();
         }
         for (index, row) in rows.into_iter().enumerate() {
@@ -169,7 +200,11 @@ pub fn table_ui(ui: &mut Ui, id: impl Hash + Copy + Debug, table: &Table, pick: 
                     let text = RichText::new(cell).monospace();
                     ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(text));
                 } else if pick && column == 0 {
-                    if ui.add(Button::new(cell).frame(false)).on_hover_text("Shows it in the picture").clicked() {
+                    if ui
+                        .add(Button::new(cell).frame(false))
+                        .on_hover_text("Shows it in the picture")
+                        .clicked()
+                    {
                         picked = Some(index);
                     }
                 } else {
@@ -182,7 +217,12 @@ pub fn table_ui(ui: &mut Ui, id: impl Hash + Copy + Debug, table: &Table, pick: 
     };
     ScrollArea::horizontal()
         .id_salt(("scroll", id))
-        .show(ui, |ui| Grid::new(("table", id)).num_columns(heads.len()).spacing([10.0, 2.0]).show(ui, table));
+        .show(ui, |ui| {
+            Grid::new(("table", id))
+                .num_columns(heads.len())
+                .spacing([10.0, 2.0])
+                .show(ui, table)
+        });
     picked
 }
 
@@ -196,7 +236,10 @@ pub struct Export {
 
 impl Export {
     fn about(&self) -> About<'_> {
-        About { name: &self.name, scene: &self.scene }
+        About {
+            name: &self.name,
+            scene: &self.scene,
+        }
     }
 }
 
@@ -207,22 +250,41 @@ pub fn export_ui(
     analysis: &'static str,
     answer: impl FnOnce() -> Option<(Box<dyn Answer>, Scene)>,
 ) {
-    let Some(analysis) = Analysis::find(analysis) else { return };
+    let Some(analysis) = Analysis::find(analysis) else {
+        return;
+    };
     let (mut format, mut copy) = (None, false);
     ui.horizontal_wrapped(|ui| {
-        for one in Format::VALUES.iter().copied().filter(|one| analysis.formats.contains(one)) {
+        for one in Format::VALUES
+            .iter()
+            .copied()
+            .filter(|one| analysis.formats.contains(one))
+        {
             let ending = one.label();
-            if ui.button(format!("{ending}…")).on_hover_text(format!("Save as {ending}")).clicked() {
+            if ui
+                .button(format!("{ending}…"))
+                .on_hover_text(format!("Save as {ending}"))
+                .clicked()
+            {
                 format = Some(one);
             }
         }
-        copy = ui.button("Copy text").on_hover_text("Copies the words and numbers").clicked();
+        copy = ui
+            .button("Copy text")
+            .on_hover_text("Copies the words and numbers")
+            .clicked();
     });
     if format.is_none() && !copy {
         return;
     }
-    let Some((answer, scene)) = answer() else { return };
-    let export = Export { answer, scene, name: state.document.origin.name() };
+    let Some((answer, scene)) = answer() else {
+        return;
+    };
+    let export = Export {
+        answer,
+        scene,
+        name: state.document.origin.name(),
+    };
     if copy {
         ui.ctx().copy_text(export.answer.text(&export.about()));
         state.notice = Some(format!("copied: {}", analysis.name));
@@ -234,9 +296,20 @@ pub fn export_ui(
 
 /// Writes the answer that is about to be saved, as the path's ending says.
 pub fn save(state: &mut AppState, path: &Path) -> Result<(), String> {
-    let export = state.own.get::<Export>().ok_or("there is nothing to save")?;
-    let format = Format::from_path(path).ok_or("expected a name that ends in .png, .svg, .csv or .json")?;
-    save_answer(path, format, &*export.answer, &export.about(), (None, Paper::LIGHT)).map_err(|e| e.to_string())?;
+    let export = state
+        .own
+        .get::<Export>()
+        .ok_or("there is nothing to save")?;
+    let format =
+        Format::from_path(path).ok_or("expected a name that ends in .png, .svg, .csv or .json")?;
+    save_answer(
+        path,
+        format,
+        &*export.answer,
+        &export.about(),
+        (None, Paper::LIGHT),
+    )
+    .map_err(|e| e.to_string())?;
     state.notice = Some(format!("saved {}", path.display()));
     Ok(())
 }

@@ -40,12 +40,23 @@ pub struct View {
 
 impl Default for View {
     fn default() -> Self {
-        Self { index: 0, channels: false, slider: None, offered: |_, _| true }
+        Self {
+            index: 0,
+            channels: false,
+            slider: None,
+            offered: |_, _| true,
+        }
     }
 }
 
 /// A row for a parameter, shown in a particular way.
-pub fn parameter_with(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, parameter: &'static Parameter, view: &View) {
+pub fn parameter_with(
+    ui: &mut Ui,
+    lit: &mut Lit,
+    scene: &mut Scene,
+    parameter: &'static Parameter,
+    view: &View,
+) {
     let index = view.index;
     let (name, tip) = (parameter.full_name(index), tip(parameter, scene));
     let about = About {
@@ -58,38 +69,69 @@ pub fn parameter_with(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, parameter: 
         idle: (parameter.idle)(scene, index),
     };
     let (name, range) = (&*name, range(scene, parameter, view));
-    let spec = |default| NumberRow { about: about.clone(), range: range.clone(), default };
-    let mut row = Edited { ui, lit, scene, index, about: &about };
+    let spec = |default| NumberRow {
+        about: about.clone(),
+        range: range.clone(),
+        default,
+    };
+    let mut row = Edited {
+        ui,
+        lit,
+        scene,
+        index,
+        about: &about,
+    };
     match parameter.kind {
         Kind::Number(at, ..) => {
-            row.edit(at, |ui, value, default| slider_and_field(ui, &spec(*default), value));
+            row.edit(at, |ui, value, default| {
+                slider_and_field(ui, &spec(*default), value);
+            });
         }
         Kind::Whole(at, ..) => {
-            row.edit(at, |ui, value, default| whole_slider(ui, &spec(f64::from(*default)), value));
+            row.edit(at, |ui, value, default| {
+                whole_slider(ui, &spec(f64::from(*default)), value);
+            });
         }
         Kind::Coefficient(at, ..) => {
-            row.edit(at, |ui, value, default| coefficient_slider(ui, &spec(default.max_element()), value));
-            if let Some(value) = (at.get_mut)(scene, index).filter(|value| view.channels || !is_grey(**value)) {
+            row.edit(at, |ui, value, default| {
+                coefficient_slider(ui, &spec(default.max_element()), value);
+            });
+            if let Some(value) =
+                (at.get_mut)(scene, index).filter(|value| view.channels || !is_grey(**value))
+            {
                 channels_row(ui, lit, &about, value);
             }
         }
-        Kind::Pair(at, ..) => row.edit(at, |ui, value, _| fields(ui, name, ["width", "height"], &range, value)),
+        Kind::Pair(at, ..) => row.edit(at, |ui, value, _| {
+            fields(ui, name, ["width", "height"], &range, value);
+        }),
         Kind::Channels(at, ..) => {
-            row.edit(at, |ui, value, _| fields(ui, name, CHANNELS, &range, value.as_mut()));
+            row.edit(at, |ui, value, _| {
+                fields(ui, name, CHANNELS, &range, value.as_mut());
+            });
         }
         Kind::Colour(at, _) => row.edit(at, |ui, value, _| {
             swatch_button(ui, name, value);
             fields(ui, name, CHANNELS, &SliderRange::SHORT, value.as_mut());
         }),
-        Kind::Point(at) | Kind::Direction(at, _) => row.edit(at, |ui, value, _| axes(ui, name, value)),
+        Kind::Point(at) | Kind::Direction(at, _) => {
+            row.edit(at, |ui, value, _| axes(ui, name, value));
+        }
         Kind::Choice(access) => {
-            let opened = access.chosen(&lit.opened, index).or_else(|| access.chosen(defaults(), 0));
-            let (Some(present), Some(default)) = (access.chosen(scene, index), opened) else { return };
+            let opened = access
+                .chosen(&lit.opened, index)
+                .or_else(|| access.chosen(defaults(), 0));
+            let (Some(present), Some(default)) = (access.chosen(scene, index), opened) else {
+                return;
+            };
             let options = access.options().iter().enumerate();
-            let options =
-                options.filter(|(place, option)| *place == present || (view.offered)(scene, option)).collect();
+            let options = options
+                .filter(|(place, option)| *place == present || (view.offered)(scene, option))
+                .collect();
             let mut chosen = present;
-            value_row(ui, lit, &about, default, &mut chosen, |ui, chosen| choice(ui, &about, options, chosen));
+            value_row(ui, lit, &about, default, &mut chosen, |ui, chosen| {
+                choice(ui, &about, options, chosen);
+            });
             if chosen != present {
                 access.choose(scene, index, chosen);
             }
@@ -111,11 +153,19 @@ struct Edited<'a> {
 
 impl Edited<'_> {
     /// Shows the row. `control` gets the value and the one that resetting returns to: the default for a light that has been added.
-    fn edit<T: Clone + PartialEq>(&mut self, at: &Access<T>, control: impl FnOnce(&mut Ui, &mut T, &T)) {
-        let opened = (at.get)(&self.lit.opened, self.index).or_else(|| (at.get)(defaults(), 0)).cloned();
+    fn edit<T: Clone + PartialEq>(
+        &mut self,
+        at: &Access<T>,
+        control: impl FnOnce(&mut Ui, &mut T, &T),
+    ) {
+        let opened = (at.get)(&self.lit.opened, self.index)
+            .or_else(|| (at.get)(defaults(), 0))
+            .cloned();
         if let (Some(value), Some(opened)) = ((at.get_mut)(self.scene, self.index), opened) {
             let default = opened.clone();
-            value_row(self.ui, self.lit, self.about, opened, value, |ui, value| control(ui, value, &default));
+            value_row(self.ui, self.lit, self.about, opened, value, |ui, value| {
+                control(ui, value, &default);
+            });
         }
     }
 }
@@ -134,17 +184,31 @@ fn range(scene: &Scene, parameter: &Parameter, view: &View) -> SliderRange {
         refuses: true,
         logarithmic: slider.logarithmic,
         decimals: slider.decimals,
-        suffix: if parameter.unit == "degrees" { "°" } else { "" },
+        suffix: if parameter.unit == "degrees" {
+            "°"
+        } else {
+            ""
+        },
     }
 }
 
 /// The help with letter, unit and range.
 fn tip(parameter: &Parameter, scene: &Scene) -> String {
-    let letter = if parameter.letter.is_empty() { String::new() } else { format!("{}: ", parameter.letter) };
-    let limits = parameter.limits(scene).filter(|limits| parameter.slider().is_some() && limits.greatest <= 1e6);
+    let letter = if parameter.letter.is_empty() {
+        String::new()
+    } else {
+        format!("{}: ", parameter.letter)
+    };
+    let limits = parameter
+        .limits(scene)
+        .filter(|limits| parameter.slider().is_some() && limits.greatest <= 1e6);
     let range = limits.map_or_else(String::new, |limits| format!("{limits} "));
     let about = format!("{range}{}", parameter.unit);
-    let about = if about.trim().is_empty() { String::new() } else { format!(" ({})", about.trim()) };
+    let about = if about.trim().is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", about.trim())
+    };
     format!("{letter}{}{about}", parameter.help)
 }
 
@@ -153,10 +217,14 @@ fn tint(ui: &Ui, scene: &Scene, parameter: &Parameter) -> Option<Color32> {
     let (visuals, model) = (ui.visuals(), scene.reflection.model);
     match parameter.symbol? {
         Symbol::Kd => Some(vector_text(visuals, Vector::L)),
-        Symbol::Ks | Symbol::Exponent | Symbol::Facets => Some(vector_text(visuals, specular_vector(model))),
+        Symbol::Ks | Symbol::Exponent | Symbol::Facets => {
+            Some(vector_text(visuals, specular_vector(model)))
+        }
         Symbol::Kt | Symbol::Transmitted => Some(vector_text(visuals, Vector::T)),
         Symbol::Viewer => Some(vector_text(visuals, Vector::V)),
-        Symbol::Light if parameter.letter == "L" || parameter.letter == "D" => Some(vector_text(visuals, Vector::L)),
+        Symbol::Light if parameter.letter == "L" || parameter.letter == "D" => {
+            Some(vector_text(visuals, Vector::L))
+        }
         _ => None,
     }
 }

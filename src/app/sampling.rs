@@ -25,7 +25,11 @@ impl Work for Asked<AreaLight> {
 
     fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let subject = self.subject();
-        Ok(sampling_error_with(&mut subject.renderer(), &subject.scene, self.question.0))
+        Ok(sampling_error_with(
+            &mut subject.renderer(),
+            &subject.scene,
+            self.question.0,
+        ))
     }
 }
 
@@ -49,10 +53,17 @@ impl Sampling {
             let mut differences = asked.scene.differences(scene);
             asked.question == light
                 && same_model(asked.model.as_ref(), model.as_ref())
-                && differences.all(|(parameter, _)| parameter.section() == "display" || parameter.key == "light.N.name")
+                && differences.all(|(parameter, _)| {
+                    parameter.section() == "display" || parameter.key == "light.N.name"
+                })
         };
         if self.found.answered().is_some_and(same) {
-            return self.found.answer().copied().flatten().map_or(Finding::Nothing, Finding::Error);
+            return self
+                .found
+                .answer()
+                .copied()
+                .flatten()
+                .map_or(Finding::Nothing, Finding::Error);
         }
         let asked = || Asked::new(light, scene, model.as_ref(), scene.image.size);
         if ctx.input(|input| input.pointer.any_down()) {

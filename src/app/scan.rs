@@ -24,8 +24,8 @@ use crate::figure::{PlotStyle, Set};
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align, Button, Color32, CornerRadius, FontId, Id, Label, Layout, Painter, RichText, Sense, Slider, Stroke,
-    StrokeKind, TextStyle, Ui, Visuals, WidgetInfo, vec2,
+    Align, Button, Color32, CornerRadius, FontId, Id, Label, Layout, Painter, RichText, Sense,
+    Slider, Stroke, StrokeKind, TextStyle, Ui, Visuals, WidgetInfo, vec2,
 };
 use glam::DVec2;
 use std::sync::Arc;
@@ -47,7 +47,10 @@ const SWATCH: f32 = 34.0;
 pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &Engine) {
     view.update(engine, state.document.model.as_ref());
     view.play(ui.ctx());
-    let style = PlotStyle { text: DRAWN_LETTERS * f64::from(TEXT), ..plot_style(ui) };
+    let style = PlotStyle {
+        text: DRAWN_LETTERS * f64::from(TEXT),
+        ..plot_style(ui)
+    };
     let width = ui.available_width();
     // In a window that is all but closed, nothing is in sight.
     let tallest = TALLEST * ui.clip_rect().height().max(0.0);
@@ -56,8 +59,14 @@ pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &
         Some(Ok(scan)) => {
             let (scan, step) = (Arc::clone(scan), view.step());
             if let Some(drawing) = &view.drawing {
-                let words =
-                    || format!("Face {}, {} corners, enlarged; {}", scan.face, scan.corners.len(), scan.caption(step));
+                let words = || {
+                    format!(
+                        "Face {}, {} corners, enlarged; {}",
+                        scan.face,
+                        scan.corners.len(),
+                        scan.caption(step)
+                    )
+                };
                 drawing_ui(ui, drawing, Sense::hover(), words);
             }
             ui.add_space(4.0);
@@ -66,12 +75,19 @@ pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &
             formula_ui(ui, &scan, view.step(), state);
             tables_ui(ui, &scan, view.step());
             export_ui(ui, state, "scanline", || {
-                let answer = ScanStop { step: view.step(), scan: (*scan).clone() };
+                let answer = ScanStop {
+                    step: view.step(),
+                    scan: (*scan).clone(),
+                };
                 Some((Box::new(answer), engine.drawn()?.clone()))
             });
         }
         Some(Err(why)) => _ = ui.label(format!("It cannot be scanned: {why}.")),
-        None => _ = ui.label("The probe sees the background. Double-click the object, or drag the ring onto it."),
+        None => {
+            _ = ui.label(
+                "The probe sees the background. Double-click the object, or drag the ring onto it.",
+            );
+        }
     }
     ui.add_space(8.0);
     settings_ui(ui, view, state);
@@ -80,23 +96,87 @@ pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &
 fn settings_ui(ui: &mut Ui, scan: &mut ScanView, state: &mut AppState) {
     let lit = &mut state.lit;
     let usual = ScanView::default();
-    let about = About { label: "speed", name: "Scan speed", tip: "Steps a second while it plays.", ..About::default() };
-    let range = SliderRange { limits: ScanView::SPEEDS, decimals: 1, ..SliderRange::logarithmic(ScanView::SPEEDS) };
-    number(ui, lit, &NumberRow { about, range, default: usual.speed }, &mut scan.speed);
-    let about = About { label: "rows", name: "Scan rows", tip: "Rows of enlarged pixels.", ..About::default() };
+    let about = About {
+        label: "speed",
+        name: "Scan speed",
+        tip: "Steps a second while it plays.",
+        ..About::default()
+    };
+    let range = SliderRange {
+        limits: ScanView::SPEEDS,
+        decimals: 1,
+        ..SliderRange::logarithmic(ScanView::SPEEDS)
+    };
+    number(
+        ui,
+        lit,
+        &NumberRow {
+            about,
+            range,
+            default: usual.speed,
+        },
+        &mut scan.speed,
+    );
+    let about = About {
+        label: "rows",
+        name: "Scan rows",
+        tip: "Rows of enlarged pixels.",
+        ..About::default()
+    };
     let span = f64::from(*Scan::ROWS.start())..=f64::from(*Scan::ROWS.end());
-    let range = SliderRange { limits: span.clone(), decimals: 0, ..SliderRange::linear(span) };
-    whole(ui, lit, &NumberRow { about, range, default: f64::from(usual.rows) }, &mut scan.rows);
+    let range = SliderRange {
+        limits: span.clone(),
+        decimals: 0,
+        ..SliderRange::linear(span)
+    };
+    whole(
+        ui,
+        lit,
+        &NumberRow {
+            about,
+            range,
+            default: f64::from(usual.rows),
+        },
+        &mut scan.rows,
+    );
 }
 
 /// The buttons under the picture: by pixel, edge and line, forwards and back; play; and a slider over all steps.
 fn transport_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, last: usize) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        walk_ui(ui, state, "|◀", "First step", "To the beginning (Home)", ARROW, Walk::First);
-        let (text, name) = if view.is_playing() { ("■ Pause", "Pause") } else { ("▶ Play", "Play") };
-        walk_ui(ui, state, text, name, "Plays step by step, or pauses (Space)", 84.0, Walk::Play);
-        walk_ui(ui, state, "▶|", "Last step", "To the end (End)", ARROW, Walk::Last);
+        walk_ui(
+            ui,
+            state,
+            "|◀",
+            "First step",
+            "To the beginning (Home)",
+            ARROW,
+            Walk::First,
+        );
+        let (text, name) = if view.is_playing() {
+            ("■ Pause", "Pause")
+        } else {
+            ("▶ Play", "Play")
+        };
+        walk_ui(
+            ui,
+            state,
+            text,
+            name,
+            "Plays step by step, or pauses (Space)",
+            84.0,
+            Walk::Play,
+        );
+        walk_ui(
+            ui,
+            state,
+            "▶|",
+            "Last step",
+            "To the end (End)",
+            ARROW,
+            Walk::Last,
+        );
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.label(RichText::new(format!("step {} of {last}", view.step())).weak());
         });
@@ -123,18 +203,46 @@ fn transport_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, last: us
                 ui.add_space(GROUPS);
             }
             let tip = |way: &str| format!("A {word} {way} ({keys})").replace("A e", "An e");
-            walk_ui(ui, state, "◀", &format!("{name} back"), &tip("back"), ARROW, Walk::Back(level));
-            ui.allocate_ui_with_layout(vec2(middle, HEIGHT), Layout::top_down(Align::Center), |ui| {
-                ui.set_min_size(vec2(middle, HEIGHT));
-                ui.add_space(0.5 * (HEIGHT - ui.text_style_height(&TextStyle::Body)));
-                ui.label(word);
-            });
-            walk_ui(ui, state, "▶", &format!("{name} forward"), &tip("forwards"), ARROW, Walk::Forward(level));
+            walk_ui(
+                ui,
+                state,
+                "◀",
+                &format!("{name} back"),
+                &tip("back"),
+                ARROW,
+                Walk::Back(level),
+            );
+            ui.allocate_ui_with_layout(
+                vec2(middle, HEIGHT),
+                Layout::top_down(Align::Center),
+                |ui| {
+                    ui.set_min_size(vec2(middle, HEIGHT));
+                    ui.add_space(0.5 * (HEIGHT - ui.text_style_height(&TextStyle::Body)));
+                    ui.label(word);
+                },
+            );
+            walk_ui(
+                ui,
+                state,
+                "▶",
+                &format!("{name} forward"),
+                &tip("forwards"),
+                ARROW,
+                Walk::Forward(level),
+            );
         }
     });
 }
 
-fn walk_ui(ui: &mut Ui, state: &mut AppState, text: &str, name: &str, tip: &str, width: f32, walk: Walk) {
+fn walk_ui(
+    ui: &mut Ui,
+    state: &mut AppState,
+    text: &str,
+    name: &str,
+    tip: &str,
+    width: f32,
+    walk: Walk,
+) {
     let response = ui.add(Button::new(text).min_size(vec2(width, HEIGHT)));
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
@@ -147,7 +255,12 @@ fn walk_ui(ui: &mut Ui, state: &mut AppState, text: &str, name: &str, tip: &str,
 fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, state: &mut AppState) {
     let line = scan.at(step).line;
     let Some(mix) = scan.found(step).pop() else {
-        heading_ui(ui, None, &format!("Scan line {}", line.y), &format!("crosses {}", scan.active_edges(line)));
+        heading_ui(
+            ui,
+            None,
+            &format!("Scan line {}", line.y),
+            &format!("crosses {}", scan.active_edges(line)),
+        );
         ui.add_space(6.0);
         return;
     };
@@ -161,14 +274,27 @@ fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, state: &mut AppState) {
         ui.label("I is the polygon's own: nothing is interpolated.");
         lettered_ui(ui, &mix.alpha_text(), plain);
     } else {
-        let place = typeset::Place { id: Id::unique("scan formula"), name: "in the scan line" };
-        run_ui(ui, state, &pieces(&mix, scan.carried, ui.visuals()), FORMULA, place);
+        let place = typeset::Place {
+            id: Id::unique("scan formula"),
+            name: "in the scan line",
+        };
+        run_ui(
+            ui,
+            state,
+            &pieces(&mix, scan.carried, ui.visuals()),
+            FORMULA,
+            place,
+        );
         lettered_ui(ui, &mix.alpha_text(), plain);
         for (index, name) in scan.carried.components().into_iter().enumerate() {
             component_ui(ui, name, &mix.row(index));
         }
     }
-    for words in mix.pixel.map(|pixel| scan.intensity_words(pixel)).unwrap_or_default() {
+    for words in mix
+        .pixel
+        .map(|pixel| scan.intensity_words(pixel))
+        .unwrap_or_default()
+    {
         ui.label(words);
     }
     ui.add_space(6.0);
@@ -179,15 +305,22 @@ fn heading_ui(ui: &mut Ui, swatch: Option<[u8; 3]>, heading: &str, weak: &str) {
         let (rect, response) = ui.allocate_exact_size(vec2(SWATCH, SWATCH), Sense::hover());
         let round = CornerRadius::same(5);
         if let Some([r, g, b]) = swatch {
-            ui.painter().rect_filled(rect, round, Color32::from_rgb(r, g, b));
-            response.widget_info(|| WidgetInfo::labeled(Role::Image, true, format!("colour {r}, {g}, {b}")));
+            ui.painter()
+                .rect_filled(rect, round, Color32::from_rgb(r, g, b));
+            response.widget_info(|| {
+                WidgetInfo::labeled(Role::Image, true, format!("colour {r}, {g}, {b}"))
+            });
         } else {
             let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
-            ui.painter().rect_stroke(rect, round, stroke, StrokeKind::Inside);
+            ui.painter()
+                .rect_stroke(rect, round, stroke, StrokeKind::Inside);
         }
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 1.0;
-            let (strong, faint) = (ui.visuals().strong_text_color(), ui.visuals().weak_text_color());
+            let (strong, faint) = (
+                ui.visuals().strong_text_color(),
+                ui.visuals().weak_text_color(),
+            );
             lettered_ui(ui, heading, strong);
             lettered_ui(ui, weak, faint);
         });
@@ -204,11 +337,25 @@ fn pieces(mix: &Mix<'_>, carried: Carried, visuals: &Visuals) -> Vec<Piece> {
     let yellow = readable(colour_of(ALPHA, 1.0), visuals.panel_fill);
     let alpha = || Piece::plain("α", yellow);
     // Lowered digits as ordinary ones.
-    let ordinary = |name: &str| name.chars().map(|letter| Set::of(letter).letter).collect::<String>();
+    let ordinary = |name: &str| {
+        name.chars()
+            .map(|letter| Set::of(letter).letter)
+            .collect::<String>()
+    };
     let of = |name: &str| Piece::symbol(carried.letter(), ordinary(name), symbol, colour);
     let sign = |text: &'static str| Piece::plain(text, plain);
     let [a, b] = &mix.ends;
-    vec![of(mix.of), sign(" = (1 − "), alpha(), sign(") · "), of(a), sign(" + "), alpha(), sign(" · "), of(b)]
+    vec![
+        of(mix.of),
+        sign(" = (1 − "),
+        alpha(),
+        sign(") · "),
+        of(a),
+        sign(" + "),
+        alpha(),
+        sign(" · "),
+        of(b),
+    ]
 }
 
 fn lettered_ui(ui: &mut Ui, text: &str, colour: Color32) {
@@ -218,9 +365,17 @@ fn lettered_ui(ui: &mut Ui, text: &str, colour: Color32) {
 /// A component's letter and its line of numbers, which begin below each other.
 fn component_ui(ui: &mut Ui, name: &str, numbers: &str) {
     let (plain, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
-    let format = |font_id, color| TextFormat { font_id, color, ..TextFormat::default() };
+    let format = |font_id, color| TextFormat {
+        font_id,
+        color,
+        ..TextFormat::default()
+    };
     let mut job = LayoutJob::default();
-    job.append(&format!("{name}  "), 0.0, format(FontId::monospace(COMPONENT), weak));
+    job.append(
+        &format!("{name}  "),
+        0.0,
+        format(FontId::monospace(COMPONENT), weak),
+    );
     job.append(numbers, 0.0, format(FontId::proportional(COMPONENT), plain));
     ui.add(Label::new(job).wrap());
 }
@@ -242,11 +397,22 @@ fn tables_ui(ui: &mut Ui, scan: &Scan, step: usize) {
 /// Outlines the polygon in the picture, with the part of it that the scan line has reached, white on dark, so that it shows on
 /// any picture.
 pub fn paint(painter: &Painter, state: &AppState, place: Place) {
-    let Some(view) = state.own.get::<ScanView>().filter(|_| state.shows(NumbersTab::ScanLine)) else { return };
+    let Some(view) = state
+        .own
+        .get::<ScanView>()
+        .filter(|_| state.shows(NumbersTab::ScanLine))
+    else {
+        return;
+    };
     let Some(scan) = view.ready() else { return };
     let at = |grid: DVec2| place.exact_point(scan.grid.to_picture(grid));
-    let strokes =
-        |widths: [f32; 2]| [(widths[0], Color32::from_black_alpha(150)), (widths[1], Color32::WHITE)].map(Stroke::from);
+    let strokes = |widths: [f32; 2]| {
+        [
+            (widths[0], Color32::from_black_alpha(150)),
+            (widths[1], Color32::WHITE),
+        ]
+        .map(Stroke::from)
+    };
     let corners: Vec<DVec2> = scan.corners.iter().map(|corner| at(corner.place)).collect();
     for stroke in strokes([4.0, 1.75]) {
         outline(painter, &corners, stroke);

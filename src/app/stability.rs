@@ -5,12 +5,14 @@ use super::background::wake;
 use super::engine::Engine;
 use super::report::{export_ui, words_ui};
 use super::state::AppState;
-use crate::analysis::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, stability_cases};
+use crate::analysis::{
+    CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, stability_cases,
+};
 use crate::jobs::{Asked, Background};
 use crate::scene::{Choice, Scene};
 use eframe::egui::{
-    Align, Button, ColorImage, Context, Image, Layout, ProgressBar, RichText, TextureHandle, TextureOptions, Ui, Vec2,
-    vec2,
+    Align, Button, ColorImage, Context, Image, Layout, ProgressBar, RichText, TextureHandle,
+    TextureOptions, Ui, Vec2, vec2,
 };
 use std::fmt;
 
@@ -26,7 +28,10 @@ pub struct StabilityView {
 
 impl fmt::Debug for StabilityView {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("StabilityView").field("work", &self.work).field("chosen", &self.chosen).finish()
+        f.debug_struct("StabilityView")
+            .field("work", &self.work)
+            .field("chosen", &self.chosen)
+            .finish()
     }
 }
 
@@ -38,19 +43,35 @@ const GAP: f32 = 6.0;
 
 /// The tab. The catalogue is drawn once, when the tab is first seen.
 pub fn stability_ui(ui: &mut Ui, view: &mut StabilityView, state: &mut AppState, _: &Engine) {
-    let ask = || Asked::new(StabilityQuestion::default(), &Scene::default(), None, [1, 1]);
+    let ask = || {
+        Asked::new(
+            StabilityQuestion::default(),
+            &Scene::default(),
+            None,
+            [1, 1],
+        )
+    };
     view.work.ask(wake(ui.ctx()), |_| true, ask);
-    ui.label("Scenes at the limits of floating point. A textbook's renderer fails; this one must not.");
+    ui.label(
+        "Scenes at the limits of floating point. A textbook's renderer fails; this one must not.",
+    );
     ui.add_space(4.0);
-    let (known, total) = (view.work.answer().map_or(0, |found| found.results.len()), stability_cases().count());
+    let (known, total) = (
+        view.work.answer().map_or(0, |found| found.results.len()),
+        stability_cases().count(),
+    );
     if view.work.progress().is_some() {
-        ui.add(ProgressBar::new(known as f32 / total as f32).text(format!("{known} of {total} cases")));
+        ui.add(
+            ProgressBar::new(known as f32 / total as f32).text(format!("{known} of {total} cases")),
+        );
         ui.add_space(4.0);
     } else if let Some(Err(why)) = view.work.known() {
         ui.label(RichText::new(why).color(ui.visuals().warn_fg_color));
     }
     let opened = table_ui(ui, view);
-    export_ui(ui, state, "stability", || Some((Box::new(view.work.answer()?.clone()), Scene::default())));
+    export_ui(ui, state, "stability", || {
+        Some((Box::new(view.work.answer()?.clone()), Scene::default()))
+    });
     if let Some(mut scene) = opened {
         // The window has its own size, and the picture is looked at in it.
         scene.image.size = state.document.scene.image.size;
@@ -69,20 +90,29 @@ fn case_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) -> b
         ui.spacing_mut().item_spacing.x = GAP;
         for (picture, name) in pictures.iter().zip(CASE_PICTURES) {
             let words = format!("{}: {name}", result.case.title);
-            ui.add(Image::new(picture).fit_to_exact_size(vec2(side, side)).alt_text(words));
+            ui.add(
+                Image::new(picture)
+                    .fit_to_exact_size(vec2(side, side))
+                    .alt_text(words),
+            );
         }
     });
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = GAP;
         for (name, error) in CASE_PICTURES.into_iter().zip(errors) {
-            cell_ui(ui, vec2(side, 40.0), Layout::top_down(Align::Center), |ui| {
-                ui.spacing_mut().item_spacing.y = 0.0;
-                ui.label(name);
-                ui.label(match error {
-                    Some(error) => error_text(ui, "off by ", error),
-                    None => RichText::new("106 bits").weak(),
-                });
-            });
+            cell_ui(
+                ui,
+                vec2(side, 40.0),
+                Layout::top_down(Align::Center),
+                |ui| {
+                    ui.spacing_mut().item_spacing.y = 0.0;
+                    ui.label(name);
+                    ui.label(match error {
+                        Some(error) => error_text(ui, "off by ", error),
+                        None => RichText::new("106 bits").weak(),
+                    });
+                },
+            );
         }
     });
     let mut section = Section::default();
@@ -101,14 +131,23 @@ fn table_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
     let results = view.work.answer().map_or(&[][..], |found| &found.results);
     let mut index = 0;
     for results in results.chunk_by(|a, b| a.case.topic == b.case.topic) {
-        let heads = if index == 0 { ["textbook", "engine"] } else { [""; 2] };
+        let heads = if index == 0 {
+            ["textbook", "engine"]
+        } else {
+            [""; 2]
+        };
         let title = RichText::new(results[0].case.topic.label()).strong();
-        row_ui(ui, heads.map(|head| RichText::new(head).weak()), |ui| _ = ui.label(title));
+        row_ui(ui, heads.map(|head| RichText::new(head).weak()), |ui| {
+            _ = ui.label(title);
+        });
         for result in results {
             let (case, open) = (result.case, index == view.chosen);
-            let errors = [result.naive_error, result.robust_error].map(|error| error_text(ui, "", error).monospace());
+            let errors = [result.naive_error, result.robust_error]
+                .map(|error| error_text(ui, "", error).monospace());
             row_ui(ui, errors, |ui| {
-                let row = ui.add(Button::selectable(open, case.title).truncate()).on_hover_text(case.title);
+                let row = ui
+                    .add(Button::selectable(open, case.title).truncate())
+                    .on_hover_text(case.title);
                 if row.clicked() {
                     chosen = index;
                 }
@@ -136,9 +175,19 @@ fn row_ui(ui: &mut Ui, numbers: [RichText; 2], name: impl FnOnce(&mut Ui)) {
     let width = (ui.available_width() - 2.0 * (NUMBER + 4.0)).max(120.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 1.0);
-        cell_ui(ui, vec2(width, ROW), Layout::left_to_right(Align::Center), name);
+        cell_ui(
+            ui,
+            vec2(width, ROW),
+            Layout::left_to_right(Align::Center),
+            name,
+        );
         for number in numbers {
-            cell_ui(ui, vec2(NUMBER, ROW), Layout::right_to_left(Align::Center), |ui| _ = ui.label(number));
+            cell_ui(
+                ui,
+                vec2(NUMBER, ROW),
+                Layout::right_to_left(Align::Center),
+                |ui| _ = ui.label(number),
+            );
         }
     });
 }
@@ -155,7 +204,11 @@ fn cell_ui(ui: &mut Ui, size: Vec2, layout: Layout, content: impl FnOnce(&mut Ui
 fn error_text(ui: &Ui, before: &str, error: f64) -> RichText {
     let decimals = if error >= 10.0 { 0 } else { 2 };
     let text = RichText::new(format!("{before}{error:.decimals$}"));
-    if error > HALF_A_CODE_VALUE { text.color(ui.visuals().warn_fg_color) } else { text }
+    if error > HALF_A_CODE_VALUE {
+        text.color(ui.visuals().warn_fg_color)
+    } else {
+        text
+    }
 }
 
 fn textures(ctx: &Context, result: &CaseResult) -> [TextureHandle; 3] {

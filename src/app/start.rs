@@ -25,7 +25,10 @@ pub fn run(loaded: Loaded) -> Result<(), String> {
         .with_app_id("shading-lab")
         .with_inner_size([1280.0, 800.0])
         .with_min_inner_size([720.0, 480.0]);
-    let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
+    let options = eframe::NativeOptions {
+        viewport,
+        ..eframe::NativeOptions::default()
+    };
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let app = App::new(cc, loaded);
         let folder = eframe::storage_dir("shading-lab").map(|folder| folder.join("recovery"));
@@ -52,10 +55,13 @@ fn check_environment() -> Result<(), String> {
         let what = "no display was found, expected DISPLAY or WAYLAND_DISPLAY to name one";
         return Err(format!("{what}; `shading-lab render` draws without"));
     }
-    match X11_LIBRARIES.into_iter().find(|(library, _)| !is_installed(library)) {
-        Some((library, package)) => {
-            Err(format!("the library {library} is missing, expected the Debian package {package}"))
-        }
+    match X11_LIBRARIES
+        .into_iter()
+        .find(|(library, _)| !is_installed(library))
+    {
+        Some((library, package)) => Err(format!(
+            "the library {library} is missing, expected the Debian package {package}"
+        )),
         None => Ok(()),
     }
 }
@@ -63,10 +69,18 @@ fn check_environment() -> Result<(), String> {
 /// Whether the dynamic linker would find a library: in its cache, in its usual folders or where it is told to look. Where
 /// there is no cache to read nothing can be said, and the library counts as installed.
 fn is_installed(library: &str) -> bool {
-    let Ok(cache) = std::fs::read("/etc/ld.so.cache") else { return true };
-    let named = |bytes: &[u8]| bytes.windows(library.len()).any(|window| window == library.as_bytes());
+    let Ok(cache) = std::fs::read("/etc/ld.so.cache") else {
+        return true;
+    };
+    let named = |bytes: &[u8]| {
+        bytes
+            .windows(library.len())
+            .any(|window| window == library.as_bytes())
+    };
     let told = std::env::var_os("LD_LIBRARY_PATH").unwrap_or_default();
     let mut folders: Vec<_> = std::env::split_paths(&told).collect();
-    folders.extend(["/lib", "/usr/lib", "/lib64", "/usr/lib64"].map(|folder| Path::new(folder).to_owned()));
+    folders.extend(
+        ["/lib", "/usr/lib", "/lib64", "/usr/lib64"].map(|folder| Path::new(folder).to_owned()),
+    );
     named(&cache) || folders.iter().any(|folder| folder.join(library).exists())
 }

@@ -117,7 +117,12 @@ impl AppState {
     }
 
     fn take_over(&mut self, changes: &[Change]) -> Result<(), SceneError> {
-        let Self { document, shown, panes, .. } = self;
+        let Self {
+            document,
+            shown,
+            panes,
+            ..
+        } = self;
         shown.scene.validate()?;
         distribute(&mut document.scene, panes, &shown.scene, changes);
         mend(&mut document.scene);
@@ -126,16 +131,26 @@ impl AppState {
 
     /// Derives the panes' scenes from the document's.
     pub fn derive(&mut self) {
-        let Self { document, shown, panes, .. } = self;
+        let Self {
+            document,
+            shown,
+            panes,
+            ..
+        } = self;
         let scene = &document.scene;
         panes.document.clone_from(scene);
-        panes.others = (1..scene.pane_count()).map(|pane| scene.pane(pane).unwrap_or_else(|_| scene.clone())).collect();
+        panes.others = (1..scene.pane_count())
+            .map(|pane| scene.pane(pane).unwrap_or_else(|_| scene.clone()))
+            .collect();
         if !scene.shown_panes().contains(&panes.active) {
             panes.active = 0;
             self.lit.opened.clone_from(&self.opened);
         }
         if !panes.changes(&shown.scene).is_empty() {
-            shown.scene = Scene { compare: Compare::default(), ..panes.scene(panes.active).clone() };
+            shown.scene = Scene {
+                compare: Compare::default(),
+                ..panes.scene(panes.active).clone()
+            };
         }
         if document.model_differs(shown) || document.origin != shown.origin {
             (shown.model, shown.origin) = (document.model.clone(), document.origin.clone());
@@ -147,13 +162,17 @@ impl AppState {
         self.commit();
         self.panes.active = pane;
         self.derive();
-        self.lit.opened = self.opened.pane(self.panes.active).unwrap_or_else(|_| self.opened.clone());
+        self.lit.opened = self
+            .opened
+            .pane(self.panes.active)
+            .unwrap_or_else(|_| self.opened.clone());
     }
 }
 
 /// Tables and keys in which panes do not differ.
 fn is_shared(parameter: &Parameter) -> bool {
-    ["version", "about", "camera", "image"].contains(&parameter.section()) || parameter.key == "object.path"
+    ["version", "about", "camera", "image"].contains(&parameter.section())
+        || parameter.key == "object.path"
 }
 
 /// Sends each change of the active pane to the document, or to the pane; a change of the first pane alone is kept from the
@@ -165,18 +184,28 @@ fn distribute(document: &mut Scene, panes: &Panes, after: &Scene, changes: &[Cha
     if renewed {
         document.lights.clone_from(&after.lights);
     }
-    for &(parameter, index) in changes.iter().filter(|(parameter, _)| !(renewed && parameter.of_light())) {
+    for &(parameter, index) in changes
+        .iter()
+        .filter(|(parameter, _)| !(renewed && parameter.of_light()))
+    {
         let key = parameter.key(index);
         let alone = panes.own && !is_shared(parameter);
         let compared = &mut document.compare.panes;
-        match panes.active.checked_sub(1).and_then(|pane| compared.get_mut(pane)) {
+        match panes
+            .active
+            .checked_sub(1)
+            .and_then(|pane| compared.get_mut(pane))
+        {
             Some(pane) if alone || pane.value(&key).is_some() => {
                 pane.put(&key, &parameter.setting(after, index));
                 continue;
             }
             None if alone => {
                 let kept = parameter.setting(before, index);
-                compared.iter_mut().filter(|pane| pane.value(&key).is_none()).for_each(|pane| pane.put(&key, &kept));
+                compared
+                    .iter_mut()
+                    .filter(|pane| pane.value(&key).is_none())
+                    .for_each(|pane| pane.put(&key, &kept));
             }
             _ => {}
         }
@@ -273,13 +302,18 @@ type Change = (&'static Parameter, usize);
 impl Panes {
     /// The scene that a pane shows.
     pub fn scene(&self, pane: usize) -> &Scene {
-        pane.checked_sub(1).and_then(|index| self.others.get(index)).unwrap_or(&self.document)
+        pane.checked_sub(1)
+            .and_then(|index| self.others.get(index))
+            .unwrap_or(&self.document)
     }
 
     /// What differs in a scene from what the active pane shows.
     fn changes(&self, scene: &Scene) -> Vec<Change> {
         let before = self.scene(self.active);
-        before.differences(scene).filter(|(parameter, _)| parameter.section() != "compare").collect()
+        before
+            .differences(scene)
+            .filter(|(parameter, _)| parameter.section() != "compare")
+            .collect()
     }
 }
 
@@ -295,7 +329,10 @@ impl Own {
 
     /// Takes the value out, to be put back; its default if there is none yet.
     pub fn take<T: Default + 'static>(&mut self) -> T {
-        let value = self.0.remove(&TypeId::of::<T>()).and_then(|value| value.downcast().ok());
+        let value = self
+            .0
+            .remove(&TypeId::of::<T>())
+            .and_then(|value| value.downcast().ok());
         value.map(|value| *value).unwrap_or_default()
     }
 
@@ -319,7 +356,10 @@ mod tests {
 
     #[test]
     fn opening_a_built_in_scene_opens_its_tab() {
-        for preset in presets::ALL.iter().filter(|preset| preset.name != presets::DEFAULT) {
+        for preset in presets::ALL
+            .iter()
+            .filter(|preset| preset.name != presets::DEFAULT)
+        {
             let mut state = AppState::default();
             state.open(Document::built_in(preset.name).expect("a built-in scene"));
             let opened = serde_json::to_value(state.look.tab).expect("a word");
@@ -332,7 +372,10 @@ mod tests {
         let mut state = AppState::default();
         let compare = &mut state.document.scene.compare;
         compare.view = CompareView::Panes;
-        compare.panes = vec![Pane::of(&["shading.mode=exact"]), Pane::of(&["object.segments=64"])];
+        compare.panes = vec![
+            Pane::of(&["shading.mode=exact"]),
+            Pane::of(&["object.segments=64"]),
+        ];
         state.commit();
         state
     }
@@ -349,20 +392,45 @@ mod tests {
     }
 
     fn modes(state: &AppState) -> Vec<ShadingMode> {
-        scenes(state).iter().map(|scene| scene.shading.mode).collect()
+        scenes(state)
+            .iter()
+            .map(|scene| scene.shading.mode)
+            .collect()
     }
 
     #[test]
     fn a_change_goes_to_all_panes_but_those_that_have_their_own() {
         let mut state = state();
-        edit(&mut state, 0, |scene| scene.shading.mode = ShadingMode::Gouraud);
-        assert_eq!(modes(&state), [ShadingMode::Gouraud, ShadingMode::Exact, ShadingMode::Gouraud]);
-        edit(&mut state, 1, |scene| scene.shading.mode = ShadingMode::Flat);
-        assert_eq!(modes(&state), [ShadingMode::Gouraud, ShadingMode::Flat, ShadingMode::Gouraud]);
+        edit(&mut state, 0, |scene| {
+            scene.shading.mode = ShadingMode::Gouraud;
+        });
+        assert_eq!(
+            modes(&state),
+            [
+                ShadingMode::Gouraud,
+                ShadingMode::Exact,
+                ShadingMode::Gouraud
+            ]
+        );
+        edit(&mut state, 1, |scene| {
+            scene.shading.mode = ShadingMode::Flat;
+        });
+        assert_eq!(
+            modes(&state),
+            [
+                ShadingMode::Gouraud,
+                ShadingMode::Flat,
+                ShadingMode::Gouraud
+            ]
+        );
         edit(&mut state, 1, |scene| scene.material.n = 7.5);
         assert!(scenes(&state).iter().all(|scene| scene.material.n == 7.5));
         edit(&mut state, 2, |scene| scene.camera.fov_y = 20.0);
-        assert!(scenes(&state).iter().all(|scene| scene.camera.fov_y == 20.0));
+        assert!(
+            scenes(&state)
+                .iter()
+                .all(|scene| scene.camera.fov_y == 20.0)
+        );
     }
 
     #[test]
@@ -393,7 +461,10 @@ mod tests {
         assert!(scenes(&state).iter().all(|scene| scene.lights.len() == 2));
         edit(&mut state, 2, |scene| scene.lights.clear());
         assert!(scenes(&state).iter().all(|scene| scene.lights.is_empty()));
-        assert_eq!(state.document.scene.compare.panes[0].set, ["shading.mode=exact"]);
+        assert_eq!(
+            state.document.scene.compare.panes[0].set,
+            ["shading.mode=exact"]
+        );
     }
 
     #[test]
@@ -401,12 +472,18 @@ mod tests {
         let mut state = state();
         for pane in 0..3 {
             edit(&mut state, pane, |scene| scene.material.n = -1.0);
-            assert_eq!(state.notice.take().as_deref(), Some("`material.n` is -1, expected 0 to inf"));
+            assert_eq!(
+                state.notice.take().as_deref(),
+                Some("`material.n` is -1, expected 0 to inf")
+            );
             assert_eq!(state.shown.scene.material.n, 32.0);
         }
         state.document.scene.compare.gain = 1000.0;
         state.commit();
-        assert_eq!(state.notice.as_deref(), Some("`compare.gain` is 1000, expected 1 to 64"));
+        assert_eq!(
+            state.notice.as_deref(),
+            Some("`compare.gain` is 1000, expected 1 to 64")
+        );
         assert_eq!(state.document.scene.compare.gain, 8.0);
     }
 }

@@ -7,7 +7,8 @@ use super::engine::Engine;
 use super::report::{ReportView, export_ui};
 use super::state::AppState;
 use crate::analysis::{
-    About, Answer, Method, Part, Plot, Setting, Study, StudyQuestion, StudyRow, study_plot, study_point,
+    About, Answer, Method, Part, Plot, Setting, Study, StudyQuestion, StudyRow, study_plot,
+    study_point,
 };
 use crate::figure::{Drawing, PlotStyle, Text, lay_out};
 use crate::jobs::{Asked, Background};
@@ -42,15 +43,23 @@ impl StudyView {
         if !self.work.take() {
             return;
         }
-        let Some(study) = self.work.answer() else { return };
+        let Some(study) = self.work.answer() else {
+            return;
+        };
         let mut report = study.report(&About { name: "", scene });
-        report.sections.iter_mut().for_each(|section| section.parts.retain(|part| !matches!(part, Part::Plot(_))));
+        report
+            .sections
+            .iter_mut()
+            .for_each(|section| section.parts.retain(|part| !matches!(part, Part::Plot(_))));
         (self.plot, self.drawing) = (study_plot(study), None);
         self.view.set(report);
     }
 
     fn answer(&self) -> Option<(Box<dyn Answer>, Scene)> {
-        Some((Box::new(self.study()?.clone()), self.work.answered()?.subject().scene))
+        Some((
+            Box::new(self.study()?.clone()),
+            self.work.answered()?.subject().scene,
+        ))
     }
 }
 
@@ -64,26 +73,43 @@ struct Choices {
 
 impl Default for Choices {
     fn default() -> Self {
-        let (segments, interpolations) = (vec![8, 16, 32, 64, 128], vec![Interpolation::Perspective]);
-        Self { question: StudyQuestion { segments, interpolations, ..StudyQuestion::default() }, n: String::new() }
+        let (segments, interpolations) =
+            (vec![8, 16, 32, 64, 128], vec![Interpolation::Perspective]);
+        Self {
+            question: StudyQuestion {
+                segments,
+                interpolations,
+                ..StudyQuestion::default()
+            },
+            n: String::new(),
+        }
     }
 }
 
 impl Choices {
     /// What is asked for, or what is wrong with it.
     fn request(&self, scene: &Scene) -> Result<StudyQuestion, String> {
-        let mut question = StudyQuestion { n: exponents(&self.n, scene)?, ..self.question.clone() };
+        let mut question = StudyQuestion {
+            n: exponents(&self.n, scene)?,
+            ..self.question.clone()
+        };
         if question.methods.is_empty() || question.segments.is_empty() {
             return Err("Choose at least one method and one tessellation.".to_owned());
         }
         question.methods.sort_by_key(|method| method.place());
-        question.interpolations.sort_by_key(|interpolation| interpolation.place());
+        question
+            .interpolations
+            .sort_by_key(|interpolation| interpolation.place());
         Ok(question)
     }
 }
 
 /// A switch that puts `value` into a list and takes it out.
-fn switch_ui<T: PartialEq>(chosen: &mut Vec<T>, value: T, switch: impl FnOnce(&mut bool) -> Response) {
+fn switch_ui<T: PartialEq>(
+    chosen: &mut Vec<T>,
+    value: T,
+    switch: impl FnOnce(&mut bool) -> Response,
+) {
     let mut on = chosen.contains(&value);
     if switch(&mut on).changed() {
         chosen.retain(|other| *other != value);
@@ -97,10 +123,15 @@ fn switch_ui<T: PartialEq>(chosen: &mut Vec<T>, value: T, switch: impl FnOnce(&m
 fn exponents(text: &str, scene: &Scene) -> Result<Vec<f64>, String> {
     let words = text.split([',', ';', ' ']).filter(|word| !word.is_empty());
     let number = |word: &str| {
-        let n = word.parse().map_err(|_| format!("n: “{word}” is no number."))?;
+        let n = word
+            .parse()
+            .map_err(|_| format!("n: “{word}” is no number."))?;
         let mut tried = scene.clone();
         tried.material.n = n;
-        tried.validate().map(|()| n).map_err(|error| format!("n: {error}."))
+        tried
+            .validate()
+            .map(|()| n)
+            .map_err(|error| format!("n: {error}."))
     };
     words.map(number).collect()
 }
@@ -123,7 +154,10 @@ pub fn study_ui(ui: &mut Ui, view: &mut StudyView, state: &mut AppState, engine:
         start_ui(ui, view, state, size);
     }
     let rows = view.work.answer().map_or(&[][..], |study| &study.rows);
-    let mut asked = view.plot.as_ref().and_then(|plot| figure_ui(ui, plot, &mut view.drawing, rows));
+    let mut asked = view
+        .plot
+        .as_ref()
+        .and_then(|plot| figure_ui(ui, plot, &mut view.drawing, rows));
     let refused = view.work.known().and_then(|known| known.as_ref().err());
     if let Some(message) = view.message.as_ref().or(refused) {
         ui.label(RichText::new(message).weak());
@@ -131,7 +165,9 @@ pub fn study_ui(ui: &mut Ui, view: &mut StudyView, state: &mut AppState, engine:
     if view.study().is_some() {
         export_ui(ui, state, "study", || view.answer());
         let row = view.view.picked_ui(ui);
-        asked = row.and_then(|row| Some(view.study()?.rows.get(row)?.setting)).or(asked);
+        asked = row
+            .and_then(|row| Some(view.study()?.rows.get(row)?.setting))
+            .or(asked);
     }
     if let Some(setting) = asked {
         load(view, state, &setting);
@@ -144,7 +180,9 @@ fn load(view: &mut StudyView, state: &mut AppState, setting: &Setting) {
     view.message = Some(if setting.load(&mut state.shown.scene) {
         format!("The picture shows {words}. Undo leads back.")
     } else {
-        format!("{words}: this historic method is measured apart and is no mode of the picture; it cannot be shown.")
+        format!(
+            "{words}: this historic method is measured apart and is no mode of the picture; it cannot be shown."
+        )
     });
 }
 
@@ -153,7 +191,8 @@ fn choices_ui(ui: &mut Ui, Choices { question, n }: &mut Choices) {
         ui.spacing_mut().item_spacing = [4.0, 4.0].into();
         for method in Method::VALUES {
             switch_ui(&mut question.methods, *method, |on| {
-                ui.toggle_value(on, method.label()).on_hover_text(method.help())
+                ui.toggle_value(on, method.label())
+                    .on_hover_text(method.help())
             });
         }
     });
@@ -183,7 +222,9 @@ fn choices_ui(ui: &mut Ui, Choices { question, n }: &mut Choices) {
     });
     ui.horizontal(|ui| {
         let label = ui.label("n");
-        let edit = TextEdit::singleline(n).hint_text("the scene's own; or 5, 50, 500").desired_width(220.0);
+        let edit = TextEdit::singleline(n)
+            .hint_text("the scene's own; or 5, 50, 500")
+            .desired_width(220.0);
         ui.add(edit).labelled_by(label.id);
     });
 }
@@ -191,12 +232,22 @@ fn choices_ui(ui: &mut Ui, Choices { question, n }: &mut Choices) {
 fn start_ui(ui: &mut Ui, view: &mut StudyView, state: &AppState, size: [u32; 2]) {
     let question = view.choices.request(&state.shown.scene);
     let tip = "Measures the active picture at its present size. Times are best while nothing else is touched";
-    let start = ui.add_enabled(question.is_ok(), Button::new("Start")).on_hover_text(tip);
+    let start = ui
+        .add_enabled(question.is_ok(), Button::new("Start"))
+        .on_hover_text(tip);
     match question {
         Err(problem) => _ = ui.label(RichText::new(problem).color(ui.visuals().warn_fg_color)),
         Ok(question) if start.clicked() => {
-            let asked = Asked::new(question, &state.shown.scene, state.shown.model.as_ref(), size);
-            *view = StudyView { choices: view.choices.clone(), ..StudyView::default() };
+            let asked = Asked::new(
+                question,
+                &state.shown.scene,
+                state.shown.model.as_ref(),
+                size,
+            );
+            *view = StudyView {
+                choices: view.choices.clone(),
+                ..StudyView::default()
+            };
             view.work.start(asked, wake(ui.ctx()));
         }
         Ok(_) => {}
@@ -210,12 +261,22 @@ const NEAR: f32 = 16.0;
 type LaidOut = (Drawing, PlotStyle, f32);
 
 /// The plot; returns the setting whose point is clicked.
-fn figure_ui(ui: &mut Ui, plot: &Plot, laid_out: &mut Option<LaidOut>, rows: &[StudyRow]) -> Option<Setting> {
+fn figure_ui(
+    ui: &mut Ui,
+    plot: &Plot,
+    laid_out: &mut Option<LaidOut>,
+    rows: &[StudyRow],
+) -> Option<Setting> {
     let style = plot_style(ui);
     let width = ui.available_width();
-    let kept = laid_out.take().filter(|(_, laid, wide)| *laid == style && *wide == width);
+    let kept = laid_out
+        .take()
+        .filter(|(_, laid, wide)| *laid == style && *wide == width);
     let (drawing, ..) = &*laid_out.insert(kept.unwrap_or_else(|| {
-        let room = DVec2::new(width.into(), height(plot, width.into(), style.text) + 0.3 * f64::from(width));
+        let room = DVec2::new(
+            width.into(),
+            height(plot, width.into(), style.text) + 0.3 * f64::from(width),
+        );
         (lay_out(plot, room, &style), style, width)
     }));
     ui.add_space(6.0);
@@ -225,30 +286,51 @@ fn figure_ui(ui: &mut Ui, plot: &Plot, laid_out: &mut Option<LaidOut>, rows: &[S
     let pointer = response.hover_pos()?;
     let row = nearest(rows, drawing, rect, pointer)?;
     ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
-    let lines: Vec<Text> =
-        words(row).into_iter().map(|line| Text::new(line, DVec2::ZERO, style.text, style.paper.text)).collect();
+    let lines: Vec<Text> = words(row)
+        .into_iter()
+        .map(|line| Text::new(line, DVec2::ZERO, style.text, style.paper.text))
+        .collect();
     boxed(ui, &painter, &lines, (rect, pointer));
     response.clicked().then_some(row.setting)
 }
 
 /// The row whose point is nearest to the pointer.
-fn nearest<'a>(rows: &'a [StudyRow], drawing: &Drawing, rect: Rect, pointer: Pos2) -> Option<&'a StudyRow> {
+fn nearest<'a>(
+    rows: &'a [StudyRow],
+    drawing: &Drawing,
+    rect: Rect,
+    pointer: Pos2,
+) -> Option<&'a StudyRow> {
     let away = |row: &StudyRow| {
         let (at, _) = drawing.place(study_point(row)?)?;
         Some(pos2(rect.min.x + at.x as f32, rect.min.y + at.y as f32).distance(pointer))
     };
-    let near = rows.iter().filter_map(|row| Some((row, away(row)?))).filter(|(_, away)| *away <= NEAR);
+    let near = rows
+        .iter()
+        .filter_map(|row| Some((row, away(row)?)))
+        .filter(|(_, away)| *away <= NEAR);
     near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(row, _)| row)
 }
 
 /// A row in a few lines.
 fn words(row: &StudyRow) -> [String; 4] {
     let setting = &row.setting;
-    let go = if row.scalar { "a historic method: cannot be shown" } else { "click to show it" };
+    let go = if row.scalar {
+        "a historic method: cannot be shown"
+    } else {
+        "click to show it"
+    };
     [
         format!("{}, n = {}", setting.title(), setting.n),
-        format!("RMS {:.3}, greatest {:.2} code values", 255.0 * row.error_rms, 255.0 * row.error_max),
-        format!("{:.3} ms ± {:.3}, {} evaluations", row.time_ms, row.spread_ms, row.evaluations),
+        format!(
+            "RMS {:.3}, greatest {:.2} code values",
+            255.0 * row.error_rms,
+            255.0 * row.error_max
+        ),
+        format!(
+            "{:.3} ms ± {:.3}, {} evaluations",
+            row.time_ms, row.spread_ms, row.evaluations
+        ),
         go.to_owned(),
     ]
 }

@@ -2,8 +2,8 @@
 
 use eframe::egui::style::{HandleShape, Selection, TextCursorStyle, WidgetVisuals, Widgets};
 use eframe::egui::{
-    Color32, Context, CornerRadius, FontDefinitions, FontFamily, Margin, Shadow, Stroke, Style, TextStyle, Theme,
-    Visuals, vec2,
+    Color32, Context, CornerRadius, FontDefinitions, FontFamily, Margin, Shadow, Stroke, Style,
+    TextStyle, Theme, Visuals, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +12,17 @@ pub const TEXT: f32 = 14.0;
 /// Size of text for a room, in points.
 pub const PROJECTOR_TEXT: f32 = 20.0;
 /// The steps by which the interface grows and shrinks; their middle is the size that the type was chosen for.
-pub const SCALES: [f32; 9] = [0.8, 0.9, 1.0, 1.1, 1.25, PROJECTOR_TEXT / TEXT, 1.75, 2.0, 2.5];
+pub const SCALES: [f32; 9] = [
+    0.8,
+    0.9,
+    1.0,
+    1.1,
+    1.25,
+    PROJECTOR_TEXT / TEXT,
+    1.75,
+    2.0,
+    2.5,
+];
 
 /// Which theme is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -37,15 +47,31 @@ pub fn install(ctx: &Context) {
 /// The usual fonts, with the monospaced one behind the proportional one: it has the arrows and the squares.
 fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
-    let behind = fonts.families.get(&FontFamily::Monospace).cloned().unwrap_or_default();
-    fonts.families.entry(FontFamily::Proportional).or_default().extend(behind);
+    let behind = fonts
+        .families
+        .get(&FontFamily::Monospace)
+        .cloned()
+        .unwrap_or_default();
+    fonts
+        .families
+        .entry(FontFamily::Proportional)
+        .or_default()
+        .extend(behind);
     fonts
 }
 
 fn style(visuals: Visuals) -> Style {
-    let mut style = Style { visuals, animation_time: 0.08, ..Style::default() };
+    let mut style = Style {
+        visuals,
+        animation_time: 0.08,
+        ..Style::default()
+    };
     for (name, font) in &mut style.text_styles {
-        font.size = if *name == TextStyle::Heading { TEXT + 2.0 } else { TEXT };
+        font.size = if *name == TextStyle::Heading {
+            TEXT + 2.0
+        } else {
+            TEXT
+        };
     }
     style.drag_value_text_style = TextStyle::Monospace;
     style.spacing.item_spacing = vec2(8.0, 5.0);
@@ -69,7 +95,14 @@ pub fn dark_visuals() -> Visuals {
     let layers = [0x10_11_14, 0x1a_1c_20, 0x20_22_27, 0x30_33_3a];
     let controls = [0x2b_2e_35, 0x37_3b_44, 0x44_49_54];
     let texts = [0x98_9f_aa, 0xd8_dc_e2, 0xf6_f7_f9];
-    visuals(Visuals::dark(), layers, controls, texts, [0x4a_60_84, 0xf6_f8_fc], 110)
+    visuals(
+        Visuals::dark(),
+        layers,
+        controls,
+        texts,
+        [0x4a_60_84, 0xf6_f8_fc],
+        110,
+    )
 }
 
 /// Dark text on light panels, for a bright room.
@@ -77,7 +110,14 @@ pub fn light_visuals() -> Visuals {
     let layers = [0xff_ff_ff, 0xf6_f7_f9, 0xfc_fd_fe, 0xd4_d8_df];
     let controls = [0xe4_e7_ec, 0xd8_dd_e5, 0xc9_d0_db];
     let texts = [0x5c_64_70, 0x24_28_2f, 0x0a_0c_10];
-    visuals(Visuals::light(), layers, controls, texts, [0x42_5c_8a, 0xff_ff_ff], 40)
+    visuals(
+        Visuals::light(),
+        layers,
+        controls,
+        texts,
+        [0x42_5c_8a, 0xff_ff_ff],
+        40,
+    )
 }
 
 /// The look of widgets in colours given as 0xRR_GG_BB: wells, panels, windows and lines; controls at rest, hovered and pressed;
@@ -106,7 +146,12 @@ fn visuals(
         corner_radius: CornerRadius::same(5),
         expansion: 0.0,
     };
-    let shadow = Shadow { offset: [0, 4], blur: 16, spread: 0, color: Color32::from_black_alpha(shadow) };
+    let shadow = Shadow {
+        offset: [0, 4],
+        blur: 16,
+        spread: 0,
+        color: Color32::from_black_alpha(shadow),
+    };
     Visuals {
         widgets: Widgets {
             noninteractive: widget(panel, text, Stroke::new(1.0, line)),
@@ -115,7 +160,10 @@ fn visuals(
             active: widget(pressed, strong, Stroke::new(1.0, accent)),
             open: widget(hovered, strong, Stroke::NONE),
         },
-        selection: Selection { bg_fill: accent, stroke: Stroke::new(1.0, on_accent) },
+        selection: Selection {
+            bg_fill: accent,
+            stroke: Stroke::new(1.0, on_accent),
+        },
         weak_text_color: Some(weak),
         hyperlink_color: accent,
         faint_bg_color: control,
@@ -132,7 +180,11 @@ fn visuals(
         handle_shape: HandleShape::Circle,
         indent_has_left_vline: false,
         // A blinking cursor repaints the window for as long as a field has the focus.
-        text_cursor: TextCursorStyle { blink: false, stroke: Stroke::new(2.0, strong), ..TextCursorStyle::default() },
+        text_cursor: TextCursorStyle {
+            blink: false,
+            stroke: Stroke::new(2.0, strong),
+            ..TextCursorStyle::default()
+        },
         ..base
     }
 }

@@ -7,8 +7,8 @@ use crate::figure::palette::Vector;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align, Color32, CursorIcon, FontFamily, FontId, Galley, Id, Pos2, Rect, Response, Sense, Ui, Visuals, WidgetInfo,
-    pos2, vec2,
+    Align, Color32, CursorIcon, FontFamily, FontId, Galley, Id, Pos2, Rect, Response, Sense, Ui,
+    Visuals, WidgetInfo, pos2, vec2,
 };
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -20,20 +20,44 @@ const RAISED: f32 = 0.42;
 /// not what their symbol does.
 const LETTERS: [(&str, &str, &str, Symbol, &str); 27] = [
     ("I", "I", "", Symbol::Intensity, ""),
-    ("Irefl", "I", "refl", Symbol::Intensity, "Irefl: the reflected light, what the terms add up to"),
+    (
+        "Irefl",
+        "I",
+        "refl",
+        Symbol::Intensity,
+        "Irefl: the reflected light, what the terms add up to",
+    ),
     ("Ka", "K", "a", Symbol::Ka, ""),
     ("Od", "O", "d", Symbol::Od, ""),
     ("Ia", "I", "a", Symbol::Ia, ""),
     ("Σ", "Σ ", "", Symbol::Lights, ""),
     ("f", "f ", "", Symbol::Attenuation, ""),
-    ("spot", "s ", "", Symbol::Light, "s: the part of its light that the spot sends this way, 0 to 1"),
-    ("lit", "lit ", "", Symbol::Shadows, "lit: the part of the light that nothing keeps away, 0 to 1"),
+    (
+        "spot",
+        "s ",
+        "",
+        Symbol::Light,
+        "s: the part of its light that the spot sends this way, 0 to 1",
+    ),
+    (
+        "lit",
+        "lit ",
+        "",
+        Symbol::Shadows,
+        "lit: the part of the light that nothing keeps away, 0 to 1",
+    ),
     ("Ip", "I", "p", Symbol::Ip, ""),
     ("Kd", "K", "d", Symbol::Kd, ""),
     ("Ks", "K", "s", Symbol::Ks, ""),
     ("Os", "O", "s", Symbol::Os, ""),
     ("W", "W", "", Symbol::Reflectance, ""),
-    ("S", "S", "", Symbol::Facets, "S: the microfacets that mirror the light to the viewer, π·D·G/(4·(N·V))"),
+    (
+        "S",
+        "S",
+        "",
+        Symbol::Facets,
+        "S: the microfacets that mirror the light to the viewer, π·D·G/(4·(N·V))",
+    ),
     ("D", "D ", "", Symbol::Facets, ""),
     ("G", "G", "", Symbol::Masking, ""),
     ("N", "N", "", Symbol::Normal, ""),
@@ -45,31 +69,54 @@ const LETTERS: [(&str, &str, &str, Symbol, &str); 27] = [
     ("It", "I", "t", Symbol::Transmitted, ""),
     ("Itrans", "I", "trans", Symbol::Transmitted, ""),
     ("s0", "s", "0", Symbol::Depth, ""),
-    ("Idc", "I", "dc", Symbol::Depth, "Idc: what intensities fade into"),
+    (
+        "Idc",
+        "I",
+        "dc",
+        Symbol::Depth,
+        "Idc: what intensities fade into",
+    ),
 ];
 
 /// The pieces of a formula whose letters stand in braces, as [`Here::filled`](crate::analysis::Here::filled) has them.
 /// Letters have the `colour`, vectors their own; `here` says what a letter is at the pixel, or nothing.
-pub fn formula(visuals: &Visuals, formula: &str, colour: Color32, here: impl Fn(&str) -> String) -> Vec<Piece> {
+pub fn formula(
+    visuals: &Visuals,
+    formula: &str,
+    colour: Color32,
+    here: impl Fn(&str) -> String,
+) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
     for (index, part) in formula.split(['{', '}']).enumerate() {
         let letter = LETTERS.iter().find(|(name, ..)| *name == part);
         if index % 2 == 0 {
-            pieces.extend((!part.is_empty()).then(|| Piece::plain(part.to_owned(), visuals.text_color())));
+            pieces.extend(
+                (!part.is_empty()).then(|| Piece::plain(part.to_owned(), visuals.text_color())),
+            );
         } else if let Some(result) = part.strip_prefix('=') {
             pieces.push(Piece::plain(result.to_owned(), visuals.strong_text_color()));
         } else if let Some(raised) = part.strip_prefix('^') {
-            pieces.iter_mut().last().into_iter().for_each(|piece| piece.high = raised.to_owned().into());
+            pieces
+                .iter_mut()
+                .last()
+                .into_iter()
+                .for_each(|piece| piece.high = raised.to_owned().into());
         } else {
             let exponent = ("n", "", "", Symbol::Exponent, "");
             let (name, text, low, symbol, meaning) = *letter.unwrap_or(&exponent);
-            let vector = Vector::ALL.into_iter().find(|vector| vector.letter() == name);
+            let vector = Vector::ALL
+                .into_iter()
+                .find(|vector| vector.letter() == name);
             let colour = vector.map_or(colour, |vector| vector_text(visuals, vector));
             let own = format!("{}; {}", symbol.meaning(), symbol.unit());
             let (meaning, here) = (if meaning.is_empty() { &own } else { meaning }, here(name));
             let tip = (!here.is_empty()).then(|| format!("{meaning}.\n{here}"));
             let high = Cow::Borrowed(if letter.is_none() { "n" } else { "" });
-            pieces.push(Piece { high, tip, ..Piece::symbol(text, low, symbol, colour) });
+            pieces.push(Piece {
+                high,
+                tip,
+                ..Piece::symbol(text, low, symbol, colour)
+            });
         }
     }
     pieces
@@ -92,12 +139,28 @@ pub struct Piece {
 impl Piece {
     /// What is no symbol: a sign, a bracket, a number, a word.
     pub fn plain(text: impl Into<Cow<'static, str>>, colour: Color32) -> Self {
-        Self { text: text.into(), low: Cow::Borrowed(""), high: Cow::Borrowed(""), symbol: None, colour, tip: None }
+        Self {
+            text: text.into(),
+            low: Cow::Borrowed(""),
+            high: Cow::Borrowed(""),
+            symbol: None,
+            colour,
+            tip: None,
+        }
     }
 
     /// A symbol with a lowered letter, which may be empty.
-    pub fn symbol(text: &'static str, low: impl Into<Cow<'static, str>>, symbol: Symbol, colour: Color32) -> Self {
-        Self { low: low.into(), symbol: Some(symbol), ..Self::plain(text, colour) }
+    pub fn symbol(
+        text: &'static str,
+        low: impl Into<Cow<'static, str>>,
+        symbol: Symbol,
+        colour: Color32,
+    ) -> Self {
+        Self {
+            low: low.into(),
+            symbol: Some(symbol),
+            ..Self::plain(text, colour)
+        }
     }
 
     fn layout(&self, size: f32) -> LayoutJob {
@@ -110,7 +173,9 @@ impl Piece {
             ..TextFormat::default()
         };
         // Letters are slanted, words and the sign of a sum are not.
-        let italics = self.symbol.is_some() && self.text.trim() != "Σ" && self.text.trim().chars().count() <= 1;
+        let italics = self.symbol.is_some()
+            && self.text.trim() != "Σ"
+            && self.text.trim().chars().count() <= 1;
         job.append(&self.text, 0.0, format(size, Align::Center, italics));
         if !self.low.is_empty() {
             job.append(&self.low, 0.0, format(size * 0.68, Align::BOTTOM, false));
@@ -126,7 +191,11 @@ impl Piece {
 /// What a run of pieces reads, for a screen reader.
 pub fn spoken(pieces: &[Piece]) -> String {
     let each = pieces.iter().map(|piece| {
-        let high = if piece.high.is_empty() { String::new() } else { format!("^{}", piece.high) };
+        let high = if piece.high.is_empty() {
+            String::new()
+        } else {
+            format!("^{}", piece.high)
+        };
         format!("{}{}{high}", piece.text, piece.low)
     });
     each.collect()
@@ -150,8 +219,15 @@ pub struct Place<'a> {
 impl<'a> Run<'a> {
     /// Lays out `pieces` in letters of `size` points.
     pub fn new(ui: &Ui, pieces: &'a [Piece], size: f32) -> Self {
-        let galleys = pieces.iter().map(|piece| ui.painter().layout_job(piece.layout(size))).collect();
-        Self { pieces, galleys, height: size * 1.6 }
+        let galleys = pieces
+            .iter()
+            .map(|piece| ui.painter().layout_job(piece.layout(size)))
+            .collect();
+        Self {
+            pieces,
+            galleys,
+            height: size * 1.6,
+        }
     }
 
     pub fn width(&self) -> f32 {
@@ -167,7 +243,17 @@ impl<'a> Run<'a> {
             x += size.x;
             if let Some(symbol) = piece.symbol {
                 // A symbol may stand more than once.
-                symbol_ui(ui, state, piece, symbol, rect, Place { id: place.id.with((symbol, index)), ..place });
+                symbol_ui(
+                    ui,
+                    state,
+                    piece,
+                    symbol,
+                    rect,
+                    Place {
+                        id: place.id.with((symbol, index)),
+                        ..place
+                    },
+                );
             }
             let top = if piece.text.is_empty() {
                 // Alone in its row it has nothing to be raised above.
@@ -175,22 +261,38 @@ impl<'a> Run<'a> {
             } else {
                 rect.center().y - galley.size().y / 2.0
             };
-            ui.painter().galley(pos2(rect.min.x, top), Arc::clone(galley), piece.colour);
+            ui.painter()
+                .galley(pos2(rect.min.x, top), Arc::clone(galley), piece.colour);
         }
     }
 }
 
 /// Adds a run of pieces that stays on one line.
-pub fn run_ui(ui: &mut Ui, state: &mut AppState, pieces: &[Piece], size: f32, place: Place<'_>) -> Response {
+pub fn run_ui(
+    ui: &mut Ui,
+    state: &mut AppState,
+    pieces: &[Piece],
+    size: f32,
+    place: Place<'_>,
+) -> Response {
     let run = Run::new(ui, pieces, size);
     let (rect, response) = ui.allocate_exact_size(vec2(run.width(), run.height), Sense::hover());
     run.paint(ui, state, rect.left_center(), place);
     response
 }
 
-fn symbol_ui(ui: &mut Ui, state: &mut AppState, piece: &Piece, symbol: Symbol, rect: Rect, place: Place<'_>) {
+fn symbol_ui(
+    ui: &mut Ui,
+    state: &mut AppState,
+    piece: &Piece,
+    symbol: Symbol,
+    rect: Rect,
+    place: Place<'_>,
+) {
     let response = ui.interact(rect, place.id, Sense::click());
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{symbol:?} {}", place.name)));
+    response.widget_info(|| {
+        WidgetInfo::labeled(Role::Button, true, format!("{symbol:?} {}", place.name))
+    });
     if response.hovered() || response.has_focus() {
         state.lit.next = Some(symbol);
         ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
@@ -201,7 +303,11 @@ fn symbol_ui(ui: &mut Ui, state: &mut AppState, piece: &Piece, symbol: Symbol, r
     }
     if state.lit.now == Some(symbol) {
         let fill = ui.visuals().widgets.hovered.bg_fill;
-        ui.painter().rect_filled(rect.shrink2(vec2(0.0, 2.0)).expand2(vec2(1.0, 0.0)), 4.0, fill);
+        ui.painter().rect_filled(
+            rect.shrink2(vec2(0.0, 2.0)).expand2(vec2(1.0, 0.0)),
+            4.0,
+            fill,
+        );
     }
     response.on_hover_text(piece.tip.as_deref().unwrap_or(symbol.meaning()));
 }

@@ -1,17 +1,17 @@
 //! The analyses on the command line: a scene, arguments that become a question, and where the answer goes.
 
 use super::input::{
-    PaneArguments, SceneArguments, inside_picture, output_name, parse_choice, parse_pixel, parse_place, parse_size,
-    parse_vertex, picture_name,
+    PaneArguments, SceneArguments, inside_picture, output_name, parse_choice, parse_pixel,
+    parse_place, parse_size, parse_vertex, picture_name,
 };
 use super::output::{Failure, print, progress_bar};
 use clap::Args;
 use glam::DVec2;
 use shading_lab::analysis::{
-    About, Analysis, BenchQuestion, ComparisonQuestion, CurvesQuestion, DefectsQuestion, Format, Method,
-    NormalsQuestion, PERCEIVED_WIDTH, Perception, PlanQuestion, PlotKind, ProbeQuestion, ProfileQuestion, Question,
-    ResponseModel, Scan, ScanQuestion, StabilityQuestion, Stop, StudyQuestion, Subject, Viewing, perceived_picture,
-    stability_cases,
+    About, Analysis, BenchQuestion, ComparisonQuestion, CurvesQuestion, DefectsQuestion, Format,
+    Method, NormalsQuestion, PERCEIVED_WIDTH, Perception, PlanQuestion, PlotKind, ProbeQuestion,
+    ProfileQuestion, Question, ResponseModel, Scan, ScanQuestion, StabilityQuestion, Stop,
+    StudyQuestion, Subject, Viewing, perceived_picture, stability_cases,
 };
 use shading_lab::document::{check_target, json_text, save_answer, save_picture};
 use shading_lab::figure::Paper;
@@ -85,14 +85,28 @@ impl<A: Asks> Analyse<A> {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
         self.about.check()?;
         let loaded = self.scene.load(earlier)?;
-        self.about.run(&loaded.name, Subject { scene: loaded.scene, model: loaded.model, clock: nanoseconds })
+        self.about.run(
+            &loaded.name,
+            Subject {
+                scene: loaded.scene,
+                model: loaded.model,
+                clock: nanoseconds,
+            },
+        )
     }
 }
 
 impl<A: Asks> Catalogued<A> {
     pub fn run_alone(self) -> Result<(), Failure> {
         self.check()?;
-        self.run(A::NAME, Subject { scene: Scene::default(), model: None, clock: nanoseconds })
+        self.run(
+            A::NAME,
+            Subject {
+                scene: Scene::default(),
+                model: None,
+                clock: nanoseconds,
+            },
+        )
     }
 
     /// Refuses files that cannot be written, before any work is done.
@@ -104,9 +118,14 @@ impl<A: Asks> Catalogued<A> {
         let formats = Analysis::find(A::NAME).map_or(&[][..], |analysis| analysis.formats);
         match output.as_deref().map(format_of) {
             Some(format) if !formats.contains(&format) => {
-                let endings: Vec<_> = formats.iter().map(|format| format!(".{}", format.word())).collect();
+                let endings: Vec<_> = formats
+                    .iter()
+                    .map(|format| format!(".{}", format.word()))
+                    .collect();
                 let (name, ending, expected) = (A::NAME, format.word(), endings.join(" or "));
-                Err(Failure::input(format!("--output: {name} gives no .{ending}, expected {expected}")))
+                Err(Failure::input(format!(
+                    "--output: {name} gives no .{ending}, expected {expected}"
+                )))
             }
             _ => Ok(()),
         }
@@ -129,12 +148,24 @@ impl<A: Asks> Catalogued<A> {
             .num_threads(asked.threads().map_or(0, usize::from))
             .build()
             .map_err(|error| Failure::work(format!("the threads cannot be started ({error})")))?;
-        let answer = pool.install(|| question.answer(&subject, &watch)).map_err(Failure::input);
+        let answer = pool
+            .install(|| question.answer(&subject, &watch))
+            .map_err(Failure::input);
         bar.finish_and_clear();
         let answer: &dyn shading_lab::analysis::Answer = &answer?;
         let mut silent = asked.also(&subject)?;
-        let about = About { name, scene: &subject.scene };
-        let look = (output.size, if output.dark { Paper::DARK } else { Paper::LIGHT });
+        let about = About {
+            name,
+            scene: &subject.scene,
+        };
+        let look = (
+            output.size,
+            if output.dark {
+                Paper::DARK
+            } else {
+                Paper::LIGHT
+            },
+        );
         let csv = output.csv.map(|path| (path, Format::Csv));
         let file = output.output.map(|path| (path.clone(), format_of(&path)));
         for (path, format) in [csv, file].into_iter().flatten() {
@@ -146,7 +177,10 @@ impl<A: Asks> Catalogued<A> {
         } else if !silent {
             print(&answer.text(&about))?;
         }
-        answer.report(&about).failure.map_or(Ok(()), |failure| Err(Failure::work(failure)))
+        answer
+            .report(&about)
+            .failure
+            .map_or(Ok(()), |failure| Err(Failure::work(failure)))
     }
 }
 
@@ -157,7 +191,9 @@ fn format_of(path: &Path) -> Format {
 
 /// A pixel that may be given, inside the picture.
 fn checked(pixel: Option<[u32; 2]>, scene: &Scene) -> Result<Option<[u32; 2]>, Failure> {
-    pixel.map_or(Ok(()), |pixel| inside_picture("--pixel", pixel, scene.image.size))?;
+    pixel.map_or(Ok(()), |pixel| {
+        inside_picture("--pixel", pixel, scene.image.size)
+    })?;
     Ok(pixel)
 }
 
@@ -213,7 +249,11 @@ impl Asks for Curves {
     const SIZES_FIGURE: bool = true;
 
     fn question(&self, scene: &mut Scene) -> Result<CurvesQuestion, Failure> {
-        Ok(CurvesQuestion { kind: self.kind, pixel: checked(self.pixel, scene)?, light: self.light })
+        Ok(CurvesQuestion {
+            kind: self.kind,
+            pixel: checked(self.pixel, scene)?,
+            light: self.light,
+        })
     }
 }
 
@@ -229,7 +269,9 @@ impl Asks for Defects {
     const NAME: &'static str = "defects";
 
     fn question(&self, scene: &mut Scene) -> Result<DefectsQuestion, Failure> {
-        Ok(DefectsQuestion { pixel: checked(self.pixel, scene)? })
+        Ok(DefectsQuestion {
+            pixel: checked(self.pixel, scene)?,
+        })
     }
 }
 
@@ -248,7 +290,10 @@ impl Asks for Normals {
     const NAME: &'static str = "normals";
 
     fn question(&self, scene: &mut Scene) -> Result<NormalsQuestion, Failure> {
-        Ok(NormalsQuestion { vertex: self.vertex, pixel: checked(self.pixel, scene)? })
+        Ok(NormalsQuestion {
+            vertex: self.vertex,
+            pixel: checked(self.pixel, scene)?,
+        })
     }
 }
 
@@ -274,7 +319,10 @@ pub struct Scanline {
 fn parse_stop(text: &str, stop: fn(u32) -> Stop) -> Result<Stop, String> {
     match text.trim() {
         "last" => Ok(Stop::Last),
-        number => number.parse().map(stop).map_err(|_| "expected a whole number from 0, or last".to_owned()),
+        number => number
+            .parse()
+            .map(stop)
+            .map_err(|_| "expected a whole number from 0, or last".to_owned()),
     }
 }
 
@@ -284,8 +332,16 @@ impl Asks for Scanline {
     const SIZES_FIGURE: bool = true;
 
     fn question(&self, scene: &mut Scene) -> Result<ScanQuestion, Failure> {
-        let (pixel, stop) = (checked(self.pixel, scene)?, self.step.or(self.line).unwrap_or_default());
-        Ok(ScanQuestion { face: self.face, pixel, rows: self.rows, stop })
+        let (pixel, stop) = (
+            checked(self.pixel, scene)?,
+            self.step.or(self.line).unwrap_or_default(),
+        );
+        Ok(ScanQuestion {
+            face: self.face,
+            pixel,
+            rows: self.rows,
+            stop,
+        })
     }
 }
 
@@ -301,7 +357,9 @@ impl Asks for Explain {
     const NAME: &'static str = "explain";
 
     fn question(&self, _: &mut Scene) -> Result<PlanQuestion, Failure> {
-        Ok(PlanQuestion { frames: self.frames })
+        Ok(PlanQuestion {
+            frames: self.frames,
+        })
     }
 }
 
@@ -323,7 +381,10 @@ impl Asks for Bench {
     const NAME: &'static str = "bench";
 
     fn question(&self, _: &mut Scene) -> Result<BenchQuestion, Failure> {
-        Ok(BenchQuestion { frames: self.frames, growth: self.growth })
+        Ok(BenchQuestion {
+            frames: self.frames,
+            growth: self.growth,
+        })
     }
 
     fn threads(&self) -> Option<u16> {
@@ -365,10 +426,16 @@ impl Asks for Study {
         for n in &self.n {
             let mut tried = scene.clone();
             tried.material.n = *n;
-            tried.validate().map_err(|error| Failure::input(format!("--n {n}: {error}")))?;
+            tried
+                .validate()
+                .map_err(|error| Failure::input(format!("--n {n}: {error}")))?;
         }
         Ok(StudyQuestion {
-            methods: if self.methods.is_empty() { Method::VALUES.to_vec() } else { self.methods.clone() },
+            methods: if self.methods.is_empty() {
+                Method::VALUES.to_vec()
+            } else {
+                self.methods.clone()
+            },
             segments: self.segments.clone(),
             interpolations: self.interpolation.clone(),
             n: self.n.clone(),
@@ -391,7 +458,9 @@ pub struct Stability {
 fn parse_case(text: &str) -> Result<String, String> {
     let names: Vec<_> = stability_cases().map(|case| case.name).collect();
     let known = names.iter().find(|name| **name == text.trim());
-    known.map(|name| (*name).to_owned()).ok_or_else(|| format!("expected one of {}", names.join(", ")))
+    known
+        .map(|name| (*name).to_owned())
+        .ok_or_else(|| format!("expected one of {}", names.join(", ")))
 }
 
 impl Asks for Stability {
@@ -400,7 +469,9 @@ impl Asks for Stability {
     const SIZES_FIGURE: bool = true;
 
     fn question(&self, _: &mut Scene) -> Result<StabilityQuestion, Failure> {
-        Ok(StabilityQuestion { cases: self.cases.clone() })
+        Ok(StabilityQuestion {
+            cases: self.cases.clone(),
+        })
     }
 }
 
@@ -446,8 +517,16 @@ pub struct Profile {
 impl Profile {
     /// Who looks at the screen, and from where.
     fn eye(&self) -> Result<(Viewing, Perception), Failure> {
-        let Self { viewing_distance: distance, density, response: model, centre, surround, weight, saturation, .. } =
-            *self;
+        let Self {
+            viewing_distance: distance,
+            density,
+            response: model,
+            centre,
+            surround,
+            weight,
+            saturation,
+            ..
+        } = *self;
         for (argument, value, [low, high]) in [
             ("--viewing-distance", distance, Viewing::DISTANCE),
             ("--density", density, Viewing::DENSITY),
@@ -457,13 +536,26 @@ impl Profile {
             ("--saturation", saturation, Perception::SATURATION),
         ] {
             if !(low..=high).contains(&value) {
-                return Err(Failure::input(format!("{argument} {value}: expected {low} to {high}")));
+                return Err(Failure::input(format!(
+                    "{argument} {value}: expected {low} to {high}"
+                )));
             }
         }
         if surround <= centre {
-            return Err(Failure::input(format!("--surround {surround}: expected more than the centre's {centre}")));
+            return Err(Failure::input(format!(
+                "--surround {surround}: expected more than the centre's {centre}"
+            )));
         }
-        Ok((Viewing { distance, density }, Perception { model, centre, surround, weight, saturation }))
+        Ok((
+            Viewing { distance, density },
+            Perception {
+                model,
+                centre,
+                surround,
+                weight,
+                saturation,
+            },
+        ))
     }
 }
 
@@ -478,7 +570,10 @@ impl Asks for Profile {
         let [_, surround] = perception.widths(viewing.pixels_per_degree());
         if self.picture.is_some() && surround > PERCEIVED_WIDTH {
             let expected = format!("expected at most {PERCEIVED_WIDTH} for --picture");
-            return Err(Failure::input(format!("--surround {}: {surround:.0} pixels, {expected}", self.surround)));
+            return Err(Failure::input(format!(
+                "--surround {}: {surround:.0} pixels, {expected}",
+                self.surround
+            )));
         }
         let mut modes: Vec<ShadingMode> = Vec::new();
         for mode in &self.modes {
@@ -486,17 +581,36 @@ impl Asks for Profile {
                 modes.push(*mode);
             }
         }
-        let question = ProfileQuestion { from: self.from, to: self.to, modes, viewing, perception };
+        let question = ProfileQuestion {
+            from: self.from,
+            to: self.to,
+            modes,
+            viewing,
+            perception,
+        };
         let place = |p: DVec2| format!("{},{}", p.x, p.y);
-        let refused = |error| Failure::input(format!("--from {} --to {}: {error}", place(self.from), place(self.to)));
+        let refused = |error| {
+            Failure::input(format!(
+                "--from {} --to {}: {error}",
+                place(self.from),
+                place(self.to)
+            ))
+        };
         question.check(scene.image.size).map_err(refused)?;
         Ok(question)
     }
 
     fn also(&self, subject: &Subject) -> Result<bool, Failure> {
-        let Some(path) = &self.picture else { return Ok(false) };
+        let Some(path) = &self.picture else {
+            return Ok(false);
+        };
         let (viewing, perception) = self.eye()?;
-        let frame = perceived_picture(&mut subject.renderer(), &subject.scene, &viewing, &perception);
+        let frame = perceived_picture(
+            &mut subject.renderer(),
+            &subject.scene,
+            &viewing,
+            &perception,
+        );
         save_picture(path, &frame, &subject.scene)?;
         Ok(true)
     }

@@ -34,7 +34,10 @@ impl SceneArguments {
     /// What is different in the scene: first its material, then single keys.
     pub fn overrides(&self) -> Vec<String> {
         let material = self.material.map(assignments).unwrap_or_default();
-        material.into_iter().chain(self.set.iter().cloned()).collect()
+        material
+            .into_iter()
+            .chain(self.set.iter().cloned())
+            .collect()
     }
 
     /// Opens the scene, or the default one, with the overrides of both sides of the command's name.
@@ -44,10 +47,14 @@ impl SceneArguments {
         let mut bar = None;
         let mut progress = |read: u64, total: u64| {
             if total >= LARGE_FILE {
-                bar.get_or_insert_with(|| progress_bar(total, "reading")).set_position(read);
+                bar.get_or_insert_with(|| progress_bar(total, "reading"))
+                    .set_position(read);
             }
         };
-        let source = self.source.as_deref().unwrap_or(Path::new(presets::DEFAULT));
+        let source = self
+            .source
+            .as_deref()
+            .unwrap_or(Path::new(presets::DEFAULT));
         let loaded = load_with(source, &overrides, &mut progress);
         if let Some(bar) = bar {
             bar.finish_and_clear();
@@ -58,19 +65,29 @@ impl SceneArguments {
 
 /// A named material as keys of a scene.
 fn assignments(named: &NamedMaterial) -> Vec<String> {
-    let scene = Scene { material: named.material(), ..Scene::default() };
+    let scene = Scene {
+        material: named.material(),
+        ..Scene::default()
+    };
     let keys = Parameter::all().filter(|parameter| parameter.section() == "material");
-    keys.map(|parameter| format!("{}={}", parameter.key, parameter.setting(&scene, 0))).collect()
+    keys.map(|parameter| format!("{}={}", parameter.key, parameter.setting(&scene, 0)))
+        .collect()
 }
 
 fn parse_material(text: &str) -> Result<&'static NamedMaterial, String> {
     let meant = || did_you_mean(text, materials::NAMED.iter().map(|named| named.name));
-    materials::find(text)
-        .ok_or_else(|| format!("no such material, expected a name{}; see `shading-lab materials`", meant()))
+    materials::find(text).ok_or_else(|| {
+        format!(
+            "no such material, expected a name{}; see `shading-lab materials`",
+            meant()
+        )
+    })
 }
 
 fn did_you_mean<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> String {
-    nearest(text, known).map(|meant| format!(" (did you mean {meant}?)")).unwrap_or_default()
+    nearest(text, known)
+        .map(|meant| format!(" (did you mean {meant}?)"))
+        .unwrap_or_default()
 }
 
 /// Which panes there are beside the scene itself.
@@ -86,9 +103,19 @@ impl PaneArguments {
     /// Puts the panes into the scene; `view` is how they are shown, unless the scene says.
     pub fn apply(&self, scene: &mut Scene, view: Option<CompareView>) -> Result<(), Failure> {
         if !self.pane.is_empty() {
-            let settings = |text: &String| text.split(';').map(|setting| setting.trim().to_owned()).collect();
-            scene.compare.panes =
-                self.pane.iter().map(|text| Pane { name: String::new(), set: settings(text) }).collect();
+            let settings = |text: &String| {
+                text.split(';')
+                    .map(|setting| setting.trim().to_owned())
+                    .collect()
+            };
+            scene.compare.panes = self
+                .pane
+                .iter()
+                .map(|text| Pane {
+                    name: String::new(),
+                    set: settings(text),
+                })
+                .collect();
             if scene.compare.view == CompareView::Single {
                 scene.compare.view = CompareView::Panes;
             }
@@ -100,10 +127,21 @@ impl PaneArguments {
 
 /// `WxH`, in the bounds of a picture.
 pub fn parse_size(text: &str) -> Result<[u32; 2], String> {
-    let expected = || format!("expected WIDTHxHEIGHT in pixels, 1 to {} each, as in 768x512", Image::MAX_SIDE);
-    let size = pair(text, &['x', 'X', '×'], |side| (1..=Image::MAX_SIDE).contains(side)).ok_or_else(expected)?;
+    let expected = || {
+        format!(
+            "expected WIDTHxHEIGHT in pixels, 1 to {} each, as in 768x512",
+            Image::MAX_SIDE
+        )
+    };
+    let size = pair(text, &['x', 'X', '×'], |side| {
+        (1..=Image::MAX_SIDE).contains(side)
+    })
+    .ok_or_else(expected)?;
     if u64::from(size[0]) * u64::from(size[1]) > Image::MAX_PIXELS {
-        return Err(format!("expected at most {} pixels in all", Image::MAX_PIXELS));
+        return Err(format!(
+            "expected at most {} pixels in all",
+            Image::MAX_PIXELS
+        ));
     }
     Ok(size)
 }
@@ -117,7 +155,9 @@ pub fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
 /// `X,Y`, any numbers.
 pub fn parse_place(text: &str) -> Result<DVec2, String> {
     let expected = || "expected X,Y in pixels from the top left, as in 100.5,80.5".to_owned();
-    pair(text, &[','], |value: &f64| value.is_finite()).map(DVec2::from_array).ok_or_else(expected)
+    pair(text, &[','], |value: &f64| value.is_finite())
+        .map(DVec2::from_array)
+        .ok_or_else(expected)
 }
 
 /// Two numbers on either side of a separator.
@@ -129,7 +169,9 @@ fn pair<T: FromStr>(text: &str, separators: &[char], sound: fn(&T) -> bool) -> O
 
 /// The number of a vertex.
 pub fn parse_vertex(text: &str) -> Result<u32, String> {
-    text.trim().parse().map_err(|_| "expected the number of a vertex, counted from 0".to_owned())
+    text.trim()
+        .parse()
+        .map_err(|_| "expected the number of a vertex, counted from 0".to_owned())
 }
 
 /// One of `choices`, by its word in files.
@@ -138,7 +180,9 @@ pub fn parse_choice<T: Serialize + Copy>(text: &str, choices: &[T]) -> Result<T,
     match words.iter().position(|word| word == text.trim()) {
         Some(index) => Ok(choices[index]),
         None => {
-            let (last, others) = words.split_last().map_or(("", &[][..]), |(last, others)| (last, others));
+            let (last, others) = words
+                .split_last()
+                .map_or(("", &[][..]), |(last, others)| (last, others));
             let meant = did_you_mean(text, words.iter().map(String::as_str));
             Err(format!("expected {} or {last}{meant}", others.join(", ")))
         }
@@ -146,16 +190,23 @@ pub fn parse_choice<T: Serialize + Copy>(text: &str, choices: &[T]) -> Result<T,
 }
 
 /// Refuses a pixel outside a picture of `size`; `argument` is what names it.
-pub fn inside_picture(argument: &str, [x, y]: [u32; 2], [width, height]: [u32; 2]) -> Result<(), Failure> {
+pub fn inside_picture(
+    argument: &str,
+    [x, y]: [u32; 2],
+    [width, height]: [u32; 2],
+) -> Result<(), Failure> {
     if x < width && y < height {
         return Ok(());
     }
     let (right, bottom) = (width - 1, height - 1);
-    Err(Failure::input(format!("{argument} {x},{y}: outside the picture, expected 0,0 to {right},{bottom}")))
+    Err(Failure::input(format!(
+        "{argument} {x},{y}: outside the picture, expected 0,0 to {right},{bottom}"
+    )))
 }
 
 fn is_device(path: &Path) -> bool {
-    path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
+    path.metadata()
+        .is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
 /// The name of a figure or a table.
@@ -170,6 +221,10 @@ pub fn output_name() -> impl TypedValueParser<Value = PathBuf> {
 pub fn picture_name() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|path| {
         let picture = Format::from_path(&path) == Some(Format::Png) || is_device(&path);
-        if picture { Ok(path) } else { Err("expected a name that ends in .png") }
+        if picture {
+            Ok(path)
+        } else {
+            Err("expected a name that ends in .png")
+        }
     })
 }

@@ -33,7 +33,10 @@ impl Failure {
             Self::Work(message) => (message, 1),
             Self::Closed => return ExitCode::SUCCESS,
         };
-        let lines: String = message.lines().map(|line| format!("error: {line}\n")).collect();
+        let lines: String = message
+            .lines()
+            .map(|line| format!("error: {line}\n"))
+            .collect();
         // Without stderr there is nowhere to say so.
         let _ = io::stderr().write_all(lines.as_bytes());
         ExitCode::from(status)
@@ -49,7 +52,9 @@ impl From<LoadError> for Failure {
 impl From<SaveError> for Failure {
     fn from(error: SaveError) -> Self {
         match &error {
-            SaveError::Unwritable { source, .. } if source.kind() == io::ErrorKind::BrokenPipe => Self::Closed,
+            SaveError::Unwritable { source, .. } if source.kind() == io::ErrorKind::BrokenPipe => {
+                Self::Closed
+            }
             SaveError::Nothing { .. } => Self::input(error),
             _ => Self::work(error),
         }
@@ -59,16 +64,22 @@ impl From<SaveError> for Failure {
 /// Writes `text` to stdout.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
-        io::ErrorKind::BrokenPipe => Failure::Closed,
-        _ => Failure::work(format!("the output cannot be written ({error})")),
-    })
+    out.write_all(text.as_bytes())
+        .and_then(|()| out.flush())
+        .map_err(|error| match error.kind() {
+            io::ErrorKind::BrokenPipe => Failure::Closed,
+            _ => Failure::work(format!("the output cannot be written ({error})")),
+        })
 }
 
 /// A bar on stderr, or nothing where that is no terminal.
 pub fn progress_bar(total: u64, doing: &'static str) -> ProgressBar {
     let visible = io::stderr().is_terminal();
-    let target = if visible { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+    let target = if visible {
+        ProgressDrawTarget::stderr()
+    } else {
+        ProgressDrawTarget::hidden()
+    };
     let bar = ProgressBar::with_draw_target(Some(total), target).with_message(doing);
     let style = ProgressStyle::with_template("{msg} {wide_bar} {percent} % {eta}");
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))

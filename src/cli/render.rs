@@ -1,15 +1,16 @@
 //! `render`: a scene into a PNG file, and the overlays that the picture gets.
 
 use super::input::{
-    PaneArguments, SceneArguments, inside_picture, parse_choice, parse_pixel, parse_place, parse_size, parse_vertex,
-    picture_name,
+    PaneArguments, SceneArguments, inside_picture, parse_choice, parse_pixel, parse_place,
+    parse_size, parse_vertex, picture_name,
 };
 use super::output::{Failure, progress_bar};
 use clap::Args;
 use glam::DVec2;
 use shading_lab::analysis::{
-    NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, clearest_pixel, comparison_sheet, defects,
-    draw_defects, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe, profile,
+    NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, clearest_pixel, comparison_sheet,
+    defects, draw_defects, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet,
+    probe, profile,
 };
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::render::{Frame, Renderer, check_memory};
@@ -68,7 +69,10 @@ impl Render {
         self.panes.apply(scene, self.compare)?;
         let which = panes_on_sheet(scene);
         if let Some(overlays) = &self.overlay {
-            self.check(overlays, which.first().map_or(scene.image.size, |(_, size)| *size))?;
+            self.check(
+                overlays,
+                which.first().map_or(scene.image.size, |(_, size)| *size),
+            )?;
         }
         check_memory(scene).map_err(Failure::work)?;
         let mut renderer = Renderer::default();
@@ -87,7 +91,14 @@ impl Render {
             over(&mut frame, &mut renderer, scene)?;
             frame
         } else {
-            let panes = draw_panes(&mut renderer, scene, &which, self.samples, &mut progress, over)?;
+            let panes = draw_panes(
+                &mut renderer,
+                scene,
+                &which,
+                self.samples,
+                &mut progress,
+                over,
+            )?;
             comparison_sheet(scene, &panes, !self.no_captions)
         };
         bar.finish_and_clear();
@@ -97,18 +108,29 @@ impl Render {
     /// Refuses a line or a vertex that nothing shows, and a pixel or a line outside a picture of `sides` pixels.
     fn check(&self, overlays: &Overlays, sides: [u32; 2]) -> Result<(), Failure> {
         if self.from.is_some() && !overlays.layers.contains(&OverlayLayer::Profile) {
-            return Err(Failure::input("--from and --to without a profile, expected --overlay profile"));
+            return Err(Failure::input(
+                "--from and --to without a profile, expected --overlay profile",
+            ));
         }
         if self.vertex.is_some() && !overlays.layers.iter().any(|layer| layer.of_needles()) {
-            return Err(Failure::input("--vertex without normals, expected --overlay vertex-normals"));
+            return Err(Failure::input(
+                "--vertex without normals, expected --overlay vertex-normals",
+            ));
         }
         let size = DVec2::from_array(sides.map(f64::from));
         let outside = |p: &DVec2| p.min_element() < 0.0 || p.cmpgt(size).any();
         if let Some(DVec2 { x, y }) = [self.from, self.to].into_iter().flatten().find(outside) {
-            let DVec2 { x: right, y: bottom } = size;
-            return Err(Failure::input(format!("{x},{y}: outside the picture, expected 0,0 to {right},{bottom}")));
+            let DVec2 {
+                x: right,
+                y: bottom,
+            } = size;
+            return Err(Failure::input(format!(
+                "{x},{y}: outside the picture, expected 0,0 to {right},{bottom}"
+            )));
         }
-        overlays.pixel.map_or(Ok(()), |pixel| inside_picture("--overlay", pixel, sides))
+        overlays
+            .pixel
+            .map_or(Ok(()), |pixel| inside_picture("--overlay", pixel, sides))
     }
 
     /// Draws the overlays on `frame`, which is a picture of `scene`.
@@ -128,27 +150,52 @@ impl Render {
         if any(OverlayLayer::of_point) && probed.hit.is_none() {
             let [x, y] = probed.pixel;
             let expected = "expected a pixel that shows the object";
-            return Err(Failure::input(format!("--overlay {x},{y}: the background, {expected}")));
+            return Err(Failure::input(format!(
+                "--overlay {x},{y}: the background, {expected}"
+            )));
         }
-        let options = OverlayOptions { layers: layers.clone(), ..OverlayOptions::default() };
+        let options = OverlayOptions {
+            layers: layers.clone(),
+            ..OverlayOptions::default()
+        };
         let size = scene.image.size;
-        let mut pixmap = PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), frame.width, frame.height)
-            .ok_or_else(|| Failure::work("the picture is too large for overlays"))?;
+        let mut pixmap =
+            PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), frame.width, frame.height)
+                .ok_or_else(|| Failure::work("the picture is too large for overlays"))?;
         if any(OverlayLayer::of_needles) {
-            let vertex = |field: &NormalField| self.vertex.map(|number| field.vertex_of(number)).transpose();
+            let vertex = |field: &NormalField| {
+                self.vertex
+                    .map(|number| field.vertex_of(number))
+                    .transpose()
+            };
             draw_normals(&mut pixmap, scene, renderer, &options, vertex).map_err(Failure::input)?;
         }
         if layers.contains(&OverlayLayer::Profile) {
             let [width, height] = size.map(f64::from);
-            let y = overlays.pixel.map_or(0.5 * height, |[_, y]| f64::from(y) + 0.5);
-            let (from, to) = self.from.zip(self.to).unwrap_or((DVec2::new(0.0, y), DVec2::new(width, y)));
-            let question = ProfileQuestion { modes: vec![scene.shading.mode], ..ProfileQuestion::new(from, to) };
+            let y = overlays
+                .pixel
+                .map_or(0.5 * height, |[_, y]| f64::from(y) + 0.5);
+            let (from, to) = self
+                .from
+                .zip(self.to)
+                .unwrap_or((DVec2::new(0.0, y), DVec2::new(width, y)));
+            let question = ProfileQuestion {
+                modes: vec![scene.shading.mode],
+                ..ProfileQuestion::new(from, to)
+            };
             let taken = profile(renderer, scene, &question)
                 .map_err(|error| Failure::input(format!("--overlay profile: {error}")))?;
-            taken.traces.iter().for_each(|trace| draw_profile(&mut pixmap, &taken, trace, &options));
+            taken
+                .traces
+                .iter()
+                .for_each(|trace| draw_profile(&mut pixmap, &taken, trace, &options));
         }
         if layers.contains(&OverlayLayer::Defects) {
-            draw_defects(&mut pixmap, &defects(renderer, scene, probed.pixel), &options);
+            draw_defects(
+                &mut pixmap,
+                &defects(renderer, scene, probed.pixel),
+                &options,
+            );
         }
         if any(OverlayLayer::of_overlay) {
             draw_overlay(&mut pixmap, scene, &probed, &options);
@@ -167,12 +214,19 @@ struct Overlays {
 impl Overlays {
     /// Names between commas; `probe=X,Y` or any of the names followed by `=X,Y` gives the pixel.
     fn parse(text: &str) -> Result<Self, String> {
-        let mut list = Self { layers: Vec::new(), pixel: None };
+        let mut list = Self {
+            layers: Vec::new(),
+            pixel: None,
+        };
         let mut pieces = text.split(',');
         while let Some(piece) = pieces.next() {
-            let (name, x) = piece.split_once('=').map_or((piece, None), |(name, x)| (name, Some(x)));
+            let (name, x) = piece
+                .split_once('=')
+                .map_or((piece, None), |(name, x)| (name, Some(x)));
             match name.trim() {
-                "probe" if x.is_none() => return Err("probe without its pixel, expected probe=X,Y".to_owned()),
+                "probe" if x.is_none() => {
+                    return Err("probe without its pixel, expected probe=X,Y".to_owned());
+                }
                 "probe" => {}
                 name => list.layers.push(parse_choice(name, &OverlayLayer::ALL)?),
             }
@@ -185,7 +239,10 @@ impl Overlays {
             }
         }
         if list.layers.is_empty() {
-            return Err("a pixel alone, expected what to draw there, as in vectors,angles,probe=100,80".to_owned());
+            return Err(
+                "a pixel alone, expected what to draw there, as in vectors,angles,probe=100,80"
+                    .to_owned(),
+            );
         }
         Ok(list)
     }

@@ -25,8 +25,13 @@ pub struct List {
 
 impl List {
     pub fn scenes(self) -> Result<(), Failure> {
-        let width = presets::ALL.iter().map(|preset| preset.name.len()).max().unwrap_or(0);
-        let line = |preset: &Preset| format!("{:width$}  {}\n", preset.name, preset.about().sentence);
+        let width = presets::ALL
+            .iter()
+            .map(|preset| preset.name.len())
+            .max()
+            .unwrap_or(0);
+        let line =
+            |preset: &Preset| format!("{:width$}  {}\n", preset.name, preset.about().sentence);
         let object = |preset: &Preset| {
             let about = preset.about();
             json!({
@@ -38,8 +43,13 @@ impl List {
     }
 
     pub fn materials(self) -> Result<(), Failure> {
-        let widest = |text: fn(&NamedMaterial) -> &'static str| NAMED.iter().map(|named| text(named).len()).max();
-        let (name, title) = (widest(|named| named.name).unwrap_or(0), widest(|named| named.title).unwrap_or(0));
+        let widest = |text: fn(&NamedMaterial) -> &'static str| {
+            NAMED.iter().map(|named| text(named).len()).max()
+        };
+        let (name, title) = (
+            widest(|named| named.name).unwrap_or(0),
+            widest(|named| named.title).unwrap_or(0),
+        );
         // Three numbers as a scene file writes them, in columns.
         let triple = |value: Rgb| {
             let [r, g, b] = value.to_array();
@@ -47,11 +57,23 @@ impl List {
         };
         let line = |named: &NamedMaterial| {
             let NamedMaterial { ka, kd, ks, n, .. } = *named;
-            let numbers = format!("ka {}  kd {}  ks {}  n {n}", triple(ka), triple(kd), triple(ks));
+            let numbers = format!(
+                "ka {}  kd {}  ks {}  n {n}",
+                triple(ka),
+                triple(kd),
+                triple(ks)
+            );
             format!("{:name$}  {:title$}  {numbers}\n", named.name, named.title)
         };
         let object = |named: &NamedMaterial| {
-            let NamedMaterial { name, title, ka, kd, ks, n } = *named;
+            let NamedMaterial {
+                name,
+                title,
+                ka,
+                kd,
+                ks,
+                n,
+            } = *named;
             json!({"name": name, "title": title, "ka": ka.to_array(), "kd": kd.to_array(), "ks": ks.to_array(), "n": n})
         };
         self.print("materials", NAMED, line, object)
@@ -59,23 +81,51 @@ impl List {
 
     pub fn parameters(self) -> Result<(), Failure> {
         let all: Vec<&'static Parameter> = Parameter::all().collect();
-        let key = all.iter().map(|parameter| parameter.key.len()).max().unwrap_or(0);
-        let default = all.iter().map(|parameter| parameter.default_text().chars().count()).max().unwrap_or(0);
+        let key = all
+            .iter()
+            .map(|parameter| parameter.key.len())
+            .max()
+            .unwrap_or(0);
+        let default = all
+            .iter()
+            .map(|parameter| parameter.default_text().chars().count())
+            .max()
+            .unwrap_or(0);
         let line = |parameter: &&'static Parameter| {
-            let Parameter { key: name, letter, help, .. } = parameter;
-            let letter = if letter.is_empty() { String::new() } else { format!("{letter}: ") };
+            let Parameter {
+                key: name,
+                letter,
+                help,
+                ..
+            } = parameter;
+            let letter = if letter.is_empty() {
+                String::new()
+            } else {
+                format!("{letter}: ")
+            };
             let (value, range) = (parameter.default_text(), parameter.range_text());
             format!("{name:key$}  {value:default$}  {range}\n    {letter}{help}\n")
         };
         let object = |parameter: &&'static Parameter| {
-            let Parameter { key, letter, name, unit, help, .. } = parameter;
+            let Parameter {
+                key,
+                letter,
+                name,
+                unit,
+                help,
+                ..
+            } = parameter;
             let limits = match (&parameter.kind, parameter.limits(&Scene::default())) {
                 (Kind::Other(.., limits), _) => json!(limits),
                 // Infinity becomes null: no limit.
                 (_, Some(limits)) => json!([limits.least, limits.greatest]),
                 _ => Value::Null,
             };
-            let choices: Vec<_> = parameter.options().iter().map(|option| option.word).collect();
+            let choices: Vec<_> = parameter
+                .options()
+                .iter()
+                .map(|option| option.word)
+                .collect();
             json!({
                 "key": key, "symbol": letter, "name": name, "unit": unit, "kind": parameter.kind_name(),
                 "limits": limits, "default": parameter.default(), "choices": choices, "help": help,
@@ -93,7 +143,10 @@ impl List {
         object: impl Fn(&T) -> Value,
     ) -> Result<(), Failure> {
         match self.json {
-            true => print(&format!("{:#}\n", json!({ name: all.iter().map(object).collect::<Vec<_>>() }))),
+            true => print(&format!(
+                "{:#}\n",
+                json!({ name: all.iter().map(object).collect::<Vec<_>>() })
+            )),
             false => print(&all.iter().map(line).collect::<String>()),
         }
     }
@@ -112,10 +165,17 @@ pub struct Check {
 impl Check {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
         let name = self.file.display().to_string();
-        let loaded = SceneArguments { source: Some(self.file), set: self.set, material: None }.load(earlier)?;
+        let loaded = SceneArguments {
+            source: Some(self.file),
+            set: self.set,
+            material: None,
+        }
+        .load(earlier)?;
         let scene = &loaded.scene;
         let [width, height] = scene.image.size;
-        let polygons = loaded.model.map(|model| format!(", {} polygons", model.starts.len().saturating_sub(1)));
+        let polygons = loaded
+            .model
+            .map(|model| format!(", {} polygons", model.starts.len().saturating_sub(1)));
         let lights = scene.lights.len();
         print(&format!(
             "{name}: ok ({:?}{}, {lights} {}, {:?} shading, {width}×{height})\n",
@@ -151,10 +211,13 @@ enum Language {
 
 impl Code {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
-        let Loaded { scene, model, name, .. } = self.scene.load(earlier)?;
+        let Loaded {
+            scene, model, name, ..
+        } = self.scene.load(earlier)?;
         let mesh = || model.unwrap_or_else(|| Arc::new(tessellate(&scene.object)));
         let export = match self.language {
-            Language::C => opengl_c(&scene, &mesh()).map_err(|error| Failure::input(format!("{name}: {error}")))?,
+            Language::C => opengl_c(&scene, &mesh())
+                .map_err(|error| Failure::input(format!("{name}: {error}")))?,
             Language::CSnippet => opengl_c_snippet(&scene, &mesh()),
             Language::Glsl => glsl_330(&scene),
         };
@@ -173,7 +236,12 @@ impl Code {
 /// All parts one after the other, each of several under its title.
 fn joined(export: &Export) -> String {
     let [part] = &export.parts[..] else {
-        let titled = |part: &Part| format!("// ---- {} (.{}) ----\n{}", part.title, part.ending, part.text);
+        let titled = |part: &Part| {
+            format!(
+                "// ---- {} (.{}) ----\n{}",
+                part.title, part.ending, part.text
+            )
+        };
         return export.parts.iter().map(titled).collect();
     };
     part.text.clone()

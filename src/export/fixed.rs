@@ -9,8 +9,8 @@ use super::{Export, ExportError, Part, export_mesh, fan};
 use crate::geometry::{Mesh, VertexMesh};
 use crate::illumination::{Index, SpecularForm, blinn_from_phong};
 use crate::scene::{
-    Attenuation, Backfacing, Camera, CuedBy, DepthCueing, Encoding, Light, LightKind, Overflow, PatternKind,
-    Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer,
+    Attenuation, Backfacing, Camera, CuedBy, DepthCueing, Encoding, Light, LightKind, Overflow,
+    PatternKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer,
 };
 use glam::{DVec3, Vec3};
 
@@ -54,8 +54,18 @@ pub fn opengl_c_snippet(scene: &Scene, mesh: &Mesh) -> Export {
     let mut limits = limits(scene, &mesh);
     limits.push(VERTEX_CLAMP.to_owned());
     let functions = functions(scene, &mesh);
-    let text = format!("/*\n{} */\n\n#include <GL/gl.h>\n\n{functions}", head(&SNIPPET, &limits, " * "));
-    Export { parts: vec![Part { title: "C", ending: "c", text }], limits }
+    let text = format!(
+        "/*\n{} */\n\n#include <GL/gl.h>\n\n{functions}",
+        head(&SNIPPET, &limits, " * ")
+    );
+    Export {
+        parts: vec![Part {
+            title: "C",
+            ending: "c",
+            text,
+        }],
+        limits,
+    }
 }
 
 /// A whole program in C99: the same functions, the polygons and a `main` that draws them off screen through EGL and
@@ -71,13 +81,28 @@ pub fn opengl_c(scene: &Scene, mesh: &Mesh) -> Result<Export, ExportError> {
     let mesh = export_mesh(scene, mesh);
     let limits = limits(scene, &mesh);
     let (functions, main) = (functions(scene, &mesh), main(scene, &mesh));
-    let (head, includes) = (head(&PROGRAM, &limits, " * "), include_str!("fixed/includes.c"));
+    let (head, includes) = (
+        head(&PROGRAM, &limits, " * "),
+        include_str!("fixed/includes.c"),
+    );
     let text = format!("/*\n{head} */\n\n{includes}\n{functions}\n{main}");
-    Ok(Export { parts: vec![Part { title: "C", ending: "c", text }], limits })
+    Ok(Export {
+        parts: vec![Part {
+            title: "C",
+            ending: "c",
+            text,
+        }],
+        limits,
+    })
 }
 
 fn functions(scene: &Scene, mesh: &VertexMesh) -> String {
-    format!("{}\n{}\n{}", camera(scene, mesh), lights(scene, mesh), material(scene, mesh))
+    format!(
+        "{}\n{}\n{}",
+        camera(scene, mesh),
+        lights(scene, mesh),
+        material(scene, mesh)
+    )
 }
 
 /// What fixed-function OpenGL cannot say.
@@ -111,15 +136,28 @@ fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
     ]));
     let emitters = emitters(scene);
     let whole = fits(&emitters);
-    limits.extend(emitters.iter().flat_map(|emitter| light_limits(emitter, mesh, whole)));
+    limits.extend(
+        emitters
+            .iter()
+            .flat_map(|emitter| light_limits(emitter, mesh, whole)),
+    );
     if emitters.len() > MOST_LIGHTS {
-        limits.push(format!("Lights beyond the eighth: {} shine, OpenGL has {MOST_LIGHTS}.", emitters.len()));
+        limits.push(format!(
+            "Lights beyond the eighth: {} shine, OpenGL has {MOST_LIGHTS}.",
+            emitters.len()
+        ));
     }
     limits.extend(fog_limits(scene, mesh));
     limits.extend(holding([
         (scene.display.overflow == Overflow::Scale, SCALE),
-        (scene.display.overflow == Overflow::Mark, "The hatching where I > 1: I is clamped."),
-        (scene.display.encoding == Encoding::Srgb, "The sRGB encoding: stored values are 255*I."),
+        (
+            scene.display.overflow == Overflow::Mark,
+            "The hatching where I > 1: I is clamped.",
+        ),
+        (
+            scene.display.encoding == Encoding::Srgb,
+            "The sRGB encoding: stored values are 255*I.",
+        ),
     ]));
     limits
 }
@@ -166,19 +204,34 @@ fn light_limits(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<St
         _ => false,
     };
     let limits = holding([
-        (points > 0, &format!("an area of {points} points, drawn as the one in its middle.")),
-        (spot && light.softness > 0.0, "the soft edge of its cone; GL_SPOT_CUTOFF is a hard one."),
+        (
+            points > 0,
+            &format!("an area of {points} points, drawn as the one in its middle."),
+        ),
+        (
+            spot && light.softness > 0.0,
+            "the soft edge of its cone; GL_SPOT_CUTOFF is a hard one.",
+        ),
         (
             spot && light.exponent > GREATEST_EXPONENT,
-            &format!("its exponent {}; GL_SPOT_EXPONENT goes up to 128.", said(light.exponent)),
+            &format!(
+                "its exponent {}; GL_SPOT_EXPONENT goes up to 128.",
+                said(light.exponent)
+            ),
         ),
         (
             light.attenuation == Attenuation::Viewer,
             "attenuation by the distance to the viewer; that of the camera's target stands for all.",
         ),
-        (unclamped, "f = min(1, ...) of its attenuation; OpenGL's f exceeds 1 near the light."),
+        (
+            unclamped,
+            "f = min(1, ...) of its attenuation; OpenGL's f exceeds 1 near the light.",
+        ),
     ]);
-    limits.into_iter().map(|text| format!("Light {}: {text}", emitter.index)).collect()
+    limits
+        .into_iter()
+        .map(|text| format!("Light {}: {text}", emitter.index))
+        .collect()
 }
 
 /// The camera as two matrices: from the world to the eye, and from the eye to the picture.
@@ -186,7 +239,8 @@ fn camera(scene: &Scene, mesh: &VertexMesh) -> String {
     let camera = &scene.camera;
     let view = View::new(camera, scene.image.size);
     let [near, far] = planes(camera, &view, mesh).map(c_double);
-    let [eye, target] = [camera.eye, camera.target].map(|place| place.to_array().map(said).join(", "));
+    let [eye, target] =
+        [camera.eye, camera.target].map(|place| place.to_array().map(said).join(", "));
     let (scale, scale_means, third, fourth) = match camera.projection {
         Projection::Perspective => (
             1.0 / (0.5 * camera.fov_y.to_radians()).tan(),
@@ -196,7 +250,10 @@ fn camera(scene: &Scene, mesh: &VertexMesh) -> String {
         ),
         Projection::Orthographic => (
             2.0 / camera.height,
-            format!("2/height, {} units are seen from bottom to top", said(camera.height)),
+            format!(
+                "2/height, {} units are seen from bottom to top",
+                said(camera.height)
+            ),
             "-2.0 / (z_far - z_near), 0.0",
             "-(z_far + z_near) / (z_far - z_near), 1.0",
         ),
@@ -205,7 +262,12 @@ fn camera(scene: &Scene, mesh: &VertexMesh) -> String {
         let seen = [v.dot(view.right), v.dot(view.up), v.dot(-view.forward)];
         format!("        {}, {w}", seen.map(c_double).join(", "))
     };
-    let columns = [column(DVec3::X, "0.0"), column(DVec3::Y, "0.0"), column(DVec3::Z, "0.0"), column(-view.eye, "1.0")];
+    let columns = [
+        column(DVec3::X, "0.0"),
+        column(DVec3::Y, "0.0"),
+        column(DVec3::Z, "0.0"),
+        column(-view.eye, "1.0"),
+    ];
     filled(
         include_str!("fixed/camera.c"),
         &[
@@ -225,22 +287,36 @@ fn camera(scene: &Scene, mesh: &VertexMesh) -> String {
 
 /// The depths of the vertices.
 fn depths(mesh: &VertexMesh, view: &View) -> impl Iterator<Item = f64> {
-    mesh.positions.iter().map(move |p| (mesh.origin + p.as_dvec3() - view.eye).dot(view.forward))
+    mesh.positions
+        .iter()
+        .map(move |p| (mesh.origin + p.as_dvec3() - view.eye).dot(view.forward))
 }
 
 /// The depths that the depth buffer spans: those of the vertices, as far as they are in front of the eye.
 fn planes(camera: &Camera, view: &View, mesh: &VertexMesh) -> [f64; 2] {
     let nearest = NEAR * camera.distance();
-    let (least, greatest) =
-        depths(mesh, view).fold((f64::INFINITY, 0.0_f64), |(low, high), depth| (low.min(depth), high.max(depth)));
-    let near = if least.is_finite() { (least / MARGIN).max(nearest) } else { nearest };
+    let (least, greatest) = depths(mesh, view)
+        .fold((f64::INFINITY, 0.0_f64), |(low, high), depth| {
+            (low.min(depth), high.max(depth))
+        });
+    let near = if least.is_finite() {
+        (least / MARGIN).max(nearest)
+    } else {
+        nearest
+    };
     [near, (greatest * MARGIN).max(2.0 * near)]
 }
 
 /// Depth cueing, which is OpenGL's linear fog: it mixes with f = (end − z)/(end − start), clamped to 0..1, at every pixel. So
 /// a ramp of s0 from 1 to 0 is said exactly; any other one where the object does not leave it.
 fn fog(cueing: &DepthCueing) -> String {
-    let DepthCueing { front, back, front_scale, back_scale, .. } = *cueing;
+    let DepthCueing {
+        front,
+        back,
+        front_scale,
+        back_scale,
+        ..
+    } = *cueing;
     let fall = front_scale - back_scale;
     if cueing.by == CuedBy::Off || fall == 0.0 {
         return String::new();
@@ -264,25 +340,50 @@ fn fog(cueing: &DepthCueing) -> String {
 /// What fog does not say.
 fn fog_limits(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
     let cueing = &scene.depth_cueing;
-    let DepthCueing { front, back, front_scale, back_scale, .. } = *cueing;
+    let DepthCueing {
+        front,
+        back,
+        front_scale,
+        back_scale,
+        ..
+    } = *cueing;
     if cueing.by == CuedBy::Off || [front_scale, back_scale] == [1.0; 2] {
         return Vec::new();
     }
     let whole = |s0: f64| s0 == 0.0 || s0 == 1.0;
-    let leaves = depths(mesh, &View::new(&scene.camera, scene.image.size))
-        .any(|depth| (depth < front && !whole(front_scale)) || (depth > back && !whole(back_scale)));
+    let leaves = depths(mesh, &View::new(&scene.camera, scene.image.size)).any(|depth| {
+        (depth < front && !whole(front_scale)) || (depth > back && !whole(back_scale))
+    });
     let flat = front_scale == back_scale;
     holding([
-        (flat, "Depth cueing by the same s0 everywhere: OpenGL's fog depends on the depth. There is none."),
-        (!flat && leaves, "Depth cueing: s0 goes on to 1 and to 0 beyond its two depths."),
-        (!flat && cueing.by == CuedBy::Vertex, "Depth cueing at vertices: OpenGL's fog is evaluated at every pixel."),
-        (!flat && cueing.color.max_element() > 1.0, "Depth cueing: OpenGL clamps fog's colour to 1."),
+        (
+            flat,
+            "Depth cueing by the same s0 everywhere: OpenGL's fog depends on the depth. There is none.",
+        ),
+        (
+            !flat && leaves,
+            "Depth cueing: s0 goes on to 1 and to 0 beyond its two depths.",
+        ),
+        (
+            !flat && cueing.by == CuedBy::Vertex,
+            "Depth cueing at vertices: OpenGL's fog is evaluated at every pixel.",
+        ),
+        (
+            !flat && cueing.color.max_element() > 1.0,
+            "Depth cueing: OpenGL clamps fog's colour to 1.",
+        ),
     ])
 }
 
 /// Whether all points of all area lights are among the lights that OpenGL has.
 fn fits(emitters: &[Emitter<'_>]) -> bool {
-    let count = |emitter: &Emitter<'_>| if let Place::Among(points) = &emitter.place { points.len() } else { 1 };
+    let count = |emitter: &Emitter<'_>| {
+        if let Place::Among(points) = &emitter.place {
+            points.len()
+        } else {
+            1
+        }
+    };
     emitters.iter().map(count).sum::<usize>() <= MOST_LIGHTS
 }
 
@@ -291,8 +392,14 @@ fn fits(emitters: &[Emitter<'_>]) -> bool {
 fn lights(scene: &Scene, mesh: &VertexMesh) -> String {
     let emitters = emitters(scene);
     let whole = fits(&emitters);
-    let lamps = emitters.iter().flat_map(|emitter| lamps(emitter, whole)).take(MOST_LIGHTS).enumerate();
-    let blocks: String = lamps.map(|(index, lamp)| light(index, &lamp, scene, mesh)).collect();
+    let lamps = emitters
+        .iter()
+        .flat_map(|emitter| lamps(emitter, whole))
+        .take(MOST_LIGHTS)
+        .enumerate();
+    let blocks: String = lamps
+        .map(|(index, lamp)| light(index, &lamp, scene, mesh))
+        .collect();
     let (local, viewer) = match scene.camera.viewer {
         Viewer::Local => ("GL_TRUE", "V points to the eye, from each point"),
         Viewer::Infinite => ("GL_FALSE", "V is constant: the viewer is at infinity"),
@@ -301,7 +408,11 @@ fn lights(scene: &Scene, mesh: &VertexMesh) -> String {
         Backfacing::Clamp => ("GL_FALSE", "N.L < 0 counts as 0"),
         Backfacing::Flip => ("GL_TRUE", "N is turned on polygons seen from behind"),
     };
-    let black = if blocks.is_empty() { "" } else { "    const GLfloat black[] = {0.0f, 0.0f, 0.0f, 1.0f};" };
+    let black = if blocks.is_empty() {
+        ""
+    } else {
+        "    const GLfloat black[] = {0.0f, 0.0f, 0.0f, 1.0f};"
+    };
     filled(
         include_str!("fixed/lights.c"),
         &[
@@ -329,37 +440,71 @@ struct Lamp<'a> {
 
 fn lamps<'a>(emitter: &'a Emitter<'a>, whole: bool) -> Vec<Lamp<'a>> {
     let title = emitter.title();
-    let lamp = |title, place, parallel, share| Lamp { emitter, title, place, parallel, share };
+    let lamp = |title, place, parallel, share| Lamp {
+        emitter,
+        title,
+        place,
+        parallel,
+        share,
+    };
     match &emitter.place {
         Place::Towards(l) => vec![lamp(title, *l, true, 1.0)],
         Place::At(place) => vec![lamp(title, *place, false, 1.0)],
         Place::Among(points) if whole => {
             let (count, share) = (points.len(), 1.0 / points.len() as f64);
             let titled = |index: usize| format!("{title}: point {} of {count}", index + 1);
-            points.iter().enumerate().map(|(index, point)| lamp(titled(index), *point, false, share)).collect()
+            points
+                .iter()
+                .enumerate()
+                .map(|(index, point)| lamp(titled(index), *point, false, share))
+                .collect()
         }
-        Place::Among(_) => vec![lamp(title + ": its middle", emitter.light.position, false, 1.0)],
+        Place::Among(_) => vec![lamp(
+            title + ": its middle",
+            emitter.light.position,
+            false,
+            1.0,
+        )],
     }
 }
 
 /// One `GL_LIGHTi`.
 fn light(index: usize, lamp: &Lamp<'_>, scene: &Scene, mesh: &VertexMesh) -> String {
-    let Lamp { emitter, ref title, place, parallel, share } = *lamp;
+    let Lamp {
+        emitter,
+        ref title,
+        place,
+        parallel,
+        share,
+    } = *lamp;
     let light = emitter.light;
     let (f, [c1, c2, c3]) = falloff(emitter, scene, mesh, parallel, place);
     let (w, means, falloff) = if parallel {
         (0.0, "w = 0: L, the same everywhere", "f: none at infinity")
     } else {
-        (1.0, "w = 1: L = (place - P)/d, d = |place - P|", "c1 of f = 1/(c1 + c2*d + c3*d^2)")
+        (
+            1.0,
+            "w = 1: L = (place - P)/d, d = |place - P|",
+            "c1 of f = 1/(c1 + c2*d + c3*d^2)",
+        )
     };
     let name = format!("GL_LIGHT{index}");
     let (axis, spot) = if light.kind == LightKind::Spot {
-        let axis = format!("        const GLfloat axis[] = {{{}}}; /* D, along the cone */", c_three(emitter.axis()));
+        let axis = format!(
+            "        const GLfloat axis[] = {{{}}}; /* D, along the cone */",
+            c_three(emitter.axis())
+        );
         let exponent = c_float(light.exponent.min(GREATEST_EXPONENT));
-        let values: [(&str, &str); 3] = [("light", &name), ("cone", &c_float(light.cone)), ("exponent", &exponent)];
+        let values: [(&str, &str); 3] = [
+            ("light", &name),
+            ("cone", &c_float(light.cone)),
+            ("exponent", &exponent),
+        ];
         (axis, filled(include_str!("fixed/spot.c"), &values))
     } else {
-        let everywhere = format!("        glLightf({name}, GL_SPOT_CUTOFF, 180.0f); /* it shines in all directions */");
+        let everywhere = format!(
+            "        glLightf({name}, GL_SPOT_CUTOFF, 180.0f); /* it shines in all directions */"
+        );
         (String::new(), everywhere)
     };
     filled(
@@ -381,7 +526,13 @@ fn light(index: usize, lamp: &Lamp<'_>, scene: &Scene, mesh: &VertexMesh) -> Str
 }
 
 /// A constant factor, and OpenGL's three coefficients of `f = 1/(c1 + c2·d + c3·d²)`.
-fn falloff(emitter: &Emitter<'_>, scene: &Scene, mesh: &VertexMesh, parallel: bool, place: DVec3) -> (f64, [f64; 3]) {
+fn falloff(
+    emitter: &Emitter<'_>,
+    scene: &Scene,
+    mesh: &VertexMesh,
+    parallel: bool,
+    place: DVec3,
+) -> (f64, [f64; 3]) {
     const NONE: [f64; 3] = [1.0, 0.0, 0.0];
     let light = emitter.light;
     if let Some(f) = emitter.constant {
@@ -393,7 +544,9 @@ fn falloff(emitter: &Emitter<'_>, scene: &Scene, mesh: &VertexMesh, parallel: bo
         _ if parallel => (1.0, NONE),
         Attenuation::Light => (1.0, [light.k, 1.0, 0.0]),
         Attenuation::InverseSquare => (1.0, [0.0, 0.0, 1.0]),
-        Attenuation::Quadratic if sides(light, place, mesh)[1] => (1.0, [light.c1, light.c2, light.c3]),
+        Attenuation::Quadratic if sides(light, place, mesh)[1] => {
+            (1.0, [light.c1, light.c2, light.c3])
+        }
         Attenuation::Quadratic | Attenuation::None => (1.0, NONE),
     }
 }
@@ -417,7 +570,9 @@ fn exponent(scene: &Scene) -> f64 {
         ReflectionModel::Blinn => material.n,
         ReflectionModel::Phong => blinn_from_phong(material.n),
         // The inverse of m = √(2/(n + 2)).
-        ReflectionModel::CookTorrance => (2.0 / (material.roughness * material.roughness) - 2.0).max(0.0),
+        ReflectionModel::CookTorrance => {
+            (2.0 / (material.roughness * material.roughness) - 2.0).max(0.0)
+        }
     }
 }
 
@@ -427,15 +582,29 @@ fn material(scene: &Scene, mesh: &VertexMesh) -> String {
     let index = Index::of(material);
     let head_on = index.map_or(Rgb::ONE, |index| index.reflectance(1.0));
     let n_means = match scene.reflection.model {
-        _ if SpecularForm::of(scene) == SpecularForm::None => "n, of no effect: no specular light".to_owned(),
+        _ if SpecularForm::of(scene) == SpecularForm::None => {
+            "n, of no effect: no specular light".to_owned()
+        }
         ReflectionModel::Blinn => "n of (N.H)^n".to_owned(),
-        ReflectionModel::Phong => format!("as wide as (R.V)^n with n = {}, up to 128", said(material.n)),
-        ReflectionModel::CookTorrance => format!("as wide as roughness {}, up to 128", said(material.roughness)),
+        ReflectionModel::Phong => format!(
+            "as wide as (R.V)^n with n = {}, up to 128",
+            said(material.n)
+        ),
+        ReflectionModel::CookTorrance => format!(
+            "as wide as roughness {}, up to 128",
+            said(material.roughness)
+        ),
     };
     let (model, model_means) = match scene.shading.mode {
         ShadingMode::Flat => ("GL_FLAT", "the shade of each triangle's last vertex"),
-        ShadingMode::Interpolated => ("GL_SMOOTH", "intensities interpolated, between vertices with the polygon's N"),
-        _ => ("GL_SMOOTH", "Gouraud's: intensities interpolated between vertices"),
+        ShadingMode::Interpolated => (
+            "GL_SMOOTH",
+            "intensities interpolated, between vertices with the polygon's N",
+        ),
+        _ => (
+            "GL_SMOOTH",
+            "Gouraud's: intensities interpolated between vertices",
+        ),
     };
     let eye_outside = (scene.camera.eye - mesh.origin).length() > mesh.radius() * 1.01;
     let culling = if mesh.closed && eye_outside {
@@ -452,8 +621,18 @@ fn material(scene: &Scene, mesh: &VertexMesh) -> String {
         &[
             ("ambient", &c_four(material.ka * material.color, 1.0)),
             ("diffuse", &c_four(material.kd * material.color, 1.0)),
-            ("specular", &c_four(material.ks * material.specular_color * head_on, 1.0)),
-            ("reflectance", if index.is_some() { ", times W at normal incidence" } else { "" }),
+            (
+                "specular",
+                &c_four(material.ks * material.specular_color * head_on, 1.0),
+            ),
+            (
+                "reflectance",
+                if index.is_some() {
+                    ", times W at normal incidence"
+                } else {
+                    ""
+                },
+            ),
             ("n", &c_float(exponent(scene).min(GREATEST_EXPONENT))),
             ("n_means", &n_means),
             ("model", model),
@@ -470,13 +649,24 @@ fn main(scene: &Scene, mesh: &VertexMesh) -> String {
     let [width, height] = scene.image.size.map(|side| side.to_string());
     let flat = scene.shading.mode == ShadingMode::Flat;
     let row = |[a, b, c]: [u32; 3]| {
-        if flat { format!("    {{{b}, {c}, {a}}},\n") } else { format!("    {{{a}, {b}, {c}}},\n") }
+        if flat {
+            format!("    {{{b}, {c}, {a}}},\n")
+        } else {
+            format!("    {{{a}, {b}, {c}}},\n")
+        }
     };
     let count = fan(mesh).count().to_string();
     let triangles: String = fan(mesh).map(row).collect();
     let list = |vectors: &[Vec3]| -> String {
-        let vectors = if vectors.is_empty() { &[Vec3::ZERO] } else { vectors };
-        vectors.iter().map(|v| format!("    {{{}}},\n", c_three(v.as_dvec3()))).collect()
+        let vectors = if vectors.is_empty() {
+            &[Vec3::ZERO]
+        } else {
+            vectors
+        };
+        vectors
+            .iter()
+            .map(|v| format!("    {{{}}},\n", c_three(v.as_dvec3())))
+            .collect()
     };
     filled(
         include_str!("fixed/main.c"),
@@ -488,8 +678,22 @@ fn main(scene: &Scene, mesh: &VertexMesh) -> String {
             ("origin", &mesh.origin.to_array().map(c_double).join(", ")),
             ("positions", &list(&mesh.positions)),
             ("normals", &list(&mesh.normals)),
-            ("order", if flat { ", which gives the shade and so comes last" } else { "" }),
-            ("triangles", if triangles.is_empty() { "    {0, 0, 0}," } else { &triangles }),
+            (
+                "order",
+                if flat {
+                    ", which gives the shade and so comes last"
+                } else {
+                    ""
+                },
+            ),
+            (
+                "triangles",
+                if triangles.is_empty() {
+                    "    {0, 0, 0},"
+                } else {
+                    &triangles
+                },
+            ),
         ],
     )
 }

@@ -8,8 +8,9 @@ use super::text::{filled, float, head, said, vec3};
 use super::{Export, Part};
 use crate::illumination::{Index, SpecularForm};
 use crate::scene::{
-    Attenuation, Backfacing, Camera, CuedBy, Encoding, Interpolation, Light, LightKind, NormalSource, Object,
-    ObjectKind, Overflow, PatternKind, Projection, Scene, ShadingMode, View, Viewer,
+    Attenuation, Backfacing, Camera, CuedBy, Encoding, Interpolation, Light, LightKind,
+    NormalSource, Object, ObjectKind, Overflow, PatternKind, Projection, Scene, ShadingMode, View,
+    Viewer,
 };
 use glam::{DMat4, DVec3, DVec4};
 
@@ -25,7 +26,8 @@ const MARGIN: f64 = 1.01;
 /// What is nearer than this many camera distances is not drawn, nor what is farther than its inverse.
 const NEAR: f64 = 1e-3;
 
-const EQUATION: &str = "    I = Ka*Od*Ia + sum over the lights of f*Ip*[Kd*Od*(N.L) + Ks*Os*W*S], where N.L > 0";
+const EQUATION: &str =
+    "    I = Ka*Od*Ia + sum over the lights of f*Ip*[Kd*Od*(N.L) + Ks*Os*W*S], where N.L > 0";
 
 /// Lengths are lifted a little before anything is divided by them.
 const DIRECTION: &str = "    float d = max(length(to_light), 1e-9);\n    vec3 L = to_light / d;\n";
@@ -47,11 +49,23 @@ pub fn glsl_330(scene: &Scene) -> Export {
     let scale = (scene.display.overflow == Overflow::Scale).then_some(SCALE);
     limits.extend([shading, scale].into_iter().flatten().map(str::to_owned));
     let equation = format!("{}\n{}\n{}", constants(scene), terms(scene), lights(scene));
-    let [in_vertex, in_fragment] = if per_pixel(scene) { ["", equation.as_str()] } else { [equation.as_str(), ""] };
+    let [in_vertex, in_fragment] = if per_pixel(scene) {
+        ["", equation.as_str()]
+    } else {
+        [equation.as_str(), ""]
+    };
     let part = |title, ending, text| {
         let what = format!("A scene of shading-lab: the {title} of a pair.");
-        let head = head(&[&what, &host(scene), "The equation, per channel:", EQUATION], &limits, "// ");
-        Part { title, ending, text: format!("#version 330 core\n{head}\n{text}") }
+        let head = head(
+            &[&what, &host(scene), "The equation, per channel:", EQUATION],
+            &limits,
+            "// ",
+        );
+        Part {
+            title,
+            ending,
+            text: format!("#version 330 core\n{head}\n{text}"),
+        }
     };
     let parts = vec![
         part("vertex shader", "vert", vertex(scene, in_vertex)),
@@ -63,13 +77,17 @@ pub fn glsl_330(scene: &Scene) -> Export {
 /// What the program around the shaders has to do.
 fn host(scene: &Scene) -> String {
     let normals = match (scene.shading.mode, scene.object.normals) {
-        (ShadingMode::Interpolated, _) | (_, NormalSource::Facet) => "each polygon's own, so that no vertex is shared",
+        (ShadingMode::Interpolated, _) | (_, NormalSource::Facet) => {
+            "each polygon's own, so that no vertex is shared"
+        }
         (_, NormalSource::Averaged) => "the mean of the polygons' at the vertex",
         (_, NormalSource::Exact) => "the true surface's",
         (_, NormalSource::File) => "the file's",
     };
     let provoking = match scene.shading.mode {
-        ShadingMode::Flat => " glProvokingVertex(GL_FIRST_VERTEX_CONVENTION) takes the shade of the first vertex.",
+        ShadingMode::Flat => {
+            " glProvokingVertex(GL_FIRST_VERTEX_CONVENTION) takes the shade of the first vertex."
+        }
         _ => "",
     };
     let encoded = |v: f64| match (v.clamp(0.0, 1.0), scene.display.encoding) {
@@ -77,7 +95,12 @@ fn host(scene: &Scene) -> String {
         (v, Encoding::Srgb) => 12.92 * v,
         (v, Encoding::Raw) => v,
     };
-    let background = scene.image.background.to_array().map(|v| said(encoded(v))).join(", ");
+    let background = scene
+        .image
+        .background
+        .to_array()
+        .map(|v| said(encoded(v)))
+        .join(", ");
     let [width, height] = scene.image.size;
     format!(
         "The program around them gives positions and unit normals ({normals}), enables GL_DEPTH_TEST and clears a picture \
@@ -98,15 +121,24 @@ fn constants(scene: &Scene) -> String {
     let (ks, os) = (vec3(material.ks), vec3(material.specular_color));
     let lobe = match form {
         SpecularForm::Beckmann | SpecularForm::Ggx => {
-            let means = if form == SpecularForm::Ggx { "alpha" } else { "the microfacets' root mean square slope" };
-            format!("const float m = {}; // roughness: {means}", float(material.roughness))
+            let means = if form == SpecularForm::Ggx {
+                "alpha"
+            } else {
+                "the microfacets' root mean square slope"
+            };
+            format!(
+                "const float m = {}; // roughness: {means}",
+                float(material.roughness)
+            )
         }
         _ if material.n > MIRROR => format!("const float n = {}; // a mirror", float(MIRROR)),
         _ => format!("const float n = {};", float(material.n)),
     };
     let specular = match form {
         SpecularForm::None => String::new(),
-        _ => format!("const vec3 Ks = {ks};\nconst vec3 Os = {os}; // the highlight's colour\n{lobe}"),
+        _ => format!(
+            "const vec3 Ks = {ks};\nconst vec3 Os = {os}; // the highlight's colour\n{lobe}"
+        ),
     };
     filled(
         include_str!("glsl/constants.glsl"),
@@ -153,7 +185,11 @@ fn terms(scene: &Scene) -> String {
         SpecularForm::None => String::new(),
         _ => format!(" + Ks * Os{w} * specular_factor(N, L, V, NL)"),
     };
-    let values: [(&str, &str); 3] = [("turn", turn), ("incidence", incidence), ("specular", &specular)];
+    let values: [(&str, &str); 3] = [
+        ("turn", turn),
+        ("incidence", incidence),
+        ("specular", &specular),
+    ];
     text + &filled(include_str!("glsl/reflected.glsl"), &values)
 }
 
@@ -162,20 +198,32 @@ fn specular(form: SpecularForm) -> String {
     const PHONG: &str = "S = (R.V)^n with R = 2N(N.L) - L (Phong)";
     const BLINN: &str = "S = (N.H)^n with H = (L + V)/|L + V| (Blinn)";
     const FACET: &str = concat!(include_str!("glsl/facet.glsl"), "\n");
-    let (power, chord) = (include_str!("glsl/power_of_cosine.glsl"), include_str!("glsl/power_of_chord.glsl"));
-    let (beckmann, ggx) = (include_str!("glsl/beckmann.glsl"), include_str!("glsl/ggx.glsl"));
+    let (power, chord) = (
+        include_str!("glsl/power_of_cosine.glsl"),
+        include_str!("glsl/power_of_chord.glsl"),
+    );
+    let (beckmann, ggx) = (
+        include_str!("glsl/beckmann.glsl"),
+        include_str!("glsl/ggx.glsl"),
+    );
     let (facet, helpers, doc, body) = match form {
         SpecularForm::None => return String::new(),
         SpecularForm::PhongCosine => ("", power, PHONG, "power(2.0 * NL * dot(N, V) - dot(L, V))"),
         SpecularForm::PhongChord => ("", chord, PHONG, "power(2.0 * NL * N - L, V)"),
         SpecularForm::BlinnCosine => ("", power, BLINN, "power(dot(N, normalize(L + V)))"),
         SpecularForm::BlinnChord => ("", chord, BLINN, "power(N, normalize(L + V))"),
-        SpecularForm::Beckmann => {
-            (FACET, beckmann, "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Beckmann)", "facets(N, L, V, NL)")
-        }
-        SpecularForm::Ggx => {
-            (FACET, ggx, "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Walter et al.)", "facets(N, L, V, NL)")
-        }
+        SpecularForm::Beckmann => (
+            FACET,
+            beckmann,
+            "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Beckmann)",
+            "facets(N, L, V, NL)",
+        ),
+        SpecularForm::Ggx => (
+            FACET,
+            ggx,
+            "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Walter et al.)",
+            "facets(N, L, V, NL)",
+        ),
     };
     let signature = "float specular_factor(vec3 N, vec3 L, vec3 V, float NL)";
     format!("{facet}{helpers}\n// {doc}.\n{signature} {{\n    return {body};\n}}\n\n")
@@ -184,7 +232,11 @@ fn specular(form: SpecularForm) -> String {
 /// `surface_color`, Od at a point.
 fn pattern(scene: &Scene) -> String {
     let pattern = &scene.pattern;
-    let around = if scene.object.kind.faces_viewer() { "xy" } else { "xz" };
+    let around = if scene.object.kind.faces_viewer() {
+        "xy"
+    } else {
+        "xz"
+    };
     let count = match pattern.kind {
         PatternKind::None => return String::new(),
         PatternKind::Checker => "floor(p.x + 0.5) + floor(p.y + 0.5) + floor(p.z + 0.5)".to_owned(),
@@ -192,8 +244,12 @@ fn pattern(scene: &Scene) -> String {
         PatternKind::Rings => format!("floor(length(p.{around}) + 0.5)"),
     };
     let (fields, scale) = (said(pattern.scale), float(pattern.scale));
-    let values: [(&str, &str); 4] =
-        [("fields", &fields), ("color", &vec3(pattern.color)), ("scale", &scale), ("count", &count)];
+    let values: [(&str, &str); 4] = [
+        ("fields", &fields),
+        ("color", &vec3(pattern.color)),
+        ("scale", &scale),
+        ("count", &count),
+    ];
     filled(include_str!("glsl/pattern.glsl"), &values)
 }
 
@@ -205,8 +261,13 @@ fn lights(scene: &Scene) -> String {
         Viewer::Local => "normalize(eye - P)",
         Viewer::Infinite => "towards_viewer",
     };
-    let color = if scene.pattern.kind == PatternKind::None { "Od" } else { "surface_color(P)" };
-    let call = |emitter: &Emitter<'_>| format!("    I += light_{}(P, N, V, color);\n", emitter.index);
+    let color = if scene.pattern.kind == PatternKind::None {
+        "Od"
+    } else {
+        "surface_color(P)"
+    };
+    let call =
+        |emitter: &Emitter<'_>| format!("    I += light_{}(P, N, V, color);\n", emitter.index);
     let calls: String = emitters.iter().map(call).collect();
     let values: [(&str, &str); 3] = [("view", view), ("color", color), ("lights", &calls)];
     functions + &filled(include_str!("glsl/illuminate.glsl"), &values)
@@ -216,22 +277,40 @@ fn light(emitter: &Emitter<'_>) -> String {
     let index = emitter.index.to_string();
     let (what, direction) = match &emitter.place {
         Place::Among(points) => return area(emitter, points, &index),
-        Place::Towards(l) => ("L is the same everywhere", format!("    const vec3 L = {};\n", vec3(*l))),
+        Place::Towards(l) => (
+            "L is the same everywhere",
+            format!("    const vec3 L = {};\n", vec3(*l)),
+        ),
         Place::At(place) => {
             let to_light = format!("    vec3 to_light = {} - P;\n{DIRECTION}", vec3(*place));
             ("L points to its place from each point", to_light)
         }
     };
-    let (title, ip, shine) = (emitter.title(), vec3(emitter.light.color), direction + &shine(emitter, "return"));
-    let values: [(&str, &str); 5] =
-        [("title", &title), ("what", what), ("index", &index), ("Ip", &ip), ("shine", &shine)];
+    let (title, ip, shine) = (
+        emitter.title(),
+        vec3(emitter.light.color),
+        direction + &shine(emitter, "return"),
+    );
+    let values: [(&str, &str); 5] = [
+        ("title", &title),
+        ("what", what),
+        ("index", &index),
+        ("Ip", &ip),
+        ("shine", &shine),
+    ];
     filled(include_str!("glsl/light.glsl"), &values)
 }
 
 /// An area light: the points that stand for it, and a loop over them.
 fn area(emitter: &Emitter<'_>, points: &[DVec3], index: &str) -> String {
-    let list: Vec<_> = points.iter().map(|&point| format!("    {}", vec3(point))).collect();
-    let body = format!("    vec3 to_light = points_{index}[i] - P;\n{DIRECTION}{}", shine(emitter, "sum +="));
+    let list: Vec<_> = points
+        .iter()
+        .map(|&point| format!("    {}", vec3(point)))
+        .collect();
+    let body = format!(
+        "    vec3 to_light = points_{index}[i] - P;\n{DIRECTION}{}",
+        shine(emitter, "sum +=")
+    );
     let body: String = body.lines().map(|line| format!("    {line}\n")).collect();
     filled(
         include_str!("glsl/area.glsl"),
@@ -248,14 +327,23 @@ fn area(emitter: &Emitter<'_>, points: &[DVec3], index: &str) -> String {
 
 /// f, a spot light's part, and what is reflected of it, which `verb` returns or adds.
 fn shine(emitter: &Emitter<'_>, verb: &str) -> String {
-    let Light { attenuation, k, c1, c2, c3, .. } = *emitter.light;
+    let Light {
+        attenuation,
+        k,
+        c1,
+        c2,
+        c3,
+        ..
+    } = *emitter.light;
     let [k, c1, c2, c3] = [k, c1, c2, c3].map(float);
     let f = match (attenuation, emitter.constant) {
         (_, Some(f)) => float(f),
         (Attenuation::Viewer, _) => format!("1.0 / max(distance(eye, P) + {k}, 1e-9)"),
         (Attenuation::Light, _) => format!("1.0 / max(d + {k}, 1e-9)"),
         (Attenuation::InverseSquare, _) => "1.0 / (d * d)".to_owned(),
-        (Attenuation::Quadratic, _) => format!("min(1.0, 1.0 / max({c1} + {c2} * d + {c3} * d * d, 1e-9))"),
+        (Attenuation::Quadratic, _) => {
+            format!("min(1.0, 1.0 / max({c1} + {c2} * d + {c3} * d * d, 1e-9))")
+        }
         (Attenuation::None, None) => "1.0".to_owned(),
     };
     let (cone, factor) = if emitter.light.kind == LightKind::Spot {
@@ -278,8 +366,17 @@ fn cone(emitter: &Emitter<'_>) -> String {
     } else {
         format!("step(gap, {edge})")
     };
-    let (axis, cone, exponent) = (vec3(emitter.axis()), said(light.cone), float(light.exponent));
-    let values: [(&str, &str); 4] = [("axis", &axis), ("cone", &cone), ("exponent", &exponent), ("soft", &soft)];
+    let (axis, cone, exponent) = (
+        vec3(emitter.axis()),
+        said(light.cone),
+        float(light.exponent),
+    );
+    let values: [(&str, &str); 4] = [
+        ("axis", &axis),
+        ("cone", &cone),
+        ("exponent", &exponent),
+        ("soft", &soft),
+    ];
     filled(include_str!("glsl/cone.glsl"), &values)
 }
 
@@ -311,14 +408,24 @@ impl Cue {
     fn declared(self, scene: &Scene) -> [String; 2] {
         let cueing = &scene.depth_cueing;
         let view = View::new(&scene.camera, scene.image.size);
-        let row = DVec4::from((view.forward, -view.forward.dot(view.eye))).to_array().map(float).join(", ");
+        let row = DVec4::from((view.forward, -view.forward.dot(view.eye)))
+            .to_array()
+            .map(float)
+            .join(", ");
         let depth = filled(include_str!("glsl/depth.glsl"), &[("row", &row)]);
         let [back, extent] = [cueing.back, cueing.back - cueing.front].map(float);
         let [front_scale, back_scale] = [cueing.front_scale, cueing.back_scale].map(float);
-        let values: [(&str, &str); 4] =
-            [("back", &back), ("extent", &extent), ("front_scale", &front_scale), ("back_scale", &back_scale)];
+        let values: [(&str, &str); 4] = [
+            ("back", &back),
+            ("extent", &extent),
+            ("front_scale", &front_scale),
+            ("back_scale", &back_scale),
+        ];
         let law = filled(include_str!("glsl/law.glsl"), &values);
-        let fade = filled(include_str!("glsl/fade.glsl"), &[("color", &vec3(cueing.color))]);
+        let fade = filled(
+            include_str!("glsl/fade.glsl"),
+            &[("color", &vec3(cueing.color))],
+        );
         match self {
             Self::None => [String::new(), String::new()],
             Self::Intensity => [depth + &law + &fade, String::new()],
@@ -347,14 +454,22 @@ fn vertex(scene: &Scene, equation: &str) -> String {
     let here = "dot(depth_from_world, vec4(vertex_position, 1.0))";
     let (mut carried, mut given) = if per_pixel(scene) {
         let carried = format!("out vec3 position;\n{how}out vec3 normal;");
-        (carried, "position = vertex_position;\n    normal = vertex_normal;".to_owned())
+        (
+            carried,
+            "position = vertex_position;\n    normal = vertex_normal;".to_owned(),
+        )
     } else {
-        (format!("{how}out vec3 intensity;"), "intensity = illuminate(vertex_position, vertex_normal);".to_owned())
+        (
+            format!("{how}out vec3 intensity;"),
+            "intensity = illuminate(vertex_position, vertex_normal);".to_owned(),
+        )
     };
     match cue {
         Cue::None => {}
         Cue::Intensity => {
-            given = format!("intensity = fade(illuminate(vertex_position, vertex_normal), s0_at({here}));");
+            given = format!(
+                "intensity = fade(illuminate(vertex_position, vertex_normal), s0_at({here}));"
+            );
         }
         Cue::Carried => {
             carried += &format!("\n{how}out float s0;");
@@ -369,18 +484,31 @@ fn vertex(scene: &Scene, equation: &str) -> String {
     let declared = format!("{equation}{cueing}");
     let clip = clip_from_world(&scene.camera, scene.image.size, &scene.object);
     let column = |v: DVec4| format!("    {}", v.to_array().map(float).join(", "));
-    let columns = [clip.x_axis, clip.y_axis, clip.z_axis, clip.w_axis].map(column).join(",\n");
-    let values: [(&str, &str); 4] =
-        [("clip_from_world", &columns), ("declared", &declared), ("carried", &carried), ("given", &given)];
+    let columns = [clip.x_axis, clip.y_axis, clip.z_axis, clip.w_axis]
+        .map(column)
+        .join(",\n");
+    let values: [(&str, &str); 4] = [
+        ("clip_from_world", &columns),
+        ("declared", &declared),
+        ("carried", &carried),
+        ("given", &given),
+    ];
     filled(include_str!("glsl/vertex.glsl"), &values)
 }
 
 fn fragment(scene: &Scene, equation: &str) -> String {
     let (how, cue) = (qualifier(scene), Cue::of(scene));
     let renormalise = scene.shading.renormalise || scene.shading.mode == ShadingMode::Exact;
-    let normal = if renormalise { "normalize(normal)" } else { "normal" };
+    let normal = if renormalise {
+        "normalize(normal)"
+    } else {
+        "normal"
+    };
     let (mut carried, mut intensity) = if per_pixel(scene) {
-        (format!("in vec3 position;\n{how}in vec3 normal;"), format!("illuminate(position, {normal})"))
+        (
+            format!("in vec3 position;\n{how}in vec3 normal;"),
+            format!("illuminate(position, {normal})"),
+        )
     } else {
         (format!("{how}in vec3 intensity;"), "intensity".to_owned())
     };
@@ -403,8 +531,14 @@ fn fragment(scene: &Scene, equation: &str) -> String {
         _ => String::new(),
     };
     let (means, encode) = match scene.display.encoding {
-        Encoding::Raw => ("the framebuffer stores 255*I, rounded", "    return clamp(I, 0.0, 1.0);"),
-        Encoding::Srgb => ("the transfer function of IEC 61966-2-1", include_str!("glsl/srgb.glsl")),
+        Encoding::Raw => (
+            "the framebuffer stores 255*I, rounded",
+            "    return clamp(I, 0.0, 1.0);",
+        ),
+        Encoding::Srgb => (
+            "the transfer function of IEC 61966-2-1",
+            include_str!("glsl/srgb.glsl"),
+        ),
     };
     let values: [(&str, &str); 6] = [
         ("declared", &declared),
@@ -427,15 +561,22 @@ fn clip_from_world(camera: &Camera, size: [u32; 2], object: &Object) -> DMat4 {
         DVec4::new(view.right.x, view.up.x, -view.forward.x, 0.0),
         DVec4::new(view.right.y, view.up.y, -view.forward.y, 0.0),
         DVec4::new(view.right.z, view.up.z, -view.forward.z, 0.0),
-        DVec4::new(-view.right.dot(view.eye), -view.up.dot(view.eye), view.forward.dot(view.eye), 1.0),
+        DVec4::new(
+            -view.right.dot(view.eye),
+            -view.up.dot(view.eye),
+            view.forward.dot(view.eye),
+            1.0,
+        ),
     );
     let (third, fourth) = match view.projection {
-        Projection::Perspective => {
-            (DVec4::new(0.0, 0.0, -(far + near) / span, -1.0), DVec4::new(0.0, 0.0, -2.0 * far * near / span, 0.0))
-        }
-        Projection::Orthographic => {
-            (DVec4::new(0.0, 0.0, -2.0 / span, 0.0), DVec4::new(0.0, 0.0, -(far + near) / span, 1.0))
-        }
+        Projection::Perspective => (
+            DVec4::new(0.0, 0.0, -(far + near) / span, -1.0),
+            DVec4::new(0.0, 0.0, -2.0 * far * near / span, 0.0),
+        ),
+        Projection::Orthographic => (
+            DVec4::new(0.0, 0.0, -2.0 / span, 0.0),
+            DVec4::new(0.0, 0.0, -(far + near) / span, 1.0),
+        ),
     };
     DMat4::from_cols(DVec4::X * x, DVec4::Y * y, third, fourth) * eye_from_world
 }
@@ -449,7 +590,13 @@ fn planes(camera: &Camera, view: &View, object: &Object) -> [f64; 2] {
     }
     let reach = match object.kind {
         ObjectKind::Polygons => {
-            object.polygons().vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max) * MARGIN
+            object
+                .polygons()
+                .vertices
+                .iter()
+                .map(|vertex| vertex.length())
+                .fold(0.0, f64::max)
+                * MARGIN
         }
         _ => SHAPES,
     };

@@ -3,7 +3,8 @@
 use super::text::holding;
 use crate::illumination::{SpecularForm, area_samples, attenuation_at, direction};
 use crate::scene::{
-    AmbientSource, Attenuation, FlatAt, Interpolation, Light, LightKind, PatternKind, Projection, Scene, Viewer,
+    AmbientSource, Attenuation, FlatAt, Interpolation, Light, LightKind, PatternKind, Projection,
+    Scene, Viewer,
 };
 use glam::DVec3;
 
@@ -13,8 +14,7 @@ const PARALLEL_BEYOND: f64 = 1e9;
 /// Between this and its inverse, squares of lengths and products of a few of them stay within single precision.
 const GREATEST_LENGTH: f64 = 1e9;
 
-pub(super) const SCALE: &str =
-    "The division by the picture's greatest intensity, which nothing knows before all is drawn: I is clamped.";
+pub(super) const SCALE: &str = "The division by the picture's greatest intensity, which nothing knows before all is drawn: I is clamped.";
 
 /// A light that shines.
 pub(super) struct Emitter<'a> {
@@ -39,7 +39,12 @@ pub(super) enum Place {
 pub(super) fn emitters(scene: &Scene) -> Vec<Emitter<'_>> {
     let soloing = scene.soloing();
     let mut emitters = Vec::new();
-    for (index, light) in scene.lights.iter().enumerate().filter(|(_, light)| light.shines(soloing)) {
+    for (index, light) in scene
+        .lights
+        .iter()
+        .enumerate()
+        .filter(|(_, light)| light.shines(soloing))
+    {
         let offset = light.position - scene.camera.eye;
         let distance = offset.length();
         let far = distance > PARALLEL_BEYOND * scene.camera.distance();
@@ -55,7 +60,12 @@ pub(super) fn emitters(scene: &Scene) -> Vec<Emitter<'_>> {
             _ if !light.kind.has_position() => Some(1.0),
             attenuation => far.then(|| attenuation_at(light, attenuation, distance)),
         };
-        emitters.push(Emitter { index, light, place, constant });
+        emitters.push(Emitter {
+            index,
+            light,
+            place,
+            constant,
+        });
     }
     emitters
 }
@@ -72,7 +82,11 @@ impl Emitter<'_> {
         let plain = |c: char| c.is_ascii_alphanumeric() || " -_.,'".contains(c);
         let name = self.light.name.trim();
         let harmless = !name.is_empty() && name.len() <= 60 && name.chars().all(plain);
-        let name = if harmless { format!(" \"{name}\"") } else { String::new() };
+        let name = if harmless {
+            format!(" \"{name}\"")
+        } else {
+            String::new()
+        };
         format!("Light {}{name}, {kind}", self.index)
     }
 
@@ -86,24 +100,48 @@ impl Emitter<'_> {
 pub(super) fn surroundings(scene: &Scene) -> Vec<String> {
     let unit = scene.camera.distance();
     let measured = (1.0 / GREATEST_LENGTH..GREATEST_LENGTH).contains(&unit);
-    let shining = scene.lights.iter().any(|light| light.shines(scene.soloing()));
+    let shining = scene
+        .lights
+        .iter()
+        .any(|light| light.shines(scene.soloing()));
     let backdrop = scene.backdrop.pattern != PatternKind::None;
     holding([
-        (scene.shading.shadows && shining, "Shadows: every light reaches every point."),
-        (scene.transparency.kt > 0.0, "Transparency (Kt): the surface is drawn opaque."),
-        (scene.ground.visible, "The ground: only the object is drawn."),
-        (backdrop, "The backdrop: only the background's colour is behind the object."),
-        (scene.ambient.source != AmbientSource::Constant, "Light that other surfaces have scattered: Ia is constant."),
-        (!measured, "Lengths of this size: OpenGL squares them in single precision. Scale the scene."),
+        (
+            scene.shading.shadows && shining,
+            "Shadows: every light reaches every point.",
+        ),
+        (
+            scene.transparency.kt > 0.0,
+            "Transparency (Kt): the surface is drawn opaque.",
+        ),
+        (
+            scene.ground.visible,
+            "The ground: only the object is drawn.",
+        ),
+        (
+            backdrop,
+            "The backdrop: only the background's colour is behind the object.",
+        ),
+        (
+            scene.ambient.source != AmbientSource::Constant,
+            "Light that other surfaces have scattered: Ia is constant.",
+        ),
+        (
+            !measured,
+            "Lengths of this size: OpenGL squares them in single precision. Scale the scene.",
+        ),
     ])
 }
 
 /// What flat shading is not.
 pub(super) fn flat(scene: &Scene) -> Option<&'static str> {
     // Where L and V do not vary, a polygon with one normal has one shade.
-    let parallel = emitters(scene).iter().all(|emitter| matches!(emitter.place, Place::Towards(_)));
-    let constant =
-        parallel && (scene.camera.viewer == Viewer::Infinite || SpecularForm::of(scene) == SpecularForm::None);
+    let parallel = emitters(scene)
+        .iter()
+        .all(|emitter| matches!(emitter.place, Place::Towards(_)));
+    let constant = parallel
+        && (scene.camera.viewer == Viewer::Infinite
+            || SpecularForm::of(scene) == SpecularForm::None);
     match scene.shading.flat_at {
         FlatAt::ProvokingVertex => None,
         FlatAt::Centre if constant => Some(
@@ -125,9 +163,9 @@ pub(super) fn interpolation(scene: &Scene, affine: bool) -> Option<&'static str>
         Interpolation::Affine if !affine && scene.camera.projection == Projection::Perspective => {
             Some("Affine interpolation: OpenGL's is perspective-correct.")
         }
-        Interpolation::Scanline => {
-            Some("Interpolation along scan lines: polygons are drawn as triangles, interpolated as such.")
-        }
+        Interpolation::Scanline => Some(
+            "Interpolation along scan lines: polygons are drawn as triangles, interpolated as such.",
+        ),
         _ => None,
     }
 }

@@ -51,7 +51,9 @@ pub(super) fn said(value: f64) -> String {
 pub(super) fn filled(template: &str, values: &[(&str, &str)]) -> String {
     let mut text = String::new();
     for line in template.lines() {
-        let alone = line.strip_prefix('$').and_then(|rest| rest.strip_suffix('$'));
+        let alone = line
+            .strip_prefix('$')
+            .and_then(|rest| rest.strip_suffix('$'));
         if let Some((_, block)) = values.iter().find(|(name, _)| Some(*name) == alone) {
             text += block;
             if !block.is_empty() && !block.ends_with('\n') {
@@ -61,7 +63,9 @@ pub(super) fn filled(template: &str, values: &[(&str, &str)]) -> String {
         }
         // Every second piece is a name.
         for (index, piece) in line.split('$').enumerate() {
-            let value = values.iter().find(|(name, _)| index % 2 == 1 && *name == piece);
+            let value = values
+                .iter()
+                .find(|(name, _)| index % 2 == 1 && *name == piece);
             text += value.map_or(piece, |(_, value)| value);
         }
         text.push('\n');
@@ -71,7 +75,11 @@ pub(super) fn filled(template: &str, values: &[(&str, &str)]) -> String {
 
 /// The sentences whose condition holds.
 pub(super) fn holding<const N: usize>(cases: [(bool, &str); N]) -> Vec<String> {
-    cases.into_iter().filter(|&(holds, _)| holds).map(|(_, text)| text.to_owned()).collect()
+    cases
+        .into_iter()
+        .filter(|&(holds, _)| holds)
+        .map(|(_, text)| text.to_owned())
+        .collect()
 }
 
 /// The head of every text as a comment: what it is, and what it does not express. Each line is set off by `prefix`.
@@ -85,7 +93,11 @@ pub(super) fn head(what: &[&str], limits: &[String], prefix: &str) -> String {
         lines.extend(limits.iter().map(|limit| format!("- {limit}")));
     }
     let whole = |line: String| format!("{}\n", format!("{prefix}{line}").trim_end());
-    lines.iter().flat_map(|line| wrap(line, 100)).map(whole).collect()
+    lines
+        .iter()
+        .flat_map(|line| wrap(line, 100))
+        .map(whole)
+        .collect()
 }
 
 /// `text` in lines of at most `width` characters, the second and later ones indented; code, which is indented, as it is.
@@ -113,18 +125,39 @@ mod tests {
 
     #[test]
     fn numbers_are_literals_in_either_language_and_short_in_sentences() {
-        for (value, text) in [(1.0, "1.0"), (-0.0, "0.0"), (0.1, "0.1"), (1e-7, "1e-7"), (1e300, "3.4028235e38")] {
-            assert_eq!((float(value), c_float(value)), (text.to_owned(), format!("{text}f")));
+        for (value, text) in [
+            (1.0, "1.0"),
+            (-0.0, "0.0"),
+            (0.1, "0.1"),
+            (1e-7, "1e-7"),
+            (1e300, "3.4028235e38"),
+        ] {
+            assert_eq!(
+                (float(value), c_float(value)),
+                (text.to_owned(), format!("{text}f"))
+            );
         }
-        assert_eq!((c_double(0.1), c_double(1e300)), ("0.1".to_owned(), "1e300".to_owned()));
-        assert_eq!([DVec3::ONE, DVec3::X].map(vec3), ["vec3(1.0)", "vec3(1.0, 0.0, 0.0)"]);
+        assert_eq!(
+            (c_double(0.1), c_double(1e300)),
+            ("0.1".to_owned(), "1e300".to_owned())
+        );
+        assert_eq!(
+            [DVec3::ONE, DVec3::X].map(vec3),
+            ["vec3(1.0)", "vec3(1.0, 0.0, 0.0)"]
+        );
         let values = [0.0, 40.0, 0.25, 1.0 / 3.0, 1e-9, f64::INFINITY];
-        assert_eq!(values.map(said), ["0", "40", "0.25", "0.3333", "1.000e-9", "inf"]);
+        assert_eq!(
+            values.map(said),
+            ["0", "40", "0.25", "0.3333", "1.000e-9", "inf"]
+        );
     }
 
     #[test]
     fn a_template_has_its_values_and_loses_lines_that_are_empty() {
         let template = "a $x$ and $y$;\n$x$\n$none$\nb\n";
-        assert_eq!(filled(template, &[("x", "1"), ("y", "2"), ("none", "")]), "a 1 and 2;\n1\nb\n");
+        assert_eq!(
+            filled(template, &[("x", "1"), ("y", "2"), ("none", "")]),
+            "a 1 and 2;\n1\nb\n"
+        );
     }
 }

@@ -16,7 +16,10 @@ pub struct Area {
 impl Area {
     /// The area of `size` about `centre`.
     pub fn about(centre: DVec2, size: DVec2) -> Self {
-        Self { min: centre - size * 0.5, max: centre + size * 0.5 }
+        Self {
+            min: centre - size * 0.5,
+            max: centre + size * 0.5,
+        }
     }
 
     /// Its middle.
@@ -26,7 +29,12 @@ impl Area {
 
     /// Its corners, clockwise from the top left.
     pub fn corners(&self) -> Vec<DVec2> {
-        vec![self.min, DVec2::new(self.max.x, self.min.y), self.max, DVec2::new(self.min.x, self.max.y)]
+        vec![
+            self.min,
+            DVec2::new(self.max.x, self.min.y),
+            self.max,
+            DVec2::new(self.min.x, self.max.y),
+        ]
     }
 
     /// Whether `other` lies within, edges included.
@@ -50,7 +58,8 @@ impl Area {
         if a.max(b).cmple(self.min).any() || a.min(b).cmpge(self.max).any() {
             return 0.0;
         }
-        self.segment(a, b).map_or(0.0, |(from, to)| from.distance(to))
+        self.segment(a, b)
+            .map_or(0.0, |(from, to)| from.distance(to))
     }
 
     /// The part of the segment from `a` to `b` within (Liang and Barsky 1984).
@@ -101,11 +110,19 @@ pub fn clipped(points: impl IntoIterator<Item = DVec2>, area: &Area) -> Vec<Run>
     let mut travelled = 0.0;
     for point in points {
         let before = last.replace(point);
-        let Some(before) = before.filter(|before| before.is_finite() && point.is_finite()) else { continue };
+        let Some(before) = before.filter(|before| before.is_finite() && point.is_finite()) else {
+            continue;
+        };
         if let Some((from, to)) = area.segment(before, point) {
-            match runs.last_mut().filter(|run| run.points.last() == Some(&from)) {
+            match runs
+                .last_mut()
+                .filter(|run| run.points.last() == Some(&from))
+            {
                 Some(run) => run.points.push(to),
-                None => runs.push(Run { points: vec![from, to], start: travelled + from.distance(before) }),
+                None => runs.push(Run {
+                    points: vec![from, to],
+                    start: travelled + from.distance(before),
+                }),
             }
         }
         travelled += before.distance(point);
@@ -117,7 +134,10 @@ pub fn clipped(points: impl IntoIterator<Item = DVec2>, area: &Area) -> Vec<Run>
 /// beyond meaning.
 pub fn can_be_filled(points: &[DVec2], area: &Area) -> bool {
     let bounds = points.iter().copied().map(|point| (point, point));
-    let Some((min, max)) = bounds.reduce(|(a, b), (c, d)| (a.min(c), b.max(d))) else { return false };
+    let Some((min, max)) = bounds.reduce(|(a, b), (c, d)| (a.min(c), b.max(d))) else {
+        return false;
+    };
     let seen = min.cmple(area.max).all() && max.cmpge(area.min).all();
-    seen && points.iter().all(|point| point.is_finite()) && (max - min).cmple((area.max - area.min) * 4.0).all()
+    seen && points.iter().all(|point| point.is_finite())
+        && (max - min).cmple((area.max - area.min) * 4.0).all()
 }

@@ -31,31 +31,58 @@ pub struct Shape {
 impl Shape {
     /// A solid line.
     pub fn line(points: Vec<DVec2>, width: f64, colour: Rgb8) -> Self {
-        Self { points, closed: false, fill: false, width, dashes: &[], colour, opacity: 1.0, halo: true }
+        Self {
+            points,
+            closed: false,
+            fill: false,
+            width,
+            dashes: &[],
+            colour,
+            opacity: 1.0,
+            halo: true,
+        }
     }
 
     /// A closed line.
     pub fn outline(points: Vec<DVec2>, width: f64, colour: Rgb8) -> Self {
-        Self { closed: true, ..Self::line(points, width, colour) }
+        Self {
+            closed: true,
+            ..Self::line(points, width, colour)
+        }
     }
 
     /// A filled area.
     pub fn area(points: Vec<DVec2>, colour: Rgb8) -> Self {
-        Self { fill: true, ..Self::outline(points, 0.0, colour) }
+        Self {
+            fill: true,
+            ..Self::outline(points, 0.0, colour)
+        }
     }
 
     /// A circle's outline.
     pub fn ring(centre: DVec2, radius: f64, width: f64, colour: Rgb8) -> Self {
         static CORNERS: LazyLock<Vec<DVec2>> = LazyLock::new(|| {
             let step = std::f64::consts::TAU / f64::from(CIRCLE_CORNERS);
-            (0..CIRCLE_CORNERS).map(|i| DVec2::from_angle(f64::from(i) * step)).collect()
+            (0..CIRCLE_CORNERS)
+                .map(|i| DVec2::from_angle(f64::from(i) * step))
+                .collect()
         });
-        Self::outline(CORNERS.iter().map(|corner| centre + radius * *corner).collect(), width, colour)
+        Self::outline(
+            CORNERS
+                .iter()
+                .map(|corner| centre + radius * *corner)
+                .collect(),
+            width,
+            colour,
+        )
     }
 
     /// A filled circle.
     pub fn disc(centre: DVec2, radius: f64, colour: Rgb8) -> Self {
-        Self { fill: true, ..Self::ring(centre, radius, 0.0, colour) }
+        Self {
+            fill: true,
+            ..Self::ring(centre, radius, 0.0, colour)
+        }
     }
 
     /// The triangle at the end of an arrow.
@@ -65,9 +92,18 @@ impl Shape {
     }
 
     /// The shaft and the head of an arrow in the direction `along`.
-    pub fn arrow([tail, tip]: [DVec2; 2], along: DVec2, width: f64, head: f64, colour: Rgb8) -> [Self; 2] {
+    pub fn arrow(
+        [tail, tip]: [DVec2; 2],
+        along: DVec2,
+        width: f64,
+        head: f64,
+        colour: Rgb8,
+    ) -> [Self; 2] {
         let shaft = vec![tail, tip - along * 0.85 * head];
-        [Self::line(shaft, width, colour), Self::arrow_head(tip, along, head, colour)]
+        [
+            Self::line(shaft, width, colour),
+            Self::arrow_head(tip, along, head, colour),
+        ]
     }
 
     /// The same with dashes, in line widths.
@@ -82,7 +118,10 @@ impl Shape {
 
     /// The same without a halo.
     pub fn plain(self) -> Self {
-        Self { halo: false, ..self }
+        Self {
+            halo: false,
+            ..self
+        }
     }
 }
 
@@ -106,13 +145,26 @@ pub struct Text {
 impl Text {
     /// Text that begins at `at`.
     pub fn new(text: impl Into<String>, at: DVec2, size: f64, colour: Rgb8) -> Self {
-        Self { text: text.into(), at, align: 0.0, size, colour, strong: false, halo: 0.0 }
+        Self {
+            text: text.into(),
+            at,
+            align: 0.0,
+            size,
+            colour,
+            strong: false,
+            halo: 0.0,
+        }
     }
 
     /// Text with the middle of its ink at `centre`.
     pub fn centred(text: &str, centre: DVec2, size: f64, colour: Rgb8) -> Self {
         let lettering = Lettering::new(text, size);
-        Self::new(text, centre - (lettering.min + lettering.max) * 0.5, size, colour)
+        Self::new(
+            text,
+            centre - (lettering.min + lettering.max) * 0.5,
+            size,
+            colour,
+        )
     }
 
     /// Its width.
@@ -127,7 +179,10 @@ impl Text {
 
     /// The same in bold type.
     pub fn bold(self) -> Self {
-        Self { strong: true, ..self }
+        Self {
+            strong: true,
+            ..self
+        }
     }
 }
 
@@ -157,7 +212,12 @@ impl Scale {
     /// Where a value is drawn.
     pub fn place(&self, [x, y]: [f64; 2]) -> DVec2 {
         match self {
-            Self::Cartesian { min, max, x: [x0, x1], y: [y0, y1] } => DVec2::new(
+            Self::Cartesian {
+                min,
+                max,
+                x: [x0, x1],
+                y: [y0, y1],
+            } => DVec2::new(
                 min.x + (x - x0) / (x1 - x0) * (max.x - min.x),
                 max.y - (y - y0) / (y1 - y0) * (max.y - min.y),
             ),
@@ -189,23 +249,47 @@ pub struct Drawing {
 impl Drawing {
     /// An empty sheet.
     pub fn new(size: DVec2, ground: Rgb8) -> Self {
-        Self { size, ground: Some(ground), ..Self::over_picture(ground, 0.0) }
+        Self {
+            size,
+            ground: Some(ground),
+            ..Self::over_picture(ground, 0.0)
+        }
     }
 
     /// Nothing yet, over a picture, with halos of a colour and a breadth.
     pub fn over_picture(halo: Rgb8, breadth: f64) -> Self {
         let (shapes, texts, scales) = (vec![], vec![], vec![]);
-        Self { size: DVec2::ZERO, ground: None, halo, breadth, shapes, texts, scales }
+        Self {
+            size: DVec2::ZERO,
+            ground: None,
+            halo,
+            breadth,
+            shapes,
+            texts,
+            scales,
+        }
     }
 
     /// The shapes in the order in which they are painted: the halos of all come first, so that lines that meet grow together
     /// instead of cutting one another.
     pub fn painted(&self) -> impl Iterator<Item = Cow<'_, Shape>> {
-        let haloed = self.shapes.iter().filter(|shape| shape.halo && self.breadth > 0.0);
+        let haloed = self
+            .shapes
+            .iter()
+            .filter(|shape| shape.halo && self.breadth > 0.0);
         let halos = haloed.map(|shape| {
-            let breadth = if shape.fill { self.breadth } else { self.breadth.min(0.9 * shape.width) };
+            let breadth = if shape.fill {
+                self.breadth
+            } else {
+                self.breadth.min(0.9 * shape.width)
+            };
             let width = shape.width + 2.0 * breadth;
-            Cow::Owned(Shape { width, dashes: &[], colour: self.halo, ..shape.clone() })
+            Cow::Owned(Shape {
+                width,
+                dashes: &[],
+                colour: self.halo,
+                ..shape.clone()
+            })
         });
         halos.chain(self.shapes.iter().map(Cow::Borrowed))
     }
@@ -213,7 +297,12 @@ impl Drawing {
     /// x at a place inside the first plot.
     pub fn x_at(&self, place: DVec2) -> Option<f64> {
         match self.scales.first()? {
-            Scale::Cartesian { min, max, x: [x0, x1], .. } => {
+            Scale::Cartesian {
+                min,
+                max,
+                x: [x0, x1],
+                ..
+            } => {
                 let inside = place.cmpge(*min).all() && place.cmple(*max).all();
                 inside.then(|| x0 + (place.x - min.x) / (max.x - min.x) * (x1 - x0))
             }

@@ -6,7 +6,9 @@ use super::palette::Rgb8;
 use glam::DVec2;
 
 /// Turns away from the wanted direction that are tried, in degrees.
-const TURNS: [f64; 12] = [0.0, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0, 110.0, -110.0, 145.0, -145.0, 180.0];
+const TURNS: [f64; 12] = [
+    0.0, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0, 110.0, -110.0, 145.0, -145.0, 180.0,
+];
 /// Distances that are tried, in text sizes beyond the clearance.
 const DISTANCES: [f64; 7] = [0.0, 0.3, 0.7, 1.2, 1.8, 2.5, 3.5];
 /// What a text size of distance, a half turn, and a text size of covered line cost.
@@ -30,7 +32,10 @@ pub struct Label {
 impl Label {
     /// The text in the middle of its area.
     pub fn to_text(&self, halo: f64) -> Text {
-        Text { halo, ..Text::centred(&self.text, self.area.centre(), self.size, self.colour) }
+        Text {
+            halo,
+            ..Text::centred(&self.text, self.area.centre(), self.size, self.colour)
+        }
     }
 }
 
@@ -63,10 +68,21 @@ impl Placer {
     pub fn new(bounds: Area, text_size: f64, shapes: &[Shape], taken: Vec<Area>) -> Self {
         let mut segments = Vec::new();
         for shape in shapes {
-            let coarse: Vec<DVec2> = shape.points.iter().copied().step_by(1 + shape.points.len() / CHORDS).collect();
+            let coarse: Vec<DVec2> = shape
+                .points
+                .iter()
+                .copied()
+                .step_by(1 + shape.points.len() / CHORDS)
+                .collect();
             segments.extend(coarse.array_windows::<2>());
         }
-        Self { bounds, text_size, taken, segments, best: None }
+        Self {
+            bounds,
+            text_size,
+            taken,
+            segments,
+            best: None,
+        }
     }
 
     /// The best free place, or nothing where the picture has no room. The place is taken from then on.
@@ -82,12 +98,20 @@ impl Placer {
     }
 
     fn try_beside(&mut self, wish: &Wish) {
-        let towards = wish.direction.try_normalize().unwrap_or(DVec2::new(-0.8, -0.6));
+        let towards = wish
+            .direction
+            .try_normalize()
+            .unwrap_or(DVec2::new(-0.8, -0.6));
         for distance in DISTANCES {
             for turn in TURNS {
-                let turned = if wish.direction == DVec2::ZERO { 0.0 } else { turn.abs() / 180.0 };
+                let turned = if wish.direction == DVec2::ZERO {
+                    0.0
+                } else {
+                    turn.abs() / 180.0
+                };
                 let way = DVec2::from_angle(turn.to_radians()).rotate(towards);
-                let reach = (wish.size * 0.5).dot(way.abs()) + wish.clearance + distance * self.text_size;
+                let reach =
+                    (wish.size * 0.5).dot(way.abs()) + wish.clearance + distance * self.text_size;
                 let area = Area::about(wish.anchor + way * reach, wish.size);
                 self.consider(area, COST[0] * distance + COST[1] * turned);
             }

@@ -78,10 +78,16 @@ impl Vector {
 pub fn readable(colour: Rgb8, background: Rgb8, ratio: f64) -> Rgb8 {
     const STEPS: u32 = 20;
     // The grey from which black and white are equally far.
-    let away = if luminance(background) > 0.18 { [0; 3] } else { [255; 3] };
+    let away = if luminance(background) > 0.18 {
+        [0; 3]
+    } else {
+        [255; 3]
+    };
     let towards = |step: u32| {
         let share = f64::from(step) / f64::from(STEPS);
-        let mixed = |from: u8, to: u8| (f64::from(from) + (f64::from(to) - f64::from(from)) * share).round() as u8;
+        let mixed = |from: u8, to: u8| {
+            (f64::from(from) + (f64::from(to) - f64::from(from)) * share).round() as u8
+        };
         std::array::from_fn(|channel| mixed(colour[channel], away[channel]))
     };
     let stands_out = |candidate: &Rgb8| contrast(*candidate, background) >= ratio;
@@ -99,7 +105,11 @@ fn luminance(colour: Rgb8) -> f64 {
     static LINEAR: LazyLock<[f64; 256]> = LazyLock::new(|| {
         std::array::from_fn(|code| {
             let value = code as f64 / 255.0;
-            if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+            if value <= 0.04045 {
+                value / 12.92
+            } else {
+                ((value + 0.055) / 1.055).powf(2.4)
+            }
         })
     });
     let [r, g, b] = colour.map(|code| LINEAR[usize::from(code)]);

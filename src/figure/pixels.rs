@@ -7,7 +7,8 @@ use super::text::Lettering;
 use crate::render::Frame;
 use glam::DVec2;
 use tiny_skia::{
-    Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapMut, Stroke, StrokeDash, Transform,
+    Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapMut, Stroke,
+    StrokeDash, Transform,
 };
 
 /// Letters are stroked by this share of their size, since the font is a light one.
@@ -20,7 +21,11 @@ impl Drawing {
         let mut pixmap = Pixmap::new(width, height)?;
         self.draw(&mut pixmap.as_mut());
         // The ground is opaque, so that nothing is premultiplied.
-        Some(Frame { width, height, pixels: pixmap.data().as_chunks::<4>().0.to_vec() })
+        Some(Frame {
+            width,
+            height,
+            pixels: pixmap.data().as_chunks::<4>().0.to_vec(),
+        })
     }
 
     /// Draws on a pixmap, a unit a pixel.
@@ -39,7 +44,9 @@ impl Drawing {
     /// Draws over a finished picture.
     pub fn draw_over(&self, frame: &mut Frame) {
         let (width, height) = (frame.width, frame.height);
-        if let Some(mut pixmap) = PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height) {
+        if let Some(mut pixmap) =
+            PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height)
+        {
             self.draw(&mut pixmap);
         }
     }
@@ -47,11 +54,20 @@ impl Drawing {
 
 fn draw_text(pixmap: &mut PixmapMut<'_>, text: &Text, halo: Rgb8) {
     let lettering = Lettering::new(&text.text, text.size);
-    let Some(path) = lettering.placed(text.at - DVec2::new(text.align * lettering.width, 0.0)) else { return };
+    let Some(path) = lettering.placed(text.at - DVec2::new(text.align * lettering.width, 0.0))
+    else {
+        return;
+    };
     let bold = EMBOLDEN * text.size;
     for (colour, width) in [(halo, bold + 2.0 * text.halo), (text.colour, bold)] {
         let paint = paint(colour, 1.0);
-        pixmap.fill_path(&path, &paint, FillRule::Winding, Transform::identity(), None);
+        pixmap.fill_path(
+            &path,
+            &paint,
+            FillRule::Winding,
+            Transform::identity(),
+            None,
+        );
         stroke(pixmap, &path, &paint, width, None);
     }
 }
@@ -61,24 +77,51 @@ fn draw_shape(pixmap: &mut PixmapMut<'_>, shape: &Shape) {
     // The picture with room for a line whose middle runs outside.
     let margin = DVec2::splat(2.0 * shape.width + 2.0);
     let size = DVec2::new(f64::from(pixmap.width()), f64::from(pixmap.height()));
-    let window = Area { min: -margin, max: size + margin };
+    let window = Area {
+        min: -margin,
+        max: size + margin,
+    };
     if shape.closed {
         let points = Some(&shape.points).filter(|points| can_be_filled(points, &window));
-        let Some(path) = points.and_then(|points| polyline(points, true)) else { return };
+        let Some(path) = points.and_then(|points| polyline(points, true)) else {
+            return;
+        };
         if shape.fill {
-            pixmap.fill_path(&path, &paint, FillRule::Winding, Transform::identity(), None);
+            pixmap.fill_path(
+                &path,
+                &paint,
+                FillRule::Winding,
+                Transform::identity(),
+                None,
+            );
         }
         if shape.width > 0.0 {
             stroke(pixmap, &path, &paint, shape.width, None);
         }
         return;
     }
-    let lengths: Vec<f32> = shape.dashes.iter().map(|dash| dash * shape.width as f32).collect();
+    let lengths: Vec<f32> = shape
+        .dashes
+        .iter()
+        .map(|dash| dash * shape.width as f32)
+        .collect();
     let period = f64::from(lengths.iter().sum::<f32>());
     for run in clipped(shape.points.iter().copied(), &window) {
-        let Some(path) = polyline(&run.points, false) else { continue };
-        let offset = if period > 0.0 { run.start.rem_euclid(period) } else { 0.0 };
-        stroke(pixmap, &path, &paint, shape.width, StrokeDash::new(lengths.clone(), offset as f32));
+        let Some(path) = polyline(&run.points, false) else {
+            continue;
+        };
+        let offset = if period > 0.0 {
+            run.start.rem_euclid(period)
+        } else {
+            0.0
+        };
+        stroke(
+            pixmap,
+            &path,
+            &paint,
+            shape.width,
+            StrokeDash::new(lengths.clone(), offset as f32),
+        );
     }
 }
 
@@ -104,8 +147,24 @@ fn paint(colour: Rgb8, opacity: f64) -> Paint<'static> {
     paint
 }
 
-fn stroke(pixmap: &mut PixmapMut<'_>, path: &Path, paint: &Paint<'_>, width: f64, dash: Option<StrokeDash>) {
-    let line_cap = if dash.is_some() { LineCap::Butt } else { LineCap::Round };
-    let stroke = Stroke { width: width as f32, dash, line_cap, line_join: LineJoin::Round, ..Stroke::default() };
+fn stroke(
+    pixmap: &mut PixmapMut<'_>,
+    path: &Path,
+    paint: &Paint<'_>,
+    width: f64,
+    dash: Option<StrokeDash>,
+) {
+    let line_cap = if dash.is_some() {
+        LineCap::Butt
+    } else {
+        LineCap::Round
+    };
+    let stroke = Stroke {
+        width: width as f32,
+        dash,
+        line_cap,
+        line_join: LineJoin::Round,
+        ..Stroke::default()
+    };
     pixmap.stroke_path(path, paint, &stroke, Transform::identity(), None);
 }

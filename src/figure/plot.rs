@@ -34,8 +34,17 @@ pub fn lay_out_sheet(plots: &[Plot], size: DVec2, style: &PlotStyle) -> Drawing 
     for (index, plot) in (0u32..).zip(plots) {
         let index = f64::from(index);
         let min = cell * DVec2::new(index % grid.x, (index / grid.x).floor());
-        let mut sheet = Sheet { drawing: &mut drawing, plot, style, em: style.text, paper: style.paper };
-        let room = sheet.heading(Area { min, max: min + cell });
+        let mut sheet = Sheet {
+            drawing: &mut drawing,
+            plot,
+            style,
+            em: style.text,
+            paper: style.paper,
+        };
+        let room = sheet.heading(Area {
+            min,
+            max: min + cell,
+        });
         let (legend, room) = Legend::new(&sheet, room);
         if plot.kind.is_polar() {
             polar::draw(&mut sheet, room);

@@ -18,7 +18,11 @@ impl Drawing {
             escaped(title),
         );
         if let Some(ground) = self.ground {
-            let _ = writeln!(svg, "<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>", hex(ground));
+            let _ = writeln!(
+                svg,
+                "<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>",
+                hex(ground)
+            );
         }
         svg.push_str("<g stroke-linejoin=\"round\" stroke=\"none\">\n");
         for shape in self.painted() {
@@ -39,7 +43,13 @@ impl Drawing {
 fn write_shape(svg: &mut String, shape: &Shape) {
     let mut points = String::new();
     for point in &shape.points {
-        let _ = write!(points, "{}{},{}", if points.is_empty() { "" } else { " " }, brief(point.x), brief(point.y));
+        let _ = write!(
+            points,
+            "{}{},{}",
+            if points.is_empty() { "" } else { " " },
+            brief(point.x),
+            brief(point.y)
+        );
     }
     let colour = hex(shape.colour);
     let width = brief(shape.width);
@@ -48,15 +58,26 @@ fn write_shape(svg: &mut String, shape: &Shape) {
         (true, true) => format!("fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"{width}\""),
         (false, _) => format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\""),
     };
-    let lengths: Vec<String> = shape.dashes.iter().map(|dash| brief(f64::from(*dash) * shape.width)).collect();
+    let lengths: Vec<String> = shape
+        .dashes
+        .iter()
+        .map(|dash| brief(f64::from(*dash) * shape.width))
+        .collect();
     let dashes = match (shape.fill, lengths.is_empty()) {
         (true, _) => String::new(),
         (false, true) => " stroke-linecap=\"round\"".to_owned(),
         (false, false) => format!(" stroke-dasharray=\"{}\"", lengths.join(" ")),
     };
     let element = if shape.closed { "polygon" } else { "polyline" };
-    let opacity = if shape.opacity < 1.0 { format!(" opacity=\"{}\"", shape.opacity) } else { String::new() };
-    let _ = writeln!(svg, "<{element} points=\"{points}\" {paint}{dashes}{opacity}/>");
+    let opacity = if shape.opacity < 1.0 {
+        format!(" opacity=\"{}\"", shape.opacity)
+    } else {
+        String::new()
+    };
+    let _ = writeln!(
+        svg,
+        "<{element} points=\"{points}\" {paint}{dashes}{opacity}/>"
+    );
 }
 
 /// Writes a line of text, or its halo of a colour: a text of its own below it, since not every program paints the stroke
@@ -69,13 +90,19 @@ fn write_text(svg: &mut String, text: &Text, halo: Option<Rgb8>) {
     } else {
         ""
     };
-    let weight = if text.strong { " font-weight=\"500\"" } else { "" };
+    let weight = if text.strong {
+        " font-weight=\"500\""
+    } else {
+        ""
+    };
     let (x, y, size) = (brief(text.at.x), brief(text.at.y), brief(text.size));
     let paint = match halo.map(hex) {
         None => format!("fill=\"{}\"", hex(text.colour)),
         Some(colour) => {
             let width = brief(2.0 * text.halo);
-            format!("aria-hidden=\"true\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"{width}\"")
+            format!(
+                "aria-hidden=\"true\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"{width}\""
+            )
         }
     };
     let words = lettered(&text.text, text.size);
@@ -97,21 +124,35 @@ fn lettered(text: &str, size: f64) -> String {
             continue;
         }
         let (moved, small) = (brief(shift - shifted), brief(f64::from(set.size) * size));
-        let _ = write!(out, "<tspan dy=\"{moved}\" font-size=\"{small}\">{letter}</tspan>");
+        let _ = write!(
+            out,
+            "<tspan dy=\"{moved}\" font-size=\"{small}\">{letter}</tspan>"
+        );
         shifted = shift;
     }
     out
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
 }
 
 /// At most two decimals.
 fn brief(value: f64) -> String {
     let text = format!("{value:.2}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    let text = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        &text
+    };
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
 }
 
 fn hex([r, g, b]: Rgb8) -> String {

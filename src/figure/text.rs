@@ -10,7 +10,10 @@ use tiny_skia::{Path, PathBuilder, Transform};
 /// Size of a subscript or a superscript, in the size of the text.
 const SMALL_SIZE: f32 = 0.68;
 /// Subscripts and superscripts, the ordinary letters, and how far above the line they stand, in the size of the text.
-const SMALL: [(&str, &str, f32); 2] = [("₀₁₂₃₄₅₆₇₈₉", "0123456789", -0.16), ("⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻", "0123456789n−", 0.36)];
+const SMALL: [(&str, &str, f32); 2] = [
+    ("₀₁₂₃₄₅₆₇₈₉", "0123456789", -0.16),
+    ("⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻", "0123456789n−", 0.36),
+];
 
 /// A line of text as an outline, its origin at the left end of the baseline, y downwards.
 #[derive(Clone, Debug)]
@@ -28,7 +31,11 @@ impl Lettering {
     /// Sets `text` at `size` pixels an em. Small digits are set as [`Set`] says; a character in none of the fonts
     /// leaves a gap.
     pub fn new(text: &str, size: f64) -> Self {
-        let mut pen = Pen { builder: PathBuilder::new(), x: 0.0, y: 0.0 };
+        let mut pen = Pen {
+            builder: PathBuilder::new(),
+            x: 0.0,
+            y: 0.0,
+        };
         for character in text.chars() {
             pen.set(character, size as f32);
         }
@@ -46,7 +53,9 @@ impl Lettering {
 
     /// The outline with its origin, the left end of its baseline, at `origin`; nothing for a text without ink.
     pub fn placed(&self, origin: DVec2) -> Option<Path> {
-        self.path.clone()?.transform(Transform::from_translate(origin.x as f32, origin.y as f32))
+        self.path
+            .clone()?
+            .transform(Transform::from_translate(origin.x as f32, origin.y as f32))
     }
 }
 
@@ -65,10 +74,17 @@ struct Pen {
 
 impl Pen {
     fn set(&mut self, character: char, size: f32) {
-        let Set { letter: character, size: share, rise } = Set::of(character);
+        let Set {
+            letter: character,
+            size: share,
+            rise,
+        } = Set::of(character);
         let (size, drop) = (size * share, -size * rise);
         self.y = drop;
-        let Some((font, glyph)) = fonts().iter().find_map(|font| Some((font, font.charmap().map(character)?))) else {
+        let Some((font, glyph)) = fonts()
+            .iter()
+            .find_map(|font| Some((font, font.charmap().map(character)?)))
+        else {
             self.x += 0.5 * size;
             return;
         };
@@ -77,7 +93,10 @@ impl Pen {
             // A glyph that does not draw leaves a gap, as one that is missing does.
             let _ = outline.draw(DrawSettings::unhinted(size, LocationRef::default()), self);
         }
-        self.x += font.glyph_metrics(size, LocationRef::default()).advance_width(glyph).unwrap_or(0.0);
+        self.x += font
+            .glyph_metrics(size, LocationRef::default())
+            .advance_width(glyph)
+            .unwrap_or(0.0);
     }
 }
 
@@ -97,12 +116,23 @@ impl Set {
     /// How `character` is set.
     pub fn of(character: char) -> Self {
         for (small, ordinary, rise) in SMALL {
-            let same = small.chars().zip(ordinary.chars()).find(|(letter, _)| *letter == character);
+            let same = small
+                .chars()
+                .zip(ordinary.chars())
+                .find(|(letter, _)| *letter == character);
             if let Some((_, letter)) = same {
-                return Self { letter, size: SMALL_SIZE, rise };
+                return Self {
+                    letter,
+                    size: SMALL_SIZE,
+                    rise,
+                };
             }
         }
-        Self { letter: character, size: 1.0, rise: 0.0 }
+        Self {
+            letter: character,
+            size: 1.0,
+            rise: 0.0,
+        }
     }
 }
 
@@ -118,8 +148,15 @@ pub fn raised(number: i32) -> String {
 
 fn small(text: &str, which: usize) -> String {
     let (small, ordinary, _) = SMALL[which];
-    let of = |letter: char| ordinary.chars().zip(small.chars()).find(|(own, _)| *own == letter);
-    text.chars().map(|letter| of(letter).map_or(letter, |(_, small)| small)).collect()
+    let of = |letter: char| {
+        ordinary
+            .chars()
+            .zip(small.chars())
+            .find(|(own, _)| *own == letter)
+    };
+    text.chars()
+        .map(|letter| of(letter).map_or(letter, |(_, small)| small))
+        .collect()
 }
 
 /// Glyphs have y upwards, pictures downwards.
@@ -133,12 +170,14 @@ impl OutlinePen for Pen {
     }
 
     fn quad_to(&mut self, cx0: f32, cy0: f32, x: f32, y: f32) {
-        self.builder.quad_to(self.x + cx0, self.y - cy0, self.x + x, self.y - y);
+        self.builder
+            .quad_to(self.x + cx0, self.y - cy0, self.x + x, self.y - y);
     }
 
     fn curve_to(&mut self, cx0: f32, cy0: f32, cx1: f32, cy1: f32, x: f32, y: f32) {
         let (dx, dy) = (self.x, self.y);
-        self.builder.cubic_to(dx + cx0, dy - cy0, dx + cx1, dy - cy1, dx + x, dy - y);
+        self.builder
+            .cubic_to(dx + cx0, dy - cy0, dx + cx1, dy - cy1, dx + x, dy - y);
     }
 
     fn close(&mut self) {
@@ -150,7 +189,13 @@ impl OutlinePen for Pen {
 fn fonts() -> &'static [FontRef<'static>] {
     static FONTS: OnceLock<Vec<FontRef<'static>>> = OnceLock::new();
     FONTS.get_or_init(|| {
-        let files = [epaint_default_fonts::UBUNTU_LIGHT, epaint_default_fonts::HACK_REGULAR];
-        files.into_iter().filter_map(|file| FontRef::new(file).ok()).collect()
+        let files = [
+            epaint_default_fonts::UBUNTU_LIGHT,
+            epaint_default_fonts::HACK_REGULAR,
+        ];
+        files
+            .into_iter()
+            .filter_map(|file| FontRef::new(file).ok())
+            .collect()
     })
 }

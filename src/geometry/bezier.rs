@@ -4,7 +4,10 @@ use glam::{DVec2, DVec3};
 use std::ops::{Add, Mul, Sub};
 
 /// What a patch can be made of: points of the plane or of space.
-pub(crate) trait Point: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
+pub(crate) trait Point:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self>
+{
+}
 impl Point for DVec2 {}
 impl Point for DVec3 {}
 
@@ -30,11 +33,19 @@ fn bernstein(t: f64) -> [f64; 4] {
 /// Their derivatives at `t`.
 fn bernstein_slopes(t: f64) -> [f64; 4] {
     let s = 1.0 - t;
-    [-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t]
+    [
+        -3.0 * s * s,
+        3.0 * s * (s - 2.0 * t),
+        3.0 * t * (2.0 * s - t),
+        3.0 * t * t,
+    ]
 }
 
 fn blend<P: Point>(points: [P; 4], weights: &[f64; 4]) -> P {
-    points[0] * weights[0] + points[1] * weights[1] + points[2] * weights[2] + points[3] * weights[3]
+    points[0] * weights[0]
+        + points[1] * weights[1]
+        + points[2] * weights[2]
+        + points[3] * weights[3]
 }
 
 /// The point at `t` on the cubic with four control points.
@@ -53,7 +64,9 @@ fn halves<P: Point>([a, b, c, d]: [P; 4]) -> [[P; 4]; 2] {
 
 impl<P: Point> Patch<P> {
     pub fn map<Q: Point>(&self, f: impl FnMut(P) -> Q) -> Patch<Q> {
-        Patch { points: self.points.map(f) }
+        Patch {
+            points: self.points.map(f),
+        }
     }
 
     fn row(&self, i: usize) -> [P; 4] {
@@ -62,7 +75,12 @@ impl<P: Point> Patch<P> {
     }
 
     fn column(&self, j: usize) -> [P; 4] {
-        [self.points[j], self.points[4 + j], self.points[8 + j], self.points[12 + j]]
+        [
+            self.points[j],
+            self.points[4 + j],
+            self.points[8 + j],
+            self.points[12 + j],
+        ]
     }
 
     fn weighted(&self, u: &[f64; 4], v: &[f64; 4]) -> P {
@@ -79,7 +97,11 @@ impl<P: Point> Patch<P> {
         let rows = [0, 1, 2, 3].map(|i| blend(self.row(i), &bv));
         let row_slopes = [0, 1, 2, 3].map(|i| blend(self.row(i), &dv));
         let bu = bernstein(u);
-        Jet { point: blend(rows, &bu), along_u: blend(rows, &bernstein_slopes(u)), along_v: blend(row_slopes, &bu) }
+        Jet {
+            point: blend(rows, &bu),
+            along_u: blend(rows, &bernstein_slopes(u)),
+            along_v: blend(row_slopes, &bu),
+        }
     }
 
     /// The quarters with u below and above ½, and within each v below and above ½.
@@ -167,7 +189,12 @@ mod tests {
             let whole = patch.at((u + (k / 2) as f64) / 2.0, (v + (k % 2) as f64) / 2.0);
             assert!(quarter.at(u, v).distance(whole) < 1e-14);
         }
-        let curve = [patch.points[0], patch.points[1], patch.points[2], patch.points[3]];
+        let curve = [
+            patch.points[0],
+            patch.points[1],
+            patch.points[2],
+            patch.points[3],
+        ];
         assert!(on_curve(halves(curve)[1], 0.5).distance(on_curve(curve, 0.75)) < 1e-15);
     }
 }

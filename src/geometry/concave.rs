@@ -12,7 +12,11 @@ use glam::DVec3;
 const STEPS: usize = 1 << 24;
 
 /// Gives `add` the polygon `face` in a form that fans cover: turned to begin elsewhere, or as triangles.
-pub fn fan_or_triangles(face: &mut [Corner], at: impl Fn(&Corner) -> DVec3, mut add: impl FnMut(&[Corner])) {
+pub fn fan_or_triangles(
+    face: &mut [Corner],
+    at: impl Fn(&Corner) -> DVec3,
+    mut add: impl FnMut(&[Corner]),
+) {
     if face.len() == 3 {
         return add(face);
     }
@@ -45,18 +49,25 @@ fn fan_covers(points: &[DVec3], first: usize, normal: DVec3) -> bool {
     let least = -STRAIGHT * normal.length_squared();
     let rest = points[first + 1..].iter().chain(&points[..first]);
     let pairs = rest.clone().zip(rest.skip(1));
-    pairs.into_iter().all(|(a, b)| (a - points[first]).cross(b - points[first]).dot(normal) >= least)
+    pairs
+        .into_iter()
+        .all(|(a, b)| (a - points[first]).cross(b - points[first]).dot(normal) >= least)
 }
 
 /// Triangles that cover a polygon seen along its normal, turned as it is. Corners on a straight edge may be left out.
 fn triangles(points: &[DVec3], normal: DVec3) -> Vec<[usize; 3]> {
     let (u, v) = normal.normalize_or(DVec3::Z).any_orthonormal_pair();
-    let flat: Vec<[f64; 2]> =
-        points.iter().map(|point| point - points[0]).map(|offset| [offset.dot(u), offset.dot(v)]).collect();
+    let flat: Vec<[f64; 2]> = points
+        .iter()
+        .map(|point| point - points[0])
+        .map(|offset| [offset.dot(u), offset.dot(v)])
+        .collect();
     let mut corners: Vec<usize> = Vec::new();
     Earcut::new().earcut_slice(&flat, &[], &mut corners);
     let turned = |&[a, b, c]: &[usize; 3]| {
-        let turn = (points[b] - points[a]).cross(points[c] - points[a]).dot(normal);
+        let turn = (points[b] - points[a])
+            .cross(points[c] - points[a])
+            .dot(normal);
         if turn < 0.0 { [a, c, b] } else { [a, b, c] }
     };
     corners.as_chunks::<3>().0.iter().map(turned).collect()
@@ -68,11 +79,21 @@ fn with_straight_corners(mut triangle: [usize; 3], used: &[bool]) -> Vec<usize> 
     let between = |from: usize, to: usize| {
         let after = (1..used.len()).map(move |k| (from + k) % used.len());
         let unused = after.clone().take_while(|&k| !used[k]).count();
-        after.clone().take(if after.clone().nth(unused) == Some(to) { unused } else { 0 })
+        after
+            .clone()
+            .take(if after.clone().nth(unused) == Some(to) {
+                unused
+            } else {
+                0
+            })
     };
-    if let Some(k) = (0..3).find(|&k| between(triangle[k], triangle[(k + 1) % 3]).next().is_some()) {
+    if let Some(k) = (0..3).find(|&k| between(triangle[k], triangle[(k + 1) % 3]).next().is_some())
+    {
         triangle.rotate_left((k + 2) % 3);
     }
     let [a, b, c] = triangle;
-    [[a, b], [b, c], [c, a]].into_iter().flat_map(|[from, to]| std::iter::once(from).chain(between(from, to))).collect()
+    [[a, b], [b, c], [c, a]]
+        .into_iter()
+        .flat_map(|[from, to]| std::iter::once(from).chain(between(from, to)))
+        .collect()
 }

@@ -74,7 +74,10 @@ impl<C: AtPoint> Mesh<C> {
 
     /// Number of triangles that the polygons are drawn as.
     pub fn triangle_count(&self) -> usize {
-        self.starts.windows(2).map(|pair| ((pair[1] - pair[0]) as usize).saturating_sub(2)).sum()
+        self.starts
+            .windows(2)
+            .map(|pair| ((pair[1] - pair[0]) as usize).saturating_sub(2))
+            .sum()
     }
 
     /// The corners of face `f`, counter-clockwise from outside.
@@ -87,7 +90,9 @@ impl<C: AtPoint> Mesh<C> {
 
     /// The points of face `f`, relative to `origin`, in double precision.
     pub(crate) fn face_points(&self, f: usize) -> impl Iterator<Item = DVec3> + Clone {
-        self.face(f).iter().map(|corner| self.positions[corner.point()].as_dvec3())
+        self.face(f)
+            .iter()
+            .map(|corner| self.positions[corner.point()].as_dvec3())
     }
 
     /// The normal of face `f` by Newell's formula with its area as length; zero where the area is no more than the rounding of
@@ -97,9 +102,18 @@ impl<C: AtPoint> Mesh<C> {
         const ROUNDING: f64 = 4.0 / (1 << 24) as f64;
         let area = area_vector(self.face_points(f));
         let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let (low, high) = self.face_points(f).fold(nothing, |(low, high), point| (low.min(point), high.max(point)));
-        let (extent, farthest) = ((high - low).max_element(), low.abs().max(high.abs()).max_element());
-        if area.length() > ROUNDING * extent * farthest { area } else { DVec3::ZERO }
+        let (low, high) = self.face_points(f).fold(nothing, |(low, high), point| {
+            (low.min(point), high.max(point))
+        });
+        let (extent, farthest) = (
+            (high - low).max_element(),
+            low.abs().max(high.abs()).max_element(),
+        );
+        if area.length() > ROUNDING * extent * farthest {
+            area
+        } else {
+            DVec3::ZERO
+        }
     }
 
     /// The unit normal of face `f`; zero where the face has no area, or none beyond its points' rounding.
@@ -122,8 +136,16 @@ impl<C: AtPoint> Mesh<C> {
 
     /// Radius of the smallest sphere about `origin` that holds every point.
     pub fn radius(&self) -> f64 {
-        let squared = self.positions.iter().map(|p| p.as_dvec3().length_squared()).fold(0.0, f64::max);
-        if squared > 0.0 { squared.sqrt().next_up() } else { 0.0 }
+        let squared = self
+            .positions
+            .iter()
+            .map(|p| p.as_dvec3().length_squared())
+            .fold(0.0, f64::max);
+        if squared > 0.0 {
+            squared.sqrt().next_up()
+        } else {
+            0.0
+        }
     }
 }
 
@@ -131,10 +153,20 @@ impl Mesh {
     /// The mesh centred and scaled into the unit sphere: the middle of its bounding box comes to the world's origin, the
     /// farthest point to distance 1. A mesh of a single point is only centred, one without points stays as it is.
     pub fn fitted(mut self) -> Self {
-        let Some(&first) = self.positions.first() else { return self };
-        let (low, high) = self.positions.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
+        let Some(&first) = self.positions.first() else {
+            return self;
+        };
+        let (low, high) = self
+            .positions
+            .iter()
+            .fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
         let centre = (low.as_dvec3() + high.as_dvec3()) / 2.0;
-        let radius = self.positions.iter().map(|p| p.as_dvec3().distance_squared(centre)).fold(0.0, f64::max).sqrt();
+        let radius = self
+            .positions
+            .iter()
+            .map(|p| p.as_dvec3().distance_squared(centre))
+            .fold(0.0, f64::max)
+            .sqrt();
         let scale = if radius > 0.0 { 1.0 / radius } else { 1.0 };
         for position in &mut self.positions {
             *position = ((position.as_dvec3() - centre) * scale).as_vec3();
@@ -157,14 +189,20 @@ impl Mesh {
     /// a meaningful one.
     pub fn signed_volume(&self) -> f64 {
         let reference = self.positions.first().map_or(DVec3::ZERO, |p| p.as_dvec3());
-        (0..self.face_count()).map(|f| self.face_volume(f, reference)).sum()
+        (0..self.face_count())
+            .map(|f| self.face_volume(f, reference))
+            .sum()
     }
 
     /// The signed volume of the pyramid from `apex` (relative to the mesh's origin) to face `f`.
     fn face_volume(&self, f: usize, apex: DVec3) -> f64 {
         let mut points = self.face_points(f).map(|p| p - apex);
-        let Some(first) = points.next() else { return 0.0 };
-        let Some(mut previous) = points.next() else { return 0.0 };
+        let Some(first) = points.next() else {
+            return 0.0;
+        };
+        let Some(mut previous) = points.next() else {
+            return 0.0;
+        };
         let mut volume = 0.0;
         for point in points {
             volume += first.dot(previous.cross(point));
@@ -178,7 +216,9 @@ impl Mesh {
         (0..self.face_count()).flat_map(|f| {
             let face = self.face(f);
             let next = face.iter().cycle().skip(1);
-            face.iter().zip(next).map(|(from, to)| (from.position, to.position))
+            face.iter()
+                .zip(next)
+                .map(|(from, to)| (from.position, to.position))
         })
     }
 
@@ -188,9 +228,16 @@ impl Mesh {
         (0..count).for_each(|point| targets.at_mut(point).sort_unstable());
         (0..count).all(|point| {
             let own = targets.at(point);
-            let returns = |target: u32| targets.at(target as usize).binary_search(&(point as u32)).is_ok();
+            let returns = |target: u32| {
+                targets
+                    .at(target as usize)
+                    .binary_search(&(point as u32))
+                    .is_ok()
+            };
             let once = own.windows(2).all(|pair| pair[0] < pair[1]);
-            once && own.iter().all(|&target| target as usize != point && returns(target))
+            once && own
+                .iter()
+                .all(|&target| target as usize != point && returns(target))
         })
     }
 
@@ -204,8 +251,11 @@ impl Mesh {
                 volumes[part] += self.face_volume(f, self.positions[part].as_dvec3());
             }
         }
-        (0..self.face_count())
-            .all(|f| self.face(f).first().is_none_or(|c| volumes[parts.of(c.position) as usize] > 0.0))
+        (0..self.face_count()).all(|f| {
+            self.face(f)
+                .first()
+                .is_none_or(|c| volumes[parts.of(c.position) as usize] > 0.0)
+        })
     }
 }
 
@@ -220,7 +270,9 @@ impl ByPoint {
     /// Puts what comes with each point into its run, in the order in which it comes.
     pub fn new(points: usize, items: impl Iterator<Item = (u32, u32)> + Clone) -> Self {
         let mut ends = vec![0; points];
-        items.clone().for_each(|(point, _)| ends[point as usize] += 1);
+        items
+            .clone()
+            .for_each(|(point, _)| ends[point as usize] += 1);
         let mut begin = 0;
         for end in &mut ends {
             begin += std::mem::replace(end, begin);
@@ -256,7 +308,9 @@ struct Parts {
 
 impl Parts {
     fn new(points: usize) -> Self {
-        Self { parents: (0..points as u32).collect() }
+        Self {
+            parents: (0..points as u32).collect(),
+        }
     }
 
     fn of(&mut self, mut point: u32) -> u32 {

@@ -32,7 +32,11 @@ pub fn read_obj(reader: impl BufRead, progress: &mut dyn FnMut(u64)) -> Result<M
     let mut prepared = Prepared::new(Lines::new(reader, progress));
     // No piece names a material library, so the loader of those is never asked.
     let no_materials = |_: &std::path::Path| Err(tobj::LoadError::ReadError);
-    let loaded = tobj::load_obj_buf(&mut BufReader::new(&mut prepared), &tobj::LoadOptions::default(), no_materials);
+    let loaded = tobj::load_obj_buf(
+        &mut BufReader::new(&mut prepared),
+        &tobj::LoadOptions::default(),
+        no_materials,
+    );
     let origin = prepared.finish()?;
     let (pieces, _) = loaded.map_err(ObjError::Refused)?;
     put_together(pieces, origin)
@@ -44,9 +48,14 @@ fn put_together(pieces: Vec<tobj::Model>, origin: DVec3) -> Result<Mesh, ObjErro
     if u32::try_from(corners).is_err() {
         return Err(ObjError::TooLarge);
     }
-    let mut mesh = Mesh { origin, starts: vec![0], ..Mesh::default() };
+    let mut mesh = Mesh {
+        origin,
+        starts: vec![0],
+        ..Mesh::default()
+    };
     mesh.corners.reserve_exact(corners);
-    mesh.starts.reserve_exact(pieces.iter().map(|piece| face_count(&piece.mesh)).sum());
+    mesh.starts
+        .reserve_exact(pieces.iter().map(|piece| face_count(&piece.mesh)).sum());
     // The point at each place, by the bits of its coordinates.
     let mut points = HashMap::new();
     for piece in pieces {
@@ -55,19 +64,31 @@ fn put_together(pieces: Vec<tobj::Model>, origin: DVec3) -> Result<Mesh, ObjErro
     mesh.positions.shrink_to_fit();
     mesh.normals.shrink_to_fit();
     mesh.starts.shrink_to_fit();
-    if mesh.face_count() == 0 { Err(ObjError::NoFace) } else { Ok(mesh.with_closedness_detected()) }
+    if mesh.face_count() == 0 {
+        Err(ObjError::NoFace)
+    } else {
+        Ok(mesh.with_closedness_detected())
+    }
 }
 
 fn add_piece(mesh: &mut Mesh, known: &mut HashMap<[u32; 3], u32>, piece: &tobj::Mesh) {
-    let Mesh { positions, normals, starts, corners, .. } = mesh;
+    let Mesh {
+        positions,
+        normals,
+        starts,
+        corners,
+        ..
+    } = mesh;
     let points: Vec<u32> = vectors(&piece.positions)
         .map(|position| {
             // Adding zero makes −0 and 0 one.
             let position = position + 0.0;
-            *known.entry(position.to_array().map(f32::to_bits)).or_insert_with(|| {
-                positions.push(position);
-                positions.len() as u32 - 1
-            })
+            *known
+                .entry(position.to_array().map(f32::to_bits))
+                .or_insert_with(|| {
+                    positions.push(position);
+                    positions.len() as u32 - 1
+                })
         })
         .collect();
     let given: Vec<u32> = vectors(&piece.normals)
@@ -84,14 +105,20 @@ fn add_piece(mesh: &mut Mesh, known: &mut HashMap<[u32; 3], u32>, piece: &tobj::
     for f in 0..face_count(piece) {
         let end = begin + piece.face_arities.get(f).map_or(3, |&arity| arity as usize);
         face.clear();
-        face.extend((begin..end).map(|c| Corner {
-            position: points[piece.indices[c] as usize],
-            normal: piece.normal_indices.get(c).map_or(NO_NORMAL, |&normal| given[normal as usize]),
+        face.extend((begin..end).map(|c| {
+            Corner {
+                position: points[piece.indices[c] as usize],
+                normal: piece
+                    .normal_indices
+                    .get(c)
+                    .map_or(NO_NORMAL, |&normal| given[normal as usize]),
+            }
         }));
         begin = end;
         // A corner that repeats the one before is left out.
         face.dedup_by_key(|corner| corner.position);
-        while face.len() > 1 && face.first().map(|c| c.position) == face.last().map(|c| c.position) {
+        while face.len() > 1 && face.first().map(|c| c.position) == face.last().map(|c| c.position)
+        {
             face.pop();
         }
         if face.len() >= 3 {
@@ -106,7 +133,11 @@ fn add_piece(mesh: &mut Mesh, known: &mut HashMap<[u32; 3], u32>, piece: &tobj::
 
 /// Faces of a piece, which lists no arities where all are triangles.
 fn face_count(piece: &tobj::Mesh) -> usize {
-    if piece.face_arities.is_empty() { piece.indices.len() / 3 } else { piece.face_arities.len() }
+    if piece.face_arities.is_empty() {
+        piece.indices.len() / 3
+    } else {
+        piece.face_arities.len()
+    }
 }
 
 fn vectors(numbers: &[f32]) -> impl Iterator<Item = Vec3> {

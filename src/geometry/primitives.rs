@@ -42,6 +42,9 @@ pub fn tessellate(object: &Object) -> Mesh {
         ObjectKind::Corrugated => shapes::corrugated(divisions(object.segments, 2), rings),
         ObjectKind::Polygons => shapes::polygons(object),
         ObjectKind::Teapot => teapot::teapot((rings / 4).max(1), (segments / 4).max(1)),
-        ObjectKind::Obj => Mesh { starts: vec![0], ..Mesh::default() },
+        ObjectKind::Obj => Mesh {
+            starts: vec![0],
+            ..Mesh::default()
+        },
     }
 }

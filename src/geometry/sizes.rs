@@ -4,8 +4,18 @@ use glam::{DVec2, DVec3};
 
 pub const TORUS_RING: f64 = 0.7;
 pub const TORUS_TUBE: f64 = 0.3;
-pub const CYLINDER: Frustum = Frustum { bottom: 0.6, top: 0.6, low: -0.8, high: 0.8 };
-pub const CONE: Frustum = Frustum { bottom: 0.8, top: 0.0, low: -0.6, high: 1.0 };
+pub const CYLINDER: Frustum = Frustum {
+    bottom: 0.6,
+    top: 0.6,
+    low: -0.8,
+    high: 0.8,
+};
+pub const CONE: Frustum = Frustum {
+    bottom: 0.8,
+    top: 0.0,
+    low: -0.6,
+    high: 1.0,
+};
 /// 1/√3: the corners of the cube lie on the unit sphere.
 pub const CUBE_HALF_EDGE: f64 = 0.577_350_269_189_625_8;
 
@@ -34,7 +44,13 @@ impl Frustum {
 
 /// Where slope `slope` of the corrugated sheet is after the part `t` of it: x and z.
 pub fn corrugated_point(slopes: u32, slope: u32, t: f64) -> DVec2 {
-    let z = |k: u32| if k.is_multiple_of(2) { -CORRUGATED_RIDGE } else { CORRUGATED_RIDGE };
+    let z = |k: u32| {
+        if k.is_multiple_of(2) {
+            -CORRUGATED_RIDGE
+        } else {
+            CORRUGATED_RIDGE
+        }
+    };
     let x = (2.0 * (f64::from(slope) + t) / f64::from(slopes) - 1.0) * CORRUGATED_HALF_WIDTH;
     DVec2::new(x, z(slope) * (1.0 - t) + z(slope + 1) * t)
 }
@@ -42,6 +58,10 @@ pub fn corrugated_point(slopes: u32, slope: u32, t: f64) -> DVec2 {
 /// The normal of a slope of the corrugated sheet, towards +z.
 pub fn corrugated_normal(slopes: u32, slope: u32) -> DVec3 {
     let run = 2.0 * CORRUGATED_HALF_WIDTH / f64::from(slopes);
-    let rise = if slope.is_multiple_of(2) { 2.0 * CORRUGATED_RIDGE } else { -2.0 * CORRUGATED_RIDGE };
+    let rise = if slope.is_multiple_of(2) {
+        2.0 * CORRUGATED_RIDGE
+    } else {
+        -2.0 * CORRUGATED_RIDGE
+    };
     DVec3::new(-rise, 0.0, run).normalize()
 }

@@ -48,7 +48,10 @@ impl Surface {
     /// The surface of `object`; none for a model or a scene's own polygons, which have no surface beyond them.
     pub fn of(object: &Object) -> Option<Self> {
         let slopes = object.segments.clamp(2, Object::MAX_DIVISIONS);
-        object.kind.has_surface().then_some(Self { kind: object.kind, slopes })
+        object.kind.has_surface().then_some(Self {
+            kind: object.kind,
+            slopes,
+        })
     }
 
     /// Radius of a ball about the world's origin that the surface encloses; 0 if none is known.
@@ -75,7 +78,11 @@ impl Surface {
         if !comes_near {
             return None;
         }
-        let ray = UnitRay { origin, direction, s_min: t_min * length - shift };
+        let ray = UnitRay {
+            origin,
+            direction,
+            s_min: t_min * length - shift,
+        };
         let meeting = match self.kind {
             ObjectKind::Sphere => solids::sphere(&ray),
             ObjectKind::Torus => solids::torus(&ray),
@@ -87,6 +94,9 @@ impl Surface {
             ObjectKind::Corrugated => solids::corrugated(&ray, self.slopes),
             ObjectKind::Obj | ObjectKind::Polygons => None,
         }?;
-        Some(SurfaceHit { t: (meeting.s + shift) / length, normal: meeting.normal.normalize_or(DVec3::Y) })
+        Some(SurfaceHit {
+            t: (meeting.s + shift) / length,
+            normal: meeting.normal.normalize_or(DVec3::Y),
+        })
     }
 }

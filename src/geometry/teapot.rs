@@ -35,7 +35,10 @@ pub(crate) static TEAPOT: LazyLock<Teapot> = LazyLock::new(Teapot::from_listing)
 
 impl Teapot {
     fn from_listing() -> Self {
-        let mut teapot = Self { points: Vec::new(), patches: Vec::new() };
+        let mut teapot = Self {
+            points: Vec::new(),
+            patches: Vec::new(),
+        };
         for line in LISTING.lines() {
             if let Some(numbers) = line.strip_prefix("p ") {
                 let [x, y, z] = parsed::<f64, 3>(numbers);
@@ -50,7 +53,9 @@ impl Teapot {
     }
 
     pub fn patch(&self, patch: usize) -> Patch<DVec3> {
-        Patch { points: self.patches[patch].map(|point| self.points[point as usize]) }
+        Patch {
+            points: self.patches[patch].map(|point| self.points[point as usize]),
+        }
     }
 
     /// Which part of the pot a patch belongs to, by its place in the list.
@@ -69,8 +74,13 @@ impl Teapot {
 /// # Panics
 /// If there are not N, which only a change of the listing can bring about.
 fn parsed<T: std::str::FromStr, const N: usize>(line: &str) -> [T; N] {
-    let numbers: Vec<T> = line.split_whitespace().filter_map(|word| word.parse().ok()).collect();
-    numbers.try_into().unwrap_or_else(|_| panic!("the listing of the teapot has a line without {N} numbers: {line}"))
+    let numbers: Vec<T> = line
+        .split_whitespace()
+        .filter_map(|word| word.parse().ok())
+        .collect();
+    numbers.try_into().unwrap_or_else(|_| {
+        panic!("the listing of the teapot has a line without {N} numbers: {line}")
+    })
 }
 
 #[cfg(test)]
@@ -81,7 +91,13 @@ mod tests {
     #[test]
     fn the_listing_is_whole() {
         assert_eq!((TEAPOT.points.len(), TEAPOT.patches.len()), (306, 32));
-        assert!(TEAPOT.patches.iter().flatten().all(|&point| (point as usize) < TEAPOT.points.len()));
+        assert!(
+            TEAPOT
+                .patches
+                .iter()
+                .flatten()
+                .all(|&point| (point as usize) < TEAPOT.points.len())
+        );
     }
 
     fn same(a: &[DVec3; 16], b: &[DVec3; 16]) -> bool {
@@ -96,11 +112,22 @@ mod tests {
 
     #[test]
     fn body_and_lid_have_fourfold_symmetry() {
-        for (first, sense) in [(0, 1.0), (4, 1.0), (8, 1.0), (20, 1.0), (24, 1.0), (28, -1.0)] {
+        for (first, sense) in [
+            (0, 1.0),
+            (4, 1.0),
+            (8, 1.0),
+            (20, 1.0),
+            (24, 1.0),
+            (28, -1.0),
+        ] {
             for k in 0..3 {
                 let quarter_turn = |p: DVec3| DVec3::new(-sense * p.z, p.y, sense * p.x);
                 let turned = about_the_axis(TEAPOT.patch(first + k).points, quarter_turn);
-                assert!(same(&turned, &TEAPOT.patch(first + k + 1).points), "patch {}", first + k);
+                assert!(
+                    same(&turned, &TEAPOT.patch(first + k + 1).points),
+                    "patch {}",
+                    first + k
+                );
             }
         }
     }
@@ -108,7 +135,10 @@ mod tests {
     #[test]
     fn handle_and_spout_are_mirrored_in_the_plane_between_their_halves() {
         for first in [12, 14, 16, 18] {
-            let mirrored = TEAPOT.patch(first).points.map(|p| DVec3::new(p.x, p.y, -p.z));
+            let mirrored = TEAPOT
+                .patch(first)
+                .points
+                .map(|p| DVec3::new(p.x, p.y, -p.z));
             let mut other = TEAPOT.patch(first + 1).points;
             other.chunks_mut(4).for_each(<[DVec3]>::reverse);
             assert!(same(&mirrored, &other), "patch {first}");
@@ -119,10 +149,16 @@ mod tests {
     fn every_patch_belongs_to_the_shell_that_its_points_are_in() {
         for patch in 0..TEAPOT.patches.len() {
             for other in 0..TEAPOT.patches.len() {
-                let shared = TEAPOT.patches[patch].iter().filter(|p| TEAPOT.patches[other].contains(p)).count();
+                let shared = TEAPOT.patches[patch]
+                    .iter()
+                    .filter(|p| TEAPOT.patches[other].contains(p))
+                    .count();
                 let one_shell = Teapot::shell(patch) == Teapot::shell(other);
                 // Handle and body touch in one listed point; the lid's knob has a pole of four equal entries.
-                assert!(one_shell || shared <= 1, "patches {patch} and {other} share {shared} points");
+                assert!(
+                    one_shell || shared <= 1,
+                    "patches {patch} and {other} share {shared} points"
+                );
             }
         }
     }

@@ -27,13 +27,25 @@ impl Mesh {
     pub fn with_vertex_normals(&self, source: NormalSource, weighting: Weighting) -> VertexMesh {
         match source {
             NormalSource::Facet => self.faceted(),
-            NormalSource::Averaged => self.with_one_normal_per_point(self.averaged_normals(weighting)),
+            NormalSource::Averaged => {
+                self.with_one_normal_per_point(self.averaged_normals(weighting))
+            }
             NormalSource::Exact | NormalSource::File => self.with_given_normals(weighting),
         }
     }
 
-    fn vertex_mesh(&self, positions: Vec<Vec3>, normals: Vec<Vec3>, corners: Vec<u32>) -> VertexMesh {
-        let &Self { origin, closed, convex, .. } = self;
+    fn vertex_mesh(
+        &self,
+        positions: Vec<Vec3>,
+        normals: Vec<Vec3>,
+        corners: Vec<u32>,
+    ) -> VertexMesh {
+        let &Self {
+            origin,
+            closed,
+            convex,
+            ..
+        } = self;
         VertexMesh {
             origin,
             positions,
@@ -52,7 +64,11 @@ impl Mesh {
     }
 
     fn faceted(&self) -> VertexMesh {
-        let positions = self.corners.iter().map(|corner| self.positions[corner.position as usize]).collect();
+        let positions = self
+            .corners
+            .iter()
+            .map(|corner| self.positions[corner.position as usize])
+            .collect();
         let mut normals = Vec::with_capacity(self.corners.len());
         for f in 0..self.face_count() {
             let normal = unit_or(self.face_normal(f), NO_DIRECTION);
@@ -63,7 +79,11 @@ impl Mesh {
 
     fn with_given_normals(&self, weighting: Weighting) -> VertexMesh {
         let complete = self.corners.iter().all(|corner| corner.normal != NO_NORMAL);
-        let averaged = if complete { Vec::new() } else { self.averaged_normals(weighting) };
+        let averaged = if complete {
+            Vec::new()
+        } else {
+            self.averaged_normals(weighting)
+        };
         let normal_at = |c: u32| {
             let corner = self.corners[c as usize];
             match self.normals.get(corner.normal as usize) {
@@ -90,13 +110,18 @@ impl Mesh {
                 return None;
             }
         }
-        normals.iter_mut().filter(|normal| **normal == UNSEEN).for_each(|normal| *normal = NO_DIRECTION);
+        normals
+            .iter_mut()
+            .filter(|normal| **normal == UNSEEN)
+            .for_each(|normal| *normal = NO_DIRECTION);
         Some(normals)
     }
 
     /// One vertex for each distinct normal at each point.
     fn with_split_points(&self, normal_at: impl Fn(u32) -> Vec3) -> VertexMesh {
-        let corners = (0..).zip(&self.corners).map(|(c, corner)| (corner.position, c));
+        let corners = (0..)
+            .zip(&self.corners)
+            .map(|(c, corner)| (corner.position, c));
         let mut around = ByPoint::new(self.positions.len(), corners);
         let mut positions = Vec::with_capacity(self.positions.len());
         let mut normals: Vec<Vec3> = Vec::with_capacity(self.positions.len());
@@ -122,15 +147,21 @@ impl Mesh {
     fn averaged_normals(&self, weighting: Weighting) -> Vec<Vec3> {
         let mut sums = vec![DVec4::ZERO; self.positions.len()];
         for f in 0..self.face_count() {
-            let Some((normal, area)) = self.normal_and_area(f) else { continue };
+            let Some((normal, area)) = self.normal_and_area(f) else {
+                continue;
+            };
             for (k, corner) in self.face(f).iter().enumerate() {
-                sums[corner.position as usize] += weighted(normal, self.corner_weight(f, k, (normal, area), weighting));
+                sums[corner.position as usize] +=
+                    weighted(normal, self.corner_weight(f, k, (normal, area), weighting));
             }
         }
         for &point in &self.mirrored {
             sums[point as usize].x = 0.0;
         }
-        let mut normals: Vec<Vec3> = sums.iter().map(|&sum| direction_of(sum).unwrap_or(Vec3::ZERO)).collect();
+        let mut normals: Vec<Vec3> = sums
+            .iter()
+            .map(|&sum| direction_of(sum).unwrap_or(Vec3::ZERO))
+            .collect();
         if normals.contains(&Vec3::ZERO) {
             self.fill_from_faces(&mut normals);
         }
@@ -140,13 +171,21 @@ impl Mesh {
     /// What face `f`, of this normal and area, weighs in the average at its corner `k`: 1, its area, or its interior
     /// angle there in radians.
     #[inline]
-    fn corner_weight(&self, f: usize, k: usize, (normal, area): (DVec3, f64), weighting: Weighting) -> f64 {
+    fn corner_weight(
+        &self,
+        f: usize,
+        k: usize,
+        (normal, area): (DVec3, f64),
+        weighting: Weighting,
+    ) -> f64 {
         match weighting {
             Weighting::Equal => 1.0,
             Weighting::Area => area,
             Weighting::Angle => {
                 let corners = self.face(f);
-                let at = |k: usize| self.positions[corners[k % corners.len()].position as usize].as_dvec3();
+                let at = |k: usize| {
+                    self.positions[corners[k % corners.len()].position as usize].as_dvec3()
+                };
                 interior_angle(at(k + corners.len() - 1), at(k), at(k + 1), normal)
             }
         }
@@ -162,7 +201,10 @@ impl Mesh {
                 }
             }
         }
-        normals.iter_mut().filter(|normal| **normal == Vec3::ZERO).for_each(|normal| *normal = NO_DIRECTION);
+        normals
+            .iter_mut()
+            .filter(|normal| **normal == Vec3::ZERO)
+            .for_each(|normal| *normal = NO_DIRECTION);
     }
 }
 
@@ -189,7 +231,11 @@ fn direction_of(sum: DVec4) -> Option<Vec3> {
 }
 
 fn unit_or(normal: DVec3, fallback: Vec3) -> Vec3 {
-    if normal == DVec3::ZERO { fallback } else { normal.as_vec3() }
+    if normal == DVec3::ZERO {
+        fallback
+    } else {
+        normal.as_vec3()
+    }
 }
 
 /// Where the normal of one vertex comes from.
@@ -252,14 +298,24 @@ impl Mesh {
         weighting: Weighting,
     ) -> VertexShares {
         let Some(point) = self.point_of_vertex(vertices, vertex) else {
-            return VertexShares { origin: NormalOrigin::Nowhere, faces: vec![], mirrored: false, sum: DVec3::ZERO };
+            return VertexShares {
+                origin: NormalOrigin::Nowhere,
+                faces: vec![],
+                mirrored: false,
+                sum: DVec3::ZERO,
+            };
         };
         match source {
             NormalSource::Facet => self.shares_of(vertices, vertex, NormalOrigin::Facet),
             NormalSource::Averaged => self.averaged_shares(point, weighting),
             NormalSource::Exact | NormalSource::File => {
                 let own = |(c, _): &(usize, _)| vertices.corners[*c] == vertex;
-                let given = self.corners.iter().enumerate().find(own).is_some_and(|(_, c)| c.normal != NO_NORMAL);
+                let given = self
+                    .corners
+                    .iter()
+                    .enumerate()
+                    .find(own)
+                    .is_some_and(|(_, c)| c.normal != NO_NORMAL);
                 if given {
                     self.shares_of(vertices, vertex, NormalOrigin::Given)
                 } else {
@@ -270,7 +326,10 @@ impl Mesh {
     }
 
     /// The corners at which `chosen` holds, with their face and their number in it.
-    fn corners_where(&self, chosen: impl Fn(usize) -> bool) -> impl Iterator<Item = (usize, usize)> {
+    fn corners_where(
+        &self,
+        chosen: impl Fn(usize) -> bool,
+    ) -> impl Iterator<Item = (usize, usize)> {
         let corners = (0..self.corners.len()).filter(move |c| chosen(*c));
         corners.map(|c| {
             let face = self.starts.partition_point(|start| *start as usize <= c) - 1;
@@ -282,10 +341,20 @@ impl Mesh {
     fn shares_of(&self, vertices: &VertexMesh, vertex: u32, origin: NormalOrigin) -> VertexShares {
         let one = f64::from(u8::from(origin == NormalOrigin::Facet));
         let corners = self.corners_where(|c| vertices.corners[c] == vertex);
-        let share = |(f, _)| FaceShare { face: f as u32, normal: self.face_normal(f), weight: one, share: one };
+        let share = |(f, _)| FaceShare {
+            face: f as u32,
+            normal: self.face_normal(f),
+            weight: one,
+            share: one,
+        };
         let faces: Vec<FaceShare> = corners.map(share).collect();
         let sum = faces.iter().map(|face| face.normal * face.share).sum();
-        VertexShares { origin, faces, mirrored: false, sum }
+        VertexShares {
+            origin,
+            faces,
+            mirrored: false,
+            sum,
+        }
     }
 
     /// The faces at a point with their weights, added as the averaging adds them.
@@ -297,22 +366,38 @@ impl Mesh {
             let weight = known.map_or(0.0, |known| self.corner_weight(f, k, known, weighting));
             let normal = known.map_or(DVec3::ZERO, |(normal, _)| normal);
             sum += weighted(normal, weight);
-            faces.push(FaceShare { face: f as u32, normal, weight, share: 0.0 });
+            faces.push(FaceShare {
+                face: f as u32,
+                normal,
+                weight,
+                share: 0.0,
+            });
         }
         let mirrored = self.mirrored.contains(&point);
         if mirrored {
             sum.x = 0.0;
         }
         if sum.w > 0.0 {
-            faces.iter_mut().for_each(|face| face.share = face.weight / sum.w);
+            faces
+                .iter_mut()
+                .for_each(|face| face.share = face.weight / sum.w);
         }
         let origin = match (direction_of(sum), sum.w > 0.0) {
             (Some(_), _) => NormalOrigin::Averaged,
             (None, true) => NormalOrigin::FirstFace,
             (None, false) => NormalOrigin::Nowhere,
         };
-        let sum = if sum.w > 0.0 { sum.truncate() / sum.w } else { DVec3::ZERO };
-        VertexShares { origin, faces, mirrored, sum }
+        let sum = if sum.w > 0.0 {
+            sum.truncate() / sum.w
+        } else {
+            DVec3::ZERO
+        };
+        VertexShares {
+            origin,
+            faces,
+            mirrored,
+            sum,
+        }
     }
 }
 
@@ -323,15 +408,22 @@ mod tests {
 
     #[test]
     fn the_angle_of_a_tilted_corner_is_seen_along_the_polygons_normal_in_its_sine() {
-        let at = |degrees: f64| DVec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
+        let at =
+            |degrees: f64| DVec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
         let angle = |a: f64, normal: DVec3| interior_angle(at(a), DVec3::ZERO, at(0.0), normal);
         assert!((angle(60.0, DVec3::Z) - FRAC_PI_3).abs() < 1e-12);
-        assert!((angle(270.0, DVec3::Z) - 3.0 * FRAC_PI_2).abs() < 1e-12, "concave");
+        assert!(
+            (angle(270.0, DVec3::Z) - 3.0 * FRAC_PI_2).abs() < 1e-12,
+            "concave"
+        );
         for tilt in [10.0_f64, 40.0, 70.0] {
             let normal = DVec3::new(0.0, tilt.to_radians().sin(), tilt.to_radians().cos());
             let expected = (normal.z * 60_f64.to_radians().sin()).atan2(60_f64.to_radians().cos());
             assert!((angle(60.0, normal) - expected).abs() < 1e-12, "{tilt}");
-            assert!((angle(90.0, normal) - FRAC_PI_2).abs() < 1e-12, "a right angle stays one");
+            assert!(
+                (angle(90.0, normal) - FRAC_PI_2).abs() < 1e-12,
+                "a right angle stays one"
+            );
         }
     }
 }

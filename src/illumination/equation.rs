@@ -5,7 +5,9 @@ use super::pattern::Fields;
 use super::source::{BRIGHTEST, Share};
 use super::specular::{greatest_factor, halfway, reflect};
 use super::{Lobe, Real, Scalar, ShadingPoint, Source, Specular, SpecularForm, V3};
-use crate::scene::{Backfacing, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer};
+use crate::scene::{
+    Backfacing, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer,
+};
 use crate::with_form;
 use glam::DVec3;
 use std::ops::Range;
@@ -103,7 +105,11 @@ impl<T: Scalar> Patterned<T> {
         let [between, pattern] = &self.colors;
         let of = V3::constant(position.x, *pattern);
         let other = V3::constant(position.x, *between);
-        [R::select(on, of.x, other.x), R::select(on, of.y, other.y), R::select(on, of.z, other.z)]
+        [
+            R::select(on, of.x, other.x),
+            R::select(on, of.y, other.y),
+            R::select(on, of.z, other.z),
+        ]
     }
 }
 
@@ -117,27 +123,61 @@ impl<T: Scalar> Equation<T> {
     pub(crate) fn in_units(scene: &Scene, unit: f64) -> Self {
         let camera = &scene.camera;
         let material = &scene.material;
-        let axis = if scene.object.kind.faces_viewer() { 2 } else { 1 };
-        let pattern = Fields::new(scene.pattern.kind, scene.pattern.scale, axis, camera.eye, unit).map(|fields| {
-            let colors = [material.color, scene.pattern.color].map(|color| color.to_array().map(T::from_f64));
+        let axis = if scene.object.kind.faces_viewer() {
+            2
+        } else {
+            1
+        };
+        let pattern = Fields::new(
+            scene.pattern.kind,
+            scene.pattern.scale,
+            axis,
+            camera.eye,
+            unit,
+        )
+        .map(|fields| {
+            let colors = [material.color, scene.pattern.color]
+                .map(|color| color.to_array().map(T::from_f64));
             Patterned { fields, colors }
         });
         // A pattern's colour is a factor of its own, of each point.
-        let color = if pattern.is_some() { Rgb::ONE } else { material.color };
+        let color = if pattern.is_some() {
+            Rgb::ONE
+        } else {
+            material.color
+        };
         let backwards = (camera.eye - camera.target).normalize_or_zero();
         let (soloing, ks) = (scene.soloing(), material.ks * material.specular_color);
-        let tint = if pattern.is_some() { material.color.max(scene.pattern.color).max_element().max(1.0) } else { 1.0 };
+        let tint = if pattern.is_some() {
+            material
+                .color
+                .max(scene.pattern.color)
+                .max_element()
+                .max(1.0)
+        } else {
+            1.0
+        };
         let peak = match scene.reflection.model {
             ReflectionModel::Phong | ReflectionModel::Blinn => 1.0,
             ReflectionModel::CookTorrance => greatest_factor(material.roughness),
         };
-        let count: usize = scene.lights.iter().map(|light| light.sample_count() as usize).sum();
+        let count: usize = scene
+            .lights
+            .iter()
+            .map(|light| light.sample_count() as usize)
+            .sum();
         let share = Share::new(count, tint, peak);
         let mut sources = Vec::with_capacity(count);
         let mut starts = vec![0];
         for light in &scene.lights {
             let on = if light.shines(soloing) { 1.0 } else { 0.0 };
-            sources.extend(Source::all_of(light, camera.eye, unit, [material.kd * color * on, ks * on], share));
+            sources.extend(Source::all_of(
+                light,
+                camera.eye,
+                unit,
+                [material.kd * color * on, ks * on],
+                share,
+            ));
             starts.push(sources.len());
         }
         let zero = [T::default(); 3];
@@ -154,7 +194,8 @@ impl<T: Scalar> Equation<T> {
             pattern,
             backfacing: scene.reflection.backfacing,
             grazing: grazing(scene, unit, T::ROUNDING, T::GRID).map(T::from_f64),
-            infinite_view: (camera.viewer == Viewer::Infinite).then(|| backwards.to_array().map(T::from_f64)),
+            infinite_view: (camera.viewer == Viewer::Infinite)
+                .then(|| backwards.to_array().map(T::from_f64)),
             form: SpecularForm::of(scene),
             eye: camera.eye,
             unit,
@@ -188,7 +229,9 @@ impl<T: Scalar> Equation<T> {
     pub fn leave_nothing_out(&mut self, scene: &Scene) {
         self.form = SpecularForm::of_model(scene);
         self.diffuses = true;
-        self.sources.iter_mut().for_each(Source::evaluate_attenuation);
+        self.sources
+            .iter_mut()
+            .for_each(Source::evaluate_attenuation);
     }
 
     /// Lights of the scene, those without sources included.
@@ -217,7 +260,12 @@ impl<T: Scalar> Equation<T> {
             Some(view) => V3::constant(position.x, view),
             None => -position.scale(inverse_distance),
         };
-        ShadingPoint { normal, position, view, inverse_distance }
+        ShadingPoint {
+            normal,
+            position,
+            view,
+            inverse_distance,
+        }
     }
 
     /// What `source` does at `shading point`: direction, attenuation, Lambert's cosine and the specular factor.
@@ -248,7 +296,15 @@ impl<T: Scalar> Equation<T> {
             zero
         };
         let diffuse = R::select(lit, n_dot_l * strength, zero);
-        LightResponse { l, attenuation, spot, n_dot_l, diffuse, specular, incidence: F::incidence(site, l, n_dot_l) }
+        LightResponse {
+            l,
+            attenuation,
+            spot,
+            n_dot_l,
+            diffuse,
+            specular,
+            incidence: F::incidence(site, l, n_dot_l),
+        }
     }
 
     /// I at `shading point`, per channel. Sources that are not among `reached` are in shadow; none casts a shadow without it.
@@ -261,7 +317,10 @@ impl<T: Scalar> Equation<T> {
         let like = site.inverse_distance;
         let V3 { x: r, y: g, z: b } = V3::constant(like, self.ambient);
         let mut sum = [r, g, b];
-        let color = self.pattern.as_ref().map(|pattern| pattern.color(site.position));
+        let color = self
+            .pattern
+            .as_ref()
+            .map(|pattern| pattern.color(site.position));
         if let Some(color) = color {
             sum = [sum[0] * color[0], sum[1] * color[1], sum[2] * color[2]];
         }
@@ -322,7 +381,15 @@ fn grazing(scene: &Scene, unit: f64, rounding: f64, grid: f64) -> [f64; 2] {
         Projection::Perspective => scale,
         Projection::Orthographic => scale * unit,
     };
-    [rounding + if scene.shading.mode == ShadingMode::Exact { 0.0 } else { grid / pixels }, rounding]
+    [
+        rounding
+            + if scene.shading.mode == ShadingMode::Exact {
+                0.0
+            } else {
+                grid / pixels
+            },
+        rounding,
+    ]
 }
 
 /// What one light does at a point, an area light all its samples together.
@@ -382,12 +449,16 @@ impl Equation<f64> {
 
     /// Od at a point of the world, where a pattern varies it; white where it is part of the coefficients.
     pub fn pattern_color(&self, point: DVec3) -> Rgb {
-        self.pattern.map_or(Rgb::ONE, |pattern| Rgb::from_array(pattern.color(V3::from(self.from_world(point)))))
+        self.pattern.map_or(Rgb::ONE, |pattern| {
+            Rgb::from_array(pattern.color(V3::from(self.from_world(point))))
+        })
     }
 
     /// W per channel at the angle of incidence whose cosine is `cosine`.
     pub fn reflectance(&self, cosine: f64) -> Rgb {
-        self.fresnel.map_or(Rgb::ONE, |fresnel| Rgb::from_array(fresnel.reflectance(cosine)))
+        self.fresnel.map_or(Rgb::ONE, |fresnel| {
+            Rgb::from_array(fresnel.reflectance(cosine))
+        })
     }
 
     /// I at a point of the world with normal `n`, per channel: the reference. Without `reached` all sources reach it.
@@ -405,16 +476,29 @@ impl Equation<f64> {
     ///
     /// # Panics
     /// If there is no such light.
-    pub fn respond_world(&self, light: usize, point: DVec3, n: DVec3, reached: Option<Reached<'_>>) -> LightAt {
+    pub fn respond_world(
+        &self,
+        light: usize,
+        point: DVec3,
+        n: DVec3,
+        reached: Option<Reached<'_>>,
+    ) -> LightAt {
         let site = self.site_at(point, n);
         let color = self.pattern_color(point);
         let range = self.sources_of(light);
         let share = 1.0 / range.len().max(1) as f64;
-        let mut sum = LightAt { v: site.view.into(), ..LightAt::default() };
+        let mut sum = LightAt {
+            v: site.view.into(),
+            ..LightAt::default()
+        };
         for index in range {
             let source = &self.sources[index];
             let response = self.respond_to(source, &site);
-            let lit = if reached.is_none_or(|reached| reached.holds(index)) { 1.0 } else { 0.0 };
+            let lit = if reached.is_none_or(|reached| reached.holds(index)) {
+                1.0
+            } else {
+                0.0
+            };
             let reflectance = self.reflectance(response.incidence);
             sum.l += DVec3::from(response.l);
             sum.attenuation += share * response.attenuation;
@@ -424,14 +508,19 @@ impl Equation<f64> {
             sum.diffuse_factor += share * lit * response.diffuse;
             sum.specular_factor += share * lit * response.specular;
             sum.diffuse += Rgb::from_array(source.diffuse) * color * (lit * response.diffuse);
-            sum.specular += Rgb::from_array(source.specular) * reflectance * (lit * response.specular);
+            sum.specular +=
+                Rgb::from_array(source.specular) * reflectance * (lit * response.specular);
         }
         sum.l = sum.l.normalize_or(n);
         let l = V3::from(sum.l);
         sum.r = reflect(site.normal, l, site.normal.dot(l)).into();
         sum.h = halfway(l, site.view).into();
         let n_dot_l = n.dot(sum.l);
-        let cosine = if self.form.at_halfway() { sum.l.dot(sum.h) } else { n_dot_l.abs() };
+        let cosine = if self.form.at_halfway() {
+            sum.l.dot(sum.h)
+        } else {
+            n_dot_l.abs()
+        };
         sum.incidence = cosine.clamp(-1.0, 1.0).acos();
         sum
     }

@@ -27,14 +27,23 @@ pub struct Index {
 
 impl Index {
     /// Crown glass N-BK7 at 656.3, 546.1 and 435.8 nm: the SCHOTT data sheet's `n_C`, `n_e`, `n_g`.
-    pub const GLASS: Self = Self { eta: Rgb::new(1.514_32, 1.518_72, 1.526_68), k: Rgb::ZERO };
+    pub const GLASS: Self = Self {
+        eta: Rgb::new(1.514_32, 1.518_72, 1.526_68),
+        k: Rgb::ZERO,
+    };
 
     /// Silver at 1.88, 2.26 and 2.75 eV (659, 549 and 451 nm): P. B. Johnson and R. W. Christy, *Optical constants of the
     /// noble metals*, Phys. Rev. B 6 (1972), table I.
-    pub const SILVER: Self = Self { eta: Rgb::new(0.05, 0.06, 0.04), k: Rgb::new(4.483, 3.586, 2.657) };
+    pub const SILVER: Self = Self {
+        eta: Rgb::new(0.05, 0.06, 0.04),
+        k: Rgb::new(4.483, 3.586, 2.657),
+    };
 
     /// Gold, from the same table at the same energies.
-    pub const GOLD: Self = Self { eta: Rgb::new(0.14, 0.43, 1.38), k: Rgb::new(3.697, 2.455, 1.914) };
+    pub const GOLD: Self = Self {
+        eta: Rgb::new(0.14, 0.43, 1.38),
+        k: Rgb::new(3.697, 2.455, 1.914),
+    };
 
     /// The index that `material` reflects by; none where W is constant.
     pub fn of(material: &Material) -> Option<Self> {
@@ -43,7 +52,10 @@ impl Index {
             Reflectance::Glass => Some(Self::GLASS),
             Reflectance::Silver => Some(Self::SILVER),
             Reflectance::Gold => Some(Self::GOLD),
-            Reflectance::Custom => Some(Self { eta: material.ior, k: material.extinction }),
+            Reflectance::Custom => Some(Self {
+                eta: material.ior,
+                k: material.extinction,
+            }),
         }
     }
 
@@ -66,14 +78,21 @@ impl<T: Scalar> Fresnel<T> {
     pub fn new(Index { eta, k }: Index) -> Self {
         let excess = (eta - 1.0) * (eta + 1.0) - k * k;
         let product = 4.0 * eta * eta * k * k;
-        Self { excess: excess.to_array().map(T::from_f64), product: product.to_array().map(T::from_f64) }
+        Self {
+            excess: excess.to_array().map(T::from_f64),
+            product: product.to_array().map(T::from_f64),
+        }
     }
 
     /// W per channel.
     #[inline(always)]
     pub fn reflectance<R: Real<Scalar = T>>(&self, cosine: R) -> [R; 3] {
         let cosine = cosine.max(cosine.number(0.0)).min(cosine.number(1.0));
-        [self.channel(cosine, 0), self.channel(cosine, 1), self.channel(cosine, 2)]
+        [
+            self.channel(cosine, 0),
+            self.channel(cosine, 1),
+            self.channel(cosine, 2),
+        ]
     }
 
     #[inline(always)]
@@ -83,7 +102,9 @@ impl<T: Scalar> Fresnel<T> {
         let s2 = c.number(1.0) - c2;
         // η² − k² − s² = (η² − k² − 1) + c².
         let inner = c2 + c.constant(self.excess[channel]);
-        let modulus = inner.mul_add(inner, c.constant(self.product[channel])).sqrt();
+        let modulus = inner
+            .mul_add(inner, c.constant(self.product[channel]))
+            .sqrt();
         let a = ((modulus + inner) * half).max(zero).sqrt();
         let twice = (a + a) * c;
         let perpendicular = (modulus + c2 - twice).max(zero) * (modulus + c2 + twice).reciprocal();

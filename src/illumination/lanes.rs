@@ -29,7 +29,9 @@ impl<S: Simd> Lanes<S> {
     /// 0, 1, 2 and so on.
     #[inline(always)]
     pub fn count_up(simd: S) -> Self {
-        const COUNT: [f32; 16] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];
+        const COUNT: [f32; 16] = [
+            0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
+        ];
         Self::load(simd, &COUNT)
     }
 
@@ -158,8 +160,14 @@ impl<S: Simd> Real for Lanes<S> {
 
     #[inline(always)]
     fn exp2(self) -> Self {
-        const P: [f32; 6] =
-            [1.535_336_2e-4, 1.339_887_4e-3, 9.618_437e-3, 5.550_332_5e-2, 2.402_264_8e-1, 6.931_472e-1];
+        const P: [f32; 6] = [
+            1.535_336_2e-4,
+            1.339_887_4e-3,
+            9.618_437e-3,
+            5.550_332_5e-2,
+            2.402_264_8e-1,
+            6.931_472e-1,
+        ];
         let simd = self.0.token();
         let clamped = self.max(self.constant(-126.0)).min(self.constant(126.0));
         let whole = Self((clamped.0 + 0.5).floor());
@@ -181,7 +189,10 @@ impl<S: Simd> Real for Lanes<S> {
         let exponent = shifted >> 23;
         let mantissa = bits - (exponent << 23);
         let x = Self(mantissa.bitcast()) - self.constant(1.0);
-        ln_one_plus(x).mul_add(x.constant(std::f32::consts::LOG2_E), Self(S::f32s::float_from(exponent)))
+        ln_one_plus(x).mul_add(
+            x.constant(std::f32::consts::LOG2_E),
+            Self(S::f32s::float_from(exponent)),
+        )
     }
 
     #[inline(always)]

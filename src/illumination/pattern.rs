@@ -23,11 +23,23 @@ const BORDER: f64 = 1.0 / (1 << 21) as f64;
 impl<T: Scalar> Fields<T> {
     /// The fields of `kind`, `width` world units wide, rings about axis `axis` (0 to 2), for positions that are `unit`
     /// world units long and start from `origin`. None where there is no pattern.
-    pub fn new(kind: PatternKind, width: f64, axis: usize, origin: DVec3, unit: f64) -> Option<Self> {
+    pub fn new(
+        kind: PatternKind,
+        width: f64,
+        axis: usize,
+        origin: DVec3,
+        unit: f64,
+    ) -> Option<Self> {
         let offset = (origin / width).to_array().map(T::from_f64);
         let border = (BORDER * (unit + origin.abs().max_element()) / width).min(0.25);
         let (scale, half) = (T::from_f64(unit / width), T::from_f64(0.5 + border));
-        (kind != PatternKind::None).then_some(Self { kind, axis, scale, offset, half })
+        (kind != PatternKind::None).then_some(Self {
+            kind,
+            axis,
+            scale,
+            offset,
+            half,
+        })
     }
 
     /// Whether the pattern lies on a point: its own colour is seen there.

@@ -169,12 +169,17 @@ impl<R: Real> V3<R> {
     /// The same vector in every lane of `like`.
     #[inline(always)]
     pub fn constant(like: R, value: [R::Scalar; 3]) -> Self {
-        Self::new(like.constant(value[0]), like.constant(value[1]), like.constant(value[2]))
+        Self::new(
+            like.constant(value[0]),
+            like.constant(value[1]),
+            like.constant(value[2]),
+        )
     }
 
     #[inline(always)]
     pub fn dot(self, other: Self) -> R {
-        self.x.mul_add(other.x, self.y.mul_add(other.y, self.z * other.z))
+        self.x
+            .mul_add(other.x, self.y.mul_add(other.y, self.z * other.z))
     }
 
     #[inline(always)]
@@ -185,7 +190,11 @@ impl<R: Real> V3<R> {
     /// `self · factor + other`.
     #[inline(always)]
     pub fn scale_add(self, factor: R, other: Self) -> Self {
-        Self::new(self.x.mul_add(factor, other.x), self.y.mul_add(factor, other.y), self.z.mul_add(factor, other.z))
+        Self::new(
+            self.x.mul_add(factor, other.x),
+            self.y.mul_add(factor, other.y),
+            self.z.mul_add(factor, other.z),
+        )
     }
 
     /// The unit vector; zero stays zero.

@@ -68,7 +68,9 @@ impl<T: Scalar> Cone<T> {
         let tiny = l.x.number(f64::from(f32::MIN_POSITIVE));
         let gap = self.gap(l);
         let power = ((one - gap).max(tiny).log2() * self.exponent).exp2();
-        let inside = ((l.x.constant(self.edge) - gap) * self.inverse_fade).max(zero).min(one);
+        let inside = ((l.x.constant(self.edge) - gap) * self.inverse_fade)
+            .max(zero)
+            .min(one);
         // Hermite's cubic: level at both ends of the edge.
         let soft = inside * inside * (l.x.number(3.0) - inside - inside);
         power * soft
@@ -116,7 +118,10 @@ impl Share {
     /// by `specular`.
     pub fn new(count: usize, color: f64, specular: f64) -> Self {
         let each = 0.5 * BRIGHTEST / count.max(1) as f64;
-        Self { diffuse: each / color.max(1.0), specular: each / specular.max(1.0) }
+        Self {
+            diffuse: each / color.max(1.0),
+            specular: each / specular.max(1.0),
+        }
     }
 
     /// How great f may be for these coefficients.
@@ -130,7 +135,13 @@ impl Share {
 impl<T: Scalar> Source<T> {
     /// Prepares `light` as one source, or one a sample, seen from `eye`, with lengths measured in `unit`s; `kd_color` and
     /// `ks` are the material's. None adds more than its `share`.
-    pub(super) fn all_of(light: &Light, eye: DVec3, unit: f64, [kd_color, ks]: [Rgb; 2], share: Share) -> Vec<Self> {
+    pub(super) fn all_of(
+        light: &Light,
+        eye: DVec3,
+        unit: f64,
+        [kd_color, ks]: [Rgb; 2],
+        share: Share,
+    ) -> Vec<Self> {
         let color = light.color / f64::from(light.sample_count().max(1));
         let diffuse = (color * kd_color).min(Rgb::splat(share.diffuse));
         let specular = (color * ks).min(Rgb::splat(share.specular));
@@ -169,7 +180,10 @@ impl<T: Scalar> Source<T> {
             Place::Towards(l) => (V3::constant(like, l), one, like.number(0.0)),
             Place::At(place) => {
                 let to_light = V3::constant(like, place) - position;
-                let inverse = to_light.dot(to_light).max(shortest * shortest).inverse_sqrt_of_sound();
+                let inverse = to_light
+                    .dot(to_light)
+                    .max(shortest * shortest)
+                    .inverse_sqrt_of_sound();
                 (to_light.scale(inverse), inverse, inverse)
             }
         };
@@ -186,7 +200,10 @@ impl<T: Scalar> Source<T> {
             }
             Falloff::Quadratic { c1, c2, c3 } => {
                 let d = one / inverse_distance;
-                let sum = d.mul_add(d.mul_add(like.constant(c3), like.constant(c2)), like.constant(c1));
+                let sum = d.mul_add(
+                    d.mul_add(like.constant(c3), like.constant(c2)),
+                    like.constant(c1),
+                );
                 one.min(one / sum.max(shortest))
             }
         };
@@ -207,7 +224,9 @@ impl<T: Scalar> Source<T> {
     where
         T: Real<Scalar = T>,
     {
-        self.cone.as_ref().is_some_and(|cone| cone.gap(l) >= cone.edge)
+        self.cone
+            .as_ref()
+            .is_some_and(|cone| cone.gap(l) >= cone.edge)
     }
 
     /// The direction to the source from `position`, and how many times its length the source is away.
@@ -225,7 +244,11 @@ impl<T: Scalar> Source<T> {
     pub(super) fn evaluate_attenuation(&mut self) {
         let one = T::from_f64(1.0);
         if self.falloff == Falloff::Constant(one) {
-            self.falloff = Falloff::Quadratic { c1: one, c2: T::default(), c3: T::default() };
+            self.falloff = Falloff::Quadratic {
+                c1: one,
+                c2: T::default(),
+                c3: T::default(),
+            };
         }
     }
 
@@ -245,7 +268,9 @@ impl Source<f32> {
     pub(super) fn greatest_specular(&self) -> f64 {
         let f = match self.falloff {
             Falloff::Constant(f) => f,
-            Falloff::Viewer { k, least, .. } | Falloff::Light { k, least, .. } => 1.0 / k.max(least),
+            Falloff::Viewer { k, least, .. } | Falloff::Light { k, least, .. } => {
+                1.0 / k.max(least)
+            }
             Falloff::Quadratic { .. } => 1.0,
             Falloff::InverseSquare { greatest, .. } => greatest,
         };
@@ -264,14 +289,19 @@ impl<T: Scalar> Falloff<T> {
             (Attenuation::Viewer, _) => Self::Viewer { scale, k, least },
             (Attenuation::None, _) => Self::Constant(t(1.0)),
             _ if !light.kind.has_position() => Self::Constant(t(1.0)),
-            (law, Some(distance)) => Self::Constant(t(attenuation_at(light, law, distance * unit).min(greatest))),
+            (law, Some(distance)) => {
+                Self::Constant(t(attenuation_at(light, law, distance * unit).min(greatest)))
+            }
             (Attenuation::Light, None) => Self::Light { scale, k, least },
-            (Attenuation::InverseSquare, None) => {
-                Self::InverseSquare { factor: t(1.0 / (unit * unit)), greatest: t(greatest) }
-            }
-            (Attenuation::Quadratic, None) => {
-                Self::Quadratic { c1: t(light.c1), c2: t(light.c2 * unit), c3: t(light.c3 * unit * unit) }
-            }
+            (Attenuation::InverseSquare, None) => Self::InverseSquare {
+                factor: t(1.0 / (unit * unit)),
+                greatest: t(greatest),
+            },
+            (Attenuation::Quadratic, None) => Self::Quadratic {
+                c1: t(light.c1),
+                c2: t(light.c2 * unit),
+                c3: t(light.c3 * unit * unit),
+            },
         }
     }
 }
@@ -283,20 +313,30 @@ pub fn attenuation_at(light: &Light, attenuation: Attenuation, d: f64) -> f64 {
         Attenuation::None => 1.0,
         Attenuation::Viewer | Attenuation::Light => 1.0 / (d + light.k).max(SHORTEST),
         Attenuation::InverseSquare => 1.0 / (d * d).max(SHORTEST * SHORTEST),
-        Attenuation::Quadratic => (1.0 / (light.c1 + light.c2 * d + light.c3 * d * d).max(SHORTEST)).min(1.0),
+        Attenuation::Quadratic => {
+            (1.0 / (light.c1 + light.c2 * d + light.c3 * d * d).max(SHORTEST)).min(1.0)
+        }
     }
 }
 
 /// Length without overflow or underflow of the squares.
 fn length(v: DVec3) -> f64 {
     let largest = v.abs().max_element();
-    if largest > 0.0 && largest.is_finite() { (v / largest).length() * largest } else { largest }
+    if largest > 0.0 && largest.is_finite() {
+        (v / largest).length() * largest
+    } else {
+        largest
+    }
 }
 
 /// Unit vector of any finite vector but zero, which stays zero.
 pub(crate) fn direction(v: DVec3) -> DVec3 {
     let largest = v.abs().max_element();
-    if largest > 0.0 { (v / largest).normalize_or_zero() } else { DVec3::ZERO }
+    if largest > 0.0 {
+        (v / largest).normalize_or_zero()
+    } else {
+        DVec3::ZERO
+    }
 }
 
 fn scalars<T: Scalar>(v: DVec3) -> [T; 3] {
@@ -316,7 +356,9 @@ pub fn area_samples(light: &Light) -> Vec<DVec3> {
     match light.shape {
         AreaShape::Rectangle => {
             let [across, up] = rectangle_axes(light);
-            samples.map(|([u, v], _)| light.position + across * (u - 0.5) + up * (v - 0.5)).collect()
+            samples
+                .map(|([u, v], _)| light.position + across * (u - 0.5) + up * (v - 0.5))
+                .collect()
         }
         AreaShape::Sphere if light.samples == 1 => vec![light.position],
         AreaShape::Sphere => {
@@ -355,11 +397,21 @@ pub fn area_hull(light: &Light) -> Vec<DVec3> {
     match light.shape {
         AreaShape::Rectangle => {
             let [across, up] = rectangle_axes(light).map(|side| side * 0.5);
-            [across + up, across - up, -across - up, up - across].map(|corner| light.position + corner).to_vec()
+            [across + up, across - up, -across - up, up - across]
+                .map(|corner| light.position + corner)
+                .to_vec()
         }
         AreaShape::Sphere => {
-            let sign = |bit: u32, k: u32| if k >> bit & 1 == 0 { -light.radius } else { light.radius };
-            (0..8).map(|k| light.position + DVec3::new(sign(0, k), sign(1, k), sign(2, k))).collect()
+            let sign = |bit: u32, k: u32| {
+                if k >> bit & 1 == 0 {
+                    -light.radius
+                } else {
+                    light.radius
+                }
+            };
+            (0..8)
+                .map(|k| light.position + DVec3::new(sign(0, k), sign(1, k), sign(2, k)))
+                .collect()
         }
     }
 }

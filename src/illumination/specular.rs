@@ -45,9 +45,19 @@ impl SpecularForm {
 
     /// The form that `scene` needs. Normals that are left short of unit length have no chord.
     pub fn of(scene: &Scene) -> Self {
-        let (soloing, ks) = (scene.soloing(), scene.material.ks * scene.material.specular_color);
-        let lit = scene.lights.iter().any(|light| light.shines(soloing) && ks * light.color != Rgb::ZERO);
-        if lit { Self::of_model(scene) } else { Self::None }
+        let (soloing, ks) = (
+            scene.soloing(),
+            scene.material.ks * scene.material.specular_color,
+        );
+        let lit = scene
+            .lights
+            .iter()
+            .any(|light| light.shines(soloing) && ks * light.color != Rgb::ZERO);
+        if lit {
+            Self::of_model(scene)
+        } else {
+            Self::None
+        }
     }
 
     /// Whether W depends on the angle between L and H instead of that between L and N.
@@ -97,7 +107,10 @@ pub trait Specular: 'static {
     /// Whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
     const AT_HALFWAY: bool = matches!(
         Self::FORM,
-        SpecularForm::BlinnCosine | SpecularForm::BlinnChord | SpecularForm::Beckmann | SpecularForm::Ggx
+        SpecularForm::BlinnCosine
+            | SpecularForm::BlinnChord
+            | SpecularForm::Beckmann
+            | SpecularForm::Ggx
     );
 
     /// S at a shading point for the unit direction `l` to the light and `n_dot_l` = N·L.
@@ -107,13 +120,18 @@ pub trait Specular: 'static {
         match Self::FORM {
             SpecularForm::None => n_dot_l.number(0.0),
             // R·V without R: 2(N·L)(N·V) − L·V.
-            SpecularForm::PhongCosine => power_of_cosine((n_dot_l + n_dot_l).mul_add(n.dot(v), -l.dot(v)), lobe),
+            SpecularForm::PhongCosine => {
+                power_of_cosine((n_dot_l + n_dot_l).mul_add(n.dot(v), -l.dot(v)), lobe)
+            }
             SpecularForm::PhongChord => power_of_chord(reflect(n, l, n_dot_l), v, lobe),
             SpecularForm::BlinnCosine => power_of_cosine(n.dot(halfway(l, v)), lobe),
             SpecularForm::BlinnChord => power_of_chord(n, halfway(l, v), lobe),
             SpecularForm::Beckmann => {
                 let f = Facet::new(site, l);
-                f.factor(beckmann(f.gap, lobe), geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h))
+                f.factor(
+                    beckmann(f.gap, lobe),
+                    geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h),
+                )
             }
             SpecularForm::Ggx => {
                 let f = Facet::new(site, l);
@@ -261,7 +279,12 @@ impl<R: Real> Facet<R> {
         let h = halfway(l, site.view);
         let chord = site.normal - h;
         let gap = (chord.dot(chord) * R::Scalar::from_f64(0.5)).min(l.x.number(1.0));
-        Self { n_dot_h: site.normal.dot(h), n_dot_v: site.normal.dot(site.view), v_dot_h: site.view.dot(h), gap }
+        Self {
+            n_dot_h: site.normal.dot(h),
+            n_dot_v: site.normal.dot(site.view),
+            v_dot_h: site.view.dot(h),
+            gap,
+        }
     }
 
     /// S from `π·D` and `G/(N·V)`; no facet faces inwards.
@@ -320,7 +343,9 @@ fn geometric_over_view<R: Real>(n_dot_h: R, n_dot_l: R, n_dot_v: R, v_dot_h: R) 
     let least = n_dot_v.number(SMALLEST_COSINE);
     let inverse_view = n_dot_v.number(1.0) / n_dot_v.max(least);
     let cavity = (n_dot_h + n_dot_h) / v_dot_h.max(least);
-    inverse_view.min(cavity).min(cavity * n_dot_l * inverse_view)
+    inverse_view
+        .min(cavity)
+        .min(cavity * n_dot_l * inverse_view)
 }
 
 /// `min(1, max(0, 1 + 4·N·V))`: 1 where the surface faces the viewer. At the outline of a coarse mesh the interpolated
@@ -329,7 +354,9 @@ fn geometric_over_view<R: Real>(n_dot_h: R, n_dot_l: R, n_dot_v: R, v_dot_h: R) 
 #[inline(always)]
 fn seen<R: Real>(n_dot_v: R) -> R {
     let (zero, one) = (n_dot_v.number(0.0), n_dot_v.number(1.0));
-    (n_dot_v * R::Scalar::from_f64(4.0) + one).max(zero).min(one)
+    (n_dot_v * R::Scalar::from_f64(4.0) + one)
+        .max(zero)
+        .min(one)
 }
 
 /// `G/(N·V)` by Smith's method for the distribution of Walter et al.: G = G₁(N·L)·G₁(N·V) with
@@ -394,7 +421,13 @@ mod tests {
         assert_eq!((at(0.0, 2.0), at(-1.0, 0.3)), (0.0, 0.0));
         let (axis, near) = (V3::new(0.0, 0.0, 1.0), V3::new(1e-6, 0.0, 1.0));
         let mirror = Lobe::new(f64::INFINITY, 1.0);
-        assert_eq!((power_of_chord(axis, axis, &mirror), power_of_chord(axis, near, &mirror)), (1.0, 0.0));
+        assert_eq!(
+            (
+                power_of_chord(axis, axis, &mirror),
+                power_of_chord(axis, near, &mirror)
+            ),
+            (1.0, 0.0)
+        );
         let faded = [1.0, 1e-3, 0.0, -0.125, -0.25, -0.9].map(seen::<f64>);
         assert_eq!(faded, [1.0, 1.0, 1.0, 0.5, 0.0, 0.0]);
     }

@@ -39,10 +39,27 @@ pub struct Lens {
 impl Lens {
     /// The lens for `size` pixels whose samples lie `offset` pixels from the centres; a camera distance is `unit` world units.
     pub fn new(camera: &Camera, size: [u32; 2], offset: DVec2, unit: f64) -> Self {
-        let View { eye, right, up, forward, centre, scale, projection } = View::new(camera, size);
+        let View {
+            eye,
+            right,
+            up,
+            forward,
+            centre,
+            scale,
+            projection,
+        } = View::new(camera, size);
         let perspective = projection == Projection::Perspective;
         let focal = if perspective { scale } else { scale * unit };
-        Self { eye, unit, right, up, forward, perspective, focal, middle: centre - offset }
+        Self {
+            eye,
+            unit,
+            right,
+            up,
+            forward,
+            perspective,
+            focal,
+            middle: centre - offset,
+        }
     }
 
     /// Right, up and forward components of a world point, camera distances.
@@ -53,13 +70,24 @@ impl Lens {
 
     /// Where a point given by its view components appears, pixels.
     pub fn picture_from_view(&self, view: DVec3) -> DVec2 {
-        let scale = if self.perspective { self.focal / view.z } else { self.focal };
-        DVec2::new(self.middle.x + view.x * scale, self.middle.y - view.y * scale)
+        let scale = if self.perspective {
+            self.focal / view.z
+        } else {
+            self.focal
+        };
+        DVec2::new(
+            self.middle.x + view.x * scale,
+            self.middle.y - view.y * scale,
+        )
     }
 
     /// The depth key at a distance along the viewing direction: linear in the picture over a flat polygon, greater if nearer.
     pub fn key_from_depth(&self, depth: f64) -> f64 {
-        if self.perspective { 1.0 / depth } else { -depth }
+        if self.perspective {
+            1.0 / depth
+        } else {
+            -depth
+        }
     }
 
     /// The depth of a key.
@@ -69,9 +97,13 @@ impl Lens {
 
     /// The ray through a place in the picture, relative to the eye: point + depth·direction lies at that depth.
     pub fn ray(&self, place: DVec2) -> (DVec3, DVec3) {
-        let across =
-            self.right * ((place.x - self.middle.x) / self.focal) - self.up * ((place.y - self.middle.y) / self.focal);
-        if self.perspective { (DVec3::ZERO, self.forward + across) } else { (across, self.forward) }
+        let across = self.right * ((place.x - self.middle.x) / self.focal)
+            - self.up * ((place.y - self.middle.y) / self.focal);
+        if self.perspective {
+            (DVec3::ZERO, self.forward + across)
+        } else {
+            (across, self.forward)
+        }
     }
 
     /// The ray from the eye through the centre of a pixel: a point and a unit direction, world.

@@ -27,12 +27,19 @@ pub struct MeshSource {
 
 impl MeshSource {
     pub fn mesh(&self) -> &Arc<Mesh> {
-        self.mesh.get_or_init(|| self.shape.as_ref().map_or_else(Arc::default, |shape| Arc::new(tessellate(shape))))
+        self.mesh.get_or_init(|| {
+            self.shape
+                .as_ref()
+                .map_or_else(Arc::default, |shape| Arc::new(tessellate(shape)))
+        })
     }
 
     /// Lets a shape's polygons go, unless somebody shares them.
     pub fn release(&mut self) {
-        let shared = self.mesh.get().is_some_and(|mesh| Arc::strong_count(mesh) > 1);
+        let shared = self
+            .mesh
+            .get()
+            .is_some_and(|mesh| Arc::strong_count(mesh) > 1);
         if self.shape.is_some() && !shared {
             self.mesh.take();
         }
@@ -75,11 +82,16 @@ impl Model {
     pub fn new(mut mesh: VertexMesh) -> Self {
         mesh.starts.shrink_to_fit();
         mesh.corners.shrink_to_fit();
-        let count = mesh.corners.len().saturating_sub(2 * mesh.starts.len().saturating_sub(1));
+        let count = mesh
+            .corners
+            .len()
+            .saturating_sub(2 * mesh.starts.len().saturating_sub(1));
         let (mut triangles, mut faces) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for (face, range) in (0_u32..).zip(mesh.starts.windows(2)) {
             // A fan from the face's first vertex.
-            if let Some((&first, rest)) = mesh.corners[range[0] as usize..range[1] as usize].split_first() {
+            if let Some((&first, rest)) =
+                mesh.corners[range[0] as usize..range[1] as usize].split_first()
+            {
                 triangles.extend(rest.windows(2).map(|pair| [first, pair[0], pair[1]]));
                 faces.resize(triangles.len(), face);
             }
@@ -102,7 +114,8 @@ impl Model {
 
     pub fn count(&self, memory: &mut Memory) {
         memory.vertices += room_of_planes(&self.position) + room_of_planes(&self.normal);
-        memory.triangles += room(&self.triangles) + room(&self.faces) + room(&self.starts) + room(&self.indices);
+        memory.triangles +=
+            room(&self.triangles) + room(&self.faces) + room(&self.starts) + room(&self.indices);
     }
 
     /// World units to one camera distance.
@@ -141,12 +154,14 @@ impl Model {
 
     /// The mean of a face's corners, world.
     pub fn face_centre(&self, face: u32) -> DVec3 {
-        self.of_large(face).map_or_else(|| self.origin + self.mean(face), |[centre, _]| centre)
+        self.of_large(face)
+            .map_or_else(|| self.origin + self.mean(face), |[centre, _]| centre)
     }
 
     /// The unit normal of a face by Newell's formula; zero for a face without area.
     pub fn face_normal(&self, face: u32) -> DVec3 {
-        self.of_large(face).map_or_else(|| self.newell(face), |[_, normal]| normal)
+        self.of_large(face)
+            .map_or_else(|| self.newell(face), |[_, normal]| normal)
     }
 
     /// The kept centre and normal of a face of many corners.
@@ -156,20 +171,30 @@ impl Model {
             return None;
         }
         let of = |face| (face, [self.origin + self.mean(face), self.newell(face)]);
-        let large = self.large.get_or_init(|| (0..self.face_count() as u32).filter(is_large).map(of).collect());
+        let large = self.large.get_or_init(|| {
+            (0..self.face_count() as u32)
+                .filter(is_large)
+                .map(of)
+                .collect()
+        });
         large.get(&face).copied()
     }
 
     fn mean(&self, face: u32) -> DVec3 {
         let corners = self.face(face);
-        let sum: DVec3 = corners.iter().map(|&v| at(&self.position, v).as_dvec3()).sum();
+        let sum: DVec3 = corners
+            .iter()
+            .map(|&v| at(&self.position, v).as_dvec3())
+            .sum();
         let count = corners.len().max(1) as f64;
         sum / count
     }
 
     fn newell(&self, face: u32) -> DVec3 {
         let corners = self.face(face);
-        let Some((&first, rest)) = corners.split_first() else { return DVec3::ZERO };
+        let Some((&first, rest)) = corners.split_first() else {
+            return DVec3::ZERO;
+        };
         // Relative to the first corner, so that nothing cancels far from the origin.
         let base = at(&self.position, first).as_dvec3();
         let mut sum = DVec3::ZERO;
@@ -179,7 +204,11 @@ impl Model {
             sum += a.cross(b);
         }
         let largest = sum.abs().max_element();
-        if largest > 0.0 { (sum / largest).normalize_or_zero() } else { DVec3::ZERO }
+        if largest > 0.0 {
+            (sum / largest).normalize_or_zero()
+        } else {
+            DVec3::ZERO
+        }
     }
 }
 
@@ -204,7 +233,10 @@ mod tests {
 
     #[test]
     fn a_shapes_polygons_are_let_go_and_made_again_but_a_model_is_kept() {
-        let mut source = MeshSource { shape: Some(Object::default()), ..MeshSource::default() };
+        let mut source = MeshSource {
+            shape: Some(Object::default()),
+            ..MeshSource::default()
+        };
         let first = Arc::clone(source.mesh());
         source.release();
         assert!(Arc::ptr_eq(&first, source.mesh()), "what is shared is kept");
@@ -212,9 +244,15 @@ mod tests {
         drop(first);
         source.release();
         assert!(source.mesh.get().is_none());
-        assert_eq!((&source.mesh().positions, &source.mesh().corners), (&positions, &corners));
+        assert_eq!(
+            (&source.mesh().positions, &source.mesh().corners),
+            (&positions, &corners)
+        );
         let model = Arc::new(tessellate(&Object::default()));
-        let mut source = MeshSource { mesh: Arc::clone(&model).into(), shape: None };
+        let mut source = MeshSource {
+            mesh: Arc::clone(&model).into(),
+            shape: None,
+        };
         source.release();
         assert!(Arc::ptr_eq(&model, source.mesh()));
     }

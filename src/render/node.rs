@@ -13,7 +13,11 @@ pub struct Node<T> {
 
 impl<T> Node<T> {
     /// Runs the step if its key differs from the last one; tells whether it ran.
-    pub fn update<K: PartialEq + Any + Send + Sync>(&mut self, key: K, run: impl FnOnce(&mut T)) -> bool {
+    pub fn update<K: PartialEq + Any + Send + Sync>(
+        &mut self,
+        key: K,
+        run: impl FnOnce(&mut T),
+    ) -> bool {
         let outdated = self.outdate(key);
         if outdated {
             run(&mut self.output);

@@ -25,7 +25,12 @@ pub trait Field: Debug + Sync {
     /// Its value, as a scene file holds it; none where the scene has no such light.
     fn value(&self, scene: &Scene, index: usize) -> Option<Value>;
     /// Sets it to a value of a scene file; its limits are not looked at.
-    fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Finding>;
+    fn read(
+        &self,
+        scene: &mut Scene,
+        index: usize,
+        value: &Spanned<DeValue<'_>>,
+    ) -> Result<(), Finding>;
     /// Sets it to what it is in another scene.
     fn copy(&self, from: &Scene, to: &mut Scene, index: usize);
     /// Whether two scenes agree in it, for numbers bit by bit.
@@ -37,9 +42,16 @@ impl<T: Datum> Field for Access<T> {
         (self.get)(scene, index)?.value()
     }
 
-    fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Finding> {
+    fn read(
+        &self,
+        scene: &mut Scene,
+        index: usize,
+        value: &Spanned<DeValue<'_>>,
+    ) -> Result<(), Finding> {
         let value = T::read(value)?;
-        (self.get_mut)(scene, index).into_iter().for_each(|place| place.clone_from(&value));
+        (self.get_mut)(scene, index)
+            .into_iter()
+            .for_each(|place| place.clone_from(&value));
         Ok(())
     }
 
@@ -98,9 +110,10 @@ impl List {
 
     /// The list that a key belongs to, as the table of parameters has it.
     pub fn of(key: &str) -> Option<Self> {
-        [Self::Lights, Self::Panes]
-            .into_iter()
-            .find(|list| key.strip_prefix(list.key()).is_some_and(|rest| rest.starts_with(".N")))
+        [Self::Lights, Self::Panes].into_iter().find(|list| {
+            key.strip_prefix(list.key())
+                .is_some_and(|rest| rest.starts_with(".N"))
+        })
     }
 
     pub fn len(self, scene: &Scene) -> usize {

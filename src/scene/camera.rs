@@ -49,11 +49,13 @@ table! {
 }
 
 fn no_perspective(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.camera.projection != Projection::Perspective).then_some("The projection is orthographic: see Height")
+    (scene.camera.projection != Projection::Perspective)
+        .then_some("The projection is orthographic: see Height")
 }
 
 fn not_orthographic(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.camera.projection != Projection::Orthographic).then_some("The projection is perspective: see Field of view")
+    (scene.camera.projection != Projection::Orthographic)
+        .then_some("The projection is perspective: see Field of view")
 }
 
 fn no_viewer(scene: &Scene, index: usize) -> Option<&'static str> {
@@ -70,7 +72,11 @@ impl Camera {
     pub fn distance(&self) -> f64 {
         let span = self.eye - self.target;
         let largest = span.abs().max_element();
-        if largest > 0.0 { (span / largest).length() * largest } else { 1.0 }
+        if largest > 0.0 {
+            (span / largest).length() * largest
+        } else {
+            1.0
+        }
     }
 }
 
@@ -107,7 +113,10 @@ impl Image {
     pub const MAX_PIXELS: u64 = 1 << 27;
 }
 
-const _: () = assert!(Image::MAX_SIDE == 16_384 && Image::MAX_PIXELS == 134_217_728, "as SIZE says");
+const _: () = assert!(
+    Image::MAX_SIDE == 16_384 && Image::MAX_PIXELS == 134_217_728,
+    "as SIZE says"
+);
 
 table! {
     /// How intensities become what is stored and shown.

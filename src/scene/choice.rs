@@ -19,7 +19,10 @@ pub trait Choice: Copy + PartialEq + 'static {
 
     /// Its place among the values.
     fn place(self) -> usize {
-        Self::VALUES.iter().position(|value| *value == self).unwrap_or(0)
+        Self::VALUES
+            .iter()
+            .position(|value| *value == self)
+            .unwrap_or(0)
     }
 
     /// As in a scene file.
@@ -38,7 +41,10 @@ pub trait Choice: Copy + PartialEq + 'static {
     }
 
     fn from_word(word: &str) -> Option<Self> {
-        Self::OPTIONS.iter().position(|option| option.word == word).map(|place| Self::VALUES[place])
+        Self::OPTIONS
+            .iter()
+            .position(|option| option.word == word)
+            .map(|place| Self::VALUES[place])
     }
 }
 

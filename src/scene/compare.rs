@@ -27,7 +27,8 @@ table! {
 const GAINS: Slider = Slider::logarithmic(1.0, Compare::MAX_GAIN).decimals(1);
 
 fn no_difference(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.compare.view != CompareView::Difference).then_some("The comparison shows no difference picture")
+    (scene.compare.view != CompareView::Difference)
+        .then_some("The comparison shows no difference picture")
 }
 
 impl Compare {
@@ -74,7 +75,10 @@ impl Pane {
 
     /// A pane in which these keys have other values.
     pub fn of(settings: &[&str]) -> Self {
-        Self { name: String::new(), set: settings.iter().map(|&setting| setting.to_owned()).collect() }
+        Self {
+            name: String::new(),
+            set: settings.iter().map(|&setting| setting.to_owned()).collect(),
+        }
     }
 
     /// The value that it gives to `key`, as written.
@@ -93,7 +97,11 @@ impl Pane {
 
     /// Lets `key` follow the scene again.
     pub fn take(&mut self, key: &str) {
-        self.set.retain(|setting| setting.split_once('=').is_none_or(|(name, _)| name.trim() != key));
+        self.set.retain(|setting| {
+            setting
+                .split_once('=')
+                .is_none_or(|(name, _)| name.trim() != key)
+        });
     }
 }
 
@@ -120,9 +128,16 @@ impl Scene {
     /// What is wrong with the pane's settings. A scene that [`Scene::validate`] accepts has none. A number past the last
     /// pane is the last one's.
     pub fn pane(&self, index: usize) -> Result<Self, SceneError> {
-        let alone = Self { compare: Compare::default(), ..self.clone() };
+        let alone = Self {
+            compare: Compare::default(),
+            ..self.clone()
+        };
         let last = self.compare.panes.len();
-        match index.min(last).checked_sub(1).and_then(|index| self.compare.panes.get(index)) {
+        match index
+            .min(last)
+            .checked_sub(1)
+            .and_then(|index| self.compare.panes.get(index))
+        {
             None => Ok(alone),
             Some(pane) => alone.with_overrides(&pane.set),
         }
@@ -130,21 +145,36 @@ impl Scene {
 
     /// What a pane is called: its name, or what is different in it.
     pub fn pane_name(&self, index: usize) -> String {
-        let pane = index.checked_sub(1).and_then(|index| self.compare.panes.get(index));
+        let pane = index
+            .checked_sub(1)
+            .and_then(|index| self.compare.panes.get(index));
         if let Some(pane) = pane.filter(|pane| !pane.name.is_empty()) {
             return pane.name.clone();
         }
-        let shading = self.pane(index).map_or_else(|_| self.shading.clone(), |scene| scene.shading);
+        let shading = self
+            .pane(index)
+            .map_or_else(|_| self.shading.clone(), |scene| scene.shading);
         let plain = shading.mode != ShadingMode::Phong || shading.renormalise;
-        let mut words = vec![if plain { shading.mode.label() } else { "Phong, not renormalised" }.to_owned()];
+        let mut words = vec![
+            if plain {
+                shading.mode.label()
+            } else {
+                "Phong, not renormalised"
+            }
+            .to_owned(),
+        ];
         for setting in pane.iter().flat_map(|pane| &pane.set) {
-            let Some((key, value)) = setting.split_once('=') else { continue };
+            let Some((key, value)) = setting.split_once('=') else {
+                continue;
+            };
             let (section, name) = key.trim().rsplit_once('.').unwrap_or(("", key.trim()));
             let value = value.trim().trim_matches(['"', '\'']);
             match name {
                 "mode" | "renormalise" => {}
                 "segments" | "rings" => words.push(format!("{value} {name}")),
-                "interpolation" | "model" | "normals" | "weighting" | "by" => words.push(value.to_owned()),
+                "interpolation" | "model" | "normals" | "weighting" | "by" => {
+                    words.push(value.to_owned());
+                }
                 _ if section.is_empty() => words.push(format!("{name} {value}")),
                 _ => words.push(format!("{} {value}", name.replace('_', " "))),
             }
@@ -173,14 +203,21 @@ pub(super) fn problems(scene: &Scene) -> Vec<Finding> {
         let words = " compares with nothing, expected a [[compare.pane]]";
         return vec![Finding::new("compare.view", Cause::Key(words.to_owned()))];
     }
-    panes.iter().enumerate().flat_map(|(index, pane)| pane_problems(scene, index, pane)).collect()
+    panes
+        .iter()
+        .enumerate()
+        .flat_map(|(index, pane)| pane_problems(scene, index, pane))
+        .collect()
 }
 
 fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
     let key = format!("compare.pane.{index}.set");
     if pane.set.len() > Compare::MAX_SETTINGS {
         let expected = format!("at most {}", Compare::MAX_SETTINGS);
-        return vec![Finding::new(key, Cause::value(format_args!("a list of {}", pane.set.len()), expected))];
+        return vec![Finding::new(
+            key,
+            Cause::value(format_args!("a list of {}", pane.set.len()), expected),
+        )];
     }
     let shared = |setting: &String| {
         let name = setting.split_once('=').map_or("", |(name, _)| name.trim());
@@ -188,13 +225,27 @@ fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
     };
     if let Some(at) = pane.set.iter().position(shared) {
         let expected = "a key that panes may differ in (they share camera, image and model)";
-        return vec![Finding::new(format!("{key}.{at}"), Cause::value(format_args!("{:?}", pane.set[at]), expected))];
+        return vec![Finding::new(
+            format!("{key}.{at}"),
+            Cause::value(format_args!("{:?}", pane.set[at]), expected),
+        )];
     }
-    let Err(error) = scene.pane(index + 1) else { return vec![] };
+    let Err(error) = scene.pane(index + 1) else {
+        return vec![];
+    };
     let found = |problem: &Problem| {
-        let at = pane.set.iter().position(|setting| matches!(&problem.place, Place::Override(text) if text == setting));
+        let at = pane
+            .set
+            .iter()
+            .position(|setting| matches!(&problem.place, Place::Override(text) if text == setting));
         let key = at.map_or_else(|| key.clone(), |at| format!("{key}.{at}"));
-        Finding::new(key, Cause::Key(format!(": {}", Finding::in_words(&problem.key, &problem.cause))))
+        Finding::new(
+            key,
+            Cause::Key(format!(
+                ": {}",
+                Finding::in_words(&problem.key, &problem.cause)
+            )),
+        )
     };
     error.problems().iter().map(found).collect()
 }

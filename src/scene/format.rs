@@ -17,7 +17,15 @@ pub(super) use datum::{Datum, read_coefficient, value_text};
 pub(super) use reader::set;
 
 /// Tables that are left out where all of it has its default.
-const OPTIONAL: [&str; 7] = ["about", "pattern", "transparency", "ground", "backdrop", "depth_cueing", "compare"];
+const OPTIONAL: [&str; 7] = [
+    "about",
+    "pattern",
+    "transparency",
+    "ground",
+    "backdrop",
+    "depth_cueing",
+    "compare",
+];
 
 impl Scene {
     /// The version of the format that this program reads and writes.
@@ -36,22 +44,40 @@ impl Scene {
     /// Not TOML, another version, unknown keys or words, values of a wrong type or out of range: each with its line.
     pub fn parse(text: &str, name: &str) -> Result<Self, SceneError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut lines = Lines { text: text.as_bytes(), offset: 0, line: 1 };
+        let mut lines = Lines {
+            text: text.as_bytes(),
+            offset: 0,
+            line: 1,
+        };
         let (mut scene, mut findings) = (Self::default(), vec![]);
         let mut whole = |offset: usize, words: String| {
-            findings.push(Finding { offset: Some(offset), ..Finding::new("", Cause::Text(words)) });
+            findings.push(Finding {
+                offset: Some(offset),
+                ..Finding::new("", Cause::Text(words))
+            });
         };
         if text.len() > Self::MAX_TEXT {
-            whole(0, format!("longer than {} MiB, expected a scene", Self::MAX_TEXT >> 20));
+            whole(
+                0,
+                format!("longer than {} MiB, expected a scene", Self::MAX_TEXT >> 20),
+            );
         } else {
             match DeTable::parse(text) {
-                Err(error) => whole(error.span().map_or(0, |span| span.start), error.message().to_owned()),
+                Err(error) => whole(
+                    error.span().map_or(0, |span| span.start),
+                    error.message().to_owned(),
+                ),
                 Ok(document) => {
                     (scene, findings) = read(document.get_ref());
-                    if findings.iter().all(|finding| matches!(finding.cause, Cause::UnknownKey { .. })) {
-                        findings.extend(scene.range_problems().into_iter().map(|finding| Finding {
-                            offset: Some(offset_of(document.get_ref(), &finding.key)),
-                            ..finding
+                    if findings
+                        .iter()
+                        .all(|finding| matches!(finding.cause, Cause::UnknownKey { .. }))
+                    {
+                        findings.extend(scene.range_problems().into_iter().map(|finding| {
+                            Finding {
+                                offset: Some(offset_of(document.get_ref(), &finding.key)),
+                                ..finding
+                            }
                         }));
                     }
                 }
@@ -79,9 +105,11 @@ impl Scene {
             match List::of(&format!("{table}.")) {
                 Some(list) => {
                     let head = format!("[[{}]]", list.key());
-                    (0..list.len(self)).for_each(|index| write_table(&mut text, &head, self, index, keys()));
+                    (0..list.len(self))
+                        .for_each(|index| write_table(&mut text, &head, self, index, keys()));
                 }
-                None if OPTIONAL.contains(&table) && keys().all(|key| key.value(self, 0) == key.default()) => {}
+                None if OPTIONAL.contains(&table)
+                    && keys().all(|key| key.value(self, 0) == key.default()) => {}
                 None => write_table(&mut text, &format!("[{table}]"), self, 0, keys()),
             }
         }
@@ -98,16 +126,22 @@ fn write_table(
 ) {
     text.extend(["\n", head, "\n"]);
     for parameter in keys {
-        let Some(value) = parameter.value(scene, index) else { continue };
+        let Some(value) = parameter.value(scene, index) else {
+            continue;
+        };
         if is_left_out(parameter, &value, scene, index) {
             continue;
         }
-        text.extend([parameter.key.rsplit('.').next().unwrap_or(parameter.key), " = "]);
+        text.extend([
+            parameter.key.rsplit('.').next().unwrap_or(parameter.key),
+            " = ",
+        ]);
         match &value {
             // A list of lists has a line for each.
             Value::Array(list) if list.first().is_some_and(Value::is_array) => {
                 text.push_str("[\n");
-                list.iter().for_each(|element| text.extend(["    ", &value_text(element), ",\n"]));
+                list.iter()
+                    .for_each(|element| text.extend(["    ", &value_text(element), ",\n"]));
                 text.push(']');
             }
             value => text.push_str(&value_text(value)),
@@ -137,7 +171,10 @@ struct Lines<'a> {
 impl Lines<'_> {
     /// The line of a byte, counted from 1. Offsets must not decrease from call to call.
     fn line_of(&mut self, offset: usize) -> usize {
-        let passed = self.text.get(self.offset..offset.min(self.text.len())).unwrap_or_default();
+        let passed = self
+            .text
+            .get(self.offset..offset.min(self.text.len()))
+            .unwrap_or_default();
         self.line += passed.iter().filter(|&&byte| byte == b'\n').count();
         self.offset += passed.len();
         self.line
@@ -147,14 +184,23 @@ impl Lines<'_> {
 /// Where `key` stands in the document, or the innermost table round it that does.
 fn offset_of(document: &DeTable<'_>, key: &str) -> usize {
     let mut segments = key.split('.');
-    let Some((name, mut value)) = segments.next().and_then(|first| document.get_key_value(first)) else { return 0 };
+    let Some((name, mut value)) = segments
+        .next()
+        .and_then(|first| document.get_key_value(first))
+    else {
+        return 0;
+    };
     let mut offset = name.span().start;
     for segment in segments {
         let inner = match value.get_ref() {
-            DeValue::Table(table) => table.get_key_value(segment).map(|(name, inner)| (name.span(), inner)),
-            DeValue::Array(list) => {
-                segment.parse().ok().and_then(|i: usize| list.get(i)).map(|inner| (inner.span(), inner))
-            }
+            DeValue::Table(table) => table
+                .get_key_value(segment)
+                .map(|(name, inner)| (name.span(), inner)),
+            DeValue::Array(list) => segment
+                .parse()
+                .ok()
+                .and_then(|i: usize| list.get(i))
+                .map(|inner| (inner.span(), inner)),
             _ => None,
         };
         let Some((span, inner)) = inner else { break };

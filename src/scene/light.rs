@@ -77,8 +77,17 @@ table! {
 }
 
 /// `reason`, where the light does not satisfy `used`.
-fn unless(scene: &Scene, index: usize, used: fn(&Light) -> bool, reason: &'static str) -> Option<&'static str> {
-    scene.lights.get(index).is_none_or(|light| !used(light)).then_some(reason)
+fn unless(
+    scene: &Scene,
+    index: usize,
+    used: fn(&Light) -> bool,
+    reason: &'static str,
+) -> Option<&'static str> {
+    scene
+        .lights
+        .get(index)
+        .is_none_or(|light| !used(light))
+        .then_some(reason)
 }
 
 fn has_direction(scene: &Scene, index: usize) -> bool {
@@ -86,24 +95,46 @@ fn has_direction(scene: &Scene, index: usize) -> bool {
 }
 
 fn no_spot(scene: &Scene, index: usize) -> Option<&'static str> {
-    unless(scene, index, |light| light.kind == LightKind::Spot, "The light is not a spot light")
+    unless(
+        scene,
+        index,
+        |light| light.kind == LightKind::Spot,
+        "The light is not a spot light",
+    )
 }
 
 fn no_area(scene: &Scene, index: usize) -> Option<&'static str> {
-    unless(scene, index, |light| light.kind == LightKind::Area, "The light is not an area light")
+    unless(
+        scene,
+        index,
+        |light| light.kind == LightKind::Area,
+        "The light is not an area light",
+    )
 }
 
 fn no_rectangle(scene: &Scene, index: usize) -> Option<&'static str> {
-    no_area(scene, index).or(unless(scene, index, |light| light.shape == AreaShape::Rectangle, "The light is a sphere"))
+    no_area(scene, index).or(unless(
+        scene,
+        index,
+        |light| light.shape == AreaShape::Rectangle,
+        "The light is a sphere",
+    ))
 }
 
 fn no_sphere(scene: &Scene, index: usize) -> Option<&'static str> {
-    no_area(scene, index).or(unless(scene, index, |light| light.shape == AreaShape::Sphere, "The light is a rectangle"))
+    no_area(scene, index).or(unless(
+        scene,
+        index,
+        |light| light.shape == AreaShape::Sphere,
+        "The light is a rectangle",
+    ))
 }
 
 /// Why the constant of 1/(r + k) has no effect.
 fn no_sum(scene: &Scene, index: usize) -> Option<&'static str> {
-    unused(scene, index, |form| matches!(form, Attenuation::Viewer | Attenuation::Light))
+    unused(scene, index, |form| {
+        matches!(form, Attenuation::Viewer | Attenuation::Light)
+    })
 }
 
 fn no_quadratic(scene: &Scene, index: usize) -> Option<&'static str> {
@@ -122,8 +153,13 @@ fn unused(scene: &Scene, index: usize, read: fn(Attenuation) -> bool) -> Option<
 /// Whether the attenuation follows the eye although V is taken as constant.
 pub fn viewer_far(scene: &Scene, index: usize) -> bool {
     let camera = &scene.camera;
-    let constant = camera.viewer == Viewer::Infinite || camera.projection == Projection::Orthographic;
-    constant && scene.lights.get(index).is_some_and(|light| light.attenuation == Attenuation::Viewer)
+    let constant =
+        camera.viewer == Viewer::Infinite || camera.projection == Projection::Orthographic;
+    constant
+        && scene
+            .lights
+            .get(index)
+            .is_some_and(|light| light.attenuation == Attenuation::Viewer)
 }
 
 choices! {
@@ -180,7 +216,11 @@ impl Light {
 
     /// Points that the light is replaced by: 1, or an area light's samples.
     pub fn sample_count(&self) -> u32 {
-        if self.kind == LightKind::Area { self.samples } else { 1 }
+        if self.kind == LightKind::Area {
+            self.samples
+        } else {
+            1
+        }
     }
 }
 

@@ -8,7 +8,8 @@ use std::ops::RangeInclusive;
 
 pub(super) const COEFFICIENT: Limits = Limits::new(0.0, Material::MAX_COEFFICIENT);
 const EXPONENTS: Slider = Slider::logarithmic(0.1, 1e6).decimals(2);
-const SLOPES: Slider = Slider::logarithmic(*Material::ROUGHNESS.start(), *Material::ROUGHNESS.end());
+const SLOPES: Slider =
+    Slider::logarithmic(*Material::ROUGHNESS.start(), *Material::ROUGHNESS.end());
 const INDEX: Slider = Slider::linear(0.0, 5.0);
 
 table! {
@@ -74,7 +75,8 @@ pub(super) fn no_ambient(scene: &Scene) -> Option<&'static str> {
 
 /// Why the specular term is not seen.
 pub fn no_highlight(scene: &Scene, index: usize) -> Option<&'static str> {
-    no_light(scene, index).or((scene.material.ks == Rgb::ZERO).then_some("Ks is 0: there is no highlight"))
+    no_light(scene, index)
+        .or((scene.material.ks == Rgb::ZERO).then_some("Ks is 0: there is no highlight"))
 }
 
 fn no_exponent(scene: &Scene, index: usize) -> Option<&'static str> {
@@ -175,7 +177,11 @@ fn no_bounce(scene: &Scene, _: usize) -> Option<&'static str> {
 impl Ambient {
     /// Ia as the equation has it: nothing where light from other surfaces takes its place in the whole picture.
     pub fn constant(&self) -> Rgb {
-        if self.source == AmbientSource::Bounce { Rgb::ZERO } else { self.color }
+        if self.source == AmbientSource::Bounce {
+            Rgb::ZERO
+        } else {
+            self.color
+        }
     }
 }
 
@@ -213,7 +219,8 @@ impl Pattern {
 }
 
 fn no_pattern(scene: &Scene, index: usize) -> Option<&'static str> {
-    colourless(scene, index).or((scene.pattern.kind == PatternKind::None).then_some("There is no pattern"))
+    colourless(scene, index)
+        .or((scene.pattern.kind == PatternKind::None).then_some("There is no pattern"))
 }
 
 choices! {

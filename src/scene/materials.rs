@@ -64,8 +64,19 @@ const fn named(
     ks: [f64; 3],
     shininess: f64,
 ) -> NamedMaterial {
-    let [ka, kd, ks] = [Rgb::from_array(ka), Rgb::from_array(kd), Rgb::from_array(ks)];
-    NamedMaterial { name, title, ka, kd, ks, n: 128.0 * shininess }
+    let [ka, kd, ks] = [
+        Rgb::from_array(ka),
+        Rgb::from_array(kd),
+        Rgb::from_array(ks),
+    ];
+    NamedMaterial {
+        name,
+        title,
+        ka,
+        kd,
+        ks,
+        n: 128.0 * shininess,
+    }
 }
 
 /// The material of that name.
@@ -83,6 +94,14 @@ impl NamedMaterial {
     /// of its n, m = √(2/(n + 2)).
     pub fn material(&self) -> Material {
         let Self { ka, kd, ks, n, .. } = *self;
-        Material { ka, kd, ks, n, roughness: (2.0 / (n + 2.0)).sqrt(), color: Rgb::ONE, ..Material::default() }
+        Material {
+            ka,
+            kd,
+            ks,
+            n,
+            roughness: (2.0 / (n + 2.0)).sqrt(),
+            color: Rgb::ONE,
+            ..Material::default()
+        }
     }
 }

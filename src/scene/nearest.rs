@@ -13,8 +13,17 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     let word = word.to_lowercase();
     let rank = |candidate: &'a str| {
         let begins = length >= 3 && candidate.starts_with(&word);
-        let distance = if begins { 1 } else { strsim::osa_distance(&word, candidate) };
-        (distance <= (length / 3).max(1) && distance < candidate.chars().count()).then_some((distance, candidate))
+        let distance = if begins {
+            1
+        } else {
+            strsim::osa_distance(&word, candidate)
+        };
+        (distance <= (length / 3).max(1) && distance < candidate.chars().count())
+            .then_some((distance, candidate))
     };
-    known.into_iter().filter_map(rank).min_by_key(|&(distance, _)| distance).map(|(_, candidate)| candidate)
+    known
+        .into_iter()
+        .filter_map(rank)
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, candidate)| candidate)
 }

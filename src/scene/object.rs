@@ -74,7 +74,9 @@ fn divisions(least: u32) -> Limits {
 /// Why the number of polygons makes no difference.
 pub fn polygons_unused(scene: &Scene, _: usize) -> Option<&'static str> {
     match scene.object.kind {
-        ObjectKind::Obj | ObjectKind::Polygons => Some("The polygons of this object are given one by one"),
+        ObjectKind::Obj | ObjectKind::Polygons => {
+            Some("The polygons of this object are given one by one")
+        }
         _ => (scene.shading.mode == ShadingMode::Exact)
             .then_some("Exact shading draws the true surface, which has no polygons"),
     }

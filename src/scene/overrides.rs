@@ -25,10 +25,13 @@ impl Scene {
     pub fn with_overrides(&self, assignments: &[impl AsRef<str>]) -> Result<Self, SceneError> {
         let mut scene = self.clone();
         for assignment in assignments.iter().map(AsRef::as_ref) {
-            SceneError::check(replace(&mut scene, assignment), |_| Place::Override(assignment.to_owned()))?;
+            SceneError::check(replace(&mut scene, assignment), |_| {
+                Place::Override(assignment.to_owned())
+            })?;
         }
         SceneError::check(scene.range_problems(), |finding| {
-            at_fault(&finding.key, assignments).map_or(Place::Scene, |text| Place::Override(text.to_owned()))
+            at_fault(&finding.key, assignments)
+                .map_or(Place::Scene, |text| Place::Override(text.to_owned()))
         })?;
         Ok(scene)
     }
@@ -57,7 +60,10 @@ fn parse_value(text: &str) -> Result<Spanned<DeValue<'_>>, Cause> {
     match DeValue::parse(text) {
         Ok(value) => Ok(value),
         Err(error) if text.is_empty() || text.starts_with(['[', '{', '"', '\'']) => {
-            Err(Cause::value(format_args!("not a value ({})", error.message()), "one as in a file"))
+            Err(Cause::value(
+                format_args!("not a value ({})", error.message()),
+                "one as in a file",
+            ))
         }
         Err(_) => Ok(Spanned::new(0..0, DeValue::String(Cow::Borrowed(text)))),
     }
@@ -77,5 +83,6 @@ fn at_fault<'a>(key: &str, assignments: &'a [impl AsRef<str>]) -> Option<&'a str
 
 /// Whether a key is `outer` or something inside it.
 pub(super) fn is_inside(key: &str, outer: &str) -> bool {
-    key.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    key.strip_prefix(outer)
+        .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }

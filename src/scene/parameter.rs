@@ -166,7 +166,10 @@ static VERSION: Parameter = Parameter::new(
     "version",
     "version",
     Kind::Other(
-        &Access { get: |scene, _| Some(&scene.version), get_mut: |scene, _| Some(&mut scene.version) },
+        &Access {
+            get: |scene, _| Some(&scene.version),
+            get_mut: |scene, _| Some(&mut scene.version),
+        },
         "whole number",
         "1",
     ),
@@ -218,11 +221,21 @@ impl Slider {
     pub const UNIT: Self = Self::linear(0.0, 1.0);
 
     pub const fn linear(from: f64, to: f64) -> Self {
-        Self { from, to, logarithmic: false, decimals: 3 }
+        Self {
+            from,
+            to,
+            logarithmic: false,
+            decimals: 3,
+        }
     }
 
     pub const fn logarithmic(from: f64, to: f64) -> Self {
-        Self { from, to, logarithmic: true, decimals: 3 }
+        Self {
+            from,
+            to,
+            logarithmic: true,
+            decimals: 3,
+        }
     }
 
     pub const fn decimals(self, decimals: usize) -> Self {
@@ -232,9 +245,24 @@ impl Slider {
 
 impl Parameter {
     /// A parameter without a letter or a unit, which always has an effect.
-    pub(super) const fn new(key: &'static str, name: &'static str, kind: Kind, help: &'static str) -> Self {
+    pub(super) const fn new(
+        key: &'static str,
+        name: &'static str,
+        kind: Kind,
+        help: &'static str,
+    ) -> Self {
         let idle = |_: &Scene, _: usize| None;
-        Self { key, letter: "", symbol: None, name, label: name, unit: "", help, kind, idle }
+        Self {
+            key,
+            letter: "",
+            symbol: None,
+            name,
+            label: name,
+            unit: "",
+            help,
+            kind,
+            idle,
+        }
     }
 
     pub(super) const fn label(self, label: &'static str) -> Self {
@@ -242,11 +270,18 @@ impl Parameter {
     }
 
     pub(super) const fn letter(self, letter: &'static str, symbol: Symbol) -> Self {
-        Self { letter, symbol: Some(symbol), ..self }
+        Self {
+            letter,
+            symbol: Some(symbol),
+            ..self
+        }
     }
 
     pub(super) const fn symbol(self, symbol: Symbol) -> Self {
-        Self { symbol: Some(symbol), ..self }
+        Self {
+            symbol: Some(symbol),
+            ..self
+        }
     }
 
     pub(super) const fn unit(self, unit: &'static str) -> Self {
@@ -284,15 +319,20 @@ impl Parameter {
     /// Those in a table of the scene file and in the tables inside it.
     pub(super) fn in_table(table: &str) -> impl Iterator<Item = &'static Self> {
         Self::all().filter(move |parameter| {
-            table.is_empty() || parameter.key.strip_prefix(table).is_some_and(|rest| rest.starts_with('.'))
+            table.is_empty()
+                || parameter
+                    .key
+                    .strip_prefix(table)
+                    .is_some_and(|rest| rest.starts_with('.'))
         })
     }
 
     /// The names of the keys and the tables in a table of the scene file.
     pub(super) fn names_in(table: &str) -> Vec<&'static str> {
         let skipped = if table.is_empty() { 0 } else { table.len() + 1 };
-        let mut names: Vec<_> =
-            Self::in_table(table).filter_map(|parameter| parameter.key[skipped..].split('.').next()).collect();
+        let mut names: Vec<_> = Self::in_table(table)
+            .filter_map(|parameter| parameter.key[skipped..].split('.').next())
+            .collect();
         names.dedup();
         names
     }
@@ -325,16 +365,27 @@ impl Parameter {
     /// Its value, as a scene file holds it; none where the scene has no such light.
     pub fn value(&self, scene: &Scene, index: usize) -> Option<Value> {
         match self.kind {
-            Kind::Coefficient(at, ..) if is_grey(*(at.get)(scene, index)?) => (at.get)(scene, index)?.x.value(),
+            Kind::Coefficient(at, ..) if is_grey(*(at.get)(scene, index)?) => {
+                (at.get)(scene, index)?.x.value()
+            }
             _ => self.field().value(scene, index),
         }
     }
 
     /// Sets it to a value of a scene file; its limits are not looked at.
-    pub(super) fn read(&self, scene: &mut Scene, index: usize, value: &Spanned<DeValue<'_>>) -> Result<(), Finding> {
-        let Kind::Coefficient(at, ..) = self.kind else { return self.field().read(scene, index, value) };
+    pub(super) fn read(
+        &self,
+        scene: &mut Scene,
+        index: usize,
+        value: &Spanned<DeValue<'_>>,
+    ) -> Result<(), Finding> {
+        let Kind::Coefficient(at, ..) = self.kind else {
+            return self.field().read(scene, index, value);
+        };
         let value = read_coefficient(value)?;
-        (at.get_mut)(scene, index).into_iter().for_each(|place| *place = value);
+        (at.get_mut)(scene, index)
+            .into_iter()
+            .for_each(|place| *place = value);
         Ok(())
     }
 
@@ -431,19 +482,27 @@ impl Parameter {
 
     /// Its default as a scene file has it; empty where it has none.
     pub fn default_text(&self) -> String {
-        self.default().map_or_else(String::new, |value| plain(&value))
+        self.default()
+            .map_or_else(String::new, |value| plain(&value))
     }
 
     /// What it can be set to, in words.
     pub fn range_text(&self) -> String {
         match self.kind {
             Kind::Other(.., limits) => limits.to_owned(),
-            Kind::Choice(_) => self.options().iter().map(|option| option.word).collect::<Vec<_>>().join(", "),
+            Kind::Choice(_) => self
+                .options()
+                .iter()
+                .map(|option| option.word)
+                .collect::<Vec<_>>()
+                .join(", "),
             Kind::Switch(_) => "true, false".to_owned(),
             Kind::Text(_, longest) => format!("at most {longest} characters in one line"),
             Kind::Direction(..) => "not zero".to_owned(),
             Kind::Point(_) => String::new(),
-            _ => self.limits(defaults()).map_or_else(String::new, |limits| limits.to_string()),
+            _ => self
+                .limits(defaults())
+                .map_or_else(String::new, |limits| limits.to_string()),
         }
     }
 
@@ -458,10 +517,15 @@ impl Parameter {
 
 impl Scene {
     /// The parameters in which two scenes differ, each with the number of its light or pane.
-    pub fn differences<'s>(&'s self, other: &'s Self) -> impl Iterator<Item = (&'static Parameter, usize)> {
+    pub fn differences<'s>(
+        &'s self,
+        other: &'s Self,
+    ) -> impl Iterator<Item = (&'static Parameter, usize)> {
         Parameter::all().flat_map(move |parameter| {
             let indices = 0..parameter.count(self).max(parameter.count(other));
-            indices.filter(move |index| !parameter.agrees(self, other, *index)).map(move |index| (parameter, index))
+            indices
+                .filter(move |index| !parameter.agrees(self, other, *index))
+                .map(move |index| (parameter, index))
         })
     }
 }
@@ -486,7 +550,10 @@ pub fn defaults() -> &'static Scene {
 fn plain(value: &Value) -> String {
     match value {
         Value::Float(number) => number.to_string(),
-        Value::Array(list) => format!("[{}]", list.iter().map(plain).collect::<Vec<_>>().join(", ")),
+        Value::Array(list) => format!(
+            "[{}]",
+            list.iter().map(plain).collect::<Vec<_>>().join(", ")
+        ),
         value => value.to_string(),
     }
 }

@@ -29,7 +29,10 @@ pub struct Polygons {
 static QUADRILATERAL: LazyLock<Polygons> = LazyLock::new(|| {
     let corners = [[-0.9, -0.6], [0.7, -0.8], [0.85, 0.4], [-0.5, 0.75]];
     Polygons {
-        vertices: corners.into_iter().map(|[x, y]| DVec3::new(x, y, 0.0)).collect(),
+        vertices: corners
+            .into_iter()
+            .map(|[x, y]| DVec3::new(x, y, 0.0))
+            .collect(),
         faces: Shared::from(vec![Shared::from(vec![0, 1, 2, 3])]),
         normals: Shared::default(),
     }
@@ -51,7 +54,11 @@ impl Object {
         if self.vertices.is_empty() && self.faces.is_empty() {
             return QUADRILATERAL.clone();
         }
-        Polygons { vertices: self.vertices.clone(), faces: self.faces.clone(), normals: self.vertex_normals.clone() }
+        Polygons {
+            vertices: self.vertices.clone(),
+            faces: self.faces.clone(),
+            normals: self.vertex_normals.clone(),
+        }
     }
 
     /// The scene's own vertices to be changed. Where it gives none it is first given those that are shown.
@@ -62,23 +69,43 @@ impl Object {
 
     /// Puts what [`Object::polygons`] shows into the scene, so that it can be edited.
     pub fn own_polygons(&mut self) {
-        let Polygons { vertices, faces, normals } = self.polygons();
+        let Polygons {
+            vertices,
+            faces,
+            normals,
+        } = self.polygons();
         (self.vertices, self.faces, self.vertex_normals) = (vertices, faces, normals);
     }
 
     /// What is wrong with the polygons, whether or not they are shown.
     pub(super) fn check_polygons(&self, checks: &mut Checks) {
-        let Self { vertices, faces, vertex_normals, .. } = self;
+        let Self {
+            vertices,
+            faces,
+            vertex_normals,
+            ..
+        } = self;
         let mut sound = true;
-        for (key, count) in [("object.vertices", vertices.len()), ("object.faces", faces.len())] {
+        for (key, count) in [
+            ("object.vertices", vertices.len()),
+            ("object.faces", faces.len()),
+        ] {
             if count > Self::MAX_POLYGONS {
-                checks.value(key, format!("a list of {count}"), format!("at most {}", Self::MAX_POLYGONS));
+                checks.value(
+                    key,
+                    format!("a list of {count}"),
+                    format!("at most {}", Self::MAX_POLYGONS),
+                );
                 sound = false;
             }
         }
         let corners: usize = faces.iter().map(|face| face.len()).sum();
         if corners > Self::MAX_ALL_CORNERS {
-            checks.value("object.faces", format!("{corners} corners"), format!("at most {}", Self::MAX_ALL_CORNERS));
+            checks.value(
+                "object.faces",
+                format!("{corners} corners"),
+                format!("at most {}", Self::MAX_ALL_CORNERS),
+            );
             sound = false;
         }
         if !sound {
@@ -88,14 +115,24 @@ impl Object {
             sound &= checks.within(&format!("object.vertices.{v}"), point_outside(*vertex));
         }
         for (v, normal) in vertex_normals.iter().enumerate() {
-            checks.within(&format!("object.vertex_normals.{v}"), direction_outside(*normal));
+            checks.within(
+                &format!("object.vertex_normals.{v}"),
+                direction_outside(*normal),
+            );
         }
         if !vertex_normals.is_empty() && vertex_normals.len() != vertices.len() {
             let expected = format!("{}, one for each vertex, or none", vertices.len());
-            checks.value("object.vertex_normals", format!("a list of {}", vertex_normals.len()), expected);
+            checks.value(
+                "object.vertex_normals",
+                format!("a list of {}", vertex_normals.len()),
+                expected,
+            );
         }
         if faces.is_empty() && !vertices.is_empty() {
-            checks.found("object.faces", "is empty, expected at least one polygon since there are `object.vertices`");
+            checks.found(
+                "object.faces",
+                "is empty, expected at least one polygon since there are `object.vertices`",
+            );
         }
         for (f, face) in faces.iter().enumerate() {
             check_face(&format!("object.faces.{f}"), face, vertices, sound, checks);
@@ -110,7 +147,11 @@ fn check_face(key: &str, face: &[u32], vertices: &[DVec3], sound: bool, checks: 
         return checks.value(key, format!("a list of {}", face.len()), expected);
     }
     let mut known = true;
-    for (k, &v) in face.iter().enumerate().filter(|&(_, &v)| v as usize >= vertices.len()) {
+    for (k, &v) in face
+        .iter()
+        .enumerate()
+        .filter(|&(_, &v)| v as usize >= vertices.len())
+    {
         known = false;
         let expected = match vertices.len() {
             0 => "no polygon, since `object.vertices` is empty".to_owned(),
@@ -118,8 +159,16 @@ fn check_face(key: &str, face: &[u32], vertices: &[DVec3], sound: bool, checks: 
         };
         checks.value(&format!("{key}.{k}"), v.to_string(), expected);
     }
-    if let Some(&twice) = face.iter().enumerate().find_map(|(k, v)| face[..k].contains(v).then_some(v)) {
-        return checks.value(key, format!("a polygon with the vertex {twice} twice"), "each vertex once");
+    if let Some(&twice) = face
+        .iter()
+        .enumerate()
+        .find_map(|(k, v)| face[..k].contains(v).then_some(v))
+    {
+        return checks.value(
+            key,
+            format!("a polygon with the vertex {twice} twice"),
+            "each vertex once",
+        );
     }
     if known
         && sound
@@ -132,8 +181,12 @@ fn check_face(key: &str, face: &[u32], vertices: &[DVec3], sound: bool, checks: 
 impl Polygons {
     /// The first polygon that cannot be drawn now that vertex `moved` has been; only those that have it are looked at.
     pub fn spoilt_by(&self, moved: u32) -> Option<usize> {
-        let known = |face: &[u32]| face.len() >= 3 && face.iter().all(|&v| (v as usize) < self.vertices.len());
-        let spoilt = |face: &[u32]| face.contains(&moved) && known(face) && unsound(face, &self.vertices).is_some();
+        let known = |face: &[u32]| {
+            face.len() >= 3 && face.iter().all(|&v| (v as usize) < self.vertices.len())
+        };
+        let spoilt = |face: &[u32]| {
+            face.contains(&moved) && known(face) && unsound(face, &self.vertices).is_some()
+        };
         self.faces.iter().position(|face| spoilt(face))
     }
 }
@@ -144,7 +197,10 @@ fn unsound(face: &[u32], vertices: &[DVec3]) -> Option<(String, &'static str)> {
     const AREA: &str = "corners that span one";
     let first = vertices[face[0] as usize];
     let mut offsets: Vec<DVec3> = face.iter().map(|&v| vertices[v as usize] - first).collect();
-    let extent = offsets.iter().map(|offset| offset.abs().max_element()).fold(0.0, f64::max);
+    let extent = offsets
+        .iter()
+        .map(|offset| offset.abs().max_element())
+        .fold(0.0, f64::max);
     if extent < LEAST_LENGTH {
         return Some((NO_AREA.to_owned(), AREA));
     }
@@ -152,7 +208,11 @@ fn unsound(face: &[u32], vertices: &[DVec3]) -> Option<(String, &'static str)> {
     let area = area_vector(offsets.iter().copied());
     if let Some([i, j]) = meeting_edges(&flattened(&offsets, area)) {
         let ends = |k: usize| format!("{} to {}", face[k], face[(k + 1) % face.len()]);
-        let found = format!("a polygon whose edges from vertex {} and {} meet", ends(i), ends(j));
+        let found = format!(
+            "a polygon whose edges from vertex {} and {} meet",
+            ends(i),
+            ends(j)
+        );
         return Some((found, "one that neither crosses nor touches itself"));
     }
     (area.length() < TOUCH).then(|| (NO_AREA.to_owned(), AREA))
@@ -161,7 +221,10 @@ fn unsound(face: &[u32], vertices: &[DVec3]) -> Option<(String, &'static str)> {
 /// The points seen along `axis`, in any frame; along z where it is zero.
 fn flattened(points: &[DVec3], axis: DVec3) -> Vec<DVec2> {
     let (u, v) = axis.normalize_or(DVec3::Z).any_orthonormal_pair();
-    points.iter().map(|p| DVec2::new(p.dot(u), p.dot(v))).collect()
+    points
+        .iter()
+        .map(|p| DVec2::new(p.dot(u), p.dot(v)))
+        .collect()
 }
 
 /// Two edges of a polygon about 1 across that meet elsewhere than in the corner between them.
@@ -193,7 +256,12 @@ fn distance([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> f64 {
     if cross {
         return 0.0;
     }
-    let ends = [distance_to(a, [c, d]), distance_to(b, [c, d]), distance_to(c, [a, b]), distance_to(d, [a, b])];
+    let ends = [
+        distance_to(a, [c, d]),
+        distance_to(b, [c, d]),
+        distance_to(c, [a, b]),
+        distance_to(d, [a, b]),
+    ];
     ends.into_iter().fold(f64::INFINITY, f64::min)
 }
 
@@ -201,14 +269,20 @@ fn distance([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> f64 {
 fn distance_to(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
     let along = to - from;
     let squared = along.length_squared();
-    let t = if squared > 0.0 { ((point - from).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    let t = if squared > 0.0 {
+        ((point - from).dot(along) / squared).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
     point.distance(from + along * t)
 }
 
 /// The area of a polygon times its unit normal, by Newell's formula ½ Σ pᵢ × pᵢ₊₁, with the points taken relative to the
 /// first one, which keeps the digits of a small polygon far from the origin.
 pub(crate) fn area_vector(mut points: impl Iterator<Item = DVec3>) -> DVec3 {
-    let Some(first) = points.next() else { return DVec3::ZERO };
+    let Some(first) = points.next() else {
+        return DVec3::ZERO;
+    };
     let mut sum = DVec3::ZERO;
     let mut previous = DVec3::ZERO;
     for point in points {

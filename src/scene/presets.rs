@@ -46,7 +46,8 @@ static SCENES: [Preset; 44] = scenes! {
 };
 
 fn read(name: &str, text: &str) -> Scene {
-    Scene::parse(text, name).unwrap_or_else(|error| unreachable!("the tests read every built-in scene: {error}"))
+    Scene::parse(text, name)
+        .unwrap_or_else(|error| unreachable!("the tests read every built-in scene: {error}"))
 }
 
 /// The built-in scene of that name.
@@ -56,7 +57,10 @@ pub fn find(name: &str) -> Option<&'static Preset> {
 
 /// The topics of the built-in scenes, each once, in their order.
 pub fn topics() -> Vec<&'static str> {
-    let mut topics: Vec<_> = ALL.iter().map(|preset| preset.about().topic.as_str()).collect();
+    let mut topics: Vec<_> = ALL
+        .iter()
+        .map(|preset| preset.about().topic.as_str())
+        .collect();
     topics.dedup();
     topics
 }

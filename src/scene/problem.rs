@@ -17,11 +17,22 @@ const MOST_LISTED: usize = 100;
 
 impl SceneError {
     /// `Err` with what was found, or `Ok` where that is nothing.
-    pub(super) fn check(findings: Vec<Finding>, mut place: impl FnMut(&Finding) -> Place) -> Result<(), Self> {
+    pub(super) fn check(
+        findings: Vec<Finding>,
+        mut place: impl FnMut(&Finding) -> Place,
+    ) -> Result<(), Self> {
         let unlisted = findings.len().saturating_sub(MOST_LISTED);
-        let placed = |finding: Finding| Problem { place: place(&finding), key: finding.key, cause: finding.cause };
+        let placed = |finding: Finding| Problem {
+            place: place(&finding),
+            key: finding.key,
+            cause: finding.cause,
+        };
         let problems: Vec<Problem> = findings.into_iter().take(MOST_LISTED).map(placed).collect();
-        if problems.is_empty() { Ok(()) } else { Err(Self { problems, unlisted }) }
+        if problems.is_empty() {
+            Ok(())
+        } else {
+            Err(Self { problems, unlisted })
+        }
     }
 
     /// At least one, and the first hundred at most, in the order of their lines.
@@ -40,9 +51,14 @@ impl fmt::Display for SceneError {
             }
             write!(f, "{problem}")?;
         }
-        match (self.unlisted, self.problems.last().map(|problem| &problem.place)) {
+        match (
+            self.unlisted,
+            self.problems.last().map(|problem| &problem.place),
+        ) {
             (0, _) => Ok(()),
-            (more, Some(Place::Line { file, .. })) => write!(f, "\n{file}: {more} more problems, expected none"),
+            (more, Some(Place::Line { file, .. })) => {
+                write!(f, "\n{file}: {more} more problems, expected none")
+            }
             (more, _) => write!(f, "\n{more} more problems, expected none"),
         }
     }
@@ -112,7 +128,11 @@ pub struct Finding {
 
 impl Finding {
     pub fn new(key: impl Into<String>, cause: Cause) -> Self {
-        Self { key: key.into(), offset: None, cause }
+        Self {
+            key: key.into(),
+            offset: None,
+            cause,
+        }
     }
 
     /// Of the value that is being read.
@@ -125,7 +145,10 @@ impl Finding {
         let short = shortened(key);
         match cause {
             Cause::UnknownKey { known } => {
-                format!("unknown key `{short}`, {}", choices(short.rsplit('.').next().unwrap_or(&short), known))
+                format!(
+                    "unknown key `{short}`, {}",
+                    choices(short.rsplit('.').next().unwrap_or(&short), known)
+                )
             }
             Cause::Key(words) => format!("`{short}`{words}"),
             Cause::Text(sentence) => sentence.clone(),
@@ -148,7 +171,11 @@ impl fmt::Display for Problem {
 fn choices(word: &str, known: &[&'static str]) -> String {
     let meant = nearest(word, known.iter().copied());
     let hint = meant.map_or_else(String::new, |meant| format!(" (did you mean {meant}?)"));
-    format!("expected {}{}{hint}", if known.len() > 1 { "one of " } else { "" }, known.join(", "))
+    format!(
+        "expected {}{}{hint}",
+        if known.len() > 1 { "one of " } else { "" },
+        known.join(", ")
+    )
 }
 
 /// A piece of the user's text in quotation marks, short and without control characters.
@@ -160,7 +187,11 @@ pub(super) fn quoted(text: &str) -> String {
 const LONGEST_QUOTE: usize = 80;
 
 pub(super) fn shortened(text: &str) -> String {
-    let mut short: String = text.chars().take(LONGEST_QUOTE).flat_map(char::escape_debug).collect();
+    let mut short: String = text
+        .chars()
+        .take(LONGEST_QUOTE)
+        .flat_map(char::escape_debug)
+        .collect();
     if text.chars().nth(LONGEST_QUOTE).is_some() {
         short.push('…');
     }

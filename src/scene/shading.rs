@@ -25,11 +25,13 @@ table! {
 }
 
 fn not_flat(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.shading.mode != ShadingMode::Flat).then_some("Only flat shading has one intensity a polygon")
+    (scene.shading.mode != ShadingMode::Flat)
+        .then_some("Only flat shading has one intensity a polygon")
 }
 
 fn not_interpolated(scene: &Scene, _: usize) -> Option<&'static str> {
-    matches!(scene.shading.mode, ShadingMode::Flat | ShadingMode::Exact).then_some("This shading interpolates nothing")
+    matches!(scene.shading.mode, ShadingMode::Flat | ShadingMode::Exact)
+        .then_some("This shading interpolates nothing")
 }
 
 fn not_phong(scene: &Scene, _: usize) -> Option<&'static str> {

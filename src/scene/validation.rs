@@ -50,10 +50,16 @@ impl Scene {
     pub(super) fn range_problems(&self) -> Vec<Finding> {
         let mut checks = Checks::default();
         if self.version != Self::VERSION {
-            checks.found.push(Finding::new("version", Cause::version(self.version)));
+            checks
+                .found
+                .push(Finding::new("version", Cause::version(self.version)));
         }
         if self.lights.len() > Self::MAX_LIGHTS {
-            checks.value("light", format!("a list of {}", self.lights.len()), format!("at most {}", Self::MAX_LIGHTS));
+            checks.value(
+                "light",
+                format!("a list of {}", self.lights.len()),
+                format!("at most {}", Self::MAX_LIGHTS),
+            );
         }
         for parameter in Parameter::all() {
             for index in 0..parameter.count(self).min(Self::MAX_LIGHTS) {
@@ -66,8 +72,14 @@ impl Scene {
         self.object.check_polygons(&mut checks);
         self.check_attenuation(&mut checks);
         let cue = &self.depth_cueing;
-        if checks.sound("depth_cueing.front") && checks.sound("depth_cueing.back") && cue.front >= cue.back {
-            checks.found("depth_cueing.back", "is not beyond `depth_cueing.front`, expected a greater one");
+        if checks.sound("depth_cueing.front")
+            && checks.sound("depth_cueing.back")
+            && cue.front >= cue.back
+        {
+            checks.found(
+                "depth_cueing.back",
+                "is not beyond `depth_cueing.front`, expected a greater one",
+            );
         }
         if self.ambient.source == AmbientSource::Split && self.greatest_ambient() > GREATEST_SPLIT {
             checks.found(
@@ -77,26 +89,43 @@ impl Scene {
             );
         }
         self.check_samples(&mut checks);
-        if checks.found.is_empty() { compare::problems(self) } else { checks.found }
+        if checks.found.is_empty() {
+            compare::problems(self)
+        } else {
+            checks.found
+        }
     }
 
     fn check_camera(&self, checks: &mut Checks) {
-        let &Camera { eye, target, up, .. } = &self.camera;
+        let &Camera {
+            eye, target, up, ..
+        } = &self.camera;
         if !checks.sound("camera.eye") || !checks.sound("camera.target") {
             return;
         }
         let scale = eye.length().max(target.length());
         let forward = target - eye;
         if forward.length() <= (LEAST_SEPARATION * scale).max(LEAST_LENGTH) {
-            checks.found("camera.eye", "is the same point as `camera.target`, expected two different points");
-        } else if checks.sound("camera.up") && forward.normalize().cross(up.normalize()).length() < LEAST_TILT {
-            checks.found("camera.up", "is parallel to the viewing direction, expected a direction across it");
+            checks.found(
+                "camera.eye",
+                "is the same point as `camera.target`, expected two different points",
+            );
+        } else if checks.sound("camera.up")
+            && forward.normalize().cross(up.normalize()).length() < LEAST_TILT
+        {
+            checks.found(
+                "camera.up",
+                "is parallel to the viewing direction, expected a direction across it",
+            );
         }
     }
 
     fn check_image(&self, checks: &mut Checks) {
         let [width, height] = self.image.size;
-        let expected = if [width, height].iter().any(|side| !(1..=Image::MAX_SIDE).contains(side)) {
+        let expected = if [width, height]
+            .iter()
+            .any(|side| !(1..=Image::MAX_SIDE).contains(side))
+        {
             format!("sides of 1 to {} pixels", Image::MAX_SIDE)
         } else if u64::from(width) * u64::from(height) > Image::MAX_PIXELS {
             format!("at most {} pixels in all", Image::MAX_PIXELS)
@@ -110,11 +139,18 @@ impl Scene {
         match &self.object.path {
             Some(path) if path.to_str().is_none() => {
                 let found = format!("{:?}", path.to_string_lossy());
-                checks.value("object.path", found, "a path in Unicode, as a scene file can hold it");
+                checks.value(
+                    "object.path",
+                    found,
+                    "a path in Unicode, as a scene file can hold it",
+                );
             }
-            Some(path) if path.as_os_str().is_empty() => checks.value("object.path", "empty", "the path of a model"),
+            Some(path) if path.as_os_str().is_empty() => {
+                checks.value("object.path", "empty", "the path of a model");
+            }
             None if self.object.kind == ObjectKind::Obj => {
-                let words = "is missing, expected the path of a model since `object.kind` is \"obj\"";
+                let words =
+                    "is missing, expected the path of a model since `object.kind` is \"obj\"";
                 checks.found("object.path", words);
             }
             _ => {}
@@ -123,7 +159,9 @@ impl Scene {
 
     fn check_attenuation(&self, checks: &mut Checks) {
         for (index, light) in self.lights.iter().take(Self::MAX_LIGHTS).enumerate() {
-            let sound = ["c1", "c2", "c3"].iter().all(|name| checks.sound(&format!("light.{index}.{name}")));
+            let sound = ["c1", "c2", "c3"]
+                .iter()
+                .all(|name| checks.sound(&format!("light.{index}.{name}")));
             let zero = light.c1 + light.c2 + light.c3 == 0.0;
             if sound && light.attenuation == Attenuation::Quadratic && zero {
                 let words = "is 0 like `c2` and `c3`, expected one of c1, c2, c3 above 0";
@@ -134,11 +172,24 @@ impl Scene {
 
     /// Whether area lights have not too many samples together, also for the bits of their shadows.
     fn check_samples(&self, checks: &mut Checks) {
-        let samples: u64 = self.lights.iter().map(|light| u64::from(light.sample_count())).sum();
+        let samples: u64 = self
+            .lights
+            .iter()
+            .map(|light| u64::from(light.sample_count()))
+            .sum();
         if samples > Self::MAX_LIGHT_SAMPLES {
-            checks.value("light", format!("{samples} samples in all"), format!("at most {}", Self::MAX_LIGHT_SAMPLES));
+            checks.value(
+                "light",
+                format!("{samples} samples in all"),
+                format!("at most {}", Self::MAX_LIGHT_SAMPLES),
+            );
         }
-        let pixels: u64 = self.image.size.iter().map(|side| u64::from(*side)).product();
+        let pixels: u64 = self
+            .image
+            .size
+            .iter()
+            .map(|side| u64::from(*side))
+            .product();
         if self.shading.shadows && samples.saturating_mul(pixels) > Self::MAX_SHADOW_BITS {
             checks.found(
                 "image.size",
@@ -150,10 +201,24 @@ impl Scene {
 
     /// The greatest constant ambient term of the object and the ground, in any channel.
     fn greatest_ambient(&self) -> f64 {
-        let Self { material, pattern, ground, ambient, .. } = self;
-        let patterned = if pattern.kind == PatternKind::None { Rgb::ZERO } else { pattern.color };
+        let Self {
+            material,
+            pattern,
+            ground,
+            ambient,
+            ..
+        } = self;
+        let patterned = if pattern.kind == PatternKind::None {
+            Rgb::ZERO
+        } else {
+            pattern.color
+        };
         let object = material.ka * material.color.max(patterned);
-        let floor = if ground.visible { ground.color * ground.ka } else { Rgb::ZERO };
+        let floor = if ground.visible {
+            ground.color * ground.ka
+        } else {
+            Rgb::ZERO
+        };
         (object.max(floor) * ambient.color).max_element()
     }
 }
@@ -167,11 +232,18 @@ pub(super) struct Checks {
 impl Checks {
     /// `words` follow the key in the message.
     pub(super) fn found(&mut self, key: &str, words: &str) {
-        self.found.push(Finding::new(key, Cause::Key(format!(" {words}"))));
+        self.found
+            .push(Finding::new(key, Cause::Key(format!(" {words}"))));
     }
 
-    pub(super) fn value(&mut self, key: &str, found: impl fmt::Display, expected: impl fmt::Display) {
-        self.found.push(Finding::new(key, Cause::value(found, expected)));
+    pub(super) fn value(
+        &mut self,
+        key: &str,
+        found: impl fmt::Display,
+        expected: impl fmt::Display,
+    ) {
+        self.found
+            .push(Finding::new(key, Cause::value(found, expected)));
     }
 
     /// Whether nothing has been found wrong with a key.
@@ -191,13 +263,21 @@ impl Checks {
 impl Parameter {
     /// What its value is and what was expected instead, where it is outside its limits.
     fn outside(&self, scene: &Scene, index: usize) -> Option<(String, String)> {
-        let unit = if self.unit == "degrees" { " degrees" } else { "" };
+        let unit = if self.unit == "degrees" {
+            " degrees"
+        } else {
+            ""
+        };
         let channels = |value: Rgb, limits: Limits| {
-            let sound = value.to_array().iter().all(|channel| limits.contains(*channel));
+            let sound = value
+                .to_array()
+                .iter()
+                .all(|channel| limits.contains(*channel));
             (!sound).then(|| (triple(value), format!("{limits} in each channel")))
         };
-        let one =
-            |value: f64, limits: Limits| (!limits.contains(value)).then(|| (number(value), format!("{limits}{unit}")));
+        let one = |value: f64, limits: Limits| {
+            (!limits.contains(value)).then(|| (number(value), format!("{limits}{unit}")))
+        };
         match self.kind {
             // One number where the channels agree, as it was typed.
             Kind::Coefficient(at, limits, _) if is_grey(*(at.get)(scene, index)?) => {
@@ -208,11 +288,15 @@ impl Parameter {
                 let (value, limits) = (*(at.get)(scene, index)?, limits(scene));
                 (!limits.contains(value.into())).then(|| (value.to_string(), limits.to_string()))
             }
-            Kind::Pair(at, limits, _) => (at.get)(scene, index)?.iter().find_map(|&side| one(side, limits)),
-            Kind::Coefficient(at, limits, _) | Kind::Channels(at, limits, _) | Kind::Colour(at, limits) => {
-                channels(*(at.get)(scene, index)?, limits)
+            Kind::Pair(at, limits, _) => (at.get)(scene, index)?
+                .iter()
+                .find_map(|&side| one(side, limits)),
+            Kind::Coefficient(at, limits, _)
+            | Kind::Channels(at, limits, _)
+            | Kind::Colour(at, limits) => channels(*(at.get)(scene, index)?, limits),
+            Kind::Direction(at, needed) if needed(scene, index) => {
+                direction_outside(*(at.get)(scene, index)?)
             }
-            Kind::Direction(at, needed) if needed(scene, index) => direction_outside(*(at.get)(scene, index)?),
             Kind::Point(at) | Kind::Direction(at, _) => point_outside(*(at.get)(scene, index)?),
             Kind::Text(at, longest) => {
                 let text = (at.get)(scene, index)?;
@@ -226,12 +310,25 @@ impl Parameter {
 }
 
 pub(super) fn point_outside(value: DVec3) -> Option<(String, String)> {
-    let sound = value.to_array().iter().all(|&x| Limits::COORDINATE.contains(x));
-    (!sound).then(|| (triple(value), format!("coordinates up to {}", number(GREATEST_LENGTH))))
+    let sound = value
+        .to_array()
+        .iter()
+        .all(|&x| Limits::COORDINATE.contains(x));
+    (!sound).then(|| {
+        (
+            triple(value),
+            format!("coordinates up to {}", number(GREATEST_LENGTH)),
+        )
+    })
 }
 
 pub(super) fn direction_outside(value: DVec3) -> Option<(String, String)> {
-    let short = || (triple(value), format!("a direction, of length {} or more", number(LEAST_LENGTH)));
+    let short = || {
+        (
+            triple(value),
+            format!("a direction, of length {} or more", number(LEAST_LENGTH)),
+        )
+    };
     point_outside(value).or_else(|| (value.length() < LEAST_LENGTH).then(short))
 }
 
@@ -245,7 +342,12 @@ impl fmt::Display for Limits {
 }
 
 fn triple(value: DVec3) -> String {
-    format!("[{}, {}, {}]", number(value.x), number(value.y), number(value.z))
+    format!(
+        "[{}, {}, {}]",
+        number(value.x),
+        number(value.y),
+        number(value.z)
+    )
 }
 
 /// A number as a scene's author would write it.
@@ -253,5 +355,9 @@ fn number(value: f64) -> String {
     if value.is_nan() {
         return "nan".to_owned();
     }
-    if value != 0.0 && !(1e-6..1e9).contains(&value.abs()) { format!("{value:e}") } else { value.to_string() }
+    if value != 0.0 && !(1e-6..1e9).contains(&value.abs()) {
+        format!("{value:e}")
+    } else {
+        value.to_string()
+    }
 }

@@ -50,7 +50,11 @@ impl View {
             up,
             forward,
             centre: DVec2::new(0.5 * width, 0.5 * height),
-            scale: if scale > 0.0 && scale.is_finite() { scale } else { height },
+            scale: if scale > 0.0 && scale.is_finite() {
+                scale
+            } else {
+                height
+            },
             projection: camera.projection,
         }
     }
@@ -82,7 +86,10 @@ impl View {
     pub fn ray(&self, pixel: DVec2) -> (DVec3, DVec3) {
         let across = self.across(pixel);
         match self.projection {
-            Projection::Perspective => (self.eye, direction(self.forward + across).unwrap_or(self.forward)),
+            Projection::Perspective => (
+                self.eye,
+                direction(self.forward + across).unwrap_or(self.forward),
+            ),
             Projection::Orthographic => (self.eye + across, self.forward),
         }
     }
@@ -135,7 +142,11 @@ fn frame(forward: DVec3, up: DVec3, roll: f64) -> [DVec3; 2] {
 
 /// Cosine and sine of an angle in degrees, exact at its quarter turns.
 fn rotation(degrees: f64) -> DVec2 {
-    let within = if degrees.is_finite() { degrees.rem_euclid(360.0) } else { 0.0 };
+    let within = if degrees.is_finite() {
+        degrees.rem_euclid(360.0)
+    } else {
+        0.0
+    };
     let quarters = (within / 90.0).round();
     let rest = DVec2::from_angle((within - 90.0 * quarters).to_radians());
     match quarters as u8 {

@@ -11,8 +11,8 @@ use rayon::ThreadPoolBuilder;
 use shading_lab::geometry::divisions_for;
 use shading_lab::render::{Renderer, Report};
 use shading_lab::scene::{
-    Display, Distribution, Encoding, Interpolation, NormalSource, ObjectKind, Overflow, ReflectionModel, Rgb, Scene,
-    ShadingMode,
+    Display, Distribution, Encoding, Interpolation, NormalSource, ObjectKind, Overflow,
+    ReflectionModel, Rgb, Scene, ShadingMode,
 };
 use std::fmt;
 
@@ -20,8 +20,13 @@ fn main() {
     divan::main();
 }
 
-const MODES: [ShadingMode; 5] =
-    [ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact];
+const MODES: [ShadingMode; 5] = [
+    ShadingMode::Flat,
+    ShadingMode::Interpolated,
+    ShadingMode::Gouraud,
+    ShadingMode::Phong,
+    ShadingMode::Exact,
+];
 const TRIANGLES: [u64; 3] = [1024, 16_384, 262_144];
 const SIDE: u32 = 1024;
 /// A picture so small that its pixels hardly count.
@@ -58,7 +63,10 @@ fn alternate(
     scenes: [Scene; 2],
     count: fn(&Report) -> u64,
 ) {
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .expect("threads");
     for scene in &scenes {
         pool.install(|| _ = renderer.render(scene));
     }
@@ -95,13 +103,25 @@ fn vertices(report: &Report) -> u64 {
 /// The levels of this machine.
 fn levels() -> Vec<Case<Level>> {
     let best = Level::new();
-    let mut levels = vec![Case { name: "baseline", value: Level::baseline() }];
+    let mut levels = vec![Case {
+        name: "baseline",
+        value: Level::baseline(),
+    }];
     #[cfg(target_arch = "x86_64")]
     {
-        levels.extend(best.as_sse4_2().map(|level| Case { name: "SSE4.2", value: Level::Sse4_2(level) }));
-        levels.extend(best.as_avx2().map(|level| Case { name: "AVX2", value: Level::Avx2(level) }));
+        levels.extend(best.as_sse4_2().map(|level| Case {
+            name: "SSE4.2",
+            value: Level::Sse4_2(level),
+        }));
+        levels.extend(best.as_avx2().map(|level| Case {
+            name: "AVX2",
+            value: Level::Avx2(level),
+        }));
     }
-    levels.push(Case { name: "best", value: best });
+    levels.push(Case {
+        name: "best",
+        value: best,
+    });
     levels
 }
 
@@ -116,14 +136,33 @@ fn with_form(scene: &mut Scene, form: &str) {
         _ => (ReflectionModel::CookTorrance, 20.0),
     };
     (scene.reflection.model, scene.material.n) = (model, n);
-    scene.reflection.distribution = if form == "ggx" { Distribution::Ggx } else { Distribution::Beckmann };
+    scene.reflection.distribution = if form == "ggx" {
+        Distribution::Ggx
+    } else {
+        Distribution::Beckmann
+    };
 }
 
-const FORMS: [&str; 7] = ["none", "phong-cosine", "phong-chord", "blinn-cosine", "blinn-chord", "beckmann", "ggx"];
+const FORMS: [&str; 7] = [
+    "none",
+    "phong-cosine",
+    "phong-chord",
+    "blinn-cosine",
+    "blinn-chord",
+    "beckmann",
+    "ggx",
+];
 
 /// Each specular form at each level.
 fn kernels() -> Vec<Kernel> {
-    FORMS.iter().flat_map(|form| levels().into_iter().map(move |level| Kernel { form, level })).collect()
+    FORMS
+        .iter()
+        .flat_map(|form| {
+            levels()
+                .into_iter()
+                .map(move |level| Kernel { form, level })
+        })
+        .collect()
 }
 
 #[derive(Clone, Copy)]
@@ -161,11 +200,25 @@ fn transform(bencher: Bencher<'_, '_>, level: Case<Level>) {
 /// Which triangle each pixel sees, of few and of many; the torus needs the depth test.
 #[divan::bench(args = ["sphere 1k", "sphere 262k", "torus 1k", "torus 262k"])]
 fn coverage(bencher: Bencher<'_, '_>, what: &str) {
-    let mut scene = sphere(ShadingMode::Flat, if what.ends_with("262k") { 262_144 } else { 1024 }, SIDE);
+    let mut scene = sphere(
+        ShadingMode::Flat,
+        if what.ends_with("262k") {
+            262_144
+        } else {
+            1024
+        },
+        SIDE,
+    );
     if what.starts_with("torus") {
         scene.object.kind = ObjectKind::Torus;
     }
-    alternate(bencher, 1, Renderer::default(), camera_moved(&scene), covered);
+    alternate(
+        bencher,
+        1,
+        Renderer::default(),
+        camera_moved(&scene),
+        covered,
+    );
 }
 
 /// The equation at pixels, and storing them.
@@ -187,7 +240,9 @@ fn vertex_shading(bencher: Bencher<'_, '_>, kernel: Kernel) {
 fn interpolation(bencher: Bencher<'_, '_>, rule: Interpolation) {
     let mut scene = sphere(ShadingMode::Gouraud, 1024, SIDE);
     scene.shading.interpolation = rule;
-    let scenes = changed(&scene, |scene| scene.shading.interpolation = Interpolation::Affine);
+    let scenes = changed(&scene, |scene| {
+        scene.shading.interpolation = Interpolation::Affine;
+    });
     alternate(bencher, 1, Renderer::default(), scenes, covered);
 }
 
@@ -201,7 +256,11 @@ fn display(bencher: Bencher<'_, '_>, what: &str) {
         Some(("mark", _)) => Overflow::Mark,
         _ => Overflow::Clamp,
     };
-    let encoding = if what.ends_with("sRGB") { Encoding::Srgb } else { Encoding::Raw };
+    let encoding = if what.ends_with("sRGB") {
+        Encoding::Srgb
+    } else {
+        Encoding::Raw
+    };
     scene.display = Display { overflow, encoding };
     let scenes = changed(&scene, |scene| scene.image.background = Rgb::splat(0.1));
     alternate(bencher, 1, Renderer::default(), scenes, covered);
@@ -223,7 +282,13 @@ fn frame<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
 #[divan::bench(args = MODES, consts = TRIANGLES)]
 fn light<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
     let scene = sphere(mode, TRIANGLES, SIDE);
-    alternate(bencher, 0, Renderer::default(), light_moved(&scene), covered);
+    alternate(
+        bencher,
+        0,
+        Renderer::default(),
+        light_moved(&scene),
+        covered,
+    );
 }
 
 /// A frame in which Ka has changed under one to four lights: what several do is kept.

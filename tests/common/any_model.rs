@@ -59,7 +59,13 @@ impl Author {
 
     /// A closed solid, which may lie far out.
     fn tetrahedron(&mut self, text: &mut String) {
-        let [x, y, z] = [(); 3].map(|()| if self.chance(0.8) { 0.0 } else { self.model_coordinate() });
+        let [x, y, z] = [(); 3].map(|()| {
+            if self.chance(0.8) {
+                0.0
+            } else {
+                self.model_coordinate()
+            }
+        });
         let s = self.scale;
         for [u, v, w] in [[0.0, 0.0, 0.0], [s, 0.0, 0.0], [0.0, s, 0.0], [0.0, 0.0, s]] {
             let _ = writeln!(text, "v {:e} {:e} {:e}", x + u, y + v, z + w);

@@ -9,11 +9,12 @@ use dice::Dice;
 use glam::DVec3;
 use shading_lab::geometry::Mesh;
 use shading_lab::scene::{
-    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Choice, Compare, CompareView, CuedBy,
-    DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt, GREATEST_INTENSITY, GREATEST_LENGTH, Ground,
-    Image, Interpolation, LEAST_LENGTH, Light, LightKind, Material, NormalSource, Object, ObjectKind, Overflow, Pane,
-    Pattern, PatternKind, Projection, Reflectance, Reflection, ReflectionModel, Rgb, Scene, Shading, ShadingMode,
-    Shared, Through, Transparency, Viewer, Weighting,
+    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Choice, Compare,
+    CompareView, CuedBy, DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt,
+    GREATEST_INTENSITY, GREATEST_LENGTH, Ground, Image, Interpolation, LEAST_LENGTH, Light,
+    LightKind, Material, NormalSource, Object, ObjectKind, Overflow, Pane, Pattern, PatternKind,
+    Projection, Reflectance, Reflection, ReflectionModel, Rgb, Scene, Shading, ShadingMode, Shared,
+    Through, Transparency, Viewer, Weighting,
 };
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -49,15 +50,39 @@ pub fn any_scene(seed: u64) -> AnyScene {
     let mut dice = Dice(seed.wrapping_mul(0xd134_2543_de82_ef95));
     let extreme = dice.of(&[0.0, 0.0, 0.01, 0.03, 0.1, 0.3, 0.6]);
     let special = dice.of(&[0.0, 0.0, 0.0, 0.0, 0.002, 0.02]);
-    let lean = if dice.unit() < 0.5 { Some((dice.unit() * 3.0) as usize) } else { None };
-    let scale = if dice.unit() < 0.7 { 1.0 } else { 10_f64.powf(dice.between(-30.0, 30.0)) };
-    Author { dice, extreme, lean, special, scale, points: Vec::new() }.scene()
+    let lean = if dice.unit() < 0.5 {
+        Some((dice.unit() * 3.0) as usize)
+    } else {
+        None
+    };
+    let scale = if dice.unit() < 0.7 {
+        1.0
+    } else {
+        10_f64.powf(dice.between(-30.0, 30.0))
+    };
+    Author {
+        dice,
+        extreme,
+        lean,
+        special,
+        scale,
+        points: Vec::new(),
+    }
+    .scene()
 }
 
 /// The scene of this number with everyday numbers only: no extreme makes single precision fall short.
 pub fn everyday_scene(seed: u64) -> AnyScene {
     let dice = Dice(seed.wrapping_mul(0xd134_2543_de82_ef95));
-    Author { dice, extreme: 0.0, lean: None, special: 0.0, scale: 1.0, points: Vec::new() }.scene()
+    Author {
+        dice,
+        extreme: 0.0,
+        lean: None,
+        special: 0.0,
+        scale: 1.0,
+        points: Vec::new(),
+    }
+    .scene()
 }
 
 /// Draws the numbers of one scene.
@@ -86,9 +111,21 @@ impl Author {
         } else if self.chance(self.extreme) {
             let magnitude = 10_f64.powf(self.dice.between(-31.0, 31.0));
             let (low, high) = (*allowed.start(), *allowed.end());
-            let any = [low, high, 1e-320, low.next_up(), high.next_down(), 0.0, -0.0, magnitude, -magnitude, 1.0];
+            let any = [
+                low,
+                high,
+                1e-320,
+                low.next_up(),
+                high.next_down(),
+                0.0,
+                -0.0,
+                magnitude,
+                -magnitude,
+                1.0,
+            ];
             let lean = self.lean.filter(|_| self.chance(0.7));
-            lean.map_or_else(|| self.dice.of(&any), |lean| any[lean]).clamp(low, high)
+            lean.map_or_else(|| self.dice.of(&any), |lean| any[lean])
+                .clamp(low, high)
         } else {
             self.dice.between(*everyday.start(), *everyday.end())
         }
@@ -109,13 +146,21 @@ impl Author {
 
     /// A point within `reach` of the origin, or one of the others, or next to it.
     fn point(&mut self, reach: f64) -> DVec3 {
-        let mut point = DVec3::new(self.coordinate(reach), self.coordinate(reach), self.coordinate(reach));
+        let mut point = DVec3::new(
+            self.coordinate(reach),
+            self.coordinate(reach),
+            self.coordinate(reach),
+        );
         if !self.points.is_empty() && self.chance(0.05) {
             let points = self.points.clone();
             point = self.dice.of(&points);
             if self.chance(0.5) {
                 let axis = (self.dice.unit() * 3.0) as usize;
-                point[axis] = self.dice.of(&[point[axis].next_up(), point[axis] * (1.0 + 1e-9), point[axis] + 1e-7]);
+                point[axis] = self.dice.of(&[
+                    point[axis].next_up(),
+                    point[axis] * (1.0 + 1e-9),
+                    point[axis] + 1e-7,
+                ]);
             }
         }
         self.points.push(point);
@@ -124,7 +169,9 @@ impl Author {
 
     fn direction(&mut self) -> DVec3 {
         if self.chance(0.1) {
-            return self.dice.of(&[DVec3::X, DVec3::NEG_Y, DVec3::Y, DVec3::NEG_Z, DVec3::Z]);
+            return self
+                .dice
+                .of(&[DVec3::X, DVec3::NEG_Y, DVec3::Y, DVec3::NEG_Z, DVec3::Z]);
         }
         if self.points.len() > 1 && self.chance(0.1) {
             let points = self.points.clone();
@@ -180,7 +227,8 @@ impl Author {
         };
         scene.compare = self.compare();
         let model = if scene.object.kind == ObjectKind::Obj {
-            self.model(scene.object.fit).map(|mesh| Some(Arc::new(mesh)))
+            self.model(scene.object.fit)
+                .map(|mesh| Some(Arc::new(mesh)))
         } else {
             Ok(None)
         };
@@ -189,15 +237,31 @@ impl Author {
 
     fn camera(&mut self) -> Camera {
         let target = self.point(0.5);
-        let eye = if self.chance(0.1) { self.point(1.5) } else { target + self.point(4.0) };
+        let eye = if self.chance(0.1) {
+            self.point(1.5)
+        } else {
+            target + self.point(4.0)
+        };
         self.points.push(eye);
-        let up = if self.chance(0.7) { DVec3::Y } else { self.direction() };
+        let up = if self.chance(0.7) {
+            DVec3::Y
+        } else {
+            self.direction()
+        };
         Camera {
             eye,
             target,
             up,
-            roll: if self.chance(0.8) { 0.0 } else { self.number(-400.0..=400.0, -1e300..=1e300) },
-            projection: self.dice.of(&[Projection::Perspective, Projection::Perspective, Projection::Orthographic]),
+            roll: if self.chance(0.8) {
+                0.0
+            } else {
+                self.number(-400.0..=400.0, -1e300..=1e300)
+            },
+            projection: self.dice.of(&[
+                Projection::Perspective,
+                Projection::Perspective,
+                Projection::Orthographic,
+            ]),
             fov_y: self.number(10.0..=120.0, Camera::FOV_Y),
             height: self.length(0.5..=6.0, LEAST_LENGTH..=GREATEST_LENGTH),
             viewer: self.dice.of(&[Viewer::Local, Viewer::Infinite]),
@@ -207,18 +271,39 @@ impl Author {
     fn image(&mut self) -> Image {
         let mut size = [16, 16];
         if self.chance(0.1) {
-            size = self.dice.of(&[[1, 1], [16, 1], [1, 16], [17, 15], [33, 8], [2, 40]]);
+            size = self
+                .dice
+                .of(&[[1, 1], [16, 1], [1, 16], [17, 15], [33, 8], [2, 40]]);
         } else if self.chance(self.special) {
-            size = self.dice.of(&[[0, 16], [16, 0], [16_385, 1], [16_384, 16_384], [u32::MAX, u32::MAX]]);
+            size = self.dice.of(&[
+                [0, 16],
+                [16, 0],
+                [16_385, 1],
+                [16_384, 16_384],
+                [u32::MAX, u32::MAX],
+            ]);
         }
-        Image { size, background: self.color(GREATEST_INTENSITY) }
+        Image {
+            size,
+            background: self.color(GREATEST_INTENSITY),
+        }
     }
 
     fn object(&mut self) -> Object {
-        let shapes = ObjectKind::VALUES.iter().filter(|kind| kind.has_surface() && **kind != ObjectKind::Teapot);
-        let kinds: Vec<_> = shapes.copied().chain([ObjectKind::Polygons; 3]).chain([ObjectKind::Obj; 2]).collect();
+        let shapes = ObjectKind::VALUES
+            .iter()
+            .filter(|kind| kind.has_surface() && **kind != ObjectKind::Teapot);
+        let kinds: Vec<_> = shapes
+            .copied()
+            .chain([ObjectKind::Polygons; 3])
+            .chain([ObjectKind::Obj; 2])
+            .collect();
         let kind = self.dice.of(&kinds);
-        let kind = if self.chance(0.01) { ObjectKind::Teapot } else { kind };
+        let kind = if self.chance(0.01) {
+            ObjectKind::Teapot
+        } else {
+            kind
+        };
         let mut object = Object {
             kind,
             segments: self.count(&[3, 4, 5, 7, 12]),
@@ -229,7 +314,9 @@ impl Author {
                 NormalSource::File,
                 NormalSource::Facet,
             ]),
-            weighting: self.dice.of(&[Weighting::Equal, Weighting::Area, Weighting::Angle]),
+            weighting: self
+                .dice
+                .of(&[Weighting::Equal, Weighting::Area, Weighting::Angle]),
             fit: self.chance(0.5),
             ..Object::default()
         };
@@ -247,13 +334,18 @@ impl Author {
 
     /// Corners about a point with polygons over them, of which neighbours share some.
     fn polygons(&mut self, object: &mut Object) {
-        let middle = if self.chance(0.8) { DVec3::ZERO } else { self.point(2.0) };
+        let middle = if self.chance(0.8) {
+            DVec3::ZERO
+        } else {
+            self.point(2.0)
+        };
         let count = 3 + (self.dice.unit() * 5.0) as u32;
         let mut vertices: Vec<DVec3> = (0..count).map(|_| middle + self.point(1.5)).collect();
         if self.chance(0.5) {
             // In a ring, so that a polygon over all of them is simple.
             for (k, vertex) in vertices.iter_mut().enumerate() {
-                let (sine, cosine) = (std::f64::consts::TAU * k as f64 / f64::from(count)).sin_cos();
+                let (sine, cosine) =
+                    (std::f64::consts::TAU * k as f64 / f64::from(count)).sin_cos();
                 *vertex = *vertex * 0.2 + DVec3::new(cosine, sine, 0.0) * self.scale;
             }
         }
@@ -266,7 +358,11 @@ impl Author {
             faces.push(vec![0, 2, 1]);
         }
         if self.chance(self.special) {
-            faces.push(self.dice.of(&[[0, 1, 1], [0, 1, 99], [0, 1, u32::MAX]]).to_vec());
+            faces.push(
+                self.dice
+                    .of(&[[0, 1, 1], [0, 1, 99], [0, 1, u32::MAX]])
+                    .to_vec(),
+            );
         }
         if self.chance(0.3) {
             object.vertex_normals = (0..count).map(|_| self.direction()).collect();
@@ -331,18 +427,30 @@ impl Author {
     fn pattern(&mut self) -> Pattern {
         let kind = self.kind_of_pattern();
         let color = self.color(Material::MAX_COEFFICIENT);
-        Pattern { kind, color, scale: self.number(0.1..=1.0, Pattern::SCALE) }
+        Pattern {
+            kind,
+            color,
+            scale: self.number(0.1..=1.0, Pattern::SCALE),
+        }
     }
 
     fn transparency(&mut self) -> Transparency {
         let kt = if self.chance(0.6) { 0.0 } else { self.part() };
         let ior = self.number(0.5..=2.0, Transparency::IOR);
-        Transparency { kt, ior, through: self.dice.of(&[Through::Surface, Through::Solid]) }
+        Transparency {
+            kt,
+            ior,
+            through: self.dice.of(&[Through::Surface, Through::Solid]),
+        }
     }
 
     fn reflection(&mut self) -> Reflection {
         Reflection {
-            model: self.dice.of(&[ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance]),
+            model: self.dice.of(&[
+                ReflectionModel::Phong,
+                ReflectionModel::Blinn,
+                ReflectionModel::CookTorrance,
+            ]),
             distribution: self.dice.of(&[Distribution::Beckmann, Distribution::Ggx]),
             backfacing: self.dice.of(&[Backfacing::Clamp, Backfacing::Flip]),
         }
@@ -357,8 +465,14 @@ impl Author {
                 ShadingMode::Phong,
                 ShadingMode::Exact,
             ]),
-            flat_at: self.dice.of(&[FlatAt::Centre, FlatAt::VertexMean, FlatAt::ProvokingVertex]),
-            interpolation: self.dice.of(&[Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline]),
+            flat_at: self
+                .dice
+                .of(&[FlatAt::Centre, FlatAt::VertexMean, FlatAt::ProvokingVertex]),
+            interpolation: self.dice.of(&[
+                Interpolation::Perspective,
+                Interpolation::Affine,
+                Interpolation::Scanline,
+            ]),
             renormalise: self.chance(0.7),
             shadows: self.chance(0.3),
         }
@@ -366,7 +480,9 @@ impl Author {
 
     fn display(&mut self) -> Display {
         Display {
-            overflow: self.dice.of(&[Overflow::Clamp, Overflow::Scale, Overflow::Mark]),
+            overflow: self
+                .dice
+                .of(&[Overflow::Clamp, Overflow::Scale, Overflow::Mark]),
             encoding: self.dice.of(&[Encoding::Raw, Encoding::Srgb]),
         }
     }
@@ -393,9 +509,16 @@ impl Author {
 
     fn depth_cueing(&mut self) -> DepthCueing {
         let front = self.length(0.0..=4.0, 0.0..=GREATEST_LENGTH.next_down());
-        let back =
-            if self.chance(0.1) { front.next_up() } else { front + self.length(0.1..=4.0, 0.0..=GREATEST_LENGTH) };
-        let back = if self.chance(self.special) { front } else { back.min(GREATEST_LENGTH) };
+        let back = if self.chance(0.1) {
+            front.next_up()
+        } else {
+            front + self.length(0.1..=4.0, 0.0..=GREATEST_LENGTH)
+        };
+        let back = if self.chance(self.special) {
+            front
+        } else {
+            back.min(GREATEST_LENGTH)
+        };
         DepthCueing {
             by: self.dice.of(&[CuedBy::Off, CuedBy::Vertex, CuedBy::Pixel]),
             front,
@@ -409,8 +532,13 @@ impl Author {
     fn lights(&mut self) -> Vec<Light> {
         let count = self.dice.of(&[0, 1, 1, 1, 1, 2, 2, 3, 5]);
         if self.chance(0.0005) {
-            let light = Light { samples: 4, ..self.light() };
-            let count = self.dice.of(&[Scene::MAX_LIGHTS, Scene::MAX_LIGHTS, Scene::MAX_LIGHTS + 1]);
+            let light = Light {
+                samples: 4,
+                ..self.light()
+            };
+            let count =
+                self.dice
+                    .of(&[Scene::MAX_LIGHTS, Scene::MAX_LIGHTS, Scene::MAX_LIGHTS + 1]);
             return vec![light; count];
         }
         (0..count).map(|_| self.light()).collect()
@@ -418,7 +546,12 @@ impl Author {
 
     fn light(&mut self) -> Light {
         Light {
-            kind: self.dice.of(&[LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Area]),
+            kind: self.dice.of(&[
+                LightKind::Point,
+                LightKind::Directional,
+                LightKind::Spot,
+                LightKind::Area,
+            ]),
             mute: self.chance(0.03),
             solo: self.chance(0.03),
             position: self.point(3.0),
@@ -463,18 +596,40 @@ impl Author {
             "ambient.source=bounce",
             "shading.shadows=true",
         ];
-        const REFUSED: [&str; 4] = ["material.n=nan", "camera.fov_y=10", "nothing=1", "object.segments=-1"];
-        let panes = if self.chance(0.9) { 0 } else { self.dice.of(&[1, 1, 2, 3]) };
-        let mut panes: Vec<Pane> =
-            (0..panes).map(|_| Pane::of(&[self.dice.of(&SETTINGS), self.dice.of(&SETTINGS)])).collect();
+        const REFUSED: [&str; 4] = [
+            "material.n=nan",
+            "camera.fov_y=10",
+            "nothing=1",
+            "object.segments=-1",
+        ];
+        let panes = if self.chance(0.9) {
+            0
+        } else {
+            self.dice.of(&[1, 1, 2, 3])
+        };
+        let mut panes: Vec<Pane> = (0..panes)
+            .map(|_| Pane::of(&[self.dice.of(&SETTINGS), self.dice.of(&SETTINGS)]))
+            .collect();
         if self.chance(self.special) {
             panes.push(Pane::of(&[self.dice.of(&REFUSED)]));
         }
-        let views = [CompareView::Panes, CompareView::Wipe, CompareView::Difference];
+        let views = [
+            CompareView::Panes,
+            CompareView::Wipe,
+            CompareView::Difference,
+        ];
         Compare {
-            view: if panes.is_empty() { CompareView::Single } else { self.dice.of(&views) },
+            view: if panes.is_empty() {
+                CompareView::Single
+            } else {
+                self.dice.of(&views)
+            },
             wipe: self.part(),
-            difference: self.dice.of(&[DifferenceKind::Signed, DifferenceKind::Absolute, DifferenceKind::FalseColor]),
+            difference: self.dice.of(&[
+                DifferenceKind::Signed,
+                DifferenceKind::Absolute,
+                DifferenceKind::FalseColor,
+            ]),
             gain: self.number(1.0..=16.0, 1.0..=Compare::MAX_GAIN),
             panes,
         }

@@ -5,7 +5,16 @@ use std::path::Path;
 
 /// The usual configuration; `file` is the caller's `file!()`.
 pub fn config(file: &str) -> Config {
-    let name = Path::new(file).file_stem().expect("a file").to_string_lossy();
-    let seeds = format!("{}/tests/proptest-regressions/{name}.txt", env!("CARGO_MANIFEST_DIR"));
-    Config { failure_persistence: Some(Box::new(FileFailurePersistence::Direct(seeds.leak()))), ..Config::default() }
+    let name = Path::new(file)
+        .file_stem()
+        .expect("a file")
+        .to_string_lossy();
+    let seeds = format!(
+        "{}/tests/proptest-regressions/{name}.txt",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    Config {
+        failure_persistence: Some(Box::new(FileFailurePersistence::Direct(seeds.leak()))),
+        ..Config::default()
+    }
 }

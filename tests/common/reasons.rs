@@ -5,7 +5,8 @@ use shading_lab::analysis::{LightTerms, ProbeHit, ZeroCause, ZeroCauses};
 use shading_lab::geometry::{Mesh, Ray, Surface, VertexMesh, tessellate};
 use shading_lab::illumination::{Index, area_samples};
 use shading_lab::scene::{
-    Backfacing, FlatAt, Light, LightKind, NormalSource, PatternKind, ReflectionModel, Rgb, Scene, ShadingMode, Viewer,
+    Backfacing, FlatAt, Light, LightKind, NormalSource, PatternKind, ReflectionModel, Rgb, Scene,
+    ShadingMode, Viewer,
 };
 
 /// A point with its normal.
@@ -29,24 +30,52 @@ impl<'a> Judge<'a> {
     pub fn new(scene: &'a Scene, model: Option<&Mesh>) -> Self {
         let mesh = model.map_or_else(|| tessellate(&scene.object), Mesh::clone);
         let facet = scene.shading.mode == ShadingMode::Interpolated;
-        let normals = if facet { NormalSource::Facet } else { scene.object.normals };
+        let normals = if facet {
+            NormalSource::Facet
+        } else {
+            scene.object.normals
+        };
         let vertices = mesh.with_vertex_normals(normals, scene.object.weighting);
         let exact = scene.shading.mode == ShadingMode::Exact;
-        Self { scene, vertices, surface: Surface::of(&scene.object).filter(|_| exact) }
+        Self {
+            scene,
+            vertices,
+            surface: Surface::of(&scene.object).filter(|_| exact),
+        }
     }
 
     /// What is wrong with what is said of a light; how many causes were checked.
-    pub fn check(&self, hit: &ProbeHit, light: &Light, terms: &LightTerms) -> Result<Vec<ZeroCause>, String> {
-        let terms = [(false, terms.diffuse, terms.diffuse_zero), (true, terms.specular, terms.specular_zero)];
+    pub fn check(
+        &self,
+        hit: &ProbeHit,
+        light: &Light,
+        terms: &LightTerms,
+    ) -> Result<Vec<ZeroCause>, String> {
+        let terms = [
+            (false, terms.diffuse, terms.diffuse_zero),
+            (true, terms.specular, terms.specular_zero),
+        ];
         let mut checked = Vec::new();
         for (specular, value, causes) in terms {
-            let term = Term { specular, value, causes };
+            let term = Term {
+                specular,
+                value,
+                causes,
+            };
             if causes.is_empty() != (term.value != Rgb::ZERO) {
                 return Err(format!("{value} with {causes:?}"));
             }
             // A picture may have several triangles about a pixel; the engine has decided for one of them.
-            let judged = self.sites(hit).iter().any(|sites| self.holds(light, sites, &term));
-            if !judged && self.sites(hit).iter().all(|sites| sites.iter().all(|site| site.1 != DVec3::ZERO)) {
+            let judged = self
+                .sites(hit)
+                .iter()
+                .any(|sites| self.holds(light, sites, &term));
+            if !judged
+                && self
+                    .sites(hit)
+                    .iter()
+                    .all(|sites| sites.iter().all(|site| site.1 != DVec3::ZERO))
+            {
                 let named: Vec<_> = causes.iter().collect();
                 return Err(format!("specular: {specular}, {named:?} is not the reason"));
             }
@@ -57,16 +86,23 @@ impl<'a> Judge<'a> {
 
     /// Where the equation is evaluated; several sets where that depends on how a polygon is cut.
     fn sites(&self, hit: &ProbeHit) -> Vec<Vec<ShadingPoint>> {
-        let Some(face) = hit.face.map(|face| face as usize) else { return vec![vec![(hit.position, hit.normal)]] };
+        let Some(face) = hit.face.map(|face| face as usize) else {
+            return vec![vec![(hit.position, hit.normal)]];
+        };
         let mesh = &self.vertices;
         let at = |v: u32| {
             let v = v as usize;
-            (mesh.origin + mesh.positions[v].as_dvec3(), mesh.normals[v].as_dvec3())
+            (
+                mesh.origin + mesh.positions[v].as_dvec3(),
+                mesh.normals[v].as_dvec3(),
+            )
         };
         let corners: Vec<ShadingPoint> = mesh.face(face).iter().map(|&v| at(v)).collect();
         match (self.scene.shading.mode, self.scene.shading.flat_at) {
             (ShadingMode::Phong | ShadingMode::Exact, _) => vec![vec![(hit.position, hit.normal)]],
-            (ShadingMode::Flat, FlatAt::Centre) => vec![vec![(mesh.face_centre(face), mesh.face_normal(face))]],
+            (ShadingMode::Flat, FlatAt::Centre) => {
+                vec![vec![(mesh.face_centre(face), mesh.face_normal(face))]]
+            }
             (ShadingMode::Flat, FlatAt::VertexMean) => vec![corners],
             (ShadingMode::Flat, FlatAt::ProvokingVertex) => vec![corners[..1].to_vec()],
             (ShadingMode::Gouraud | ShadingMode::Interpolated, _) => triples(&corners),
@@ -76,16 +112,35 @@ impl<'a> Judge<'a> {
     /// Whether the causes of a term are real with these shading points: one alone for all of them and all points of the light,
     /// each of several somewhere.
     fn holds(&self, light: &Light, sites: &[ShadingPoint], term: &Term) -> bool {
-        let points = if light.kind == LightKind::Area { area_samples(light) } else { vec![light.position] };
-        let pairs = || sites.iter().flat_map(|site| points.iter().map(move |point| (*site, *point)));
+        let points = if light.kind == LightKind::Area {
+            area_samples(light)
+        } else {
+            vec![light.position]
+        };
+        let pairs = || {
+            sites
+                .iter()
+                .flat_map(|site| points.iter().map(move |point| (*site, *point)))
+        };
         let one = term.causes.iter().count() == 1;
         term.causes.iter().all(|cause| {
             let real = |(site, point)| self.is_real(cause, light, site, point, term.specular);
-            if one { pairs().all(real) } else { pairs().any(real) }
+            if one {
+                pairs().all(real)
+            } else {
+                pairs().any(real)
+            }
         })
     }
 
-    fn is_real(&self, cause: ZeroCause, light: &Light, (p, n): ShadingPoint, point: DVec3, specular: bool) -> bool {
+    fn is_real(
+        &self,
+        cause: ZeroCause,
+        light: &Light,
+        (p, n): ShadingPoint,
+        point: DVec3,
+        specular: bool,
+    ) -> bool {
         let scene = self.scene;
         let (l, blur) = self.towards(light, p, point);
         let lambert = n.dot(l);
@@ -108,12 +163,17 @@ impl<'a> Judge<'a> {
             ZeroCause::InShadow => scene.shading.shadows && self.is_blocked(light, (p, n), point),
             ZeroCause::MissesViewer => specular && self.lobe_cosine((p, n), l) <= blur + 1e-9,
             ZeroCause::TooFaint => {
-                let strongest = self.coefficients(specular).into_iter().map(|c| (c * light.color).max_element());
+                let strongest = self
+                    .coefficients(specular)
+                    .into_iter()
+                    .map(|c| (c * light.color).max_element());
                 let cosine = self.lobe_cosine((p, n), l).clamp(0.0, 1.0);
-                let faint =
-                    scene.reflection.model == ReflectionModel::CookTorrance || cosine.powf(scene.material.n) < 1e-9;
+                let faint = scene.reflection.model == ReflectionModel::CookTorrance
+                    || cosine.powf(scene.material.n) < 1e-9;
                 // With the greatest and the least that attenuation and a cone leave.
-                (specular && faint) || strongest.fold(0.0, f64::max) < 1e-200 || light.kind == LightKind::Spot
+                (specular && faint)
+                    || strongest.fold(0.0, f64::max) < 1e-200
+                    || light.kind == LightKind::Spot
             }
         }
     }
@@ -130,7 +190,8 @@ impl<'a> Judge<'a> {
             // So far away for the camera that its rays count as parallel.
             return (unit(point - camera.eye), 1e-9);
         }
-        let spread = far + (p - camera.eye).length() + p.length() + point.length() + camera.distance();
+        let spread =
+            far + (p - camera.eye).length() + p.length() + point.length() + camera.distance();
         (unit(point - p), 1e-9 + 1e-12 * spread / near)
     }
 
@@ -143,22 +204,39 @@ impl<'a> Judge<'a> {
             return vec![material.ks * material.specular_color * w];
         }
         let patterned = self.scene.pattern.kind != PatternKind::None;
-        let other = if patterned { self.scene.pattern.color } else { material.color };
+        let other = if patterned {
+            self.scene.pattern.color
+        } else {
+            material.color
+        };
         vec![material.kd * material.color, material.kd * other]
     }
 
     /// R·V, or for the other models the least of N·H and what is left of N·V above −¼.
     fn lobe_cosine(&self, (p, n): ShadingPoint, l: DVec3) -> f64 {
         let camera = &self.scene.camera;
-        let from = if camera.viewer == Viewer::Infinite { camera.target } else { p };
+        let from = if camera.viewer == Viewer::Infinite {
+            camera.target
+        } else {
+            p
+        };
         let v = (camera.eye - from).normalize();
-        let (grazes, flips) = (n.dot(l).abs() < 1e-9, self.scene.reflection.backfacing == Backfacing::Flip);
+        let (grazes, flips) = (
+            n.dot(l).abs() < 1e-9,
+            self.scene.reflection.backfacing == Backfacing::Flip,
+        );
         // On which side a grazing light lies is a matter of rounding.
-        let sides = if flips && grazes { vec![n, -n] } else { vec![if flips && n.dot(l) < 0.0 { -n } else { n }] };
+        let sides = if flips && grazes {
+            vec![n, -n]
+        } else {
+            vec![if flips && n.dot(l) < 0.0 { -n } else { n }]
+        };
         let cosine = |n: DVec3| match self.scene.reflection.model {
             ReflectionModel::Phong => (n * (2.0 * n.dot(l)) - l).dot(v),
             ReflectionModel::Blinn => n.dot((l + v).normalize_or_zero()),
-            ReflectionModel::CookTorrance => n.dot((l + v).normalize_or_zero()).min(n.dot(v) + 0.25),
+            ReflectionModel::CookTorrance => {
+                n.dot((l + v).normalize_or_zero()).min(n.dot(v) + 0.25)
+            }
         };
         sides.into_iter().map(cosine).fold(1.0, f64::min)
     }
@@ -176,10 +254,14 @@ impl<'a> Judge<'a> {
             return true;
         }
         let side = n * n.dot(way).signum();
-        let lifts = [-1e-6, 0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2].map(|lift| p + side * (lift * self.vertices.radius()));
+        let lifts = [-1e-6, 0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2]
+            .map(|lift| p + side * (lift * self.vertices.radius()));
         lifts.into_iter().any(|start| match &self.surface {
             Some(surface) => {
-                let ray = Ray { origin: start, direction: way };
+                let ray = Ray {
+                    origin: start,
+                    direction: way,
+                };
                 surface.intersect(&ray, 0.0).is_some_and(|hit| hit.t <= end)
             }
             None => (0..self.vertices.face_count()).any(|face| self.is_met(face, start, way, end)),
@@ -187,15 +269,21 @@ impl<'a> Judge<'a> {
     }
 
     fn is_met(&self, face: usize, start: DVec3, way: DVec3, end: f64) -> bool {
-        let at = |v: &u32| (self.vertices.origin + self.vertices.positions[*v as usize].as_dvec3(), DVec3::ZERO);
+        let at = |v: &u32| {
+            (
+                self.vertices.origin + self.vertices.positions[*v as usize].as_dvec3(),
+                DVec3::ZERO,
+            )
+        };
         let corners: Vec<ShadingPoint> = self.vertices.face(face).iter().map(at).collect();
         triples(&corners).iter().any(|triangle| {
             let [a, b, c] = [triangle[0].0, triangle[1].0, triangle[2].0];
             let across = (b - a).cross(c - a);
             let t = (a - start).dot(across) / way.dot(across);
             let p = start + way * t;
-            let inside =
-                |from: DVec3, to: DVec3| (to - from).cross(p - from).dot(across) >= -1e-6 * across.length_squared();
+            let inside = |from: DVec3, to: DVec3| {
+                (to - from).cross(p - from).dot(across) >= -1e-6 * across.length_squared()
+            };
             (-1e-6..=end).contains(&t) && inside(a, b) && inside(b, c) && inside(c, a)
         })
     }

@@ -3,14 +3,17 @@
 #![allow(dead_code, reason = "each test takes what it needs of it")]
 
 #[path = "dice.rs"]
-#[allow(clippy::duplicate_mod, reason = "a test may take it with another module that has dice")]
+#[allow(
+    clippy::duplicate_mod,
+    reason = "a test may take it with another module that has dice"
+)]
 mod dice;
 
 use glam::{DVec2, DVec3};
 use shading_lab::illumination::area_samples;
 use shading_lab::scene::{
-    AreaShape, Attenuation, Backfacing, Camera, Distribution, Image, Light, LightKind, Material, ObjectKind,
-    PatternKind, Projection, Reflectance, ReflectionModel, Scene, Viewer,
+    AreaShape, Attenuation, Backfacing, Camera, Distribution, Image, Light, LightKind, Material,
+    ObjectKind, PatternKind, Projection, Reflectance, ReflectionModel, Scene, Viewer,
 };
 use std::f64::consts::PI;
 
@@ -19,7 +22,11 @@ pub use dice::Dice;
 impl Dice {
     pub fn direction(&mut self) -> DVec3 {
         loop {
-            let v = DVec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0));
+            let v = DVec3::new(
+                self.between(-1.0, 1.0),
+                self.between(-1.0, 1.0),
+                self.between(-1.0, 1.0),
+            );
             if (0.1..=1.0).contains(&v.length()) {
                 return v.normalize();
             }
@@ -34,7 +41,12 @@ impl Dice {
 pub fn random_light(dice: &mut Dice) -> Light {
     let position = dice.direction() * dice.between(1.6, 6.0);
     Light {
-        kind: dice.of(&[LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Area]),
+        kind: dice.of(&[
+            LightKind::Point,
+            LightKind::Directional,
+            LightKind::Spot,
+            LightKind::Area,
+        ]),
         position,
         // Towards the sphere, so that cones meet it.
         direction: (dice.direction() * 0.5 - position.normalize()) * dice.between(0.1, 10.0),
@@ -65,13 +77,27 @@ pub fn random_scene(dice: &mut Dice, n: f64) -> Scene {
     let camera = Camera {
         eye: dice.direction() * dice.between(2.5, 6.0),
         up: dice.direction(),
-        projection: if dice.unit() < 0.7 { Projection::Perspective } else { Projection::Orthographic },
+        projection: if dice.unit() < 0.7 {
+            Projection::Perspective
+        } else {
+            Projection::Orthographic
+        },
         fov_y: 45.0,
-        viewer: if dice.unit() < 0.5 { Viewer::Local } else { Viewer::Infinite },
+        viewer: if dice.unit() < 0.5 {
+            Viewer::Local
+        } else {
+            Viewer::Infinite
+        },
         ..Camera::default()
     };
-    let mut scene = Scene { camera, ..Scene::default() };
-    scene.image = Image { size: [256, 192], background: DVec3::ZERO };
+    let mut scene = Scene {
+        camera,
+        ..Scene::default()
+    };
+    scene.image = Image {
+        size: [256, 192],
+        background: DVec3::ZERO,
+    };
     scene.object.kind = ObjectKind::Sphere;
     scene.material = Material {
         ka: dice.colour() * 0.3,
@@ -92,7 +118,12 @@ pub fn random_scene(dice: &mut Dice, n: f64) -> Scene {
         ior: dice.colour() * 3.0 + 0.05,
         extinction: dice.colour() * 5.0,
     };
-    scene.pattern.kind = dice.of(&[PatternKind::None, PatternKind::None, PatternKind::Checker, PatternKind::Rings]);
+    scene.pattern.kind = dice.of(&[
+        PatternKind::None,
+        PatternKind::None,
+        PatternKind::Checker,
+        PatternKind::Rings,
+    ]);
     scene.pattern.color = dice.colour();
     scene.ambient.color = dice.colour();
     scene.reflection.model = dice.of(&[
@@ -102,8 +133,14 @@ pub fn random_scene(dice: &mut Dice, n: f64) -> Scene {
         ReflectionModel::CookTorrance,
     ]);
     scene.reflection.distribution = dice.of(&[Distribution::Beckmann, Distribution::Ggx]);
-    scene.reflection.backfacing = if dice.unit() < 0.7 { Backfacing::Clamp } else { Backfacing::Flip };
-    scene.lights = (0..1 + (dice.unit() * 4.0) as usize).map(|_| random_light(dice)).collect();
+    scene.reflection.backfacing = if dice.unit() < 0.7 {
+        Backfacing::Clamp
+    } else {
+        Backfacing::Flip
+    };
+    scene.lights = (0..1 + (dice.unit() * 4.0) as usize)
+        .map(|_| random_light(dice))
+        .collect();
     scene
 }
 
@@ -114,21 +151,35 @@ pub fn meet(scene: &Scene, x: u32, y: u32) -> Option<(DVec3, f64)> {
     let forward = (camera.target - camera.eye).normalize();
     let right = forward.cross(camera.up).normalize();
     let up = right.cross(forward);
-    let (px, py) = (f64::from(x) + 0.5 - width / 2.0, height / 2.0 - f64::from(y) - 0.5);
+    let (px, py) = (
+        f64::from(x) + 0.5 - width / 2.0,
+        height / 2.0 - f64::from(y) - 0.5,
+    );
     let distance = camera.eye.length();
     let (origin, direction, radius) = if camera.projection == Projection::Perspective {
         let focal = height / 2.0 / (camera.fov_y.to_radians() / 2.0).tan();
-        (camera.eye, (forward * focal + right * px + up * py).normalize(), focal / (distance * distance - 1.0).sqrt())
+        (
+            camera.eye,
+            (forward * focal + right * px + up * py).normalize(),
+            focal / (distance * distance - 1.0).sqrt(),
+        )
     } else {
         let pixels = height / camera.height;
-        (camera.eye + (right * px + up * py) / pixels, forward, pixels)
+        (
+            camera.eye + (right * px + up * py) / pixels,
+            forward,
+            pixels,
+        )
     };
     let b = origin.dot(direction);
     let discriminant = b * b - (origin.length_squared() - 1.0);
     if discriminant < 0.0 {
         return None;
     }
-    Some((origin + direction * (-b - discriminant.sqrt()), radius - px.hypot(py)))
+    Some((
+        origin + direction * (-b - discriminant.sqrt()),
+        radius - px.hypot(py),
+    ))
 }
 
 /// The equation of the unit sphere at `p`.
@@ -163,16 +214,28 @@ fn surface_colour(scene: &Scene, p: DVec3) -> DVec3 {
         PatternKind::Stripes => cell(p.y).rem_euclid(2) == 1,
         PatternKind::Rings => cell(p.x.hypot(p.z)).rem_euclid(2) == 1,
     };
-    if odd { scene.pattern.color } else { scene.material.color }
+    if odd {
+        scene.pattern.color
+    } else {
+        scene.material.color
+    }
 }
 
 fn from_light(scene: &Scene, light: &Light, p: DVec3, od: DVec3) -> DVec3 {
     let (m, camera) = (&scene.material, &scene.camera);
     let to_eye = camera.eye - p;
-    let v = if camera.viewer == Viewer::Local { to_eye.normalize() } else { (camera.eye - camera.target).normalize() };
+    let v = if camera.viewer == Viewer::Local {
+        to_eye.normalize()
+    } else {
+        (camera.eye - camera.target).normalize()
+    };
     let directional = light.kind == LightKind::Directional;
     let d = (light.position - p).length();
-    let l = if directional { -light.direction.normalize() } else { (light.position - p) / d };
+    let l = if directional {
+        -light.direction.normalize()
+    } else {
+        (light.position - p) / d
+    };
     let f = match light.attenuation {
         Attenuation::Viewer => 1.0 / (to_eye.length() + light.k),
         _ if directional => 1.0,
@@ -181,7 +244,11 @@ fn from_light(scene: &Scene, light: &Light, p: DVec3, od: DVec3) -> DVec3 {
         Attenuation::InverseSquare => 1.0 / (d * d),
         Attenuation::Quadratic => (1.0 / (light.c1 + light.c2 * d + light.c3 * d * d)).min(1.0),
     };
-    let spot = if light.kind == LightKind::Spot { spot_part(light, -l) } else { 1.0 };
+    let spot = if light.kind == LightKind::Spot {
+        spot_part(light, -l)
+    } else {
+        1.0
+    };
     let flipped = scene.reflection.backfacing == Backfacing::Flip && p.dot(l) < 0.0;
     let n = if flipped { -p } else { p };
     let n_dot_l = n.dot(l);
@@ -189,18 +256,27 @@ fn from_light(scene: &Scene, light: &Light, p: DVec3, od: DVec3) -> DVec3 {
         return DVec3::ZERO;
     }
     let (s, cosine) = specular(scene, n, l, v);
-    f * spot * light.color * (m.kd * od * n_dot_l + m.ks * m.specular_color * fresnel(m, cosine) * s)
+    f * spot
+        * light.color
+        * (m.kd * od * n_dot_l + m.ks * m.specular_color * fresnel(m, cosine) * s)
 }
 
 /// The part of a spot light's intensity that goes along `ray`.
 pub fn spot_part(light: &Light, ray: DVec3) -> f64 {
     let axis = light.direction.normalize();
     let cosine = ray.dot(axis);
-    let (outer, inner) = (light.cone.to_radians().cos(), (light.cone * (1.0 - light.softness)).to_radians().cos());
+    let (outer, inner) = (
+        light.cone.to_radians().cos(),
+        (light.cone * (1.0 - light.softness)).to_radians().cos(),
+    );
     if cosine <= outer {
         return 0.0;
     }
-    let t = if inner > outer { ((cosine - outer) / (inner - outer)).min(1.0) } else { 1.0 };
+    let t = if inner > outer {
+        ((cosine - outer) / (inner - outer)).min(1.0)
+    } else {
+        1.0
+    };
     cosine.max(0.0).powf(light.exponent) * t * t * (3.0 - 2.0 * t)
 }
 
@@ -211,7 +287,10 @@ fn specular(scene: &Scene, n: DVec3, l: DVec3, v: DVec3) -> (f64, f64) {
     match scene.reflection.model {
         ReflectionModel::Phong => ((2.0 * n.dot(l) * n - l).dot(v).max(0.0).powf(m.n), n.dot(l)),
         ReflectionModel::Blinn => (n.dot(h).max(0.0).powf(m.n), l.dot(h)),
-        ReflectionModel::CookTorrance => (cook_torrance(scene.reflection.distribution, m.roughness, n, l, v), l.dot(h)),
+        ReflectionModel::CookTorrance => (
+            cook_torrance(scene.reflection.distribution, m.roughness, n, l, v),
+            l.dot(h),
+        ),
     }
 }
 
@@ -243,8 +322,14 @@ pub fn fresnel(m: &Material, cosine: f64) -> DVec3 {
     let (eta, k) = match m.reflectance {
         Reflectance::Constant => return DVec3::ONE,
         Reflectance::Glass => (DVec3::new(1.514_32, 1.518_72, 1.526_68), DVec3::ZERO),
-        Reflectance::Silver => (DVec3::new(0.05, 0.06, 0.04), DVec3::new(4.483, 3.586, 2.657)),
-        Reflectance::Gold => (DVec3::new(0.14, 0.43, 1.38), DVec3::new(3.697, 2.455, 1.914)),
+        Reflectance::Silver => (
+            DVec3::new(0.05, 0.06, 0.04),
+            DVec3::new(4.483, 3.586, 2.657),
+        ),
+        Reflectance::Gold => (
+            DVec3::new(0.14, 0.43, 1.38),
+            DVec3::new(3.697, 2.455, 1.914),
+        ),
         Reflectance::Custom => (m.ior, m.extinction),
     };
     DVec3::from_array([0, 1, 2].map(|c| amplitude_reflectance(eta[c], k[c], cosine)))
@@ -286,8 +371,10 @@ pub fn steps(scene: &Scene, p: DVec3, near: f64) -> bool {
 
 /// Whether `p` is within `near` fields of an edge of the pattern.
 pub fn field_edge(scene: &Scene, p: DVec3, near: f64) -> bool {
-    let edge =
-        |x: f64| ((x / scene.pattern.scale - 0.5).rem_euclid(1.0) - 0.5).abs() > 0.5 - near / scene.pattern.scale;
+    let edge = |x: f64| {
+        ((x / scene.pattern.scale - 0.5).rem_euclid(1.0) - 0.5).abs()
+            > 0.5 - near / scene.pattern.scale
+    };
     match scene.pattern.kind {
         PatternKind::None => false,
         PatternKind::Checker => edge(p.x) || edge(p.y) || edge(p.z),

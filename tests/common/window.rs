@@ -22,7 +22,11 @@ pub fn window_with(scene: &str, set_up: impl FnOnce(App) -> App) -> Harness<'sta
 
 /// A window whose textures go to `card`.
 pub fn window_on(scene: &str, card: impl TestRenderer + 'static) -> Harness<'static, App> {
-    opened(load(Path::new(scene)).expect("a built-in scene"), card, |app| app)
+    opened(
+        load(Path::new(scene)).expect("a built-in scene"),
+        card,
+        |app| app,
+    )
 }
 
 /// A window on any scene.
@@ -30,8 +34,15 @@ pub fn window_of(loaded: Loaded) -> Harness<'static, App> {
     opened(loaded, Nowhere, |app| app)
 }
 
-fn opened(loaded: Loaded, card: impl TestRenderer + 'static, set_up: impl FnOnce(App) -> App) -> Harness<'static, App> {
-    let builder = Harness::builder().with_size([1280.0, 800.0]).with_max_steps(40).renderer(card);
+fn opened(
+    loaded: Loaded,
+    card: impl TestRenderer + 'static,
+    set_up: impl FnOnce(App) -> App,
+) -> Harness<'static, App> {
+    let builder = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .with_max_steps(40)
+        .renderer(card);
     let mut harness = builder.build_eframe(|cc| set_up(App::new(cc, loaded)));
     harness.run();
     harness
@@ -56,29 +67,41 @@ pub fn scene<'h>(harness: &'h Harness<'_, App>) -> &'h Scene {
 
 /// Chooses an entry of a list by the names of both.
 pub fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
-    harness.get_by_role_and_label(Role::ComboBox, list).scroll_to_me();
+    harness
+        .get_by_role_and_label(Role::ComboBox, list)
+        .scroll_to_me();
     harness.run();
-    harness.get_by_role_and_label(Role::ComboBox, list).click_accesskit();
+    harness
+        .get_by_role_and_label(Role::ComboBox, list)
+        .click_accesskit();
     harness.run();
-    harness.get_by_role_and_label(Role::Button, entry).click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Button, entry)
+        .click_accesskit();
     harness.run();
 }
 
 /// Clicks a button by its name.
 pub fn press(harness: &mut Harness<'_, App>, name: &str) {
-    harness.get_by_role_and_label(Role::Button, name).click_accesskit();
+    harness
+        .get_by_role_and_label(Role::Button, name)
+        .click_accesskit();
     harness.run();
 }
 
 /// Opens a section of the panel.
 pub fn unfold(harness: &mut Harness<'_, App>, title: &str) {
-    harness.get_by_role_and_label(Role::DisclosureTriangle, title).click_accesskit();
+    harness
+        .get_by_role_and_label(Role::DisclosureTriangle, title)
+        .click_accesskit();
     harness.run();
 }
 
 /// Types a number into a field by its name.
 pub fn enter(harness: &mut Harness<'_, App>, name: &str, value: f64) {
-    harness.get_by_role_and_label(Role::SpinButton, name).set_value_accesskit(value);
+    harness
+        .get_by_role_and_label(Role::SpinButton, name)
+        .set_value_accesskit(value);
     harness.run();
 }
 

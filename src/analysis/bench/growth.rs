@@ -13,11 +13,21 @@ use crate::scene::{Image, ObjectKind, Scene};
 use serde::Serialize;
 
 /// Pixels of the pictures, about, drawn with [`FEW_TRIANGLES`]: each has twice as many as the one before.
-const PIXELS: [f64; 8] =
-    [65_536.0, 131_072.0, 262_144.0, 524_288.0, 1_048_576.0, 2_097_152.0, 4_194_304.0, 8_388_608.0];
+const PIXELS: [f64; 8] = [
+    65_536.0,
+    131_072.0,
+    262_144.0,
+    524_288.0,
+    1_048_576.0,
+    2_097_152.0,
+    4_194_304.0,
+    8_388_608.0,
+];
 const FEW_TRIANGLES: u64 = 1024;
 /// Triangles of the tessellations, about, in a picture of [`FEW_PIXELS`].
-const TRIANGLES: [u64; 9] = [16_384, 32_768, 65_536, 131_072, 262_144, 524_288, 1_048_576, 2_097_152, 4_194_304];
+const TRIANGLES: [u64; 9] = [
+    16_384, 32_768, 65_536, 131_072, 262_144, 524_288, 1_048_576, 2_097_152, 4_194_304,
+];
 const FEW_PIXELS: f64 = 65_536.0;
 
 /// A frame that takes longer than this takes part in every second round, one twice as long in every third, and so on.
@@ -64,15 +74,26 @@ pub fn most_frames(frames: u32) -> u64 {
 pub fn measure(subject: &Subject, frames: u32, count: &dyn Fn()) -> Growth {
     let scene = &subject.scene;
     let coarse = divided(scene, FEW_TRIANGLES).unwrap_or_else(|| scene.clone());
-    let pictures = PIXELS.iter().map(|pixels| sized(&coarse, *pixels)).collect();
-    let fine: Vec<Scene> = TRIANGLES.iter().filter_map(|count| divided(&sized(scene, FEW_PIXELS), *count)).collect();
+    let pictures = PIXELS
+        .iter()
+        .map(|pixels| sized(&coarse, *pixels))
+        .collect();
+    let fine: Vec<Scene> = TRIANGLES
+        .iter()
+        .filter_map(|count| divided(&sized(scene, FEW_PIXELS), *count))
+        .collect();
     let pixels = series(subject, pictures, frames, count, |row| row.pixels);
-    let triangles = (!fine.is_empty()).then(|| series(subject, fine, frames, count, |row| row.triangles));
+    let triangles =
+        (!fine.is_empty()).then(|| series(subject, fine, frames, count, |row| row.triangles));
     Growth { pixels, triangles }
 }
 
 /// The scene with about so many pixels.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sides of a picture")]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "sides of a picture"
+)]
 fn sized(scene: &Scene, pixels: f64) -> Scene {
     let mut scene = scene.clone();
     let [width, height] = scene.image.size.map(f64::from);
@@ -108,9 +129,19 @@ impl Frame {
     fn new(subject: &Subject, scene: Scene, frames: u32) -> Self {
         let mut renderer = subject.renderer();
         renderer.render(&scene);
-        let mut frame = Self { renderer, clock: subject.clock, scene, stride: 1, times: Vec::new() };
+        let mut frame = Self {
+            renderer,
+            clock: subject.clock,
+            scene,
+            stride: 1,
+            times: Vec::new(),
+        };
         let stride = median_ms(&mut [frame.time()]) / ROUND_MS;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "saturates"
+        )]
         let stride = (stride.ceil() as u32).max(1);
         frame.stride = stride.min((frames / LEAST_FRAMES).max(1));
         frame
@@ -130,14 +161,27 @@ impl Frame {
             pixels: width * height,
             triangles: self.renderer.report().triangles,
             frames: self.times.len(),
-            fastest_ms: self.times.iter().min().map_or(0.0, |fastest| median_ms(&mut [*fastest])),
+            fastest_ms: self
+                .times
+                .iter()
+                .min()
+                .map_or(0.0, |fastest| median_ms(&mut [*fastest])),
             median_ms: median_ms(&mut self.times),
         }
     }
 }
 
-fn series(subject: &Subject, scenes: Vec<Scene>, frames: u32, count: &dyn Fn(), size: fn(&Row) -> u64) -> Series {
-    let mut drawn: Vec<Frame> = scenes.into_iter().map(|scene| Frame::new(subject, scene, frames)).collect();
+fn series(
+    subject: &Subject,
+    scenes: Vec<Scene>,
+    frames: u32,
+    count: &dyn Fn(),
+    size: fn(&Row) -> u64,
+) -> Series {
+    let mut drawn: Vec<Frame> = scenes
+        .into_iter()
+        .map(|scene| Frame::new(subject, scene, frames))
+        .collect();
     for round in 0..frames {
         for frame in &mut drawn {
             if round.is_multiple_of(frame.stride) {
@@ -150,7 +194,9 @@ fn series(subject: &Subject, scenes: Vec<Scene>, frames: u32, count: &dyn Fn(), 
     }
     let rows: Vec<Row> = drawn.into_iter().map(Frame::row).collect();
     #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³")]
-    let order = |rows: &[Row], ms: fn(&Row) -> f64| order_of(rows.iter().map(|row| (size(row) as f64, ms(row))));
+    let order = |rows: &[Row], ms: fn(&Row) -> f64| {
+        order_of(rows.iter().map(|row| (size(row) as f64, ms(row))))
+    };
     let median = |row: &Row| row.median_ms;
     Series {
         order: order(&rows, median),
@@ -163,26 +209,48 @@ fn series(subject: &Subject, scenes: Vec<Scene>, frames: u32, count: &dyn Fn(), 
 impl Growth {
     /// The tables, with the exponents below.
     pub fn describe(&self, report: &mut Report) {
-        let series = [("pixels", Some(&self.pixels)), ("triangles", self.triangles.as_ref())];
-        for (name, series) in series.into_iter().filter_map(|(name, series)| Some((name, series?))) {
+        let series = [
+            ("pixels", Some(&self.pixels)),
+            ("triangles", self.triangles.as_ref()),
+        ];
+        for (name, series) in series
+            .into_iter()
+            .filter_map(|(name, series)| Some((name, series?)))
+        {
             let table = Table::of(
                 &series.rows,
                 [
                     (Column::shown("pixels", as_it_is), |row| row.pixels.into()),
-                    (Column::shown("triangles", as_it_is), |row| row.triangles.into()),
+                    (Column::shown("triangles", as_it_is), |row| {
+                        row.triangles.into()
+                    }),
                     (Column::shown("frames", as_it_is), |row| row.frames.into()),
-                    (Column::shown("median, ms", fixed::<3>), |row| row.median_ms.into()),
-                    (Column::shown("fastest, ms", fixed::<3>), |row| row.fastest_ms.into()),
+                    (Column::shown("median, ms", fixed::<3>), |row| {
+                        row.median_ms.into()
+                    }),
+                    (Column::shown("fastest, ms", fixed::<3>), |row| {
+                        row.fastest_ms.into()
+                    }),
                 ],
             );
             let section = report.section(format!("growth with the {name}"));
             section.push(Part::Table(table));
-            let fits =
-                [("all", series.order), ("upper half", series.order_upper), ("fastest frames", series.order_fastest)];
+            let fits = [
+                ("all", series.order),
+                ("upper half", series.order_upper),
+                ("fastest frames", series.order_fastest),
+            ];
             for (which, fit) in fits {
-                let exponent =
-                    |fit: Fit| format!("{:.3} ± {:.3} (95 %, {} points)", fit.slope, fit.confidence, fit.points);
-                section.quantity(fit.map_or_else(|| "too few".to_owned(), exponent), format!("exponent, {which}"));
+                let exponent = |fit: Fit| {
+                    format!(
+                        "{:.3} ± {:.3} (95 %, {} points)",
+                        fit.slope, fit.confidence, fit.points
+                    )
+                };
+                section.quantity(
+                    fit.map_or_else(|| "too few".to_owned(), exponent),
+                    format!("exponent, {which}"),
+                );
             }
         }
     }
@@ -199,15 +267,30 @@ mod tests {
         scene.image.size = [640, 480];
         for pixels in PIXELS {
             let [width, height] = sized(&scene, pixels).image.size.map(f64::from);
-            assert!((width * height / pixels - 1.0).abs() < 0.01, "{width} × {height}");
-            assert!((width / height * 3.0 / 4.0 - 1.0).abs() < 0.01, "{width} × {height}");
+            assert!(
+                (width * height / pixels - 1.0).abs() < 0.01,
+                "{width} × {height}"
+            );
+            assert!(
+                (width / height * 3.0 / 4.0 - 1.0).abs() < 0.01,
+                "{width} × {height}"
+            );
         }
         for count in TRIANGLES {
             let divided = divided(&scene, count).expect("a sphere of any fineness");
-            assert!(triangles(&divided.object).abs_diff(count) < count / 50, "{count}");
+            assert!(
+                triangles(&divided.object).abs_diff(count) < count / 50,
+                "{count}"
+            );
             assert_eq!(divided.validate(), Ok(()));
         }
-        let model = Scene { object: Object { kind: ObjectKind::Obj, ..Object::default() }, ..Scene::default() };
+        let model = Scene {
+            object: Object {
+                kind: ObjectKind::Obj,
+                ..Object::default()
+            },
+            ..Scene::default()
+        };
         assert_eq!(divided(&model, 1000), None);
     }
 }

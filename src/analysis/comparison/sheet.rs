@@ -51,12 +51,22 @@ pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
     let count = u32::try_from(count.max(1)).unwrap_or(1);
     let gap = if size[0].min(size[1]) < 64 { 0 } else { GAP };
     let side = |total: u32, parts: u32| (total.saturating_sub((parts - 1) * gap) / parts).max(1);
-    let cell = |columns: u32| [side(size[0], columns), side(size[1], count.div_ceil(columns))];
+    let cell = |columns: u32| {
+        [
+            side(size[0], columns),
+            side(size[1], count.div_ceil(columns)),
+        ]
+    };
     let narrowest = NARROWEST.min(f64::from(size[0]) / f64::from(size[1].max(1)));
     let worth = |columns: u32| {
         let [width, height] = cell(columns).map(f64::from);
-        [height.min(width / narrowest), width * height]
-            .map(|v| if width < 0.99 * narrowest * height { 0.5 * v } else { v })
+        [height.min(width / narrowest), width * height].map(|v| {
+            if width < 0.99 * narrowest * height {
+                0.5 * v
+            } else {
+                v
+            }
+        })
     };
     let order = |a: &u32, b: &u32| {
         let ([seen, area], [other, beside]) = (worth(*a), worth(*b));
@@ -65,8 +75,14 @@ pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
     let columns = (1..=count).max_by(order).unwrap_or(1);
     let [width, height] = cell(columns);
     let place = |index: u32| {
-        let min = [(index % columns) * (width + gap), (index / columns) * (height + gap)];
-        PaneArea { min, size: [width, height] }
+        let min = [
+            (index % columns) * (width + gap),
+            (index / columns) * (height + gap),
+        ];
+        PaneArea {
+            min,
+            size: [width, height],
+        }
     };
     (0..count).map(place).collect()
 }
@@ -84,16 +100,27 @@ pub struct DrawnPane {
 impl DrawnPane {
     /// What was measured of it and of its difference from `reference`.
     pub fn linear(&self) -> LinearPicture<'_> {
-        LinearPicture { width: self.frame.width, pixels: &self.linear, clamps: self.clamps }
+        LinearPicture {
+            width: self.frame.width,
+            pixels: &self.linear,
+            clamps: self.clamps,
+        }
     }
 }
 
 /// What captions say of panes; the last one is the reference.
 pub fn pane_figures(panes: &[DrawnPane]) -> Vec<PaneFigures> {
-    let Some((last, others)) = panes.split_last() else { return vec![] };
-    let figures =
-        |pane: &DrawnPane, error| PaneFigures { name: pane.name.clone(), brightest: brightest(pane.linear()), error };
-    let compared = others.iter().map(|pane| figures(pane, Some(error_figures(pane.linear(), last.linear()))));
+    let Some((last, others)) = panes.split_last() else {
+        return vec![];
+    };
+    let figures = |pane: &DrawnPane, error| PaneFigures {
+        name: pane.name.clone(),
+        brightest: brightest(pane.linear()),
+        error,
+    };
+    let compared = others
+        .iter()
+        .map(|pane| figures(pane, Some(error_figures(pane.linear(), last.linear()))));
     compared.chain([figures(last, None)]).collect()
 }
 
@@ -101,7 +128,9 @@ pub fn pane_figures(panes: &[DrawnPane]) -> Vec<PaneFigures> {
 pub fn caption(figures: &PaneFigures, reference: Option<&PaneFigures>) -> [String; 2] {
     let mut words = Vec::new();
     if let Some(brightest) = figures.brightest {
-        let truth = reference.and_then(|reference| reference.brightest).filter(|_| figures.error.is_some());
+        let truth = reference
+            .and_then(|reference| reference.brightest)
+            .filter(|_| figures.error.is_some());
         let of = truth.map_or_else(String::new, |truth| format!(" of {:.3}", truth.value));
         words.push(format!("brightest {:.3}{of}", brightest.value));
     }
@@ -115,10 +144,15 @@ pub fn caption(figures: &PaneFigures, reference: Option<&PaneFigures>) -> [Strin
 pub fn panes_on_sheet(scene: &Scene) -> Vec<(usize, [u32; 2])> {
     let shown = scene.shown_panes();
     let size = match scene.compare.view {
-        CompareView::Panes => pane_areas(shown.len(), scene.image.size).first().map(|area| area.size),
+        CompareView::Panes => pane_areas(shown.len(), scene.image.size)
+            .first()
+            .map(|area| area.size),
         _ => None,
     };
-    shown.into_iter().map(|index| (index, size.unwrap_or(scene.image.size))).collect()
+    shown
+        .into_iter()
+        .map(|index| (index, size.unwrap_or(scene.image.size)))
+        .collect()
 }
 
 /// Draws panes of a sound scene, given by their numbers with the size of each; `over` may draw over each, with the renderer
@@ -140,10 +174,16 @@ pub fn draw_panes<E>(
         shown.image.size = size;
         // What is drawn over a pane may have asked for something else; one picture is compared with nothing.
         renderer.keep_linear(scene.compare.view != CompareView::Single || which.len() > 1);
-        let mut frame = renderer.render_supersampled(&shown, samples, &mut |n| progress(done * samples + n));
+        let mut frame =
+            renderer.render_supersampled(&shown, samples, &mut |n| progress(done * samples + n));
         let linear = renderer.linear().to_vec();
         over(&mut frame, renderer, &shown)?;
-        panes.push(DrawnPane { frame, linear, clamps: shown.clamps(), name: scene.pane_name(index) });
+        panes.push(DrawnPane {
+            frame,
+            linear,
+            clamps: shown.clamps(),
+            name: scene.pane_name(index),
+        });
     }
     renderer.keep_linear(false);
     Ok(panes)
@@ -151,38 +191,57 @@ pub fn draw_panes<E>(
 
 /// Puts panes, as [`draw_panes`] drew them, on one sheet. With `captions` each is named.
 pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> Frame {
-    let (Some(first), Some(last)) = (panes.first(), panes.last()) else { return Frame::default() };
+    let (Some(first), Some(last)) = (panes.first(), panes.last()) else {
+        return Frame::default();
+    };
     let (compare, areas) = (&scene.compare, pane_areas(panes.len(), scene.image.size));
     let mut sheet = match compare.view {
         CompareView::Single => return first.frame.clone(),
         CompareView::Panes => side_by_side(scene.image.size, panes, &areas),
         CompareView::Wipe => wiped(&first.frame, &last.frame, compare.wipe),
-        CompareView::Difference => difference_picture(first.linear(), last.linear(), compare.difference, compare.gain),
+        CompareView::Difference => difference_picture(
+            first.linear(),
+            last.linear(),
+            compare.difference,
+            compare.gain,
+        ),
     };
     let [width, height] = scene.image.size.map(f64::from);
     let size = 0.032 * width.min(height);
     let mut em = size.clamp(11.0, 60.0);
     let mut drawing = Drawing::over_picture([0x10; 3], (0.1 * size).max(1.2));
     if compare.view == CompareView::Wipe {
-        let ends = [0.0, height].map(|y| DVec2::new(compare.wipe * width, y)).to_vec();
+        let ends = [0.0, height]
+            .map(|y| DVec2::new(compare.wipe * width, y))
+            .to_vec();
         drawing.shapes.push(Shape::line(ends, 0.1 * em, [255; 3]));
     }
     let mut letter = |text: &str, em: f64, at: DVec2, align: f64| {
         let text = Text::new(text, at, em, [255; 3]).aligned(align);
-        drawing.texts.push(Text { halo: drawing.breadth, ..text });
+        drawing.texts.push(Text {
+            halo: drawing.breadth,
+            ..text
+        });
     };
     match compare.view {
         _ if !captions => {}
         CompareView::Single => {}
         CompareView::Panes => {
             // Smaller in small panes: a caption is about half a pane wide.
-            em = areas.first().map_or(em, |area| em.min(0.05 * f64::from(area.size[0])).max(9.0));
+            em = areas
+                .first()
+                .map_or(em, |area| em.min(0.05 * f64::from(area.size[0])).max(9.0));
             let figures = pane_figures(panes);
             for (pane, area) in figures.iter().zip(&areas) {
                 let corner = DVec2::from_array(area.min.map(f64::from));
                 let [name, measured] = caption(pane, figures.last());
                 letter(&name, em, corner + DVec2::new(0.8, 1.4) * em, 0.0);
-                letter(&measured, 0.9 * em, corner + DVec2::new(0.8 * em, f64::from(area.size[1]) - 0.8 * em), 0.0);
+                letter(
+                    &measured,
+                    0.9 * em,
+                    corner + DVec2::new(0.8 * em, f64::from(area.size[1]) - 0.8 * em),
+                    0.0,
+                );
             }
         }
         CompareView::Wipe => {
@@ -191,8 +250,16 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> F
         }
         CompareView::Difference => {
             let error = error_figures(first.linear(), last.linear());
-            let words = format!("mean {:.4}   RMS {:.4}   greatest {:.4}", error.mean, error.rms, error.greatest);
-            letter(&format!("{} − {}", first.name, last.name), em, DVec2::new(em, 1.5 * em), 0.0);
+            let words = format!(
+                "mean {:.4}   RMS {:.4}   greatest {:.4}",
+                error.mean, error.rms, error.greatest
+            );
+            letter(
+                &format!("{} − {}", first.name, last.name),
+                em,
+                DVec2::new(em, 1.5 * em),
+                0.0,
+            );
             letter(&words, em, DVec2::new(em, 3.0 * em), 0.0);
         }
     }
@@ -209,7 +276,11 @@ fn wiped(left: &Frame, right: &Frame, wipe: f64) -> Frame {
     let mut sheet = left.clone();
     let width = left.width.max(1) as usize;
     let line = ((wipe * f64::from(left.width)).round() as usize).min(width);
-    for (row, other) in sheet.pixels.chunks_mut(width).zip(right.pixels.chunks(width)) {
+    for (row, other) in sheet
+        .pixels
+        .chunks_mut(width)
+        .zip(right.pixels.chunks(width))
+    {
         row[line..].copy_from_slice(&other[line..]);
     }
     sheet
@@ -217,7 +288,11 @@ fn wiped(left: &Frame, right: &Frame, wipe: f64) -> Frame {
 
 /// Panes with lines about them, as wide as the gaps.
 fn side_by_side([width, height]: [u32; 2], panes: &[DrawnPane], areas: &[PaneArea]) -> Frame {
-    let mut sheet = Frame { width, height, pixels: vec![EMPTY; width as usize * height as usize] };
+    let mut sheet = Frame {
+        width,
+        height,
+        pixels: vec![EMPTY; width as usize * height as usize],
+    };
     let width = width as usize;
     for area in areas {
         let [x0, y0] = area.min.map(|v| v.saturating_sub(GAP) as usize);
@@ -251,7 +326,10 @@ pub fn difference_picture(
     let pixel = |index: usize| {
         let [r, g, b] = if seen(index) {
             let (a, b) = (picture.color(index), reference.color(index));
-            colour(kind, std::array::from_fn(|channel| gain * (a[channel] - b[channel])))
+            colour(
+                kind,
+                std::array::from_fn(|channel| gain * (a[channel] - b[channel])),
+            )
         } else {
             OUTSIDE
         };
@@ -259,9 +337,16 @@ pub fn difference_picture(
     };
     let count = picture.pixels.len().min(reference.pixels.len());
     let pixels: Vec<[u8; 4]> = (0..count).into_par_iter().map(pixel).collect();
-    #[expect(clippy::cast_possible_truncation, reason = "sides of pictures are 32 bits")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "sides of pictures are 32 bits"
+    )]
     let height = (count as u64 / u64::from(width)) as u32;
-    Frame { width, height, pixels }
+    Frame {
+        width,
+        height,
+        pixels,
+    }
 }
 
 /// The colour of a difference of each channel, gain included.
@@ -269,7 +354,11 @@ fn colour(kind: DifferenceKind, difference: [f64; 3]) -> Rgb8 {
     match kind {
         DifferenceKind::Signed => signed(luminance(Rgb::from_array(difference))),
         DifferenceKind::Absolute => difference.map(|channel| code(255.0 * channel.abs())),
-        DifferenceKind::FalseColor => cividis(difference.iter().fold(0.0, |most, channel| channel.abs().max(most))),
+        DifferenceKind::FalseColor => cividis(
+            difference
+                .iter()
+                .fold(0.0, |most, channel| channel.abs().max(most)),
+        ),
     }
 }
 
@@ -288,7 +377,9 @@ fn cividis(share: f64) -> Rgb8 {
 
 fn mixed(from: Rgb8, to: Rgb8, share: f64) -> Rgb8 {
     let share = share.clamp(0.0, 1.0);
-    std::array::from_fn(|c| code(f64::from(from[c]) + (f64::from(to[c]) - f64::from(from[c])) * share))
+    std::array::from_fn(|c| {
+        code(f64::from(from[c]) + (f64::from(to[c]) - f64::from(from[c])) * share)
+    })
 }
 
 fn code(value: f64) -> u8 {
@@ -310,19 +401,33 @@ pub fn difference_scale(size: [u32; 2], kind: DifferenceKind, gain: f64, em: f64
     let bar = (0..STEPS).map(|i| {
         let share = (f64::from(i) + 0.5) / f64::from(STEPS);
         let value = if two_sided { 2.0 * share - 1.0 } else { share };
-        let (x0, x1) = (corner.x + f64::from(i) * step, corner.x + f64::from(i + 1) * step + 0.5);
-        let (min, max) = (DVec2::new(x0, corner.y), DVec2::new(x1.min(corner.x + length), corner.y + breadth));
+        let (x0, x1) = (
+            corner.x + f64::from(i) * step,
+            corner.x + f64::from(i + 1) * step + 0.5,
+        );
+        let (min, max) = (
+            DVec2::new(x0, corner.y),
+            DVec2::new(x1.min(corner.x + length), corner.y + breadth),
+        );
         Shape::area(Area { min, max }.corners(), colour(kind, [value; 3])).plain()
     });
     drawing.shapes.extend(bar);
-    let whole = Area { min: corner, max: corner + DVec2::new(length, breadth) };
-    drawing.shapes.push(Shape::outline(whole.corners(), 0.08 * em, [255; 3]));
+    let whole = Area {
+        min: corner,
+        max: corner + DVec2::new(length, breadth),
+    };
+    drawing
+        .shapes
+        .push(Shape::outline(whole.corners(), 0.08 * em, [255; 3]));
     let least = if two_sided { -1.0 } else { 0.0 };
     for value in [least, 0.5 * (least + 1.0), 1.0] {
         let x = corner.x + length * (value - least) / (1.0 - least);
         let at = DVec2::new(x, corner.y + breadth + 1.1 * em);
         let text = Text::new(tick(value / gain, two_sided), at, em, [255; 3]).aligned(0.5);
-        drawing.texts.push(Text { halo: drawing.breadth, ..text });
+        drawing.texts.push(Text {
+            halo: drawing.breadth,
+            ..text
+        });
     }
     drawing
 }

@@ -27,17 +27,35 @@ pub struct DefectMark {
 pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
     // Words are wider than high.
     let beside = |end: DVec2, way: DVec2| end + DVec2::new(1.9 * em, 1.6 * em) * way;
-    let outline = defects.silhouette.as_ref().ok().filter(|found| found.greatest > LEAST).map(|found| {
-        let way = (found.surface - found.polygon).normalize_or(DVec2::X);
-        let lines = distance([found.polygon, found.surface], way, em);
-        DefectMark { lines, label: format!("{:.1} px", found.greatest), label_at: beside(found.surface, way) }
-    });
-    let jump = defects.shared_vertices.as_ref().ok().filter(|found| found.greatest > LEAST_JUMP).map(|found| {
-        let mut ring = Shape::ring(found.at, 0.75 * em, 0.0, [0; 3]).points;
-        ring.extend(ring.first().copied());
-        let label = format!("jump {:.3}", found.greatest);
-        DefectMark { lines: vec![ring], label, label_at: beside(found.at, DVec2::NEG_Y) }
-    });
+    let outline = defects
+        .silhouette
+        .as_ref()
+        .ok()
+        .filter(|found| found.greatest > LEAST)
+        .map(|found| {
+            let way = (found.surface - found.polygon).normalize_or(DVec2::X);
+            let lines = distance([found.polygon, found.surface], way, em);
+            DefectMark {
+                lines,
+                label: format!("{:.1} px", found.greatest),
+                label_at: beside(found.surface, way),
+            }
+        });
+    let jump = defects
+        .shared_vertices
+        .as_ref()
+        .ok()
+        .filter(|found| found.greatest > LEAST_JUMP)
+        .map(|found| {
+            let mut ring = Shape::ring(found.at, 0.75 * em, 0.0, [0; 3]).points;
+            ring.extend(ring.first().copied());
+            let label = format!("jump {:.3}", found.greatest);
+            DefectMark {
+                lines: vec![ring],
+                label,
+                label_at: beside(found.at, DVec2::NEG_Y),
+            }
+        });
     outline.into_iter().chain(jump).collect()
 }
 
@@ -45,21 +63,35 @@ pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
 fn distance([a, b]: [DVec2; 2], way: DVec2, em: f64) -> Vec<Vec<DVec2>> {
     let tick = 0.45 * em * way.perp();
     if a.distance(b) >= SHORT * em {
-        return vec![vec![a, b], vec![a - tick, a + tick], vec![b - tick, b + tick]];
+        return vec![
+            vec![a, b],
+            vec![a - tick, a + tick],
+            vec![b - tick, b + tick],
+        ];
     }
     let tip = b + 0.15 * em * way;
     let back = |side: f64| tip + 0.35 * em * way + 0.5 * side * tick;
-    vec![vec![tip, tip + em * way], vec![tip, back(1.0)], vec![tip, back(-1.0)]]
+    vec![
+        vec![tip, tip + em * way],
+        vec![tip, back(1.0)],
+        vec![tip, back(-1.0)],
+    ]
 }
 
 /// Draws the marks of `defects` over the picture in which they were measured.
 pub fn draw_defects(pixmap: &mut PixmapMut<'_>, defects: &Defects, options: &OverlayOptions) {
     let style = Style::new(f64::from(pixmap.width().min(pixmap.height())), options);
     for mark in defect_marks(defects, style.text) {
-        let lines = mark.lines.into_iter().map(|line| Shape::line(line, 0.8 * style.line, style.neutral));
+        let lines = mark
+            .lines
+            .into_iter()
+            .map(|line| Shape::line(line, 0.8 * style.line, style.neutral));
         let mut drawing = style.drawing(lines.collect());
         let text = Text::centred(&mark.label, mark.label_at, style.text, style.neutral);
-        drawing.texts.push(Text { halo: style.halo, ..text });
+        drawing.texts.push(Text {
+            halo: style.halo,
+            ..text
+        });
         drawing.draw(pixmap);
     }
 }
@@ -74,32 +106,89 @@ pub fn defect_plots(defects: &Defects) -> Vec<Plot> {
 /// Two curves, the first one emphasised, with a mark where both are read.
 fn plot(kind: PlotKind, title: &str, x: Axis, curves: [Curve; 2], mark: Mark) -> Plot {
     let [first, second] = curves;
-    let curves = vec![first, Curve { dash: Dash::Dashed, emphasised: false, ..second }];
-    let values = curves.iter().flat_map(|curve| curve.points.iter().map(|[_, y]| *y));
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+    let curves = vec![
+        first,
+        Curve {
+            dash: Dash::Dashed,
+            emphasised: false,
+            ..second
+        },
+    ];
+    let values = curves
+        .iter()
+        .flat_map(|curve| curve.points.iter().map(|[_, y]| *y));
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+        (l.min(v), h.max(v))
+    });
     let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
     // A curve that is even to rounding is shown as even.
     let padding = (0.08 * (high - low)).max(0.02 * high.abs()).max(1e-6);
-    let values = curves.iter().enumerate().filter_map(|(index, curve)| Some((index, curve.at(mark.x)?)));
-    let marks = vec![Mark { values: values.collect(), ..mark }];
+    let values = curves
+        .iter()
+        .enumerate()
+        .filter_map(|(index, curve)| Some((index, curve.at(mark.x)?)));
+    let marks = vec![Mark {
+        values: values.collect(),
+        ..mark
+    }];
     let y = Axis::new("I", low - padding, high + padding);
-    Plot { marks, ..Plot::new(kind, title, "", [x, y], curves) }
+    Plot {
+        marks,
+        ..Plot::new(kind, title, "", [x, y], curves)
+    }
 }
 
 fn orientation(measured: &Orientation) -> Plot {
     let turned = || measured.samples.iter();
-    let scanline = turned().filter_map(|turned| Some([turned.angle, turned.scanline?])).collect();
-    let barycentric = turned().filter_map(|turned| Some([turned.angle, turned.barycentric?])).collect();
-    let curves = [Curve::new("along the scan line", scanline, Ink::L), Curve::new("barycentric", barycentric, Ink::N)];
-    let mark = Mark { x: measured.roll, label: "now".to_owned(), values: vec![], probe: true };
+    let scanline = turned()
+        .filter_map(|turned| Some([turned.angle, turned.scanline?]))
+        .collect();
+    let barycentric = turned()
+        .filter_map(|turned| Some([turned.angle, turned.barycentric?]))
+        .collect();
+    let curves = [
+        Curve::new("along the scan line", scanline, Ink::L),
+        Curve::new("barycentric", barycentric, Ink::N),
+    ];
+    let mark = Mark {
+        x: measured.roll,
+        label: "now".to_owned(),
+        values: vec![],
+        probe: true,
+    };
     let x = Axis::degrees("roll", 0.0, 360.0);
-    plot(PlotKind::Orientation, "One point while the picture turns", x, curves, mark)
+    plot(
+        PlotKind::Orientation,
+        "One point while the picture turns",
+        x,
+        curves,
+        mark,
+    )
 }
 
 fn shared(measured: &SharedVertices) -> Plot {
-    let points = |side: usize| measured.samples.iter().map(|sample| [sample[0], sample[side]]).collect();
-    let curves =
-        [Curve::new("the side with the vertex", points(2), Ink::L), Curve::new("the side without", points(1), Ink::N)];
-    let mark = Mark { x: measured.vertex, label: "vertex".to_owned(), values: vec![], probe: false };
-    plot(PlotKind::SharedEdge, "Both sides of the edge", Axis::new("along the edge", 0.0, 1.0), curves, mark)
+    let points = |side: usize| {
+        measured
+            .samples
+            .iter()
+            .map(|sample| [sample[0], sample[side]])
+            .collect()
+    };
+    let curves = [
+        Curve::new("the side with the vertex", points(2), Ink::L),
+        Curve::new("the side without", points(1), Ink::N),
+    ];
+    let mark = Mark {
+        x: measured.vertex,
+        label: "vertex".to_owned(),
+        values: vec![],
+        probe: false,
+    };
+    plot(
+        PlotKind::SharedEdge,
+        "Both sides of the edge",
+        Axis::new("along the edge", 0.0, 1.0),
+        curves,
+        mark,
+    )
 }

@@ -77,24 +77,38 @@ fn edges_of(mesh: &Mesh, face: usize) -> impl Iterator<Item = [u32; 2]> {
 
 /// The edges that exactly one of the faces that `counts` has, sorted.
 fn edges_of_one(mesh: &Mesh, counts: impl Fn(usize) -> bool + Sync) -> Vec<[u32; 2]> {
-    let faces = (0..mesh.face_count()).into_par_iter().filter(|f| counts(*f));
+    let faces = (0..mesh.face_count())
+        .into_par_iter()
+        .filter(|f| counts(*f));
     let mut all: Vec<[u32; 2]> = faces.flat_map_iter(|f| edges_of(mesh, f)).collect();
     all.par_sort_unstable();
-    all.chunk_by(|a, b| a == b).filter(|alike| alike.len() == 1).map(|alike| alike[0]).collect()
+    all.chunk_by(|a, b| a == b)
+        .filter(|alike| alike.len() == 1)
+        .map(|alike| alike[0])
+        .collect()
 }
 
 fn world(mesh: &Mesh, point: u32) -> DVec3 {
     mesh.origin + mesh.positions[point as usize].as_dvec3()
 }
 
-pub fn silhouette(renderer: &mut Renderer, scene: &Scene, watch: &dyn Watch<()>) -> Finding<Silhouette> {
+pub fn silhouette(
+    renderer: &mut Renderer,
+    scene: &Scene,
+    watch: &dyn Watch<()>,
+) -> Finding<Silhouette> {
     let mut drawn = scene.clone();
     drawn.shading.mode = ShadingMode::Flat;
-    let seen: Vec<bool> = renderer.linear_picture(&drawn).iter().map(|pixel| pixel[3] > 0.0).collect();
+    let seen: Vec<bool> = renderer
+        .linear_picture(&drawn)
+        .iter()
+        .map(|pixel| pixel[3] > 0.0)
+        .collect();
     let size = scene.image.size;
     // Whether the pixel at a place shows the object; nothing outside the picture.
     let shown = |place: DVec2| {
-        let inside = place.cmpge(DVec2::ZERO).all() && place.cmplt(DVec2::from_array(size.map(f64::from))).all();
+        let inside = place.cmpge(DVec2::ZERO).all()
+            && place.cmplt(DVec2::from_array(size.map(f64::from))).all();
         inside.then(|| seen[place.y as usize * size[0] as usize + place.x as usize])
     };
     let mut edges = outline(renderer.mesh_shown(), scene);
@@ -113,23 +127,39 @@ pub fn silhouette(renderer: &mut Renderer, scene: &Scene, watch: &dyn Watch<()>)
         }
         let along = b - a;
         let across = along.perp().try_normalize()?;
-        let samples = (1..=OUTLINE_SAMPLES).map(|i| a + along * (f64::from(i) / f64::from(OUTLINE_SAMPLES + 1)));
+        let samples = (1..=OUTLINE_SAMPLES)
+            .map(|i| a + along * (f64::from(i) / f64::from(OUTLINE_SAMPLES + 1)));
         let found = samples.filter_map(|place| {
-            let outwards = match (shown(place + OUTLINE * across)?, shown(place - OUTLINE * across)?) {
+            let outwards = match (
+                shown(place + OUTLINE * across)?,
+                shown(place - OUTLINE * across)?,
+            ) {
                 (false, true) => across,
                 (true, false) => -across,
                 _ => return None,
             };
-            Some((distance(place, outwards, reach, shown, sees)?, place, outwards))
+            Some((
+                distance(place, outwards, reach, shown, sees)?,
+                place,
+                outwards,
+            ))
         });
         found.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))
     };
     let found: Vec<(f64, DVec2, DVec2)> = edges.par_iter().filter_map(of_edge).collect();
     goes_on(watch, 0.0)?;
     let edges = found.len();
-    let greatest = found.into_iter().reduce(|a, b| if b.0.abs() > a.0.abs() { b } else { a });
-    let (distance, polygon, outwards) = greatest.ok_or("no outline of the object is in the picture")?;
-    Ok(Silhouette { greatest: distance.abs(), polygon, surface: polygon + distance * outwards, edges })
+    let greatest = found
+        .into_iter()
+        .reduce(|a, b| if b.0.abs() > a.0.abs() { b } else { a });
+    let (distance, polygon, outwards) =
+        greatest.ok_or("no outline of the object is in the picture")?;
+    Ok(Silhouette {
+        greatest: distance.abs(),
+        polygon,
+        surface: polygon + distance * outwards,
+        edges,
+    })
 }
 
 /// Edges of the mesh that are seen with a front face on one side only, as pairs of points in the picture.
@@ -143,7 +173,10 @@ fn outline(mesh: &Mesh, scene: &Scene) -> Vec<[DVec2; 2]> {
         mesh.face_normal(f).dot(towards) > 0.0
     };
     let place = |point: u32| view.project(world(mesh, point)).map(|(pixel, _)| pixel);
-    edges_of_one(mesh, front).into_iter().filter_map(|[a, b]| Some([place(a)?, place(b)?])).collect()
+    edges_of_one(mesh, front)
+        .into_iter()
+        .filter_map(|[a, b]| Some([place(a)?, place(b)?]))
+        .collect()
 }
 
 /// How far the true outline is from `place` along `outwards`; negative inside. Nothing where there is none within `reach`, or none
@@ -189,7 +222,11 @@ struct Touched {
 /// The edges with vertices on them. An edge that has a face on either side has none: both faces end at its ends.
 fn touched(mesh: &Mesh) -> Finding<Vec<Touched>> {
     // Where every edge has a face on either side there is none to look at.
-    let open = if mesh.closed { Vec::new() } else { edges_of_one(mesh, |_| true) };
+    let open = if mesh.closed {
+        Vec::new()
+    } else {
+        edges_of_one(mesh, |_| true)
+    };
     let mut points: Vec<u32> = open.iter().flatten().copied().collect();
     points.sort_unstable();
     points.dedup();
@@ -206,21 +243,33 @@ fn touched(mesh: &Mesh) -> Finding<Vec<Touched>> {
     for (edge, f) in open.iter().zip(faces) {
         let ends = edge.map(|end| world(mesh, end));
         let along = ends[1] - ends[0];
-        let own = |vertex: DVec3| mesh.face(f).iter().any(|corner| world(mesh, corner.position) == vertex);
+        let own = |vertex: DVec3| {
+            mesh.face(f)
+                .iter()
+                .any(|corner| world(mesh, corner.position) == vertex)
+        };
         for &point in &points {
             let vertex = world(mesh, point);
             let from = vertex - ends[0];
             let t = from.dot(along) / along.length_squared();
             let on = t > ON && t < 1.0 - ON && (from - t * along).length() < ON * along.length();
             if on && !own(vertex) {
-                found.push(Touched { face: f as u32, ends, vertex });
+                found.push(Touched {
+                    face: f as u32,
+                    ends,
+                    vertex,
+                });
             }
         }
     }
     Ok(found)
 }
 
-pub fn shared_vertices(renderer: &mut Renderer, scene: &Scene, watch: &dyn Watch<()>) -> Finding<SharedVertices> {
+pub fn shared_vertices(
+    renderer: &mut Renderer,
+    scene: &Scene,
+    watch: &dyn Watch<()>,
+) -> Finding<SharedVertices> {
     interpolates(scene)?;
     renderer.render(scene);
     let mesh = renderer.mesh_shown();
@@ -237,8 +286,12 @@ pub fn shared_vertices(renderer: &mut Renderer, scene: &Scene, watch: &dyn Watch
     for (index, edge) in touched.iter().step_by(every).enumerate() {
         goes_on(watch, index as f32 / count as f32)?;
         let measured = along(renderer, scene, &equation, edge, [edges, count]);
-        let before = greatest.as_ref().map_or(f64::NEG_INFINITY, |greatest| greatest.greatest);
-        greatest = measured.filter(|measured| measured.greatest > before).or(greatest);
+        let before = greatest
+            .as_ref()
+            .map_or(f64::NEG_INFINITY, |greatest| greatest.greatest);
+        greatest = measured
+            .filter(|measured| measured.greatest > before)
+            .or(greatest);
     }
     greatest.ok_or("no such edge is seen")
 }
@@ -253,23 +306,39 @@ fn along(
 ) -> Option<SharedVertices> {
     let view = View::new(&scene.camera, scene.image.size);
     let place = |point: DVec3| view.project(point).map(|(place, _)| place);
-    let [a, b, vertex] = [place(edge.ends[0])?, place(edge.ends[1])?, place(edge.vertex)?];
+    let [a, b, vertex] = [
+        place(edge.ends[0])?,
+        place(edge.ends[1])?,
+        place(edge.vertex)?,
+    ];
     let vertex = (vertex - a).dot(b - a) / (b - a).length_squared();
     let across = (b - a).perp().try_normalize()?;
-    let sides = [1.0, -1.0].map(|way| renderer.section(a + way * BESIDE * across, b + way * BESIDE * across));
-    let piece = |side: &[Piece], s: f64| side.iter().find(|piece| (piece.from..piece.to).contains(&s)).copied();
+    let sides = [1.0, -1.0]
+        .map(|way| renderer.section(a + way * BESIDE * across, b + way * BESIDE * across));
+    let piece = |side: &[Piece], s: f64| {
+        side.iter()
+            .find(|piece| (piece.from..piece.to).contains(&s))
+            .copied()
+    };
     let value = |place: DVec2, piece: &Piece| {
         let evaluation = renderer.evaluation_at(place, Some(piece))?;
         Some(luminance(evaluation.intensity(equation).max(Rgb::ZERO)))
     };
     let mut samples = Vec::new();
     let (mut greatest, mut at) = (0.0, a.lerp(b, vertex));
-    let mut along: Vec<f64> = (0..=SAMPLES).map(|i| f64::from(i) / f64::from(SAMPLES)).chain([vertex]).collect();
+    let mut along: Vec<f64> = (0..=SAMPLES)
+        .map(|i| f64::from(i) / f64::from(SAMPLES))
+        .chain([vertex])
+        .collect();
     along.sort_by(f64::total_cmp);
     for s in along {
         let place = a.lerp(b, s);
-        let [Some(p), Some(q)] = [piece(&sides[0], s), piece(&sides[1], s)] else { continue };
-        let (Some(u), Some(v)) = (value(place, &p), value(place, &q)) else { continue };
+        let [Some(p), Some(q)] = [piece(&sides[0], s), piece(&sides[1], s)] else {
+            continue;
+        };
+        let (Some(u), Some(v)) = (value(place, &p), value(place, &q)) else {
+            continue;
+        };
         // First the side that has not the vertex.
         let (without, with) = if p.face == edge.face { (u, v) } else { (v, u) };
         samples.push([s, without, with]);
@@ -277,5 +346,12 @@ fn along(
             (greatest, at) = ((u - v).abs(), place);
         }
     }
-    (!samples.is_empty()).then_some(SharedVertices { edges, measured, greatest, at, samples, vertex })
+    (!samples.is_empty()).then_some(SharedVertices {
+        edges,
+        measured,
+        greatest,
+        at,
+        samples,
+        vertex,
+    })
 }

@@ -40,8 +40,15 @@ pub fn perspective(renderer: &mut Renderer, scene: &Scene) -> Finding<Perspectiv
         other.shading.interpolation = interpolation;
         renderer.linear_picture(&other)
     });
-    let picture = |pixels| LinearPicture { width: scene.image.size[0], pixels, clamps: scene.clamps() };
-    Ok(PerspectiveDistortion { interpolation, error: error_figures(picture(&own), picture(&correct)) })
+    let picture = |pixels| LinearPicture {
+        width: scene.image.size[0],
+        pixels,
+        clamps: scene.clamps(),
+    };
+    Ok(PerspectiveDistortion {
+        interpolation,
+        error: error_figures(picture(&own), picture(&correct)),
+    })
 }
 
 /// How the shade of one point changes while the picture is turned.
@@ -68,10 +75,17 @@ pub struct Turned {
     pub barycentric: Option<f64>,
 }
 
-pub fn orientation(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -> Finding<Orientation> {
+pub fn orientation(
+    renderer: &mut Renderer,
+    scene: &Scene,
+    pixel: [u32; 2],
+) -> Finding<Orientation> {
     interpolates(scene)?;
     let missed = "the probe sees the background";
-    let point = probe(renderer, scene, pixel[0], pixel[1]).hit.ok_or(missed)?.position;
+    let point = probe(renderer, scene, pixel[0], pixel[1])
+        .hit
+        .ok_or(missed)?
+        .position;
     let triangle = renderer.triangle_at(pixel).ok_or(missed)?;
     let mut turned = scene.clone();
     turned.image.size = [SIDE; 2];
@@ -82,20 +96,35 @@ pub fn orientation(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -> F
         .map(|step| {
             let angle = f64::from(step * STEP);
             turned.camera.roll = angle;
-            let [scanline, barycentric] = [Interpolation::Scanline, Interpolation::Affine].map(|interpolation| {
-                turned.shading.interpolation = interpolation;
-                turned_value(renderer, &turned, &equation, triangle, point)
-            });
-            Turned { angle, scanline, barycentric }
+            let [scanline, barycentric] =
+                [Interpolation::Scanline, Interpolation::Affine].map(|interpolation| {
+                    turned.shading.interpolation = interpolation;
+                    turned_value(renderer, &turned, &equation, triangle, point)
+                });
+            Turned {
+                angle,
+                scanline,
+                barycentric,
+            }
         })
         .collect();
     let spread = |of: fn(&Turned) -> Option<f64>| {
         let values = samples.iter().filter_map(of);
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+            (l.min(v), h.max(v))
+        });
         (high - low).max(0.0)
     };
-    let spread = [spread(|turned| turned.scanline), spread(|turned| turned.barycentric)];
-    Ok(Orientation { point, roll: scene.camera.roll.rem_euclid(360.0), samples, spread })
+    let spread = [
+        spread(|turned| turned.scanline),
+        spread(|turned| turned.barycentric),
+    ];
+    Ok(Orientation {
+        point,
+        roll: scene.camera.roll.rem_euclid(360.0),
+        samples,
+        spread,
+    })
 }
 
 /// The luminance of `point`, which lies on `triangle`, in a turned picture. The triangle that is seen there is the same in all.
@@ -108,7 +137,9 @@ fn turned_value(
 ) -> Option<f64> {
     let (place, _) = View::new(&turned.camera, turned.image.size).project(point)?;
     let inside = place.cmpge(DVec2::ZERO).all() && place.max_element() < f64::from(SIDE);
-    let intensity = renderer.intensity_turned(turned, equation, triangle, place).filter(|_| inside)?;
+    let intensity = renderer
+        .intensity_turned(turned, equation, triangle, place)
+        .filter(|_| inside)?;
     Some(luminance(intensity.max(Rgb::ZERO)))
 }
 
@@ -128,7 +159,9 @@ pub struct VertexNormals {
 pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexNormals> {
     match scene.shading.mode {
         ShadingMode::Gouraud | ShadingMode::Phong => {}
-        ShadingMode::Flat | ShadingMode::Interpolated => return Err("this shading uses the polygons' own normals"),
+        ShadingMode::Flat | ShadingMode::Interpolated => {
+            return Err("this shading uses the polygons' own normals");
+        }
         ShadingMode::Exact => return Err("exact shading uses the surface's own normals"),
     }
     let own_contrast = contrast(renderer, scene).ok_or("the object is not in the picture")?;
@@ -137,15 +170,27 @@ pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexN
     let normals = &vertices.normals;
     let of_face = |f: usize| {
         let face = mesh.face_normal(f);
-        vertices.face(f).iter().filter(move |_| face.length_squared() > 0.0).map(move |&vertex| {
-            let normal = normals[vertex as usize].as_dvec3();
-            face.cross(normal).length().atan2(face.dot(normal)).to_degrees()
-        })
+        vertices
+            .face(f)
+            .iter()
+            .filter(move |_| face.length_squared() > 0.0)
+            .map(move |&vertex| {
+                let normal = normals[vertex as usize].as_dvec3();
+                face.cross(normal)
+                    .length()
+                    .atan2(face.dot(normal))
+                    .to_degrees()
+            })
     };
-    let chunks = (0..mesh.face_count()).into_par_iter().step_by(CHUNK).map(|first| {
-        let angles = (first..(first + CHUNK).min(mesh.face_count())).flat_map(of_face);
-        angles.fold((0.0f64, 0.0, 0u32), |(most, sum, count), angle| (most.max(angle), sum + angle, count + 1))
-    });
+    let chunks = (0..mesh.face_count())
+        .into_par_iter()
+        .step_by(CHUNK)
+        .map(|first| {
+            let angles = (first..(first + CHUNK).min(mesh.face_count())).flat_map(of_face);
+            angles.fold((0.0f64, 0.0, 0u32), |(most, sum, count), angle| {
+                (most.max(angle), sum + angle, count + 1)
+            })
+        });
     // Added in the order of the faces, whichever was done first.
     let chunks: Vec<(f64, f64, u32)> = chunks.collect();
     let add = |a: (f64, f64, u32), b: &(f64, f64, u32)| (a.0.max(b.0), a.1 + b.1, a.2 + b.2);
@@ -169,7 +214,11 @@ pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexN
 /// Standard deviation of the luminance over the pixels that show the object.
 fn contrast(renderer: &mut Renderer, scene: &Scene) -> Option<f64> {
     let (mut count, mut mean, mut squares) = (0.0, 0.0, 0.0);
-    for pixel in renderer.linear_picture(scene).iter().filter(|pixel| pixel[3] > 0.0) {
+    for pixel in renderer
+        .linear_picture(scene)
+        .iter()
+        .filter(|pixel| pixel[3] > 0.0)
+    {
         // Welford 1962: the mean and the squares about it in one pass.
         let value = pixel_luminance(pixel);
         count += 1.0;

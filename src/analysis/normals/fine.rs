@@ -29,7 +29,9 @@ impl Fine {
         let (foot, way) = (self.foot.as_vec2(), (self.tip - self.foot).as_vec2());
         let (along, length) = (way.normalize_or_zero(), way.length());
         let (half, breadth) = (0.5 * self.width as f32, self.breadth as f32);
-        let dash = self.dash.map(|[dash, gap]| [dash as f32, (dash + gap) as f32]);
+        let dash = self
+            .dash
+            .map(|[dash, gap]| [dash as f32, (dash + gap) as f32]);
         if !(foot.is_finite() && length.is_finite()) {
             return;
         }
@@ -41,16 +43,25 @@ impl Fine {
                 let middle = 0.5 * dash;
                 line *= inside(middle - (travelled.rem_euclid(period) - middle).abs());
             }
-            let away = if self.square { from.abs().max_element() } else { from.length() };
+            let away = if self.square {
+                from.abs().max_element()
+            } else {
+                from.length()
+            };
             line.max(inside(breadth - away))
         };
         let (tip, reach) = (foot + along * length, half.max(breadth) + 1.0);
         // Casts keep a stroke from outside at the border.
-        let rows = (foot.y.min(tip.y) - reach) as usize..((foot.y.max(tip.y) + reach).ceil() as usize).min(height);
+        let rows = (foot.y.min(tip.y) - reach) as usize
+            ..((foot.y.max(tip.y) + reach).ceil() as usize).min(height);
         for y in rows {
             // The columns that the part of the stroke within reach of the row spans.
             let beside = |off: f32| (y as f32 + 0.5 + off - foot.y) / along.y;
-            let travelled = if along.y == 0.0 { [0.0, length] } else { [-reach, reach].map(beside) };
+            let travelled = if along.y == 0.0 {
+                [0.0, length]
+            } else {
+                [-reach, reach].map(beside)
+            };
             let [a, b] = travelled.map(|t| foot.x + along.x * t.clamp(0.0, length));
             let left = (a.min(b) - reach) as usize;
             let right = ((a.max(b) + reach).ceil() as usize).min(width);
@@ -89,36 +100,83 @@ mod tests {
     /// A stroke drawn, and the area that it covers.
     fn drawn(foot: DVec2, tip: DVec2, change: impl Fn(Fine) -> Fine) -> (Pixmap, f64) {
         let mut pixmap = Pixmap::new(24, 11).expect("not empty");
-        let stroke = Fine { foot, tip, width: 2.0, breadth: 0.0, square: false, dash: None };
+        let stroke = Fine {
+            foot,
+            tip,
+            width: 2.0,
+            breadth: 0.0,
+            square: false,
+            dash: None,
+        };
         change(stroke).draw(&mut pixmap.as_mut(), [200, 100, 0]);
-        let covered = pixmap.pixels().iter().map(|pixel| f64::from(pixel.alpha()) / 255.0).sum();
+        let covered = pixmap
+            .pixels()
+            .iter()
+            .map(|pixel| f64::from(pixel.alpha()) / 255.0)
+            .sum();
         (pixmap, covered)
     }
 
     #[test]
     fn a_stroke_covers_its_area() {
-        for (foot, tip) in [((4.0, 5.5), (20.0, 5.5)), ((4.3, 3.1), (19.2, 8.4)), ((6.0, 2.0), (6.0, 9.0))] {
+        for (foot, tip) in [
+            ((4.0, 5.5), (20.0, 5.5)),
+            ((4.3, 3.1), (19.2, 8.4)),
+            ((6.0, 2.0), (6.0, 9.0)),
+        ] {
             let (foot, tip) = (DVec2::from(foot), DVec2::from(tip));
             let expected = 2.0 * foot.distance(tip) + std::f64::consts::PI;
             let (_, found) = drawn(foot, tip, |stroke| stroke);
-            assert!((found / expected - 1.0).abs() < 0.06, "{foot}: {found} of {expected}");
+            assert!(
+                (found / expected - 1.0).abs() < 0.06,
+                "{foot}: {found} of {expected}"
+            );
         }
         let middle = DVec2::new(12.0, 5.5);
-        let (_, foot) = drawn(middle, middle, |stroke| Fine { width: 0.0, breadth: 4.0, square: true, ..stroke });
+        let (_, foot) = drawn(middle, middle, |stroke| Fine {
+            width: 0.0,
+            breadth: 4.0,
+            square: true,
+            ..stroke
+        });
         assert!((foot - 64.0).abs() < 1.5, "{foot}");
         let (left, right) = (DVec2::new(3.0, 5.5), DVec2::new(21.0, 5.5));
-        let (_, dashed) = drawn(left, right, |stroke| Fine { dash: Some([3.0, 3.0]), ..stroke });
+        let (_, dashed) = drawn(left, right, |stroke| Fine {
+            dash: Some([3.0, 3.0]),
+            ..stroke
+        });
         assert!((dashed - 18.0).abs() < 2.5, "{dashed}");
     }
 
     #[test]
     fn what_lies_outside_leaves_no_trace_and_colours_stay_premultiplied() {
-        for far in [DVec2::splat(1e9), DVec2::splat(-500.0), DVec2::NAN, DVec2::new(f64::INFINITY, 3.0)] {
-            assert_eq!(drawn(far, far + 3.0, |stroke| Fine { breadth: 3.0, ..stroke }).1, 0.0);
+        for far in [
+            DVec2::splat(1e9),
+            DVec2::splat(-500.0),
+            DVec2::NAN,
+            DVec2::new(f64::INFINITY, 3.0),
+        ] {
+            assert_eq!(
+                drawn(far, far + 3.0, |stroke| Fine {
+                    breadth: 3.0,
+                    ..stroke
+                })
+                .1,
+                0.0
+            );
         }
         let (left, right) = (DVec2::new(-90.0, 5.5), DVec2::new(90.0, 5.5));
-        let (across, _) = drawn(left, right, |stroke| Fine { width: 3.3, breadth: 2.0, ..stroke });
-        assert!(across.pixels().iter().all(|pixel| pixel.red() <= pixel.alpha() && pixel.green() <= pixel.alpha()));
+        let (across, _) = drawn(left, right, |stroke| Fine {
+            width: 3.3,
+            breadth: 2.0,
+            ..stroke
+        });
+        assert!(
+            across
+                .pixels()
+                .iter()
+                .all(|pixel| pixel.red() <= pixel.alpha() && pixel.green() <= pixel.alpha())
+        );
         assert_eq!(across.pixel(0, 5).map(|pixel| pixel.alpha()), Some(255));
     }
 }

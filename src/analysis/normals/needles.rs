@@ -96,10 +96,25 @@ impl Needles {
         let view = View::new(&scene.camera, size);
         let seen = field.facing(&view, size);
         let layers = [
-            (NeedleKind::Vertex, OverlayLayer::VertexNormals, seen.vertices, "vertex normals"),
-            (NeedleKind::Face, OverlayLayer::FaceNormals, seen.faces, "face normals"),
+            (
+                NeedleKind::Vertex,
+                OverlayLayer::VertexNormals,
+                seen.vertices,
+                "vertex normals",
+            ),
+            (
+                NeedleKind::Face,
+                OverlayLayer::FaceNormals,
+                seen.faces,
+                "face normals",
+            ),
         ];
-        let mut needles = Self { needles: vec![], length: 0.0, note: None, style };
+        let mut needles = Self {
+            needles: vec![],
+            length: 0.0,
+            note: None,
+            style,
+        };
         let (mut notes, mut others) = (Vec::new(), Vec::new());
         for (kind, layer, seen, name) in layers {
             if !options.layers.contains(&layer) || seen.is_empty() {
@@ -107,9 +122,12 @@ impl Needles {
             }
             let mut depths: Vec<f64> = seen.iter().map(|one| one.depth).collect();
             let middle = depths.len() / 2;
-            let unit = view.world_per_pixel(*depths.select_nth_unstable_by(middle, f64::total_cmp).1);
+            let unit =
+                view.world_per_pixel(*depths.select_nth_unstable_by(middle, f64::total_cmp).1);
             let edge = field.median_edge;
-            let choice = thinned(&seen, edge, style.text * unit, &others, |one| field.hidden(renderer, one));
+            let choice = thinned(&seen, edge, style.text * unit, &others, |one| {
+                field.hidden(renderer, one)
+            });
             if choice.thinned {
                 notes.push(format!("{} of {} {name}", choice.shown.len(), seen.len()));
             }
@@ -121,10 +139,18 @@ impl Needles {
             others.extend(choice.shown.iter().map(|one| one.point));
             for one in &choice.shown {
                 // One that would pass the eye is cut short before it.
-                let nowhere = Area { min: DVec2::ZERO, max: DVec2::ZERO };
+                let nowhere = Area {
+                    min: DVec2::ZERO,
+                    max: DVec2::ZERO,
+                };
                 let sketch = Sketch::new(view, style, nowhere, one.point, Some(1.0), 1.0);
                 let tip = sketch.and_then(|sketch| sketch.end(one.normal * needles.length));
-                needles.needles.extend(tip.map(|tip| Needle { kind, index: one.index, foot: one.pixel, tip }));
+                needles.needles.extend(tip.map(|tip| Needle {
+                    kind,
+                    index: one.index,
+                    foot: one.pixel,
+                    tip,
+                }));
             }
         }
         if !notes.is_empty() {
@@ -132,8 +158,16 @@ impl Needles {
             let (text, em) = (notes.join(", "), (NOTE * style.text).max(13.0));
             let extent = inked_size(&text, em) + 2.0 * style.halo;
             let corner = DVec2::new(0.8 * em, f64::from(size[1]) - 0.8 * em - extent.y);
-            let area = Area { min: corner, max: corner + extent };
-            needles.note = Some(Label { text, area, size: em, colour: style.neutral });
+            let area = Area {
+                min: corner,
+                max: corner + extent,
+            };
+            needles.note = Some(Label {
+                text,
+                area,
+                size: em,
+                colour: style.neutral,
+            });
         }
         needles
     }
@@ -143,15 +177,24 @@ impl Needles {
         let (style, width) = (self.style, WIDTH * self.style.line);
         let blue = readable(palette::N, style.halo_colour, CONTRAST);
         let dash = palette::FACE_DASHES.map(|length| f64::from(length) * width);
-        for (kind, colour, halo, dash) in
-            [(NeedleKind::Face, palette::FACE, DARK, Some(dash)), (NeedleKind::Vertex, blue, style.halo_colour, None)]
-        {
+        for (kind, colour, halo, dash) in [
+            (NeedleKind::Face, palette::FACE, DARK, Some(dash)),
+            (NeedleKind::Vertex, blue, style.halo_colour, None),
+        ] {
             // The halos of all come first.
             for (colour, more, dash) in [(halo, HALO * width, None), (colour, 0.0, dash)] {
                 for needle in self.needles.iter().filter(|needle| needle.kind == kind) {
                     let Needle { foot, tip, .. } = *needle;
                     let (width, breadth) = (width + 2.0 * more, FOOT * width + more);
-                    Fine { foot, tip, width, breadth, square: kind == NeedleKind::Face, dash }.draw(pixmap, colour);
+                    Fine {
+                        foot,
+                        tip,
+                        width,
+                        breadth,
+                        square: kind == NeedleKind::Face,
+                        dash,
+                    }
+                    .draw(pixmap, colour);
                 }
             }
         }
@@ -175,7 +218,8 @@ pub fn draw_normals<E>(
     if options.layers.iter().any(|layer| layer.of_needles()) {
         let field = NormalField::new(renderer, &scene.object);
         let size = [pixmap.width(), pixmap.height()];
-        let lit = vertex(&field)?.and_then(|vertex| LitVertex::new(size, scene, &field, &vertex, options));
+        let lit = vertex(&field)?
+            .and_then(|vertex| LitVertex::new(size, scene, &field, &vertex, options));
         Needles::new(size, scene, renderer, &field, options).draw(pixmap);
         lit.into_iter().for_each(|lit| lit.draw(pixmap));
     }
@@ -201,17 +245,28 @@ fn thinned(
     hidden: impl Fn(&SeenNormal) -> bool,
 ) -> Choice {
     let crowded = seen.len() > MOST || edge < CROWDED * letter;
-    let (mut apart, others) = if crowded { (APART * letter, others) } else { (APART_IN_EDGES * edge, &[][..]) };
+    let (mut apart, others) = if crowded {
+        (APART * letter, others)
+    } else {
+        (APART_IN_EDGES * edge, &[][..])
+    };
     let one_in = seen.len().div_ceil(LOOKED_AT) as u64;
-    let looked_at: Vec<SeenNormal> =
-        seen.iter().filter(|one| scattered(one.index).is_multiple_of(one_in)).copied().collect();
+    let looked_at: Vec<SeenNormal> = seen
+        .iter()
+        .filter(|one| scattered(one.index).is_multiple_of(one_in))
+        .copied()
+        .collect();
     loop {
         let (shown, dropped) = kept_apart(&looked_at, apart, others, &hidden);
         // Where a letter has no size either, no distance would ever be enough.
         let grows = apart.is_finite() && (apart > 0.0 || letter > 0.0);
         if shown.len() <= MOST || !grows {
             let apart = if crowded { apart } else { 0.0 };
-            return Choice { shown, apart, thinned: dropped || one_in > 1 };
+            return Choice {
+                shown,
+                apart,
+                thinned: dropped || one_in > 1,
+            };
         }
         // From nothing, where all edges have no length, the next is a letter's.
         apart = (1.25 * apart).max(APART * letter);
@@ -235,7 +290,10 @@ struct Grid {
 
 impl Grid {
     fn place(&self, foot: DVec3) -> [i64; 3] {
-        (foot / self.cell.max(f64::MIN_POSITIVE)).floor().to_array().map(|x| x as i64)
+        (foot / self.cell.max(f64::MIN_POSITIVE))
+            .floor()
+            .to_array()
+            .map(|x| x as i64)
     }
 
     fn add(&mut self, foot: DVec3) {
@@ -248,11 +306,16 @@ impl Grid {
             return true;
         }
         let near = |other: &DVec3| other.distance_squared(foot) < self.cell * self.cell;
-        let taken = |place: [i64; 3]| self.feet.get(&place).is_some_and(|feet| feet.iter().any(near));
+        let taken = |place: [i64; 3]| {
+            self.feet
+                .get(&place)
+                .is_some_and(|feet| feet.iter().any(near))
+        };
         let [x, y, z] = self.place(foot);
         let beside = |x: i64| x.saturating_sub(1)..=x.saturating_add(1);
         // Most of what is not free is told by its own cell.
-        !taken([x, y, z]) && !beside(x).any(|x| beside(y).any(|y| beside(z).any(|z| taken([x, y, z]))))
+        !taken([x, y, z])
+            && !beside(x).any(|x| beside(y).any(|y| beside(z).any(|z| taken([x, y, z]))))
     }
 }
 
@@ -263,15 +326,23 @@ fn kept_apart(
     others: &[DVec3],
     hidden: &impl Fn(&SeenNormal) -> bool,
 ) -> (Vec<SeenNormal>, bool) {
-    let mut taken = Grid { cell: OTHERS * apart, ..Grid::default() };
+    let mut taken = Grid {
+        cell: OTHERS * apart,
+        ..Grid::default()
+    };
     others.iter().for_each(|foot| taken.add(*foot));
-    let mut own = Grid { cell: apart, ..Grid::default() };
+    let mut own = Grid {
+        cell: apart,
+        ..Grid::default()
+    };
     let mut shown: Vec<SeenNormal> = Vec::new();
     let mut dropped = false;
     for one in seen {
         if !own.free(one.point) || !taken.free(one.point) {
             // Several normals at one point are several vertices.
-            let upon = shown.last().is_some_and(|last| last.point == one.point && last.normal != one.normal);
+            let upon = shown
+                .last()
+                .is_some_and(|last| last.point == one.point && last.normal != one.normal);
             if !upon {
                 dropped = dropped || !hidden(one);
                 continue;
@@ -303,7 +374,10 @@ impl LitVertex {
         vertex: &VertexNormal,
         options: &OverlayOptions,
     ) -> Option<Self> {
-        let pane = Area { min: DVec2::ZERO, max: DVec2::from_array(size.map(f64::from)) };
+        let pane = Area {
+            min: DVec2::ZERO,
+            max: DVec2::from_array(size.map(f64::from)),
+        };
         let side = pane.max.min_element();
         let style = Style::new(side, options);
         let view = View::new(&scene.camera, size);
@@ -312,9 +386,17 @@ impl LitVertex {
         let length = EMPHASIS * (LENGTH * field.median_edge).clamp(2.0 * least, most);
         let about = |position| Sketch::new(view, style, pane, position, Some(length), 1.0);
         let mut sketch = about(vertex.position)?;
-        let greatest = vertex.faces.iter().map(|face| face.share).fold(0.0, f64::max);
+        let greatest = vertex
+            .faces
+            .iter()
+            .map(|face| face.share)
+            .fold(0.0, f64::max);
         for face in &vertex.faces {
-            let weight = if greatest > 0.0 { face.share / greatest } else { 0.0 };
+            let weight = if greatest > 0.0 {
+                face.share / greatest
+            } else {
+                0.0
+            };
             draw_face(&mut sketch, field, face, weight);
         }
         let lettered = vertex.faces.len() <= LETTERED;
@@ -333,11 +415,22 @@ impl LitVertex {
             } else {
                 format!("{count} faces, {least:.3} to {greatest:.3}")
             };
-            sketch.letter(text, SHARE, style.neutral, sketch.origin, DVec2::Y, style.text);
+            sketch.letter(
+                text,
+                SHARE,
+                style.neutral,
+                sketch.origin,
+                DVec2::Y,
+                style.text,
+            );
         }
         draw_vertex_normal(&mut sketch, field, vertex);
         let labels = sketch.labels(&[]);
-        Some(Self { labels, drawing: style.drawing(sketch.shapes), style })
+        Some(Self {
+            labels,
+            drawing: style.drawing(sketch.shapes),
+            style,
+        })
     }
 
     /// Draws it on a pixmap of the size for which it was laid out.
@@ -350,8 +443,13 @@ impl LitVertex {
 /// Fills and outlines a face.
 fn draw_face(sketch: &mut Sketch, field: &NormalField, face: &VertexFace, weight: f64) {
     let front = face.normal.dot(sketch.view.towards_eye(face.centre)) > 0.0;
-    let corners = field.outline(face.face).into_iter().map(|corner| Some(sketch.view.project(corner)?.0));
-    let Some(mut corners) = corners.collect::<Option<Vec<DVec2>>>() else { return };
+    let corners = field
+        .outline(face.face)
+        .into_iter()
+        .map(|corner| Some(sketch.view.project(corner)?.0));
+    let Some(mut corners) = corners.collect::<Option<Vec<DVec2>>>() else {
+        return;
+    };
     if front {
         let fill = Shape::area(corners.clone(), palette::FACE).plain();
         sketch.shapes.push(fill.faded(FILL[0] + FILL[1] * weight));
@@ -360,24 +458,38 @@ fn draw_face(sketch: &mut Sketch, field: &NormalField, face: &VertexFace, weight
     corners.extend(corners.first().copied());
     // Yellow shows on its own dark rim, whatever the picture's halo is.
     let rim = Shape::line(corners.clone(), 2.4 * width, DARK).faded(if front { 0.7 } else { 0.4 });
-    let outline = Shape::line(corners, width, palette::FACE).dashed(if front { &[] } else { BEHIND });
+    let outline =
+        Shape::line(corners, width, palette::FACE).dashed(if front { &[] } else { BEHIND });
     sketch.shapes.extend([rim.plain(), outline.plain()]);
 }
 
 /// The normal at a face's centre, about which `own` is, and its share beside it.
 fn draw_face_normal(sketch: &mut Sketch, own: &Sketch, face: &VertexFace, lettered: bool) {
-    let Some(tip) = own.end(face.normal) else { return };
+    let Some(tip) = own.end(face.normal) else {
+        return;
+    };
     let style = sketch.style;
     let along = (tip - own.origin).normalize_or_zero();
     let head = (0.7 * style.head).min(0.5 * own.origin.distance(tip));
     let width = 0.75 * style.line;
     // Yellow on a dark rim: the same arrow twice, first wider.
-    for (more, dot, colour, dashes) in
-        [(style.line, 1.6, DARK, &[][..]), (0.0, 1.1, palette::FACE, &palette::FACE_DASHES[..])]
-    {
+    for (more, dot, colour, dashes) in [
+        (style.line, 1.6, DARK, &[][..]),
+        (0.0, 1.1, palette::FACE, &palette::FACE_DASHES[..]),
+    ] {
         let [shaft, point] = Shape::arrow([own.origin, tip], along, width + more, head, colour);
         let dot = Shape::disc(own.origin, dot * style.line, colour);
-        sketch.shapes.extend([shaft.dashed(dashes), dot, Shape { width: more, ..point }].map(Shape::plain));
+        sketch.shapes.extend(
+            [
+                shaft.dashed(dashes),
+                dot,
+                Shape {
+                    width: more,
+                    ..point
+                },
+            ]
+            .map(Shape::plain),
+        );
     }
     if lettered {
         let outwards = (own.origin - sketch.origin).normalize_or(-along);
@@ -397,12 +509,21 @@ fn draw_vertex_normal(sketch: &mut Sketch, field: &NormalField, vertex: &VertexN
     let [shaft, point] = Shape::arrow([origin, tip], along, 1.2 * style.line, head, colour);
     sketch.shapes.push(shaft);
     sketch.shapes.extend((head > 0.0).then_some(point));
-    sketch.shapes.push(Shape::disc(origin, 1.7 * style.line, colour));
+    sketch
+        .shapes
+        .push(Shape::disc(origin, 1.7 * style.line, colour));
     let (name, size) = match (vertex.origin, field.source) {
         (NormalOrigin::Given, NormalSource::File) => ("N of the file", SHARE),
         (NormalOrigin::Given, _) => ("N of the surface", SHARE),
         _ => ("N", 1.0),
     };
     let anchor = sketch.inside(tip, 0.5 * style.text);
-    sketch.letter(name.to_owned(), size, colour, anchor, along, 0.15 * style.text);
+    sketch.letter(
+        name.to_owned(),
+        size,
+        colour,
+        anchor,
+        along,
+        0.15 * style.text,
+    );
 }

@@ -38,12 +38,21 @@ impl Question for NormalsQuestion {
         // By its number, or next to a pixel's centre or to the picture's middle.
         let size = scene.image.size;
         let middle = DVec2::from_array(size.map(f64::from)) * 0.5;
-        let place = self.pixel.map_or(middle, |pixel| DVec2::from_array(pixel.map(f64::from)) + 0.5);
+        let place = self.pixel.map_or(middle, |pixel| {
+            DVec2::from_array(pixel.map(f64::from)) + 0.5
+        });
         let seen = || field.facing(&View::new(&scene.camera, size), size);
-        let near = || Some(field.vertex_near(&renderer, &seen(), place, f64::INFINITY)?.index);
+        let near = || {
+            Some(
+                field
+                    .vertex_near(&renderer, &seen(), place, f64::INFINITY)?
+                    .index,
+            )
+        };
         let number = self.vertex.or_else(near);
-        let number =
-            number.ok_or("no vertex is seen in the picture, expected --vertex or a camera that sees the object")?;
+        let number = number.ok_or(
+            "no vertex is seen in the picture, expected --vertex or a camera that sees the object",
+        )?;
         Ok(FoundNormal {
             vertex: field.vertex_of(number)?,
             source: field.source,
@@ -70,7 +79,10 @@ impl NormalField {
 impl FoundNormal {
     /// The unit of the weights; none where faces are counted or nothing is averaged.
     fn unit(&self) -> Option<&'static str> {
-        let averages = matches!(self.vertex.origin, NormalOrigin::Averaged | NormalOrigin::FirstFace);
+        let averages = matches!(
+            self.vertex.origin,
+            NormalOrigin::Averaged | NormalOrigin::FirstFace
+        );
         match self.weighting {
             Weighting::Area if averages => Some("square units"),
             Weighting::Angle if averages => Some("degrees"),
@@ -81,9 +93,17 @@ impl FoundNormal {
     /// Where the normal comes from, in words.
     fn origin(&self) -> String {
         let vertex = &self.vertex;
-        let images = if vertex.mirrored { " and their mirror images in x" } else { "" };
+        let images = if vertex.mirrored {
+            " and their mirror images in x"
+        } else {
+            ""
+        };
         let count = vertex.faces.len();
-        let faces = if count == 1 { "1 face".to_owned() } else { format!("{count} faces") };
+        let faces = if count == 1 {
+            "1 face".to_owned()
+        } else {
+            format!("{count} faces")
+        };
         match vertex.origin {
             NormalOrigin::Averaged => {
                 let weights = match self.weighting {
@@ -106,11 +126,18 @@ impl Answer for FoundNormal {
     fn report(&self, about: &About<'_>) -> Report {
         let vertex = &self.vertex;
         let (number, count, place) = (vertex.vertex, self.vertices, triple(vertex.position));
-        let mut report = Report::new(format!("{}: vertex {number} of {count}, at {place}", about.name));
+        let mut report = Report::new(format!(
+            "{}: vertex {number} of {count}, at {place}",
+            about.name
+        ));
         let section = report.section("");
         section.line(format!("N = {}: {}", triple(vertex.normal), self.origin()));
         if vertex.length > 0.0 {
-            section.line(format!("Σ share·N = {}, of length {:.4}", triple(vertex.sum), vertex.length));
+            section.line(format!(
+                "Σ share·N = {}, of length {:.4}",
+                triple(vertex.sum),
+                vertex.length
+            ));
         }
         let weight = match self.unit() {
             Some("degrees") => "angle, °",
@@ -128,7 +155,16 @@ impl Answer for FoundNormal {
         let mut table = Table::new(columns);
         table.rows.extend(vertex.faces.iter().map(|face| {
             let DVec3 { x, y, z } = face.normal;
-            cells![face.face, face.share, face.weight, face.angle, triple(face.normal), x, y, z]
+            cells![
+                face.face,
+                face.share,
+                face.weight,
+                face.angle,
+                triple(face.normal),
+                x,
+                y,
+                z
+            ]
         }));
         report.section("").push(Part::Table(table));
         report

@@ -12,8 +12,8 @@ use crate::figure::short;
 use crate::illumination::attenuation_at;
 use crate::render::srgb;
 use crate::scene::{
-    Attenuation, CuedBy, DepthCueing, Encoding, FlatAt, LightKind, Overflow, Reflectance, ReflectionModel, Rgb,
-    ShadingMode, Through,
+    Attenuation, CuedBy, DepthCueing, Encoding, FlatAt, LightKind, Overflow, Reflectance,
+    ReflectionModel, Rgb, ShadingMode, Through,
 };
 use glam::DVec3;
 
@@ -97,7 +97,15 @@ pub struct Share {
 }
 
 fn line(sign: &'static str, name: impl Into<String>, value: LineValue, tone: Tone) -> FilledLine {
-    FilledLine { sign, name: name.into(), letters: "", value, tone, light: None, parts: vec![] }
+    FilledLine {
+        sign,
+        name: name.into(),
+        letters: "",
+        value,
+        tone,
+        light: None,
+        parts: vec![],
+    }
 }
 
 impl Here<'_> {
@@ -105,16 +113,28 @@ impl Here<'_> {
     pub fn filled(self) -> Vec<FilledPart> {
         let shares = self.shares();
         let mut parts = vec![FilledPart::Line(self.ambient_line())];
-        parts.extend(self.lights().map(|light| FilledPart::Line(light.line(&shares))));
+        parts.extend(
+            self.lights()
+                .map(|light| FilledPart::Line(light.line(&shares))),
+        );
         parts.push(FilledPart::Rule);
         let sum = |name: &str, letters, value| {
-            FilledPart::Line(FilledLine { letters, ..line("=", name, LineValue::sum(value), Tone::Strong) })
+            FilledPart::Line(FilledLine {
+                letters,
+                ..line("=", name, LineValue::sum(value), Tone::Strong)
+            })
         };
         if let Some(through) = self.through_line() {
-            parts.extend([sum("I reflected", "{Irefl}", self.hit.reflected), FilledPart::Line(through)]);
+            parts.extend([
+                sum("I reflected", "{Irefl}", self.hit.reflected),
+                FilledPart::Line(through),
+            ]);
         }
         if let Some(fading) = self.fading_line() {
-            parts.extend([sum("I before it fades", "{I}", self.hit.intensity), FilledPart::Line(fading)]);
+            parts.extend([
+                sum("I before it fades", "{I}", self.hit.intensity),
+                FilledPart::Line(fading),
+            ]);
             parts.push(sum("I with depth cueing", "seen", self.hit.sum));
         } else {
             parts.push(sum("I", "{I}", self.hit.sum));
@@ -124,18 +144,31 @@ impl Here<'_> {
     }
 
     fn ambient_line(self) -> FilledLine {
-        let (name, value) = if self.hit.bounced { ("one bounce", Tone::Weak) } else { ("ambient", Tone::Strong) };
+        let (name, value) = if self.hit.bounced {
+            ("one bounce", Tone::Weak)
+        } else {
+            ("ambient", Tone::Strong)
+        };
         let note = "Light that other surfaces scatter once stands in place of the constant, which would be:";
         let mut parts = Vec::from_iter(self.hit.bounced.then(|| FilledPart::Note(note.into())));
         let (name, product) = (name.to_owned(), self.ambient());
-        parts.push(FilledPart::Product { name: name.clone(), product, letters: Tone::Plain, value });
-        FilledLine { parts, ..line("", name, LineValue::sum(self.hit.ambient), Tone::Strong) }
+        parts.push(FilledPart::Product {
+            name: name.clone(),
+            product,
+            letters: Tone::Plain,
+            value,
+        });
+        FilledLine {
+            parts,
+            ..line("", name, LineValue::sum(self.hit.ambient), Tone::Strong)
+        }
     }
 
     /// What comes through the surface, mixed with what it reflects; nothing where it is opaque.
     fn through_line(self) -> Option<FilledLine> {
         let (product, through) = (self.mixture()?, self.hit.transmission?);
-        let counted = |count: u32, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+        let counted =
+            |count: u32, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
         let refracted = counted(through.refractions, "refraction");
         let words = match through.total_reflections {
             0 => refracted,
@@ -146,53 +179,92 @@ impl Here<'_> {
         let angle = to_line(normal, view).to_degrees();
         let leaves = view.dot(normal) < 0.0 && self.scene.transparency.through == Through::Solid;
         let snell = match through.t.map(|t| to_line(normal, t).to_degrees()) {
-            Some(bent) if leaves => format!("Snell: {eta:.3} · sin {angle:.2}° = sin {bent:.2}°, of T"),
+            Some(bent) if leaves => {
+                format!("Snell: {eta:.3} · sin {angle:.2}° = sin {bent:.2}°, of T")
+            }
             Some(bent) => format!("Snell: sin {angle:.2}° = {eta:.3} · sin {bent:.2}°, of T"),
             None => format!("V at {angle:.2}° to N, η = {eta:.3}: total reflection, no T"),
         };
         let (name, tone) = ("transparency".to_owned(), Tone::Of(Vector::T));
-        let table = FilledPart::Product { name: name.clone(), product, letters: tone, value: tone };
+        let table = FilledPart::Product {
+            name: name.clone(),
+            product,
+            letters: tone,
+            value: tone,
+        };
         let parts = vec![FilledPart::Note(snell), table];
-        Some(FilledLine { parts, ..line("", name, LineValue::Words(words), tone) })
+        Some(FilledLine {
+            parts,
+            ..line("", name, LineValue::Words(words), tone)
+        })
     }
 
     /// What depth cueing leaves of the intensity, and what takes the place of the rest; nothing where there is none.
     fn fading_line(self) -> Option<FilledLine> {
         let (product, s0) = (self.fading()?, self.hit.cue?.scale);
         let cueing = &self.scene.depth_cueing;
-        let DepthCueing { front, back, front_scale, back_scale, .. } = cueing;
+        let DepthCueing {
+            front,
+            back,
+            front_scale,
+            back_scale,
+            ..
+        } = cueing;
         let found = if self.fades_at_points() {
-            format!("Intensities fade where the equation is evaluated; the mean of their s0 is {s0:.3}.")
+            format!(
+                "Intensities fade where the equation is evaluated; the mean of their s0 is {s0:.3}."
+            )
         } else if cueing.by == CuedBy::Vertex && self.scene.shading.mode != ShadingMode::Exact {
             let own = cueing.scale_at(self.hit.depth);
-            format!("s0 = {s0:.3}, interpolated between the vertices; by the pixel's own depth {own:.3}.")
+            format!(
+                "s0 = {s0:.3}, interpolated between the vertices; by the pixel's own depth {own:.3}."
+            )
         } else {
-            format!("s0 is {front_scale:.2} at {front:.2} and {back_scale:.2} at {back:.2}: here {s0:.3}.")
+            format!(
+                "s0 is {front_scale:.2} at {front:.2} and {back_scale:.2} at {back:.2}: here {s0:.3}."
+            )
         };
         let name = "depth cueing".to_owned();
-        let table = FilledPart::Product { name: name.clone(), product, letters: Tone::Plain, value: Tone::Strong };
+        let table = FilledPart::Product {
+            name: name.clone(),
+            product,
+            letters: Tone::Plain,
+            value: Tone::Strong,
+        };
         let words = format!("{:.1} % left at depth {:.3}", 100.0 * s0, self.hit.depth);
         let parts = vec![FilledPart::Note(found), table];
-        Some(FilledLine { parts, ..line("", name, LineValue::Words(words), Tone::Strong) })
+        Some(FilledLine {
+            parts,
+            ..line("", name, LineValue::Words(words), Tone::Strong)
+        })
     }
 
     /// From the sum to the stored pixel: what is above 1, the encoding, the rounding.
     fn stored_lines(self) -> Vec<FilledPart> {
         let (hit, display) = (self.hit, &self.scene.display);
-        let step = |name: &str, value: LineValue| FilledPart::Line(line("", name, value, Tone::Plain));
+        let step =
+            |name: &str, value: LineValue| FilledPart::Line(line("", name, value, Tone::Plain));
         let (mut parts, mut shown) = (Vec::new(), Some(hit.sum.max(Rgb::ZERO)));
         match display.overflow {
             Overflow::Clamp if hit.sum.max_element() > 1.0 => {
                 shown = shown.map(|sum| sum.min(Rgb::ONE));
-                parts.push(step("clamped to 1", LineValue::sum(shown.unwrap_or_default())));
+                parts.push(step(
+                    "clamped to 1",
+                    LineValue::sum(shown.unwrap_or_default()),
+                ));
             }
             Overflow::Mark if hit.sum.max_element() > 1.0 => {
                 shown = None;
-                parts.push(FilledPart::Note("Above 1: hatched in black and white.".into()));
+                parts.push(FilledPart::Note(
+                    "Above 1: hatched in black and white.".into(),
+                ));
             }
             Overflow::Scale if hit.divisor > 1.0 => {
                 shown = shown.map(|sum| sum / hit.divisor);
-                let note = format!("Divided by {:.3}, the picture's greatest value:", hit.divisor);
+                let note = format!(
+                    "Divided by {:.3}, the picture's greatest value:",
+                    hit.divisor
+                );
                 let scaled = step("scaled", LineValue::sum(shown.unwrap_or_default()));
                 parts.extend([FilledPart::Note(note), scaled]);
             }
@@ -203,7 +275,9 @@ impl Here<'_> {
                 encoded = Rgb::from_array(encoded.to_array().map(srgb));
                 parts.push(step("sRGB", LineValue::sum(encoded)));
             }
-            let codes = encoded.to_array().map(|value| format!("{:.1}", 255.0 * value));
+            let codes = encoded
+                .to_array()
+                .map(|value| format!("{:.1}", 255.0 * value));
             parts.push(step("× 255", LineValue::Channels(codes)));
         }
         let stored = LineValue::Channels(hit.stored.map(|code| code.to_string()));
@@ -215,19 +289,37 @@ impl Here<'_> {
     pub fn shares(self) -> Vec<Share> {
         let (hit, kt) = (self.hit, self.scene.transparency.kt);
         // What fades at vertices has no s0 of its own for each term: all have that of their sum.
-        let left = hit.cue.map_or(1.0, |cue| luminance(cue.kept) / luminance(hit.intensity).max(f64::MIN_POSITIVE));
-        let opaque = left * if hit.transmission.is_some() { 1.0 - kt } else { 1.0 };
+        let left = hit.cue.map_or(1.0, |cue| {
+            luminance(cue.kept) / luminance(hit.intensity).max(f64::MIN_POSITIVE)
+        });
+        let opaque = left
+            * if hit.transmission.is_some() {
+                1.0 - kt
+            } else {
+                1.0
+            };
         let part = |name: &str, number: &str, tone, weight: f64| {
             let short = format!("{}{}", &name[..1], number.trim());
-            Share { name: format!("{name}{number}"), short, tone, weight }
+            Share {
+                name: format!("{name}{number}"),
+                short,
+                tone,
+                weight,
+            }
         };
-        let term = |name, number: &str, tone, value| part(name, number, tone, (opaque * luminance(value)).max(0.0));
+        let term = |name, number: &str, tone, value| {
+            part(name, number, tone, (opaque * luminance(value)).max(0.0))
+        };
         let mut parts = vec![term("ambient", "", Tone::Plain, hit.ambient)];
         if hit.bounced {
             "one bounce".clone_into(&mut parts[0].name);
         }
         for (index, light) in hit.lights.iter().enumerate() {
-            let number = if hit.lights.len() > 1 { format!(" {}", index + 1) } else { String::new() };
+            let number = if hit.lights.len() > 1 {
+                format!(" {}", index + 1)
+            } else {
+                String::new()
+            };
             parts.push(term("diffuse", &number, Tone::Of(Vector::L), light.diffuse));
             parts.push(term(
                 "specular",
@@ -236,9 +328,14 @@ impl Here<'_> {
                 light.specular,
             ));
         }
-        let through = hit.transmission.map(|through| left * kt * luminance(through.seen));
+        let through = hit
+            .transmission
+            .map(|through| left * kt * luminance(through.seen));
         parts.extend(through.map(|weight| part("through", "", Tone::Of(Vector::T), weight)));
-        parts.extend(hit.cue.map(|cue| part("fog", "", Tone::Weak, luminance(cue.veil))));
+        parts.extend(
+            hit.cue
+                .map(|cue| part("fog", "", Tone::Weak, luminance(cue.veil))),
+        );
         parts
     }
 
@@ -271,15 +368,29 @@ impl LightHere<'_> {
     fn line(self, shares: &[Share]) -> FilledLine {
         let (terms, name) = (self.terms, self.source.name.trim());
         let number = self.index + 1;
-        let name = if name.is_empty() { format!("light {number}") } else { format!("{number} {name}") };
-        let silent = terms.why_nothing_in_short().map(|why| LineValue::Words(why.into()));
-        let tone = if silent.is_some() { Tone::Weak } else { Tone::Strong };
+        let name = if name.is_empty() {
+            format!("light {number}")
+        } else {
+            format!("{number} {name}")
+        };
+        let silent = terms
+            .why_nothing_in_short()
+            .map(|why| LineValue::Words(why.into()));
+        let tone = if silent.is_some() {
+            Tone::Weak
+        } else {
+            Tone::Strong
+        };
         let value = silent.unwrap_or_else(|| LineValue::sum(terms.diffuse + terms.specular));
         let parts = match terms.why_nothing() {
             Some(why) => vec![FilledPart::Note(format!("It adds nothing: {why}."))],
             None => self.parts(shares),
         };
-        FilledLine { light: Some(self.index), parts, ..line("+", name, value, tone) }
+        FilledLine {
+            light: Some(self.index),
+            parts,
+            ..line("+", name, value, tone)
+        }
     }
 
     fn parts(self, shares: &[Share]) -> Vec<FilledPart> {
@@ -287,9 +398,13 @@ impl LightHere<'_> {
         let whole: f64 = shares.iter().map(|share| share.weight).sum();
         let one = self.is_one_product();
         if one {
-            parts.extend(self.attenuates().then(|| FilledPart::Formula(self.attenuation_formula())));
+            parts.extend(
+                self.attenuates()
+                    .then(|| FilledPart::Formula(self.attenuation_formula())),
+            );
             let spot = || format!("{{spot}}{}, the spot's part", result(terms.spot));
-            parts.extend((self.source.kind == LightKind::Spot).then(|| FilledPart::Formula(spot())));
+            parts
+                .extend((self.source.kind == LightKind::Spot).then(|| FilledPart::Formula(spot())));
         } else {
             let points = format!("{} points of the light", self.source.samples);
             let points = (self.source.kind == LightKind::Area).then_some(points.as_str());
@@ -297,7 +412,13 @@ impl LightHere<'_> {
             parts.push(FilledPart::Evaluated(over.join(" and ")));
         }
         let told_by_cosine = terms.specular_zero == ZeroCause::MissesViewer.into();
-        let diffuse = ("diffuse", Tone::Of(Vector::L), terms.why_no_diffuse(), self.facing_formula(), self.diffuse());
+        let diffuse = (
+            "diffuse",
+            Tone::Of(Vector::L),
+            terms.why_no_diffuse(),
+            self.facing_formula(),
+            self.diffuse(),
+        );
         let specular = (
             "specular",
             Tone::Of(specular_vector(self.here.scene.reflection.model)),
@@ -306,14 +427,27 @@ impl LightHere<'_> {
             self.specular(),
         );
         let own = shares.iter().skip(1 + 2 * self.index);
-        for ((name, tone, zero, formula, product), share) in [diffuse, specular].into_iter().zip(own) {
-            parts.push(FilledPart::Heading { name, tone, share: percent(share.weight, whole) });
-            parts.extend((one && (zero.is_none() || told_by_cosine)).then_some(FilledPart::Formula(formula)));
+        for ((name, tone, zero, formula, product), share) in
+            [diffuse, specular].into_iter().zip(own)
+        {
+            parts.push(FilledPart::Heading {
+                name,
+                tone,
+                share: percent(share.weight, whole),
+            });
+            parts.extend(
+                (one && (zero.is_none() || told_by_cosine)).then_some(FilledPart::Formula(formula)),
+            );
             parts.push(match zero {
                 Some(why) => FilledPart::Note(format!("{name} adds nothing: {why}.")),
                 None => {
                     let name = format!("{name} {}", self.index + 1);
-                    FilledPart::Product { name, product, letters: tone, value: tone }
+                    FilledPart::Product {
+                        name,
+                        product,
+                        letters: tone,
+                        value: tone,
+                    }
                 }
             });
         }
@@ -327,12 +461,23 @@ impl LightHere<'_> {
             let [x, y, z] = v.to_array().map(|part| minus(&format!("{part:.3}")));
             format!("({x}, {y}, {z})")
         };
-        let mut values: Vec<_> =
-            vectors.filter_map(|(vector, _, v)| Some((vector?.letter(), coordinates(v)))).collect();
+        let mut values: Vec<_> = vectors
+            .filter_map(|(vector, _, v)| Some((vector?.letter(), coordinates(v))))
+            .collect();
         values.push(("n", exponent(self.here.scene.material.n)));
         if self.attenuates() {
-            let what = if self.source.attenuation == Attenuation::Viewer { "viewer" } else { "light" };
-            values.push(("f", format!("by the distance to the {what}, {:.4} world units", self.distance())));
+            let what = if self.source.attenuation == Attenuation::Viewer {
+                "viewer"
+            } else {
+                "light"
+            };
+            values.push((
+                "f",
+                format!(
+                    "by the distance to the {what}, {:.4} world units",
+                    self.distance()
+                ),
+            ));
         }
         values
     }
@@ -340,17 +485,27 @@ impl LightHere<'_> {
     /// The vectors of the light, each with what it is.
     pub fn vectors(self) -> [(Option<Vector>, &'static str, DVec3); 3] {
         let LightTerms { l, r, h, .. } = *self.terms;
-        [(Some(Vector::L), "to the light", l), (Some(Vector::R), "L mirrored", r), (Some(Vector::H), "half-way", h)]
+        [
+            (Some(Vector::L), "to the light", l),
+            (Some(Vector::R), "L mirrored", r),
+            (Some(Vector::H), "half-way", h),
+        ]
     }
 
     /// The angles and the factors that come from them: names and values.
     pub fn angles(self) -> Vec<(&'static str, String)> {
         let (scene, hit, terms) = (self.here.scene, self.here.hit, self.terms);
-        let (material, phong) = (&scene.material, scene.reflection.model == ReflectionModel::Phong);
+        let (material, phong) = (
+            &scene.material,
+            scene.reflection.model == ReflectionModel::Phong,
+        );
         let degrees = |angle: f64| format!("{:.2}°", angle.to_degrees());
         let mut rows = vec![
             ("θ, N to L", degrees(terms.theta)),
-            (if phong { "φ, R to V" } else { "φ, N to H" }, degrees(terms.phi)),
+            (
+                if phong { "φ, R to V" } else { "φ, N to H" },
+                degrees(terms.phi),
+            ),
             ("N·L", minus(&format!("{:.4}", terms.n_dot_l))),
             ("f", digits(terms.attenuation)),
         ];
@@ -363,7 +518,10 @@ impl LightHere<'_> {
             rows.push(("s", digits(terms.spot)));
         }
         if material.reflectance != Reflectance::Constant {
-            rows.push((if phong { "W, L to N" } else { "W, L to H" }, degrees(terms.incidence)));
+            rows.push((
+                if phong { "W, L to N" } else { "W, L to H" },
+                degrees(terms.incidence),
+            ));
         }
         if let Some(t) = hit.transmission.and_then(|through| through.t) {
             rows.push(("θt, T to −N", degrees(to_line(hit.normal, t))));
@@ -372,7 +530,14 @@ impl LightHere<'_> {
         if let Some(why) = terms.why_nothing_in_short() {
             rows.push(("light", why.to_owned()));
         } else if scene.shading.shadows {
-            rows.push(("light", if hidden > 0.0 { format!("{hidden:.1} % in shadow") } else { "in light".into() }));
+            rows.push((
+                "light",
+                if hidden > 0.0 {
+                    format!("{hidden:.1} % in shadow")
+                } else {
+                    "in light".into()
+                },
+            ));
         }
         rows
     }
@@ -380,7 +545,11 @@ impl LightHere<'_> {
     /// The distance that f counts, world units.
     fn distance(self) -> f64 {
         let by_viewer = self.source.attenuation == Attenuation::Viewer;
-        let from = if by_viewer { self.here.scene.camera.eye } else { self.source.position };
+        let from = if by_viewer {
+            self.here.scene.camera.eye
+        } else {
+            self.source.position
+        };
         (from - self.here.hit.position).length()
     }
 
@@ -388,7 +557,9 @@ impl LightHere<'_> {
     fn attenuation_formula(self) -> String {
         let (light, d) = (self.source, self.distance());
         let formula = match light.attenuation {
-            Attenuation::Viewer | Attenuation::Light => format!(" = 1/(r + k) = 1/({d:.2} + {:.2})", light.k),
+            Attenuation::Viewer | Attenuation::Light => {
+                format!(" = 1/(r + k) = 1/({d:.2} + {:.2})", light.k)
+            }
             Attenuation::InverseSquare => format!(" = 1/d² = 1/{d:.2}²"),
             Attenuation::Quadratic if attenuation_at(light, Attenuation::Quadratic, d) < 1.0 => {
                 let [c1, c2, c3] = [light.c1, light.c2, light.c3].map(short);
@@ -405,19 +576,37 @@ impl LightHere<'_> {
         let sign = if self.turned() { "−" } else { "" };
         // The length of N in front of the cosine, where it is not 1.
         let length = self.here.hit.normal.length();
-        let length = if (length - 1.0).abs() > UNIT { format!("{length:.3} ") } else { String::new() };
-        format!("{sign}{{N}}·{{L}} = {sign}{length}cos {theta:.2}°{}", result(self.facing()))
+        let length = if (length - 1.0).abs() > UNIT {
+            format!("{length:.3} ")
+        } else {
+            String::new()
+        };
+        format!(
+            "{sign}{{N}}·{{L}} = {sign}{length}cos {theta:.2}°{}",
+            result(self.facing())
+        )
     }
 
     /// S from the cosine of φ.
     fn lobe_formula(self) -> String {
         let model = self.here.scene.reflection.model;
         if model == ReflectionModel::CookTorrance {
-            return format!("{{S}} = π {{D}}{{G}} / (4 {{N}}·{{V}}){}", result(self.lobe()));
+            return format!(
+                "{{S}} = π {{D}}{{G}} / (4 {{N}}·{{V}}){}",
+                result(self.lobe())
+            );
         }
-        let (letters, cosine, n) = (self.lobe_letters(), self.lobe_cosine(), exponent(self.here.scene.material.n));
+        let (letters, cosine, n) = (
+            self.lobe_letters(),
+            self.lobe_cosine(),
+            exponent(self.here.scene.material.n),
+        );
         if cosine <= 0.0 {
-            let vector = if model == ReflectionModel::Phong { "R" } else { "H" };
+            let vector = if model == ReflectionModel::Phong {
+                "R"
+            } else {
+                "H"
+            };
             return format!("{letters} = 0: {vector} points away");
         }
         // Neither the cosine of a small φ nor a high power of it can be read from four digits; the angle can.
@@ -461,7 +650,13 @@ fn to_line(normal: DVec3, vector: DVec3) -> f64 {
 /// What `part` is of the whole, in words; nothing where there is no light.
 pub fn percent(part: f64, whole: f64) -> Option<String> {
     let share = 100.0 * part / whole;
-    (whole > 0.0).then(|| if share > 0.0 && share < 0.1 { "< 0.1 %".into() } else { format!("{share:.1} %") })
+    (whole > 0.0).then(|| {
+        if share > 0.0 && share < 0.1 {
+            "< 0.1 %".into()
+        } else {
+            format!("{share:.1} %")
+        }
+    })
 }
 
 /// A number with four digits behind the point, fewer where it is large; very small and very large ones with a power of ten.
@@ -480,9 +675,23 @@ pub fn digits_below(values: Rgb) -> [String; 3] {
     let short = (2..=4).find(|decimals| values.iter().all(|value| is_short(value, *decimals)));
     let count = short.map_or_else(
         || {
-            let needed = |value: &f64| decimals(*value, if (SMALL..0.1).contains(&value.abs()) { 4 } else { 3 });
+            let needed = |value: &f64| {
+                decimals(
+                    *value,
+                    if (SMALL..0.1).contains(&value.abs()) {
+                        4
+                    } else {
+                        3
+                    },
+                )
+            };
             let room = |value: &f64| decimals(*value, 4);
-            values.iter().map(needed).max().min(values.iter().map(room).min()).unwrap_or(4)
+            values
+                .iter()
+                .map(needed)
+                .max()
+                .min(values.iter().map(room).min())
+                .unwrap_or(4)
         },
         |decimals| decimals as usize,
     );
@@ -492,7 +701,11 @@ pub fn digits_below(values: Rgb) -> [String; 3] {
 /// Three numbers as text; one where they are equal.
 fn triple(values: Rgb) -> String {
     let [red, green, blue] = digits_below(values);
-    if red == green && green == blue { red } else { format!("{red} red, {green} green, {blue} blue") }
+    if red == green && green == blue {
+        red
+    } else {
+        format!("{red} red, {green} green, {blue} blue")
+    }
 }
 
 /// Decimals behind the point of a number, `most` for one below 10.

@@ -21,14 +21,29 @@ pub type Letters = (String, Tone, bool);
 
 /// The equation with the factors that a scene has, in the parts that stay on one line.
 pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
-    let Scene { material, reflection, lights, .. } = scene;
+    let Scene {
+        material,
+        reflection,
+        lights,
+        ..
+    } = scene;
     let letters = |formula: &str, tone: Tone, absent: bool| (formula.to_owned(), tone, absent);
     let plain = |formula: &str, absent: bool| letters(formula, Tone::Plain, absent);
     let (dark, sky) = (lights.is_empty(), Tone::Of(Vector::T));
     let no_ambient = material.ka == Rgb::ZERO || scene.ambient.color == Rgb::ZERO;
-    let steady = lights.iter().all(|light| light.attenuation == Attenuation::None);
-    let os = if material.specular_color == Rgb::ONE { "" } else { "{Os}" };
-    let w = if material.reflectance == Reflectance::Constant { "" } else { " {W}(θ) " };
+    let steady = lights
+        .iter()
+        .all(|light| light.attenuation == Attenuation::None);
+    let os = if material.specular_color == Rgb::ONE {
+        ""
+    } else {
+        "{Os}"
+    };
+    let w = if material.reflectance == Reflectance::Constant {
+        ""
+    } else {
+        " {W}(θ) "
+    };
     let lobe = match reflection.model {
         ReflectionModel::Phong => "({R}·{V}){n}]",
         ReflectionModel::Blinn => "({N}·{H}){n}]",
@@ -41,9 +56,21 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
     let transparent = scene.transparency.kt > 0.0;
     let opaque = letters(if transparent { "(1 − {Kt}) ( " } else { "" }, sky, false);
     let mut parts = vec![
-        vec![letters("{I} = ", Tone::Strong, false), opaque, plain("{Ka}{Od}{Ia}", no_ambient)],
-        vec![plain(" + {Σ}", dark), plain("{f}", steady), plain("{Ip} [", dark)],
-        vec![letters("{Kd}{Od}({N}·{L})", Tone::Of(Vector::L), dark || material.kd == Rgb::ZERO)],
+        vec![
+            letters("{I} = ", Tone::Strong, false),
+            opaque,
+            plain("{Ka}{Od}{Ia}", no_ambient),
+        ],
+        vec![
+            plain(" + {Σ}", dark),
+            plain("{f}", steady),
+            plain("{Ip} [", dark),
+        ],
+        vec![letters(
+            "{Kd}{Od}({N}·{L})",
+            Tone::Of(Vector::L),
+            dark || material.kd == Rgb::ZERO,
+        )],
         specular(&format!(" + {{Ks}}{os}{w}{lobe}")),
     ];
     if reflection.model == ReflectionModel::CookTorrance {
@@ -60,9 +87,15 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
 
 /// A formula as plain text, with a dot between letters that stand side by side.
 pub fn plain_formula(formula: &str) -> String {
-    let text =
-        formula.replace("{Σ}", "Σ ").replace("}{n}", "}^n").replace("){n}", ")^n").replace("{^", "^").replace("{=", "");
-    text.replace("}{", "}·{").replace("}(", "}·(").replace(['{', '}'], "")
+    let text = formula
+        .replace("{Σ}", "Σ ")
+        .replace("}{n}", "}^n")
+        .replace("){n}", ")^n")
+        .replace("{^", "^")
+        .replace("{=", "");
+    text.replace("}{", "}·{")
+        .replace("}(", "}·(")
+        .replace(['{', '}'], "")
 }
 
 /// The law by which a light weakens, with its constants in it.
@@ -70,7 +103,9 @@ pub fn attenuation_law(light: &Light) -> String {
     let [k, c1, c2, c3] = [light.k, light.c1, light.c2, light.c3].map(short);
     match light.attenuation {
         Attenuation::Viewer => format!("f = 1/(r + k), k = {k}, r from the viewer"),
-        _ if !light.kind.has_position() => "f = 1: a directional light is equally far from everything".into(),
+        _ if !light.kind.has_position() => {
+            "f = 1: a directional light is equally far from everything".into()
+        }
         Attenuation::None => "f = 1: this light does not weaken".into(),
         Attenuation::Light => format!("f = 1/(r + k), k = {k}, r from the light"),
         Attenuation::InverseSquare => "f = 1/d²".into(),
@@ -80,7 +115,11 @@ pub fn attenuation_law(light: &Light) -> String {
 
 /// The vector whose colour the specular term has.
 pub fn specular_vector(model: ReflectionModel) -> Vector {
-    if model == ReflectionModel::Blinn { Vector::H } else { Vector::R }
+    if model == ReflectionModel::Blinn {
+        Vector::H
+    } else {
+        Vector::R
+    }
 }
 
 /// n, a whole one without decimals.

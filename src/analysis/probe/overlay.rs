@@ -41,33 +41,58 @@ pub struct Overlay {
 /// Draws the overlay of `probe` on `pixmap`, which holds a picture of `scene` or nothing yet. The camera is fitted to the
 /// pixmap's size, so a picture may be drawn larger or smaller than the scene says. Where the probe met nothing only the
 /// lights are drawn.
-pub fn draw_overlay(pixmap: &mut PixmapMut<'_>, scene: &Scene, probe: &Probe, options: &OverlayOptions) {
+pub fn draw_overlay(
+    pixmap: &mut PixmapMut<'_>,
+    scene: &Scene,
+    probe: &Probe,
+    options: &OverlayOptions,
+) {
     Overlay::new([pixmap.width(), pixmap.height()], scene, probe, options).draw(pixmap);
 }
 
 impl Overlay {
     /// Lays out the overlay of `probe` for a picture of `scene` of `size` (width, height) pixels.
     pub fn new(size: [u32; 2], scene: &Scene, probe: &Probe, options: &OverlayOptions) -> Self {
-        let picture = Area { min: DVec2::ZERO, max: DVec2::from_array(size.map(f64::from)) };
+        let picture = Area {
+            min: DVec2::ZERO,
+            max: DVec2::from_array(size.map(f64::from)),
+        };
         let side = picture.max.min_element();
         let style = Style::new(side, options);
         let view = View::new(&scene.camera, size);
-        let about = |position, length| Sketch::new(view, style, picture, position, length, UNIT_LENGTH * side);
-        let mut overlay =
-            Self { arrows: vec![], arcs: vec![], lights: vec![], labels: vec![], drawings: vec![], style };
-        let hit = probe.hit.as_ref().and_then(|hit| Some((hit, about(hit.position, options.length)?)));
+        let about = |position, length| {
+            Sketch::new(view, style, picture, position, length, UNIT_LENGTH * side)
+        };
+        let mut overlay = Self {
+            arrows: vec![],
+            arcs: vec![],
+            lights: vec![],
+            labels: vec![],
+            drawings: vec![],
+            style,
+        };
+        let hit = probe
+            .hit
+            .as_ref()
+            .and_then(|hit| Some((hit, about(hit.position, options.length)?)));
         let (equation, sketch) = match hit {
             Some((hit, sketch)) => (Some(Equation::new(hit, scene, options)), Some(sketch)),
             None => (None, about(view.unproject(view.centre, 1.0), None)),
         };
-        let Some(mut sketch) = sketch else { return overlay };
+        let Some(mut sketch) = sketch else {
+            return overlay;
+        };
         if options.layers.contains(&OverlayLayer::Lights) {
             overlay.lights = lights::draw(&mut sketch, &scene.lights, options.light);
         }
-        let mut corner = equation.as_ref().and_then(|equation| equation.side_view(picture, &sketch, options));
+        let mut corner = equation
+            .as_ref()
+            .and_then(|equation| equation.side_view(picture, &sketch, options));
         if let Some(equation) = equation {
             // Below everything else, and no obstacle to letters: the lobe fills the middle of the drawing.
-            overlay.drawings.push(style.drawing(equation.lobe(&sketch, scene, &options.layers)));
+            overlay
+                .drawings
+                .push(style.drawing(equation.lobe(&sketch, scene, &options.layers)));
             (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, true, &options.layers);
         }
         let taken: Vec<Area> = corner.iter().map(|corner| corner.pane).collect();
@@ -80,12 +105,15 @@ impl Overlay {
 
     /// Draws the overlay on a pixmap of the size for which it was laid out.
     pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
-        self.drawings.iter().for_each(|drawing| drawing.draw(pixmap));
+        self.drawings
+            .iter()
+            .for_each(|drawing| drawing.draw(pixmap));
         self.style.lettered(&self.labels).draw(pixmap);
     }
 
     fn take(&mut self, sketch: &mut Sketch, reserved: &[Area]) {
         self.labels.extend(sketch.labels(reserved));
-        self.drawings.push(self.style.drawing(std::mem::take(&mut sketch.shapes)));
+        self.drawings
+            .push(self.style.drawing(std::mem::take(&mut sketch.shapes)));
     }
 }

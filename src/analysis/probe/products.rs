@@ -7,8 +7,8 @@
 use super::{LightTerms, ProbeHit};
 use crate::illumination::Equation;
 use crate::scene::{
-    Attenuation, Backfacing, CuedBy, Light, LightKind, PatternKind, Reflectance, ReflectionModel, Rgb, Scene,
-    ShadingMode,
+    Attenuation, Backfacing, CuedBy, Light, LightKind, PatternKind, Reflectance, ReflectionModel,
+    Rgb, Scene, ShadingMode,
 };
 
 /// Some factors with their product, per channel.
@@ -25,7 +25,12 @@ pub struct TermColumn {
 
 impl TermColumn {
     fn new(factor: &'static str, values: Rgb) -> Self {
-        Self { factors: vec![factor], values, mean: false, added: false }
+        Self {
+            factors: vec![factor],
+            values,
+            mean: false,
+            added: false,
+        }
     }
 }
 
@@ -56,7 +61,10 @@ pub struct LightHere<'a> {
 impl<'a> Here<'a> {
     /// Whether the equation is evaluated at the pixel itself.
     pub fn at_pixel(self) -> bool {
-        matches!(self.scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact)
+        matches!(
+            self.scene.shading.mode,
+            ShadingMode::Phong | ShadingMode::Exact
+        )
     }
 
     /// Whether intensities fade where the equation is evaluated, which is not at the pixel.
@@ -67,7 +75,12 @@ impl<'a> Here<'a> {
     /// The lights in their order.
     pub fn lights(self) -> impl Iterator<Item = LightHere<'a>> {
         let pairs = self.scene.lights.iter().zip(&self.hit.lights).enumerate();
-        pairs.map(move |(index, (source, terms))| LightHere { here: self, index, source, terms })
+        pairs.map(move |(index, (source, terms))| LightHere {
+            here: self,
+            index,
+            source,
+            terms,
+        })
     }
 
     /// Od, where it is one colour for all evaluations.
@@ -75,7 +88,8 @@ impl<'a> Here<'a> {
         if self.scene.pattern.kind == PatternKind::None {
             Some(self.scene.material.color)
         } else {
-            self.at_pixel().then(|| Equation::<f64>::new(self.scene).pattern_color(self.hit.position))
+            self.at_pixel()
+                .then(|| Equation::<f64>::new(self.scene).pattern_color(self.hit.position))
         }
     }
 
@@ -83,10 +97,23 @@ impl<'a> Here<'a> {
     pub fn ambient(self) -> Product {
         let (ka, ia) = (self.scene.material.ka, self.scene.ambient.color);
         let known = self.od();
-        let od = TermColumn::new("{Od}", known.unwrap_or_else(|| quotient(self.hit.ambient, ka * ia)));
-        let od = TermColumn { mean: known.is_none(), ..od };
-        let value = if self.hit.bounced { ka * od.values * ia } else { self.hit.ambient };
-        Product { columns: vec![TermColumn::new("{Ka}", ka), od, TermColumn::new("{Ia}", ia)], value }
+        let od = TermColumn::new(
+            "{Od}",
+            known.unwrap_or_else(|| quotient(self.hit.ambient, ka * ia)),
+        );
+        let od = TermColumn {
+            mean: known.is_none(),
+            ..od
+        };
+        let value = if self.hit.bounced {
+            ka * od.values * ia
+        } else {
+            self.hit.ambient
+        };
+        Product {
+            columns: vec![TermColumn::new("{Ka}", ka), od, TermColumn::new("{Ia}", ia)],
+            value,
+        }
     }
 
     /// `(1 − Kt)·Irefl + Kt·Itrans`, where light comes through the surface.
@@ -95,23 +122,43 @@ impl<'a> Here<'a> {
         let columns = vec![
             TermColumn::new("(1 − {Kt})", Rgb::splat(1.0 - kt)),
             TermColumn::new("{Irefl}", self.hit.reflected),
-            TermColumn { added: true, ..TermColumn::new("{Kt}", Rgb::splat(kt)) },
+            TermColumn {
+                added: true,
+                ..TermColumn::new("{Kt}", Rgb::splat(kt))
+            },
             TermColumn::new("{Itrans}", through.seen),
         ];
-        Some(Product { columns, value: self.hit.intensity })
+        Some(Product {
+            columns,
+            value: self.hit.intensity,
+        })
     }
 
     /// `s0·I + (1 − s0)·Idc`, where the depth is cued.
     pub fn fading(self) -> Option<Product> {
         let (cue, intensity, mean) = (self.hit.cue?, self.hit.intensity, self.fades_at_points());
-        let kept = if mean { quotient(cue.kept, intensity) } else { Rgb::splat(cue.scale) };
+        let kept = if mean {
+            quotient(cue.kept, intensity)
+        } else {
+            Rgb::splat(cue.scale)
+        };
         let columns = vec![
-            TermColumn { mean, ..TermColumn::new("{s0}", kept) },
+            TermColumn {
+                mean,
+                ..TermColumn::new("{s0}", kept)
+            },
             TermColumn::new("{I}", intensity),
-            TermColumn { mean, added: true, ..TermColumn::new("(1 − {s0})", Rgb::splat(1.0 - cue.scale)) },
+            TermColumn {
+                mean,
+                added: true,
+                ..TermColumn::new("(1 − {s0})", Rgb::splat(1.0 - cue.scale))
+            },
             TermColumn::new("{Idc}", self.scene.depth_cueing.color),
         ];
-        Some(Product { columns, value: self.hit.sum })
+        Some(Product {
+            columns,
+            value: self.hit.sum,
+        })
     }
 }
 
@@ -126,7 +173,9 @@ impl LightHere<'_> {
         match self.source.attenuation {
             Attenuation::None => false,
             Attenuation::Viewer => true,
-            Attenuation::Light | Attenuation::InverseSquare | Attenuation::Quadratic => self.source.kind.has_position(),
+            Attenuation::Light | Attenuation::InverseSquare | Attenuation::Quadratic => {
+                self.source.kind.has_position()
+            }
         }
     }
 
@@ -156,16 +205,27 @@ impl LightHere<'_> {
     fn strength(self) -> (Vec<&'static str>, f64) {
         let factors = [
             (self.attenuates(), "{f}", self.terms.attenuation),
-            (self.source.kind == LightKind::Spot, "{spot}", self.terms.spot),
+            (
+                self.source.kind == LightKind::Spot,
+                "{spot}",
+                self.terms.spot,
+            ),
             (self.terms.reached < 1.0, "{lit}", self.terms.reached),
         ];
         let present = || factors.iter().filter(|(present, ..)| *present);
-        (present().map(|(_, letters, _)| *letters).collect(), present().map(|(.., value)| value).product())
+        (
+            present().map(|(_, letters, _)| *letters).collect(),
+            present().map(|(.., value)| value).product(),
+        )
     }
 
     /// `f·Ip·Kd·Od·(N·L)`.
     pub fn diffuse(self) -> Product {
-        let (ip, kd, value) = (self.source.color, self.here.scene.material.kd, self.terms.diffuse);
+        let (ip, kd, value) = (
+            self.source.color,
+            self.here.scene.material.kd,
+            self.terms.diffuse,
+        );
         let (mut factors, strength) = self.strength();
         factors.push("({N}·{L})");
         let mut columns = vec![TermColumn::new("{Ip}", ip), TermColumn::new("{Kd}", kd)];
@@ -182,7 +242,12 @@ impl LightHere<'_> {
             (false, Some(_)) => Rgb::splat(common(value, known)),
             (false, None) => quotient(value, known),
         };
-        columns.push(TermColumn { factors, values, mean: !self.is_one_product(), added: false });
+        columns.push(TermColumn {
+            factors,
+            values,
+            mean: !self.is_one_product(),
+            added: false,
+        });
         Product { columns, value }
     }
 
@@ -212,14 +277,20 @@ impl LightHere<'_> {
         } else {
             Rgb::splat(common(value, known))
         };
-        columns.push(TermColumn { factors, values, mean: !self.is_one_product(), added: false });
+        columns.push(TermColumn {
+            factors,
+            values,
+            mean: !self.is_one_product(),
+            added: false,
+        });
         Product { columns, value }
     }
 
     /// S, where the terms are products at the pixel.
     pub fn lobe(self) -> f64 {
         let material = &self.here.scene.material;
-        let known = self.source.color * material.ks * material.specular_color * self.terms.reflectance;
+        let known =
+            self.source.color * material.ks * material.specular_color * self.terms.reflectance;
         common(self.terms.specular, known * self.strength().1)
     }
 
@@ -236,11 +307,23 @@ impl LightHere<'_> {
 
 /// What each channel of `product` has besides `factors`; 0 where those are 0.
 fn quotient(product: Rgb, factors: Rgb) -> Rgb {
-    Rgb::from_array([0, 1, 2].map(|c| if factors[c] > 0.0 { product[c] / factors[c] } else { 0.0 }))
+    Rgb::from_array([0, 1, 2].map(|c| {
+        if factors[c] > 0.0 {
+            product[c] / factors[c]
+        } else {
+            0.0
+        }
+    }))
 }
 
 /// What all channels of `product` have besides `factors`, from the channel that has it most precisely; 0 where none has.
 fn common(product: Rgb, factors: Rgb) -> f64 {
-    let best = (0..3).max_by(|&a, &b| factors[a].total_cmp(&factors[b])).unwrap_or(0);
-    if factors[best] > 0.0 { product[best] / factors[best] } else { 0.0 }
+    let best = (0..3)
+        .max_by(|&a, &b| factors[a].total_cmp(&factors[b]))
+        .unwrap_or(0);
+    if factors[best] > 0.0 {
+        product[best] / factors[best]
+    } else {
+        0.0
+    }
 }

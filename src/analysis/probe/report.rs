@@ -6,7 +6,8 @@ use super::products::{Here, LightHere, Product};
 use super::{CueTerms, Probe, ProbeHit, probe};
 use crate::analysis::report::{About, Answer, Cell, Column, Report, Section, Table};
 use crate::analysis::{
-    Part, Question, REFERENCE_SAMPLES, SamplingError, Subject, Watch, cells, sampling_error_with, word,
+    Part, Question, REFERENCE_SAMPLES, SamplingError, Subject, Watch, cells, sampling_error_with,
+    word,
 };
 use crate::figure::palette::Vector;
 use glam::DVec3;
@@ -34,8 +35,14 @@ impl Question for ProbeQuestion {
     fn answer(&self, subject: &Subject, _: &dyn Watch<Probed>) -> Result<Probed, String> {
         let (mut renderer, [x, y]) = (subject.renderer(), self.pixel);
         let probe = probe(&mut renderer, &subject.scene, x, y);
-        let lights = if probe.hit.is_some() { subject.scene.lights.len() } else { 0 };
-        let sampling = (0..lights).map(|light| sampling_error_with(&mut renderer, &subject.scene, light)).collect();
+        let lights = if probe.hit.is_some() {
+            subject.scene.lights.len()
+        } else {
+            0
+        };
+        let sampling = (0..lights)
+            .map(|light| sampling_error_with(&mut renderer, &subject.scene, light))
+            .collect();
         Ok(Probed { probe, sampling })
     }
 }
@@ -46,48 +53,81 @@ pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 impl Answer for Probed {
     fn report(&self, about: &About<'_>) -> Report {
         let (scene, [x, y]) = (about.scene, self.probe.pixel);
-        let Some(hit) = &self.probe.hit else { return Report::new(format!("pixel ({x}, {y}) shows the background")) };
-        let face = hit.face.map(|face| format!(", face {face}")).unwrap_or_default();
-        let mut report = Report::new(format!("pixel ({x}, {y}){face}, depth {}", number(hit.depth)));
+        let Some(hit) = &self.probe.hit else {
+            return Report::new(format!("pixel ({x}, {y}) shows the background"));
+        };
+        let face = hit
+            .face
+            .map(|face| format!(", face {face}"))
+            .unwrap_or_default();
+        let mut report = Report::new(format!(
+            "pixel ({x}, {y}){face}, depth {}",
+            number(hit.depth)
+        ));
         let here = Here { scene, hit };
         vectors(report.section(""), &here.vectors());
-        let letters: String = equation_letters(scene).into_iter().flatten().map(|(formula, ..)| formula).collect();
+        let letters: String = equation_letters(scene)
+            .into_iter()
+            .flatten()
+            .map(|(formula, ..)| formula)
+            .collect();
         let section = report.section("").line(plain_formula(&letters));
         if let Some(places) = here.places() {
-            section.note(format!("evaluated at {places}; the vectors are those at the pixel"));
+            section.note(format!(
+                "evaluated at {places}; the vectors are those at the pixel"
+            ));
         }
         let mut flat = Section::default();
         for part in here.filled() {
             match part {
                 FilledPart::Line(line) if !line.parts.is_empty() => {
                     let light = line.light.and_then(|index| here.lights().nth(index));
-                    let title = light.map_or_else(|| format!("{}: {}", line.name, line.value.words()), light_title);
+                    let title = light.map_or_else(
+                        || format!("{}: {}", line.name, line.value.words()),
+                        light_title,
+                    );
                     let section = report.section(title);
-                    light.into_iter().for_each(|light| light_rows(section, light));
+                    light
+                        .into_iter()
+                        .for_each(|light| light_rows(section, light));
                     line.parts.into_iter().for_each(|part| say(section, part));
-                    let sampling = line.light.and_then(|index| self.sampling.get(index).copied().flatten());
+                    let sampling = line
+                        .light
+                        .and_then(|index| self.sampling.get(index).copied().flatten());
                     if let Some(SamplingError { rms, greatest }) = sampling {
                         let [rms, greatest] = [rms, greatest].map(number);
                         let errors = format!("{rms} (rms), {greatest} (greatest)");
-                        section.note(format!("  over the picture {errors} from {REFERENCE_SAMPLES} samples"));
+                        section.note(format!(
+                            "  over the picture {errors} from {REFERENCE_SAMPLES} samples"
+                        ));
                     }
                 }
                 part => say(&mut flat, part),
             }
         }
         report.sections.push(flat);
-        report.section("sum, and stored").push(Part::Table(stored(hit)));
+        report
+            .section("sum, and stored")
+            .push(Part::Table(stored(hit)));
         if let Some(fit) = self.probe.ambient_fit {
             let [r, g, b] = fit.to_array().map(number);
-            let note = format!("the constant Ia that stands best for the bounce in this picture: {r} {g} {b}");
+            let note = format!(
+                "the constant Ia that stands best for the bounce in this picture: {r} {g} {b}"
+            );
             report.section("").note(note);
         }
         report
     }
 
     fn json(&self, _: &About<'_>) -> Value {
-        let Probe { pixel, hit, ambient_fit } = &self.probe;
-        let Some(hit) = hit else { return json!({ "pixel": pixel, "hit": false }) };
+        let Probe {
+            pixel,
+            hit,
+            ambient_fit,
+        } = &self.probe;
+        let Some(hit) = hit else {
+            return json!({ "pixel": pixel, "hit": false });
+        };
         let mut object = json!(hit);
         object["pixel"] = json!(pixel);
         for (index, error) in self.sampling.iter().enumerate() {
@@ -99,7 +139,8 @@ impl Answer for Probed {
             object["ambient_fit"] = json!(fit);
         }
         if let Some(CueTerms { scale, kept, veil }) = &hit.cue {
-            object["depth_cue"] = json!({ "intensity": hit.intensity, "s0": scale, "kept": kept, "veil": veil });
+            object["depth_cue"] =
+                json!({ "intensity": hit.intensity, "s0": scale, "kept": kept, "veil": veil });
         }
         object
     }
@@ -107,8 +148,17 @@ impl Answer for Probed {
 
 fn light_title(light: LightHere<'_>) -> String {
     let source = light.source;
-    let name = if source.name.is_empty() { String::new() } else { format!(" “{}”", source.name) };
-    format!("light {}{name}, {}, {}", light.index, word(&source.kind), attenuation_law(source))
+    let name = if source.name.is_empty() {
+        String::new()
+    } else {
+        format!(" “{}”", source.name)
+    };
+    format!(
+        "light {}{name}, {}, {}",
+        light.index,
+        word(&source.kind),
+        attenuation_law(source)
+    )
 }
 
 /// The vectors and angles of a light that shines.
@@ -130,9 +180,16 @@ fn say(section: &mut Section, part: FilledPart) {
             let share = share.map(|share| format!(", {share} of the pixel's luminance"));
             section.line(format!("{name}{}", share.unwrap_or_default()));
         }
-        FilledPart::Product { product, .. } => _ = section.push(Part::Table(product_table(&product))),
+        FilledPart::Product { product, .. } => {
+            _ = section.push(Part::Table(product_table(&product)));
+        }
         FilledPart::Line(line) => {
-            _ = section.line(format!("{:1} {}: {}", line.sign, line.name, line.value.words()));
+            _ = section.line(format!(
+                "{:1} {}: {}",
+                line.sign,
+                line.name,
+                line.value.words()
+            ));
         }
         FilledPart::Rule => {}
     }
@@ -148,13 +205,24 @@ fn product_table(product: &Product) -> Table {
             (_, false) => "· ",
         };
         let mean = if column.mean { "mean of " } else { "" };
-        columns.push(Column::shown(format!("{sign}{mean}{}", plain_formula(&column.formula())), number));
+        columns.push(Column::shown(
+            format!("{sign}{mean}{}", plain_formula(&column.formula())),
+            number,
+        ));
     }
     columns.push(Column::shown("=", number));
     let mut table = Table::new(columns);
     for (c, name) in CHANNELS.into_iter().enumerate() {
-        let factors = product.columns.iter().map(|column| Cell::from(column.values[c]));
-        table.rows.push(std::iter::once(name.into()).chain(factors).chain([product.value[c].into()]).collect());
+        let factors = product
+            .columns
+            .iter()
+            .map(|column| Cell::from(column.values[c]));
+        table.rows.push(
+            std::iter::once(name.into())
+                .chain(factors)
+                .chain([product.value[c].into()])
+                .collect(),
+        );
     }
     table
 }
@@ -163,12 +231,18 @@ fn stored(hit: &ProbeHit) -> Table {
     let mut columns = vec![Column::both("channel", "", number), Column::key("ambient")];
     columns.extend(["sum", "stored"].map(|key| Column::both(key, key, number)));
     for index in 0..hit.lights.len() {
-        columns.extend(["diffuse", "specular"].map(|term| Column::key(format!("light{index}_{term}"))));
+        columns.extend(
+            ["diffuse", "specular"].map(|term| Column::key(format!("light{index}_{term}"))),
+        );
     }
     let mut table = Table::new(columns);
     for (c, name) in CHANNELS.into_iter().enumerate() {
         let mut row = cells![name, hit.ambient[c], hit.sum[c], u32::from(hit.stored[c])];
-        row.extend(hit.lights.iter().flat_map(|light| [light.diffuse[c], light.specular[c]].map(Cell::from)));
+        row.extend(
+            hit.lights
+                .iter()
+                .flat_map(|light| [light.diffuse[c], light.specular[c]].map(Cell::from)),
+        );
         table.rows.push(row);
     }
     table
@@ -178,7 +252,9 @@ fn vectors(section: &mut Section, rows: &[(Option<Vector>, &str, DVec3)]) {
     let mut table = Table::new(["", "x", "y", "z"].map(|head| Column::shown(head, number)));
     for (vector, what, v) in rows {
         let letter = vector.map_or("P", Vector::letter);
-        table.rows.push(cells![format!("{letter}  {what}"), v.x, v.y, v.z]);
+        table
+            .rows
+            .push(cells![format!("{letter}  {what}"), v.x, v.y, v.z]);
     }
     section.push(Part::Table(table));
 }

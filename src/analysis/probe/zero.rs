@@ -31,15 +31,43 @@ pub enum ZeroCause {
 /// Every cause in its order, in a word or two and in a clause; `C` stands for the term's coefficient.
 const CAUSES: [(ZeroCause, &str, &str); 10] = [
     (ZeroCause::Muted, "muted", "it is muted"),
-    (ZeroCause::NotSoloed, "another is soloed", "another light is soloed"),
+    (
+        ZeroCause::NotSoloed,
+        "another is soloed",
+        "another light is soloed",
+    ),
     (ZeroCause::Black, "black", "its Ip is 0"),
     (ZeroCause::Coefficient, "not reflected", "C is 0"),
-    (ZeroCause::NoChannel, "not reflected", "Ip and C have no channel in common"),
-    (ZeroCause::FacesAway, "behind the surface", "the light is behind the surface, N·L ≤ 0"),
-    (ZeroCause::OutsideCone, "outside its cone", "the point lies outside the light's cone"),
-    (ZeroCause::InShadow, "in shadow", "something stands before the light"),
-    (ZeroCause::MissesViewer, "not to the viewer", "the highlight points away from the viewer"),
-    (ZeroCause::TooFaint, "too faint", "it is too faint to differ from 0"),
+    (
+        ZeroCause::NoChannel,
+        "not reflected",
+        "Ip and C have no channel in common",
+    ),
+    (
+        ZeroCause::FacesAway,
+        "behind the surface",
+        "the light is behind the surface, N·L ≤ 0",
+    ),
+    (
+        ZeroCause::OutsideCone,
+        "outside its cone",
+        "the point lies outside the light's cone",
+    ),
+    (
+        ZeroCause::InShadow,
+        "in shadow",
+        "something stands before the light",
+    ),
+    (
+        ZeroCause::MissesViewer,
+        "not to the viewer",
+        "the highlight points away from the viewer",
+    ),
+    (
+        ZeroCause::TooFaint,
+        "too faint",
+        "it is too faint to differ from 0",
+    ),
 ];
 
 /// Causes in their order: none where a term adds something, one that holds at all places where the equation is evaluated
@@ -71,7 +99,9 @@ impl ZeroCauses {
     }
 
     fn described(self) -> impl Iterator<Item = (ZeroCause, &'static str, &'static str)> {
-        CAUSES.into_iter().filter(move |(cause, ..)| self.0 & Self::from(*cause).0 != 0)
+        CAUSES
+            .into_iter()
+            .filter(move |(cause, ..)| self.0 & Self::from(*cause).0 != 0)
     }
 
     /// The first in a word or two.
@@ -81,7 +111,10 @@ impl ZeroCauses {
 
     /// In a clause, for a term whose coefficient is called `coefficient`; nothing where there are none.
     pub(super) fn clauses(self, coefficient: &str) -> Option<String> {
-        let clauses: Vec<_> = self.described().map(|(.., clause)| clause.replace('C', coefficient)).collect();
+        let clauses: Vec<_> = self
+            .described()
+            .map(|(.., clause)| clause.replace('C', coefficient))
+            .collect();
         match &clauses[..] {
             [] => None,
             [clause] => Some(clause.clone()),
@@ -124,8 +157,17 @@ pub(super) fn zero_causes(
     for site in evaluation.points.iter().filter(|site| site.weight != 0.0) {
         let mut kept = shining.sources_of(light);
         for index in all.sources_of(light) {
-            let in_shadow = kept.next().zip(site.reached).is_some_and(|(kept, reached)| !reached.holds(kept));
-            let here = causes_at(scene, all, [light, index], (site.point, site.normal), in_shadow);
+            let in_shadow = kept
+                .next()
+                .zip(site.reached)
+                .is_some_and(|(kept, reached)| !reached.holds(kept));
+            let here = causes_at(
+                scene,
+                all,
+                [light, index],
+                (site.point, site.normal),
+                in_shadow,
+            );
             for (term, causes) in here.into_iter().enumerate() {
                 always[term].0 &= causes.0;
                 ever[term].0 |= causes.first().0;
@@ -134,9 +176,15 @@ pub(super) fn zero_causes(
     }
     let both = ZeroCauses(always[0].0 & always[1].0).first();
     [0, 1].map(|term| {
-        let shown = [both, always[term].first(), ever[term]].into_iter().find(|causes| !causes.is_empty());
+        let shown = [both, always[term].first(), ever[term]]
+            .into_iter()
+            .find(|causes| !causes.is_empty());
         let shown = shown.unwrap_or(ZeroCause::TooFaint.into());
-        if values[term] == Rgb::ZERO { shown } else { ZeroCauses::NONE }
+        if values[term] == Rgb::ZERO {
+            shown
+        } else {
+            ZeroCauses::NONE
+        }
     })
 }
 
@@ -153,7 +201,11 @@ fn causes_at(
     let source = &equation.sources[index];
     let response = equation.respond_to(source, &site);
     let pattern_color = equation.pattern_color(point);
-    let od = if scene.pattern.kind == PatternKind::None { material.color } else { pattern_color };
+    let od = if scene.pattern.kind == PatternKind::None {
+        material.color
+    } else {
+        pattern_color
+    };
     let w = equation.reflectance(response.incidence);
     let ip = scene.lights[light].color;
     let mut both = ZeroCauses::NONE;
@@ -163,17 +215,35 @@ fn causes_at(
     both.take(source.is_outside_cone(response.l), ZeroCause::OutsideCone);
     both.take(in_shadow, ZeroCause::InShadow);
     let mut specular = both;
-    specular.take(misses_the_viewer(scene, normal, response.l.into(), site.view.into()), ZeroCause::MissesViewer);
+    specular.take(
+        misses_the_viewer(scene, normal, response.l.into(), site.view.into()),
+        ZeroCause::MissesViewer,
+    );
     let highlight = Rgb::from_array(source.specular) * w * response.specular;
     let terms = [
-        (both, material.kd * od, Rgb::from_array(source.diffuse) * pattern_color * response.diffuse),
-        (specular, material.ks * material.specular_color * w, highlight),
+        (
+            both,
+            material.kd * od,
+            Rgb::from_array(source.diffuse) * pattern_color * response.diffuse,
+        ),
+        (
+            specular,
+            material.ks * material.specular_color * w,
+            highlight,
+        ),
     ];
     terms.map(|(mut causes, coefficient, value)| {
         causes.take(coefficient == Rgb::ZERO, ZeroCause::Coefficient);
-        causes.take((0..3).all(|c| ip[c] == 0.0 || coefficient[c] == 0.0), ZeroCause::NoChannel);
+        causes.take(
+            (0..3).all(|c| ip[c] == 0.0 || coefficient[c] == 0.0),
+            ZeroCause::NoChannel,
+        );
         causes.take(causes.is_empty(), ZeroCause::TooFaint);
-        if value == Rgb::ZERO || in_shadow { causes } else { ZeroCauses::NONE }
+        if value == Rgb::ZERO || in_shadow {
+            causes
+        } else {
+            ZeroCauses::NONE
+        }
     })
 }
 

@@ -64,9 +64,19 @@ impl Line {
         let ends = [from, to];
         if count == 0 {
             // Shorter than a step: its ends alone.
-            return Some(Self { ends, first: 0.0, step: 1.0, count: 2 });
+            return Some(Self {
+                ends,
+                first: 0.0,
+                step: 1.0,
+                count: 2,
+            });
         }
-        Some(Self { ends, first: (first * longer.signum() / fineness + offset - begin) / longer, step, count })
+        Some(Self {
+            ends,
+            first: (first * longer.signum() / fineness + offset - begin) / longer,
+            step,
+            count,
+        })
     }
 
     /// Length between the ends, pixels.
@@ -82,7 +92,10 @@ impl Line {
     /// t between which the picture is followed.
     #[expect(clippy::cast_precision_loss, reason = "fewer samples than 2⁵³")]
     fn span(&self) -> [f64; 2] {
-        [self.first.min(0.0), (self.first + self.step * (self.count - 1) as f64).max(1.0)]
+        [
+            self.first.min(0.0),
+            (self.first + self.step * (self.count - 1) as f64).max(1.0),
+        ]
     }
 
     /// The place at t, without a rounding at the ends.
@@ -101,7 +114,9 @@ impl Line {
     pub fn samples(&self) -> Vec<Sample> {
         let inner = self.followed().filter(|t| self.is_inner(*t));
         let all = std::iter::once(0.0).chain(inner).chain([1.0]);
-        all.map(|t| (t, self.place(t))).map(|(t, DVec2 { x, y })| Sample { x, y, t }).collect()
+        all.map(|t| (t, self.place(t)))
+            .map(|(t, DVec2 { x, y })| Sample { x, y, t })
+            .collect()
     }
 
     fn is_inner(&self, t: f64) -> bool {
@@ -115,12 +130,23 @@ impl Line {
         let between = |t: f64| {
             let at = ((t - self.first) / self.step).clamp(0.0, (self.count - 1) as f64);
             let (k, share) = (at.floor() as usize, at.fract());
-            let next = values.get(k + 1).or(values.last()).copied().unwrap_or_default();
+            let next = values
+                .get(k + 1)
+                .or(values.last())
+                .copied()
+                .unwrap_or_default();
             values.get(k).copied().unwrap_or_default() * (1.0 - share) + next * share
         };
-        let inner = self.followed().zip(values).filter(|(t, _)| self.is_inner(*t)).map(|(_, value)| *value);
+        let inner = self
+            .followed()
+            .zip(values)
+            .filter(|(t, _)| self.is_inner(*t))
+            .map(|(_, value)| *value);
         let first = std::iter::once(ends[0].unwrap_or_else(|| between(0.0)));
-        first.chain(inner).chain([ends[1].unwrap_or_else(|| between(1.0))]).collect()
+        first
+            .chain(inner)
+            .chain([ends[1].unwrap_or_else(|| between(1.0))])
+            .collect()
     }
 }
 
@@ -129,7 +155,10 @@ fn in_picture(from: DVec2, along: DVec2, size: DVec2) -> (f64, f64) {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for axis in 0..2 {
         if along[axis] != 0.0 {
-            let (a, b) = (-from[axis] / along[axis], (size[axis] - from[axis]) / along[axis]);
+            let (a, b) = (
+                -from[axis] / along[axis],
+                (size[axis] - from[axis]) / along[axis],
+            );
             (low, high) = (low.max(a.min(b)), high.min(a.max(b)));
         }
     }
@@ -155,12 +184,21 @@ impl<'a> Source<'a> {
     pub fn new(renderer: &'a mut Renderer, scene: &Scene, line: &'a Line) -> Self {
         renderer.render(scene);
         let composes = renderer.plan().is_some_and(|plan| plan.composes);
-        let pixels = composes.then(|| renderer.linear_picture(scene).iter().map(pixel_luminance).collect());
+        let pixels = composes.then(|| {
+            renderer
+                .linear_picture(scene)
+                .iter()
+                .map(pixel_luminance)
+                .collect()
+        });
         let renderer = &*renderer;
         let [low, high] = line.span();
         let mut pieces = renderer.section(line.place(low), line.place(high));
         for piece in &mut pieces {
-            (piece.from, piece.to) = (low + piece.from * (high - low), low + piece.to * (high - low));
+            (piece.from, piece.to) = (
+                low + piece.from * (high - low),
+                low + piece.to * (high - low),
+            );
         }
         Self {
             line,
@@ -183,7 +221,10 @@ impl<'a> Source<'a> {
     /// The value at t; at a joint that of the piece after it.
     pub fn value(&self, t: f64) -> (f64, f64) {
         let after = self.pieces.partition_point(|piece| piece.from <= t);
-        let piece = after.checked_sub(1).and_then(|index| self.pieces.get(index)).filter(|piece| t < piece.to);
+        let piece = after
+            .checked_sub(1)
+            .and_then(|index| self.pieces.get(index))
+            .filter(|piece| t < piece.to);
         let delta = DELTA / self.line.length();
         let (mut from, mut to) = (t - delta, t + delta);
         if let (Some(piece), None) = (piece, &self.pixels) {
@@ -192,11 +233,21 @@ impl<'a> Source<'a> {
             // A difference that crosses the outline would be no slope.
             let sees = |t: f64| self.renderer.evaluation_at(self.place(t), None).is_some();
             let seen = sees(t);
-            (from, to) = (if sees(from) == seen { from } else { t }, if sees(to) == seen { to } else { t });
+            (from, to) = (
+                if sees(from) == seen { from } else { t },
+                if sees(to) == seen { to } else { t },
+            );
         }
         let at = |t: f64| self.intensity(t, piece);
         let run = (to - from) * self.line.length();
-        (at(t), if run > 0.0 { (at(to) - at(from)) / run } else { 0.0 })
+        (
+            at(t),
+            if run > 0.0 {
+                (at(to) - at(from)) / run
+            } else {
+                0.0
+            },
+        )
     }
 
     /// Where, between the line's ends, one piece ends and another or the background begins.
@@ -221,9 +272,14 @@ impl<'a> Source<'a> {
     pub fn sides(&self, t: f64, sides: [Option<&Piece>; 2]) -> [(f64, f64); 2] {
         let delta = DELTA / self.line.length();
         let side = |piece: Option<&Piece>, way: f64| {
-            let Some(piece) = piece else { return (self.intensity(t + way * delta, None), 0.0) };
+            let Some(piece) = piece else {
+                return (self.intensity(t + way * delta, None), 0.0);
+            };
             let delta = delta.min(piece.to - piece.from) * way;
-            let (here, there) = (self.intensity(t, Some(piece)), self.intensity(t + delta, Some(piece)));
+            let (here, there) = (
+                self.intensity(t, Some(piece)),
+                self.intensity(t + delta, Some(piece)),
+            );
             (here, (there - here) / (delta * self.line.length()))
         };
         [side(sides[0], -1.0), side(sides[1], 1.0)]
@@ -231,7 +287,10 @@ impl<'a> Source<'a> {
 
     /// The place at t, kept inside the picture.
     fn place(&self, t: f64) -> DVec2 {
-        self.line.place(t).clamp(DVec2::ZERO, DVec2::from_array(self.size.map(|side| f64::from(side) - 1e-6)))
+        self.line.place(t).clamp(
+            DVec2::ZERO,
+            DVec2::from_array(self.size.map(|side| f64::from(side) - 1e-6)),
+        )
     }
 
     fn intensity(&self, t: f64, piece: Option<&Piece>) -> f64 {
@@ -239,7 +298,9 @@ impl<'a> Source<'a> {
             return bilinear(pixels, self.size, self.line.place(t));
         }
         let seen = self.renderer.evaluation_at(self.place(t), piece);
-        seen.map_or(self.background, |seen| luminance(seen.shown(&self.equation).max(Rgb::ZERO)))
+        seen.map_or(self.background, |seen| {
+            luminance(seen.shown(&self.equation).max(Rgb::ZERO))
+        })
     }
 }
 
@@ -247,10 +308,19 @@ impl<'a> Source<'a> {
 fn bilinear(pixels: &[f64], [width, height]: [u32; 2], place: DVec2) -> f64 {
     let split = |at: f64, side: u32| {
         let at = (at - 0.5).clamp(0.0, f64::from(side.saturating_sub(1)));
-        (at.floor() as usize, (at.floor() as usize + 1).min(side.saturating_sub(1) as usize), at.fract())
+        (
+            at.floor() as usize,
+            (at.floor() as usize + 1).min(side.saturating_sub(1) as usize),
+            at.fract(),
+        )
     };
     let ((x0, x1, u), (y0, y1, v)) = (split(place.x, width), split(place.y, height));
-    let at = |x: usize, y: usize| pixels.get(y * width as usize + x).copied().unwrap_or_default();
+    let at = |x: usize, y: usize| {
+        pixels
+            .get(y * width as usize + x)
+            .copied()
+            .unwrap_or_default()
+    };
     let row = |y| at(x0, y) * (1.0 - u) + at(x1, y) * u;
     row(y0) * (1.0 - v) + row(y1) * v
 }

@@ -40,18 +40,34 @@ pub struct ProfileCurves {
 /// Lays the profile of one mode out over a picture whose shorter side has `side` pixels and whose letters are `em` pixels
 /// large. The curves stand on the line's left as one goes along it from right to left, so that they are above a level line;
 /// an intensity of 1 is three tenths of the shorter side.
-pub fn lay_out_profile(profile: &Profile, trace: &Trace, side: f64, em: f64) -> Option<ProfileCurves> {
-    let ends = [profile.samples.first()?, profile.samples.last()?].map(|end| DVec2::new(end.x, end.y));
+pub fn lay_out_profile(
+    profile: &Profile,
+    trace: &Trace,
+    side: f64,
+    em: f64,
+) -> Option<ProfileCurves> {
+    let ends =
+        [profile.samples.first()?, profile.samples.last()?].map(|end| DVec2::new(end.x, end.y));
     let along = (ends[1] - ends[0]).normalize_or(DVec2::X);
     // Above the line whichever way it is gone along.
-    let across = if along.x < 0.0 { along.perp() } else { -along.perp() };
+    let across = if along.x < 0.0 {
+        along.perp()
+    } else {
+        -along.perp()
+    };
     let curve = |values: &[f64]| -> Vec<DVec2> {
         let places = profile.samples.iter().zip(values);
-        places.map(|(at, value)| DVec2::new(at.x, at.y) + across * (value * HEIGHT * side)).collect()
+        places
+            .map(|(at, value)| DVec2::new(at.x, at.y) + across * (value * HEIGHT * side))
+            .collect()
     };
     let mut ticks = Vec::new();
     let mut latest = f64::NEG_INFINITY;
-    for border in profile.borders.iter().filter(|border| border.faces[0] != border.faces[1]) {
+    for border in profile
+        .borders
+        .iter()
+        .filter(|border| border.faces[0] != border.faces[1])
+    {
         let s = border.t * profile.length;
         if s - latest >= GAP * em {
             latest = s;
@@ -60,15 +76,32 @@ pub fn lay_out_profile(profile: &Profile, trace: &Trace, side: f64, em: f64) -> 
             ticks.push([at - reach, at + reach]);
         }
     }
-    Some(ProfileCurves { ends, ticks, intensity: curve(&trace.intensity), perceived: curve(&trace.perceived) })
+    Some(ProfileCurves {
+        ends,
+        ticks,
+        intensity: curve(&trace.intensity),
+        perceived: curve(&trace.perceived),
+    })
 }
 
 /// Draws the profile of one mode over its picture on `pixmap`: what is there solid, what is perceived dashed.
-pub fn draw_profile(pixmap: &mut PixmapMut<'_>, profile: &Profile, trace: &Trace, options: &OverlayOptions) {
+pub fn draw_profile(
+    pixmap: &mut PixmapMut<'_>,
+    profile: &Profile,
+    trace: &Trace,
+    options: &OverlayOptions,
+) {
     let side = f64::from(pixmap.width().min(pixmap.height()));
     let style = Style::new(side, options);
-    let Some(curves) = lay_out_profile(profile, trace, side, style.text) else { return };
-    let ProfileCurves { ends, ticks, intensity, perceived } = curves;
+    let Some(curves) = lay_out_profile(profile, trace, side, style.text) else {
+        return;
+    };
+    let ProfileCurves {
+        ends,
+        ticks,
+        intensity,
+        perceived,
+    } = curves;
     let colour = readable(CURVE, style.halo_colour, 3.0);
     let thin = |points: Vec<DVec2>| Shape::line(points, 0.7 * style.line, style.neutral);
     let mut marks = vec![thin(ends.to_vec())];
@@ -84,7 +117,12 @@ pub fn draw_profile(pixmap: &mut PixmapMut<'_>, profile: &Profile, trace: &Trace
 /// The response over the whole picture, as a picture: each pixel's colour is multiplied by the ratio of the response to its
 /// luminance. A black pixel has no colour and becomes a grey; what is negative is black. Beyond the picture's edge its last
 /// pixels go on.
-pub fn perceived_picture(renderer: &mut Renderer, scene: &Scene, viewing: &Viewing, perception: &Perception) -> Frame {
+pub fn perceived_picture(
+    renderer: &mut Renderer,
+    scene: &Scene,
+    viewing: &Viewing,
+    perception: &Perception,
+) -> Frame {
     let width = scene.image.size[0] as usize;
     let mut linear = renderer.linear_picture(scene);
     let intensity: Vec<f64> = linear.iter().map(pixel_luminance).collect();
@@ -93,7 +131,11 @@ pub fn perceived_picture(renderer: &mut Renderer, scene: &Scene, viewing: &Viewi
     for ((pixel, intensity), response) in linear.iter_mut().zip(&intensity).zip(&response) {
         let response = response.max(0.0);
         let [r, g, b, _] = pixel.map(f64::from);
-        let seen = if *intensity > 0.0 { Rgb::new(r, g, b) * (response / intensity) } else { Rgb::splat(response) };
+        let seen = if *intensity > 0.0 {
+            Rgb::new(r, g, b) * (response / intensity)
+        } else {
+            Rgb::splat(response)
+        };
         pixel[..3].copy_from_slice(&seen.as_vec3().to_array());
     }
     displayed(&linear, scene)

@@ -1,7 +1,10 @@
 //! The conversion itself: the polygon with what its corners carry, the edge table, active edges, crossings, spans and their
 //! pixels.
 
-use super::{Carried, Crossing, Rule, Scan, ScanCorner, ScanEdge, ScanError, ScanLine, ScanPixel, ScanSpan, ScanStep};
+use super::{
+    Carried, Crossing, Rule, Scan, ScanCorner, ScanEdge, ScanError, ScanLine, ScanPixel, ScanSpan,
+    ScanStep,
+};
 use crate::illumination::Equation;
 use crate::render::{Cued, Renderer, WeightedPoint, stored_pixel};
 use crate::scene::{Encoding, Interpolation, Projection, Rgb, Scene, ShadingMode, View};
@@ -19,25 +22,47 @@ const EDGE_ON: f64 = 1e-10;
 /// Scans face `face` of `scene`, drawing the scene first if it is not the picture last drawn, in a grid of `rows` rows.
 ///
 /// Light that rays bring to pixels is left out: the intensity is the equation's own, at corners with their shadows.
-pub fn scan(renderer: &mut Renderer, scene: &Scene, face: u32, rows: u32) -> Result<Scan, ScanError> {
+pub fn scan(
+    renderer: &mut Renderer,
+    scene: &Scene,
+    face: u32,
+    rows: u32,
+) -> Result<Scan, ScanError> {
     renderer.render(scene);
     scan_drawn(renderer, scene, face, rows)
 }
 
 /// The same as [`scan`] for the picture last drawn, which is `scene`'s.
-pub(crate) fn scan_drawn(renderer: &Renderer, scene: &Scene, face: u32, rows: u32) -> Result<Scan, ScanError> {
+pub(crate) fn scan_drawn(
+    renderer: &Renderer,
+    scene: &Scene,
+    face: u32,
+    rows: u32,
+) -> Result<Scan, ScanError> {
     if !Scan::ROWS.contains(&rows) {
         return Err(ScanError::Rows { rows });
     }
     let (polygon, shading) = seen(renderer, scene, face)?;
     let grid = Grid::around(&polygon.corners, rows).ok_or(ScanError::EdgeOn { face })?;
     let scan = convert(polygon, &shading, grid);
-    let covered = scan.steps.iter().any(|step| matches!(step, ScanStep::Pixel { .. }));
-    if covered { Ok(scan) } else { Err(ScanError::EdgeOn { face }) }
+    let covered = scan
+        .steps
+        .iter()
+        .any(|step| matches!(step, ScanStep::Pixel { .. }));
+    if covered {
+        Ok(scan)
+    } else {
+        Err(ScanError::EdgeOn { face })
+    }
 }
 
 /// The same in any grid, which need not be about the face.
-pub fn scan_in_grid(renderer: &Renderer, scene: &Scene, face: u32, grid: Grid) -> Result<Scan, ScanError> {
+pub fn scan_in_grid(
+    renderer: &Renderer,
+    scene: &Scene,
+    face: u32,
+    grid: Grid,
+) -> Result<Scan, ScanError> {
     let (polygon, shading) = seen(renderer, scene, face)?;
     Ok(convert(polygon, &shading, grid))
 }
@@ -57,11 +82,16 @@ impl Grid {
     /// A grid of `rows` rows in whose middle a polygon is as large as fits; nothing for one that is seen edge-on.
     fn around(corners: &[ScanCorner], rows: u32) -> Option<Self> {
         let places = || corners.iter().map(|corner| corner.place);
-        let (min, max) = places().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(a, b), p| (a.min(p), b.max(p)));
+        let (min, max) = places().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(a, b), p| {
+            (a.min(p), b.max(p))
+        });
         let extent = max - min;
         let first = corners.first()?.place;
         let pairs = places().zip(places().skip(1));
-        let area = pairs.map(|(a, b)| (a - first).perp_dot(b - first)).sum::<f64>() * 0.5;
+        let area = pairs
+            .map(|(a, b)| (a - first).perp_dot(b - first))
+            .sum::<f64>()
+            * 0.5;
         if area.abs() <= EDGE_ON * extent.length_squared() || !extent.is_finite() {
             return None;
         }
@@ -70,7 +100,12 @@ impl Grid {
         let scale = DVec2::new(width, height) / extent;
         let size = DVec2::new((width + 2.0 * MARGIN).ceil(), f64::from(rows));
         let origin = (min + max) * 0.5 - size * 0.5 / scale;
-        scale.is_finite().then_some(Self { columns: size.x as u32, rows, scale, origin })
+        scale.is_finite().then_some(Self {
+            columns: size.x as u32,
+            rows,
+            scale,
+            origin,
+        })
     }
 
     /// Columns and rows.
@@ -102,27 +137,43 @@ struct Shading {
 
 /// Face `face` of `scene`, which `renderer` has drawn last, before it is converted: its corners lie in the picture itself.
 fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading), ScanError> {
-    let polygon = renderer.polygon(face).ok_or(match renderer.polygon_count() {
-        0 => ScanError::Empty,
-        count => ScanError::NoFace { face, count },
-    })?;
+    let polygon = renderer
+        .polygon(face)
+        .ok_or(match renderer.polygon_count() {
+            0 => ScanError::Empty,
+            count => ScanError::NoFace { face, count },
+        })?;
     if !polygon.before_the_eye {
         return Err(ScanError::BehindTheEye { face });
     }
     let equation = renderer.shining_equation(scene);
-    let mode = if scene.shading.mode == ShadingMode::Exact { ShadingMode::Phong } else { scene.shading.mode };
+    let mode = if scene.shading.mode == ShadingMode::Exact {
+        ShadingMode::Phong
+    } else {
+        scene.shading.mode
+    };
     let carried = match mode {
         ShadingMode::Flat => Carried::Constant,
         ShadingMode::Interpolated | ShadingMode::Gouraud => Carried::Intensity,
         ShadingMode::Phong | ShadingMode::Exact => Carried::Normal,
     };
     // Intensities at points fade where they are found.
-    let cued = renderer.plan().is_some_and(|plan| plan.cued == Cued::AtPoints);
+    let cued = renderer
+        .plan()
+        .is_some_and(|plan| plan.cued == Cued::AtPoints);
     let evaluated = |at: &WeightedPoint<'_>| {
         let intensity = equation.illuminate_world(at.point, at.normal, at.reached);
-        if cued { intensity * at.scale + scene.depth_cueing.color * (1.0 - at.scale) } else { intensity }
+        if cued {
+            intensity * at.scale + scene.depth_cueing.color * (1.0 - at.scale)
+        } else {
+            intensity
+        }
     };
-    let constant: Rgb = polygon.flat.iter().map(|at| evaluated(at) * at.weight).sum();
+    let constant: Rgb = polygon
+        .flat
+        .iter()
+        .map(|at| evaluated(at) * at.weight)
+        .sum();
     let view = View::new(&scene.camera, scene.image.size);
     let corners = polygon.corners.iter().map(|at| {
         let (place, depth) = view.project(at.point)?;
@@ -131,9 +182,15 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
             Carried::Intensity => evaluated(at),
             Carried::Normal => at.normal,
         };
-        Some(ScanCorner { place, depth, value })
+        Some(ScanCorner {
+            place,
+            depth,
+            value,
+        })
     });
-    let corners = corners.collect::<Option<_>>().ok_or(ScanError::BehindTheEye { face })?;
+    let corners = corners
+        .collect::<Option<_>>()
+        .ok_or(ScanError::BehindTheEye { face })?;
     let compared = match scene.shading.interpolation {
         Interpolation::Perspective => Rule::Perspective,
         Interpolation::Affine | Interpolation::Scanline => Rule::Affine,
@@ -144,7 +201,12 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
         carried,
         renormalise: scene.shading.renormalise,
         compared,
-        grid: Grid { columns: 0, rows: 0, scale: DVec2::ONE, origin: DVec2::ZERO },
+        grid: Grid {
+            columns: 0,
+            rows: 0,
+            scale: DVec2::ONE,
+            origin: DVec2::ZERO,
+        },
         corners,
         edges: Vec::new(),
         lines: Vec::new(),
@@ -166,7 +228,11 @@ impl Shading {
         if scan.carried != Carried::Normal {
             return value;
         }
-        let normal = if scan.renormalise { value.normalize_or_zero() } else { value };
+        let normal = if scan.renormalise {
+            value.normalize_or_zero()
+        } else {
+            value
+        };
         self.equation.illuminate_world(position, normal, None)
     }
 
@@ -188,7 +254,10 @@ impl Shading {
         let weighted = triangles.filter_map(|triangle| {
             let [a, b, c] = triangle.map(|i| corners[i].place);
             let area = (b - a).perp_dot(c - a);
-            let (w1, w2) = ((place - a).perp_dot(c - a) / area, (b - a).perp_dot(place - a) / area);
+            let (w1, w2) = (
+                (place - a).perp_dot(c - a) / area,
+                (b - a).perp_dot(place - a) / area,
+            );
             (w1.is_finite() && w2.is_finite()).then_some((triangle, [1.0 - w1 - w2, w1, w2]))
         });
         let least = |weights: &[f64; 3]| weights.iter().copied().fold(f64::INFINITY, f64::min);
@@ -198,11 +267,22 @@ impl Shading {
             let [a, b, c] = [0, 1, 2].map(|i: usize| affine[i] / corners[triangle[i]].depth);
             perspective = [a, b, c].map(|weight| weight / (a + b + c));
         }
-        let compared = if scan.compared == Rule::Affine { affine } else { perspective };
-        let sum = |weights: [f64; 3], of: &dyn Fn(usize) -> DVec3| -> DVec3 {
-            triangle.iter().zip(weights).map(|(&corner, weight)| of(corner) * weight).sum()
+        let compared = if scan.compared == Rule::Affine {
+            affine
+        } else {
+            perspective
         };
-        Some([sum(perspective, &|i| self.points[i]), sum(compared, &|i| corners[i].value)])
+        let sum = |weights: [f64; 3], of: &dyn Fn(usize) -> DVec3| -> DVec3 {
+            triangle
+                .iter()
+                .zip(weights)
+                .map(|(&corner, weight)| of(corner) * weight)
+                .sum()
+        };
+        Some([
+            sum(perspective, &|i| self.points[i]),
+            sum(compared, &|i| corners[i].value),
+        ])
     }
 }
 
@@ -213,15 +293,29 @@ fn convert(mut scan: Scan, shading: &Shading, grid: Grid) -> Scan {
         corner.place = grid.from_picture(corner.place);
     }
     scan.edges = edge_table(&scan.corners);
-    let top = scan.edges.iter().map(|edge| edge.y_top).fold(f64::INFINITY, f64::min);
-    let bottom = scan.edges.iter().map(|edge| edge.y_bottom).fold(f64::NEG_INFINITY, f64::max);
+    let top = scan
+        .edges
+        .iter()
+        .map(|edge| edge.y_top)
+        .fold(f64::INFINITY, f64::min);
+    let bottom = scan
+        .edges
+        .iter()
+        .map(|edge| edge.y_bottom)
+        .fold(f64::NEG_INFINITY, f64::max);
     let rows = first_centre(top, grid.rows)..first_centre(bottom, grid.rows);
     scan.lines = rows.map(|y| scan_line(&scan, shading, y)).collect();
     for (line, scan_line) in scan.lines.iter().enumerate() {
         scan.steps.push(ScanStep::Line { line });
         for (span, scan_span) in scan_line.spans.iter().enumerate() {
-            scan.steps.extend([ScanStep::P { line, span }, ScanStep::Q { line, span }]);
-            scan.steps.extend((0..scan_span.pixels.len()).map(|pixel| ScanStep::Pixel { line, span, pixel }));
+            scan.steps
+                .extend([ScanStep::P { line, span }, ScanStep::Q { line, span }]);
+            scan.steps
+                .extend((0..scan_span.pixels.len()).map(|pixel| ScanStep::Pixel {
+                    line,
+                    span,
+                    pixel,
+                }));
         }
     }
     scan
@@ -245,17 +339,31 @@ fn edge_table(corners: &[ScanCorner]) -> Vec<ScanEdge> {
             }
             let (a, b) = (corners[upper].place, corners[lower].place);
             let dx_dy = (b.x - a.x) / (b.y - a.y);
-            (b.y > a.y).then_some(ScanEdge { corners: [upper, lower], y_top: a.y, y_bottom: b.y, x_top: a.x, dx_dy })
+            (b.y > a.y).then_some(ScanEdge {
+                corners: [upper, lower],
+                y_top: a.y,
+                y_bottom: b.y,
+                x_top: a.x,
+                dx_dy,
+            })
         })
         .collect();
     let order = |edge: &ScanEdge| [edge.y_top, edge.x_top, edge.dx_dy];
-    edges.sort_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(std::cmp::Ordering::Equal));
+    edges.sort_by(|a, b| {
+        order(a)
+            .partial_cmp(&order(b))
+            .unwrap_or(std::cmp::Ordering::Equal)
+    });
     edges
 }
 
 fn scan_line(scan: &Scan, shading: &Shading, y: u32) -> ScanLine {
     let at = f64::from(y) + 0.5;
-    let edges = scan.edges.iter().enumerate().filter(|(_, edge)| edge.y_top <= at && at < edge.y_bottom);
+    let edges = scan
+        .edges
+        .iter()
+        .enumerate()
+        .filter(|(_, edge)| edge.y_top <= at && at < edge.y_bottom);
     let mut crossings: Vec<Crossing> = edges
         .map(|(index, edge)| {
             let alpha = (at - edge.y_top) / (edge.y_bottom - edge.y_top);
@@ -263,7 +371,13 @@ fn scan_line(scan: &Scan, shading: &Shading, y: u32) -> ScanLine {
             let x = (1.0 - alpha) * a.place.x + alpha * b.place.x;
             let value = mix(alpha, a.value, b.value, scan.carried);
             let stored = (scan.carried != Carried::Normal).then(|| shading.stored(value));
-            Crossing { edge: index, x, alpha, value, stored }
+            Crossing {
+                edge: index,
+                x,
+                alpha,
+                value,
+                stored,
+            }
         })
         .collect();
     crossings.sort_by(|a, b| a.x.total_cmp(&b.x));
@@ -273,17 +387,38 @@ fn scan_line(scan: &Scan, shading: &Shading, y: u32) -> ScanLine {
             let centre = DVec2::new(f64::from(x) + 0.5, at);
             let alpha = (centre.x - p.x) / (q.x - p.x);
             let value = mix(alpha, p.value, q.value, scan.carried);
-            let [position, beside] = shading.barycentric(scan, centre).unwrap_or([shading.points[0], value]);
+            let [position, beside] = shading
+                .barycentric(scan, centre)
+                .unwrap_or([shading.points[0], value]);
             let intensity = shading.intensity(scan, value, position);
             let barycentric = shading.intensity(scan, beside, position);
-            ScanPixel { x, alpha, value, intensity, stored: shading.stored(intensity), barycentric }
+            ScanPixel {
+                x,
+                alpha,
+                value,
+                intensity,
+                stored: shading.stored(intensity),
+                barycentric,
+            }
         };
-        ScanSpan { p, q, pixels: columns.map(pixel).collect() }
+        ScanSpan {
+            p,
+            q,
+            pixels: columns.map(pixel).collect(),
+        }
     });
-    ScanLine { y, active: crossings.iter().map(|crossing| crossing.edge).collect(), spans: spans.collect() }
+    ScanLine {
+        y,
+        active: crossings.iter().map(|crossing| crossing.edge).collect(),
+        spans: spans.collect(),
+    }
 }
 
 /// `(1 − α)·a + α·b`; of what is the same everywhere just that.
 fn mix(alpha: f64, a: DVec3, b: DVec3, carried: Carried) -> DVec3 {
-    if carried == Carried::Constant { a } else { a * (1.0 - alpha) + b * alpha }
+    if carried == Carried::Constant {
+        a
+    } else {
+        a * (1.0 - alpha) + b * alpha
+    }
 }

@@ -26,7 +26,10 @@ const ROOMY: f64 = 1.2;
 pub fn scan_room(scan: &Scan, width: f64, tallest: f64, style: &PlotStyle) -> DVec2 {
     let grid = scan.grid.size();
     let cell = (width - 2.0 * pad(width / grid.x, style.text).x) / grid.x;
-    DVec2::new(width, (cell * grid.y + 2.0 * pad(cell, style.text).y).min(tallest))
+    DVec2::new(
+        width,
+        (cell * grid.y + 2.0 * pad(cell, style.text).y).min(tallest),
+    )
 }
 
 /// Room beside and above a grid whose pixels are so large: its free rows and columns hold a part of the letters.
@@ -38,20 +41,39 @@ fn pad(cell: f64, em: f64) -> DVec2 {
 /// formulas filled in.
 pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) -> Drawing {
     let mut drawing = Drawing::new(size, style.paper.ground);
-    let mut room = Area { min: DVec2::ZERO, max: size };
+    let mut room = Area {
+        min: DVec2::ZERO,
+        max: size,
+    };
     if style.titled {
         room = draw_column(&mut drawing, scan, step, room, style);
     }
     let (grid, extent) = (scan.grid.size(), room.max - room.min);
     let natural = (extent / grid).min_element();
-    let cell = ((extent - 2.0 * pad(natural, style.text)) / grid).min_element().max(0.0);
+    let cell = ((extent - 2.0 * pad(natural, style.text)) / grid)
+        .min_element()
+        .max(0.0);
     let origin = (room.min + room.max - grid * cell) * 0.5;
     let (point, paper, em) = (scan.at(step), style.paper, style.text);
     let alpha = readable(ALPHA, paper.ground, 3.0);
-    let mut sheet = Sheet { scan, point, origin, cell, room, em, paper, alpha, drawing, taken: Vec::new() };
+    let mut sheet = Sheet {
+        scan,
+        point,
+        origin,
+        cell,
+        room,
+        em,
+        paper,
+        alpha,
+        drawing,
+        taken: Vec::new(),
+    };
     for (y, pixel) in scan.filled(step) {
         let square = sheet.square([pixel.x, y]);
-        sheet.drawing.shapes.push(Shape::area(square.corners(), pixel.stored));
+        sheet
+            .drawing
+            .shapes
+            .push(Shape::area(square.corners(), pixel.stored));
     }
     sheet.grid_lines();
     let corners = scan.corners.iter().chain(scan.corners.first());
@@ -65,20 +87,36 @@ pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) ->
 }
 
 /// Title, and the column of what has been found; returns the room that is left for the picture.
-fn draw_column(drawing: &mut Drawing, scan: &Scan, step: usize, room: Area, style: &PlotStyle) -> Area {
+fn draw_column(
+    drawing: &mut Drawing,
+    scan: &Scan,
+    step: usize,
+    room: Area,
+    style: &PlotStyle,
+) -> Area {
     let (em, paper) = (style.text, &style.paper);
-    let mut rest = Area { min: room.min + em, max: room.max - em };
+    let mut rest = Area {
+        min: room.min + em,
+        max: room.max - em,
+    };
     let mode = match scan.mode {
         ShadingMode::Flat => "flat",
         ShadingMode::Interpolated => "interpolated",
         ShadingMode::Gouraud => "Gouraud",
         ShadingMode::Phong | ShadingMode::Exact => "Phong",
     };
-    let title = format!("The scan line in slow motion: {mode} shading, face {}", scan.face);
+    let title = format!(
+        "The scan line in slow motion: {mode} shading, face {}",
+        scan.face
+    );
     rest.min.y += 1.2 * em;
-    drawing.texts.push(Text::new(title, rest.min, 1.25 * em, paper.text).bold());
+    drawing
+        .texts
+        .push(Text::new(title, rest.min, 1.25 * em, paper.text).bold());
     rest.min.y += 1.45 * em;
-    drawing.texts.push(Text::new(scan.caption(step), rest.min, em, paper.weak));
+    drawing
+        .texts
+        .push(Text::new(scan.caption(step), rest.min, em, paper.weak));
     rest.min.y += 0.7 * em;
     let (mut at, extent) = (rest.min, rest.max - rest.min);
     if extent.x > extent.y {
@@ -93,10 +131,17 @@ fn draw_column(drawing: &mut Drawing, scan: &Scan, step: usize, room: Area, styl
         at.y += 1.1 * em;
         let mut heading = Text::new(heading, at, 1.05 * em, paper.text).bold();
         if let Some(colour) = swatch {
-            let (min, max) = (at + DVec2::new(0.0, -0.95) * em, at + DVec2::new(1.5, 0.25) * em);
+            let (min, max) = (
+                at + DVec2::new(0.0, -0.95) * em,
+                at + DVec2::new(1.5, 0.25) * em,
+            );
             let square = Area { min, max }.corners();
             drawing.shapes.push(Shape::area(square.clone(), colour));
-            drawing.shapes.push(Shape::line([square, vec![min]].concat(), 0.06 * em, paper.weak));
+            drawing.shapes.push(Shape::line(
+                [square, vec![min]].concat(),
+                0.06 * em,
+                paper.weak,
+            ));
             heading.at.x += 2.0 * em;
         }
         drawing.texts.push(heading);
@@ -104,18 +149,38 @@ fn draw_column(drawing: &mut Drawing, scan: &Scan, step: usize, room: Area, styl
             at.y += 1.28 * em;
             // What stands behind a tabulator begins at the same place in every line.
             for (text, indent) in line.split('\t').zip([0.0, em]) {
-                drawing.texts.push(Text::new(text, at + DVec2::new(indent, 0.0), 0.88 * em, paper.text));
+                drawing.texts.push(Text::new(
+                    text,
+                    at + DVec2::new(indent, 0.0),
+                    0.88 * em,
+                    paper.text,
+                ));
             }
         }
         at.y += 0.75 * em;
     };
     let point = scan.at(step);
     if point.level == ScanLevel::Line {
-        let lines = scan.edges.iter().enumerate().take(MOST_LETTERS).map(|(index, edge)| {
-            let mark = if point.line.active.contains(&index) { "active" } else { "" };
-            let (name, slope) = (scan.edge_name(index), format!("{:.2}", edge.dx_dy).replace('-', "−"));
-            format!("{name}  y {:.2} to {:.2}, dx/dy {slope}  {mark}", edge.y_top, edge.y_bottom)
-        });
+        let lines = scan
+            .edges
+            .iter()
+            .enumerate()
+            .take(MOST_LETTERS)
+            .map(|(index, edge)| {
+                let mark = if point.line.active.contains(&index) {
+                    "active"
+                } else {
+                    ""
+                };
+                let (name, slope) = (
+                    scan.edge_name(index),
+                    format!("{:.2}", edge.dx_dy).replace('-', "−"),
+                );
+                format!(
+                    "{name}  y {:.2} to {:.2}, dx/dy {slope}  {mark}",
+                    edge.y_top, edge.y_bottom
+                )
+            });
         block(None, "Edge table", lines.collect());
     }
     for mix in scan.found(step) {
@@ -155,17 +220,24 @@ impl Sheet<'_> {
     /// The square of a pixel.
     fn square(&self, [x, y]: [u32; 2]) -> Area {
         let min = self.at(DVec2::new(f64::from(x), f64::from(y)));
-        Area { min, max: min + self.cell }
+        Area {
+            min,
+            max: min + self.cell,
+        }
     }
 
     /// The ends of an edge, the upper one first.
     fn ends(&self, edge: usize) -> [DVec2; 2] {
-        self.scan.edges[edge].corners.map(|corner| self.at(self.scan.corners[corner].place))
+        self.scan.edges[edge]
+            .corners
+            .map(|corner| self.at(self.scan.corners[corner].place))
     }
 
     /// A line, its width in ems.
     fn line(&mut self, points: Vec<DVec2>, width: f64, colour: Rgb8) {
-        self.drawing.shapes.push(Shape::line(points, width * self.em, colour));
+        self.drawing
+            .shapes
+            .push(Shape::line(points, width * self.em, colour));
     }
 
     /// A line set off from what it crosses.
@@ -177,7 +249,9 @@ impl Sheet<'_> {
     /// A dot set off from what it lies on, its radii in ems.
     fn dot(&mut self, at: DVec2, [outer, inner]: [f64; 2], colour: Rgb8) {
         for (radius, colour) in [(outer, self.paper.ground), (inner, colour)] {
-            self.drawing.shapes.push(Shape::disc(at, radius * self.em, colour));
+            self.drawing
+                .shapes
+                .push(Shape::disc(at, radius * self.em, colour));
         }
     }
 
@@ -190,9 +264,15 @@ impl Sheet<'_> {
         let (low, high) = (self.room.min + half, self.room.max - half);
         let about = |place: &DVec2| Area::about(place.max(low).min(high.max(low)), 2.0 * half);
         let free = |area: &Area| !self.taken.iter().any(|other| area.overlaps(other));
-        let area = places.iter().map(about).find(free).or_else(|| places.first().map(about).filter(|_| must));
+        let area = places
+            .iter()
+            .map(about)
+            .find(free)
+            .or_else(|| places.first().map(about).filter(|_| must));
         let Some(area) = area else { return };
-        self.drawing.shapes.push(Shape::area(area.corners(), self.paper.ground).faded(0.78));
+        self.drawing
+            .shapes
+            .push(Shape::area(area.corners(), self.paper.ground).faded(0.78));
         let at = area.centre() + DVec2::new(0.0, 0.35 * size);
         self.drawing.texts.push(Text { at, ..text }.aligned(0.5));
         self.taken.push(area);
@@ -202,11 +282,15 @@ impl Sheet<'_> {
         let grid = self.scan.grid;
         let width = (0.06 * self.em).min(0.12 * self.cell);
         let end = grid.size();
-        let columns = (0..=grid.columns).map(|x| [DVec2::new(x.into(), 0.0), DVec2::new(x.into(), end.y)]);
-        let rows = (0..=grid.rows).map(|y| [DVec2::new(0.0, y.into()), DVec2::new(end.x, y.into())]);
+        let columns =
+            (0..=grid.columns).map(|x| [DVec2::new(x.into(), 0.0), DVec2::new(x.into(), end.y)]);
+        let rows =
+            (0..=grid.rows).map(|y| [DVec2::new(0.0, y.into()), DVec2::new(end.x, y.into())]);
         for ends in columns.chain(rows) {
             let ends = ends.map(|place| self.at(place)).to_vec();
-            self.drawing.shapes.push(Shape::line(ends, width, self.paper.grid));
+            self.drawing
+                .shapes
+                .push(Shape::line(ends, width, self.paper.grid));
         }
     }
 
@@ -214,12 +298,22 @@ impl Sheet<'_> {
     fn scan_line(&mut self) {
         let columns = self.scan.grid.columns;
         let ends = [0.0, f64::from(columns)].map(|x| self.on_line(x)).to_vec();
-        let width = if self.point.level == ScanLevel::Line { 0.16 } else { 0.1 };
+        let width = if self.point.level == ScanLevel::Line {
+            0.16
+        } else {
+            0.1
+        };
         self.line(ends.clone(), width + 0.12, self.paper.ground);
-        self.drawing.shapes.push(Shape::line(ends, width * self.em, self.paper.text).dashed(LINE_DASHES));
+        self.drawing
+            .shapes
+            .push(Shape::line(ends, width * self.em, self.paper.text).dashed(LINE_DASHES));
         if self.cell >= 0.8 * self.em {
             for x in 0..columns {
-                self.dot(self.on_line(f64::from(x) + 0.5), [0.17, 0.1], self.paper.text);
+                self.dot(
+                    self.on_line(f64::from(x) + 0.5),
+                    [0.17, 0.1],
+                    self.paper.text,
+                );
             }
         }
     }
@@ -230,7 +324,10 @@ impl Sheet<'_> {
         for &edge in &point.line.active {
             let [from, to] = self.ends(edge);
             self.cased(vec![from, to], 0.24, self.paper.text);
-            let found = [point.p, point.q].into_iter().flatten().find(|crossing| crossing.edge == edge);
+            let found = [point.p, point.q]
+                .into_iter()
+                .flatten()
+                .find(|crossing| crossing.edge == edge);
             if let Some(crossing) = found {
                 self.line(vec![from, self.on_line(crossing.x)], 0.3, self.alpha);
             }
@@ -239,7 +336,16 @@ impl Sheet<'_> {
 
     /// The way from P to the present pixel and on to Q, and the pixel.
     fn span(&mut self) {
-        let ScanPoint { p: Some(p), q: Some(q), pixel, line, .. } = self.point else { return };
+        let ScanPoint {
+            p: Some(p),
+            q: Some(q),
+            pixel,
+            line,
+            ..
+        } = self.point
+        else {
+            return;
+        };
         let from = self.on_line(p.x);
         self.cased(vec![from, self.on_line(q.x)], 0.2, self.paper.text);
         let Some(pixel) = pixel else { return };
@@ -258,14 +364,19 @@ impl Sheet<'_> {
             self.taken.push(self.square([pixel.x, point.line.y]));
         }
         let found = [("P", -1.0, point.p), ("Q", 1.0, point.q)];
-        let found = || found.into_iter().filter_map(|(letter, side, crossing)| Some((letter, side, crossing?)));
+        let found = || {
+            found
+                .into_iter()
+                .filter_map(|(letter, side, crossing)| Some((letter, side, crossing?)))
+        };
         for (letter, side, crossing) in found() {
             let at = self.on_line(crossing.x);
             self.dot(at, [0.42, 0.3], self.alpha);
             // Clear of the edge's upper part, which is the one that matters.
             let leans = side * (self.scan.edges[crossing.edge].x_top - crossing.x) > 0.0;
             let rise = if leans { 0.85 } else { -0.85 };
-            let beside = [rise, -rise, 0.0].map(|rise| at + DVec2::new(side * 1.15, rise) * self.em);
+            let beside =
+                [rise, -rise, 0.0].map(|rise| at + DVec2::new(side * 1.15, rise) * self.em);
             self.label(letter.to_owned(), self.paper.text, 1.3, &beside, true);
         }
         self.corner_letters();
@@ -282,18 +393,39 @@ impl Sheet<'_> {
 
     fn corner_letters(&mut self) {
         let (scan, line) = (self.scan, self.point.line);
-        let active = |corner: usize| line.active.iter().any(|&edge| scan.edges[edge].corners.contains(&corner));
+        let active = |corner: usize| {
+            line.active
+                .iter()
+                .any(|&edge| scan.edges[edge].corners.contains(&corner))
+        };
         let few = scan.corners.len() <= MOST_LETTERS;
         #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
         let count = scan.corners.len().max(1) as f64;
-        let middle = self.at(scan.corners.iter().map(|corner| corner.place).sum::<DVec2>() / count);
-        for (index, corner) in scan.corners.iter().enumerate().filter(|(index, _)| few || active(*index)) {
+        let middle = self.at(scan
+            .corners
+            .iter()
+            .map(|corner| corner.place)
+            .sum::<DVec2>()
+            / count);
+        for (index, corner) in scan
+            .corners
+            .iter()
+            .enumerate()
+            .filter(|(index, _)| few || active(*index))
+        {
             let at = self.at(corner.place);
             let outwards = (at - middle).normalize_or_zero();
-            let colour = if active(index) { self.paper.text } else { self.paper.weak };
-            self.drawing.shapes.push(Shape::disc(at, 0.22 * self.em, colour));
-            let places = [-0.0f64, 0.7, -0.7, 1.4, -1.4]
-                .map(|turn| at + DVec2::from_angle(turn).rotate(outwards) * DVec2::new(1.25, 1.05) * self.em);
+            let colour = if active(index) {
+                self.paper.text
+            } else {
+                self.paper.weak
+            };
+            self.drawing
+                .shapes
+                .push(Shape::disc(at, 0.22 * self.em, colour));
+            let places = [-0.0f64, 0.7, -0.7, 1.4, -1.4].map(|turn| {
+                at + DVec2::from_angle(turn).rotate(outwards) * DVec2::new(1.25, 1.05) * self.em
+            });
             self.label(corner_name(index), colour, 1.05, &places, few);
         }
     }
@@ -319,8 +451,18 @@ impl Sheet<'_> {
             return;
         }
         let letters = readable(ALPHA, self.paper.ground, 4.5);
-        let (letter, colour) = if alpha { ("α ", letters) } else { ("", self.paper.text) };
+        let (letter, colour) = if alpha {
+            ("α ", letters)
+        } else {
+            ("", self.paper.text)
+        };
         let middle = (from + to) * 0.5;
-        self.label(format!("{letter}{value:.2}"), colour, 0.95, &[middle + aside, middle - aside], false);
+        self.label(
+            format!("{letter}{value:.2}"),
+            colour,
+            0.95,
+            &[middle + aside, middle - aside],
+            false,
+        );
     }
 }

@@ -1,6 +1,9 @@
 //! The scan of one polygon: how it is asked, and what it says in words and numbers, with its formulas filled in.
 
-use super::{Carried, Crossing, Rule, Scan, ScanLine, ScanPixel, ScanSpan, corner_name, face_at, lay_out_scan, scan};
+use super::{
+    Carried, Crossing, Rule, Scan, ScanLine, ScanPixel, ScanSpan, corner_name, face_at,
+    lay_out_scan, scan,
+};
 use crate::analysis::report::{About, Answer, Column, Figure, Part, Report, Table, cells, fixed};
 use crate::analysis::{Question, Subject, Watch, clearest_pixel};
 use crate::figure::{Paper, PlotStyle};
@@ -54,25 +57,47 @@ impl Question for ScanQuestion {
         let (face, place) = match self.face {
             Some(face) => (face, None),
             None => {
-                let [x, y] = self.pixel.unwrap_or_else(|| clearest_pixel(&mut renderer, scene).pixel);
+                let [x, y] = self
+                    .pixel
+                    .unwrap_or_else(|| clearest_pixel(&mut renderer, scene).pixel);
                 let seen = face_at(&mut renderer, scene, x, y);
-                let expected = || format!("pixel {x},{y} shows the background, expected one that shows the object");
-                (seen.ok_or_else(expected)?, Some(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5)))
+                let expected = || {
+                    format!(
+                        "pixel {x},{y} shows the background, expected one that shows the object"
+                    )
+                };
+                (
+                    seen.ok_or_else(expected)?,
+                    Some(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5)),
+                )
             }
         };
-        let scan = scan(&mut renderer, scene, face, self.rows).map_err(|error| error.to_string())?;
+        let scan =
+            scan(&mut renderer, scene, face, self.rows).map_err(|error| error.to_string())?;
         let last = scan.last();
         let step = match self.stop {
             Stop::Last => last,
             Stop::Step(step) if step <= last => step,
-            Stop::Step(step) => return Err(format!("--step {step}: no such step, expected 0 to {last} or last")),
-            Stop::Line(y) => {
-                let [first, end] = [scan.lines.first(), scan.lines.last()].map(|line| line.map_or(0, |line| line.y));
-                let expected =
-                    || format!("--line {y}: not a scan line of the polygon, expected {first} to {end} or last");
-                scan.steps_of_line(y).map(|[_, end]| end).ok_or_else(expected)?
+            Stop::Step(step) => {
+                return Err(format!(
+                    "--step {step}: no such step, expected 0 to {last} or last"
+                ));
             }
-            Stop::Pixel => scan.step_near(place.map_or(0.5 * scan.grid.size(), |place| scan.grid.from_picture(place))),
+            Stop::Line(y) => {
+                let [first, end] = [scan.lines.first(), scan.lines.last()]
+                    .map(|line| line.map_or(0, |line| line.y));
+                let expected = || {
+                    format!(
+                        "--line {y}: not a scan line of the polygon, expected {first} to {end} or last"
+                    )
+                };
+                scan.steps_of_line(y)
+                    .map(|[_, end]| end)
+                    .ok_or_else(expected)?
+            }
+            Stop::Pixel => scan.step_near(place.map_or(0.5 * scan.grid.size(), |place| {
+                scan.grid.from_picture(place)
+            })),
         };
         Ok(ScanStop { step, scan })
     }
@@ -89,12 +114,24 @@ impl Answer for ScanStop {
             Carried::Normal => "the corners' normals are interpolated",
         };
         let (face, corners, mode) = (scan.face, scan.corners.len(), scan.mode.word());
-        let mut report = Report::new(format!("face {face}, {corners} corners, {mode} shading, {what}"));
-        report.section("Edge table").push(Part::Table(scan.edge_table(self.step)));
-        report.section(format!("scan line {}, centres at y = {}", line.y, line.at()));
+        let mut report = Report::new(format!(
+            "face {face}, {corners} corners, {mode} shading, {what}"
+        ));
+        report
+            .section("Edge table")
+            .push(Part::Table(scan.edge_table(self.step)));
+        report.section(format!(
+            "scan line {}, centres at y = {}",
+            line.y,
+            line.at()
+        ));
         let [first, last] = scan.steps_of_line(line.y).unwrap_or_default();
         for mix in (first..=last).filter_map(|step| scan.found(step).pop()) {
-            let place = if mix.pixel.is_none() { format!(", x = {}", number(mix.x, 3)) } else { String::new() };
+            let place = if mix.pixel.is_none() {
+                format!(", x = {}", number(mix.x, 3))
+            } else {
+                String::new()
+            };
             let section = report.section(mix.name.clone() + &place);
             for text in mix.lines(scan) {
                 section.line(format!("  {}", text.replace('\t', ": ")));
@@ -105,14 +142,28 @@ impl Answer for ScanStop {
 
     /// The pixels, a row each.
     fn table(&self) -> Option<Table> {
-        let columns =
-            "y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,barycentric_r,barycentric_g,barycentric_b";
+        let columns = "y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,barycentric_r,barycentric_g,barycentric_b";
         let mut table = Table::new(columns.split(',').map(Column::key));
         for line in &self.scan.lines {
             for ScanSpan { p, q, pixels } in &line.spans {
                 table.rows.extend(pixels.iter().map(|pixel| {
-                    let [[r, g, b], [br, bg, bb]] = [pixel.intensity, pixel.barycentric].map(|color| color.to_array());
-                    cells![line.y, pixel.x, p.x, q.x, p.alpha, q.alpha, pixel.alpha, r, g, b, br, bg, bb]
+                    let [[r, g, b], [br, bg, bb]] =
+                        [pixel.intensity, pixel.barycentric].map(|color| color.to_array());
+                    cells![
+                        line.y,
+                        pixel.x,
+                        p.x,
+                        q.x,
+                        p.alpha,
+                        q.alpha,
+                        pixel.alpha,
+                        r,
+                        g,
+                        b,
+                        br,
+                        bg,
+                        bb
+                    ]
                 }));
             }
         }
@@ -126,8 +177,20 @@ impl Answer for ScanStop {
     fn figure(&self, _: &About<'_>, size: Option<[u32; 2]>, paper: Paper) -> Option<Figure> {
         let size = DVec2::from_array(size.unwrap_or([1600, 1100]).map(f64::from));
         let text = (size / EMS).min_element().max(7.0);
-        let drawing = lay_out_scan(&self.scan, self.step, size, &PlotStyle { paper, text, titled: true });
-        let title = format!("The scan line in slow motion: {}", self.scan.caption(self.step));
+        let drawing = lay_out_scan(
+            &self.scan,
+            self.step,
+            size,
+            &PlotStyle {
+                paper,
+                text,
+                titled: true,
+            },
+        );
+        let title = format!(
+            "The scan line in slow motion: {}",
+            self.scan.caption(self.step)
+        );
         Some(Figure::Drawing { drawing, title })
     }
 }
@@ -157,13 +220,20 @@ impl Mix<'_> {
     /// `α = (7.50 − 2.00) / (14.00 − 2.00) = 0.458`.
     pub fn alpha_text(&self) -> String {
         let [from, here, to] = self.places.map(|place| number(place, 2));
-        format!("α = ({here} − {from}) / ({to} − {from}) = {}", number(self.alpha, 3))
+        format!(
+            "α = ({here} − {from}) / ({to} − {from}) = {}",
+            number(self.alpha, 3)
+        )
     }
 
     /// `I(P) = (1−α)·I(P₁) + α·I(P₂)`.
     pub fn formula(&self, letter: &str) -> String {
         let [a, b] = &self.ends;
-        let of = if self.of.is_empty() { String::new() } else { format!("({})", self.of) };
+        let of = if self.of.is_empty() {
+            String::new()
+        } else {
+            format!("({})", self.of)
+        };
         format!("{letter}{of} = (1−α)·{letter}({a}) + α·{letter}({b})")
     }
 
@@ -171,11 +241,18 @@ impl Mix<'_> {
     pub fn row(&self, component: usize) -> String {
         let bracketed = |value: f64| {
             let text = number(value, 4);
-            if text.starts_with('−') { format!("({text})") } else { text }
+            if text.starts_with('−') {
+                format!("({text})")
+            } else {
+                text
+            }
         };
         let [a, b] = self.values.map(|value| bracketed(value[component]));
         let [rest, alpha] = [1.0 - self.alpha, self.alpha].map(|share| number(share, 3));
-        format!("{rest}·{a} + {alpha}·{b} = {}", number(self.value[component], 4))
+        format!(
+            "{rest}·{a} + {alpha}·{b} = {}",
+            number(self.value[component], 4)
+        )
     }
 
     /// Everything that is said of it, a line each; a component's name ends at a tabulator.
@@ -188,11 +265,16 @@ impl Mix<'_> {
             let components = scan.carried.components().into_iter().enumerate();
             lines.extend(components.map(|(index, name)| format!("{name}\t{}", self.row(index))));
         }
-        let Some(pixel) = self.pixel else { return lines };
+        let Some(pixel) = self.pixel else {
+            return lines;
+        };
         lines.extend(scan.intensity_words(pixel));
         lines.push(format!("{}:", scan.compared.name()));
         lines.push(format!("I = {}", triple(pixel.barycentric)));
-        lines.push(format!("difference {}", triple(pixel.intensity - pixel.barycentric)));
+        lines.push(format!(
+            "difference {}",
+            triple(pixel.intensity - pixel.barycentric)
+        ));
         let [r, g, b] = pixel.stored;
         lines.push(format!("stored {r}, {g}, {b}"));
         lines
@@ -202,12 +284,20 @@ impl Mix<'_> {
 impl Carried {
     /// The letter of what is carried.
     pub const fn letter(self) -> &'static str {
-        if matches!(self, Self::Normal) { "N" } else { "I" }
+        if matches!(self, Self::Normal) {
+            "N"
+        } else {
+            "I"
+        }
     }
 
     /// What its three components are called.
     pub const fn components(self) -> [&'static str; 3] {
-        if matches!(self, Self::Normal) { ["x", "y", "z"] } else { ["r", "g", "b"] }
+        if matches!(self, Self::Normal) {
+            ["x", "y", "z"]
+        } else {
+            ["r", "g", "b"]
+        }
     }
 }
 
@@ -229,15 +319,20 @@ impl Scan {
 
     /// The names of the edges that a line crosses.
     pub fn active_edges(&self, line: &ScanLine) -> String {
-        line.active.iter().map(|edge| self.edge_name(*edge)).collect::<Vec<_>>().join(", ")
+        line.active
+            .iter()
+            .map(|edge| self.edge_name(*edge))
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 
     /// What has been found up to a step on its scan line: P, Q and the pixel.
     pub fn found(&self, step: usize) -> Vec<Mix<'_>> {
         let point = self.at(step);
         let crossings = [("P", point.p), ("Q", point.q)].into_iter();
-        let mut found: Vec<Mix<'_>> =
-            crossings.filter_map(|(of, crossing)| Some(self.crossing_mix(point.line, crossing?, of))).collect();
+        let mut found: Vec<Mix<'_>> = crossings
+            .filter_map(|(of, crossing)| Some(self.crossing_mix(point.line, crossing?, of)))
+            .collect();
         if let (Some(ScanSpan { p, q, .. }), Some(pixel)) = (point.span, point.pixel) {
             let x = f64::from(pixel.x) + 0.5;
             found.push(Mix {
@@ -276,9 +371,15 @@ impl Scan {
     pub fn caption(&self, step: usize) -> String {
         let line = self.at(step).line;
         match self.found(step).pop() {
-            Some(Mix { pixel: Some(pixel), .. }) => format!("pixel ({}, {})", pixel.x, line.y),
+            Some(Mix {
+                pixel: Some(pixel), ..
+            }) => format!("pixel ({}, {})", pixel.x, line.y),
             Some(mix) => format!("scan line {}: {}", line.y, mix.name),
-            None => format!("scan line {}: active edges {}", line.y, self.active_edges(line)),
+            None => format!(
+                "scan line {}: active edges {}",
+                line.y,
+                self.active_edges(line)
+            ),
         }
     }
 
@@ -287,9 +388,16 @@ impl Scan {
         if self.carried != Carried::Normal {
             return Vec::new();
         }
-        let unit = if self.renormalise { "made 1 before" } else { "left so for" };
+        let unit = if self.renormalise {
+            "made 1 before"
+        } else {
+            "left so for"
+        };
         let length = number(pixel.value.length(), 4);
-        vec![format!("|N| = {length}, {unit} the equation"), format!("I = {}", triple(pixel.intensity))]
+        vec![
+            format!("|N| = {length}, {unit} the equation"),
+            format!("I = {}", triple(pixel.intensity)),
+        ]
     }
 
     /// What has been found up to a step, with what barycentric interpolation gives the pixel.
@@ -298,10 +406,20 @@ impl Scan {
         let show = |value: f64| number(value, 4);
         let mut table = Table::new(["", "α", a, b, c].map(|head| Column::shown(head, show)));
         let mut row = |name: &str, alpha: Option<f64>, value: DVec3| {
-            table.rows.push(cells![name, alpha, value.x, value.y, value.z]);
+            table
+                .rows
+                .push(cells![name, alpha, value.x, value.y, value.z]);
         };
         for mix in self.found(step) {
-            row(if mix.pixel.is_some() { "pixel" } else { &mix.name }, Some(mix.alpha), mix.value);
+            row(
+                if mix.pixel.is_some() {
+                    "pixel"
+                } else {
+                    &mix.name
+                },
+                Some(mix.alpha),
+                mix.value,
+            );
             let Some(pixel) = mix.pixel else { continue };
             if self.carried == Carried::Normal {
                 row("I (r, g, b)", None, pixel.intensity);
@@ -318,9 +436,25 @@ impl Scan {
         let columns = ["edge", "y_top", "y_bottom", "x_top", "dx/dy", ""];
         let mut table = Table::new(columns.map(|head| Column::shown(head, fixed::<3>)));
         let many = self.edges.len() > MOST_EDGES;
-        for (index, edge) in self.edges.iter().enumerate().filter(|(index, _)| !many || active.contains(index)) {
-            let mark = if active.contains(&index) { "active" } else { "" };
-            table.rows.push(cells![self.edge_name(index), edge.y_top, edge.y_bottom, edge.x_top, edge.dx_dy, mark]);
+        for (index, edge) in self
+            .edges
+            .iter()
+            .enumerate()
+            .filter(|(index, _)| !many || active.contains(index))
+        {
+            let mark = if active.contains(&index) {
+                "active"
+            } else {
+                ""
+            };
+            table.rows.push(cells![
+                self.edge_name(index),
+                edge.y_top,
+                edge.y_bottom,
+                edge.x_top,
+                edge.dx_dy,
+                mark
+            ]);
         }
         table
     }
@@ -330,8 +464,15 @@ impl Scan {
 fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     // What rounds to nothing has no sign.
-    let zero = text.trim_start_matches('-').chars().all(|digit| digit == '0' || digit == '.');
-    if zero { text.trim_start_matches('-').to_owned() } else { text.replace('-', "−") }
+    let zero = text
+        .trim_start_matches('-')
+        .chars()
+        .all(|digit| digit == '0' || digit == '.');
+    if zero {
+        text.trim_start_matches('-').to_owned()
+    } else {
+        text.replace('-', "−")
+    }
 }
 
 fn triple(value: DVec3) -> String {

@@ -6,8 +6,8 @@ use super::{Case, Pictures, Topic, case, engine_picture};
 use crate::illumination::{critical_angle, refract};
 use crate::render::Renderer;
 use crate::scene::{
-    Attenuation, Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Rgb, Scene,
-    ShadingMode, Shared, Viewer,
+    Attenuation, Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection,
+    ReflectionModel, Rgb, Scene, ShadingMode, Shared, Viewer,
 };
 use Topic::{Cosines, Geometry, Highlight, Lights, Vectors};
 use glam::{DVec3, Vec2};
@@ -296,7 +296,10 @@ fn polygons(vertices: &[[f64; 3]], faces: &[&[u32]]) -> Scene {
     let mut scene = sphere();
     scene.object.kind = ObjectKind::Polygons;
     scene.object.vertices = vertices.iter().copied().map(DVec3::from_array).collect();
-    scene.object.faces = faces.iter().map(|face| face.iter().copied().collect::<Shared<u32>>()).collect();
+    scene.object.faces = faces
+        .iter()
+        .map(|face| face.iter().copied().collect::<Shared<u32>>())
+        .collect();
     scene.shading.mode = ShadingMode::Phong;
     scene
 }
@@ -315,12 +318,23 @@ fn sphere() -> Scene {
 
 /// The square −1 ≤ x, y ≤ 1 in the plane z = 0, facing the eye.
 fn square() -> Scene {
-    polygons(&[[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]], &[&[0, 1, 2, 3]])
+    polygons(
+        &[
+            [-1.0, -1.0, 0.0],
+            [1.0, -1.0, 0.0],
+            [1.0, 1.0, 0.0],
+            [-1.0, 1.0, 0.0],
+        ],
+        &[&[0, 1, 2, 3]],
+    )
 }
 
 /// A point light.
 fn lamp(x: f64, y: f64, z: f64) -> Light {
-    Light { position: DVec3::new(x, y, z), ..Light::default() }
+    Light {
+        position: DVec3::new(x, y, z),
+        ..Light::default()
+    }
 }
 
 /// A plane seen where the lobe is, which is about half as high as the picture whatever `n`.
@@ -337,7 +351,12 @@ fn lobe(n: f64) -> Scene {
 /// The square with a vertex normal at each corner, given as a function of x and y.
 fn with_normals(normal: fn(f64, f64) -> DVec3) -> Scene {
     let mut scene = square();
-    scene.object.vertex_normals = scene.object.vertices.iter().map(|v| normal(v.x, v.y)).collect();
+    scene.object.vertex_normals = scene
+        .object
+        .vertices
+        .iter()
+        .map(|v| normal(v.x, v.y))
+        .collect();
     scene.object.normals = NormalSource::File;
     scene
 }
@@ -351,8 +370,18 @@ fn near() -> Scene {
 
 /// A floor and a wall at right angles, seen so that the picture's centre looks at the origin, on the floor.
 fn corner() -> Scene {
-    let floor = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, -0.5], [-1.0, 0.0, -0.5]];
-    let wall = [[-1.0, 0.0, -0.5], [1.0, 0.0, -0.5], [1.0, 1.25, -0.5], [-1.0, 1.25, -0.5]];
+    let floor = [
+        [-1.0, 0.0, 1.0],
+        [1.0, 0.0, 1.0],
+        [1.0, 0.0, -0.5],
+        [-1.0, 0.0, -0.5],
+    ];
+    let wall = [
+        [-1.0, 0.0, -0.5],
+        [1.0, 0.0, -0.5],
+        [1.0, 1.25, -0.5],
+        [-1.0, 1.25, -0.5],
+    ];
     let mut scene = polygons(&[floor, wall].concat(), &[&[0, 1, 2, 3], &[4, 5, 6, 7]]);
     scene.camera.eye = DVec3::new(0.0, 2.0, 3.5);
     scene
@@ -360,17 +389,34 @@ fn corner() -> Scene {
 
 /// A wall at z = −3 before an eye at (0, 0, 2), and a floor `floor` units above the eye, from z = −3 to `to`.
 fn room(floor: f64, to: f64) -> Scene {
-    let wall = [[-1.5, -0.7, -3.0], [1.5, -0.7, -3.0], [1.5, 1.2, -3.0], [-1.5, 1.2, -3.0]];
-    let floor = [[-1.5, floor, to], [1.5, floor, to], [1.5, floor, -3.0], [-1.5, floor, -3.0]];
+    let wall = [
+        [-1.5, -0.7, -3.0],
+        [1.5, -0.7, -3.0],
+        [1.5, 1.2, -3.0],
+        [-1.5, 1.2, -3.0],
+    ];
+    let floor = [
+        [-1.5, floor, to],
+        [1.5, floor, to],
+        [1.5, floor, -3.0],
+        [-1.5, floor, -3.0],
+    ];
     let mut scene = polygons(&[wall, floor].concat(), &[&[0, 1, 2, 3], &[4, 5, 6, 7]]);
-    (scene.camera.eye, scene.camera.target) = (DVec3::new(0.0, 0.0, 2.0), DVec3::new(0.0, 0.0, -1.0));
+    (scene.camera.eye, scene.camera.target) =
+        (DVec3::new(0.0, 0.0, 2.0), DVec3::new(0.0, 0.0, -1.0));
     scene.lights = vec![lamp(0.8, 1.0, 0.5)];
     scene
 }
 
 /// A pyramid over a square, its point towards the eye.
 fn pyramid() -> Scene {
-    let corners = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [0.1, 0.2, 0.9]];
+    let corners = [
+        [-1.0, -1.0, 0.0],
+        [1.0, -1.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [-1.0, 1.0, 0.0],
+        [0.1, 0.2, 0.9],
+    ];
     let mut scene = polygons(&corners, &[&[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4]]);
     scene.object.normals = NormalSource::Facet;
     scene
@@ -379,7 +425,10 @@ fn pyramid() -> Scene {
 fn moved(scene: &mut Scene, to: impl Fn(DVec3) -> DVec3) {
     scene.object.vertices = scene.object.vertices.iter().map(|v| to(*v)).collect();
     (scene.camera.eye, scene.camera.target) = (to(scene.camera.eye), to(scene.camera.target));
-    scene.lights.iter_mut().for_each(|light| light.position = to(light.position));
+    scene
+        .lights
+        .iter_mut()
+        .for_each(|light| light.position = to(light.position));
 }
 
 fn scaled(factor: f64) -> Scene {
@@ -404,12 +453,20 @@ fn polygon() -> Scene {
     let corners = CORNERS.map(|([x, y], _)| [x - half, half - y, 0.0]);
     let mut scene = polygons(&corners, &[&[0, 1, 2, 3, 4, 5]]);
     (scene.camera.projection, scene.camera.height) = (Projection::Orthographic, f64::from(SIDE));
-    scene.object.vertex_normals = CORNERS.iter().map(|(_, i)| DVec3::new((1.0 - i * i).sqrt(), 0.0, *i)).collect();
+    scene.object.vertex_normals = CORNERS
+        .iter()
+        .map(|(_, i)| DVec3::new((1.0 - i * i).sqrt(), 0.0, *i))
+        .collect();
     scene.object.normals = NormalSource::File;
     (scene.material.ka, scene.material.kd, scene.material.ks) = (Rgb::ZERO, Rgb::ONE, Rgb::ZERO);
     scene.material.color = Rgb::ONE;
-    (scene.shading.mode, scene.shading.interpolation) = (ShadingMode::Gouraud, Interpolation::Scanline);
-    scene.lights = vec![Light { kind: LightKind::Directional, direction: DVec3::NEG_Z, ..Light::default() }];
+    (scene.shading.mode, scene.shading.interpolation) =
+        (ShadingMode::Gouraud, Interpolation::Scanline);
+    scene.lights = vec![Light {
+        kind: LightKind::Directional,
+        direction: DVec3::NEG_Z,
+        ..Light::default()
+    }];
     scene
 }
 
@@ -418,7 +475,12 @@ fn scan_lines(renderer: &mut Renderer) -> Pictures {
     let background = scene.image.background.to_array();
     let truth = true_spans(background);
     let naive = naive_spans(background);
-    Pictures { engine: engine_picture(renderer, &scene), naive, truth, scene: Some(scene) }
+    Pictures {
+        engine: engine_picture(renderer, &scene),
+        naive,
+        truth,
+        scene: Some(scene),
+    }
 }
 
 fn grey(value: f64) -> [f64; 3] {
@@ -426,7 +488,13 @@ fn grey(value: f64) -> [f64; 3] {
 }
 
 fn true_spans(background: [f64; 3]) -> Vec<Truth> {
-    let mut pixels = vec![Truth { color: background, clear: true }; (SIDE * SIDE) as usize];
+    let mut pixels = vec![
+        Truth {
+            color: background,
+            clear: true
+        };
+        (SIDE * SIDE) as usize
+    ];
     for y in 0..SIDE {
         let line = f64::from(y) + 0.5;
         let mut crossings: Vec<[Precise; 2]> = Vec::new();
@@ -434,10 +502,15 @@ fn true_spans(background: [f64; 3]) -> Vec<Truth> {
             let ([xb, yb], ib) = CORNERS[(index + 1) % CORNERS.len()];
             if (*ya <= line) != (yb <= line) {
                 let alpha = precise(line - ya) / precise(yb - ya);
-                crossings.push([alpha * (xb - xa) + precise(*xa), alpha * (ib - ia) + precise(*ia)]);
+                crossings.push([
+                    alpha * (xb - xa) + precise(*xa),
+                    alpha * (ib - ia) + precise(*ia),
+                ]);
             }
         }
-        let [Some(p), Some(q)] = [crossings.first(), crossings.get(1)] else { continue };
+        let [Some(p), Some(q)] = [crossings.first(), crossings.get(1)] else {
+            continue;
+        };
         let (p, q) = if p[0] <= q[0] { (p, q) } else { (q, p) };
         // Crossings at a pixel's centre come out of the division with a last bit that no longer says so.
         let ends = [p[0], q[0]].map(f64::from);
@@ -446,7 +519,10 @@ fn true_spans(background: [f64; 3]) -> Vec<Truth> {
             if ends[0] <= centre && centre < ends[1] {
                 let at = precise(centre);
                 let value = p[1] + (at - p[0]) / (q[0] - p[0]) * (q[1] - p[1]);
-                pixels[(y * SIDE + x) as usize] = Truth { color: grey(value.into()), clear: true };
+                pixels[(y * SIDE + x) as usize] = Truth {
+                    color: grey(value.into()),
+                    clear: true,
+                };
             }
         }
     }
@@ -463,12 +539,18 @@ fn naive_spans(background: [f64; 3]) -> Vec<[f64; 3]> {
             let (b, ib) = corners[(index + 1) % corners.len()];
             if a.y.min(b.y) <= line && line <= a.y.max(b.y) {
                 let alpha = (line - a.y) / (b.y - a.y);
-                let x = if alpha.is_nan() { a.x } else { a.x + alpha * (b.x - a.x) };
+                let x = if alpha.is_nan() {
+                    a.x
+                } else {
+                    a.x + alpha * (b.x - a.x)
+                };
                 crossings.push(Vec2::new(x, ia + alpha * (ib - ia)));
             }
         }
         crossings.sort_by(|p, q| p.x.total_cmp(&q.x));
-        let [Some(p), Some(q)] = [crossings.first(), crossings.last()] else { continue };
+        let [Some(p), Some(q)] = [crossings.first(), crossings.last()] else {
+            continue;
+        };
         for x in 0..SIDE {
             let at = x as f32 + 0.5;
             if p.x <= at && at <= q.x {
@@ -486,17 +568,27 @@ const ANGLES: f64 = 2e-6;
 const GAIN: f64 = 300.0;
 
 fn critical(_: &mut Renderer) -> Pictures {
-    let mut pictures = Pictures { naive: vec![], engine: vec![], truth: vec![], scene: None };
+    let mut pictures = Pictures {
+        naive: vec![],
+        engine: vec![],
+        truth: vec![],
+        scene: None,
+    };
     let middle = f64::from(SIDE / 2);
     for (y, x) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (y, x))) {
         let eta = 0.95 - 0.5 * f64::from(y) / f64::from(SIDE);
         let beyond = (f64::from(x) - middle) / middle * ANGLES;
         let angle = critical_angle(eta).unwrap_or_default() + beyond;
-        pictures.truth.push(Truth { color: grey(true_cosine(angle, eta) * GAIN), clear: true });
+        pictures.truth.push(Truth {
+            color: grey(true_cosine(angle, eta) * GAIN),
+            clear: true,
+        });
         let incident = DVec3::new(angle.sin(), 0.0, -angle.cos());
         let cosine = refract(incident, DVec3::Z, eta).map_or(0.0, |t| -t.z);
         pictures.engine.push(grey(cosine * GAIN));
-        pictures.naive.push(grey(f64::from(naive_cosine(angle as f32, eta as f32)) * GAIN));
+        pictures.naive.push(grey(
+            f64::from(naive_cosine(angle as f32, eta as f32)) * GAIN,
+        ));
     }
     pictures
 }
@@ -505,7 +597,11 @@ fn critical(_: &mut Renderer) -> Pictures {
 fn true_cosine(angle: f64, eta: f64) -> f64 {
     let sine = precise(angle).sin_cos().0 / precise(eta);
     let rest = precise(1.0) - sine * sine;
-    if rest > precise(0.0) { rest.sqrt().into() } else { 0.0 }
+    if rest > precise(0.0) {
+        rest.sqrt().into()
+    } else {
+        0.0
+    }
 }
 
 fn naive_cosine(angle: f32, eta: f32) -> f32 {

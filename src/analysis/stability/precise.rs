@@ -22,25 +22,40 @@ pub const fn precise(value: f64) -> Precise {
 /// The sum of two numbers and its rounding error, of numbers of which the first is the greater.
 fn quick_sum(a: f64, b: f64) -> Precise {
     let hi = a + b;
-    Precise { hi, lo: b - (hi - a) }
+    Precise {
+        hi,
+        lo: b - (hi - a),
+    }
 }
 
 /// The sum of two numbers and its rounding error.
 fn sum(a: f64, b: f64) -> Precise {
     let hi = a + b;
     let part = hi - a;
-    Precise { hi, lo: (a - (hi - part)) + (b - part) }
+    Precise {
+        hi,
+        lo: (a - (hi - part)) + (b - part),
+    }
 }
 
 /// The product of two numbers and its rounding error.
 fn product(a: f64, b: f64) -> Precise {
     let hi = a * b;
-    Precise { hi, lo: a.mul_add(b, -hi) }
+    Precise {
+        hi,
+        lo: a.mul_add(b, -hi),
+    }
 }
 
 impl Precise {
-    const PI: Self = Self { hi: std::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
-    const LN_2: Self = Self { hi: std::f64::consts::LN_2, lo: 2.319_046_813_846_299_6e-17 };
+    const PI: Self = Self {
+        hi: std::f64::consts::PI,
+        lo: 1.224_646_799_147_353_2e-16,
+    };
+    const LN_2: Self = Self {
+        hi: std::f64::consts::LN_2,
+        lo: 2.319_046_813_846_299_6e-17,
+    };
 
     pub fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
@@ -77,7 +92,10 @@ impl Precise {
         for _ in 0..SQUARINGS {
             less_one = less_one * 2.0 + less_one * less_one;
         }
-        #[expect(clippy::cast_possible_truncation, reason = "a power of 2 in the range of an f64")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "a power of 2 in the range of an f64"
+        )]
         let scale = 2.0_f64.powi(power as i32);
         (less_one + precise(1.0)) * scale
     }
@@ -130,7 +148,10 @@ impl Neg for Precise {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self { hi: -self.hi, lo: -self.lo }
+        Self {
+            hi: -self.hi,
+            lo: -self.lo,
+        }
     }
 }
 
@@ -197,7 +218,11 @@ impl Precise3 {
     /// The unit vector; zero stays zero.
     pub fn unit(self) -> Self {
         let length = self.length();
-        if length > precise(0.0) { self * (precise(1.0) / length) } else { self }
+        if length > precise(0.0) {
+            self * (precise(1.0) / length)
+        } else {
+            self
+        }
     }
 }
 
@@ -241,7 +266,9 @@ mod tests {
 
     /// Greatest relative error of `found` against `truth` over a few thousand numbers of all sizes.
     fn worst(found: impl Fn(Precise) -> Precise, truth: impl Fn(Precise) -> Precise) -> f64 {
-        let number = |i: i32| (precise(f64::from(i)) + precise(0.37) / precise(7.0)) * 2.0_f64.powi(i % 60 - 30);
+        let number = |i: i32| {
+            (precise(f64::from(i)) + precise(0.37) / precise(7.0)) * 2.0_f64.powi(i % 60 - 30)
+        };
         let error = |x: Precise| f64::from((found(x) - truth(x)) / truth(x)).abs();
         (1..3000).map(|i| error(number(i))).fold(0.0, f64::max)
     }
@@ -251,7 +278,10 @@ mod tests {
         let (one, third) = (precise(1.0), precise(1.0) / precise(3.0));
         assert!(worst(|x| x / third * third, |x| x) < 1e-30);
         assert!(worst(|x| x.sqrt() * x.sqrt(), |x| x) < 1e-30);
-        assert!(worst(|x| x + third - third, |x| x) < 1e-20, "what is small beside 1/3 loses its last digits");
+        assert!(
+            worst(|x| x + third - third, |x| x) < 1e-20,
+            "what is small beside 1/3 loses its last digits"
+        );
         assert_eq!(precise(6.0) / precise(-3.0), precise(-2.0));
         let small = |x: Precise| x / (x + one) * 3.0;
         assert!(worst(|x| small(x).exp() * (-small(x)).exp(), |_| one) < 1e-29);
@@ -259,7 +289,10 @@ mod tests {
         let circle = |(sine, cosine): (Precise, Precise)| sine * sine + cosine * cosine;
         assert!(worst(|x| circle(small(x).sin_cos()), |_| one) < 1e-29);
         // e to 32 digits, and the sine of 30 degrees.
-        let e = Precise { hi: std::f64::consts::E, lo: 1.445_646_891_729_250_2e-16 };
+        let e = Precise {
+            hi: std::f64::consts::E,
+            lo: 1.445_646_891_729_250_2e-16,
+        };
         assert!(f64::from(one.exp() - e).abs() < 1e-30);
         let (half, _) = precise(30.0).to_radians().sin_cos();
         assert!(f64::from(half - precise(0.5)).abs() < 1e-30);

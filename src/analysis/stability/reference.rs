@@ -6,8 +6,8 @@
 
 use super::precise::{Precise, Precise3, precise};
 use crate::scene::{
-    Attenuation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode,
-    Viewer,
+    Attenuation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Rgb,
+    Scene, ShadingMode, Viewer,
 };
 use glam::DVec2;
 use rayon::prelude::*;
@@ -39,8 +39,13 @@ pub struct Truth {
 pub fn draw(scene: &Scene) -> Vec<Truth> {
     let [width, height] = scene.image.size;
     let stage = Stage::new(scene);
-    let pixels: Vec<(u32, u32)> = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).collect();
-    pixels.into_par_iter().map(|(x, y)| stage.pixel(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5))).collect()
+    let pixels: Vec<(u32, u32)> = (0..height)
+        .flat_map(|y| (0..width).map(move |x| (x, y)))
+        .collect();
+    pixels
+        .into_par_iter()
+        .map(|(x, y)| stage.pixel(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5)))
+        .collect()
 }
 
 struct Stage<'a> {
@@ -87,7 +92,11 @@ impl<'a> Stage<'a> {
         };
         Self {
             scene,
-            triangles: if scene.object.kind == ObjectKind::Polygons { triangles(scene) } else { vec![] },
+            triangles: if scene.object.kind == ObjectKind::Polygons {
+                triangles(scene)
+            } else {
+                vec![]
+            },
             eye,
             right,
             up: right.cross(forward),
@@ -100,9 +109,17 @@ impl<'a> Stage<'a> {
     fn pixel(&self, place: DVec2) -> Truth {
         let hit = self.meet(place);
         let face = hit.as_ref().map(|(_, hit)| hit.face);
-        let corners = [(-CLEAR, -CLEAR), (CLEAR, -CLEAR), (-CLEAR, CLEAR), (CLEAR, CLEAR)];
-        let clear =
-            corners.into_iter().all(|(dx, dy)| self.meet(place + DVec2::new(dx, dy)).map(|(_, hit)| hit.face) == face);
+        let corners = [
+            (-CLEAR, -CLEAR),
+            (CLEAR, -CLEAR),
+            (-CLEAR, CLEAR),
+            (CLEAR, CLEAR),
+        ];
+        let clear = corners.into_iter().all(|(dx, dy)| {
+            self.meet(place + DVec2::new(dx, dy))
+                .map(|(_, hit)| hit.face)
+                == face
+        });
         let color = match hit {
             Some((position, hit)) => self.illuminate(position, hit.normal),
             None => self.scene.image.background.to_array(),
@@ -123,7 +140,10 @@ impl<'a> Stage<'a> {
         let hit = if self.scene.object.kind == ObjectKind::Sphere {
             sphere(origin, direction, nearest)
         } else {
-            let hits = self.triangles.iter().filter_map(|triangle| triangle.meet(origin, direction, nearest));
+            let hits = self
+                .triangles
+                .iter()
+                .filter_map(|triangle| triangle.meet(origin, direction, nearest));
             hits.reduce(|a, b| if b.t < a.t { b } else { a })
         }?;
         Some((origin + direction * hit.t, hit))
@@ -137,20 +157,30 @@ impl<'a> Stage<'a> {
             Viewer::Local => (self.eye - point).unit(),
             Viewer::Infinite => -self.forward,
         };
-        let mut sum = (material.ka * material.color * scene.ambient.color).to_array().map(precise);
+        let mut sum = (material.ka * material.color * scene.ambient.color)
+            .to_array()
+            .map(precise);
         for light in &scene.lights {
             let to_light = Precise3::new(light.position) - point;
             let travel = Precise3::new(light.direction).unit();
             let parallel = light.kind == LightKind::Directional;
             let l = if parallel { -travel } else { to_light.unit() };
             let n_dot_l = normal.dot(l);
-            let height = if parallel { n_dot_l } else { normal.dot(to_light) / self.distance };
+            let height = if parallel {
+                n_dot_l
+            } else {
+                normal.dot(to_light) / self.distance
+            };
             if height <= precise(ROUNDING) {
                 continue;
             }
             let strength = attenuation(light, to_light.length()) * spot(light, -l.dot(travel));
             let specular = self.specular(normal, l, view, n_dot_l);
-            let colors = [light.color, material.kd * material.color, material.ks * material.specular_color];
+            let colors = [
+                light.color,
+                material.kd * material.color,
+                material.ks * material.specular_color,
+            ];
             let [ip, kd, ks] = colors.map(|color: Rgb| color.to_array());
             for (k, channel) in sum.iter_mut().enumerate() {
                 *channel = *channel + strength * ip[k] * (n_dot_l * kd[k] + specular * ks[k]);
@@ -189,10 +219,18 @@ fn power(c: Precise, n: f64) -> Precise {
     } else if c <= zero {
         zero
     } else if n.is_infinite() {
-        if (c - precise(1.0)).abs() < precise(ROUNDING) { precise(1.0) } else { zero }
+        if (c - precise(1.0)).abs() < precise(ROUNDING) {
+            precise(1.0)
+        } else {
+            zero
+        }
     } else {
         let exponent = c.ln() * n;
-        if exponent < precise(-700.0) { zero } else { exponent.exp() }
+        if exponent < precise(-700.0) {
+            zero
+        } else {
+            exponent.exp()
+        }
     }
 }
 
@@ -204,7 +242,9 @@ fn attenuation(light: &Light, d: Precise) -> Precise {
         Attenuation::None | Attenuation::Viewer => one,
         Attenuation::Light => one / (d + precise(light.k)),
         Attenuation::InverseSquare => one / (d * d),
-        Attenuation::Quadratic => one.min(one / (d * d * light.c3 + d * light.c2 + precise(light.c1))),
+        Attenuation::Quadratic => {
+            one.min(one / (d * d * light.c3 + d * light.c2 + precise(light.c1)))
+        }
     }
 }
 
@@ -229,13 +269,25 @@ impl Triangle {
         if determinant == zero {
             return None;
         }
-        let (u, v, t) = (from.dot(p) / determinant, direction.dot(q) / determinant, e2.dot(q) / determinant);
+        let (u, v, t) = (
+            from.dot(p) / determinant,
+            direction.dot(q) / determinant,
+            e2.dot(q) / determinant,
+        );
         let w = precise(1.0) - u - v;
         let inside = u >= zero && v >= zero && w >= zero && t > nearest;
         let [na, nb, nc] = self.normals;
         let normal = na * w + nb * u + nc * v;
-        let normal = if normal.length() > precise(ROUNDING) { normal.unit() } else { NOTHING };
-        inside.then_some(Hit { face: self.face, t, normal })
+        let normal = if normal.length() > precise(ROUNDING) {
+            normal.unit()
+        } else {
+            NOTHING
+        };
+        inside.then_some(Hit {
+            face: self.face,
+            t,
+            normal,
+        })
     }
 }
 
@@ -247,8 +299,14 @@ fn sphere(origin: Precise3, direction: Precise3, nearest: Precise) -> Option<Hit
         return None;
     }
     let root = discriminant.sqrt();
-    let t = [(-b - root) / a, (-b + root) / a].into_iter().find(|t| *t > nearest)?;
-    Some(Hit { face: 0, t, normal: (origin + direction * t).unit() })
+    let t = [(-b - root) / a, (-b + root) / a]
+        .into_iter()
+        .find(|t| *t > nearest)?;
+    Some(Hit {
+        face: 0,
+        t,
+        normal: (origin + direction * t).unit(),
+    })
 }
 
 /// The scene's polygons as triangles with the normals that their corners carry.
@@ -266,10 +324,18 @@ fn triangles(scene: &Scene) -> Vec<Triangle> {
         })
         .collect();
     let averaged = |v: u32| {
-        let meeting = polygons.faces.iter().zip(&own).filter(|(face, _)| face.contains(&v));
-        meeting.map(|(_, normal)| *normal).reduce(|a, b| a + b).map_or(NOTHING, Precise3::unit)
+        let meeting = polygons
+            .faces
+            .iter()
+            .zip(&own)
+            .filter(|(face, _)| face.contains(&v));
+        meeting
+            .map(|(_, normal)| *normal)
+            .reduce(|a, b| a + b)
+            .map_or(NOTHING, Precise3::unit)
     };
-    let flat = scene.shading.mode == ShadingMode::Flat || scene.object.normals == NormalSource::Facet;
+    let flat =
+        scene.shading.mode == ShadingMode::Flat || scene.object.normals == NormalSource::Facet;
     let normal = |face: usize, v: u32| {
         if flat {
             own[face]
@@ -284,7 +350,11 @@ fn triangles(scene: &Scene) -> Vec<Triangle> {
         for k in 1..face.len().saturating_sub(1) {
             let corners = [face[0], face[k], face[k + 1]];
             let normals = corners.map(|v| normal(index, v));
-            triangles.push(Triangle { face: index, corners: corners.map(at), normals });
+            triangles.push(Triangle {
+                face: index,
+                corners: corners.map(at),
+                normals,
+            });
         }
     }
     triangles

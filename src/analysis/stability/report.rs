@@ -1,7 +1,9 @@
 //! The catalogue of cases: how it is asked for, and what it says.
 
 use super::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Verdict, stability, stability_cases};
-use crate::analysis::report::{About, Answer, Column, Figure, Part, Report, Section, Table, as_it_is, fixed};
+use crate::analysis::report::{
+    About, Answer, Column, Figure, Part, Report, Section, Table, as_it_is, fixed,
+};
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Drawing, Paper, Text};
 use crate::render::Frame;
@@ -28,7 +30,8 @@ impl Question for StabilityQuestion {
     type Answer = Catalogue;
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Catalogue>) -> Result<Catalogue, String> {
-        let wanted = |name: &str| self.cases.is_empty() || self.cases.iter().any(|case| case == name);
+        let wanted =
+            |name: &str| self.cases.is_empty() || self.cases.iter().any(|case| case == name);
         let cases: Vec<_> = stability_cases().filter(|case| wanted(case.name)).collect();
         let (mut renderer, mut found) = (subject.renderer(), Catalogue::default());
         for case in &cases {
@@ -47,7 +50,11 @@ impl CaseResult {
     pub fn describe(&self, section: &mut Section) {
         let lost = self.naive_not_finite;
         if lost > 0 {
-            let pixels = if lost == 1 { "1 pixel is" } else { &format!("{lost} pixels are") };
+            let pixels = if lost == 1 {
+                "1 pixel is"
+            } else {
+                &format!("{lost} pixels are")
+            };
             section.note(format!("{pixels} infinite or no number, in magenta."));
         }
         section.line(format!("The textbook: {}", self.case.wrong));
@@ -60,38 +67,74 @@ impl CaseResult {
 
 impl Answer for Catalogue {
     fn report(&self, _: &About<'_>) -> Report {
-        let mut report = Report::new("Greatest errors in code values against a reference of 106 bits");
+        let mut report =
+            Report::new("Greatest errors in code values against a reference of 106 bits");
         let condition = |value: f64| format!("{value:.1e}");
         let table = Table::of(
             &self.results,
             [
-                (Column::both("name", "case", as_it_is), |result| result.case.name.into()),
-                (Column::key("topic"), |result| result.case.topic.label().into()),
-                (Column::both("condition", "condition", condition), |result| {
-                    result.case.condition.map(|c| c.value).into()
+                (Column::both("name", "case", as_it_is), |result| {
+                    result.case.name.into()
                 }),
-                (Column::both("naive_error", "textbook", fixed::<3>), |result| result.naive_error.into()),
-                (Column::both("robust_error", "this engine", fixed::<4>), |result| result.robust_error.into()),
-                (Column::both("verdict", "verdict", as_it_is), |result| result.verdict.label().into()),
+                (Column::key("topic"), |result| {
+                    result.case.topic.label().into()
+                }),
+                (
+                    Column::both("condition", "condition", condition),
+                    |result| result.case.condition.map(|c| c.value).into(),
+                ),
+                (
+                    Column::both("naive_error", "textbook", fixed::<3>),
+                    |result| result.naive_error.into(),
+                ),
+                (
+                    Column::both("robust_error", "this engine", fixed::<4>),
+                    |result| result.robust_error.into(),
+                ),
+                (Column::both("verdict", "verdict", as_it_is), |result| {
+                    result.verdict.label().into()
+                }),
                 (Column::key("pixels"), |result| result.pixels.into()),
-                (Column::both("naive_off", "pixels off", as_it_is), |result| result.naive_off.into()),
-                (Column::both("naive_not_finite", "not finite", as_it_is), |result| result.naive_not_finite.into()),
+                (
+                    Column::both("naive_off", "pixels off", as_it_is),
+                    |result| result.naive_off.into(),
+                ),
+                (
+                    Column::both("naive_not_finite", "not finite", as_it_is),
+                    |result| result.naive_not_finite.into(),
+                ),
             ],
         );
         report.section("").push(Part::Table(table));
         if let [result] = &self.results[..] {
             result.describe(report.section(result.case.title));
         }
-        let failed = self.results.iter().filter(|result| result.verdict == Verdict::Fails).count();
-        report.failure = (failed > 0).then(|| format!("{failed} of {} cases fail", self.results.len()));
+        let failed = self
+            .results
+            .iter()
+            .filter(|result| result.verdict == Verdict::Fails)
+            .count();
+        report.failure =
+            (failed > 0).then(|| format!("{failed} of {} cases fail", self.results.len()));
         report
     }
 
     /// Each case as the textbook, the engine and the reference draw it.
     fn figure(&self, _: &About<'_>, _: Option<[u32; 2]>, _: Paper) -> Option<Figure> {
-        let results: Vec<CaseResult> = self.results.iter().map(|result| CaseResult::clone(result)).collect();
-        let scene = if let [one] = &results[..] { one.scene.clone().map(Box::new) } else { None };
-        Some(Figure::Picture { frame: stability_sheet(&results)?, scene })
+        let results: Vec<CaseResult> = self
+            .results
+            .iter()
+            .map(|result| CaseResult::clone(result))
+            .collect();
+        let scene = if let [one] = &results[..] {
+            one.scene.clone().map(Box::new)
+        } else {
+            None
+        };
+        Some(Figure::Picture {
+            frame: stability_sheet(&results)?,
+            scene,
+        })
     }
 
     fn json(&self, _: &About<'_>) -> Value {
@@ -120,10 +163,22 @@ pub fn stability_sheet(results: &[CaseResult]) -> Option<Frame> {
     let columns = u32::try_from(results.len()).ok()?.min(2);
     let rows = u32::try_from(results.len()).ok()?.div_ceil(columns);
     let cell = [3 * side + 2 * GAP + MARGIN, HEAD + side + FOOT + MARGIN / 2];
-    let (width, height) = (columns * cell[0] + MARGIN, rows.checked_mul(cell[1])? + MARGIN);
-    let mut sheet = Frame { width, height, pixels: vec![GROUND; width as usize * height as usize] };
+    let (width, height) = (
+        columns * cell[0] + MARGIN,
+        rows.checked_mul(cell[1])? + MARGIN,
+    );
+    let mut sheet = Frame {
+        width,
+        height,
+        pixels: vec![GROUND; width as usize * height as usize],
+    };
     let places: Vec<[u32; 2]> = (0..columns * rows)
-        .map(|index| [MARGIN + (index % columns) * cell[0], MARGIN / 2 + (index / columns) * cell[1]])
+        .map(|index| {
+            [
+                MARGIN + (index % columns) * cell[0],
+                MARGIN / 2 + (index / columns) * cell[1],
+            ]
+        })
         .collect();
     for (result, [x, y]) in results.iter().zip(&places) {
         for (picture, step) in result.pictures.iter().zip(0..) {
@@ -132,12 +187,19 @@ pub fn stability_sheet(results: &[CaseResult]) -> Option<Frame> {
     }
     let mut drawing = Drawing::over_picture([GROUND[0], GROUND[1], GROUND[2]], 0.0);
     let mut letter = |text: &str, em: f64, [x, y]: [u32; 2], colour: [u8; 3]| {
-        drawing.texts.push(Text::new(text, DVec2::new(x.into(), y.into()), em, colour));
+        drawing
+            .texts
+            .push(Text::new(text, DVec2::new(x.into(), y.into()), em, colour));
     };
     for (result, [x, y]) in results.iter().zip(&places) {
         letter(result.case.title, EM, [*x, y + HEAD - 12], WORDS);
         for ((words, colour), step) in captions(result).into_iter().zip(0..) {
-            letter(&words, 0.86 * EM, [x + step * (side + GAP), y + HEAD + side + 22], colour);
+            letter(
+                &words,
+                0.86 * EM,
+                [x + step * (side + GAP), y + HEAD + side + 22],
+                colour,
+            );
         }
     }
     drawing.draw_over(&mut sheet);
@@ -148,14 +210,26 @@ pub fn stability_sheet(results: &[CaseResult]) -> Option<Frame> {
 fn captions(result: &CaseResult) -> [(String, [u8; 3]); 3] {
     let of = |name: &str, error: f64| {
         let decimals = if error < 10.0 { 2 } else { 0 };
-        let colour = if error > HALF_A_CODE_VALUE { WRONG } else { WEAK };
+        let colour = if error > HALF_A_CODE_VALUE {
+            WRONG
+        } else {
+            WEAK
+        };
         (format!("{name}: off by {error:.decimals$}"), colour)
     };
     let [textbook, engine, reference] = CASE_PICTURES;
     let lost = result.naive_not_finite;
     let (words, colour) = of(textbook, result.naive_error);
-    let naive = if lost > 0 { (format!("{words}, {lost} lost"), WRONG) } else { (words, colour) };
-    [naive, of(engine, result.robust_error), (reference.to_owned(), WEAK)]
+    let naive = if lost > 0 {
+        (format!("{words}, {lost} lost"), WRONG)
+    } else {
+        (words, colour)
+    };
+    [
+        naive,
+        of(engine, result.robust_error),
+        (reference.to_owned(), WEAK),
+    ]
 }
 
 /// Puts a picture on the sheet, each pixel as a square.

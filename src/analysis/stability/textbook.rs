@@ -5,7 +5,8 @@
 //! to a byte. No line of it is wrong on an ordinary scene, where it agrees with the reference to about a code value.
 
 use crate::scene::{
-    Attenuation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Scene, ShadingMode, Viewer,
+    Attenuation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Scene,
+    ShadingMode, Viewer,
 };
 use glam::{Vec2, Vec3, Vec4};
 
@@ -22,7 +23,10 @@ pub fn draw(scene: &Scene) -> Vec<[f32; 3]> {
     let camera = Camera::new(scene);
     if scene.object.kind == ObjectKind::Sphere {
         for (index, pixel) in pixels.iter_mut().enumerate() {
-            let place = Vec2::new((index as u32 % width) as f32 + 0.5, (index as u32 / width) as f32 + 0.5);
+            let place = Vec2::new(
+                (index as u32 % width) as f32 + 0.5,
+                (index as u32 / width) as f32 + 0.5,
+            );
             let (origin, direction) = camera.ray(place);
             if let Some(point) = sphere(origin, direction) {
                 *pixel = illuminate(scene, &camera, point, point);
@@ -55,7 +59,11 @@ impl Camera {
         let camera = &scene.camera;
         let [width, height] = scene.image.size;
         let size = Vec2::new(width as f32, height as f32);
-        let (eye, target, up) = (camera.eye.as_vec3(), camera.target.as_vec3(), camera.up.as_vec3());
+        let (eye, target, up) = (
+            camera.eye.as_vec3(),
+            camera.target.as_vec3(),
+            camera.up.as_vec3(),
+        );
         let distance = (target - eye).length();
         let (near, far) = (NEAR * distance, FAR * distance);
         let perspective = camera.projection == Projection::Perspective;
@@ -68,19 +76,43 @@ impl Camera {
         let (matrix, scale) = if perspective {
             let cotangent = 1.0 / ((camera.fov_y as f32).to_radians() / 2.0).tan();
             let (a, b) = ((far + near) / (near - far), 2.0 * far * near / (near - far));
-            ([x * (cotangent / aspect), y * cotangent, z * a + Vec4::W * b, -z], size.y * cotangent / 2.0)
+            (
+                [
+                    x * (cotangent / aspect),
+                    y * cotangent,
+                    z * a + Vec4::W * b,
+                    -z,
+                ],
+                size.y * cotangent / 2.0,
+            )
         } else {
             let half = camera.height as f32 / 2.0;
             let (a, b) = (2.0 / (near - far), (far + near) / (near - far));
-            ([x / (half * aspect), y / half, z * a + Vec4::W * b, Vec4::W], size.y / camera.height as f32)
+            (
+                [x / (half * aspect), y / half, z * a + Vec4::W * b, Vec4::W],
+                size.y / camera.height as f32,
+            )
         };
-        Self { eye, forward, right, up, matrix, size, scale, perspective }
+        Self {
+            eye,
+            forward,
+            right,
+            up,
+            matrix,
+            size,
+            scale,
+            perspective,
+        }
     }
 
     fn ray(&self, place: Vec2) -> (Vec3, Vec3) {
         let across = (place - self.size / 2.0) / self.scale;
         let across = self.right * across.x - self.up * across.y;
-        if self.perspective { (self.eye, self.forward + across) } else { (self.eye + across, self.forward) }
+        if self.perspective {
+            (self.eye, self.forward + across)
+        } else {
+            (self.eye + across, self.forward)
+        }
     }
 }
 
@@ -108,31 +140,61 @@ fn triangles(scene: &Scene) -> Vec<[Corner; 3]> {
         } else if scene.object.normals == NormalSource::File && !polygons.normals.is_empty() {
             unit(polygons.normals[v as usize].as_vec3())
         } else {
-            unit(polygons.faces.iter().filter(|face| face.contains(&v)).map(|face| own(face)).sum())
+            unit(
+                polygons
+                    .faces
+                    .iter()
+                    .filter(|face| face.contains(&v))
+                    .map(|face| own(face))
+                    .sum(),
+            )
         }
     };
-    let corner = |face: &[u32], v: u32| Corner { position: at(v), normal: normal(face, v) };
+    let corner = |face: &[u32], v: u32| Corner {
+        position: at(v),
+        normal: normal(face, v),
+    };
     let fan = |face: &[u32]| -> Vec<[Corner; 3]> {
         let corners: Vec<Corner> = face.iter().map(|&v| corner(face, v)).collect();
-        corners[1..].windows(2).map(|pair| [corners[0], pair[0], pair[1]]).collect()
+        corners[1..]
+            .windows(2)
+            .map(|pair| [corners[0], pair[0], pair[1]])
+            .collect()
     };
     polygons.faces.iter().flat_map(|face| fan(face)).collect()
 }
 
 /// Fills the pixels of one triangle.
-fn fill(scene: &Scene, camera: &Camera, corners: &[Corner; 3], pixels: &mut [[f32; 3]], depths: &mut [f32]) {
+fn fill(
+    scene: &Scene,
+    camera: &Camera,
+    corners: &[Corner; 3],
+    pixels: &mut [[f32; 3]],
+    depths: &mut [f32],
+) {
     let clip: [Vec4; 3] = corners.map(|corner| {
         let p = corner.position.extend(1.0);
         Vec4::from_array(camera.matrix.map(|row| row.dot(p)))
     });
     let device = clip.map(|p| p.truncate() / p.w);
-    let at = device.map(|p| Vec2::new((p.x + 1.0) / 2.0 * camera.size.x, (1.0 - p.y) / 2.0 * camera.size.y));
+    let at = device.map(|p| {
+        Vec2::new(
+            (p.x + 1.0) / 2.0 * camera.size.x,
+            (1.0 - p.y) / 2.0 * camera.size.y,
+        )
+    });
     let area = (at[1] - at[0]).perp_dot(at[2] - at[0]);
     let bounds = |axis: usize| {
         let values = at.map(|p| p[axis]);
-        let (least, greatest) = (values[0].min(values[1]).min(values[2]), values[0].max(values[1]).max(values[2]));
+        let (least, greatest) = (
+            values[0].min(values[1]).min(values[2]),
+            values[0].max(values[1]).max(values[2]),
+        );
         let last = camera.size[axis] as i64;
-        ((least.floor() as i64).clamp(0, last), (greatest.ceil() as i64).clamp(0, last))
+        (
+            (least.floor() as i64).clamp(0, last),
+            (greatest.ceil() as i64).clamp(0, last),
+        )
     };
     let ((x0, x1), (y0, y1)) = (bounds(0), bounds(1));
     for (y, x) in (y0..y1).flat_map(|y| (x0..x1).map(move |x| (y, x))) {
@@ -144,14 +206,25 @@ fn fill(scene: &Scene, camera: &Camera, corners: &[Corner; 3], pixels: &mut [[f3
             continue;
         }
         let index = y as usize * camera.size.x as usize + x as usize;
-        let depth = weights.iter().zip(device).map(|(w, p)| w * p.z).sum::<f32>();
+        let depth = weights
+            .iter()
+            .zip(device)
+            .map(|(w, p)| w * p.z)
+            .sum::<f32>();
         if depth > depths[index] {
             continue;
         }
         depths[index] = depth;
         let over_w = [0, 1, 2].map(|k| weights[k] / clip[k].w);
         let sum: f32 = over_w.iter().sum();
-        let mix = |of: fn(&Corner) -> Vec3| over_w.iter().zip(corners).map(|(w, c)| of(c) * *w).sum::<Vec3>() / sum;
+        let mix = |of: fn(&Corner) -> Vec3| {
+            over_w
+                .iter()
+                .zip(corners)
+                .map(|(w, c)| of(c) * *w)
+                .sum::<Vec3>()
+                / sum
+        };
         let position = mix(|corner| corner.position);
         pixels[index] = illuminate(scene, camera, position, mix(|corner| corner.normal));
     }
@@ -159,7 +232,11 @@ fn fill(scene: &Scene, camera: &Camera, corners: &[Corner; 3], pixels: &mut [[f3
 
 /// The nearest point of the unit sphere about the origin, by the school's formula.
 fn sphere(origin: Vec3, direction: Vec3) -> Option<Vec3> {
-    let (a, b, c) = (direction.dot(direction), 2.0 * origin.dot(direction), origin.dot(origin) - 1.0);
+    let (a, b, c) = (
+        direction.dot(direction),
+        2.0 * origin.dot(direction),
+        origin.dot(origin) - 1.0,
+    );
     let root = (b * b - 4.0 * a * c).sqrt();
     let t = (-b - root) / (2.0 * a);
     (t > 0.0).then(|| origin + direction * t)
@@ -169,12 +246,23 @@ fn sphere(origin: Vec3, direction: Vec3) -> Option<Vec3> {
 fn illuminate(scene: &Scene, camera: &Camera, point: Vec3, normal: Vec3) -> [f32; 3] {
     let material = &scene.material;
     let n = unit(normal);
-    let v = if scene.camera.viewer == Viewer::Infinite { -camera.forward } else { unit(camera.eye - point) };
+    let v = if scene.camera.viewer == Viewer::Infinite {
+        -camera.forward
+    } else {
+        unit(camera.eye - point)
+    };
     let mut sum = (material.ka * material.color * scene.ambient.color).as_vec3();
-    let (diffuse, specular) = ((material.kd * material.color).as_vec3(), material.ks.as_vec3());
+    let (diffuse, specular) = (
+        (material.kd * material.color).as_vec3(),
+        material.ks.as_vec3(),
+    );
     for light in &scene.lights {
         let to_light = light.position.as_vec3() - point;
-        let l = if light.kind == LightKind::Directional { -unit(light.direction.as_vec3()) } else { unit(to_light) };
+        let l = if light.kind == LightKind::Directional {
+            -unit(light.direction.as_vec3())
+        } else {
+            unit(to_light)
+        };
         let f = attenuation(light, length(to_light)) * spot(light, l);
         let reflected = factor(scene, n, l, v);
         sum += light.color.as_vec3() * f * (diffuse * positive(n.dot(l)) + specular * reflected);
@@ -193,7 +281,9 @@ fn attenuation(light: &Light, d: f32) -> f32 {
         Attenuation::None | Attenuation::Viewer => 1.0,
         Attenuation::Light => 1.0 / (d + of(light.k)),
         Attenuation::InverseSquare => 1.0 / (d * d),
-        Attenuation::Quadratic => (1.0 / (of(light.c1) + of(light.c2) * d + of(light.c3) * d * d)).min(1.0),
+        Attenuation::Quadratic => {
+            (1.0 / (of(light.c1) + of(light.c2) * d + of(light.c3) * d * d)).min(1.0)
+        }
     }
 }
 
@@ -202,7 +292,11 @@ fn spot(light: &Light, l: Vec3) -> f32 {
         return 1.0;
     }
     let cosine = -l.dot(unit(light.direction.as_vec3()));
-    if cosine < (light.cone as f32).to_radians().cos() { 0.0 } else { cosine.powf(light.exponent as f32) }
+    if cosine < (light.cone as f32).to_radians().cos() {
+        0.0
+    } else {
+        cosine.powf(light.exponent as f32)
+    }
 }
 
 /// S, whether or not the surface faces the light.

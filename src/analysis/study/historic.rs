@@ -16,8 +16,8 @@ use super::jet::Jet;
 use crate::geometry::VertexMesh;
 use crate::illumination::{Equation, Real, V3};
 use crate::scene::{
-    AmbientSource, Backfacing, CuedBy, Interpolation, PatternKind, Projection, Reflectance, ReflectionModel, Rgb,
-    Scene, View,
+    AmbientSource, Backfacing, CuedBy, Interpolation, PatternKind, Projection, Reflectance,
+    ReflectionModel, Rgb, Scene, View,
 };
 use glam::{DVec2, DVec3};
 use std::ops::{Add, Mul, Sub};
@@ -39,14 +39,16 @@ pub fn cannot_draw(method: Method, scene: &Scene) -> Option<&'static str> {
         || scene.transparency.kt > 0.0
         || scene.ambient.source != AmbientSource::Constant;
     let angular = method == Method::Angular && carried_in_perspective(scene);
-    let two_cosines =
-        scene.reflection.model != ReflectionModel::CookTorrance && scene.material.reflectance == Reflectance::Constant;
+    let two_cosines = scene.reflection.model != ReflectionModel::CookTorrance
+        && scene.material.reflectance == Reflectance::Constant;
     match method {
         _ if rays => Some("the scalar code follows no rays"),
         _ if scene.depth_cueing.by != CuedBy::Off => Some("the scalar code knows no depth cueing"),
         _ if angular => Some("equal angles are equal steps in the picture"),
         Method::Taylor if !two_cosines => Some("the highlight has no single cosine to expand"),
-        Method::Taylor if scene.pattern.kind != PatternKind::None => Some("a pattern has no expansion"),
+        Method::Taylor if scene.pattern.kind != PatternKind::None => {
+            Some("a pattern has no expansion")
+        }
         _ => None,
     }
 }
@@ -80,14 +82,23 @@ impl Historic {
             Method::Angular => self.run(&mut Angular::new(&shade), &shade, mesh),
             _ => {
                 let (perspective, carried) = (carried_in_perspective(scene), Linear::default());
-                let mut phong = Phong { shade: &shade, perspective, carried, normal: DVec3::ZERO };
+                let mut phong = Phong {
+                    shade: &shade,
+                    perspective,
+                    carried,
+                    normal: DVec3::ZERO,
+                };
                 self.run(&mut phong, &shade, mesh)
             }
         };
         self.stored.clear();
         #[expect(clippy::cast_sign_loss, reason = "clamped")]
         let code = |value: f32| (255.0 * value.clamp(0.0, 1.0) + 0.5) as u8;
-        self.stored.extend(self.linear.iter().map(|[r, g, b, _]| [code(*r), code(*g), code(*b)]));
+        self.stored.extend(
+            self.linear
+                .iter()
+                .map(|[r, g, b, _]| [code(*r), code(*g), code(*b)]),
+        );
     }
 
     /// Projects and draws every triangle; returns the evaluations.
@@ -96,15 +107,30 @@ impl Historic {
         let corner = |(position, normal): (&glam::Vec3, &glam::Vec3)| {
             let (at, depth) = shade.view.project(mesh.origin + position.as_dvec3())?;
             let at = (at * SUBPIXELS).round() / SUBPIXELS;
-            let key = if shade.perspective { 1.0 / depth } else { -depth };
-            (depth >= near).then(|| Corner { at, key, normal: normal.as_dvec3() })
+            let key = if shade.perspective {
+                1.0 / depth
+            } else {
+                -depth
+            };
+            (depth >= near).then(|| Corner {
+                at,
+                key,
+                normal: normal.as_dvec3(),
+            })
         };
-        let corners: Vec<Option<Corner>> = mesh.positions.iter().zip(&mesh.normals).map(corner).collect();
+        let corners: Vec<Option<Corner>> = mesh
+            .positions
+            .iter()
+            .zip(&mesh.normals)
+            .map(corner)
+            .collect();
         // An eye inside a closed solid sees its back faces.
         let culls = mesh.closed && (shade.view.eye - mesh.origin).length() > mesh.radius();
         let mut evaluations = 0;
         for face in 0..mesh.face_count() {
-            let Some((&first, rest)) = mesh.face(face).split_first() else { continue };
+            let Some((&first, rest)) = mesh.face(face).split_first() else {
+                continue;
+            };
             for pair in rest.windows(2) {
                 let [a, b, c] = [first, pair[0], pair[1]].map(|vertex| corners[vertex as usize]);
                 if let (Some(a), Some(b), Some(c)) = (a, b, c) {
@@ -123,13 +149,17 @@ impl Historic {
             return 0;
         }
         let (width, height) = (self.width, self.linear.len() / self.width);
-        let first_from = |place: f64, side: usize| (place - 0.5).ceil().clamp(0.0, side as f64) as usize;
-        let rows = first_from(a.y.min(b.y).min(c.y), height)..first_from(a.y.max(b.y).max(c.y), height);
+        let first_from =
+            |place: f64, side: usize| (place - 0.5).ceil().clamp(0.0, side as f64) as usize;
+        let rows =
+            first_from(a.y.min(b.y).min(c.y), height)..first_from(a.y.max(b.y).max(c.y), height);
         let keys = linear(&corners, |corner| corner.key);
         let (mut begun, mut pixels) = (false, 0);
         for row in rows {
             let y = row as f64 + 0.5;
-            let Some(ends) = crossings([a, b, c], y) else { continue };
+            let Some(ends) = crossings([a, b, c], y) else {
+                continue;
+            };
             let columns = first_from(ends[0].x, width)..first_from(ends[1].x, width);
             if columns.is_empty() {
                 continue;
@@ -145,7 +175,10 @@ impl Historic {
                 let index = row * width + column;
                 if key > self.keys[index] {
                     self.keys[index] = key;
-                    let [r, g, b] = kernel.pixel(DVec2::new(column as f64 + 0.5, y), key).as_vec3().to_array();
+                    let [r, g, b] = kernel
+                        .pixel(DVec2::new(column as f64 + 0.5, y), key)
+                        .as_vec3()
+                        .to_array();
                     self.linear[index] = [r, g, b, 1.0];
                     pixels += 1;
                 }
@@ -194,7 +227,12 @@ fn crossings(corners: [DVec2; 3], y: f64) -> Option<[Crossing; 2]> {
         let to = (from + 1) % 3;
         let (a, b) = (corners[from], corners[to]);
         let alpha = (y - a.y) / (b.y - a.y);
-        ((a.y <= y) != (b.y <= y)).then_some(Crossing { x: a.x + alpha * (b.x - a.x), from, to, alpha })
+        ((a.y <= y) != (b.y <= y)).then_some(Crossing {
+            x: a.x + alpha * (b.x - a.x),
+            from,
+            to,
+            alpha,
+        })
     });
     let (p, q) = (crossed.next()?, crossed.next()?);
     Some(if p.x <= q.x { [p, q] } else { [q, p] })
@@ -236,12 +274,15 @@ impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Linear<T> {
 
 /// Normals as a linear function of the picture; only their directions count. Divided by the depth they are linear in space.
 fn carried(triangle: &[Corner; 3], perspective: bool) -> Linear<DVec3> {
-    linear(triangle, |corner| corner.normal * if perspective { corner.key } else { 1.0 })
+    linear(triangle, |corner| {
+        corner.normal * if perspective { corner.key } else { 1.0 }
+    })
 }
 
 /// Whether values between vertices are linear in space and not in the picture.
 fn carried_in_perspective(scene: &Scene) -> bool {
-    scene.camera.projection == Projection::Perspective && scene.shading.interpolation == Interpolation::Perspective
+    scene.camera.projection == Projection::Perspective
+        && scene.shading.interpolation == Interpolation::Perspective
 }
 
 /// The equation of a scene where pixels see it.
@@ -266,13 +307,22 @@ impl Shade {
     /// The point seen at a place of the picture, given as offsets from its middle in pixels and a key: in the equation's
     /// frame, in any number type.
     fn position<R: Real<Scalar = f64>>(&self, [x, y]: [R; 2], key: R) -> V3<R> {
-        let View { right, up, forward, scale, .. } = self.view;
+        let View {
+            right,
+            up,
+            forward,
+            scale,
+            ..
+        } = self.view;
         let axis = |axis: DVec3| V3::constant(x, axis.to_array());
         let one = x.constant(1.0);
         let depth = if self.perspective { one / key } else { -key };
         let across = axis(right).scale(x * (1.0 / scale)) - axis(up).scale(y * (1.0 / scale));
-        let at =
-            if self.perspective { (axis(forward) + across).scale(depth) } else { across + axis(forward).scale(depth) };
+        let at = if self.perspective {
+            (axis(forward) + across).scale(depth)
+        } else {
+            across + axis(forward).scale(depth)
+        };
         at.scale(one * (1.0 / self.unit))
     }
 
@@ -282,7 +332,8 @@ impl Shade {
     fn illuminate(&self, place: DVec2, key: f64, n: DVec3) -> Rgb {
         let offset = place - self.view.centre;
         let p: DVec3 = self.position([offset.x, offset.y], key).into();
-        self.equation.illuminate_world(self.view.eye + p * self.unit, n, None)
+        self.equation
+            .illuminate_world(self.view.eye + p * self.unit, n, None)
     }
 }
 
@@ -317,7 +368,8 @@ impl Kernel for Phong<'_> {
     }
 
     fn pixel(&self, place: DVec2, key: f64) -> Rgb {
-        self.shade.illuminate(place, key, self.normal.normalize_or_zero())
+        self.shade
+            .illuminate(place, key, self.normal.normalize_or_zero())
     }
 
     fn step(&mut self) {
@@ -338,7 +390,13 @@ struct Angular<'a> {
 
 impl<'a> Angular<'a> {
     fn new(shade: &'a Shade) -> Self {
-        Self { shade, normals: [DVec3::Z; 3], normal: DVec3::Z, before: DVec3::Z, twice_cosine: 2.0 }
+        Self {
+            shade,
+            normals: [DVec3::Z; 3],
+            normal: DVec3::Z,
+            before: DVec3::Z,
+            twice_cosine: 2.0,
+        }
     }
 }
 
@@ -348,7 +406,13 @@ impl Kernel for Angular<'_> {
     }
 
     fn begin_span(&mut self, span: &Span) {
-        let end = |crossing: &Crossing| turned(self.normals[crossing.from], self.normals[crossing.to], crossing.alpha);
+        let end = |crossing: &Crossing| {
+            turned(
+                self.normals[crossing.from],
+                self.normals[crossing.to],
+                crossing.alpha,
+            )
+        };
         let (left, right) = (end(&span.ends[0]), end(&span.ends[1]));
         let width = span.ends[1].x - span.ends[0].x;
         let t = (span.first.x - span.ends[0].x) / width;
@@ -417,13 +481,22 @@ impl Kernel for Taylor<'_> {
 
     fn begin_triangle(&mut self, triangle: &[Corner; 3]) {
         self.centre = triangle.iter().map(|corner| corner.at).sum::<DVec2>() / 3.0;
-        let (normals, keys) = (carried(triangle, self.perspective), linear(triangle, |corner| corner.key));
+        let (normals, keys) = (
+            carried(triangle, self.perspective),
+            linear(triangle, |corner| corner.key),
+        );
         let middle = normals.at(self.centre);
-        let [x, y, z] = [0, 1, 2].map(|axis| Jet::linear(middle[axis], normals.x[axis], normals.y[axis]));
+        let [x, y, z] =
+            [0, 1, 2].map(|axis| Jet::linear(middle[axis], normals.x[axis], normals.y[axis]));
         let n = V3::new(x, y, z).normalised();
         let offset = self.centre - self.shade.view.centre;
-        let place = [Jet::linear(offset.x, 1.0, 0.0), Jet::linear(offset.y, 0.0, 1.0)];
-        let position = self.shade.position(place, Jet::linear(keys.at(self.centre), keys.x, keys.y));
+        let place = [
+            Jet::linear(offset.x, 1.0, 0.0),
+            Jet::linear(offset.y, 0.0, 1.0),
+        ];
+        let position = self
+            .shade
+            .position(place, Jet::linear(keys.at(self.centre), keys.x, keys.y));
         let equation = &self.shade.equation;
         let site = equation.site(position, n);
         self.expansions.clear();
@@ -441,7 +514,11 @@ impl Kernel for Taylor<'_> {
     fn begin_span(&mut self, span: &Span) {
         let from = span.first - self.centre;
         self.state.clear();
-        self.state.extend(self.expansions.iter().map(|jets| jets.map(|jet| jet.differences(from))));
+        self.state.extend(
+            self.expansions
+                .iter()
+                .map(|jets| jets.map(|jet| jet.differences(from))),
+        );
     }
 
     fn pixel(&self, _: DVec2, _: f64) -> Rgb {
@@ -450,13 +527,21 @@ impl Kernel for Taylor<'_> {
             self.shade.equation.sources.iter().zip(&self.state)
         {
             let (n_dot_l, cosine) = if self.flips && *n_dot_l < 0.0 {
-                (-n_dot_l, if self.model == ReflectionModel::Blinn { -cosine } else { *cosine })
+                (
+                    -n_dot_l,
+                    if self.model == ReflectionModel::Blinn {
+                        -cosine
+                    } else {
+                        *cosine
+                    },
+                )
             } else {
                 (*n_dot_l, *cosine)
             };
             if n_dot_l > 0.0 {
                 // Beyond 1 a cosine is the expansion's error.
-                let specular = DVec3::from_array(source.specular) * cosine.clamp(0.0, 1.0).powf(self.n);
+                let specular =
+                    DVec3::from_array(source.specular) * cosine.clamp(0.0, 1.0).powf(self.n);
                 sum += (DVec3::from_array(source.diffuse) * n_dot_l + specular) * *strength;
             }
         }
@@ -481,18 +566,46 @@ mod tests {
     fn on_a_great_circle_angular_normals_are_exact() {
         let shade = Shade::new(&Scene::default());
         let normal = |angle: f64| DVec3::new(angle.sin(), 0.0, angle.cos());
-        let corner = |x: f64, y: f64, turn: f64| Corner { at: DVec2::new(x, y), key: 0.25, normal: normal(turn) };
+        let corner = |x: f64, y: f64, turn: f64| Corner {
+            at: DVec2::new(x, y),
+            key: 0.25,
+            normal: normal(turn),
+        };
         let mut kernel = Angular::new(&shade);
-        kernel.begin_triangle(&[corner(0.0, 0.0, -0.9), corner(40.0, 0.0, 1.1), corner(0.0, 40.0, -0.9)]);
-        let left = Crossing { x: 0.0, from: 2, to: 0, alpha: 1.0 };
-        let right = Crossing { x: 40.0, from: 0, to: 1, alpha: 1.0 };
-        kernel.begin_span(&Span { first: DVec2::new(0.5, 0.0), ends: [left, right] });
+        kernel.begin_triangle(&[
+            corner(0.0, 0.0, -0.9),
+            corner(40.0, 0.0, 1.1),
+            corner(0.0, 40.0, -0.9),
+        ]);
+        let left = Crossing {
+            x: 0.0,
+            from: 2,
+            to: 0,
+            alpha: 1.0,
+        };
+        let right = Crossing {
+            x: 40.0,
+            from: 0,
+            to: 1,
+            alpha: 1.0,
+        };
+        kernel.begin_span(&Span {
+            first: DVec2::new(0.5, 0.0),
+            ends: [left, right],
+        });
         for pixel in 0..40 {
             let expected = normal(-0.9 + 2.0 * (f64::from(pixel) + 0.5) / 40.0);
-            assert!(kernel.normal.distance(expected) < 1e-12, "pixel {pixel}: {} is not {expected}", kernel.normal);
+            assert!(
+                kernel.normal.distance(expected) < 1e-12,
+                "pixel {pixel}: {} is not {expected}",
+                kernel.normal
+            );
             kernel.step();
         }
-        assert!(turned(DVec3::Y, DVec3::Y, 0.3).distance(DVec3::Y) < 1e-15, "equal normals stay as they are");
+        assert!(
+            turned(DVec3::Y, DVec3::Y, 0.3).distance(DVec3::Y) < 1e-15,
+            "equal normals stay as they are"
+        );
     }
 
     /// Seen straight on without perspective, N = (x, 0, 1)/√(1 + x²) and a light along the view give N·L = 1/√(1 + x²), whose
@@ -504,19 +617,39 @@ mod tests {
         (scene.material.ka, scene.material.ks) = (Rgb::ZERO, Rgb::ZERO);
         (scene.material.kd, scene.material.color) = (Rgb::ONE, Rgb::ONE);
         let view = View::new(&scene.camera, scene.image.size);
-        scene.lights = vec![Light { kind: LightKind::Directional, direction: view.forward, ..Light::default() }];
+        scene.lights = vec![Light {
+            kind: LightKind::Directional,
+            direction: view.forward,
+            ..Light::default()
+        }];
         let shade = Shade::new(&scene);
         let mut kernel = Taylor::new(&scene, &shade);
         let slope = 0.01;
         let tilt = |x: f64| view.right * (slope * x) - view.forward;
-        let corner = |x: f64, y: f64| Corner { at: DVec2::new(x, y), key: -4.0, normal: tilt(x) };
+        let corner = |x: f64, y: f64| Corner {
+            at: DVec2::new(x, y),
+            key: -4.0,
+            normal: tilt(x),
+        };
         kernel.begin_triangle(&[corner(0.0, 0.0), corner(30.0, 0.0), corner(0.0, 30.0)]);
-        let edge = |x: f64| Crossing { x, from: 0, to: 1, alpha: 0.0 };
-        kernel.begin_span(&Span { first: DVec2::new(0.5, 4.0), ends: [edge(0.0), edge(26.0)] });
+        let edge = |x: f64| Crossing {
+            x,
+            from: 0,
+            to: 1,
+            alpha: 0.0,
+        };
+        kernel.begin_span(&Span {
+            first: DVec2::new(0.5, 4.0),
+            ends: [edge(0.0), edge(26.0)],
+        });
         // f = (1+u²)^−½ with u = slope·x, about x = 10.
         let u = slope * 10.0;
         let w = 1.0 + u * u;
-        let (f0, f1, f2) = (w.powf(-0.5), -u * w.powf(-1.5), (2.0 * u * u - 1.0) * w.powf(-2.5));
+        let (f0, f1, f2) = (
+            w.powf(-0.5),
+            -u * w.powf(-1.5),
+            (2.0 * u * u - 1.0) * w.powf(-2.5),
+        );
         for pixel in 0..26 {
             let dx = f64::from(pixel) + 0.5 - 10.0;
             let du = slope * dx;
@@ -527,7 +660,10 @@ mod tests {
             let exact = (1.0 + x * x).powf(-0.5);
             // |f‴| = |u(9 − 6u²)|·w^(−7/2), at most 9·(u + |du|) here.
             let bound = 9.0 * (u + du.abs()) * du.abs().powi(3) / 6.0 + 1e-12;
-            assert!((got - exact).abs() <= bound, "{got} is not within {bound} of {exact}");
+            assert!(
+                (got - exact).abs() <= bound,
+                "{got} is not within {bound} of {exact}"
+            );
             kernel.step();
         }
     }

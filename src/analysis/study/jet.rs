@@ -21,22 +21,37 @@ pub struct Jet {
 impl Jet {
     /// A linear function with its value and slopes.
     pub fn linear(value: f64, x: f64, y: f64) -> Self {
-        Self { value, slope: DVec2::new(x, y), curve: DVec3::ZERO }
+        Self {
+            value,
+            slope: DVec2::new(x, y),
+            curve: DVec3::ZERO,
+        }
     }
 
     /// The value `offset` pixels away, its difference to the pixel on the right, and the difference of the differences, which
     /// is the same everywhere.
     pub fn differences(&self, offset: DVec2) -> [f64; 3] {
         let [dx, dy] = offset.to_array();
-        let DVec3 { x: xx, y: xy, z: yy } = self.curve;
-        let value = self.value + self.slope.dot(offset) + 0.5 * (xx * dx * dx + yy * dy * dy) + xy * dx * dy;
+        let DVec3 {
+            x: xx,
+            y: xy,
+            z: yy,
+        } = self.curve;
+        let value = self.value
+            + self.slope.dot(offset)
+            + 0.5 * (xx * dx * dx + yy * dy * dy)
+            + xy * dx * dy;
         [value, self.slope.x + xx * (dx + 0.5) + xy * dy, xx]
     }
 
     /// `f` of it, given f, f′ and f″ at its value.
     fn chain(self, [f, f1, f2]: [f64; 3]) -> Self {
         let curve = self.curve * f1 + crossed(self.slope, self.slope) * (0.5 * f2);
-        Self { value: f, slope: self.slope * f1, curve }
+        Self {
+            value: f,
+            slope: self.slope * f1,
+            curve,
+        }
     }
 }
 
@@ -49,7 +64,11 @@ impl Add for Jet {
     type Output = Self;
 
     fn add(self, o: Self) -> Self {
-        Self { value: self.value + o.value, slope: self.slope + o.slope, curve: self.curve + o.curve }
+        Self {
+            value: self.value + o.value,
+            slope: self.slope + o.slope,
+            curve: self.curve + o.curve,
+        }
     }
 }
 
@@ -85,7 +104,11 @@ impl Mul<f64> for Jet {
     type Output = Self;
 
     fn mul(self, k: f64) -> Self {
-        Self { value: self.value * k, slope: self.slope * k, curve: self.curve * k }
+        Self {
+            value: self.value * k,
+            slope: self.slope * k,
+            curve: self.curve * k,
+        }
     }
 }
 
@@ -94,7 +117,11 @@ impl Div for Jet {
 
     fn div(self, o: Self) -> Self {
         let inverse = 1.0 / o.value;
-        self * o.chain([inverse, -inverse * inverse, 2.0 * inverse * inverse * inverse])
+        self * o.chain([
+            inverse,
+            -inverse * inverse,
+            2.0 * inverse * inverse * inverse,
+        ])
     }
 }
 
@@ -103,15 +130,26 @@ impl Real for Jet {
     type Mask = bool;
 
     fn constant(self, value: f64) -> Self {
-        Self { value, ..Self::default() }
+        Self {
+            value,
+            ..Self::default()
+        }
     }
 
     fn max(self, other: Self) -> Self {
-        if other.value > self.value { other } else { self }
+        if other.value > self.value {
+            other
+        } else {
+            self
+        }
     }
 
     fn min(self, other: Self) -> Self {
-        if other.value < self.value { other } else { self }
+        if other.value < self.value {
+            other
+        } else {
+            self
+        }
     }
 
     fn abs(self) -> Self {
@@ -140,7 +178,11 @@ impl Real for Jet {
 
     fn log2_one_minus(t: Self) -> Self {
         let rest = 1.0 - t.value;
-        t.chain([(-t.value).ln_1p() * LOG2_E, -LOG2_E / rest, -LOG2_E / (rest * rest)])
+        t.chain([
+            (-t.value).ln_1p() * LOG2_E,
+            -LOG2_E / rest,
+            -LOG2_E / (rest * rest),
+        ])
     }
 
     fn greater_than(self, other: Self) -> bool {
@@ -178,21 +220,38 @@ mod tests {
         let (x, y, h) = (0.7, 1.3, 1e-4);
         for (index, function) in functions.into_iter().enumerate() {
             let jet = function(Jet::linear(x, 1.0, 0.0), Jet::linear(y, 0.0, 1.0));
-            let f = |dx: f64, dy: f64| function(Jet::linear(x + dx, 0.0, 0.0), Jet::linear(y + dy, 0.0, 0.0)).value;
+            let f = |dx: f64, dy: f64| {
+                function(Jet::linear(x + dx, 0.0, 0.0), Jet::linear(y + dy, 0.0, 0.0)).value
+            };
             let slope = DVec2::new(f(h, 0.0) - f(-h, 0.0), f(0.0, h) - f(0.0, -h)) / (2.0 * h);
             let xx = f(h, 0.0) + f(-h, 0.0) - 2.0 * f(0.0, 0.0);
             let xy = (f(h, h) + f(-h, -h) - f(h, -h) - f(-h, h)) / 4.0;
             let yy = f(0.0, h) + f(0.0, -h) - 2.0 * f(0.0, 0.0);
-            let expected = Jet { value: f(0.0, 0.0), slope, curve: DVec3::new(xx, xy, yy) / (h * h) };
+            let expected = Jet {
+                value: f(0.0, 0.0),
+                slope,
+                curve: DVec3::new(xx, xy, yy) / (h * h),
+            };
             let off = jet - expected;
-            let errors = [off.value.abs(), off.slope.abs().max_element(), off.curve.abs().max_element()];
-            assert!(errors.iter().all(|error| *error < 1e-6), "function {index}: {jet:?} is not {expected:?}");
+            let errors = [
+                off.value.abs(),
+                off.slope.abs().max_element(),
+                off.curve.abs().max_element(),
+            ];
+            assert!(
+                errors.iter().all(|error| *error < 1e-6),
+                "function {index}: {jet:?} is not {expected:?}"
+            );
         }
     }
 
     #[test]
     fn forward_differences_walk_along_the_expansion() {
-        let jet = Jet { value: 0.5, slope: DVec2::new(0.1, -0.2), curve: DVec3::new(0.03, 0.01, -0.02) };
+        let jet = Jet {
+            value: 0.5,
+            slope: DVec2::new(0.1, -0.2),
+            curve: DVec3::new(0.03, 0.01, -0.02),
+        };
         let [mut value, mut first, second] = jet.differences(DVec2::new(-2.5, 1.5));
         for step in 0..6 {
             let [there, ..] = jet.differences(DVec2::new(f64::from(step) - 2.5, 1.5));

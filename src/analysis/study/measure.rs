@@ -27,7 +27,11 @@ pub fn study(
     let repeats = request.repeats.max(1);
     let total = settings.len() as u64 * u64::from(repeats);
     let mut measure = Measure::new(scene, model, clock);
-    let mut study = Study { omitted, threads: rayon::current_num_threads(), ..Study::default() };
+    let mut study = Study {
+        omitted,
+        threads: rayon::current_num_threads(),
+        ..Study::default()
+    };
     let mut samples: Vec<Vec<u64>> = vec![Vec::new(); settings.len()];
     let mut done = 0;
     for repeat in 0..repeats {
@@ -57,20 +61,38 @@ pub fn study(
 fn settings(request: &StudyQuestion, scene: &Scene) -> (Vec<Setting>, Vec<Omission>) {
     let (mut settings, mut omissions) = (Vec::new(), Vec::new());
     let divisions = divisions(request, scene);
-    let exponents = if request.n.is_empty() { vec![scene.material.n] } else { unique(request.n.iter().copied()) };
+    let exponents = if request.n.is_empty() {
+        vec![scene.material.n]
+    } else {
+        unique(request.n.iter().copied())
+    };
     for n in exponents {
         for method in unique(request.methods.iter().copied()) {
             for interpolation in interpolations(method, request, scene) {
                 let mut drawn = scene.clone();
                 drawn.shading.interpolation = interpolation.unwrap_or(scene.shading.interpolation);
-                if let Some(reason) = method.is_scalar().then(|| cannot_draw(method, &drawn)).flatten() {
-                    let omission = Omission { method, interpolation, reason };
+                if let Some(reason) = method
+                    .is_scalar()
+                    .then(|| cannot_draw(method, &drawn))
+                    .flatten()
+                {
+                    let omission = Omission {
+                        method,
+                        interpolation,
+                        reason,
+                    };
                     if !omissions.contains(&omission) {
                         omissions.push(omission);
                     }
                     continue;
                 }
-                let setting = |&[segments, rings]: &[u32; 2]| Setting { method, segments, rings, interpolation, n };
+                let setting = |&[segments, rings]: &[u32; 2]| Setting {
+                    method,
+                    segments,
+                    rings,
+                    interpolation,
+                    n,
+                };
                 settings.extend(divisions.iter().map(setting));
             }
         }
@@ -79,7 +101,11 @@ fn settings(request: &StudyQuestion, scene: &Scene) -> (Vec<Setting>, Vec<Omissi
 }
 
 /// The interpolations that make a difference: without perspective, or where nothing is carried, one stands for all.
-fn interpolations(method: Method, request: &StudyQuestion, scene: &Scene) -> Vec<Option<Interpolation>> {
+fn interpolations(
+    method: Method,
+    request: &StudyQuestion,
+    scene: &Scene,
+) -> Vec<Option<Interpolation>> {
     if matches!(method, Method::Flat | Method::FlatVertexMean) {
         return vec![None];
     }
@@ -90,7 +116,12 @@ fn interpolations(method: Method, request: &StudyQuestion, scene: &Scene) -> Vec
         Interpolation::Scanline if method.is_scalar() => Interpolation::Affine,
         other => other,
     };
-    unique(request.interpolations.iter().map(|interpolation| Some(same(*interpolation))))
+    unique(
+        request
+            .interpolations
+            .iter()
+            .map(|interpolation| Some(same(*interpolation))),
+    )
 }
 
 /// Segments and rings, from coarse to fine.
@@ -99,18 +130,25 @@ fn divisions(request: &StudyQuestion, scene: &Scene) -> Vec<[u32; 2]> {
     const LEAST_RINGS: u32 = 3;
     let object = &scene.object;
     let own = [object.segments, object.rings];
-    if matches!(object.kind, ObjectKind::Obj | ObjectKind::Polygons) || request.segments.is_empty() {
+    if matches!(object.kind, ObjectKind::Obj | ObjectKind::Polygons) || request.segments.is_empty()
+    {
         return vec![own];
     }
     let per_segment = f64::from(own[1]) / f64::from(own[0].max(1));
-    let rings = |segments: u32| ((f64::from(segments) * per_segment).round() as u32).max(LEAST_RINGS.min(own[1]));
+    let rings = |segments: u32| {
+        ((f64::from(segments) * per_segment).round() as u32).max(LEAST_RINGS.min(own[1]))
+    };
     let valid = |[segments, rings]: &[u32; 2]| {
         let mut tried = scene.clone();
         (tried.object.segments, tried.object.rings) = (*segments, *rings);
         tried.validate().is_ok()
     };
-    let mut all: Vec<[u32; 2]> =
-        request.segments.iter().map(|&segments| [segments, rings(segments)]).filter(valid).collect();
+    let mut all: Vec<[u32; 2]> = request
+        .segments
+        .iter()
+        .map(|&segments| [segments, rings(segments)])
+        .filter(valid)
+        .collect();
     all.sort_unstable();
     all.dedup();
     all
@@ -152,7 +190,15 @@ impl Measure {
         let mut renderer = Renderer::with_clock(clock);
         renderer.set_model(model.clone());
         let (historic, exact) = (Historic::default(), HashMap::new());
-        Self { scene: scene.clone(), model, clock, renderer, historic, mesh: None, exact }
+        Self {
+            scene: scene.clone(),
+            model,
+            clock,
+            renderer,
+            historic,
+            mesh: None,
+            exact,
+        }
     }
 
     fn scene(&self, setting: &Setting) -> Scene {
@@ -182,7 +228,11 @@ impl Measure {
             self.renderer.linear()
         };
         let [errors, shown] = [false, scene.clamps()].map(|clamps| {
-            let picture = |pixels| LinearPicture { width: scene.image.size[0], pixels, clamps };
+            let picture = |pixels| LinearPicture {
+                width: scene.image.size[0],
+                pixels,
+                clamps,
+            };
             region_errors(picture(pixels), picture(&exact.pixels), &exact.inside)
         });
         StudyRow {
@@ -213,7 +263,10 @@ impl Measure {
             self.historic.draw(setting.method, &scene, mesh);
             let began = (self.clock)();
             self.historic.draw(setting.method, &scene, mesh);
-            return ((self.clock)().saturating_sub(began), self.historic.evaluations);
+            return (
+                (self.clock)().saturating_sub(began),
+                self.historic.evaluations,
+            );
         }
         self.renderer.keep_linear(false);
         // Once for geometry, buffers and caches, which the setting before has left as it needed them.
@@ -221,7 +274,10 @@ impl Measure {
         self.renderer.redraw();
         self.renderer.render(&scene);
         let report = self.renderer.report();
-        let tessellation = report.stages.iter().filter(|run| run.stage == Stage::Geometry);
+        let tessellation = report
+            .stages
+            .iter()
+            .filter(|run| run.stage == Stage::Geometry);
         let tessellation: u64 = tessellation.map(|run| run.nanoseconds).sum();
         let evaluations = report.stages.iter().map(|run| run.evaluations).sum();
         (report.nanoseconds.saturating_sub(tessellation), evaluations)
@@ -237,12 +293,20 @@ impl Exact {
         let [width, height] = scene.image.size;
         let mut pixels = renderer.linear().to_vec();
         let mut inside = vec![false; pixels.len()];
-        let (equation, view) = (Equation::<f64>::new(scene), View::new(&scene.camera, scene.image.size));
-        for (index, (x, y)) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).enumerate() {
+        let (equation, view) = (
+            Equation::<f64>::new(scene),
+            View::new(&scene.camera, scene.image.size),
+        );
+        for (index, (x, y)) in (0..height)
+            .flat_map(|y| (0..width).map(move |x| (x, y)))
+            .enumerate()
+        {
             if pixels[index][3] == 0.0 {
                 continue;
             }
-            let Some(evaluation) = renderer.evaluation(x, y) else { continue };
+            let Some(evaluation) = renderer.evaluation(x, y) else {
+                continue;
+            };
             inside[index] = evaluation.normal.dot(view.towards_eye(evaluation.position)) >= INSIDE;
             if renderer.mixture(x, y).is_none() {
                 let [r, g, b] = evaluation.shown(&equation).as_vec3().to_array();
@@ -254,7 +318,11 @@ impl Exact {
 }
 
 /// The mesh of a scene, made anew when the object has changed.
-fn mesh_of<'a>(kept: &'a mut Option<(Object, VertexMesh)>, model: Option<&Arc<Mesh>>, scene: &Scene) -> &'a VertexMesh {
+fn mesh_of<'a>(
+    kept: &'a mut Option<(Object, VertexMesh)>,
+    model: Option<&Arc<Mesh>>,
+    scene: &Scene,
+) -> &'a VertexMesh {
     let object = &scene.object;
     kept.take_if(|(made, _)| made != object);
     let (_, mesh) = kept.get_or_insert_with(|| {
@@ -276,5 +344,7 @@ fn longest_edge(mesh: &VertexMesh) -> f64 {
         let corners = mesh.face(face);
         corners.iter().zip(corners.iter().cycle().skip(1))
     });
-    edges.map(|(from, to)| f64::from(place(from).distance(place(to)))).fold(0.0, f64::max)
+    edges
+        .map(|(from, to)| f64::from(place(from).distance(place(to))))
+        .fold(0.0, f64::max)
 }

@@ -1,8 +1,12 @@
 //! A study as a plot of error over time, as tables with the orders of convergence, and as JSON.
 
 use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study, title};
-use crate::analysis::report::{About, Answer, Column, Figure, Part, Report, Table, as_it_is, fixed};
-use crate::analysis::{Axis, Curve, Dash, Ink, Plot, PlotKind, Point, Question, Subject, Watch, word};
+use crate::analysis::report::{
+    About, Answer, Column, Figure, Part, Report, Table, as_it_is, fixed,
+};
+use crate::analysis::{
+    Axis, Curve, Dash, Ink, Plot, PlotKind, Point, Question, Subject, Watch, word,
+};
 use crate::figure::{Paper, PlotStyle, lay_out};
 use crate::scene::{Choice, Interpolation, ShadingMode};
 use glam::DVec2;
@@ -20,14 +24,24 @@ impl Question for StudyQuestion {
     type Answer = Study;
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Study>) -> Result<Study, String> {
-        let found = study(&subject.scene, subject.model.clone(), self, subject.clock, watch);
+        let found = study(
+            &subject.scene,
+            subject.model.clone(),
+            self,
+            subject.clock,
+            watch,
+        );
         match (found.rows.is_empty(), found.omitted.first()) {
             (false, _) => Ok(found),
             (true, Some(omitted)) => {
                 let (method, why) = (omitted.method.word(), omitted.reason);
-                Err(format!("nothing to measure: {method} cannot draw this scene, {why}"))
+                Err(format!(
+                    "nothing to measure: {method} cannot draw this scene, {why}"
+                ))
             }
-            (true, None) => Err("nothing to measure: the shape takes none of these --segments".to_owned()),
+            (true, None) => {
+                Err("nothing to measure: the shape takes none of these --segments".to_owned())
+            }
         }
     }
 }
@@ -36,7 +50,9 @@ impl Answer for Study {
     fn report(&self, about: &About<'_>) -> Report {
         let mut report = Report::new(format!("{}, {} threads", about.heading(), self.threads));
         let section = report.section("");
-        section.parts.extend(study_plot(self).map(|plot| Part::Plot(plot.into())));
+        section
+            .parts
+            .extend(study_plot(self).map(|plot| Part::Plot(plot.into())));
         section.note(
             "Errors inside (N·V ≥ 0.2) against the exact picture in code values, 1/255 of linear intensity, before the \
              display: values above 1 count in full; “shown” with them clamped to 1 where the display clamps, as compare has \
@@ -50,27 +66,47 @@ impl Answer for Study {
         }
         let section = report.section("");
         for omitted in &self.omitted {
-            let how = omitted.interpolation.map_or_else(String::new, |how| format!(" ({})", word(&how)));
-            section.note(format!("Not measured: {}{how}: {}.", omitted.method.label(), omitted.reason));
+            let how = omitted
+                .interpolation
+                .map_or_else(String::new, |how| format!(" ({})", word(&how)));
+            section.note(format!(
+                "Not measured: {}{how}: {}.",
+                omitted.method.label(),
+                omitted.reason
+            ));
         }
         if self.rows.iter().any(|row| row.scalar) {
-            section.note("The scalar methods run in one thread: compare their times with each other.");
+            section
+                .note("The scalar methods run in one thread: compare their times with each other.");
         }
         report
     }
 
     fn figure(&self, _: &About<'_>, size: Option<[u32; 2]>, paper: Paper) -> Option<Figure> {
         let plot = study_plot(self)?;
-        let style = PlotStyle { paper, text: LETTERS, titled: true };
+        let style = PlotStyle {
+            paper,
+            text: LETTERS,
+            titled: true,
+        };
         let size = DVec2::from_array(size.unwrap_or(SHEET).map(f64::from));
-        Some(Figure::Drawing { drawing: lay_out(&plot, size, &style), title: plot.title })
+        Some(Figure::Drawing {
+            drawing: lay_out(&plot, size, &style),
+            title: plot.title,
+        })
     }
 
     fn json(&self, about: &About<'_>) -> Value {
-        let orders = |of: fn(&Series) -> Option<Fit>, value: fn(Fit) -> f64| -> Map<String, Value> {
-            let one = |method: &Method| Some((method.word().to_owned(), json!(value(of(self.series_of(*method)?)?))));
-            Method::VALUES.iter().filter_map(one).collect()
-        };
+        let orders =
+            |of: fn(&Series) -> Option<Fit>, value: fn(Fit) -> f64| -> Map<String, Value> {
+                let one = |method: &Method| {
+                    Some((
+                        method.word().to_owned(),
+                        json!(value(of(self.series_of(*method)?)?)),
+                    ))
+                };
+                Method::VALUES.iter().filter_map(one).collect()
+            };
         let cost = |method: &Method| {
             let [additions, multiplications, divisions, powers] = method.pixel_cost();
             let of = json!({
@@ -104,28 +140,60 @@ fn rows(study: &Study) -> Table {
     Table::of(
         &study.rows,
         [
-            (Column::shown("", as_it_is), |row| row.setting.title().into()),
-            (Column::key("method"), |row| row.setting.method.word().into()),
+            (Column::shown("", as_it_is), |row| {
+                row.setting.title().into()
+            }),
+            (Column::key("method"), |row| {
+                row.setting.method.word().into()
+            }),
             (Column::key("segments"), |row| row.setting.segments.into()),
             (Column::key("rings"), |row| row.setting.rings.into()),
-            (Column::key("interpolation"), |row| row.setting.interpolation.map_or("none", Choice::word).into()),
+            (Column::key("interpolation"), |row| {
+                row.setting
+                    .interpolation
+                    .map_or("none", Choice::word)
+                    .into()
+            }),
             (Column::both("n", "n", as_it_is), |row| row.setting.n.into()),
             (Column::key("spacing"), |row| row.spacing.into()),
-            (Column::both("error_rms", "RMS", codes), |row| row.error_rms.into()),
-            (Column::both("error_max", "greatest", codes), |row| row.error_max.into()),
-            (Column::both("error_p99", "99 %", codes), |row| row.error_p99.into()),
-            (Column::key("interior_pixels"), |row| row.interior_pixels.into()),
-            (Column::both("outline_pixels", "outline", as_it_is), |row| row.outline_pixels.into()),
+            (Column::both("error_rms", "RMS", codes), |row| {
+                row.error_rms.into()
+            }),
+            (Column::both("error_max", "greatest", codes), |row| {
+                row.error_max.into()
+            }),
+            (Column::both("error_p99", "99 %", codes), |row| {
+                row.error_p99.into()
+            }),
+            (Column::key("interior_pixels"), |row| {
+                row.interior_pixels.into()
+            }),
+            (Column::both("outline_pixels", "outline", as_it_is), |row| {
+                row.outline_pixels.into()
+            }),
             (Column::key("outline_rms"), |row| row.outline_rms.into()),
-            (Column::both("time_ms", "time", fixed::<3>), |row| row.time_ms.into()),
-            (Column::both("spread_ms", "IQR", fixed::<3>), |row| row.spread_ms.into()),
+            (Column::both("time_ms", "time", fixed::<3>), |row| {
+                row.time_ms.into()
+            }),
+            (Column::both("spread_ms", "IQR", fixed::<3>), |row| {
+                row.spread_ms.into()
+            }),
             (Column::key("samples"), |row| row.samples.into()),
-            (Column::both("evaluations", "evaluations", as_it_is), |row| row.evaluations.into()),
+            (
+                Column::both("evaluations", "evaluations", as_it_is),
+                |row| row.evaluations.into(),
+            ),
             (Column::key("pareto"), |row| row.pareto.to_string().into()),
             (Column::key("scalar"), |row| row.scalar.to_string().into()),
-            (Column::both("error_rms_shown", "shown", codes), |row| row.error_rms_shown.into()),
-            (Column::key("error_max_shown"), |row| row.error_max_shown.into()),
-            (Column::shown("", as_it_is), |row| if row.pareto { "*" } else { "" }.into()),
+            (Column::both("error_rms_shown", "shown", codes), |row| {
+                row.error_rms_shown.into()
+            }),
+            (Column::key("error_max_shown"), |row| {
+                row.error_max_shown.into()
+            }),
+            (Column::shown("", as_it_is), |row| {
+                if row.pareto { "*" } else { "" }.into()
+            }),
         ],
     )
 }
@@ -137,10 +205,16 @@ fn orders(study: &Study) -> Table {
     Table::of(
         &study.series,
         [
-            (Column::shown("", as_it_is), |series| title(series.method, series.interpolation).into()),
+            (Column::shown("", as_it_is), |series| {
+                title(series.method, series.interpolation).into()
+            }),
             (Column::shown("n", as_it_is), |series| series.n.into()),
-            (Column::shown("of the greatest error", as_it_is), |series| text(series.order).into()),
-            (Column::shown("of the RMS", as_it_is), |series| text(series.order_rms).into()),
+            (Column::shown("of the greatest error", as_it_is), |series| {
+                text(series.order).into()
+            }),
+            (Column::shown("of the RMS", as_it_is), |series| {
+                text(series.order_rms).into()
+            }),
         ],
     )
 }
@@ -148,32 +222,70 @@ fn orders(study: &Study) -> Table {
 /// Error over time, both logarithmic: a curve for each method, and the front of Pareto. Nothing as long as no setting has an
 /// error and a time.
 pub fn study_plot(study: &Study) -> Option<Plot> {
-    let known: Vec<(&StudyRow, [f64; 2])> =
-        study.rows.iter().filter_map(|row| Some((row, study_point(row)?))).collect();
+    let known: Vec<(&StudyRow, [f64; 2])> = study
+        .rows
+        .iter()
+        .filter_map(|row| Some((row, study_point(row)?)))
+        .collect();
     let first = known.first()?.0;
-    let several_n = known.iter().any(|(row, _)| row.setting.n.to_bits() != first.setting.n.to_bits());
-    let mut front: Vec<[f64; 2]> = known.iter().filter(|(row, _)| row.pareto).map(|(_, at)| *at).collect();
+    let several_n = known
+        .iter()
+        .any(|(row, _)| row.setting.n.to_bits() != first.setting.n.to_bits());
+    let mut front: Vec<[f64; 2]> = known
+        .iter()
+        .filter(|(row, _)| row.pareto)
+        .map(|(_, at)| *at)
+        .collect();
     front.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let dash = Dash::Long;
-    let mut curves = vec![Curve { dash, emphasised: false, ..Curve::new("front of Pareto", front, Ink::Reference) }];
+    let mut curves = vec![Curve {
+        dash,
+        emphasised: false,
+        ..Curve::new("front of Pareto", front, Ink::Reference)
+    }];
     let mut points = Vec::new();
     for series in known.chunk_by(|a, b| a.0.setting.is_like(&b.0.setting)) {
-        let Setting { method, interpolation, n, .. } = series[0].0.setting;
-        let n = if several_n { format!(", n = {n}") } else { String::new() };
+        let Setting {
+            method,
+            interpolation,
+            n,
+            ..
+        } = series[0].0.setting;
+        let n = if several_n {
+            format!(", n = {n}")
+        } else {
+            String::new()
+        };
         let name = title(method, interpolation) + &n;
         let (ink, dash) = look(method);
         let emphasised = interpolation != Some(Interpolation::Affine);
         let line = series.iter().map(|(_, at)| *at).collect();
-        curves.push(Curve { dash, emphasised, ..Curve::new(&name, line, ink) });
+        curves.push(Curve {
+            dash,
+            emphasised,
+            ..Curve::new(&name, line, ink)
+        });
         points.extend(series.iter().enumerate().map(|(index, (row, at))| {
             let (segments, strong) = (row.setting.segments, index == 0 || row.pareto);
-            let name = if strong { format!("{name} {segments}") } else { segments.to_string() };
-            Point { at: *at, name, ink, hollow: row.scalar, strong }
+            let name = if strong {
+                format!("{name} {segments}")
+            } else {
+                segments.to_string()
+            };
+            Point {
+                at: *at,
+                name,
+                ink,
+                hollow: row.scalar,
+                strong,
+            }
         }));
     }
     let axis = |name: &str, index: usize| {
         let values = known.iter().map(|(_, at)| at[index]);
-        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)]);
+        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
+            [low.min(v), high.max(v)]
+        });
         let margin = ((high - low) * MARGIN).max(0.5 * (LEAST - (high - low)));
         Axis::decades(name, low - margin, high + margin)
     };

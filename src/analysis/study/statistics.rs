@@ -32,15 +32,27 @@ pub fn fit_line(points: &[[f64; 2]]) -> Option<Fit> {
     let sxy: f64 = points.iter().map(|[x, y]| (x - mx) * (y - my)).sum();
     let slope = sxy / sxx;
     let offset = my - slope * mx;
-    let left: f64 = points.iter().map(|[x, y]| (y - offset - slope * x).powi(2)).sum();
+    let left: f64 = points
+        .iter()
+        .map(|[x, y]| (y - offset - slope * x).powi(2))
+        .sum();
     let confidence = student(points.len() - 2) * (left / (count - 2.0) / sxx).sqrt();
-    (slope.is_finite() && confidence.is_finite()).then_some(Fit { slope, offset, confidence, points: points.len() })
+    (slope.is_finite() && confidence.is_finite()).then_some(Fit {
+        slope,
+        offset,
+        confidence,
+        points: points.len(),
+    })
 }
 
 /// The order p of an error that goes as hᵖ, from pairs of h and the error; those at the rounding are left out.
 pub fn order_of(errors: impl IntoIterator<Item = (f64, f64)>) -> Option<Fit> {
-    let known = errors.into_iter().filter(|(spacing, error)| *spacing > 0.0 && *error > ROUNDING && error.is_finite());
-    let points: Vec<[f64; 2]> = known.map(|(spacing, error)| [spacing.ln(), error.ln()]).collect();
+    let known = errors
+        .into_iter()
+        .filter(|(spacing, error)| *spacing > 0.0 && *error > ROUNDING && error.is_finite());
+    let points: Vec<[f64; 2]> = known
+        .map(|(spacing, error)| [spacing.ln(), error.ln()])
+        .collect();
     fit_line(&points)
 }
 
@@ -48,8 +60,9 @@ pub fn order_of(errors: impl IntoIterator<Item = (f64, f64)>) -> Option<Fit> {
 /// Cornish and Fisher's expansion, off by less than 10⁻⁴.
 pub fn student(freedom: usize) -> f64 {
     const TABLE: [f64; 30] = [
-        12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131,
-        2.120, 2.110, 2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042,
+        12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160,
+        2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064, 2.060, 2.056,
+        2.052, 2.048, 2.045, 2.042,
     ];
     if let Some(value) = freedom.checked_sub(1).and_then(|index| TABLE.get(index)) {
         return *value;
@@ -57,7 +70,8 @@ pub fn student(freedom: usize) -> f64 {
     let z = 1.959_964_f64;
     #[expect(clippy::cast_precision_loss, reason = "few points")]
     let f = freedom.max(1) as f64;
-    z + (z.powi(3) + z) / (4.0 * f) + (5.0 * z.powi(5) + 16.0 * z.powi(3) + 3.0 * z) / (96.0 * f * f)
+    z + (z.powi(3) + z) / (4.0 * f)
+        + (5.0 * z.powi(5) + 16.0 * z.powi(3) + 3.0 * z) / (96.0 * f * f)
 }
 
 /// For each pair (time, error) whether no other is at least as small in both and smaller in one: the front of Pareto.
@@ -65,7 +79,8 @@ pub fn student(freedom: usize) -> f64 {
 pub fn pareto_front(points: &[[f64; 2]]) -> Vec<bool> {
     let beats = |a: &[f64; 2], b: &[f64; 2]| a[0] <= b[0] && a[1] <= b[1] && a != b;
     let on = |point: &[f64; 2]| {
-        point.iter().all(|value| value.is_finite()) && !points.iter().any(|other| beats(other, point))
+        point.iter().all(|value| value.is_finite())
+            && !points.iter().any(|other| beats(other, point))
     };
     points.iter().map(on).collect()
 }
@@ -74,11 +89,20 @@ pub fn pareto_front(points: &[[f64; 2]]) -> Vec<bool> {
 pub fn median_and_spread(samples: &mut [u64]) -> (f64, f64) {
     samples.sort_unstable();
     let quantile = |share: f64| {
-        #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³ samples and nanoseconds")]
-        let (last, value) = ((samples.len() - 1) as f64, |index: usize| samples[index] as f64 / 1e6);
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "far fewer than 2⁵³ samples and nanoseconds"
+        )]
+        let (last, value) = ((samples.len() - 1) as f64, |index: usize| {
+            samples[index] as f64 / 1e6
+        });
         let place = share * last;
         let (below, above) = (value(place.floor() as usize), value(place.ceil() as usize));
         below + (above - below) * place.fract()
     };
-    if samples.is_empty() { (0.0, 0.0) } else { (quantile(0.5), quantile(0.75) - quantile(0.25)) }
+    if samples.is_empty() {
+        (0.0, 0.0)
+    } else {
+        (quantile(0.5), quantile(0.75) - quantile(0.25))
+    }
 }

@@ -7,8 +7,8 @@ use crate::app::sampling::Finding;
 use crate::app::state::AppState;
 use crate::app::symbol::{Lit, Symbol};
 use crate::scene::light::{
-    ATTENUATION, C1, C2, C3, COLOR, CONE, DIRECTION, EXPONENT, EXTENT, K, KIND, NAME, POSITION, RADIUS, SAMPLES, SHAPE,
-    SOFTNESS, viewer_far,
+    ATTENUATION, C1, C2, C3, COLOR, CONE, DIRECTION, EXPONENT, EXTENT, K, KIND, NAME, POSITION,
+    RADIUS, SAMPLES, SHAPE, SOFTNESS, viewer_far,
 };
 use crate::scene::{Attenuation, Light, LightKind, Scene};
 use eframe::egui::accesskit::Role;
@@ -21,8 +21,22 @@ const LONGEST: usize = 12;
 /// A chip for each light, and the rows of the chosen one; what its kind and its shape do not use is not shown.
 pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
     chips_ui(ui, state);
-    let (index, AppState { shown, lit, sampling, .. }) = (state.light, state);
-    let (scene, view) = (&mut shown.scene, View { index, ..View::default() });
+    let (
+        index,
+        AppState {
+            shown,
+            lit,
+            sampling,
+            ..
+        },
+    ) = (state.light, state);
+    let (scene, view) = (
+        &mut shown.scene,
+        View {
+            index,
+            ..View::default()
+        },
+    );
     if index >= scene.lights.len() {
         ui.label(RichText::new("No light but the ambient. “+” adds one.").weak());
         return;
@@ -30,7 +44,9 @@ pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
     parameter_with(ui, lit, scene, &NAME, &view);
     switches_ui(ui, lit, scene, index);
     kind_ui(ui, lit, scene, index);
-    for row in [&POSITION, &DIRECTION, &CONE, &EXPONENT, &SOFTNESS, &SHAPE, &EXTENT, &RADIUS, &SAMPLES] {
+    for row in [
+        &POSITION, &DIRECTION, &CONE, &EXPONENT, &SOFTNESS, &SHAPE, &EXTENT, &RADIUS, &SAMPLES,
+    ] {
         if (row.idle)(scene, index).is_none() {
             parameter_with(ui, lit, scene, row, &view);
         }
@@ -64,7 +80,14 @@ fn chips_ui(ui: &mut Ui, state: &mut AppState) {
         ui.spacing_mut().item_spacing.x = 4.0;
         let soloing = state.shown.scene.soloing();
         for (index, light) in state.shown.scene.lights.iter().enumerate() {
-            if chip(ui, index, light, light.shines(soloing), state.light == index, lit) {
+            if chip(
+                ui,
+                index,
+                light,
+                light.shines(soloing),
+                state.light == index,
+                lit,
+            ) {
                 state.light = index;
             }
         }
@@ -86,10 +109,17 @@ fn chips_ui(ui: &mut Ui, state: &mut AppState) {
 /// A light that is silent is struck through and hollow.
 fn chip(ui: &mut Ui, index: usize, light: &Light, shines: bool, selected: bool, lit: bool) -> bool {
     let is_shown = !light.name.trim().is_empty() && light.name.chars().count() <= LONGEST;
-    let text = RichText::new(if is_shown { light.name.clone() } else { format!("L{}", index + 1) });
+    let text = RichText::new(if is_shown {
+        light.name.clone()
+    } else {
+        format!("L{}", index + 1)
+    });
     let text = if shines { text } else { text.strikethrough() };
     // The colour's place is kept free without letters, which would be struck through as well.
-    let mut button = Button::selectable(selected, (Atom::custom(IdSalt::new("colour"), vec2(12.0, 12.0)), text));
+    let mut button = Button::selectable(
+        selected,
+        (Atom::custom(IdSalt::new("colour"), vec2(12.0, 12.0)), text),
+    );
     // The chosen one keeps its colour, on which its letters are read.
     if lit && !selected {
         button = button.fill(ui.visuals().widgets.hovered.bg_fill);
@@ -97,34 +127,78 @@ fn chip(ui: &mut Ui, index: usize, light: &Light, shines: bool, selected: bool, 
     let response = ui.add(button);
     let centre = response.rect.left_center() + vec2(15.0, 0.0);
     if shines {
-        ui.painter().circle(centre, 6.0, swatch(light.color), ui.visuals().window_stroke);
+        ui.painter()
+            .circle(centre, 6.0, swatch(light.color), ui.visuals().window_stroke);
     } else {
-        ui.painter().circle_stroke(centre, 5.0, Stroke::new(1.5, ui.visuals().weak_text_color()));
+        ui.painter().circle_stroke(
+            centre,
+            5.0,
+            Stroke::new(1.5, ui.visuals().weak_text_color()),
+        );
     }
     let number = format!("Light {}", index + 1);
-    let name = if light.name.is_empty() { number.clone() } else { format!("{number}, {}", light.name) };
+    let name = if light.name.is_empty() {
+        number.clone()
+    } else {
+        format!("{number}, {}", light.name)
+    };
     let response = switch_named(response, Role::Button, selected, &name);
-    let silent = if shines { "" } else { "; it is silent: muted, or another light is soloed" };
-    response.on_hover_text(format!("Show the controls of {}{silent}", name.to_lowercase())).clicked()
+    let silent = if shines {
+        ""
+    } else {
+        "; it is silent: muted, or another light is soloed"
+    };
+    response
+        .on_hover_text(format!(
+            "Show the controls of {}{silent}",
+            name.to_lowercase()
+        ))
+        .clicked()
 }
 
 fn tool(ui: &mut Ui, sign: &str, name: &str, enabled: bool) -> bool {
-    let response = ui.add_enabled(enabled, Button::new(sign).min_size(vec2(28.0, 0.0)).sense(Sense::click()));
-    named(response, Role::Button, name).on_hover_text(name).clicked()
+    let response = ui.add_enabled(
+        enabled,
+        Button::new(sign)
+            .min_size(vec2(28.0, 0.0))
+            .sense(Sense::click()),
+    );
+    named(response, Role::Button, name)
+        .on_hover_text(name)
+        .clicked()
 }
 
 /// Mute and solo in one row.
 fn switches_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, index: usize) {
-    let Some(light) = scene.lights.get_mut(index) else { return };
+    let Some(light) = scene.lights.get_mut(index) else {
+        return;
+    };
     let name = format!("Light {}", index + 1);
     let tip = "A muted light is off. While any light is soloed, only soloed lights are on.";
-    let about = About { label: "Switch", name: &name, tip, symbol: Some(Symbol::Lights), ..About::default() };
-    let opened = lit.opened.lights.get(index).map_or([false, false], |light| [light.mute, light.solo]);
+    let about = About {
+        label: "Switch",
+        name: &name,
+        tip,
+        symbol: Some(Symbol::Lights),
+        ..About::default()
+    };
+    let opened = lit
+        .opened
+        .lights
+        .get(index)
+        .map_or([false, false], |light| [light.mute, light.solo]);
     let mut switches = [light.mute, light.solo];
     value_row(ui, lit, &about, opened, &mut switches, |ui, switches| {
         for (label, on) in ["mute", "solo"].into_iter().zip(switches) {
-            let button = Button::selectable(*on, label).frame_when_inactive(true).min_size(vec2(58.0, 0.0));
-            let response = switch_named(ui.add(button), Role::Button, *on, &format!("{name} {label}"));
+            let button = Button::selectable(*on, label)
+                .frame_when_inactive(true)
+                .min_size(vec2(58.0, 0.0));
+            let response = switch_named(
+                ui.add(button),
+                Role::Button,
+                *on,
+                &format!("{name} {label}"),
+            );
             *on ^= response.on_hover_text(tip).clicked();
         }
     });
@@ -134,13 +208,29 @@ fn switches_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, index: usize) {
 fn kind_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, index: usize) {
     let target = scene.camera.target;
     let before = scene.lights.get(index).is_some_and(Light::has_direction);
-    parameter_with(ui, lit, scene, &KIND, &View { index, ..View::default() });
-    let Some(light) = scene.lights.get_mut(index) else { return };
+    parameter_with(
+        ui,
+        lit,
+        scene,
+        &KIND,
+        &View {
+            index,
+            ..View::default()
+        },
+    );
+    let Some(light) = scene.lights.get_mut(index) else {
+        return;
+    };
     // A light that has never been aimed is aimed at what the camera looks at.
     let default = Light::default();
     let unaimed = light.direction == default.direction && light.position != default.position;
     let aim = target - light.position;
-    if !before && light.has_direction() && light.kind.has_position() && unaimed && aim != DVec3::ZERO {
+    if !before
+        && light.has_direction()
+        && light.kind.has_position()
+        && unaimed
+        && aim != DVec3::ZERO
+    {
         light.direction = aim;
     }
 }
@@ -173,9 +263,13 @@ mod tests {
 
     #[test]
     fn an_error_has_two_digits() {
-        for (part, text) in
-            [(0.0, "under 0.001 %"), (0.000_041, "0.0041 %"), (0.004_1, "0.41 %"), (0.012, "1.2 %"), (0.29, "29 %")]
-        {
+        for (part, text) in [
+            (0.0, "under 0.001 %"),
+            (0.000_041, "0.0041 %"),
+            (0.004_1, "0.41 %"),
+            (0.012, "1.2 %"),
+            (0.29, "29 %"),
+        ] {
             assert_eq!(percent(part), text);
         }
     }

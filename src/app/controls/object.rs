@@ -4,7 +4,9 @@ use crate::app::action::Action;
 use crate::app::engine::Engine;
 use crate::app::handles::{MOST as MOST_HANDLES, go};
 use crate::app::plan::grouped;
-use crate::app::row::{About, NumberRow, SliderRange, View, axes, number, parameter, parameter_with, value_row, whole};
+use crate::app::row::{
+    About, NumberRow, SliderRange, View, axes, number, parameter, parameter_with, value_row, whole,
+};
 use crate::app::state::AppState;
 use crate::app::symbol::{Lit, Symbol};
 use crate::geometry::{divisions_for, triangles};
@@ -17,7 +19,13 @@ const SLIDER: f64 = 1e6;
 const MOST: f64 = 4e6;
 
 pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    let AppState { shown, lit, vertex, asked, .. } = state;
+    let AppState {
+        shown,
+        lit,
+        vertex,
+        asked,
+        ..
+    } = state;
     let report = engine.report();
     let before = shown.scene.object.kind;
     parameter(ui, lit, &mut shown.scene, &KIND);
@@ -31,8 +39,10 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         asked.push(Action::Open);
     }
     // Another shape may need more of them.
-    (object.segments, object.rings) =
-        (object.segments.max(object.min_segments()), object.rings.max(object.min_rings()));
+    (object.segments, object.rings) = (
+        object.segments.max(object.min_segments()),
+        object.rings.max(object.min_rings()),
+    );
     match kind {
         ObjectKind::Obj => {
             let path = object.path.as_ref().and_then(|path| path.file_name());
@@ -55,11 +65,22 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             parameter(ui, lit, &mut shown.scene, &RINGS);
         }
     }
-    let [faces, vertices, triangles] = [report.faces, report.vertices, report.triangles].map(grouped);
+    let [faces, vertices, triangles] =
+        [report.faces, report.vertices, report.triangles].map(grouped);
     let tip = format!("Drawn as {triangles} triangles; a vertex is a point with one normal.");
-    ui.label(RichText::new(format!("{faces} polygons, {vertices} vertices")).weak()).on_hover_text(tip);
+    ui.label(RichText::new(format!("{faces} polygons, {vertices} vertices")).weak())
+        .on_hover_text(tip);
     let scene = &mut shown.scene;
-    parameter_with(ui, lit, scene, &NORMALS, &View { offered: has_normals, ..View::default() });
+    parameter_with(
+        ui,
+        lit,
+        scene,
+        &NORMALS,
+        &View {
+            offered: has_normals,
+            ..View::default()
+        },
+    );
     if scene.object.normals == NormalSource::Averaged {
         parameter(ui, lit, scene, &WEIGHTING);
     }
@@ -67,19 +88,34 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
 
 /// Whether the object has vertex normals from this source.
 fn has_normals(scene: &Scene, source: &ChoiceOption) -> bool {
-    let Object { kind, vertex_normals, .. } = &scene.object;
+    let Object {
+        kind,
+        vertex_normals,
+        ..
+    } = &scene.object;
     match source.word {
         "exact" => kind.has_surface(),
-        "file" => *kind == ObjectKind::Obj || (*kind == ObjectKind::Polygons && !vertex_normals.is_empty()),
+        "file" => {
+            *kind == ObjectKind::Obj
+                || (*kind == ObjectKind::Polygons && !vertex_normals.is_empty())
+        }
         _ => true,
     }
 }
 
 /// One slider for segments and rings together.
 fn triangles_ui(ui: &mut Ui, lit: &mut Lit, idle: Option<&str>, object: &mut Object) {
-    let plain = Object { segments: lit.opened.object.segments, rings: lit.opened.object.rings, ..object.clone() };
+    let plain = Object {
+        segments: lit.opened.object.segments,
+        rings: lit.opened.object.rings,
+        ..object.clone()
+    };
     let [segments, rings] = divisions_for(object.kind, 0);
-    let least = triangles(&Object { segments, rings, ..object.clone() }) as f64;
+    let least = triangles(&Object {
+        segments,
+        rings,
+        ..object.clone()
+    }) as f64;
     let about = About {
         label: "Triangles",
         tip: "Sets segments and rings together, so that polygons are about as wide as high. The slider reaches a \
@@ -88,10 +124,23 @@ fn triangles_ui(ui: &mut Ui, lit: &mut Lit, idle: Option<&str>, object: &mut Obj
         idle,
         ..About::default()
     };
-    let range = SliderRange { limits: least..=MOST, decimals: 0, ..SliderRange::logarithmic(least..=SLIDER) };
+    let range = SliderRange {
+        limits: least..=MOST,
+        decimals: 0,
+        ..SliderRange::logarithmic(least..=SLIDER)
+    };
     let (now, default) = (triangles(object) as f64, triangles(&plain) as f64);
     let mut wanted = now;
-    number(ui, lit, &NumberRow { about, range, default }, &mut wanted);
+    number(
+        ui,
+        lit,
+        &NumberRow {
+            about,
+            range,
+            default,
+        },
+        &mut wanted,
+    );
     if wanted == now {
         return;
     }
@@ -108,7 +157,10 @@ fn polygons_ui(ui: &mut Ui, lit: &mut Lit, vertex: &mut usize, object: &mut Obje
     let polygons = object.polygons();
     let count = polygons.vertices.len();
     let faces = polygons.faces.len();
-    ui.label(format!("{count} vertices, {faces} {}", if faces == 1 { "face" } else { "faces" }));
+    ui.label(format!(
+        "{count} vertices, {faces} {}",
+        if faces == 1 { "face" } else { "faces" }
+    ));
     let how = if count <= MOST_HANDLES {
         "Drag a vertex in the picture; with Shift along the line of sight. Faces are edited in the scene file."
     } else {
@@ -116,19 +168,44 @@ fn polygons_ui(ui: &mut Ui, lit: &mut Lit, vertex: &mut usize, object: &mut Obje
     };
     ui.label(RichText::new(how).weak());
     *vertex = (*vertex).min(count.saturating_sub(1));
-    let Some(at) = polygons.vertices.get(*vertex).copied() else { return };
+    let Some(at) = polygons.vertices.get(*vertex).copied() else {
+        return;
+    };
     let mut number = u32::try_from(*vertex).unwrap_or(u32::MAX);
     let last = (count - 1) as f64;
-    let range = SliderRange { limits: 0.0..=last, decimals: 0, ..SliderRange::linear(0.0..=last) };
+    let range = SliderRange {
+        limits: 0.0..=last,
+        decimals: 0,
+        ..SliderRange::linear(0.0..=last)
+    };
     let tip = "The vertex whose place is given below, by its number in the scene file.";
-    let about = About { label: "Vertex", tip, ..About::default() };
-    whole(ui, lit, &NumberRow { about, range, default: 0.0 }, &mut number);
+    let about = About {
+        label: "Vertex",
+        tip,
+        ..About::default()
+    };
+    whole(
+        ui,
+        lit,
+        &NumberRow {
+            about,
+            range,
+            default: 0.0,
+        },
+        &mut number,
+    );
     *vertex = number as usize;
-    let tip =
-        "Where the vertex is; world units. It goes no farther than its polygons allow without crossing themselves.";
-    let about = About { label: "Place", name: "Vertex place", tip, ..About::default() };
+    let tip = "Where the vertex is; world units. It goes no farther than its polygons allow without crossing themselves.";
+    let about = About {
+        label: "Place",
+        name: "Vertex place",
+        tip,
+        ..About::default()
+    };
     let mut to = at;
-    value_row(ui, lit, &about, at, &mut to, |ui, to| axes(ui, about.name, to));
+    value_row(ui, lit, &about, at, &mut to, |ui, to| {
+        axes(ui, about.name, to);
+    });
     if to != at {
         go(object, number, to, f64::MIN_POSITIVE);
     }

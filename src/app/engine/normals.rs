@@ -30,7 +30,13 @@ struct NeedlesKey {
 
 impl NormalsDrawing {
     /// Brings the needles up to date with the picture of the active pane.
-    pub fn update(&mut self, ctx: &Context, state: &mut AppState, pane: usize, engine: &PaneEngine) {
+    pub fn update(
+        &mut self,
+        ctx: &Context,
+        state: &mut AppState,
+        pane: usize,
+        engine: &PaneEngine,
+    ) {
         let Some(scene) = engine.drawn().filter(|_| state.look.overlay.normals()) else {
             if self.field.is_some() {
                 *self = Self::default();
@@ -39,25 +45,45 @@ impl NormalsDrawing {
             return;
         };
         let renderer = engine.renderer();
-        let kept = self.field.take_if(|field| field.holds(renderer, &scene.object));
+        let kept = self
+            .field
+            .take_if(|field| field.holds(renderer, &scene.object));
         if kept.is_none() {
-            if self.field.as_ref().is_some_and(|field| !field.of_equal_mesh(renderer)) {
+            if self
+                .field
+                .as_ref()
+                .is_some_and(|field| !field.of_equal_mesh(renderer))
+            {
                 // Its numbers mean other points.
                 state.pointed.kept = None;
             }
             self.drawn = None;
         }
-        let field = self.field.insert(kept.unwrap_or_else(|| NormalField::new(renderer, &scene.object)));
+        let field = self
+            .field
+            .insert(kept.unwrap_or_else(|| NormalField::new(renderer, &scene.object)));
         let (size, options) = (scene.image.size, options(state, scene));
         let exact = scene.shading.mode == ShadingMode::Exact;
-        let key = NeedlesKey { pane, options, camera: scene.camera.clone(), size, exact };
+        let key = NeedlesKey {
+            pane,
+            options,
+            camera: scene.camera.clone(),
+            size,
+            exact,
+        };
         if self.drawn.as_ref() == Some(&key) {
             return;
         }
         self.seen = field.facing(&View::new(&scene.camera, size), size);
         let needles = Needles::new(size, scene, renderer, field, &key.options);
         if let Some(image) = drawing(size, |pixmap| needles.draw(pixmap)) {
-            upload(ctx, &mut self.needles, "needles", image, TextureOptions::NEAREST);
+            upload(
+                ctx,
+                &mut self.needles,
+                "needles",
+                image,
+                TextureOptions::NEAREST,
+            );
         }
         (self.drawn, self.lit) = (Some(key), None);
     }
@@ -76,7 +102,9 @@ impl NormalsDrawing {
         if engine.coarser > 1 {
             return;
         }
-        let (Some(field), Some(scene)) = (&self.field, engine.drawn()) else { return };
+        let (Some(field), Some(scene)) = (&self.field, engine.drawn()) else {
+            return;
+        };
         let near = |pixel| field.vertex_near(engine.renderer(), &self.seen, pixel, reach);
         let hovered = pointer.and_then(near).map(|vertex| vertex.index);
         if clicked {
@@ -89,17 +117,27 @@ impl NormalsDrawing {
         }
         let known = wanted.and_then(|number| field.vertex(number));
         let size = scene.image.size;
-        let laid = known.and_then(|vertex| LitVertex::new(size, scene, field, &vertex, &options(state, scene)));
+        let laid = known
+            .and_then(|vertex| LitVertex::new(size, scene, field, &vertex, &options(state, scene)));
         let mut texture = self.lit.take().map(|(_, texture)| texture);
         if let Some(image) = laid.and_then(|laid| drawing(size, |pixmap| laid.draw(pixmap))) {
-            upload(ctx, &mut texture, "lit vertex", image, TextureOptions::NEAREST);
+            upload(
+                ctx,
+                &mut texture,
+                "lit vertex",
+                image,
+                TextureOptions::NEAREST,
+            );
             self.lit = wanted.zip(texture);
         }
     }
 
     /// The needles and the lit faces.
     pub fn textures(&self) -> [Option<&TextureHandle>; 2] {
-        [self.needles.as_ref(), self.lit.as_ref().map(|(_, texture)| texture)]
+        [
+            self.needles.as_ref(),
+            self.lit.as_ref().map(|(_, texture)| texture),
+        ]
     }
 }
 
@@ -107,5 +145,9 @@ impl NormalsDrawing {
 fn options(state: &AppState, scene: &Scene) -> OverlayOptions {
     let mut options = overlay_options(&state.look.overlay, state.light, scene);
     options.layers.retain(|layer| layer.of_needles());
-    OverlayOptions { light: None, scale: f64::from(state.look.scale), ..options }
+    OverlayOptions {
+        light: None,
+        scale: f64::from(state.look.scale),
+        ..options
+    }
 }

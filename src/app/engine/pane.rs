@@ -25,23 +25,38 @@ struct Drawing {
 impl Default for Drawing {
     fn default() -> Self {
         let (model, drawn, linear, report) = (None, None, false, Report::default());
-        Self { renderer: Renderer::with_clock(nanoseconds), model, drawn, linear, report }
+        Self {
+            renderer: Renderer::with_clock(nanoseconds),
+            model,
+            drawn,
+            linear,
+            report,
+        }
     }
 }
 
 impl Drawing {
     /// Whether the last picture is one of `wanted` at `size` pixels; the size in a scene is that of exported pictures.
     fn shows(&self, wanted: &Wanted<'_>, size: [u32; 2]) -> bool {
-        let sized = self.drawn.as_ref().is_some_and(|drawn| drawn.image.size == size);
+        let sized = self
+            .drawn
+            .as_ref()
+            .is_some_and(|drawn| drawn.image.size == size);
         let same = same_model(self.model.as_ref(), wanted.model) && self.linear == wanted.linear;
         sized && same && self.changed_parts(wanted.scene).is_empty()
     }
 
     /// The tables of a scene file in which a scene differs from the one drawn last, as far as the picture depends on them.
     fn changed_parts(&self, scene: &Scene) -> Vec<&'static str> {
-        let Some(drawn) = &self.drawn else { return vec!["all"] };
-        let differences = drawn.differences(scene).filter(|(parameter, _)| parameter.key != "image.size");
-        let mut parts: Vec<_> = differences.map(|(parameter, _)| parameter.section()).collect();
+        let Some(drawn) = &self.drawn else {
+            return vec!["all"];
+        };
+        let differences = drawn
+            .differences(scene)
+            .filter(|(parameter, _)| parameter.key != "image.size");
+        let mut parts: Vec<_> = differences
+            .map(|(parameter, _)| parameter.section())
+            .collect();
         parts.retain(|part| !["about", "compare"].contains(part));
         parts.dedup();
         parts
@@ -103,7 +118,11 @@ impl PaneEngine {
         if parts.is_empty() {
             return 0;
         }
-        let known = self.costs.iter().find(|(known, _)| *known == parts).map(|(_, cost)| *cost);
+        let known = self
+            .costs
+            .iter()
+            .find(|(known, _)| *known == parts)
+            .map(|(_, cost)| *cost);
         known.unwrap_or_else(|| self.costs.iter().map(|(_, cost)| *cost).max().unwrap_or(0))
     }
 
@@ -129,7 +148,11 @@ impl PaneEngine {
             self.remember(parts, self.whole.report.nanoseconds);
         }
         // A coarser picture is spread smoothly.
-        let options = if coarser > 1 { TextureOptions::LINEAR } else { TextureOptions::NEAREST };
+        let options = if coarser > 1 {
+            TextureOptions::LINEAR
+        } else {
+            TextureOptions::NEAREST
+        };
         let image = self.image();
         upload(ctx, &mut self.picture, "picture", image, options);
         true
@@ -138,12 +161,17 @@ impl PaneEngine {
     /// An image of the picture in sight: in the place of an earlier one, or a new one.
     fn image(&mut self) -> Arc<ColorImage> {
         // The last picture's may still be on its way to the texture.
-        let free = self.images.iter_mut().position(|image| Arc::get_mut(image).is_some());
+        let free = self
+            .images
+            .iter_mut()
+            .position(|image| Arc::get_mut(image).is_some());
         let mut image = free.map_or_else(Arc::default, |index| self.images.swap_remove(index));
         let frame = self.in_sight().renderer.frame();
         let size = [frame.width as usize, frame.height as usize];
         match Arc::get_mut(&mut image).filter(|image| image.size == size) {
-            Some(image) => image.as_raw_mut().copy_from_slice(frame.pixels.as_flattened()),
+            Some(image) => image
+                .as_raw_mut()
+                .copy_from_slice(frame.pixels.as_flattened()),
             None => image = Arc::new(image_of(frame)),
         }
         self.images.truncate(IMAGES - 1);
@@ -157,7 +185,10 @@ impl PaneEngine {
     }
 
     fn in_sight(&self) -> &Drawing {
-        self.draft.as_ref().filter(|_| self.coarser > 1).unwrap_or(&self.whole)
+        self.draft
+            .as_ref()
+            .filter(|_| self.coarser > 1)
+            .unwrap_or(&self.whole)
     }
 
     /// Brings the probe at a pixel of the whole picture up to date; returns whether it had to be.
@@ -169,7 +200,9 @@ impl PaneEngine {
             Some(draft) if self.coarser > 1 => draft,
             _ => &mut self.whole,
         };
-        let Some(scene) = &drawing.drawn else { return false };
+        let Some(scene) = &drawing.drawn else {
+            return false;
+        };
         let [x, y] = pixel.map(|v| v / self.coarser);
         let mut probe = probe(&mut drawing.renderer, scene, x, y);
         probe.pixel = pixel;
@@ -196,7 +229,11 @@ impl PaneEngine {
     pub fn linear(&self) -> Option<LinearPicture<'_>> {
         let drawing = self.in_sight();
         let scene = drawing.drawn.as_ref().filter(|_| drawing.linear)?;
-        Some(LinearPicture { width: scene.image.size[0], pixels: drawing.renderer.linear(), clamps: scene.clamps() })
+        Some(LinearPicture {
+            width: scene.image.size[0],
+            pixels: drawing.renderer.linear(),
+            clamps: scene.clamps(),
+        })
     }
 }
 
@@ -205,17 +242,28 @@ pub fn overlay_options(look: &OverlayLook, light: usize, scene: &Scene) -> Overl
     let layers = [
         (look.vectors, OverlayLayer::Vectors),
         (look.vectors && look.angles, OverlayLayer::Angles),
-        (look.vectors && look.construction, OverlayLayer::Construction),
+        (
+            look.vectors && look.construction,
+            OverlayLayer::Construction,
+        ),
         (look.vectors && look.lobe, OverlayLayer::Lobe),
         (look.vectors && look.side_view, OverlayLayer::SideView),
         (look.face_normals, OverlayLayer::FaceNormals),
         (look.vertex_normals, OverlayLayer::VertexNormals),
     ];
     OverlayOptions {
-        layers: layers.into_iter().filter(|(shown, _)| *shown).map(|(_, layer)| layer).collect(),
+        layers: layers
+            .into_iter()
+            .filter(|(shown, _)| *shown)
+            .map(|(_, layer)| layer)
+            .collect(),
         light: (light < scene.lights.len()).then_some(light),
         half_vector: look.half_vector,
-        halo: if is_dark(scene) { Halo::Dark } else { Halo::Light },
+        halo: if is_dark(scene) {
+            Halo::Dark
+        } else {
+            Halo::Light
+        },
         ..OverlayOptions::default()
     }
 }
@@ -233,10 +281,16 @@ pub fn image_of(frame: &Frame) -> ColorImage {
 }
 
 /// A picture of `size` pixels that `draw` puts on nothing.
-pub fn drawing([width, height]: [u32; 2], draw: impl FnOnce(&mut tiny_skia::PixmapMut<'_>)) -> Option<ColorImage> {
+pub fn drawing(
+    [width, height]: [u32; 2],
+    draw: impl FnOnce(&mut tiny_skia::PixmapMut<'_>),
+) -> Option<ColorImage> {
     let mut pixmap = tiny_skia::Pixmap::new(width, height)?;
     draw(&mut pixmap.as_mut());
-    Some(ColorImage::from_rgba_premultiplied([width as usize, height as usize], pixmap.data()))
+    Some(ColorImage::from_rgba_premultiplied(
+        [width as usize, height as usize],
+        pixmap.data(),
+    ))
 }
 
 pub fn upload(

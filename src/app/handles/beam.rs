@@ -47,10 +47,21 @@ impl<'a> Beam<'a> {
         let axis = light.direction.try_normalize()?;
         let aside = axis.cross(view.forward);
         let across = |v: DVec3| v - axis * v.dot(axis);
-        let aside = if aside.length() > FACE_ON { aside } else { across(view.right) };
-        let reach = (target - light.position).length().max(SHORTEST * (target - view.eye).length());
+        let aside = if aside.length() > FACE_ON {
+            aside
+        } else {
+            across(view.right)
+        };
+        let reach = (target - light.position)
+            .length()
+            .max(SHORTEST * (target - view.eye).length());
         let aside = aside.try_normalize().unwrap_or(view.up);
-        reach.is_finite().then_some(Self { light, axis, reach, aside })
+        reach.is_finite().then_some(Self {
+            light,
+            axis,
+            reach,
+            aside,
+        })
     }
 
     fn head(&self) -> DVec3 {
@@ -68,8 +79,15 @@ impl<'a> Beam<'a> {
     pub fn grips(&self, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
         let inner = place.rect.shrink(MARGIN * 0.5);
         let seen = |world: DVec3| view.project(world).map(|(pixel, _)| place.point(pixel));
-        let Some(head) = seen(self.head()) else { return vec![] };
-        let mut grips = vec![(Grip::Aim { front: self.axis.dot(view.forward) < 0.0 }, head)];
+        let Some(head) = seen(self.head()) else {
+            return vec![];
+        };
+        let mut grips = vec![(
+            Grip::Aim {
+                front: self.axis.dot(view.forward) < 0.0,
+            },
+            head,
+        )];
         if let Some(edge) = seen(self.edge(0.0)).filter(|_| self.light.kind == LightKind::Spot) {
             grips.push((Grip::Rim((edge - head).normalized()), edge));
         }
@@ -81,18 +99,31 @@ impl<'a> Beam<'a> {
     pub fn paint_grips(&self, painter: &Painter, view: &View, place: Place) {
         for (_, at) in self.grips(view, place) {
             painter.circle_stroke(at, SMALL, Stroke::new(4.0, Color32::from_black_alpha(150)));
-            painter.circle(at, SMALL, palette::vector(Vector::L), Stroke::new(1.0, Color32::BLACK));
+            painter.circle(
+                at,
+                SMALL,
+                palette::vector(Vector::L),
+                Stroke::new(1.0, Color32::BLACK),
+            );
         }
     }
 
     /// Draws the axis, and faintly what it is the axis of.
     fn paint(&self, painter: &Painter, view: &View, place: Place) {
-        let seen = |world: DVec3| view.project(world).map(|(pixel, _)| place.exact_point(pixel));
+        let seen = |world: DVec3| {
+            view.project(world)
+                .map(|(pixel, _)| place.exact_point(pixel))
+        };
         let orange = palette::vector(Vector::L);
         if let (Some(from), Some(to)) = (seen(self.light.position), seen(self.head())) {
             let way = (to - from).normalize_or_zero();
             let shaft = [from + way * 9.0, to - way * 6.0];
-            line(painter, shaft, Stroke::new(3.5, Color32::from_black_alpha(110)), &[]);
+            line(
+                painter,
+                shaft,
+                Stroke::new(3.5, Color32::from_black_alpha(110)),
+                &[],
+            );
             line(painter, shaft, Stroke::new(1.5, orange), &[]);
             for side in [way.perp(), -way.perp()] {
                 let barb = [to - way * 6.0, to - way * 15.0 + side * 5.0];
@@ -114,13 +145,21 @@ impl<'a> Beam<'a> {
 /// Where the chosen light shines, if it has an axis.
 pub fn chosen<'a>(state: &'a AppState, view: &View) -> Option<Beam<'a>> {
     let scene = &state.shown.scene;
-    scene.lights.get(state.light).and_then(|light| Beam::of(light, view, scene.camera.target))
+    scene
+        .lights
+        .get(state.light)
+        .and_then(|light| Beam::of(light, view, scene.camera.target))
 }
 
 /// Draws the outline of every area light, and where the chosen light shines.
 pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
     let scene = &state.shown.scene;
-    for (index, light) in scene.lights.iter().enumerate().filter(|(_, light)| light.kind == LightKind::Area) {
+    for (index, light) in scene
+        .lights
+        .iter()
+        .enumerate()
+        .filter(|(_, light)| light.kind == LightKind::Area)
+    {
         let strength = if index == state.light { 1.0 } else { 0.5 };
         let stroke = Stroke::new(1.5, palette::vector(Vector::L).gamma_multiply(strength));
         area(painter, light, view, place, stroke);
@@ -134,13 +173,18 @@ fn area(painter: &Painter, light: &Light, view: &View, place: Place, stroke: Str
     let points: Vec<DVec3> = match light.shape {
         AreaShape::Rectangle => {
             let [across, up] = rectangle_axes(light);
-            [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]].map(|[u, v]| across * u + up * v).to_vec()
+            [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]
+                .map(|[u, v]| across * u + up * v)
+                .to_vec()
         }
-        AreaShape::Sphere => {
-            round().map(|turn| (view.right * turn.cos() + view.up * turn.sin()) * light.radius).collect()
-        }
+        AreaShape::Sphere => round()
+            .map(|turn| (view.right * turn.cos() + view.up * turn.sin()) * light.radius)
+            .collect(),
     };
-    let seen = |offset: DVec3| view.project(light.position + offset).map(|(pixel, _)| place.exact_point(pixel));
+    let seen = |offset: DVec3| {
+        view.project(light.position + offset)
+            .map(|(pixel, _)| place.exact_point(pixel))
+    };
     closed(painter, stroke, points.into_iter().map(seen));
 }
 
@@ -152,7 +196,11 @@ fn round() -> impl Iterator<Item = f64> {
 /// A closed line through points, if all of them can be seen.
 fn closed(painter: &Painter, stroke: Stroke, points: impl Iterator<Item = Option<DVec2>>) {
     if let Some(points) = points.collect::<Option<Vec<_>>>() {
-        outline(painter, &points, Stroke::new(stroke.width + 2.0, Color32::from_black_alpha(110)));
+        outline(
+            painter,
+            &points,
+            Stroke::new(stroke.width + 2.0, Color32::from_black_alpha(110)),
+        );
         outline(painter, &points, stroke);
     }
 }
@@ -160,8 +208,12 @@ fn closed(painter: &Painter, stroke: Stroke, points: impl Iterator<Item = Option
 /// Turns light `index` so that its axis' head is at `pixel`, on the side of the light where the drag began.
 pub fn aim_at(scene: &mut Scene, index: usize, view: &View, pixel: DVec2, front: bool) {
     let Scene { lights, camera, .. } = scene;
-    let (Some(light), target) = (lights.get_mut(index), camera.target) else { return };
-    let Some(Beam { reach, .. }) = Beam::of(light, view, target) else { return };
+    let (Some(light), target) = (lights.get_mut(index), camera.target) else {
+        return;
+    };
+    let Some(Beam { reach, .. }) = Beam::of(light, view, target) else {
+        return;
+    };
     let direction = on_sphere(view, pixel, light.position, reach, front);
     if direction.is_finite() && direction.length() > 0.5 {
         light.direction = tidy(direction, 1e-3);
@@ -171,17 +223,32 @@ pub fn aim_at(scene: &mut Scene, index: usize, view: &View, pixel: DVec2, front:
 /// Opens the cone of light `index` so that its edge is at `pixel`.
 pub fn open_to(scene: &mut Scene, index: usize, view: &View, pixel: DVec2) {
     let Scene { lights, camera, .. } = scene;
-    let (Some(light), target) = (lights.get_mut(index), camera.target) else { return };
-    let Some(beam) = Beam::of(light, view, target) else { return };
+    let (Some(light), target) = (lights.get_mut(index), camera.target) else {
+        return;
+    };
+    let Some(beam) = Beam::of(light, view, target) else {
+        return;
+    };
     let (origin, along) = view.ray(pixel);
     // Seen from the side, the plane of the axis and the handle; seen face on, the sphere.
     let normal = beam.axis.cross(beam.aside);
     let way = if beam.axis.cross(view.forward).length() > FACE_ON {
-        origin + along * ((light.position - origin).dot(normal) / along.dot(normal)) - light.position
+        origin + along * ((light.position - origin).dot(normal) / along.dot(normal))
+            - light.position
     } else {
-        on_sphere(view, pixel, light.position, beam.reach, beam.axis.dot(view.forward) < 0.0)
+        on_sphere(
+            view,
+            pixel,
+            light.position,
+            beam.reach,
+            beam.axis.dot(view.forward) < 0.0,
+        )
     };
-    let angle = way.cross(beam.axis).length().atan2(way.dot(beam.axis)).to_degrees();
+    let angle = way
+        .cross(beam.axis)
+        .length()
+        .atan2(way.dot(beam.axis))
+        .to_degrees();
     if angle.is_finite() {
         let (least, most) = (*Light::CONE.start(), *Light::CONE.end());
         light.cone = ((angle * 10.0).round() / 10.0).clamp(least, most);
@@ -209,7 +276,9 @@ fn on_sphere(view: &View, pixel: DVec2, centre: DVec3, reach: f64, front: bool) 
 pub fn cursor(way: Vec2) -> eframe::egui::CursorIcon {
     use eframe::egui::CursorIcon::{ResizeHorizontal, ResizeNeSw, ResizeNwSe, ResizeVertical};
     let icons = [ResizeHorizontal, ResizeNwSe, ResizeVertical, ResizeNeSw];
-    let eighth = (way.angle() / std::f32::consts::FRAC_PI_4).round().rem_euclid(4.0);
+    let eighth = (way.angle() / std::f32::consts::FRAC_PI_4)
+        .round()
+        .rem_euclid(4.0);
     icons[eighth as usize % 4]
 }
 
@@ -222,8 +291,16 @@ mod tests {
     const SIZE: [u32; 2] = [800, 600];
 
     fn spot(direction: DVec3) -> Scene {
-        let light = Light { kind: LightKind::Spot, position: DVec3::new(1.5, 1.0, 1.0), direction, ..Light::default() };
-        Scene { lights: vec![light], ..Scene::default() }
+        let light = Light {
+            kind: LightKind::Spot,
+            position: DVec3::new(1.5, 1.0, 1.0),
+            direction,
+            ..Light::default()
+        };
+        Scene {
+            lights: vec![light],
+            ..Scene::default()
+        }
     }
 
     /// Where the head of the axis and the handle of the edge are seen.
@@ -237,7 +314,11 @@ mod tests {
         let mut scene = spot(DVec3::new(-1.5, -1.0, -0.2));
         let view = View::new(&Camera::default(), SIZE);
         for front in [true, false] {
-            for wanted in [DVec2::new(400.0, 300.0), DVec2::new(500.0, 250.0), DVec2::new(430.0, 330.0)] {
+            for wanted in [
+                DVec2::new(400.0, 300.0),
+                DVec2::new(500.0, 250.0),
+                DVec2::new(430.0, 330.0),
+            ] {
                 aim_at(&mut scene, 0, &view, wanted, front);
                 let [head, _] = seen(&scene, &view);
                 assert!((head - wanted).length() < 2.0, "{head} instead of {wanted}");
@@ -258,7 +339,10 @@ mod tests {
                 scene.lights[0].cone = 33.0;
                 open_to(&mut scene, 0, &view, edge);
                 let cone = scene.lights[0].cone;
-                assert!((cone - wanted).abs() < 0.2, "{direction}: {cone} instead of {wanted}");
+                assert!(
+                    (cone - wanted).abs() < 0.2,
+                    "{direction}: {cone} instead of {wanted}"
+                );
             }
             open_to(&mut scene, 0, &view, DVec2::splat(-1e6));
             assert_eq!(scene.validate(), Ok(()));
@@ -270,16 +354,36 @@ mod tests {
         let view = View::new(&Camera::default(), SIZE);
         let of = |light: Light| Beam::of(&light, &view, DVec3::ZERO).is_some();
         assert!(!of(Light::default()));
-        assert!(!of(Light { kind: LightKind::Directional, ..Light::default() }));
-        assert!(of(Light { kind: LightKind::Area, ..Light::default() }));
-        assert!(!of(Light { kind: LightKind::Area, shape: AreaShape::Sphere, ..Light::default() }));
-        assert!(of(Light { kind: LightKind::Spot, position: DVec3::ZERO, ..Light::default() }));
+        assert!(!of(Light {
+            kind: LightKind::Directional,
+            ..Light::default()
+        }));
+        assert!(of(Light {
+            kind: LightKind::Area,
+            ..Light::default()
+        }));
+        assert!(!of(Light {
+            kind: LightKind::Area,
+            shape: AreaShape::Sphere,
+            ..Light::default()
+        }));
+        assert!(of(Light {
+            kind: LightKind::Spot,
+            position: DVec3::ZERO,
+            ..Light::default()
+        }));
     }
 
     #[test]
     fn the_pointer_lies_across_the_edge() {
         use eframe::egui::CursorIcon::{ResizeHorizontal, ResizeVertical};
-        assert_eq!((cursor(vec2(1.0, 0.0)), cursor(vec2(-1.0, 0.0))), (ResizeHorizontal, ResizeHorizontal));
-        assert_eq!((cursor(vec2(0.0, 1.0)), cursor(vec2(0.1, -1.0))), (ResizeVertical, ResizeVertical));
+        assert_eq!(
+            (cursor(vec2(1.0, 0.0)), cursor(vec2(-1.0, 0.0))),
+            (ResizeHorizontal, ResizeHorizontal)
+        );
+        assert_eq!(
+            (cursor(vec2(0.0, 1.0)), cursor(vec2(0.1, -1.0))),
+            (ResizeVertical, ResizeVertical)
+        );
     }
 }

@@ -30,13 +30,18 @@ pub fn seen(state: &AppState, view: &View, place: Place) -> Vec<(u32, Pos2)> {
         return Vec::new();
     }
     let at = |vertex: &DVec3| view.project(*vertex).map(|(pixel, _)| place.point(pixel));
-    let points = vertices.iter().zip(0..).filter_map(|(vertex, v)| Some((v, at(vertex)?)));
+    let points = vertices
+        .iter()
+        .zip(0..)
+        .filter_map(|(vertex, v)| Some((v, at(vertex)?)));
     points.filter(|(_, at)| place.rect.contains(*at)).collect()
 }
 
 /// Moves vertex `v` parallel to the picture until it is at `pixel`.
 pub fn drag_to(object: &mut Object, v: u32, view: &View, pixel: DVec2) {
-    let Some(from) = object.polygons().vertices.get(v as usize).copied() else { return };
+    let Some(from) = object.polygons().vertices.get(v as usize).copied() else {
+        return;
+    };
     let depth = (from - view.eye).dot(view.forward);
     if depth > 0.0 {
         let unit = view.world_per_pixel(depth);
@@ -47,14 +52,23 @@ pub fn drag_to(object: &mut Object, v: u32, view: &View, pixel: DVec2) {
 /// Moves vertex `v` towards the viewer by `step` of the target's distance.
 pub fn push(scene: &mut Scene, v: u32, view: &View, step: f64) {
     let unit = scene.camera.distance();
-    let Some(from) = scene.object.polygons().vertices.get(v as usize).copied() else { return };
-    go(&mut scene.object, v, tidy(from - view.forward * (step * unit), unit * 1e-3), unit * 1e-3);
+    let Some(from) = scene.object.polygons().vertices.get(v as usize).copied() else {
+        return;
+    };
+    go(
+        &mut scene.object,
+        v,
+        tidy(from - view.forward * (step * unit), unit * 1e-3),
+        unit * 1e-3,
+    );
 }
 
 /// Moves a vertex to `to`, or as far that way as its polygons let it; places are kept to the digits of `unit`.
 pub fn go(object: &mut Object, v: u32, to: DVec3, unit: f64) {
     let polygons = object.polygons();
-    let Some(from) = polygons.vertices.get(v as usize).copied() else { return };
+    let Some(from) = polygons.vertices.get(v as usize).copied() else {
+        return;
+    };
     let allowed = |to: DVec3| {
         let mut moved = polygons.clone();
         moved.vertices.make_mut()[v as usize] = to;
@@ -81,18 +95,47 @@ pub fn go(object: &mut Object, v: u32, to: DVec3, unit: f64) {
 
 /// Draws the diamonds, white with a dark rim so that they show on any picture, the chosen one filled; those near the pointer
 /// with their numbers.
-pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place, pointer: Option<Pos2>) {
+pub fn paint(
+    painter: &Painter,
+    state: &AppState,
+    view: &View,
+    place: Place,
+    pointer: Option<Pos2>,
+) {
     for (v, at) in seen(state, view, place) {
         let held = state.drag.is_some_and(|drag| drag.grip == Grip::Vertex(v));
         let chosen = held || state.vertex == v as usize;
-        let ways = [vec2(RADIUS, 0.0), vec2(0.0, RADIUS), vec2(-RADIUS, 0.0), vec2(0.0, -RADIUS)];
+        let ways = [
+            vec2(RADIUS, 0.0),
+            vec2(0.0, RADIUS),
+            vec2(-RADIUS, 0.0),
+            vec2(0.0, -RADIUS),
+        ];
         let corners = ways.map(|way| at + way).to_vec();
-        let fill = if chosen { palette::vector(Vector::N) } else { Color32::from_black_alpha(110) };
-        painter.add(Shape::closed_line(corners.clone(), Stroke::new(4.0, Color32::from_black_alpha(150))));
-        painter.add(Shape::convex_polygon(corners, fill, Stroke::new(1.5, Color32::WHITE)));
+        let fill = if chosen {
+            palette::vector(Vector::N)
+        } else {
+            Color32::from_black_alpha(110)
+        };
+        painter.add(Shape::closed_line(
+            corners.clone(),
+            Stroke::new(4.0, Color32::from_black_alpha(150)),
+        ));
+        painter.add(Shape::convex_polygon(
+            corners,
+            fill,
+            Stroke::new(1.5, Color32::WHITE),
+        ));
         if held || pointer.is_some_and(|pointer| pointer.distance(at) <= NEAR) {
             let (below, font) = (at + vec2(0.0, RADIUS + 11.0), FontId::proportional(14.0));
-            letter(painter, below, Align2::CENTER_CENTER, &v.to_string(), &font, Color32::WHITE);
+            letter(
+                painter,
+                below,
+                Align2::CENTER_CENTER,
+                &v.to_string(),
+                &font,
+                Color32::WHITE,
+            );
         }
     }
 }
@@ -121,7 +164,10 @@ mod tests {
         // Beyond the opposite corner the edges would cross: it stops before the diagonal is full.
         go(&mut object, 0, DVec3::new(0.3, 1.7, 0.0), 1e-3);
         let stopped = object.vertices[0];
-        assert!(stopped.x == 0.3 && (0.9..1.0).contains(&stopped.y), "{stopped}");
+        assert!(
+            stopped.x == 0.3 && (0.9..1.0).contains(&stopped.y),
+            "{stopped}"
+        );
         assert!(object.polygons().spoilt_by(0).is_none());
         go(&mut object, 0, DVec3::NAN, 1e-3);
         go(&mut object, 0, DVec3::splat(1e300), 1e-3);
@@ -134,8 +180,14 @@ mod tests {
 
     #[test]
     fn a_quadrilateral_that_is_not_written_down_becomes_so() {
-        let mut object = Object { kind: ObjectKind::Polygons, ..Object::default() };
+        let mut object = Object {
+            kind: ObjectKind::Polygons,
+            ..Object::default()
+        };
         go(&mut object, 2, DVec3::new(1.0, 1.0, 0.0), 1e-3);
-        assert_eq!((object.vertices.len(), object.vertices[2]), (4, DVec3::new(1.0, 1.0, 0.0)));
+        assert_eq!(
+            (object.vertices.len(), object.vertices[2]),
+            (4, DVec3::new(1.0, 1.0, 0.0))
+        );
     }
 }

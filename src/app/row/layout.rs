@@ -4,7 +4,8 @@ use crate::app::focus::named;
 use crate::app::symbol::{Lit, Symbol};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, Color32, Label, Layout, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
+    Align, Button, Color32, Label, Layout, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2,
+    pos2, vec2,
 };
 
 /// Width of the labels of a panel's rows, points.
@@ -36,7 +37,11 @@ pub struct About<'a> {
 impl About<'_> {
     /// The accessible name.
     pub fn name(&self) -> &str {
-        if self.name.is_empty() { self.label } else { self.name }
+        if self.name.is_empty() {
+            self.label
+        } else {
+            self.name
+        }
     }
 }
 
@@ -56,7 +61,13 @@ pub fn value_row<T: PartialEq>(
 
 /// Lays out one row and fills it with `control`. Returns whether the row is to be reset; the button for that
 /// is shown where it has been `changed`.
-pub fn row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, changed: bool, control: impl FnOnce(&mut Ui)) -> bool {
+pub fn row(
+    ui: &mut Ui,
+    lit: &mut Lit,
+    about: &About<'_>,
+    changed: bool,
+    control: impl FnOnce(&mut Ui),
+) -> bool {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
     if about.symbol.is_some() && ui.rect_contains_pointer(rect) {
@@ -64,17 +75,36 @@ pub fn row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, changed: bool, control
     }
     if about.symbol.is_some() && lit.now == about.symbol {
         let fill = ui.visuals().widgets.hovered.bg_fill.gamma_multiply(0.55);
-        ui.painter().rect_filled(rect.expand2(vec2(6.0, 1.0)), 5.0, fill);
+        ui.painter()
+            .rect_filled(rect.expand2(vec2(6.0, 1.0)), 5.0, fill);
     }
-    let reset_here = label(ui, about, changed, Rect::from_min_size(rect.min, vec2(LABEL, size.y)));
-    let inner = Rect::from_min_max(pos2(rect.min.x + LABEL, rect.min.y), pos2(rect.max.x - RESET, rect.max.y));
-    let mut child = part(ui, about.name(), inner, Layout::left_to_right(Align::Center));
+    let reset_here = label(
+        ui,
+        about,
+        changed,
+        Rect::from_min_size(rect.min, vec2(LABEL, size.y)),
+    );
+    let inner = Rect::from_min_max(
+        pos2(rect.min.x + LABEL, rect.min.y),
+        pos2(rect.max.x - RESET, rect.max.y),
+    );
+    let mut child = part(
+        ui,
+        about.name(),
+        inner,
+        Layout::left_to_right(Align::Center),
+    );
     if about.idle.is_some() {
         child.disable();
     }
     control(&mut child);
     if let Some(reason) = about.idle {
-        ui.interact(inner, ui.scope_id().with((about.name(), "idle")), Sense::hover()).on_hover_text(reason);
+        ui.interact(
+            inner,
+            ui.scope_id().with((about.name(), "idle")),
+            Sense::hover(),
+        )
+        .on_hover_text(reason);
     }
     if let Some(symbol) = about.symbol.filter(|symbol| lit.seek == Some(*symbol)) {
         ui.scroll_to_rect(rect, Some(Align::Center));
@@ -86,41 +116,84 @@ pub fn row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, changed: bool, control
 }
 
 /// A part of a row, laid out in `rect`, whose widgets keep their identity whatever rows come and go.
-fn part(ui: &mut Ui, salt: impl std::hash::Hash + std::fmt::Debug, rect: Rect, layout: Layout) -> Ui {
-    let mut child = ui.new_child(UiBuilder::new().scope_id(ui.scope_id().with(salt)).max_rect(rect).layout(layout));
+fn part(
+    ui: &mut Ui,
+    salt: impl std::hash::Hash + std::fmt::Debug,
+    rect: Rect,
+    layout: Layout,
+) -> Ui {
+    let mut child = ui.new_child(
+        UiBuilder::new()
+            .scope_id(ui.scope_id().with(salt))
+            .max_rect(rect)
+            .layout(layout),
+    );
     child.spacing_mut().item_spacing.x = 6.0;
     child
 }
 
 /// The label; a double click resets the row.
 fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
-    let mut child = part(ui, (about.name(), "label"), rect, Layout::left_to_right(Align::Center));
+    let mut child = part(
+        ui,
+        (about.name(), "label"),
+        rect,
+        Layout::left_to_right(Align::Center),
+    );
     child.spacing_mut().item_spacing.x = 0.0;
     let mut response: Option<Response> = None;
     if !about.letter.is_empty() {
-        let tint = about.tint.unwrap_or_else(|| child.visuals().strong_text_color());
-        let letter =
-            child.allocate_ui_with_layout(vec2(28.0, rect.height()), Layout::left_to_right(Align::Center), |ui| {
-                ui.add(Label::new(RichText::new(about.letter).color(tint).strong()).sense(Sense::click()))
-            });
-        child.advance_cursor_after_rect(Rect::from_min_size(letter.response.rect.min, Vec2::new(28.0, rect.height())));
+        let tint = about
+            .tint
+            .unwrap_or_else(|| child.visuals().strong_text_color());
+        let letter = child.allocate_ui_with_layout(
+            vec2(28.0, rect.height()),
+            Layout::left_to_right(Align::Center),
+            |ui| {
+                ui.add(
+                    Label::new(RichText::new(about.letter).color(tint).strong())
+                        .sense(Sense::click()),
+                )
+            },
+        );
+        child.advance_cursor_after_rect(Rect::from_min_size(
+            letter.response.rect.min,
+            Vec2::new(28.0, rect.height()),
+        ));
         response = Some(letter.inner);
     }
     if !about.label.is_empty() {
-        let colour =
-            if about.idle.is_some() { child.visuals().weak_text_color() } else { child.visuals().text_color() };
+        let colour = if about.idle.is_some() {
+            child.visuals().weak_text_color()
+        } else {
+            child.visuals().text_color()
+        };
         let text = RichText::new(about.label).color(colour);
         let words = child.add(Label::new(text).truncate().sense(Sense::click()));
         response = Some(response.map_or(words.clone(), |letter| letter | words));
     }
-    response.is_some_and(|response| response.on_hover_text(about.idle.unwrap_or(about.tip)).double_clicked() && changed)
+    response.is_some_and(|response| {
+        response
+            .on_hover_text(about.idle.unwrap_or(about.tip))
+            .double_clicked()
+            && changed
+    })
 }
 
 fn reset(ui: &mut Ui, about: &About<'_>, rect: Rect) -> bool {
-    let mut child = part(ui, (about.name(), "reset"), rect, Layout::right_to_left(Align::Center));
+    let mut child = part(
+        ui,
+        (about.name(), "reset"),
+        rect,
+        Layout::right_to_left(Align::Center),
+    );
     let weak = child.visuals().weak_text_color();
     // For the pointer and for screen readers: Tab would stop at it between two fields.
-    let button = Button::new(RichText::new("↺").color(weak)).frame(false).sense(Sense::CLICK);
-    let response = child.add(button).on_hover_text("Back to the value as opened");
+    let button = Button::new(RichText::new("↺").color(weak))
+        .frame(false)
+        .sense(Sense::CLICK);
+    let response = child
+        .add(button)
+        .on_hover_text("Back to the value as opened");
     named(response, Role::Button, &format!("Reset {}", about.name())).clicked()
 }

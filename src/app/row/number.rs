@@ -30,16 +30,29 @@ pub struct SliderRange {
 
 impl SliderRange {
     /// Of the narrow fields of colours.
-    pub const SHORT: Self = Self { decimals: 2, ..Self::linear(0.0..=1.0) };
+    pub const SHORT: Self = Self {
+        decimals: 2,
+        ..Self::linear(0.0..=1.0)
+    };
 
     /// A linear slider over `span`, with three decimals and no limit but to be finite and not negative.
     pub const fn linear(span: RangeInclusive<f64>) -> Self {
-        Self { span, limits: 0.0..=f64::MAX, refuses: false, logarithmic: false, decimals: 3, suffix: "" }
+        Self {
+            span,
+            limits: 0.0..=f64::MAX,
+            refuses: false,
+            logarithmic: false,
+            decimals: 3,
+            suffix: "",
+        }
     }
 
     /// The same, logarithmic.
     pub fn logarithmic(span: RangeInclusive<f64>) -> Self {
-        Self { logarithmic: true, ..Self::linear(span) }
+        Self {
+            logarithmic: true,
+            ..Self::linear(span)
+        }
     }
 }
 
@@ -52,12 +65,21 @@ pub struct NumberRow<'a> {
 
 /// A row with a slider and a field.
 pub fn number(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, value: &mut f64) {
-    value_row(ui, lit, &spec.about, spec.default, value, |ui, value| slider_and_field(ui, spec, value));
+    value_row(ui, lit, &spec.about, spec.default, value, |ui, value| {
+        slider_and_field(ui, spec, value);
+    });
 }
 
 /// The same for a whole number.
 pub fn whole(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, value: &mut u32) {
-    value_row(ui, lit, &spec.about, spec.default as u32, value, |ui, value| whole_slider(ui, spec, value));
+    value_row(
+        ui,
+        lit,
+        &spec.about,
+        spec.default as u32,
+        value,
+        |ui, value| whole_slider(ui, spec, value),
+    );
 }
 
 pub fn whole_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
@@ -74,19 +96,42 @@ pub fn coefficient_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut Rgb) {
     slider_and_field(ui, spec, &mut scalar);
     if scalar.to_bits() != largest.to_bits() {
         let keeps_ratio = *value != Rgb::splat(largest) && largest > 0.0 && scalar > 0.0;
-        *value = if keeps_ratio { *value * (scalar / largest) } else { Rgb::splat(scalar) };
+        *value = if keeps_ratio {
+            *value * (scalar / largest)
+        } else {
+            Rgb::splat(scalar)
+        };
     }
 }
 
 /// A field for each channel of a coefficient, below its slider.
 pub fn channels_row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, value: &mut Rgb) {
     let name = format!("{} per channel", about.name());
-    let channels = About { letter: "", label: "", name: &name, ..about.clone() };
-    row(ui, lit, &channels, false, |ui| fields(ui, about.name(), CHANNELS, &SliderRange::SHORT, value.as_mut()));
+    let channels = About {
+        letter: "",
+        label: "",
+        name: &name,
+        ..about.clone()
+    };
+    row(ui, lit, &channels, false, |ui| {
+        fields(
+            ui,
+            about.name(),
+            CHANNELS,
+            &SliderRange::SHORT,
+            value.as_mut(),
+        );
+    });
 }
 
 /// Numbers side by side.
-pub fn fields<const N: usize>(ui: &mut Ui, name: &str, parts: [&str; N], range: &SliderRange, values: &mut [f64; N]) {
+pub fn fields<const N: usize>(
+    ui: &mut Ui,
+    name: &str,
+    parts: [&str; N],
+    range: &SliderRange,
+    values: &mut [f64; N],
+) {
     let gaps = (N - 1) as f32 * ui.spacing().item_spacing.x;
     let width = (ui.available_width() - gaps).max(0.0) / N as f32;
     for (part, value) in parts.into_iter().zip(values) {
@@ -98,7 +143,11 @@ pub fn fields<const N: usize>(ui: &mut Ui, name: &str, parts: [&str; N], range: 
 pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     let space = ui.spacing().item_spacing.x;
     let reaches_infinity = *spec.range.limits.end() == f64::INFINITY;
-    let switch = if reaches_infinity { INFINITY_SWITCH + space } else { 0.0 };
+    let switch = if reaches_infinity {
+        INFINITY_SWITCH + space
+    } else {
+        0.0
+    };
     ui.spacing_mut().slider_width = (ui.available_width() - FIELD - space - switch).max(40.0);
     if let Some(tint) = spec.about.tint {
         ui.visuals_mut().selection.bg_fill = tint;
@@ -109,7 +158,11 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
         .clamping(SliderClamping::Edits)
         .logarithmic(range.logarithmic)
         .smallest_positive(range.span.start().max(1e-6));
-    let response = ui.add(if range.decimals == 0 { slider.integer() } else { slider });
+    let response = ui.add(if range.decimals == 0 {
+        slider.integer()
+    } else {
+        slider
+    });
     if value.is_nan() {
         // A screen reader may send anything.
         *value = before;
@@ -124,19 +177,36 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
         let button = ui.add(Button::selectable(on, "∞").min_size(vec2(INFINITY_SWITCH, 0.0)));
         let button = switch_named(button, Role::Button, on, &format!("{name} infinite"));
         if button.on_hover_text("Infinity: a mirror").clicked() {
-            let finite = if spec.default.is_finite() { spec.default } else { *range.span.end() };
+            let finite = if spec.default.is_finite() {
+                spec.default
+            } else {
+                *range.span.end()
+            };
             *value = if on { finite } else { f64::INFINITY };
         }
     }
 }
 
 /// A field for one number, which takes its limits, `inf` and `∞`.
-pub fn field(ui: &mut Ui, name: &str, value: &mut f64, range: &SliderRange, width: f32) -> Response {
+pub fn field(
+    ui: &mut Ui,
+    name: &str,
+    value: &mut f64,
+    range: &SliderRange,
+    width: f32,
+) -> Response {
     let size = vec2(width, ui.spacing().interact_size.y);
     let (decimals, before) = (range.decimals, *value);
-    let speed =
-        if range.logarithmic { value.abs().max(1e-3) * 0.01 } else { (range.span.end() - range.span.start()) * 0.002 };
-    let allowed = if range.refuses { f64::MIN..=f64::INFINITY } else { range.limits.clone() };
+    let speed = if range.logarithmic {
+        value.abs().max(1e-3) * 0.01
+    } else {
+        (range.span.end() - range.span.start()) * 0.002
+    };
+    let allowed = if range.refuses {
+        f64::MIN..=f64::INFINITY
+    } else {
+        range.limits.clone()
+    };
     let widget = DragValue::new(value)
         .range(allowed)
         .clamp_existing_to_range(false)
@@ -155,7 +225,10 @@ pub fn field(ui: &mut Ui, name: &str, value: &mut f64, range: &SliderRange, widt
         *value = value.clamp(*range.limits.start(), *range.limits.end());
     }
     let (enabled, shown) = (ui.is_enabled(), *value);
-    response.widget_info(|| WidgetInfo { label: Some(name.to_owned()), ..WidgetInfo::drag_value(enabled, shown) });
+    response.widget_info(|| WidgetInfo {
+        label: Some(name.to_owned()),
+        ..WidgetInfo::drag_value(enabled, shown)
+    });
     response
 }
 
@@ -181,11 +254,19 @@ pub fn display(value: f64, decimals: usize) -> String {
         _ => decimals,
     };
     let text = format!("{value:.digits$}");
-    if digits > 2 && text.ends_with('0') { text[..text.len() - 1].to_owned() } else { text }
+    if digits > 2 && text.ends_with('0') {
+        text[..text.len() - 1].to_owned()
+    } else {
+        text
+    }
 }
 
 fn parse(text: &str) -> Option<f64> {
-    let text = text.trim().replace(['\u{2009}', ' ', '°'], "").replace('−', "-").replace(',', ".");
+    let text = text
+        .trim()
+        .replace(['\u{2009}', ' ', '°'], "")
+        .replace('−', "-")
+        .replace(',', ".");
     match text.as_str() {
         "∞" => Some(f64::INFINITY),
         _ => text.parse().ok().filter(|value: &f64| !value.is_nan()),
@@ -198,7 +279,10 @@ mod tests {
 
     #[test]
     fn numbers_show_the_digits_that_mean_something() {
-        assert_eq!([0.1, 0.125, 0.0, 1e-7].map(|n| display(n, 3)), ["0.10", "0.125", "0.00", "1.00e-7"]);
+        assert_eq!(
+            [0.1, 0.125, 0.0, 1e-7].map(|n| display(n, 3)),
+            ["0.10", "0.125", "0.00", "1.00e-7"]
+        );
         let large = [32.0, 123.456, 1005.0, 1e9, f64::INFINITY, -1.5].map(|n| display(n, 2));
         assert_eq!(large, ["32.00", "123.5", "1005", "1.00e9", "∞", "-1.50"]);
         let small = [0.07, 0.065, 0.002, 2e-4, 0.0].map(|n| display(n, 2));

@@ -6,8 +6,8 @@ use crate::app::focus::{self, named, switch_named};
 use crate::scene::{ChoiceOption, Rgb};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Button, Color32, ComboBox, Label, Popup, PopupCloseBehavior, RichText, Sense, Slider, SliderClamping, StrokeKind,
-    TextEdit, Ui, WidgetInfo, vec2,
+    Button, Color32, ComboBox, Label, Popup, PopupCloseBehavior, RichText, Sense, Slider,
+    SliderClamping, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
 };
 use glam::DVec3;
 
@@ -27,7 +27,9 @@ const CHIPS: [(&str, Rgb); 10] = [
 
 /// A linear colour as the textbooks' display shows it.
 pub fn swatch(colour: Rgb) -> Color32 {
-    let [r, g, b] = colour.to_array().map(|value| (value.clamp(0.0, 1.0) * 255.0).round() as u8);
+    let [r, g, b] = colour
+        .to_array()
+        .map(|value| (value.clamp(0.0, 1.0) * 255.0).round() as u8);
     Color32::from_rgb(r, g, b)
 }
 
@@ -39,9 +41,13 @@ pub fn swatch_button(ui: &mut Ui, name: &str, value: &mut Rgb) {
     } else {
         ui.visuals().window_stroke
     };
-    ui.painter().rect(rect, 4.0, swatch(*value), stroke, StrokeKind::Inside);
-    let response = named(response, Role::Button, &format!("{name} colour")).on_hover_text("Choose a colour");
-    Popup::menu(&response).close_behavior(PopupCloseBehavior::CloseOnClickOutside).show(|ui| picker(ui, name, value));
+    ui.painter()
+        .rect(rect, 4.0, swatch(*value), stroke, StrokeKind::Inside);
+    let response =
+        named(response, Role::Button, &format!("{name} colour")).on_hover_text("Choose a colour");
+    Popup::menu(&response)
+        .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
+        .show(|ui| picker(ui, name, value));
 }
 
 fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
@@ -49,10 +55,14 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
     for (channel, part) in CHANNELS.into_iter().zip(value.as_mut()) {
         ui.horizontal(|ui| {
             ui.add_sized(vec2(44.0, 20.0), Label::new(channel));
-            let slider = Slider::new(part, 0.0..=1.0).show_value(false).clamping(SliderClamping::Edits);
+            let slider = Slider::new(part, 0.0..=1.0)
+                .show_value(false)
+                .clamping(SliderClamping::Edits);
             let response = ui.add(slider);
             let shown = *part;
-            response.widget_info(|| WidgetInfo::slider(true, shown, format!("{name} {channel} slider")));
+            response.widget_info(|| {
+                WidgetInfo::slider(true, shown, format!("{name} {channel} slider"))
+            });
             ui.label(RichText::new(format!("{shown:.2}")).monospace());
         });
     }
@@ -61,8 +71,17 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (label, chip) in CHIPS {
             let (rect, response) = ui.allocate_exact_size(vec2(22.0, 22.0), Sense::click());
-            ui.painter().rect(rect, 4.0, swatch(chip), ui.visuals().window_stroke, StrokeKind::Inside);
-            if named(response, Role::Button, label).on_hover_text(label).clicked() {
+            ui.painter().rect(
+                rect,
+                4.0,
+                swatch(chip),
+                ui.visuals().window_stroke,
+                StrokeKind::Inside,
+            );
+            if named(response, Role::Button, label)
+                .on_hover_text(label)
+                .clicked()
+            {
                 *value = chip;
             }
         }
@@ -71,14 +90,29 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
 
 /// A field for each axis of a point or a direction.
 pub fn axes(ui: &mut Ui, name: &str, value: &mut DVec3) {
-    let range = SliderRange { limits: -1e15..=1e15, decimals: 2, ..SliderRange::linear(-5.0..=5.0) };
+    let range = SliderRange {
+        limits: -1e15..=1e15,
+        decimals: 2,
+        ..SliderRange::linear(-5.0..=5.0)
+    };
     fields(ui, name, ["x", "y", "z"], &range, value.as_mut());
 }
 
 /// One of several options, each with its place, from a list that opens.
-pub fn choice(ui: &mut Ui, about: &About<'_>, options: Vec<(usize, &ChoiceOption)>, chosen: &mut usize) {
-    let shown = options.iter().find(|(place, _)| *place == *chosen).map_or("", |(_, option)| option.label);
-    let list = ComboBox::from_id_salt(about.name()).selected_text(shown).width(ui.available_width()).height(420.0);
+pub fn choice(
+    ui: &mut Ui,
+    about: &About<'_>,
+    options: Vec<(usize, &ChoiceOption)>,
+    chosen: &mut usize,
+) {
+    let shown = options
+        .iter()
+        .find(|(place, _)| *place == *chosen)
+        .map_or("", |(_, option)| option.label);
+    let list = ComboBox::from_id_salt(about.name())
+        .selected_text(shown)
+        .width(ui.available_width())
+        .height(420.0);
     let response = list.show_ui(ui, |ui| {
         for (place, option) in options {
             let response = ui.selectable_value(chosen, place, option.label);
@@ -108,8 +142,10 @@ pub fn toggle(ui: &mut Ui, name: &str, value: &mut bool) {
 
 /// A line of text of at most `longest` characters, which may be empty.
 pub fn text(ui: &mut Ui, about: &About<'_>, longest: usize, value: &mut String) {
-    let field =
-        TextEdit::singleline(value).char_limit(longest).hint_text("no name").desired_width(ui.available_width());
+    let field = TextEdit::singleline(value)
+        .char_limit(longest)
+        .hint_text("no name")
+        .desired_width(ui.available_width());
     let response = ui.add(field);
     focus::register(&response);
     let (enabled, shown) = (ui.is_enabled(), value.clone());

@@ -54,7 +54,16 @@ struct Taken {
 impl Default for ScanView {
     fn default() -> Self {
         let (rows, playing) = (Scan::USUAL_ROWS, Playing::No);
-        Self { rows, speed: 4.0, step: 0, playing, seen: None, taken: None, laid_out: None, drawing: None }
+        Self {
+            rows,
+            speed: 4.0,
+            step: 0,
+            playing,
+            seen: None,
+            taken: None,
+            laid_out: None,
+            drawing: None,
+        }
     }
 }
 
@@ -76,13 +85,21 @@ impl ScanView {
             self.playing = Playing::No;
             return;
         };
-        let before = self.taken.take().filter(|taken| taken.face == face && same_model(taken.model.as_ref(), model));
-        if before.as_ref().is_some_and(|taken| taken.rows == self.rows && taken.scene == *scene) {
+        let before = self
+            .taken
+            .take()
+            .filter(|taken| taken.face == face && same_model(taken.model.as_ref(), model));
+        if before
+            .as_ref()
+            .is_some_and(|taken| taken.rows == self.rows && taken.scene == *scene)
+        {
             self.taken = before;
             return;
         }
         self.laid_out = None;
-        let Some(answer) = engine.scan(face, self.rows) else { return };
+        let Some(answer) = engine.scan(face, self.rows) else {
+            return;
+        };
         let answer = answer.map(Arc::new).map_err(|error| error.to_string());
         if let Ok(scan) = &answer {
             let old = before.as_ref().and_then(|taken| taken.answer.as_ref().ok());
@@ -95,7 +112,13 @@ impl ScanView {
                 _ => 0,
             };
         }
-        self.taken = Some(Taken { scene: scene.clone(), model: model.cloned(), face, rows: self.rows, answer });
+        self.taken = Some(Taken {
+            scene: scene.clone(),
+            model: model.cloned(),
+            face,
+            rows: self.rows,
+            answer,
+        });
     }
 
     /// The scan, or why there is none; nothing where there is no polygon.
@@ -126,7 +149,11 @@ impl ScanView {
     /// Goes by a way.
     pub fn walk(&mut self, walk: Walk) {
         let Some(scan) = self.ready() else { return };
-        let (step, last, plays) = (self.step(), scan.last(), walk == Walk::Play && !self.is_playing());
+        let (step, last, plays) = (
+            self.step(),
+            scan.last(),
+            walk == Walk::Play && !self.is_playing(),
+        );
         let to = match walk {
             Walk::First => 0,
             Walk::Back(level) => scan.back(step, level),
@@ -141,7 +168,9 @@ impl ScanView {
 
     /// Takes the steps that are due, and asks for a frame when the next one is; for none where nothing plays.
     pub fn play(&mut self, ctx: &Context) {
-        let Some(last) = self.ready().map(Scan::last) else { return };
+        let Some(last) = self.ready().map(Scan::last) else {
+            return;
+        };
         let (now, gap) = (ctx.input(|input| input.time), 1.0 / self.speed);
         let mut due = match self.playing {
             Playing::No => return,
@@ -170,7 +199,12 @@ impl ScanView {
         self.laid_out = key;
         self.drawing = self.ready().map(|scan| {
             let [width, tallest] = room.map(f64::from);
-            lay_out_scan(scan, self.step(), scan_room(scan, width, tallest, &style), &style)
+            lay_out_scan(
+                scan,
+                self.step(),
+                scan_room(scan, width, tallest, &style),
+                &style,
+            )
         });
     }
 }

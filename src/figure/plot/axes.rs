@@ -16,9 +16,18 @@ pub fn ticks(axis: &Axis, room: f64) -> Vec<(f64, String)> {
         return decades(axis, room.clamp(1.0, 40.0));
     }
     let least = span / room.clamp(1.0, 40.0);
-    let step =
-        if axis.degrees { DEGREES.into_iter().find(|step| *step >= least).unwrap_or(90.0) } else { round_up(least) };
-    let (first, last) = ((axis.low / step - 1e-9).ceil() as i64, (axis.high / step + 1e-9).floor() as i64);
+    let step = if axis.degrees {
+        DEGREES
+            .into_iter()
+            .find(|step| *step >= least)
+            .unwrap_or(90.0)
+    } else {
+        round_up(least)
+    };
+    let (first, last) = (
+        (axis.low / step - 1e-9).ceil() as i64,
+        (axis.high / step + 1e-9).floor() as i64,
+    );
     (first..=last)
         .map(|i| {
             #[expect(clippy::cast_precision_loss, reason = "an axis has few ticks")]
@@ -35,24 +44,41 @@ const MANTISSAS: [&[u8]; 3] = [&[1, 2, 5], &[1, 3], &[1]];
 fn decades(axis: &Axis, room: f64) -> Vec<(f64, String)> {
     let span = axis.high - axis.low;
     #[expect(clippy::cast_precision_loss, reason = "three at most")]
-    let mantissas = MANTISSAS.into_iter().find(|list| list.len() as f64 * span <= room).unwrap_or(&[1]);
+    let mantissas = MANTISSAS
+        .into_iter()
+        .find(|list| list.len() as f64 * span <= room)
+        .unwrap_or(&[1]);
     let every = (span / room).ceil().max(1.0) as i32;
     let (first, last) = (axis.low.floor() as i32, axis.high.ceil() as i32);
     let exponents = (first..=last).filter(|exponent| exponent % every == 0);
-    let all = exponents.flat_map(|exponent| mantissas.iter().map(move |mantissa| (exponent, *mantissa)));
+    let all =
+        exponents.flat_map(|exponent| mantissas.iter().map(move |mantissa| (exponent, *mantissa)));
     let value = |(exponent, mantissa): (i32, u8)| f64::from(exponent) + f64::from(mantissa).log10();
     let inside = |tick: &(i32, u8)| (axis.low - 1e-9..=axis.high + 1e-9).contains(&value(*tick));
-    all.filter(inside).map(|tick| (value(tick), power(tick))).collect()
+    all.filter(inside)
+        .map(|tick| (value(tick), power(tick)))
+        .collect()
 }
 
 /// A mantissa times a power of ten, in figures as long as these are short.
 fn power((exponent, mantissa): (i32, u8)) -> String {
     match exponent {
-        -3..0 => format!("{:.*}", exponent.unsigned_abs() as usize, f64::from(mantissa) * 10f64.powi(exponent)),
-        0..5 => format!("{}", u32::from(mantissa) * 10u32.pow(exponent.unsigned_abs())),
+        -3..0 => format!(
+            "{:.*}",
+            exponent.unsigned_abs() as usize,
+            f64::from(mantissa) * 10f64.powi(exponent)
+        ),
+        0..5 => format!(
+            "{}",
+            u32::from(mantissa) * 10u32.pow(exponent.unsigned_abs())
+        ),
         _ => {
             let text = scientific(f64::from(mantissa) * 10f64.powi(exponent)).replace(".0", "");
-            if mantissa == 1 { text.trim_start_matches("1·").to_owned() } else { text }
+            if mantissa == 1 {
+                text.trim_start_matches("1·").to_owned()
+            } else {
+                text
+            }
         }
     }
 }
@@ -60,7 +86,9 @@ fn power((exponent, mantissa): (i32, u8)) -> String {
 /// The least of 1, 2, 5, 10, 20 … that is not less than `value`, which is positive.
 pub fn round_up(value: f64) -> f64 {
     let magnitude = 10f64.powf(value.log10().floor());
-    let times = [1.0, 2.0, 5.0, 10.0].into_iter().find(|times| times * magnitude >= value * (1.0 - 1e-9));
+    let times = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .find(|times| times * magnitude >= value * (1.0 - 1e-9));
     times.unwrap_or(10.0) * magnitude
 }
 
@@ -88,6 +116,12 @@ fn number(value: f64, decimals: usize, plain: bool) -> String {
 /// A number as the textbooks write very small and very large ones: 1.2·10⁻⁷.
 fn scientific(value: f64) -> String {
     let text = format!("{value:.1e}");
-    let Some((mantissa, exponent)) = text.split_once('e') else { return text };
-    format!("{}·10{}", mantissa.replace('-', "−"), raised(exponent.parse().unwrap_or(0)))
+    let Some((mantissa, exponent)) = text.split_once('e') else {
+        return text;
+    };
+    format!(
+        "{}·10{}",
+        mantissa.replace('-', "−"),
+        raised(exponent.parse().unwrap_or(0))
+    )
 }

@@ -32,31 +32,62 @@ const LETTERS: f64 = 0.85;
 /// Draws axes, marks and curves in `room`.
 pub fn draw(sheet: &mut Sheet<'_>, room: Area) {
     let (em, plot) = (sheet.em, sheet.plot);
-    let y = Axis { high: plot.y.low + (plot.y.high - plot.y.low) * HEADROOM, ..plot.y.clone() };
+    let y = Axis {
+        high: plot.y.low + (plot.y.high - plot.y.low) * HEADROOM,
+        ..plot.y.clone()
+    };
     let y_ticks = ticks(&y, (room.max.y - room.min.y) / (2.6 * em));
-    let widest = y_ticks.iter().map(|(_, text)| width_of(text, em)).fold(0.0, f64::max);
-    let mut area =
-        Area { min: room.min + DVec2::new(widest + 0.6 * em, 0.0), max: room.max - DVec2::new(0.9 * em, 3.0 * em) };
+    let widest = y_ticks
+        .iter()
+        .map(|(_, text)| width_of(text, em))
+        .fold(0.0, f64::max);
+    let mut area = Area {
+        min: room.min + DVec2::new(widest + 0.6 * em, 0.0),
+        max: room.max - DVec2::new(0.9 * em, 3.0 * em),
+    };
     let rows = label_rows(plot, &area, room.min.x, em);
     area.min.y += ROW * em * (1.0 + rows.iter().copied().fold(0.0, f64::max));
     if (area.max - area.min).min_element() < LEAST * em {
         return;
     }
-    let scale = Scale::Cartesian { min: area.min, max: area.max, x: [plot.x.low, plot.x.high], y: [y.low, y.high] };
+    let scale = Scale::Cartesian {
+        min: area.min,
+        max: area.max,
+        x: [plot.x.low, plot.x.high],
+        y: [y.low, y.high],
+    };
     axes(sheet, &scale, &area, &y_ticks);
-    sheet.text(&plot.y.name, DVec2::new(room.min.x, area.min.y - 0.45 * em), 1.0, sheet.paper.text, 0.0);
+    sheet.text(
+        &plot.y.name,
+        DVec2::new(room.min.x, area.min.y - 0.45 * em),
+        1.0,
+        sheet.paper.text,
+        0.0,
+    );
     for (mark, row) in plot.marks.iter().zip(&rows) {
         let (from, _) = label_span(mark, plot, &area, em);
         let label = DVec2::new(from, area.min.y - (0.45 + ROW * row) * em);
         let foot = scale.place([mark.x, y.low]);
-        let colour = if mark.probe { sheet.paper.text } else { sheet.paper.weak };
-        sheet.axis(foot, DVec2::new(foot.x, label.y + 0.25 * em), colour).dashes = MARK_DASHES;
-        sheet.over_lines(&mark.label, label, 1.0, colour, 0.0).strong = mark.probe;
+        let colour = if mark.probe {
+            sheet.paper.text
+        } else {
+            sheet.paper.weak
+        };
+        sheet
+            .axis(foot, DVec2::new(foot.x, label.y + 0.25 * em), colour)
+            .dashes = MARK_DASHES;
+        sheet
+            .over_lines(&mark.label, label, 1.0, colour, 0.0)
+            .strong = mark.probe;
     }
     borders(sheet, &scale, &area);
     // The scene's own curve over the others.
     for emphasised in [false, true] {
-        for curve in plot.curves.iter().filter(|curve| curve.emphasised == emphasised) {
+        for curve in plot
+            .curves
+            .iter()
+            .filter(|curve| curve.emphasised == emphasised)
+        {
             for run in clipped(curve.points.iter().map(|point| scale.place(*point)), &area) {
                 sheet.curve(curve, &run.points);
             }
@@ -67,11 +98,21 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area) {
             }
         }
     }
-    let around = Area { min: area.min - 1.0, max: area.max + 1.0 };
-    for (mark, (index, value)) in plot.marks.iter().flat_map(|mark| mark.values.iter().map(move |value| (mark, value)))
+    let around = Area {
+        min: area.min - 1.0,
+        max: area.max + 1.0,
+    };
+    for (mark, (index, value)) in plot
+        .marks
+        .iter()
+        .flat_map(|mark| mark.values.iter().map(move |value| (mark, value)))
     {
         let at = scale.place([mark.x, *value]);
-        let Some(curve) = plot.curves.get(*index).filter(|_| around.holds(&Area { min: at, max: at })) else {
+        let Some(curve) = plot
+            .curves
+            .get(*index)
+            .filter(|_| around.holds(&Area { min: at, max: at }))
+        else {
             continue;
         };
         sheet.disc(at, 0.36, sheet.paper.ground);
@@ -86,10 +127,18 @@ fn label_rows(plot: &Plot, area: &Area, left: f64, em: f64) -> Vec<f64> {
     let mut taken: Vec<(u32, f64, f64)> = vec![(0, left, left + width_of(&plot.y.name, em) + em)];
     for mark in &plot.marks {
         let (from, to) = label_span(mark, plot, area, em);
-        let free = |row: &u32| !taken.iter().any(|(r, a, b)| r == row && *a < to + 0.6 * em && from < *b + 0.6 * em);
+        let free = |row: &u32| {
+            !taken
+                .iter()
+                .any(|(r, a, b)| r == row && *a < to + 0.6 * em && from < *b + 0.6 * em)
+        };
         taken.push(((0..).find(free).unwrap_or(0), from, to));
     }
-    taken.into_iter().skip(1).map(|(row, ..)| row.into()).collect()
+    taken
+        .into_iter()
+        .skip(1)
+        .map(|(row, ..)| row.into())
+        .collect()
 }
 
 /// Where a mark's label begins and ends: about its line, inside the plot.
@@ -97,7 +146,9 @@ fn label_span(mark: &Mark, plot: &Plot, area: &Area, em: f64) -> (f64, f64) {
     let share = (mark.x - plot.x.low) / (plot.x.high - plot.x.low);
     let width = width_of(&mark.label, em);
     let middle = area.min.x + share * (area.max.x - area.min.x);
-    let from = (middle - 0.5 * width).min(area.max.x + 0.9 * em - width).max(area.min.x);
+    let from = (middle - 0.5 * width)
+        .min(area.max.x + 0.9 * em - width)
+        .max(area.min.x);
     (from, from + width)
 }
 
@@ -106,7 +157,13 @@ fn axes(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area, y_ticks: &[(f64, Stri
     for (value, text) in y_ticks {
         let at = scale.place([plot.x.low, *value]);
         sheet.axis(at, DVec2::new(area.max.x, at.y), paper.grid);
-        sheet.text(text, at + DVec2::new(-0.45 * em, 0.34 * em), 1.0, paper.weak, 1.0);
+        sheet.text(
+            text,
+            at + DVec2::new(-0.45 * em, 0.34 * em),
+            1.0,
+            paper.weak,
+            1.0,
+        );
     }
     for (value, text) in ticks(&plot.x, (area.max.x - area.min.x) / (3.4 * em)) {
         let at = scale.place([value, plot.y.low]);
@@ -143,9 +200,14 @@ fn borders(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
 /// Draws single points, then the names that find a place where nothing else stands, those of the strong ones first.
 fn points(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
     let (em, paper) = (sheet.em, sheet.paper);
-    let places = sheet.plot.points.iter().map(|point| (point, scale.place(point.at)));
-    let visible: Vec<(&Point, DVec2)> =
-        places.filter(|(_, at)| at.is_finite() && area.holds(&Area { min: *at, max: *at })).collect();
+    let places = sheet
+        .plot
+        .points
+        .iter()
+        .map(|point| (point, scale.place(point.at)));
+    let visible: Vec<(&Point, DVec2)> = places
+        .filter(|(_, at)| at.is_finite() && area.holds(&Area { min: *at, max: *at }))
+        .collect();
     for (point, at) in &visible {
         sheet.disc(*at, RADIUS[0] + 0.07, paper.ground);
         sheet.disc(*at, RADIUS[0], paper.line(point.ink));
@@ -153,10 +215,16 @@ fn points(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
             sheet.disc(*at, RADIUS[1], paper.ground);
         }
     }
-    let mut taken: Vec<Area> =
-        visible.iter().map(|(_, at)| Area::about(*at, DVec2::splat(2.0 * RADIUS[0] * em))).collect();
+    let mut taken: Vec<Area> = visible
+        .iter()
+        .map(|(_, at)| Area::about(*at, DVec2::splat(2.0 * RADIUS[0] * em)))
+        .collect();
     for strong in [true, false] {
-        for (index, (point, at)) in visible.iter().enumerate().filter(|(_, (point, _))| point.strong == strong) {
+        for (index, (point, at)) in visible
+            .iter()
+            .enumerate()
+            .filter(|(_, (point, _))| point.strong == strong)
+        {
             let size = LETTERS * em;
             let half = DVec2::new(0.5 * width_of(&point.name, size), 0.5 * size);
             let away = half + (RADIUS[0] + GAP) * em;
@@ -164,13 +232,32 @@ fn points(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
                 let clear = |(other, box_): (usize, &Area)| other == index || !place.overlaps(box_);
                 area.holds(place) && taken.iter().enumerate().all(clear)
             };
-            let sides = [[1.0, 0.0], [0.0, -1.0], [-1.0, 0.0], [0.0, 1.0], [0.8, -0.8], [0.8, 0.8], [-0.8, -0.8]];
-            let mut places =
-                sides.map(|side| Area::about(*at + away * DVec2::from_array(side), 2.0 * half)).into_iter();
-            let Some(place) = places.find(free) else { continue };
+            let sides = [
+                [1.0, 0.0],
+                [0.0, -1.0],
+                [-1.0, 0.0],
+                [0.0, 1.0],
+                [0.8, -0.8],
+                [0.8, 0.8],
+                [-0.8, -0.8],
+            ];
+            let mut places = sides
+                .map(|side| Area::about(*at + away * DVec2::from_array(side), 2.0 * half))
+                .into_iter();
+            let Some(place) = places.find(free) else {
+                continue;
+            };
             let baseline = place.centre() + DVec2::new(0.0, 0.34 * size);
             taken.push(place);
-            sheet.over_lines(&point.name, baseline, LETTERS, paper.letters(point.ink), 0.5).strong = strong;
+            sheet
+                .over_lines(
+                    &point.name,
+                    baseline,
+                    LETTERS,
+                    paper.letters(point.ink),
+                    0.5,
+                )
+                .strong = strong;
         }
     }
 }

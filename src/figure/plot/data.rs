@@ -31,7 +31,12 @@ pub enum PlotKind {
 
 impl PlotKind {
     /// Every kind that belongs to a point, in the order of the equation: the lobe last, because it is all of them together.
-    pub const ALL: [Self; 4] = [Self::Attenuation, Self::Exponent, Self::Reflectance, Self::Lobe];
+    pub const ALL: [Self; 4] = [
+        Self::Attenuation,
+        Self::Exponent,
+        Self::Reflectance,
+        Self::Lobe,
+    ];
 
     /// Whether x is an angle from the vertical, in degrees clockwise, and y the distance from the middle.
     pub fn is_polar(self) -> bool {
@@ -74,7 +79,19 @@ impl Plot {
     ) -> Self {
         let (title, note) = (title.into(), note.into());
         let (legend, marks, directions, borders, points) = (vec![], vec![], vec![], vec![], vec![]);
-        Self { kind, title, note, x, y, curves, legend, marks, directions, borders, points }
+        Self {
+            kind,
+            title,
+            note,
+            x,
+            y,
+            curves,
+            legend,
+            marks,
+            directions,
+            borders,
+            points,
+        }
     }
 
     /// The curve of that name.
@@ -99,17 +116,32 @@ pub struct Axis {
 impl Axis {
     /// An axis of an angle.
     pub fn degrees(name: impl Into<String>, low: f64, high: f64) -> Self {
-        Self { name: name.into(), low, high, degrees: true, decades: false }
+        Self {
+            name: name.into(),
+            low,
+            high,
+            degrees: true,
+            decades: false,
+        }
     }
 
     /// An axis of any other quantity.
     pub fn new(name: impl Into<String>, low: f64, high: f64) -> Self {
-        Self { name: name.into(), low, high, degrees: false, decades: false }
+        Self {
+            name: name.into(),
+            low,
+            high,
+            degrees: false,
+            decades: false,
+        }
     }
 
     /// An axis of the logarithms to the base 10 of a quantity.
     pub fn decades(name: impl Into<String>, low: f64, high: f64) -> Self {
-        Self { decades: true, ..Self::new(name, low, high) }
+        Self {
+            decades: true,
+            ..Self::new(name, low, high)
+        }
     }
 }
 
@@ -133,7 +165,15 @@ impl Curve {
     /// A curve of the scene's own.
     pub fn new(name: impl Into<String>, points: Vec<[f64; 2]>, ink: Ink) -> Self {
         let (notes, dash) = (Vec::new(), Dash::Solid);
-        Self { name: name.into(), notes, points, ink, dash, emphasised: true, tag: None }
+        Self {
+            name: name.into(),
+            notes,
+            points,
+            ink,
+            dash,
+            emphasised: true,
+            tag: None,
+        }
     }
 
     /// y at `x`, linear between the samples; nothing outside them.

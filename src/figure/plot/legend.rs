@@ -26,17 +26,30 @@ impl Legend {
     /// Finds room for the legend of a plot in `room`; returns the rest.
     pub fn new(sheet: &Sheet<'_>, room: Area) -> (Self, Area) {
         let (plot, em) = (sheet.plot, sheet.em);
-        let widest = |texts: &mut dyn Iterator<Item = &str>| texts.map(|text| width_of(text, em)).fold(0.0, f64::max);
-        let mut width = (SAMPLE + GAPS[0]) * em + widest(&mut plot.curves.iter().map(|curve| curve.name.as_str()));
+        let widest = |texts: &mut dyn Iterator<Item = &str>| {
+            texts.map(|text| width_of(text, em)).fold(0.0, f64::max)
+        };
+        let mut width = (SAMPLE + GAPS[0]) * em
+            + widest(&mut plot.curves.iter().map(|curve| curve.name.as_str()));
         let mut columns = Vec::new();
         for (index, head) in plot.legend.iter().enumerate() {
-            let notes = plot.curves.iter().filter_map(|curve| Some(curve.notes.get(index)?.as_str()));
+            let notes = plot
+                .curves
+                .iter()
+                .filter_map(|curve| Some(curve.notes.get(index)?.as_str()));
             width += GAPS[1] * em + widest(&mut notes.chain([head.as_str()]));
             columns.push(width);
         }
         // One curve alone is what the axis says.
         if plot.curves.len() < 2 && columns.is_empty() {
-            return (Self { min: room.min, columns, shown: false }, room);
+            return (
+                Self {
+                    min: room.min,
+                    columns,
+                    shown: false,
+                },
+                room,
+            );
         }
         #[expect(clippy::cast_precision_loss, reason = "a plot has few curves")]
         let lines = (plot.curves.len() + usize::from(!plot.legend.is_empty())) as f64;
@@ -46,12 +59,22 @@ impl Legend {
         let mut rest = room;
         let min = if beside {
             rest.max.x -= size.x + 1.6 * em;
-            DVec2::new(room.max.x - size.x, room.min.y + (0.5 * (whole.y - size.y) - em).clamp(0.0, 3.0 * em))
+            DVec2::new(
+                room.max.x - size.x,
+                room.min.y + (0.5 * (whole.y - size.y) - em).clamp(0.0, 3.0 * em),
+            )
         } else {
             rest.max.y -= size.y + 0.5 * em;
             DVec2::new(room.min.x, room.max.y - size.y)
         };
-        (Self { min, columns, shown: true }, rest)
+        (
+            Self {
+                min,
+                columns,
+                shown: true,
+            },
+            rest,
+        )
     }
 
     /// Draws it.
@@ -66,9 +89,14 @@ impl Legend {
             at.y += LINE * em;
         }
         for curve in &plot.curves {
-            sheet.curve(curve, &[0.0, SAMPLE].map(|x| at + DVec2::new(x, -0.33) * em));
+            sheet.curve(
+                curve,
+                &[0.0, SAMPLE].map(|x| at + DVec2::new(x, -0.33) * em),
+            );
             let name = at + DVec2::new((SAMPLE + GAPS[0]) * em, 0.0);
-            sheet.text(&curve.name, name, 1.0, paper.letters(curve.ink), 0.0).strong = curve.emphasised;
+            sheet
+                .text(&curve.name, name, 1.0, paper.letters(curve.ink), 0.0)
+                .strong = curve.emphasised;
             self.cells(sheet, &curve.notes, at, 1.0, paper.text);
             at.y += LINE * em;
         }

@@ -11,8 +11,13 @@ const CONTRAST: [f64; 2] = [3.0, 4.5];
 const CHANNELS: [Rgb8; 3] = [[0xD4, 0x2A, 0x2A], [0x12, 0x8A, 0x3E], [0x3A, 0x5F, 0xE0]];
 
 /// Flat, interpolated, Gouraud, Phong and exact shading: of Okabe and Ito's colours, which colour-blind readers tell apart.
-const MODES: [Rgb8; 5] =
-    [[0xD5, 0x5E, 0x00], [0xCC, 0x79, 0xA7], [0x00, 0x72, 0xB2], [0x00, 0x9E, 0x73], [0x8A, 0x6D, 0x00]];
+const MODES: [Rgb8; 5] = [
+    [0xD5, 0x5E, 0x00],
+    [0xCC, 0x79, 0xA7],
+    [0x00, 0x72, 0xB2],
+    [0x00, 0x9E, 0x73],
+    [0x8A, 0x6D, 0x00],
+];
 
 /// Historic ways of shading: two more of those colours, and a violet.
 const HISTORIC: [Rgb8; 3] = [[0x7A, 0x4F, 0xB5], [0xE6, 0x9F, 0x00], [0x56, 0xB4, 0xE9]];
@@ -29,10 +34,19 @@ pub struct Paper {
 
 impl Paper {
     /// Dark on white, for paper and bright rooms.
-    pub const LIGHT: Self = Self { ground: [255; 3], text: [24, 26, 30], weak: [92, 98, 108], grid: [224, 227, 232] };
+    pub const LIGHT: Self = Self {
+        ground: [255; 3],
+        text: [24, 26, 30],
+        weak: [92, 98, 108],
+        grid: [224, 227, 232],
+    };
     /// Light on nearly black, for dark rooms.
-    pub const DARK: Self =
-        Self { ground: [20, 22, 26], text: [240, 242, 246], weak: [160, 167, 178], grid: [50, 54, 62] };
+    pub const DARK: Self = Self {
+        ground: [20, 22, 26],
+        text: [240, 242, 246],
+        weak: [160, 167, 178],
+        grid: [50, 54, 62],
+    };
 
     /// The colour of a line.
     pub fn line(&self, ink: Ink) -> Rgb8 {
@@ -75,7 +89,11 @@ impl PlotStyle {
     pub fn of(size: [u32; 2], plots: usize, paper: Paper) -> Self {
         let room = DVec2::from_array(size.map(f64::from)) / grid(plots, size[0] > size[1]);
         let text = (room.x / 38.0).min(room.y / 27.0).max(7.0);
-        Self { paper, text, titled: true }
+        Self {
+            paper,
+            text,
+            titled: true,
+        }
     }
 }
 

@@ -30,18 +30,30 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area) {
         return;
     }
     let slack = space.y - radius;
-    let centre = DVec2::new(0.5 * (room.min.x + room.max.x), room.min.y + 1.5 * em + radius + 0.4 * slack);
+    let centre = DVec2::new(
+        0.5 * (room.min.x + room.max.x),
+        room.min.y + 1.5 * em + radius + 0.4 * slack,
+    );
     let step = round_up(plot.y.high / RINGS * 0.8);
     let rings = (plot.y.high / step * (1.0 - 1e-9)).ceil().max(1.0);
-    let scale = Scale::Polar { centre, radius, scale: radius / (rings * step) };
+    let scale = Scale::Polar {
+        centre,
+        radius,
+        scale: radius / (rings * step),
+    };
     ground(sheet, &scale, rings as u32, step);
     for curve in &plot.curves {
-        let places: Vec<DVec2> = curve.points.iter().map(|point| scale.place(*point)).collect();
+        let places: Vec<DVec2> = curve
+            .points
+            .iter()
+            .map(|point| scale.place(*point))
+            .collect();
         let at = sheet.drawing.shapes.len();
         sheet.curve(curve, &places);
         if curve.emphasised {
             let line = &sheet.drawing.shapes[at];
-            let lobe = Shape::area([&[centre][..], &line.points].concat(), line.colour).faded(OPAQUE[0]);
+            let lobe =
+                Shape::area([&[centre][..], &line.points].concat(), line.colour).faded(OPAQUE[0]);
             sheet.drawing.shapes.insert(at, lobe);
         }
     }
@@ -56,17 +68,30 @@ fn ground(sheet: &mut Sheet<'_>, scale: &Scale, rings: u32, step: f64) {
     let (em, paper) = (sheet.em, sheet.paper);
     let high = f64::from(rings) * step;
     let at = |angle: f64, value: f64| scale.place([angle, value]);
-    let (below, [left, right]) = (DVec2::new(0.0, 0.45 * em), [-90.0, 90.0].map(|angle| at(angle, high)));
-    sheet.push(Shape::area(vec![left, right, right + below, left + below], paper.weak).faded(OPAQUE[1]));
+    let (below, [left, right]) = (
+        DVec2::new(0.0, 0.45 * em),
+        [-90.0, 90.0].map(|angle| at(angle, high)),
+    );
+    sheet.push(
+        Shape::area(vec![left, right, right + below, left + below], paper.weak).faded(OPAQUE[1]),
+    );
     for spoke in SPOKES {
         let end = at(spoke.into(), high);
         sheet.axis(at(0.0, 0.0), end, paper.grid);
         let out = (end - at(0.0, 0.0)).normalize_or_zero();
         let middle = end + out * DVec2::new(1.25, 0.8) * em;
-        sheet.text(format!("{}°", spoke.abs()), middle + DVec2::new(0.0, 0.3 * em), 0.92, paper.weak, 0.5);
+        sheet.text(
+            format!("{}°", spoke.abs()),
+            middle + DVec2::new(0.0, 0.3 * em),
+            0.92,
+            paper.weak,
+            0.5,
+        );
     }
     // Values that would crowd are left out, the last never.
-    let apart = (2.6 * em / (at(90.0, step).x - at(90.0, 0.0).x)).ceil().max(1.0) as u32;
+    let apart = (2.6 * em / (at(90.0, step).x - at(90.0, 0.0).x))
+        .ceil()
+        .max(1.0) as u32;
     let under = DVec2::new(0.0, 1.65 * em);
     for ring in 1..=rings {
         let value = f64::from(ring) * step;
@@ -74,7 +99,13 @@ fn ground(sheet: &mut Sheet<'_>, scale: &Scale, rings: u32, step: f64) {
         sheet.line(arc, 0.08, paper.grid);
         if (rings - ring).is_multiple_of(apart) {
             let decimals = (-(step * 1.000_001).log10().floor()).clamp(0.0, 6.0) as usize;
-            sheet.text(format!("{value:.decimals$}"), at(90.0, value) + under, 0.92, paper.weak, 0.5);
+            sheet.text(
+                format!("{value:.decimals$}"),
+                at(90.0, value) + under,
+                0.92,
+                paper.weak,
+                0.5,
+            );
         }
     }
     sheet.text("I = 0", at(0.0, 0.0) + under, 0.92, paper.weak, 0.5);
@@ -88,17 +119,37 @@ fn arrow(sheet: &mut Sheet<'_>, direction: &Direction, centre: DVec2, radius: f6
     let tip = centre + along * (REACH * radius * direction.length);
     let colour = sheet.paper.line(direction.ink);
     let head = 0.85 * em;
-    let vector = Vector::ALL.into_iter().find(|vector| vector.letter() == direction.letter);
-    sheet.line(vec![centre, tip - along * 0.8 * head], 0.15, colour).dashes = vector.map_or(&[], Vector::dashes);
+    let vector = Vector::ALL
+        .into_iter()
+        .find(|vector| vector.letter() == direction.letter);
+    sheet
+        .line(vec![centre, tip - along * 0.8 * head], 0.15, colour)
+        .dashes = vector.map_or(&[], Vector::dashes);
     let (base, side) = (tip - along * head, along.perp() * 0.38 * head);
     sheet.push(Shape::area(vec![tip, base + side, base - side], colour));
     // Where another arrow is close, the letter stands on the side away from it.
     let close = sheet.plot.directions.iter().find(|other| {
-        other.letter != direction.letter && (other.angle - direction.angle).abs() < APART && other.length > 0.5
+        other.letter != direction.letter
+            && (other.angle - direction.angle).abs() < APART
+            && other.length > 0.5
     });
-    let clockwise = close.map_or(direction.angle >= 0.0, |other| other.angle < direction.angle);
-    let aside = if clockwise { along.perp() } else { -along.perp() };
+    let clockwise = close.map_or(direction.angle >= 0.0, |other| {
+        other.angle < direction.angle
+    });
+    let aside = if clockwise {
+        along.perp()
+    } else {
+        -along.perp()
+    };
     let middle = tip - along * 0.5 * em + aside * 0.85 * em;
     let at = middle + DVec2::new(0.0, 0.36 * em);
-    sheet.over_lines(direction.letter, at, 1.1, sheet.paper.letters(direction.ink), 0.5).strong = true;
+    sheet
+        .over_lines(
+            direction.letter,
+            at,
+            1.1,
+            sheet.paper.letters(direction.ink),
+            0.5,
+        )
+        .strong = true;
 }

@@ -36,7 +36,11 @@ impl Sheet<'_> {
         let mut kept: Vec<DVec2> = Vec::new();
         for (index, point) in points.iter().enumerate() {
             let end = index == 0 || index + 1 == points.len();
-            if end || kept.last().is_none_or(|last| last.distance(*point) >= THINNER) {
+            if end
+                || kept
+                    .last()
+                    .is_none_or(|last| last.distance(*point) >= THINNER)
+            {
                 kept.push(*point);
             }
         }
@@ -53,12 +57,28 @@ impl Sheet<'_> {
     }
 
     /// Text whose part `align` lies left of `at`.
-    pub fn text(&mut self, text: impl Into<String>, at: DVec2, size: f64, colour: Rgb8, align: f64) -> &mut Text {
-        self.drawing.texts.push_mut(Text::new(text, at, size * self.em, colour).aligned(align))
+    pub fn text(
+        &mut self,
+        text: impl Into<String>,
+        at: DVec2,
+        size: f64,
+        colour: Rgb8,
+        align: f64,
+    ) -> &mut Text {
+        self.drawing
+            .texts
+            .push_mut(Text::new(text, at, size * self.em, colour).aligned(align))
     }
 
     /// The same with a halo, since it may stand on lines.
-    pub fn over_lines(&mut self, text: &str, at: DVec2, size: f64, colour: Rgb8, align: f64) -> &mut Text {
+    pub fn over_lines(
+        &mut self,
+        text: &str,
+        at: DVec2,
+        size: f64,
+        colour: Rgb8,
+        align: f64,
+    ) -> &mut Text {
         let text = self.text(text, at, size, colour, align);
         text.halo = TEXT_HALO * text.size;
         text
@@ -68,10 +88,14 @@ impl Sheet<'_> {
     pub fn heading(&mut self, room: Area) -> Area {
         let (em, paper, plot) = (self.em, self.paper, self.plot);
         let margin = if self.style.titled { em } else { 0.0 };
-        let mut rest = Area { min: room.min + margin, max: room.max - margin };
+        let mut rest = Area {
+            min: room.min + margin,
+            max: room.max - margin,
+        };
         if self.style.titled {
             rest.min.y += 1.2 * em;
-            self.text(&plot.title, rest.min, 1.25, paper.text, 0.0).strong = true;
+            self.text(&plot.title, rest.min, 1.25, paper.text, 0.0)
+                .strong = true;
             rest.min.y += 0.35 * em;
         }
         for line in wrapped(&plot.note, rest.max.x - rest.min.x, 0.92 * em) {
@@ -89,7 +113,10 @@ fn wrapped(text: &str, width: f64, size: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ').filter(|word| !word.is_empty()) {
         let longer = lines.last().map(|line| format!("{line} {word}"));
-        match (longer.filter(|longer| width_of(longer, size) <= width), lines.last_mut()) {
+        match (
+            longer.filter(|longer| width_of(longer, size) <= width),
+            lines.last_mut(),
+        ) {
             (Some(longer), Some(line)) => *line = longer,
             _ => lines.push(word.to_owned()),
         }

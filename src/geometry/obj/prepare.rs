@@ -29,7 +29,11 @@ pub enum ObjError {
 impl ObjError {
     /// The line, from 1, where it is known; of a continued line the first.
     pub fn line(&self) -> Option<u64> {
-        if let Self::Line { line, .. } = self { Some(*line) } else { None }
+        if let Self::Line { line, .. } = self {
+            Some(*line)
+        } else {
+            None
+        }
     }
 }
 
@@ -73,7 +77,14 @@ struct Line<'a> {
 
 impl<'a, R: BufRead> Lines<'a, R> {
     pub fn new(reader: R, progress: &'a mut dyn FnMut(u64)) -> Self {
-        Self { reader, progress, text: Vec::new(), count: 0, bytes: 0, told: 0 }
+        Self {
+            reader,
+            progress,
+            text: Vec::new(),
+            count: 0,
+            bytes: 0,
+            told: 0,
+        }
     }
 
     /// The next line; none at the end of the file.
@@ -84,7 +95,11 @@ impl<'a, R: BufRead> Lines<'a, R> {
         while ended {
             let before = self.text.len();
             let room = (LONGEST - before + 1) as u64;
-            let read = self.reader.by_ref().take(room).read_until(b'\n', &mut self.text)?;
+            let read = self
+                .reader
+                .by_ref()
+                .take(room)
+                .read_until(b'\n', &mut self.text)?;
             if read == 0 && before == 0 {
                 (self.progress)(self.bytes);
                 return Ok(None);
@@ -97,7 +112,10 @@ impl<'a, R: BufRead> Lines<'a, R> {
                 return Err(not_text(number));
             }
             if self.text.len() > LONGEST {
-                return Err(at(number, format!("the line is longer than {LONGEST} bytes, expected an OBJ model")));
+                return Err(at(
+                    number,
+                    format!("the line is longer than {LONGEST} bytes, expected an OBJ model"),
+                ));
             }
             self.trim(before);
             if !(ended && self.text.ends_with(b"\\")) {
@@ -107,10 +125,18 @@ impl<'a, R: BufRead> Lines<'a, R> {
             self.text.push(b' ');
         }
         // Control characters that no text has; tab, form feed, escape and the end mark of old systems are let through.
-        if self.text.iter().any(|byte| matches!(byte, 0..=8 | 14..=25 | 28..=31)) {
+        if self
+            .text
+            .iter()
+            .any(|byte| matches!(byte, 0..=8 | 14..=25 | 28..=31))
+        {
             return Err(not_text(number));
         }
-        Ok(Some(Line { number, text: &self.text, ended }))
+        Ok(Some(Line {
+            number,
+            text: &self.text,
+            ended,
+        }))
     }
 
     fn tell(&mut self, read: u64) {
@@ -158,7 +184,12 @@ struct Writer {
 
 impl<'a, R: BufRead> Prepared<'a, R> {
     pub fn new(lines: Lines<'a, R>) -> Self {
-        Self { lines, writer: Writer::default(), taken: 0, outcome: Ok(()) }
+        Self {
+            lines,
+            writer: Writer::default(),
+            taken: 0,
+            outcome: Ok(()),
+        }
     }
 
     /// After the last byte: the origin that positions are relative to, or what was wrong.
@@ -167,14 +198,20 @@ impl<'a, R: BufRead> Prepared<'a, R> {
         if self.lines.bytes == 0 {
             return Err(ObjError::Empty);
         }
-        if self.writer.faces == 0 { Err(ObjError::NoFace) } else { Ok(self.writer.origin) }
+        if self.writer.faces == 0 {
+            Err(ObjError::NoFace)
+        } else {
+            Ok(self.writer.origin)
+        }
     }
 
     fn refill(&mut self) -> Result<(), ObjError> {
         self.taken = 0;
         self.writer.text.clear();
         while self.writer.text.len() < CHUNK {
-            let Some(line) = self.lines.next()? else { break };
+            let Some(line) = self.lines.next()? else {
+                break;
+            };
             self.writer.line(&line)?;
         }
         Ok(())
@@ -197,7 +234,10 @@ impl<R: BufRead> Read for Prepared<'_, R> {
 
 impl Writer {
     fn line(&mut self, line: &Line) -> Result<(), ObjError> {
-        let mut words = line.text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+        let mut words = line
+            .text
+            .split(u8::is_ascii_whitespace)
+            .filter(|word| !word.is_empty());
         match words.next() {
             Some(b"v") => self.position(line.number, words),
             Some(b"vn") => self.normal(line.number, words),
@@ -206,12 +246,17 @@ impl Writer {
         }
     }
 
-    fn position<'w>(&mut self, line: u64, mut words: impl Iterator<Item = &'w [u8]>) -> Result<(), ObjError> {
+    fn position<'w>(
+        &mut self,
+        line: u64,
+        mut words: impl Iterator<Item = &'w [u8]>,
+    ) -> Result<(), ObjError> {
         let (mut point, xyz) = vector(line, &mut words, "a coordinate", "three coordinates x y z")?;
         if let (Some(weight), None) = (words.next(), words.next()) {
             point /= match number(line, weight, "a weight")? {
                 0.0 => {
-                    let what = "a vertex of weight 0 is at infinity, expected a weight that is not zero";
+                    let what =
+                        "a vertex of weight 0 is at infinity, expected a weight that is not zero";
                     return Err(at(line, what));
                 }
                 weight => weight,
@@ -224,15 +269,30 @@ impl Writer {
         if let Some(k) = (0..3).find(|&k| !relative[k].is_finite()) {
             let word = quoted(xyz[k]);
             let expected = "expected a number between -3.4e38 and 3.4e38";
-            return Err(at(line, format!("the coordinate {word} is not finite in single precision, {expected}")));
+            return Err(at(
+                line,
+                format!("the coordinate {word} is not finite in single precision, {expected}"),
+            ));
         }
         self.positions += 1;
-        self.write(format_args!("v {:e} {:e} {:e}\n", relative.x, relative.y, relative.z));
+        self.write(format_args!(
+            "v {:e} {:e} {:e}\n",
+            relative.x, relative.y, relative.z
+        ));
         Ok(())
     }
 
-    fn normal<'w>(&mut self, line: u64, mut words: impl Iterator<Item = &'w [u8]>) -> Result<(), ObjError> {
-        let (normal, _) = vector(line, &mut words, "a component of a normal", "three components of a normal")?;
+    fn normal<'w>(
+        &mut self,
+        line: u64,
+        mut words: impl Iterator<Item = &'w [u8]>,
+    ) -> Result<(), ObjError> {
+        let (normal, _) = vector(
+            line,
+            &mut words,
+            "a component of a normal",
+            "three components of a normal",
+        )?;
         if self.normals == 0 {
             // Faces so far have no normals; what they become must not have any either.
             self.end_piece();
@@ -244,14 +304,21 @@ impl Writer {
         Ok(())
     }
 
-    fn face<'w>(&mut self, line: &Line, words: impl Iterator<Item = &'w [u8]>) -> Result<(), ObjError> {
+    fn face<'w>(
+        &mut self,
+        line: &Line,
+        words: impl Iterator<Item = &'w [u8]>,
+    ) -> Result<(), ObjError> {
         let mut corners = std::mem::take(&mut self.corners);
         corners.clear();
         for word in words {
             corners.push(self.corner(line, word)?);
         }
         if corners.len() < 3 {
-            return Err(at(line.number, format!("a face of {} vertices, expected at least 3", corners.len())));
+            return Err(at(
+                line.number,
+                format!("a face of {} vertices, expected at least 3", corners.len()),
+            ));
         }
         if self.corners_in_piece + corners.len() > PIECE {
             self.end_piece();
@@ -276,7 +343,8 @@ impl Writer {
     fn corner(&self, line: &Line, word: &[u8]) -> Result<(u64, u64), ObjError> {
         const EXPECTED: &str = "a corner of a face, v, v/vt, v//vn or v/vt/vn with whole numbers";
         let mut fields = word.split(|&byte| byte == b'/');
-        let [position, texture, normal] = [fields.next(), fields.next(), fields.next()].map(Option::unwrap_or_default);
+        let [position, texture, normal] =
+            [fields.next(), fields.next(), fields.next()].map(Option::unwrap_or_default);
         let empty_or_whole = |field: &[u8]| field.is_empty() || whole(field).is_some();
         // A file that ends behind a slash has been cut off.
         let cut_off = !line.ended && line.text.ends_with(b"/") && line.text.ends_with(word);
@@ -285,7 +353,11 @@ impl Writer {
             return Err(malformed(line.number, word, EXPECTED));
         }
         let position = absolute(line.number, "vertex", position, self.positions)?;
-        let normal = if normal.is_empty() { 0 } else { absolute(line.number, "normal", normal, self.normals)? };
+        let normal = if normal.is_empty() {
+            0
+        } else {
+            absolute(line.number, "normal", normal, self.normals)?
+        };
         Ok((position, normal))
     }
 
@@ -301,11 +373,17 @@ impl Writer {
 }
 
 fn at(line: u64, what: impl Into<String>) -> ObjError {
-    ObjError::Line { line, what: what.into() }
+    ObjError::Line {
+        line,
+        what: what.into(),
+    }
 }
 
 fn not_text(line: u64) -> ObjError {
-    at(line, "this is not text, expected an OBJ model in ASCII or UTF-8")
+    at(
+        line,
+        "this is not text, expected an OBJ model in ASCII or UTF-8",
+    )
 }
 
 fn malformed(line: u64, word: &[u8], expected: &str) -> ObjError {
@@ -316,7 +394,11 @@ fn malformed(line: u64, word: &[u8], expected: &str) -> ObjError {
 fn quoted(word: &[u8]) -> String {
     const LONGEST_QUOTE: usize = 40;
     let text = String::from_utf8_lossy(&word[..word.len().min(LONGEST_QUOTE)]);
-    if word.len() > LONGEST_QUOTE { format!("{text}…") } else { text.into_owned() }
+    if word.len() > LONGEST_QUOTE {
+        format!("{text}…")
+    } else {
+        text.into_owned()
+    }
 }
 
 /// Three numbers, finite or not, and the words that they stand as.
@@ -329,7 +411,9 @@ fn vector<'w>(
     let mut xyz = [&[][..]; 3];
     let mut vector = DVec3::ZERO;
     for k in 0..3 {
-        xyz[k] = words.next().ok_or_else(|| at(line, format!("{k} numbers, expected {three}")))?;
+        xyz[k] = words
+            .next()
+            .ok_or_else(|| at(line, format!("{k} numbers, expected {three}")))?;
         vector[k] = number(line, xyz[k], one)?;
     }
     Ok((vector, xyz))
@@ -337,7 +421,9 @@ fn vector<'w>(
 
 /// The number that a word stands for, finite or not.
 fn number(line: u64, word: &[u8], expected: &str) -> Result<f64, ObjError> {
-    let number = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
+    let number = std::str::from_utf8(word)
+        .ok()
+        .and_then(|text| text.parse().ok());
     number.ok_or_else(|| malformed(line, word, expected))
 }
 
@@ -355,10 +441,17 @@ fn whole(field: &[u8]) -> Option<(bool, &[u8])> {
 fn absolute(line: u64, kind: &str, field: &[u8], count: u64) -> Result<u64, ObjError> {
     let resolved = whole(field).and_then(|(negative, digits)| {
         let number: u64 = std::str::from_utf8(digits).ok()?.parse().ok()?;
-        (1..=count).contains(&number).then(|| if negative { count + 1 - number } else { number })
+        (1..=count)
+            .contains(&number)
+            .then(|| if negative { count + 1 - number } else { number })
     });
     resolved.ok_or_else(|| {
-        let expected = format!("expected 1 to {count} or -{count} to -1, as {count} of them come before this line");
-        at(line, format!("the face names {kind} {}, {expected}", quoted(field)))
+        let expected = format!(
+            "expected 1 to {count} or -{count} to -1, as {count} of them come before this line"
+        );
+        at(
+            line,
+            format!("the face names {kind} {}, {expected}", quoted(field)),
+        )
     })
 }

@@ -12,7 +12,10 @@ pub fn triangles(object: &Object) -> u64 {
 /// Segments and rings by which a shape has as nearly as possible `wanted` triangles whose polygons are about as wide as
 /// high: at most one row of polygons too many or too few, within what an object may have.
 pub fn divisions_for(kind: ObjectKind, wanted: u64) -> [u32; 2] {
-    let least = Object { kind, ..Object::default() };
+    let least = Object {
+        kind,
+        ..Object::default()
+    };
     let [min_segments, min_rings] = [least.min_segments(), least.min_rings()];
     let beside = |rings: u32| {
         let segments = (f64::from(rings) * segments_per_ring(kind)).round();
@@ -20,14 +23,24 @@ pub fn divisions_for(kind: ObjectKind, wanted: u64) -> [u32; 2] {
     };
     let rings = first(min_rings, |rings| of(kind, beside(rings), rings) >= wanted);
     // Of the two rows on either side of the wanted number, with the segments that come nearest to it.
-    let candidates = [rings.saturating_sub(1).max(min_rings), rings].into_iter().flat_map(|rings| {
-        let segments = first(min_segments, |segments| of(kind, segments, rings) >= wanted);
-        [[segments.saturating_sub(1).max(min_segments), rings], [segments, rings]]
-    });
+    let candidates = [rings.saturating_sub(1).max(min_rings), rings]
+        .into_iter()
+        .flat_map(|rings| {
+            let segments = first(min_segments, |segments| of(kind, segments, rings) >= wanted);
+            [
+                [segments.saturating_sub(1).max(min_segments), rings],
+                [segments, rings],
+            ]
+        });
     let off = |[segments, rings]: &[u32; 2]| {
-        (of(kind, *segments, *rings).abs_diff(wanted), segments.abs_diff(beside(*rings)))
+        (
+            of(kind, *segments, *rings).abs_diff(wanted),
+            segments.abs_diff(beside(*rings)),
+        )
     };
-    candidates.min_by_key(off).unwrap_or([min_segments, min_rings])
+    candidates
+        .min_by_key(off)
+        .unwrap_or([min_segments, min_rings])
 }
 
 /// The least number from `least` on for which `holds`, which does for all greater ones; the greatest there is if none.
@@ -52,7 +65,11 @@ fn segments_per_ring(kind: ObjectKind) -> f64 {
         ObjectKind::Sphere | ObjectKind::Cone => 2.0,
         // Counted round all four sides.
         ObjectKind::Cube => 4.0,
-        ObjectKind::Plane | ObjectKind::Teapot | ObjectKind::Corrugated | ObjectKind::Obj | ObjectKind::Polygons => 1.0,
+        ObjectKind::Plane
+        | ObjectKind::Teapot
+        | ObjectKind::Corrugated
+        | ObjectKind::Obj
+        | ObjectKind::Polygons => 1.0,
     }
 }
 

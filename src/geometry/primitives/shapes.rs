@@ -3,7 +3,8 @@
 use crate::geometry::concave::fan_or_triangles;
 use crate::geometry::mesh::{Corner, FAR, Mesh, NO_NORMAL};
 use crate::geometry::sizes::{
-    CORRUGATED_HALF_HEIGHT, CUBE_HALF_EDGE, Frustum, TORUS_RING, TORUS_TUBE, corrugated_normal, corrugated_point,
+    CORRUGATED_HALF_HEIGHT, CUBE_HALF_EDGE, Frustum, TORUS_RING, TORUS_TUBE, corrugated_normal,
+    corrugated_point,
 };
 use crate::scene::{Object, Polygons};
 use glam::{DVec2, DVec3};
@@ -40,7 +41,11 @@ impl Builder {
 
     /// Adds a face with `(position, normal)` at each corner, counter-clockwise from outside.
     pub fn face(&mut self, corners: impl IntoIterator<Item = (u32, u32)>) {
-        self.mesh.corners.extend(corners.into_iter().map(|(position, normal)| Corner { position, normal }));
+        self.mesh.corners.extend(
+            corners
+                .into_iter()
+                .map(|(position, normal)| Corner { position, normal }),
+        );
         self.mesh.starts.push(self.mesh.corners.len() as u32);
     }
 
@@ -89,8 +94,11 @@ pub fn cube(columns: u32, rows: u32) -> Mesh {
     let normal = builder.normal(DVec3::Y);
     builder.grid(columns, columns, |i, k| (lattice.in_level(i, k, 0), normal));
     for side in 0..4 {
-        let normal = builder.normal([DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X][side as usize]);
-        builder.grid(columns, rows, |i, j| (lattice.on_side(side * columns + i, j), normal));
+        let normal =
+            builder.normal([DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X][side as usize]);
+        builder.grid(columns, rows, |i, j| {
+            (lattice.on_side(side * columns + i, j), normal)
+        });
     }
     let normal = builder.normal(DVec3::NEG_Y);
     for k in 0..columns {
@@ -115,7 +123,8 @@ impl Lattice {
         for j in 0..=self.rows {
             for i in 0..4 * n {
                 let (side, along) = (i / n, between(i % n, n));
-                let (x, z) = [(along, 1.0), (1.0, -along), (-along, -1.0), (-1.0, along)][side as usize];
+                let (x, z) =
+                    [(along, 1.0), (1.0, -along), (-along, -1.0), (-1.0, along)][side as usize];
                 builder.position(CUBE_HALF_EDGE * DVec3::new(x, -between(j, self.rows), z));
             }
         }
@@ -160,7 +169,11 @@ pub fn corrugated(slopes: u32, strips: u32) -> Mesh {
     let columns = slopes * strips;
     let mut builder = Builder::with_capacity(2 * (columns as usize + 1), columns as usize);
     for column in 0..=columns {
-        let place = corrugated_point(slopes, column / strips, f64::from(column % strips) / f64::from(strips));
+        let place = corrugated_point(
+            slopes,
+            column / strips,
+            f64::from(column % strips) / f64::from(strips),
+        );
         for y in [CORRUGATED_HALF_HEIGHT, -CORRUGATED_HALF_HEIGHT] {
             builder.position(DVec3::new(place.x, y, place.y));
         }
@@ -170,7 +183,10 @@ pub fn corrugated(slopes: u32, strips: u32) -> Mesh {
         let normal = normals[(column / strips % 2) as usize];
         builder.face([0, 1, 3, 2].map(|k| (2 * column + k, normal)));
     }
-    Mesh { mirrored: vec![0, 1, 2 * columns, 2 * columns + 1], ..builder.finish(false, false) }
+    Mesh {
+        mirrored: vec![0, 1, 2 * columns, 2 * columns + 1],
+        ..builder.finish(false, false)
+    }
 }
 
 /// (sin, cos) of the angle 2π·k/n, exact at the quarters.
@@ -188,7 +204,9 @@ fn turn(k: u32, n: u32) -> (f64, f64) {
 
 /// The directions round the y axis: azimuth 2π·i/segments from +z towards +x, as (x, z).
 fn azimuths(segments: u32) -> Vec<DVec2> {
-    (0..segments).map(|i| DVec2::from(turn(i, segments))).collect()
+    (0..segments)
+        .map(|i| DVec2::from(turn(i, segments)))
+        .collect()
 }
 
 /// The point or vector with distance `radial` from the axis and height `y`.
@@ -208,7 +226,9 @@ pub fn sphere(segments: u32, rings: u32) -> Mesh {
     let north = add(DVec3::Y);
     for j in 1..rings {
         let (sin, cos) = turn(j, 2 * rings);
-        azimuths.iter().for_each(|&azimuth| _ = add(revolved(sin, cos, azimuth)));
+        azimuths
+            .iter()
+            .for_each(|&azimuth| _ = add(revolved(sin, cos, azimuth)));
     }
     let south = add(DVec3::NEG_Y);
 
@@ -232,7 +252,11 @@ pub fn torus(segments: u32, rings: u32) -> Mesh {
     for j in 0..rings {
         let (sin, cos) = turn(j, rings);
         for &azimuth in &azimuths {
-            builder.position(revolved(TORUS_RING + TORUS_TUBE * sin, TORUS_TUBE * cos, azimuth));
+            builder.position(revolved(
+                TORUS_RING + TORUS_TUBE * sin,
+                TORUS_TUBE * cos,
+                azimuth,
+            ));
             builder.normal(revolved(sin, cos, azimuth));
         }
     }
@@ -246,7 +270,10 @@ pub fn torus(segments: u32, rings: u32) -> Mesh {
 pub fn frustum(shape: &Frustum, segments: u32, rings: u32) -> Mesh {
     let apex = u32::from(shape.top == 0.0);
     let points = segments as usize * (rings + 1 - apex) as usize + apex as usize;
-    let mut builder = Builder::with_capacity(points, segments as usize * rings as usize + segments as usize / 2 + 2);
+    let mut builder = Builder::with_capacity(
+        points,
+        segments as usize * rings as usize + segments as usize / 2 + 2,
+    );
     let azimuths = azimuths(segments);
     if apex == 1 {
         builder.position(DVec3::Y * shape.high);
@@ -255,17 +282,23 @@ pub fn frustum(shape: &Frustum, segments: u32, rings: u32) -> Mesh {
         let share = f64::from(j) / f64::from(rings);
         let radius = shape.top + (shape.bottom - shape.top) * share;
         let y = shape.high + (shape.low - shape.high) * share;
-        azimuths.iter().for_each(|&azimuth| _ = builder.position(revolved(radius, y, azimuth)));
+        azimuths
+            .iter()
+            .for_each(|&azimuth| _ = builder.position(revolved(radius, y, azimuth)));
     }
     let outwards = DVec2::new(1.0, shape.slope()).normalize();
     let mut normals_round = |azimuths: &[DVec2]| {
-        let normals = azimuths.iter().map(|&azimuth| builder.normal(revolved(outwards.x, outwards.y, azimuth)));
+        let normals = azimuths
+            .iter()
+            .map(|&azimuth| builder.normal(revolved(outwards.x, outwards.y, azimuth)));
         normals.min().unwrap_or(0)
     };
     let side = normals_round(&azimuths);
     let at = |i: u32, j: u32| (apex + j * segments + i % segments, side + i % segments);
     if apex == 1 {
-        let middles: Vec<DVec2> = (0..segments).map(|i| DVec2::from(turn(2 * i + 1, 2 * segments))).collect();
+        let middles: Vec<DVec2> = (0..segments)
+            .map(|i| DVec2::from(turn(2 * i + 1, 2 * segments)))
+            .collect();
         let at_apex = normals_round(&middles);
         for i in 0..segments {
             builder.face([(0, at_apex + i), at(i, 0), at(i + 1, 0)]);
@@ -285,19 +318,39 @@ pub fn frustum(shape: &Frustum, segments: u32, rings: u32) -> Mesh {
 /// vertex of its own. Faces that name an unknown vertex, or fewer than three, are left out; a concave one is turned or cut
 /// as a model's is.
 pub fn polygons(object: &Object) -> Mesh {
-    let Polygons { vertices, faces, normals } = object.polygons();
+    let Polygons {
+        vertices,
+        faces,
+        normals,
+    } = object.polygons();
     let origin = match vertices.first() {
         Some(first) if first.is_finite() && first.abs().max_element() > FAR => first.round(),
         _ => DVec3::ZERO,
     };
-    let mut mesh = Mesh { origin, starts: vec![0], ..Mesh::default() };
-    mesh.positions = vertices.iter().map(|vertex| (vertex - origin).as_vec3()).collect();
+    let mut mesh = Mesh {
+        origin,
+        starts: vec![0],
+        ..Mesh::default()
+    };
+    mesh.positions = vertices
+        .iter()
+        .map(|vertex| (vertex - origin).as_vec3())
+        .collect();
     if normals.len() == vertices.len() {
-        mesh.normals = normals.iter().map(|normal| normal.normalize_or(DVec3::Z).as_vec3()).collect();
+        mesh.normals = normals
+            .iter()
+            .map(|normal| normal.normalize_or(DVec3::Z).as_vec3())
+            .collect();
     }
     let given = !mesh.normals.is_empty();
-    let corner = |&v: &u32| Corner { position: v, normal: if given { v } else { NO_NORMAL } };
-    for face in faces.iter().filter(|face| face.len() >= 3 && face.iter().all(|&v| (v as usize) < vertices.len())) {
+    let corner = |&v: &u32| Corner {
+        position: v,
+        normal: if given { v } else { NO_NORMAL },
+    };
+    for face in faces
+        .iter()
+        .filter(|face| face.len() >= 3 && face.iter().all(|&v| (v as usize) < vertices.len()))
+    {
         let mut face: Vec<Corner> = face.iter().map(corner).collect();
         fan_or_triangles(
             &mut face,

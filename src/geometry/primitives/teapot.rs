@@ -11,10 +11,22 @@ use std::collections::HashMap;
 /// two halves, which with one quad each would lie flat on one another; they have at least two.
 pub fn teapot(along: u32, round: u32) -> Mesh {
     let per_patch = along as usize * round as usize;
-    let builder = Builder::with_capacity(32 * per_patch + 2 * (along + round) as usize, 32 * per_patch);
-    let mut seams = Seams { builder, corners: HashMap::new(), edges: HashMap::new(), normals: HashMap::new() };
+    let builder = Builder::with_capacity(
+        32 * per_patch + 2 * (along + round) as usize,
+        32 * per_patch,
+    );
+    let mut seams = Seams {
+        builder,
+        corners: HashMap::new(),
+        edges: HashMap::new(),
+        normals: HashMap::new(),
+    };
     for patch in 0..TEAPOT.patches.len() {
-        let least = if matches!(Teapot::shell(patch), Shell::Handle | Shell::Spout) { 2 } else { 1 };
+        let least = if matches!(Teapot::shell(patch), Shell::Handle | Shell::Spout) {
+            2
+        } else {
+            1
+        };
         add_patch(&mut seams, patch, along, round.max(least));
     }
     seams.builder.finish(false, false)
@@ -26,9 +38,16 @@ fn add_patch(seams: &mut Seams, patch: usize, along: u32, round: u32) {
     let mut corners = Vec::with_capacity(points.len());
     for (index, &point) in points.iter().enumerate() {
         let (k, j) = (index as u32 / (round + 1), index as u32 % (round + 1));
-        let normal = shape.normal(f64::from(k) / f64::from(along), f64::from(j) / f64::from(round));
+        let normal = shape.normal(
+            f64::from(k) / f64::from(along),
+            f64::from(j) / f64::from(round),
+        );
         let inside = k > 0 && k < along && j > 0 && j < round;
-        let normal = if inside { seams.builder.normal(normal) } else { seams.normal(point, normal) };
+        let normal = if inside {
+            seams.builder.normal(normal)
+        } else {
+            seams.normal(point, normal)
+        };
         corners.push((point, normal));
     }
     let at = |k: u32, j: u32| corners[(k * (round + 1) + j) as usize];
@@ -57,7 +76,10 @@ fn points_of(seams: &mut Seams, patch: usize, along: u32, round: u32) -> Vec<u32
     for k in 1..along {
         points.push(left[k as usize]);
         for j in 1..round {
-            let point = shape.at(f64::from(k) / f64::from(along), f64::from(j) / f64::from(round));
+            let point = shape.at(
+                f64::from(k) / f64::from(along),
+                f64::from(j) / f64::from(round),
+            );
             points.push(seams.builder.position(point));
         }
         points.push(right[k as usize]);
@@ -101,14 +123,20 @@ impl Seams {
         let last = self.corner(shell, controls[3]);
         let curve = controls.map(|control| TEAPOT.points[control as usize]);
         let mut points = vec![first];
-        points.extend((1..count).map(|k| self.builder.position(on_curve(curve, f64::from(k) / f64::from(count)))));
+        points.extend((1..count).map(|k| {
+            self.builder
+                .position(on_curve(curve, f64::from(k) / f64::from(count)))
+        }));
         points.push(last);
         points
     }
 
     fn corner(&mut self, shell: Shell, control: u16) -> u32 {
         let builder = &mut self.builder;
-        *self.corners.entry((shell, control)).or_insert_with(|| builder.position(TEAPOT.points[control as usize]))
+        *self
+            .corners
+            .entry((shell, control))
+            .or_insert_with(|| builder.position(TEAPOT.points[control as usize]))
     }
 
     /// The index of a normal at a point on an edge: one for both patches where they join smoothly.
@@ -116,7 +144,10 @@ impl Seams {
         /// Squared distance of unit normals that differ by rounding only.
         const SAME: f64 = 1e-16;
         let known = self.normals.entry(point).or_default();
-        if let Some((_, index)) = known.iter().find(|(other, _)| other.distance_squared(normal) < SAME) {
+        if let Some((_, index)) = known
+            .iter()
+            .find(|(other, _)| other.distance_squared(normal) < SAME)
+        {
             return *index;
         }
         let index = self.builder.normal(normal);

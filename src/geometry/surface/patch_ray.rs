@@ -23,7 +23,10 @@ const MOST_CELLS: u32 = 4096;
 
 /// Reports every (u, v) at which a patch, projected along the ray to the plane with the ray at its origin, meets the ray.
 pub fn meet(patch: &Patch<DVec2>, mut found: impl FnMut(f64, f64)) {
-    let mut search = Search { cells: 0, found: &mut found };
+    let mut search = Search {
+        cells: 0,
+        found: &mut found,
+    };
     search.cell(patch, DVec2::ZERO, DVec2::ONE);
 }
 
@@ -51,7 +54,11 @@ impl Search<'_> {
             return self.report(corner + 0.5 * size);
         }
         let slopes = Slopes::of(patch);
-        let outcome = if slopes.may_fold() { Newton::Undecided } else { newton(patch) };
+        let outcome = if slopes.may_fold() {
+            Newton::Undecided
+        } else {
+            newton(patch)
+        };
         match outcome {
             Newton::Root(uv) => self.report(corner + size * uv),
             Newton::Elsewhere => {}
@@ -111,13 +118,18 @@ impl Slopes {
 }
 
 fn bounds(vectors: impl Iterator<Item = DVec2>) -> (DVec2, DVec2) {
-    vectors.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+    vectors.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), v| {
+        (low.min(v), high.max(v))
+    })
 }
 
 /// The product of two intervals.
 fn product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     let products = [a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1];
-    (products.iter().copied().fold(f64::INFINITY, f64::min), products.iter().copied().fold(f64::NEG_INFINITY, f64::max))
+    (
+        products.iter().copied().fold(f64::INFINITY, f64::min),
+        products.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    )
 }
 
 /// Newton's iteration from the middle of a cell that cannot fold.
@@ -130,8 +142,10 @@ fn newton(patch: &Patch<DVec2>) -> Newton {
     let mut uv = DVec2::splat(0.5);
     for _ in 0..STEPS {
         let jet = patch.jet(uv.x, uv.y);
-        let step = DVec2::new(jet.point.perp_dot(jet.along_v), jet.along_u.perp_dot(jet.point))
-            / jet.along_u.perp_dot(jet.along_v);
+        let step = DVec2::new(
+            jet.point.perp_dot(jet.along_v),
+            jet.along_u.perp_dot(jet.point),
+        ) / jet.along_u.perp_dot(jet.along_v);
         uv -= step;
         let distance = (uv - 0.5).abs().max_element();
         // Also false where the step is not a number.
@@ -140,7 +154,11 @@ fn newton(patch: &Patch<DVec2>) -> Newton {
             return Newton::Undecided;
         }
         if step.abs().max_element() < CONVERGED {
-            return if distance <= 0.5 + EDGE { Newton::Root(uv) } else { Newton::Elsewhere };
+            return if distance <= 0.5 + EDGE {
+                Newton::Root(uv)
+            } else {
+                Newton::Elsewhere
+            };
         }
     }
     Newton::Undecided
@@ -179,11 +197,19 @@ mod tests {
     #[test]
     fn a_folded_patch_is_met_twice() {
         // x = (u − ½)² − ¹⁄₁₆ vanishes at u = ¼ and ¾: as a cubic Bézier polynomial, by its blossom.
-        let x = [0.1875, -0.145_833_333_333_333_33, -0.145_833_333_333_333_33, 0.1875];
+        let x = [
+            0.1875,
+            -0.145_833_333_333_333_33,
+            -0.145_833_333_333_333_33,
+            0.1875,
+        ];
         let folded = patch(|u, v| DVec2::new(x[(3.0 * u).round() as usize], v - 0.4));
         let roots = roots(&folded);
         assert_eq!(roots.len(), 2);
-        assert!(roots[0].distance(DVec2::new(0.25, 0.4)) < 1e-12 && roots[1].distance(DVec2::new(0.75, 0.4)) < 1e-12);
+        assert!(
+            roots[0].distance(DVec2::new(0.25, 0.4)) < 1e-12
+                && roots[1].distance(DVec2::new(0.75, 0.4)) < 1e-12
+        );
     }
 
     #[test]

@@ -40,7 +40,10 @@ pub fn teapot(ray: &UnitRay) -> Option<Meeting> {
 
 fn box_of(patch: &Patch<DVec3>) -> (DVec3, DVec3) {
     let first = patch.points[0];
-    patch.points.iter().fold((first, first), |(low, high), &p| (low.min(p), high.max(p)))
+    patch
+        .points
+        .iter()
+        .fold((first, first), |(low, high), &p| (low.min(p), high.max(p)))
 }
 
 /// A ray prepared for boxes and patches.
@@ -56,10 +59,22 @@ struct Caster {
 impl Caster {
     fn of(ray: &UnitRay) -> Self {
         let (a, b) = ray.direction.any_orthonormal_pair();
-        let component = |d: f64| if d.abs() < LEAST_COMPONENT { LEAST_COMPONENT.copysign(d) } else { d };
+        let component = |d: f64| {
+            if d.abs() < LEAST_COMPONENT {
+                LEAST_COMPONENT.copysign(d)
+            } else {
+                d
+            }
+        };
         let d = ray.direction;
         let reciprocal = DVec3::new(component(d.x), component(d.y), component(d.z)).recip();
-        Self { origin: ray.origin, direction: d, reciprocal, across: [a, b], s_min: ray.s_min }
+        Self {
+            origin: ray.origin,
+            direction: d,
+            reciprocal,
+            across: [a, b],
+            s_min: ray.s_min,
+        }
     }
 
     /// Where the ray enters a box, if it does so before `s_max`.
@@ -85,29 +100,48 @@ impl Caster {
             }
         });
         let (s, uv) = nearest;
-        uv.map(|(u, v)| Meeting { s, normal: leaf.normal(u, v) })
+        uv.map(|(u, v)| Meeting {
+            s,
+            normal: leaf.normal(u, v),
+        })
     }
 }
 
 impl Tree {
     fn of_teapot() -> Self {
-        let mut leaves: Vec<Patch<DVec3>> = (0..TEAPOT.patches.len()).map(|patch| TEAPOT.patch(patch)).collect();
+        let mut leaves: Vec<Patch<DVec3>> = (0..TEAPOT.patches.len())
+            .map(|patch| TEAPOT.patch(patch))
+            .collect();
         for _ in 0..QUARTERINGS {
             leaves = leaves.iter().flat_map(Patch::quarters).collect();
         }
         let mut order: Vec<u32> = (0..leaves.len() as u32).collect();
-        let mut tree = Self { nodes: Vec::with_capacity(2 * leaves.len()), leaves };
-        tree.nodes.push(Node { low: DVec3::ZERO, high: DVec3::ZERO, index: 0, is_leaf: true });
+        let mut tree = Self {
+            nodes: Vec::with_capacity(2 * leaves.len()),
+            leaves,
+        };
+        tree.nodes.push(Node {
+            low: DVec3::ZERO,
+            high: DVec3::ZERO,
+            index: 0,
+            is_leaf: true,
+        });
         tree.build(0, &mut order);
         tree
     }
 
     /// Makes node `at` hold the leaves listed, halving them where their middles spread most.
     fn build(&mut self, at: usize, order: &mut [u32]) {
-        let boxes = order.iter().map(|&leaf| box_of(&self.leaves[leaf as usize]));
+        let boxes = order
+            .iter()
+            .map(|&leaf| box_of(&self.leaves[leaf as usize]));
         let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let (low, high) = boxes.clone().fold(nothing, |all, one| (all.0.min(one.0), all.1.max(one.1)));
-        let middles = boxes.map(|(low, high)| low + high).fold(nothing, |all, m| (all.0.min(m), all.1.max(m)));
+        let (low, high) = boxes
+            .clone()
+            .fold(nothing, |all, one| (all.0.min(one.0), all.1.max(one.1)));
+        let middles = boxes
+            .map(|(low, high)| low + high)
+            .fold(nothing, |all, m| (all.0.min(m), all.1.max(m)));
         self.nodes[at].low = low - SLACK;
         self.nodes[at].high = high + SLACK;
         if let [leaf] = *order {
@@ -123,7 +157,12 @@ impl Tree {
         order.select_nth_unstable_by(half, |a, b| middle(a).total_cmp(&middle(b)));
         let children = self.nodes.len();
         for _ in 0..2 {
-            self.nodes.push(Node { low, high, index: 0, is_leaf: true });
+            self.nodes.push(Node {
+                low,
+                high,
+                index: 0,
+                is_leaf: true,
+            });
         }
         (self.nodes[at].index, self.nodes[at].is_leaf) = (children as u32, false);
         let (left, right) = order.split_at_mut(half);
@@ -139,16 +178,24 @@ impl Tree {
         let mut nearest: Option<Meeting> = None;
         let mut waiting = [(0, 0.0); DEPTH];
         let mut count = 0;
-        let mut next = caster.enters(&self.nodes[0], f64::INFINITY).map(|enter| (0, enter));
+        let mut next = caster
+            .enters(&self.nodes[0], f64::INFINITY)
+            .map(|enter| (0, enter));
         while let Some((node, enter)) = next {
             let s_max = nearest.map_or(f64::INFINITY, |meeting| meeting.s);
             let node = &self.nodes[node as usize];
             next = None;
             if enter > s_max {
             } else if node.is_leaf {
-                nearest = caster.meets(&self.leaves[node.index as usize], s_max).or(nearest);
+                nearest = caster
+                    .meets(&self.leaves[node.index as usize], s_max)
+                    .or(nearest);
             } else {
-                let entered = |child: u32| caster.enters(&self.nodes[child as usize], s_max).map(|s| (child, s));
+                let entered = |child: u32| {
+                    caster
+                        .enters(&self.nodes[child as usize], s_max)
+                        .map(|s| (child, s))
+                };
                 next = match (entered(node.index), entered(node.index + 1)) {
                     (Some(a), Some(b)) => {
                         let (near, far) = if a.1 <= b.1 { (a, b) } else { (b, a) };

@@ -12,7 +12,10 @@ pub struct Roots {
 }
 
 impl Roots {
-    const NONE: Self = Self { values: [0.0; 4], count: 0 };
+    const NONE: Self = Self {
+        values: [0.0; 4],
+        count: 0,
+    };
 
     pub fn as_slice(&self) -> &[f64] {
         &self.values[..self.count]
@@ -35,14 +38,23 @@ pub fn depressed_quartic(c2: f64, c1: f64, c0: f64, low: f64, high: f64) -> Root
     let mut bends = Roots::NONE;
     if c2 < 0.0 {
         let x = (-c2 / 6.0).sqrt();
-        [-x, x].into_iter().filter(|x| low < *x && *x < high).for_each(|x| bends.push(x));
+        [-x, x]
+            .into_iter()
+            .filter(|x| low < *x && *x < high)
+            .for_each(|x| bends.push(x));
     }
     let extrema = monotone_roots(slope, bend, &bends, low, high);
     monotone_roots(value, slope, &extrema, low, high)
 }
 
 /// The roots of `f` in an interval that `turns` cut into pieces where it is monotone.
-fn monotone_roots(f: impl Fn(f64) -> f64, df: impl Fn(f64) -> f64, turns: &Roots, low: f64, high: f64) -> Roots {
+fn monotone_roots(
+    f: impl Fn(f64) -> f64,
+    df: impl Fn(f64) -> f64,
+    turns: &Roots,
+    low: f64,
+    high: f64,
+) -> Roots {
     let mut roots = Roots::NONE;
     let mut from = (low, f(low));
     for to in turns.as_slice().iter().copied().chain([high]) {
@@ -57,10 +69,19 @@ fn monotone_roots(f: impl Fn(f64) -> f64, df: impl Fn(f64) -> f64, turns: &Roots
 
 /// The root of `f` between two points where its sign differs: Newton's iteration, halving the bracket whenever that
 /// leaves it, to the last digit.
-fn bracketed_root(f: impl Fn(f64) -> f64, df: impl Fn(f64) -> f64, from: (f64, f64), to: (f64, f64)) -> f64 {
+fn bracketed_root(
+    f: impl Fn(f64) -> f64,
+    df: impl Fn(f64) -> f64,
+    from: (f64, f64),
+    to: (f64, f64),
+) -> f64 {
     /// Halving alone takes as many steps to bring an interval of length 2 to the rounding of its ends.
     const STEPS: usize = 60;
-    let (mut below, mut above) = if from.1 < 0.0 { (from.0, to.0) } else { (to.0, from.0) };
+    let (mut below, mut above) = if from.1 < 0.0 {
+        (from.0, to.0)
+    } else {
+        (to.0, from.0)
+    };
     let mut x = 0.5 * (below + above);
     for _ in 0..STEPS {
         let value = f(x);
@@ -73,7 +94,11 @@ fn bracketed_root(f: impl Fn(f64) -> f64, df: impl Fn(f64) -> f64, from: (f64, f
             above = x;
         }
         let newton = x - value / df(x);
-        let next = if newton > below.min(above) && newton < below.max(above) { newton } else { 0.5 * (below + above) };
+        let next = if newton > below.min(above) && newton < below.max(above) {
+            newton
+        } else {
+            0.5 * (below + above)
+        };
         if (next - x).abs() <= f64::EPSILON * x.abs() {
             return next;
         }
@@ -88,7 +113,12 @@ mod tests {
 
     #[test]
     fn finds_the_roots_that_the_quartic_was_made_of() {
-        for [a, b, c] in [[-0.9, -0.2, 0.3], [-0.5, 0.1, 0.1001], [0.7, -0.7, 1e-8], [-1e-3, 2e-3, 3e-3]] {
+        for [a, b, c] in [
+            [-0.9, -0.2, 0.3],
+            [-0.5, 0.1, 0.1001],
+            [0.7, -0.7, 1e-8],
+            [-1e-3, 2e-3, 3e-3],
+        ] {
             // Four roots that sum to zero have no cubic term.
             let d = -(a + b + c);
             let mut expected = [a, b, c, d];
@@ -105,7 +135,15 @@ mod tests {
 
     #[test]
     fn finds_none_where_there_is_none() {
-        assert!(depressed_quartic(1.0, 0.0, 0.5, -1.0, 1.0).as_slice().is_empty());
-        assert!(depressed_quartic(0.0, 0.0, -16.0, -1.0, 1.0).as_slice().is_empty());
+        assert!(
+            depressed_quartic(1.0, 0.0, 0.5, -1.0, 1.0)
+                .as_slice()
+                .is_empty()
+        );
+        assert!(
+            depressed_quartic(0.0, 0.0, -16.0, -1.0, 1.0)
+                .as_slice()
+                .is_empty()
+        );
     }
 }

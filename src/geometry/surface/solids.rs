@@ -6,8 +6,8 @@
 
 use super::polynomial::depressed_quartic;
 use crate::geometry::sizes::{
-    CORRUGATED_HALF_HEIGHT, CORRUGATED_HALF_WIDTH, CORRUGATED_RIDGE, CUBE_HALF_EDGE, Frustum, TORUS_RING, TORUS_TUBE,
-    corrugated_normal, corrugated_point,
+    CORRUGATED_HALF_HEIGHT, CORRUGATED_HALF_WIDTH, CORRUGATED_RIDGE, CUBE_HALF_EDGE, Frustum,
+    TORUS_RING, TORUS_TUBE, corrugated_normal, corrugated_point,
 };
 use glam::DVec3;
 
@@ -42,8 +42,16 @@ struct Inside<F> {
 impl<F: Copy> Inside<F> {
     fn and(self, other: Self) -> Self {
         Self {
-            enter: if other.enter.0 > self.enter.0 { other.enter } else { self.enter },
-            leave: if other.leave.0 < self.leave.0 { other.leave } else { self.leave },
+            enter: if other.enter.0 > self.enter.0 {
+                other.enter
+            } else {
+                self.enter
+            },
+            leave: if other.leave.0 < self.leave.0 {
+                other.leave
+            } else {
+                self.leave
+            },
         }
     }
 
@@ -52,8 +60,13 @@ impl<F: Copy> Inside<F> {
         if self.enter.0 > self.leave.0 {
             return None;
         }
-        let (s, face) = [self.enter, self.leave].into_iter().find(|end| end.0 > ray.s_min && end.0.is_finite())?;
-        Some(Meeting { s, normal: normal(face, ray.at(s)) })
+        let (s, face) = [self.enter, self.leave]
+            .into_iter()
+            .find(|end| end.0 > ray.s_min && end.0.is_finite())?;
+        Some(Meeting {
+            s,
+            normal: normal(face, ray.at(s)),
+        })
     }
 }
 
@@ -61,11 +74,24 @@ impl<F: Copy> Inside<F> {
 fn slab<F>(position: f64, speed: f64, low: (f64, F), high: (f64, F)) -> Option<Inside<F>> {
     if speed == 0.0 {
         let inside = low.0 <= position && position <= high.0;
-        return inside.then_some(Inside { enter: (f64::NEG_INFINITY, low.1), leave: (f64::INFINITY, high.1) });
+        return inside.then_some(Inside {
+            enter: (f64::NEG_INFINITY, low.1),
+            leave: (f64::INFINITY, high.1),
+        });
     }
     let at = |bound: f64| (bound - position) / speed;
     let (s_low, s_high) = ((at(low.0), low.1), (at(high.0), high.1));
-    Some(if speed > 0.0 { Inside { enter: s_low, leave: s_high } } else { Inside { enter: s_high, leave: s_low } })
+    Some(if speed > 0.0 {
+        Inside {
+            enter: s_low,
+            leave: s_high,
+        }
+    } else {
+        Inside {
+            enter: s_high,
+            leave: s_low,
+        }
+    })
 }
 
 /// The roots of a·s² + 2b·s + c, unordered, without the loss of digits that the school formula has when b² ≫ ac (Press
@@ -77,25 +103,42 @@ fn quadratic(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
         return None;
     }
     let q = -(b + discriminant.max(0.0).sqrt().copysign(b));
-    if q == 0.0 { Some((0.0, 0.0)) } else { Some((q / a, c / q)) }
+    if q == 0.0 {
+        Some((0.0, 0.0))
+    } else {
+        Some((q / a, c / q))
+    }
 }
 
 pub fn sphere(ray: &UnitRay) -> Option<Meeting> {
     let half_chord = (1.0 - ray.origin.length_squared()).sqrt();
-    let s = [-half_chord, half_chord].into_iter().find(|s| *s > ray.s_min)?;
-    Some(Meeting { s, normal: ray.at(s) })
+    let s = [-half_chord, half_chord]
+        .into_iter()
+        .find(|s| *s > ray.s_min)?;
+    Some(Meeting {
+        s,
+        normal: ray.at(s),
+    })
 }
 
 pub fn plane(ray: &UnitRay) -> Option<Meeting> {
     let s = -ray.origin.z / ray.direction.z;
     let point = ray.at(s);
-    (s > ray.s_min && point.x.abs() <= 1.0 && point.y.abs() <= 1.0).then_some(Meeting { s, normal: DVec3::Z })
+    (s > ray.s_min && point.x.abs() <= 1.0 && point.y.abs() <= 1.0).then_some(Meeting {
+        s,
+        normal: DVec3::Z,
+    })
 }
 
 pub fn cube(ray: &UnitRay) -> Option<Meeting> {
     let along = |axis: DVec3| {
         let (position, speed) = (ray.origin.dot(axis), ray.direction.dot(axis));
-        slab(position, speed, (-CUBE_HALF_EDGE, -axis), (CUBE_HALF_EDGE, axis))
+        slab(
+            position,
+            speed,
+            (-CUBE_HALF_EDGE, -axis),
+            (CUBE_HALF_EDGE, axis),
+        )
     };
     let inside = along(DVec3::X)?.and(along(DVec3::Y)?).and(along(DVec3::Z)?);
     inside.meeting(ray, |normal, _| normal)
@@ -130,7 +173,10 @@ pub fn frustum(shape: &Frustum, ray: &UnitRay) -> Option<Meeting> {
             (f64::NEG_INFINITY, if low.is_finite() { low } else { high })
         }
     };
-    let side = Inside { enter: (side.0, Part::Side), leave: (side.1, Part::Side) };
+    let side = Inside {
+        enter: (side.0, Part::Side),
+        leave: (side.1, Part::Side),
+    };
     let height = slab(p.y, d.y, (shape.low, Part::Bottom), (shape.high, Part::Top))?;
     side.and(height).meeting(ray, |part, point| match part {
         Part::Side => DVec3::new(point.x, slope * point.x.hypot(point.z), point.z),
@@ -168,7 +214,10 @@ pub fn torus(ray: &UnitRay) -> Option<Meeting> {
     let s = *roots.as_slice().iter().find(|s| **s > ray.s_min)?;
     let point = ray.at(s);
     let ring = DVec3::new(point.x, 0.0, point.z).normalize_or_zero() * TORUS_RING;
-    Some(Meeting { s, normal: point - ring })
+    Some(Meeting {
+        s,
+        normal: point - ring,
+    })
 }
 
 /// Follows the ray from slope to slope. Over each, its height above the sheet is linear in s, and where that changes its
@@ -177,7 +226,8 @@ pub fn corrugated(ray: &UnitRay, slopes: u32) -> Option<Meeting> {
     /// Lets rays begin before the ridges and end behind the troughs, so that those are met.
     const WIDER: f64 = 1.0 + 1e-9;
     let (p, d) = (ray.origin, ray.direction);
-    let part = |position: f64, speed: f64, bound: f64| slab(position, speed, (-bound, ()), (bound, ()));
+    let part =
+        |position: f64, speed: f64, bound: f64| slab(position, speed, (-bound, ()), (bound, ()));
     let sheet = part(p.x, d.x, CORRUGATED_HALF_WIDTH)?.and(part(p.y, d.y, CORRUGATED_HALF_HEIGHT)?);
     let inside = sheet.and(part(p.z, d.z, CORRUGATED_RIDGE * WIDER)?);
     let (mut s, end) = (inside.enter.0.max(ray.s_min), inside.leave.0);
@@ -198,14 +248,21 @@ pub fn corrugated(ray: &UnitRay, slopes: u32) -> Option<Meeting> {
     let mut above = height(s, slope);
     loop {
         let next = if d.x > 0.0 { slope + 1 } else { slope };
-        let border = if d.x == 0.0 { end } else { (corrugated_point(slopes, next, 0.0).x - p.x) / d.x };
+        let border = if d.x == 0.0 {
+            end
+        } else {
+            (corrugated_point(slopes, next, 0.0).x - p.x) / d.x
+        };
         let last = border >= end || next == 0 || next == slopes;
         let until = if last { end } else { border.max(s) };
         let above_then = height(until, slope);
         if (above > 0.0) != (above_then > 0.0) {
             let met = s + (until - s) * (above / (above - above_then));
             if met > ray.s_min {
-                return Some(Meeting { s: met, normal: corrugated_normal(slopes, slope) });
+                return Some(Meeting {
+                    s: met,
+                    normal: corrugated_normal(slopes, slope),
+                });
             }
         }
         if last {

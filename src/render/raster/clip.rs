@@ -51,7 +51,9 @@ impl Clipped {
         let vertices = model.triangles[triangle as usize];
         let views = vertices.map(|v| lens.view_from_world(model.position(v)));
         let polygon = clip(lens, views);
-        let Some((first, rest)) = polygon.split_first() else { return };
+        let Some((first, rest)) = polygon.split_first() else {
+            return;
+        };
         let mut add = |corner: &Corner| self.add_vertex(lens, vertices, corner, placed);
         let hub = add(first);
         let rim: Vec<u32> = rest.iter().map(&mut add).collect();
@@ -61,24 +63,42 @@ impl Clipped {
         }
     }
 
-    fn add_vertex(&mut self, lens: &Lens, vertices: [u32; 3], corner: &Corner, placed: &mut Placed) -> u32 {
+    fn add_vertex(
+        &mut self,
+        lens: &Lens,
+        vertices: [u32; 3],
+        corner: &Corner,
+        placed: &mut Placed,
+    ) -> u32 {
         let index = placed.places.len();
         // Rounding may take a cut off the plane by some part of the triangle's extent, however great that is.
-        let view = DVec3 { z: corner.view.z.max(NEAR), ..corner.view };
+        let view = DVec3 {
+            z: corner.view.z.max(NEAR),
+            ..corner.view
+        };
         let place = (lens.picture_from_view(view) * f64::from(SUBPIXELS)).round();
         let limit = f64::from(SUBPIXELS) * (GUARD + 1.0);
-        let place: Place = [place.x.clamp(-limit, limit) as i32, place.y.clamp(-limit, limit) as i32];
+        let place: Place = [
+            place.x.clamp(-limit, limit) as i32,
+            place.y.clamp(-limit, limit) as i32,
+        ];
         placed.places.push(place);
         placed.keys.push(lens.key_from_depth(view.z) as f32);
-        self.cuts.push(Cut { vertices, weights: corner.weights.to_array() });
+        self.cuts.push(Cut {
+            vertices,
+            weights: corner.weights.to_array(),
+        });
         u32::try_from(index).unwrap_or(u32::MAX)
     }
 }
 
 /// Clips the triangle with view components `views`; empty where nothing is left.
 fn clip(lens: &Lens, views: [DVec3; 3]) -> Vec<Corner> {
-    let mut polygon: Vec<Corner> =
-        views.into_iter().zip([DVec3::X, DVec3::Y, DVec3::Z]).map(|(view, weights)| Corner { view, weights }).collect();
+    let mut polygon: Vec<Corner> = views
+        .into_iter()
+        .zip([DVec3::X, DVec3::Y, DVec3::Z])
+        .map(|(view, weights)| Corner { view, weights })
+        .collect();
     cut(&mut polygon, |view| view.z - NEAR);
     // How far the guard band reaches from the middle at depth 1 (or anywhere, without perspective).
     let reach = |side: f64| (GUARD - side.abs()) / lens.focal;
@@ -105,9 +125,16 @@ fn cut(polygon: &mut Vec<Corner>, distance: impl Fn(DVec3) -> f64) {
         }
         if (d0 >= 0.0) != (d1 >= 0.0) {
             // Always from the inside out, so that both neighbours of an edge cut it at the same point.
-            let (a, b, t) = if d0 >= 0.0 { (corner, next, d0 / (d0 - d1)) } else { (next, corner, d1 / (d1 - d0)) };
+            let (a, b, t) = if d0 >= 0.0 {
+                (corner, next, d0 / (d0 - d1))
+            } else {
+                (next, corner, d1 / (d1 - d0))
+            };
             if t.is_finite() {
-                kept.push(Corner { view: a.view.lerp(b.view, t), weights: a.weights.lerp(b.weights, t) });
+                kept.push(Corner {
+                    view: a.view.lerp(b.view, t),
+                    weights: a.weights.lerp(b.weights, t),
+                });
             }
         }
     }

@@ -70,11 +70,23 @@ pub struct Weights {
 impl Weights {
     #[inline(always)]
     pub fn new([a, b, c]: [Place; 3]) -> Self {
-        let e1 = [f64::from(b[0]) - f64::from(a[0]), f64::from(b[1]) - f64::from(a[1])];
-        let e2 = [f64::from(c[0]) - f64::from(a[0]), f64::from(c[1]) - f64::from(a[1])];
+        let e1 = [
+            f64::from(b[0]) - f64::from(a[0]),
+            f64::from(b[1]) - f64::from(a[1]),
+        ];
+        let e2 = [
+            f64::from(c[0]) - f64::from(a[0]),
+            f64::from(c[1]) - f64::from(a[1]),
+        ];
         let inverse_area = 1.0 / (e1[0] * e2[1] - e1[1] * e2[0]);
         let pixel = f64::from(SUBPIXELS) * inverse_area;
-        Self { origin: a, e1, e2, inverse_area, step: [(e2[1] * pixel) as f32, (-e1[1] * pixel) as f32] }
+        Self {
+            origin: a,
+            e1,
+            e2,
+            inverse_area,
+            step: [(e2[1] * pixel) as f32, (-e1[1] * pixel) as f32],
+        }
     }
 
     /// The second and third weight at the centre of a pixel. The products are exact, so that inside the triangle no
@@ -107,7 +119,12 @@ impl Band {
                 |y, x0, x1| {
                     let row = y as u32 - place.first_row;
                     self.extend(row as usize, x0 as u32, x1 as u32);
-                    self.runs.push(Run { triangle, row: row as u16, x0: x0 as u16, x1: x1 as u16 });
+                    self.runs.push(Run {
+                        triangle,
+                        row: row as u16,
+                        x0: x0 as u16,
+                        x1: x1 as u16,
+                    });
                 },
             );
         }
@@ -151,7 +168,8 @@ impl Band {
         self.sorted = sorted;
         (self.covered, self.drawn) = (0, 0);
         self.extents.clear();
-        self.extents.resize(self.place.rows as usize, self.place.width..0);
+        self.extents
+            .resize(self.place.rows as usize, self.place.width..0);
     }
 
     /// Counts the pixels x0..x1 of a row as covered.
@@ -172,7 +190,12 @@ impl Band {
             if triangle != NONE {
                 let (x0, x1) = (x as u32, (x + length) as u32);
                 self.extend(row as usize, x0, x1);
-                self.runs.push(Run { triangle, row: row as u16, x0: x0 as u16, x1: x1 as u16 });
+                self.runs.push(Run {
+                    triangle,
+                    row: row as u16,
+                    x0: x0 as u16,
+                    x1: x1 as u16,
+                });
             }
             x += length;
         }
@@ -183,7 +206,11 @@ impl DepthScratch {
     #[inline(always)]
     fn draw(&mut self, place: BandPlace, shape: &Triangles<'_>, triangle: u32) {
         let (corners, [a, b, c]) = (shape.corners(triangle), shape.vertices(triangle));
-        let keys = [shape.placed.keys[a as usize], shape.placed.keys[b as usize], shape.placed.keys[c as usize]];
+        let keys = [
+            shape.placed.keys[a as usize],
+            shape.placed.keys[b as usize],
+            shape.placed.keys[c as usize],
+        ];
         let weights = Weights::new(corners);
         let (d1, d2) = (keys[1] - keys[0], keys[2] - keys[0]);
         let step = weights.step[0] * d1 + weights.step[1] * d2;
@@ -199,7 +226,11 @@ impl DepthScratch {
                 let range = base + x0 as usize..base + x1 as usize;
                 self.drawn += range.len() as u64;
                 let depths = &mut self.keys[range.clone()];
-                for (k, (depth, seen)) in depths.iter_mut().zip(&mut self.triangles[range]).enumerate() {
+                for (k, (depth, seen)) in depths
+                    .iter_mut()
+                    .zip(&mut self.triangles[range])
+                    .enumerate()
+                {
                     let key = start + k as f32 * step;
                     let nearer = key > *depth;
                     *depth = if nearer { key } else { *depth };
@@ -234,14 +265,18 @@ impl<'a> Coverage<'a> {
     /// The fragment of a pixel, where they are kept.
     pub fn fragment_at(self, [x, y]: [u32; 2]) -> Option<Fragment> {
         let count = Block::count(self.size[0]);
-        let line = self.fragments.get(y as usize * count..(y as usize + 1) * count)?;
+        let line = self
+            .fragments
+            .get(y as usize * count..(y as usize + 1) * count)?;
         (x < self.size[0]).then(|| fragment(line, x as usize))
     }
 
     /// The triangle that a pixel sees.
     pub fn triangle_at(self, [x, y]: [u32; 2]) -> Option<u32> {
         let runs = &self.bands.get((y / BAND) as usize)?.runs;
-        let sees = |run: &&Run| u32::from(run.row) == y % BAND && (u32::from(run.x0)..u32::from(run.x1)).contains(&x);
+        let sees = |run: &&Run| {
+            u32::from(run.row) == y % BAND && (u32::from(run.x0)..u32::from(run.x1)).contains(&x)
+        };
         runs.iter().find(sees).map(|run| run.triangle)
     }
 }
@@ -249,7 +284,10 @@ impl<'a> Coverage<'a> {
 /// Where the ray through a place in the picture meets the surface: the depth in camera distances and the hit.
 pub fn meet(lens: &Lens, surface: &Surface, place: DVec2) -> Option<(DVec3, SurfaceHit)> {
     let (point, direction) = lens.ray(place);
-    let ray = Ray { origin: lens.world(point), direction: direction * lens.unit };
+    let ray = Ray {
+        origin: lens.world(point),
+        direction: direction * lens.unit,
+    };
     let hit = surface.intersect(&ray, NEAR)?;
     Some((ray.origin + ray.direction * hit.t, hit))
 }
@@ -258,11 +296,17 @@ pub fn meet(lens: &Lens, surface: &Surface, place: DVec2) -> Option<(DVec3, Surf
 pub fn meet_band(lens: &Lens, surface: &Surface, band: &mut Band, fragments: &mut [Block]) {
     band.begin(true);
     let place = band.place;
-    for (row, line) in fragments.chunks_exact_mut(Block::count(place.width)).take(place.rows as usize).enumerate() {
+    for (row, line) in fragments
+        .chunks_exact_mut(Block::count(place.width))
+        .take(place.rows as usize)
+        .enumerate()
+    {
         open(line);
         for x in 0..place.width as usize {
             let centre = pixel_centre(x, place.first_row as usize + row);
-            let Some((_, hit)) = meet(lens, surface, centre) else { continue };
+            let Some((_, hit)) = meet(lens, surface, centre) else {
+                continue;
+            };
             let [nx, ny, nz] = hit.normal.as_vec3().to_array();
             put(line, x, [nx, ny, nz, lens.key_from_depth(hit.t) as f32]);
             band.extend(row, x as u32, x as u32 + 1);

@@ -34,7 +34,14 @@ pub struct Block {
 }
 
 impl Block {
-    pub const GAP: Self = Self { planes: [[GAP[0]; PIXELS], [GAP[1]; PIXELS], [GAP[2]; PIXELS], [GAP[KEY]; PIXELS]] };
+    pub const GAP: Self = Self {
+        planes: [
+            [GAP[0]; PIXELS],
+            [GAP[1]; PIXELS],
+            [GAP[2]; PIXELS],
+            [GAP[KEY]; PIXELS],
+        ],
+    };
     pub const PIXELS: usize = PIXELS;
 
     /// Blocks of a row of `width` pixels.
@@ -44,7 +51,11 @@ impl Block {
 
     /// The blocks of a row that these columns lie in.
     pub fn over(columns: &Range<u32>) -> Range<usize> {
-        if columns.is_empty() { 0..0 } else { columns.start as usize / PIXELS..Self::count(columns.end) }
+        if columns.is_empty() {
+            0..0
+        } else {
+            columns.start as usize / PIXELS..Self::count(columns.end)
+        }
     }
 
     /// Puts a fragment at pixel `index`.
@@ -71,7 +82,9 @@ impl Block {
 /// The fragment of the pixel in column `x` of a row.
 #[inline(always)]
 pub fn fragment(line: &[Block], x: usize) -> Fragment {
-    let Block { planes: [a, b, c, key] } = &line[x / PIXELS];
+    let Block {
+        planes: [a, b, c, key],
+    } = &line[x / PIXELS];
     let x = x % PIXELS;
     [a[x], b[x], c[x], key[x]]
 }
@@ -86,7 +99,9 @@ pub fn put(line: &mut [Block], x: usize, fragment: Fragment) {
 #[inline(always)]
 pub fn open(blocks: &mut [Block]) {
     // Of a gap only the key is ever looked at.
-    blocks.iter_mut().for_each(|block| block.planes[KEY] = Block::GAP.planes[KEY]);
+    blocks
+        .iter_mut()
+        .for_each(|block| block.planes[KEY] = Block::GAP.planes[KEY]);
 }
 
 /// Whether a pixel with this fragment sees the object.
@@ -97,7 +112,13 @@ pub fn is_seen(fragment: Fragment) -> bool {
 
 /// Fills the columns of a row with numbers that start at `start` and grow by `step` a pixel.
 #[inline(always)]
-pub fn fill<S: Simd>(simd: S, line: &mut [Block], columns: Range<usize>, start: f32x4<S>, step: f32x4<S>) {
+pub fn fill<S: Simd>(
+    simd: S,
+    line: &mut [Block],
+    columns: Range<usize>,
+    start: f32x4<S>,
+    step: f32x4<S>,
+) {
     let Range { start: x0, end: x1 } = columns;
     if x1 - x0 <= SHORT {
         // A sliver's step may be beyond all numbers, but it has no second pixel then.
@@ -111,8 +132,18 @@ pub fn fill<S: Simd>(simd: S, line: &mut [Block], columns: Range<usize>, start: 
     }
     let (starts, steps): (Fragment, Fragment) = (start.into(), step.into());
     let (zero, length) = (splat(simd, 0.0), splat(simd, (x1 - x0) as f32));
-    let starts = [splat(simd, starts[0]), splat(simd, starts[1]), splat(simd, starts[2]), splat(simd, starts[3])];
-    let steps = [splat(simd, steps[0]), splat(simd, steps[1]), splat(simd, steps[2]), splat(simd, steps[3])];
+    let starts = [
+        splat(simd, starts[0]),
+        splat(simd, starts[1]),
+        splat(simd, starts[2]),
+        splat(simd, starts[3]),
+    ];
+    let steps = [
+        splat(simd, steps[0]),
+        splat(simd, steps[1]),
+        splat(simd, steps[2]),
+        splat(simd, steps[3]),
+    ];
     let count = Lanes::count_up(simd).0;
     let lanes = Lanes::<S>::LEN;
     // From the vector that the first pixel lies in.
@@ -123,14 +154,17 @@ pub fn fill<S: Simd>(simd: S, line: &mut [Block], columns: Range<usize>, start: 
         let columns = x % PIXELS..x % PIXELS + lanes;
         if x0 <= x && x + lanes <= x1 {
             for ((plane, start), step) in planes.iter_mut().zip(starts).zip(steps) {
-                step.mul_add(k, start).store_slice(&mut plane[columns.clone()]);
+                step.mul_add(k, start)
+                    .store_slice(&mut plane[columns.clone()]);
             }
         } else {
             let inside = k.simd_ge(zero) & k.simd_lt(length);
             for ((plane, start), step) in planes.iter_mut().zip(starts).zip(steps) {
                 let plane = &mut plane[columns.clone()];
                 let old = S::f32s::from_slice(simd, plane);
-                inside.select(step.mul_add(k, start), old).store_slice(plane);
+                inside
+                    .select(step.mul_add(k, start), old)
+                    .store_slice(plane);
             }
         }
         x += lanes;
@@ -141,7 +175,12 @@ pub fn fill<S: Simd>(simd: S, line: &mut [Block], columns: Range<usize>, start: 
 #[inline(always)]
 pub fn join<S: Simd>(simd: S, planes: &[Lanes<S>; 4], pixels: &mut [[f32; 4]]) {
     let [r, g, b, a] = planes;
-    let [r, g, b, a] = [r.0.as_slice(), g.0.as_slice(), b.0.as_slice(), a.0.as_slice()];
+    let [r, g, b, a] = [
+        r.0.as_slice(),
+        g.0.as_slice(),
+        b.0.as_slice(),
+        a.0.as_slice(),
+    ];
     for (quad, start) in pixels.chunks_exact_mut(4).zip((0..).step_by(4)) {
         let vectors = [
             f32x4::from_slice(simd, &r[start..start + 4]),
@@ -165,8 +204,21 @@ mod tests {
 
     #[test]
     fn a_run_fills_its_columns_and_no_others() {
-        let runs = [(0, 1), (2, 4), (3, 7), (5, 21), (0, 48), (15, 17), (16, 32), (31, 47), (17, 48)];
-        for (level, (x0, x1)) in [Level::new(), Level::baseline()].into_iter().flat_map(|l| runs.map(|run| (l, run))) {
+        let runs = [
+            (0, 1),
+            (2, 4),
+            (3, 7),
+            (5, 21),
+            (0, 48),
+            (15, 17),
+            (16, 32),
+            (31, 47),
+            (17, 48),
+        ];
+        for (level, (x0, x1)) in [Level::new(), Level::baseline()]
+            .into_iter()
+            .flat_map(|l| runs.map(|run| (l, run)))
+        {
             let mut line = [Block::GAP; 3];
             // A sliver of one pixel has its start whatever the step.
             let first = if x1 == x0 + 1 { f32::INFINITY } else { 0.5 };

@@ -32,8 +32,14 @@ pub type Place = [i32; 2];
 /// downwards), which is how the outside of a closed model appears.
 #[inline(always)]
 pub fn doubled_area([a, b, c]: [Place; 3]) -> i64 {
-    let e1 = [i64::from(b[0]) - i64::from(a[0]), i64::from(b[1]) - i64::from(a[1])];
-    let e2 = [i64::from(c[0]) - i64::from(a[0]), i64::from(c[1]) - i64::from(a[1])];
+    let e1 = [
+        i64::from(b[0]) - i64::from(a[0]),
+        i64::from(b[1]) - i64::from(a[1]),
+    ];
+    let e2 = [
+        i64::from(c[0]) - i64::from(a[0]),
+        i64::from(c[1]) - i64::from(a[1]),
+    ];
     e1[0] * e2[1] - e1[1] * e2[0]
 }
 
@@ -71,7 +77,10 @@ struct Edge {
 impl Edge {
     #[inline(always)]
     fn new(a: Place, b: Place) -> Self {
-        let (dx, dy) = (f64::from(b[0]) - f64::from(a[0]), f64::from(b[1]) - f64::from(a[1]));
+        let (dx, dy) = (
+            f64::from(b[0]) - f64::from(a[0]),
+            f64::from(b[1]) - f64::from(a[1]),
+        );
         Self {
             constant: (f64::from(a[0]) - f64::from(HALF)) * dy - f64::from(a[1]) * dx,
             slope: dx,
@@ -89,7 +98,12 @@ impl Edge {
 
 /// Calls `emit(y, x0, x1)` for each row of `rows` in which the triangle covers the pixels x0..x1 of 0..`width`.
 #[inline(always)]
-pub fn scan(corners: [Place; 3], rows: Range<i32>, width: i32, mut emit: impl FnMut(i32, i32, i32)) {
+pub fn scan(
+    corners: [Place; 3],
+    rows: Range<i32>,
+    width: i32,
+    mut emit: impl FnMut(i32, i32, i32),
+) {
     let [top, middle, bottom] = sorted(corners);
     let long = Edge::new(top, bottom);
     let middle_is_right = doubled_area([top, middle, bottom]) > 0;
@@ -123,7 +137,11 @@ fn sorted([a, b, c]: [Place; 3]) -> [Place; 3] {
 
 #[inline(always)]
 fn in_order(a: Place, b: Place) -> (Place, Place) {
-    if (b[1], b[0]) < (a[1], a[0]) { (b, a) } else { (a, b) }
+    if (b[1], b[0]) < (a[1], a[0]) {
+        (b, a)
+    } else {
+        (a, b)
+    }
 }
 
 #[cfg(test)]
@@ -137,7 +155,9 @@ mod tests {
         let mut counts = vec![0; (side * side) as usize];
         for triangle in triangles {
             scan(*triangle, 0..side, side, |y, x0, x1| {
-                counts[(y * side + x0) as usize..(y * side + x1) as usize].iter_mut().for_each(|c| *c += 1);
+                counts[(y * side + x0) as usize..(y * side + x1) as usize]
+                    .iter_mut()
+                    .for_each(|c| *c += 1);
             });
         }
         counts
@@ -148,10 +168,25 @@ mod tests {
         // Corners at pixel centres: the left and the top edge run exactly through centres.
         let at = |x: i32, y: i32| [x * SUBPIXELS + HALF, y * SUBPIXELS + HALF];
         let covered = counts(&[[at(1, 1), at(5, 1), at(1, 5)]], 7);
-        let art: String = covered.iter().map(|count| if *count > 0 { '#' } else { '.' }).collect();
-        assert_eq!(art, ".......".to_owned() + ".####.." + ".###..." + ".##...." + ".#....." + "......." + ".......");
+        let art: String = covered
+            .iter()
+            .map(|count| if *count > 0 { '#' } else { '.' })
+            .collect();
+        assert_eq!(
+            art,
+            ".......".to_owned()
+                + ".####.."
+                + ".###..."
+                + ".##...."
+                + ".#....."
+                + "......."
+                + "......."
+        );
         let between = counts(&[[[130, 130], [380, 130], [255, 380]]], 4);
-        assert!(between.iter().all(|&count| count == 0), "a triangle between centres covers nothing");
+        assert!(
+            between.iter().all(|&count| count == 0),
+            "a triangle between centres covers nothing"
+        );
     }
 
     proptest! {

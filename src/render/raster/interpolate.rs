@@ -17,9 +17,17 @@ use rayon::prelude::*;
 pub const SHORTEST_NORMAL: f64 = 1e-4;
 
 /// Fills `carried` with what each vertex carries, multiplied by its depth key if `by_key`, and that key.
-pub fn carry(level: Level, planes: [&[f32]; 3], by_key: bool, triangles: &Triangles<'_>, carried: &mut Vec<Fragment>) {
+pub fn carry(
+    level: Level,
+    planes: [&[f32]; 3],
+    by_key: bool,
+    triangles: &Triangles<'_>,
+    carried: &mut Vec<Fragment>,
+) {
     const CHUNK: usize = 4096;
-    let Triangles { placed, clipped, .. } = triangles;
+    let Triangles {
+        placed, clipped, ..
+    } = triangles;
     let count = planes[0].len();
     carried.reserve_exact(count.saturating_sub(carried.len()));
     carried.resize(count, [0.0; 4]);
@@ -30,7 +38,10 @@ pub fn carry(level: Level, planes: [&[f32]; 3], by_key: bool, triangles: &Triang
         let factor = if by_key { *key } else { 1.0 };
         let [a, b, c] = planes.map(|plane| {
             let parts = cut.vertices.iter().zip(cut.weights);
-            parts.map(|(&v, w)| f64::from(plane[v as usize]) * w).sum::<f64>() as f32 * factor
+            parts
+                .map(|(&v, w)| f64::from(plane[v as usize]) * w)
+                .sum::<f64>() as f32
+                * factor
         });
         carried.push([a, b, c, *key]);
     }
@@ -47,10 +58,16 @@ fn carry_chunk<S: Simd>(
 ) {
     let lanes = Lanes::<S>::LEN;
     let one = Lanes::splat(simd, 1.0);
-    for (start, carried) in (first..).step_by(lanes).zip(carried.chunks_exact_mut(lanes)) {
+    for (start, carried) in (first..)
+        .step_by(lanes)
+        .zip(carried.chunks_exact_mut(lanes))
+    {
         let key = Lanes::load(simd, &keys[start..]);
         let factor = if by_key { key } else { one };
-        let (a, b) = (Lanes::load(simd, &a[start..]) * factor, Lanes::load(simd, &b[start..]) * factor);
+        let (a, b) = (
+            Lanes::load(simd, &a[start..]) * factor,
+            Lanes::load(simd, &b[start..]) * factor,
+        );
         let c = Lanes::load(simd, &c[start..]) * factor;
         join(simd, &[a, b, c, key], carried);
     }
@@ -72,7 +89,15 @@ impl<'a, S: Simd> Barycentric<'a, S> {
     fn new(simd: S, triangles: Triangles<'a>, carried: &'a [Fragment]) -> Self {
         let zero = f32x4::splat(simd, 0.0);
         let weights = Weights::new([[0, 0], [1, 0], [0, 1]]);
-        Self { triangles, carried, triangle: u32::MAX, weights, origin: zero, d1: zero, d2: zero }
+        Self {
+            triangles,
+            carried,
+            triangle: u32::MAX,
+            weights,
+            origin: zero,
+            d1: zero,
+            d2: zero,
+        }
     }
 
     #[inline(always)]
@@ -90,7 +115,10 @@ impl<'a, S: Simd> Barycentric<'a, S> {
     /// What is carried to where the second and third vertex have these weights.
     #[inline(always)]
     fn at(&self, simd: S, [w1, w2]: [f32; 2]) -> f32x4<S> {
-        self.d1.mul_add(f32x4::splat(simd, w1), self.d2.mul_add(f32x4::splat(simd, w2), self.origin))
+        self.d1.mul_add(
+            f32x4::splat(simd, w1),
+            self.d2.mul_add(f32x4::splat(simd, w2), self.origin),
+        )
     }
 }
 
@@ -106,9 +134,14 @@ impl Span {
     fn new([p, q]: [&Crossing; 2], carried: &[Fragment]) -> Self {
         let value = |crossing: &Crossing| {
             let [a, b] = crossing.ends.map(|v| carried[v as usize]);
-            [0, 1, 2, 3].map(|k| (1.0 - crossing.alpha) * f64::from(a[k]) + crossing.alpha * f64::from(b[k]))
+            [0, 1, 2, 3].map(|k| {
+                (1.0 - crossing.alpha) * f64::from(a[k]) + crossing.alpha * f64::from(b[k])
+            })
         };
-        Self { x: [p.x, q.x], values: [value(p), value(q)] }
+        Self {
+            x: [p.x, q.x],
+            values: [value(p), value(q)],
+        }
     }
 
     /// From the pixel in column `x` on: the value there, the step to the next pixel, and the column where they end to hold, at
@@ -123,9 +156,19 @@ impl Span {
         let start = [0, 1, 2, 3].map(|k| (p[k] + t * (q[k] - p[k])) as f32);
         let step = [0, 1, 2, 3].map(|k| (per_unit * pixel * (q[k] - p[k])) as f32);
         let inside = centre >= xp;
-        let last = if inside { ((xq - f64::from(HALF)) / pixel).floor() as i32 } else { 0 };
-        let until = last.saturating_add(1).clamp(i32::from(x) + 1, i32::from(end)) as u16;
-        (f32x4::simd_from(simd, start), f32x4::simd_from(simd, step), until)
+        let last = if inside {
+            ((xq - f64::from(HALF)) / pixel).floor() as i32
+        } else {
+            0
+        };
+        let until = last
+            .saturating_add(1)
+            .clamp(i32::from(x) + 1, i32::from(end)) as u16;
+        (
+            f32x4::simd_from(simd, start),
+            f32x4::simd_from(simd, step),
+            until,
+        )
     }
 }
 
@@ -140,7 +183,9 @@ pub fn interpolate<S: Simd>(
     fragments: &mut [Block],
 ) {
     open_gaps(band, fragments);
-    let BandPlace { first_row, width, .. } = band.place;
+    let BandPlace {
+        first_row, width, ..
+    } = band.place;
     let count = Block::count(width);
     let line = |run: &Run| usize::from(run.row) * count..(usize::from(run.row) + 1) * count;
     if !scanline {
@@ -150,7 +195,13 @@ pub fn interpolate<S: Simd>(
             let [s1, s2] = rule.weights.step;
             let start = rule.at(simd, rule.weights.at(i32::from(run.x0), run.y(first_row)));
             let step = rule.d1.mul_add(s1, rule.d2 * s2);
-            fragments::fill(simd, &mut fragments[line(run)], usize::from(run.x0)..usize::from(run.x1), start, step);
+            fragments::fill(
+                simd,
+                &mut fragments[line(run)],
+                usize::from(run.x0)..usize::from(run.x1),
+                start,
+                step,
+            );
         }
         return;
     }
@@ -162,7 +213,9 @@ pub fn interpolate<S: Simd>(
         while x < run.x1 {
             let centre = f64::from(i32::from(x) * SUBPIXELS + HALF);
             // A row that sees the polygon crosses its outline.
-            let Some(pair) = crossing_pair(crossings, centre) else { break };
+            let Some(pair) = crossing_pair(crossings, centre) else {
+                break;
+            };
             let (start, step, end) = Span::new(pair, carried).from(simd, x, run.x1);
             fragments::fill(simd, line, usize::from(x)..usize::from(end), start, step);
             x = end;
@@ -174,7 +227,11 @@ pub fn interpolate<S: Simd>(
 #[inline(always)]
 fn open_gaps(band: &Band, fragments: &mut [Block]) {
     let count = Block::count(band.place.width);
-    for (extent, line) in band.extents.iter().zip(fragments.chunks_mut(count)).filter(|(extent, _)| !extent.is_empty())
+    for (extent, line) in band
+        .extents
+        .iter()
+        .zip(fragments.chunks_mut(count))
+        .filter(|(extent, _)| !extent.is_empty())
     {
         let blocks = Block::over(extent);
         if band.sorted {

@@ -37,7 +37,11 @@ fn cross(ends: [u32; 2], places: &[Place], y: f64) -> Option<Crossing> {
         return None;
     }
     let alpha = (y - ya) / (yb - ya);
-    Some(Crossing { x: (1.0 - alpha) * f64::from(a[0]) + alpha * f64::from(b[0]), ends, alpha })
+    Some(Crossing {
+        x: (1.0 - alpha) * f64::from(a[0]) + alpha * f64::from(b[0]),
+        ends,
+        alpha,
+    })
 }
 
 /// P and Q for a place of the line: the pair that it lies between, or the nearest.
@@ -74,10 +78,19 @@ impl<'a> Outline<'a> {
         let face = triangles.face(triangle);
         let polygon = model.face(face);
         if polygon.len() <= MANY {
-            return if is_whole(polygon, &placed.places) { Self::Polygon(face, polygon) } else { alone };
+            return if is_whole(polygon, &placed.places) {
+                Self::Polygon(face, polygon)
+            } else {
+                alone
+            };
         }
-        let table = placed.edges.get_or_init(|| edge_table(model, &placed.places, placed.rows));
-        table.get(&face).and_then(Option::as_ref).map_or(alone, |bands| Self::Many(face, bands))
+        let table = placed
+            .edges
+            .get_or_init(|| edge_table(model, &placed.places, placed.rows));
+        table
+            .get(&face)
+            .and_then(Option::as_ref)
+            .map_or(alone, |bands| Self::Many(face, bands))
     }
 
     /// Finds the crossings with the line at height `y`, fixed point, from the left.
@@ -88,7 +101,8 @@ impl<'a> Outline<'a> {
             Self::Triangle(vertices) => crossings.extend(edges(vertices).filter_map(at)),
             Self::Polygon(_, vertices) => crossings.extend(edges(vertices).filter_map(at)),
             Self::Many(_, bands) => {
-                let band = ((y / f64::from(BAND_HEIGHT)).max(0.0) as usize).min(bands.len().saturating_sub(1));
+                let band = ((y / f64::from(BAND_HEIGHT)).max(0.0) as usize)
+                    .min(bands.len().saturating_sub(1));
                 crossings.extend(bands[band].iter().copied().filter_map(at));
             }
         }
@@ -111,19 +125,33 @@ pub struct Outlines<'a> {
 
 impl<'a> Outlines<'a> {
     pub fn new(triangles: Triangles<'a>, Band { place, sorted, .. }: &Band) -> Self {
-        Self { triangles, place: *place, sorted: *sorted, at: None, crossings: Vec::new(), many: HashMap::new() }
+        Self {
+            triangles,
+            place: *place,
+            sorted: *sorted,
+            at: None,
+            crossings: Vec::new(),
+            many: HashMap::new(),
+        }
     }
 
     /// The crossings of what the scan line runs over where `triangle` is seen, with pixel row `y`.
     pub fn crossings(&mut self, triangle: u32, y: i32) -> &[Crossing] {
-        if !self.triangles.is_piece(triangle) && self.at == Some((self.triangles.face(triangle), y)) {
+        if !self.triangles.is_piece(triangle) && self.at == Some((self.triangles.face(triangle), y))
+        {
             return &self.crossings;
         }
-        let (places, line) = (&self.triangles.placed.places, f64::from(y * SUBPIXELS + HALF));
+        let (places, line) = (
+            &self.triangles.placed.places,
+            f64::from(y * SUBPIXELS + HALF),
+        );
         let outline = Outline::of(&self.triangles, triangle);
         self.at = match outline {
             Outline::Many(face, _) => {
-                let rows = self.many.entry(face).or_insert_with(|| vec![Vec::new(); self.place.rows as usize]);
+                let rows = self
+                    .many
+                    .entry(face)
+                    .or_insert_with(|| vec![Vec::new(); self.place.rows as usize]);
                 let row = (y - self.place.first_row.cast_signed()) as usize;
                 if rows[row].is_empty() {
                     if self.sorted {

@@ -31,14 +31,22 @@ pub struct Placed {
 
 impl Placed {
     pub fn count(&self, memory: &mut Memory) {
-        let edges = self.edges.get().into_iter().flat_map(|table| table.values().flatten().flatten());
+        let edges = self
+            .edges
+            .get()
+            .into_iter()
+            .flat_map(|table| table.values().flatten().flatten());
         memory.vertices += room(&self.places) + room(&self.keys) + edges.map(room).sum::<u64>();
     }
 
     /// The places of a triangle's vertices.
     #[inline(always)]
     pub fn corners(&self, [a, b, c]: [u32; 3]) -> [Place; 3] {
-        [self.places[a as usize], self.places[b as usize], self.places[c as usize]]
+        [
+            self.places[a as usize],
+            self.places[b as usize],
+            self.places[c as usize],
+        ]
     }
 
     pub fn run(&mut self, level: Level, lens: &Lens, model: &Model, height: u32) {
@@ -50,11 +58,17 @@ impl Placed {
         self.keys.resize(model.padded_len(), 0.0);
         let places = self.places.par_chunks_mut(CHUNK);
         let keys = self.keys.par_chunks_mut(CHUNK);
-        places.zip(keys).enumerate().for_each(|(chunk, (places, keys))| {
-            let start = chunk * CHUNK;
-            let position = model.position.each_ref().map(|plane| &plane[start..start + places.len()]);
-            dispatch!(level, simd => transform(simd, &rows, position, places, keys));
-        });
+        places
+            .zip(keys)
+            .enumerate()
+            .for_each(|(chunk, (places, keys))| {
+                let start = chunk * CHUNK;
+                let position = model
+                    .position
+                    .each_ref()
+                    .map(|plane| &plane[start..start + places.len()]);
+                dispatch!(level, simd => transform(simd, &rows, position, places, keys));
+            });
     }
 }
 
@@ -71,17 +85,33 @@ impl Rows {
     /// The offset is taken in double precision: a model far from the world's origin loses nothing.
     fn new(lens: &Lens, model: &Model) -> Self {
         let offset = lens.view_from_world(model.origin);
-        let axes = [(lens.right, offset.x), (lens.up, offset.y), (lens.forward, offset.z)];
-        let rows = axes.map(|(axis, offset)| (axis / lens.unit).extend(offset).as_vec4().to_array());
+        let axes = [
+            (lens.right, offset.x),
+            (lens.up, offset.y),
+            (lens.forward, offset.z),
+        ];
+        let rows =
+            axes.map(|(axis, offset)| (axis / lens.unit).extend(offset).as_vec4().to_array());
         let (focal, middle) = (lens.focal as f32, lens.middle.as_vec2().to_array());
-        Self { rows, focal, middle, perspective: lens.perspective }
+        Self {
+            rows,
+            focal,
+            middle,
+            perspective: lens.perspective,
+        }
     }
 }
 
 /// One view component of a point.
 #[inline(always)]
 fn component<S: Simd>(p: V3<Lanes<S>>, [a, b, c, d]: [f32; 4]) -> Lanes<S> {
-    p.x.mul_add(p.x.constant(a), p.y.mul_add(p.x.constant(b), p.z.mul_add(p.x.constant(c), p.x.constant(d))))
+    p.x.mul_add(
+        p.x.constant(a),
+        p.y.mul_add(
+            p.x.constant(b),
+            p.z.mul_add(p.x.constant(c), p.x.constant(d)),
+        ),
+    )
 }
 
 /// Pixels to fixed point; [`UNPLACED`] where `outside`.
@@ -92,7 +122,13 @@ fn fixed<S: Simd>(v: Lanes<S>, outside: S::mask32s) -> S::i32s {
 }
 
 #[inline(always)]
-fn transform<S: Simd>(simd: S, rows: &Rows, position: [&[f32]; 3], places: &mut [Place], keys: &mut [f32]) {
+fn transform<S: Simd>(
+    simd: S,
+    rows: &Rows,
+    position: [&[f32]; 3],
+    places: &mut [Place],
+    keys: &mut [f32],
+) {
     let lanes = Lanes::<S>::LEN;
     let [right, up, forward] = rows.rows;
     let one = Lanes::splat(simd, 1.0);
@@ -114,7 +150,8 @@ fn transform<S: Simd>(simd: S, rows: &Rows, position: [&[f32]; 3], places: &mut 
         };
         let x = component(p, right).mul_add(scale, Lanes::splat(simd, rows.middle[0]));
         let y = Lanes::splat(simd, rows.middle[1]) - component(p, up) * scale;
-        let outside = near.greater_than(depth) | !guard.greater_than(x.abs()) | !guard.greater_than(y.abs());
+        let outside =
+            near.greater_than(depth) | !guard.greater_than(x.abs()) | !guard.greater_than(y.abs());
         let (fx, fy) = (fixed(x, outside), fixed(y, outside));
         key.0.store_slice(&mut keys[start..start + lanes]);
         for (lane, place) in places[start..start + lanes].iter_mut().enumerate() {
@@ -128,7 +165,10 @@ pub const MANY: usize = 32;
 
 /// The edges of a polygon, each by its two vertices.
 pub fn edges(polygon: &[u32]) -> impl Iterator<Item = [u32; 2]> {
-    polygon.iter().zip(polygon.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
+    polygon
+        .iter()
+        .zip(polygon.iter().cycle().skip(1))
+        .map(|(&a, &b)| [a, b])
 }
 
 /// Whether a polygon has lost no corner to clipping.
@@ -157,5 +197,6 @@ pub fn edge_table(model: &Model, places: &[Place], rows: u32) -> EdgeTable {
     };
     let faces = (0..model.face_count() as u32).map(|face| (face, model.face(face)));
     let many = faces.filter(|(_, polygon)| polygon.len() > MANY);
-    many.map(|(face, polygon)| (face, is_whole(polygon, places).then(|| bands(polygon)))).collect()
+    many.map(|(face, polygon)| (face, is_whole(polygon, places).then(|| bands(polygon))))
+        .collect()
 }

@@ -41,7 +41,13 @@ struct Chunk {
 impl PlacedTriangles {
     /// Places the model's triangles in a picture of `size` pixels; back faces are dropped where `cull` says so.
     pub fn run(&mut self, level: Level, lens: &Lens, model: &Model, size: [u32; 2], cull: bool) {
-        let Self { placed, clipped, chunks, used, candidates } = self;
+        let Self {
+            placed,
+            clipped,
+            chunks,
+            used,
+            candidates,
+        } = self;
         placed.run(level, lens, model, size[1]);
         let bands = size[1].div_ceil(BAND) as usize;
         let count = model.triangles.len().div_ceil(CHUNK);
@@ -49,21 +55,27 @@ impl PlacedTriangles {
         chunks.resize_with(chunks.len().max(*used), Chunk::default);
         let (own, rest) = chunks.split_at_mut(count);
         let places = &placed.places;
-        own.par_iter_mut().zip(model.triangles.par_chunks(CHUNK)).enumerate().for_each(
-            |(index, (chunk, triangles))| {
+        own.par_iter_mut()
+            .zip(model.triangles.par_chunks(CHUNK))
+            .enumerate()
+            .for_each(|(index, (chunk, triangles))| {
                 chunk.reset(bands);
                 for (i, triangle) in (index * CHUNK..).zip(triangles) {
                     chunk.sort_in(i as u32, triangle.map(|v| places[v as usize]), size, cull);
                 }
-            },
-        );
+            });
         clipped.clear();
         for index in own.iter().flat_map(|chunk| &chunk.clip) {
             clipped.add(lens, model, *index, placed);
         }
         rest[0].reset(bands);
         for (i, triangle) in (model.triangles.len()..).zip(&clipped.triangles) {
-            rest[0].sort_in(i as u32, triangle.map(|v| placed.places[v as usize]), size, cull);
+            rest[0].sort_in(
+                i as u32,
+                triangle.map(|v| placed.places[v as usize]),
+                size,
+                cull,
+            );
         }
         *candidates = chunks[..*used].iter().map(|chunk| chunk.candidates).sum();
     }
@@ -71,7 +83,9 @@ impl PlacedTriangles {
     /// How many of the candidates show their back. Counted anew at each call.
     pub fn backs(&self, model: &Model) -> u64 {
         let triangles = self.triangles(model);
-        let lists = self.chunks[..self.used].par_iter().flat_map_iter(|chunk| chunk.bands.iter().zip(0_i32..));
+        let lists = self.chunks[..self.used]
+            .par_iter()
+            .flat_map_iter(|chunk| chunk.bands.iter().zip(0_i32..));
         let backs = lists.map(|(list, band)| {
             // A triangle is in the list of every band that it reaches, and counted in the first.
             let first = |corners: [Place; 3]| {
@@ -79,31 +93,43 @@ impl PlacedTriangles {
                 first_centre(top).max(0) / BAND.cast_signed() == band
             };
             let corners = list.iter().map(|&index| triangles.corners(index));
-            corners.filter(|&corners| doubled_area(corners) > 0 && first(corners)).count()
+            corners
+                .filter(|&corners| doubled_area(corners) > 0 && first(corners))
+                .count()
         });
         backs.sum::<usize>() as u64
     }
 
     /// The triangles of band `band`, in ascending order.
     pub fn band(&self, band: usize) -> impl Iterator<Item = u32> {
-        self.chunks[..self.used].iter().flat_map(move |chunk| chunk.bands[band].iter().copied())
+        self.chunks[..self.used]
+            .iter()
+            .flat_map(move |chunk| chunk.bands[band].iter().copied())
     }
 
     pub fn count(&self, memory: &mut Memory) {
         self.placed.count(memory);
         self.clipped.count(memory);
-        let lists = self.chunks.iter().flat_map(|chunk| chunk.bands.iter().chain([&chunk.clip]));
+        let lists = self
+            .chunks
+            .iter()
+            .flat_map(|chunk| chunk.bands.iter().chain([&chunk.clip]));
         memory.triangles += lists.map(room).sum::<u64>();
     }
 
     pub fn triangles<'a>(&'a self, model: &'a Model) -> Triangles<'a> {
-        Triangles { model, clipped: &self.clipped, placed: &self.placed }
+        Triangles {
+            model,
+            clipped: &self.clipped,
+            placed: &self.placed,
+        }
     }
 }
 
 impl Chunk {
     fn reset(&mut self, bands: usize) {
-        self.bands.resize_with(bands.max(self.bands.len()), Vec::new);
+        self.bands
+            .resize_with(bands.max(self.bands.len()), Vec::new);
         for list in &mut self.bands {
             if list.capacity() > SLACK * list.len().max(SLACK) {
                 list.shrink_to_fit();
@@ -126,7 +152,10 @@ impl Chunk {
             return;
         }
         let range = |axis: usize| {
-            let (low, high) = (a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis]));
+            let (low, high) = (
+                a[axis].min(b[axis]).min(c[axis]),
+                a[axis].max(b[axis]).max(c[axis]),
+            );
             let limit = i32::try_from(size[axis]).unwrap_or(i32::MAX);
             first_centre(low).max(0)..first_centre(high).min(limit)
         };
@@ -175,14 +204,20 @@ impl Triangles<'_> {
 
     /// What a vertex is made from that clipping made.
     pub fn cut(&self, vertex: u32) -> Option<&Cut> {
-        self.clipped.cuts.get((vertex as usize).wrapping_sub(self.model.padded_len()))
+        self.clipped
+            .cuts
+            .get((vertex as usize).wrapping_sub(self.model.padded_len()))
     }
 
     /// The model's triangle: that which a piece that clipping made is part of.
     #[inline(always)]
     pub fn whole(&self, triangle: u32) -> usize {
         let (index, own) = (triangle as usize, self.model.triangles.len());
-        if index < own { index } else { self.clipped.parents[index - own] as usize }
+        if index < own {
+            index
+        } else {
+            self.clipped.parents[index - own] as usize
+        }
     }
 
     /// The face that a triangle belongs to.

@@ -75,17 +75,27 @@ impl Bounced {
     pub fn run(&mut self, world: &World<'_>, object: &DiffuseSurface<'_>, coverage: Coverage<'_>) {
         let (scene, lens) = (world.scene, world.hits.lens);
         let [width, height] = scene.image.size.map(|side| side as usize);
-        let Self { difference, receivers, .. } = self;
+        let Self {
+            difference,
+            receivers,
+            ..
+        } = self;
         receivers.clear();
         receivers.resize(width * height, Receiver::default());
         find_receivers(world, coverage, width, receivers);
         gather(world, object, receivers, width, difference);
         let share = ROWS * width;
-        let parts = difference.par_chunks_mut(share).zip(receivers.par_chunks(share));
+        let parts = difference
+            .par_chunks_mut(share)
+            .zip(receivers.par_chunks(share));
         let sums: Vec<[Rgb; 2]> = parts
             .map(|(part, receivers)| {
                 let (mut products, mut squares) = (Rgb::ZERO, Rgb::ZERO);
-                for (light, receiver) in part.iter_mut().zip(receivers).filter(|(_, receiver)| receiver.is_there()) {
+                for (light, receiver) in part
+                    .iter_mut()
+                    .zip(receivers)
+                    .filter(|(_, receiver)| receiver.is_there())
+                {
                     let point = lens.world(receiver.place.as_dvec3());
                     let [constant, scattered] = returned(world, object, point, receiver.on_object);
                     let arrived = light.as_dvec3() * scattered;
@@ -97,18 +107,30 @@ impl Bounced {
             })
             .collect();
         // Added in the order of the bands, whichever was done first.
-        let [products, squares] =
-            sums.iter().fold([Rgb::ZERO; 2], |[p, s], [products, squares]| [p + products, s + squares]);
+        let [products, squares] = sums
+            .iter()
+            .fold([Rgb::ZERO; 2], |[p, s], [products, squares]| {
+                [p + products, s + squares]
+            });
         self.fit = (squares.min_element() > 0.0).then(|| products / squares);
     }
 }
 
 /// What a surface returns of the constant ambient light, and of light from other surfaces.
-fn returned(world: &World<'_>, object: &DiffuseSurface<'_>, point: DVec3, on_object: bool) -> [Rgb; 2] {
+fn returned(
+    world: &World<'_>,
+    object: &DiffuseSurface<'_>,
+    point: DVec3,
+    on_object: bool,
+) -> [Rgb; 2] {
     let (material, ground) = (&world.scene.material, &world.scene.ground);
     if on_object {
         let pattern = &object.equation;
-        let color = if pattern.has_pattern() { pattern.pattern_color(point) } else { material.color };
+        let color = if pattern.has_pattern() {
+            pattern.pattern_color(point)
+        } else {
+            material.color
+        };
         [material.ka * color, material.kd * color]
     } else {
         [ground.color * ground.ka, ground.color * ground.kd]
@@ -116,10 +138,19 @@ fn returned(world: &World<'_>, object: &DiffuseSurface<'_>, point: DVec3, on_obj
 }
 
 /// Finds the points that pixels see of the object and the floor.
-fn find_receivers(world: &World<'_>, coverage: Coverage<'_>, width: usize, receivers: &mut [Receiver]) {
+fn find_receivers(
+    world: &World<'_>,
+    coverage: Coverage<'_>,
+    width: usize,
+    receivers: &mut [Receiver],
+) {
     let (hits, lens) = (&world.hits, world.hits.lens);
     let farthest = DVec3::splat(FARTHEST);
-    let near = |point: DVec3| ((point - lens.eye) / lens.unit).clamp(-farthest, farthest).as_vec3();
+    let near = |point: DVec3| {
+        ((point - lens.eye) / lens.unit)
+            .clamp(-farthest, farthest)
+            .as_vec3()
+    };
     let parts = receivers.par_chunks_mut(ROWS * width).zip(coverage.parts());
     parts.for_each_init(FloorScratch::default, |scratch, (part, (band, fragments))| {
         hits.walk(band, fragments, |x, row, hit| {
@@ -157,22 +188,38 @@ fn gather(
     let step = (width.max(height) / POINTS).max(1);
     let columns = width.div_ceil(step);
     let at = |receiver: &Receiver, salt: usize, scratch: &mut Scratch| {
-        arriving(world, object, receiver, salt, scratch).min(Rgb::splat(1e36)).as_vec3()
+        arriving(world, object, receiver, salt, scratch)
+            .min(Rgb::splat(1e36))
+            .as_vec3()
     };
     let pick = |column: usize, row: usize| {
-        let (x, y) = ((column * step + step / 2).min(width - 1), (row * step + step / 2).min(height - 1));
+        let (x, y) = (
+            (column * step + step / 2).min(width - 1),
+            (row * step + step / 2).min(height - 1),
+        );
         receivers[y * width + x]
     };
     let points: Vec<(Receiver, Vec3)> = (0..height.div_ceil(step) * columns)
         .into_par_iter()
         .map_init(Scratch::default, |scratch, cell| {
             let receiver = pick(cell % columns, cell / columns);
-            let light = if receiver.is_there() { at(&receiver, cell, scratch) } else { Vec3::ZERO };
+            let light = if receiver.is_there() {
+                at(&receiver, cell, scratch)
+            } else {
+                Vec3::ZERO
+            };
             (receiver, light)
         })
         .collect();
-    let grid = Grid { points, columns, step };
-    let lines = gathered.par_chunks_mut(width).zip(receivers.par_chunks(width)).enumerate();
+    let grid = Grid {
+        points,
+        columns,
+        step,
+    };
+    let lines = gathered
+        .par_chunks_mut(width)
+        .zip(receivers.par_chunks(width))
+        .enumerate();
     lines.for_each_init(Scratch::default, |scratch, (y, (line, receivers))| {
         dispatch!(world.hits.solid.level, simd => grid.carry_row(simd, y, receivers, line));
         for (x, (light, receiver)) in line.iter_mut().zip(receivers).enumerate() {
@@ -198,7 +245,11 @@ fn arriving(
     let start = lens.world(receiver.place.as_dvec3()) + n * solid.clearance();
     let (middle, _) = solid.ball();
     let directions = directions(n, salt);
-    let Scratch { on_object, on_floor, light } = scratch;
+    let Scratch {
+        on_object,
+        on_floor,
+        light,
+    } = scratch;
     on_object.clear();
     on_floor.clear();
     let mut see_past = |direction: DVec3| {
@@ -223,7 +274,9 @@ fn arriving(
     }
     let mut sum = Rgb::ZERO;
     object.light(on_object, light, |_, intensity| sum += intensity);
-    world.floor.light(on_floor, light, |_, intensity| sum += intensity);
+    world
+        .floor
+        .light(on_floor, light, |_, intensity| sum += intensity);
     sum / directions.len() as f64
 }
 
@@ -264,7 +317,10 @@ impl Grid {
     fn carry_row<S: Simd>(&self, simd: S, y: usize, receivers: &[Receiver], light: &mut [Vec3]) {
         let lanes = Lanes::<S>::LEN;
         let rows = self.around(y, y, self.points.len() / self.columns);
-        for (x, (receivers, light)) in (0..).step_by(lanes).zip(receivers.chunks(lanes).zip(light.chunks_mut(lanes))) {
+        for (x, (receivers, light)) in (0..)
+            .step_by(lanes)
+            .zip(receivers.chunks(lanes).zip(light.chunks_mut(lanes)))
+        {
             if !receivers.iter().any(Receiver::is_there) {
                 continue;
             }
@@ -284,7 +340,11 @@ impl Grid {
                 }
             }
             let known = weights.greater_than(Lanes::splat(simd, LEAST_WEIGHT));
-            let inverse = Lanes::select(known, Lanes::splat(simd, 1.0) / weights, Lanes::splat(simd, f32::NAN));
+            let inverse = Lanes::select(
+                known,
+                Lanes::splat(simd, 1.0) / weights,
+                Lanes::splat(simd, f32::NAN),
+            );
             let mean = sum.scale(inverse);
             for (lane, light) in light.iter_mut().enumerate() {
                 *light = Vec3::new(mean.x.0[lane], mean.y.0[lane], mean.z.0[lane]);
@@ -294,7 +354,8 @@ impl Grid {
 
     /// The cells that have a weight at any of the pixels `first` to `last` of a row or column.
     fn around(&self, first: usize, last: usize, count: usize) -> Range<usize> {
-        (first / self.step).saturating_sub(NEIGHBOURS)..(last / self.step + NEIGHBOURS + 1).min(count)
+        (first / self.step).saturating_sub(NEIGHBOURS)
+            ..(last / self.step + NEIGHBOURS + 1).min(count)
     }
 
     fn middle(&self, cell: usize) -> f32 {
@@ -318,11 +379,27 @@ impl<S: Simd> Pixels<S> {
             }
         }
         let [px, py, pz, nx, ny, nz] = &planes;
-        let place = V3::new(Lanes::load(simd, px), Lanes::load(simd, py), Lanes::load(simd, pz));
-        let normal = V3::new(Lanes::load(simd, nx), Lanes::load(simd, ny), Lanes::load(simd, nz));
+        let place = V3::new(
+            Lanes::load(simd, px),
+            Lanes::load(simd, py),
+            Lanes::load(simd, pz),
+        );
+        let normal = V3::new(
+            Lanes::load(simd, nx),
+            Lanes::load(simd, ny),
+            Lanes::load(simd, nz),
+        );
         let one = Lanes::splat(simd, 1.0);
-        let gap = place.dot(place).sqrt().mul_add(Lanes::splat(simd, 0.01), Lanes::splat(simd, 1e-6));
-        Self { x: Lanes::count_up(simd) + Lanes::splat(simd, x as f32), place, normal, inverse_gap: one / gap }
+        let gap = place
+            .dot(place)
+            .sqrt()
+            .mul_add(Lanes::splat(simd, 0.01), Lanes::splat(simd, 1e-6));
+        Self {
+            x: Lanes::count_up(simd) + Lanes::splat(simd, x as f32),
+            place,
+            normal,
+            inverse_gap: one / gap,
+        }
     }
 
     /// Falls from 1 at a cell's middle to 0.
@@ -330,18 +407,24 @@ impl<S: Simd> Pixels<S> {
     fn tent(&self, middle: f32, step: f32) -> Lanes<S> {
         let one = self.x.constant(1.0);
         let distance = (self.x - self.x.constant(middle)).abs();
-        distance.mul_add(self.x.constant(-1.0 / (WIDTH * step)), one).max(self.x.constant(0.0))
+        distance
+            .mul_add(self.x.constant(-1.0 / (WIDTH * step)), one)
+            .max(self.x.constant(0.0))
     }
 
     /// 1 for points in one plane, towards 0 where the normals or the planes part.
     #[inline(always)]
     fn likeness(&self, other: &Receiver) -> Lanes<S> {
         let (zero, one) = (self.x.constant(0.0), self.x.constant(1.0));
-        let cosine = self.normal.dot(V3::constant(zero, other.normal.to_array())).max(zero);
+        let cosine = self
+            .normal
+            .dot(V3::constant(zero, other.normal.to_array()))
+            .max(zero);
         let square = cosine * cosine;
         let fourth = square * square;
         let eighth = fourth * fourth;
-        let apart = (self.place - V3::constant(zero, other.place.to_array())).dot(self.normal) * self.inverse_gap;
+        let apart = (self.place - V3::constant(zero, other.place.to_array())).dot(self.normal)
+            * self.inverse_gap;
         let square = apart * apart;
         eighth * eighth / square.mul_add(square, one)
     }

@@ -33,7 +33,10 @@ pub struct Node {
 impl Node {
     /// A radius that holds the box, relative to the model's origin.
     pub fn radius(&self) -> f32 {
-        Vec3::from_array(self.low).abs().max(Vec3::from_array(self.high).abs()).length()
+        Vec3::from_array(self.low)
+            .abs()
+            .max(Vec3::from_array(self.high).abs())
+            .length()
     }
 }
 
@@ -56,10 +59,16 @@ struct Bounds {
 }
 
 impl Bounds {
-    const EMPTY: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
+    const EMPTY: Self = Self {
+        low: Vec3::INFINITY,
+        high: Vec3::NEG_INFINITY,
+    };
 
     fn with(self, other: Self) -> Self {
-        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+        Self {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+        }
     }
 
     fn point(p: Vec3) -> Self {
@@ -89,7 +98,11 @@ impl Bvh {
             .map(|(triangle, vertices)| {
                 let [a, b, c] = corners_of(vertices).map(Bounds::point);
                 let bounds = a.with(b).with(c);
-                Item { bounds, centre: (bounds.low + bounds.high) * 0.5, triangle }
+                Item {
+                    bounds,
+                    centre: (bounds.low + bounds.high) * 0.5,
+                    triangle,
+                }
             })
             .collect();
         if items.is_empty() {
@@ -98,9 +111,21 @@ impl Bvh {
         let mut nodes = vec![Node::default(); 2 * items.len()];
         build(&mut items, &mut nodes, 0, 0, 0);
         let order: Vec<u32> = items.iter().map(|item| item.triangle).collect();
-        let corners: Vec<_> = order.iter().map(|&triangle| corners_of(&model.triangles[triangle as usize])).collect();
-        let inner_radius = if model.closed && model.convex { inner_radius(&corners) } else { 0.0 };
-        Self { nodes, corners, order, inner_radius }
+        let corners: Vec<_> = order
+            .iter()
+            .map(|&triangle| corners_of(&model.triangles[triangle as usize]))
+            .collect();
+        let inner_radius = if model.closed && model.convex {
+            inner_radius(&corners)
+        } else {
+            0.0
+        };
+        Self {
+            nodes,
+            corners,
+            order,
+            inner_radius,
+        }
     }
 
     pub fn count(&self, memory: &mut Memory) {
@@ -109,7 +134,9 @@ impl Bvh {
 
     /// The height of the lowest corner.
     pub fn lowest(&self) -> f64 {
-        self.nodes.first().map_or(0.0, |root| f64::from(root.low[1]))
+        self.nodes
+            .first()
+            .map_or(0.0, |root| f64::from(root.low[1]))
     }
 }
 
@@ -117,17 +144,35 @@ impl Bvh {
 fn inner_radius(corners: &[[Vec3; 3]]) -> f64 {
     let distance = |triangle: &[Vec3; 3]| {
         let [a, b, c] = triangle.map(|corner| corner.as_dvec3());
-        (b - a).cross(c - a).try_normalize().map(|normal| normal.dot(a))
+        (b - a)
+            .cross(c - a)
+            .try_normalize()
+            .map(|normal| normal.dot(a))
     };
-    corners.iter().filter_map(distance).fold(f64::INFINITY, f64::min).max(0.0) * (1.0 - 1e-5)
+    corners
+        .iter()
+        .filter_map(distance)
+        .fold(f64::INFINITY, f64::min)
+        .max(0.0)
+        * (1.0 - 1e-5)
 }
 
 /// Builds the box of `items` at `nodes[0]`, node `index` of all; `first` is the index of the first item among all.
 fn build(items: &mut [Item], nodes: &mut [Node], index: u32, first: u32, depth: usize) {
-    let bounds = items.iter().fold(Bounds::EMPTY, |sum, item| sum.with(item.bounds));
-    let node = Node { low: bounds.low.to_array(), high: bounds.high.to_array(), start: first, count: 0 };
+    let bounds = items
+        .iter()
+        .fold(Bounds::EMPTY, |sum, item| sum.with(item.bounds));
+    let node = Node {
+        low: bounds.low.to_array(),
+        high: bounds.high.to_array(),
+        start: first,
+        count: 0,
+    };
     if items.len() <= LEAF {
-        nodes[0] = Node { count: items.len() as u32, ..node };
+        nodes[0] = Node {
+            count: items.len() as u32,
+            ..node
+        };
         return;
     }
     let middle = split(items, depth);
@@ -136,7 +181,10 @@ fn build(items: &mut [Item], nodes: &mut [Node], index: u32, first: u32, depth: 
     let (own, rest) = nodes.split_at_mut(1);
     let (left_nodes, right_nodes) = rest.split_at_mut(2 * middle - 1);
     let right_index = index + 2 * middle as u32;
-    own[0] = Node { start: right_index, ..node };
+    own[0] = Node {
+        start: right_index,
+        ..node
+    };
     let right_first = first + middle as u32;
     let parallel = left.len().min(right.len()) > PARALLEL;
     let mut build_left = || build(left, left_nodes, index + 1, first, depth + 1);
@@ -151,13 +199,17 @@ fn build(items: &mut [Item], nodes: &mut [Node], index: u32, first: u32, depth: 
 
 /// Divides `items` into two parts, neither of them empty, and returns the first part's length.
 fn split(items: &mut [Item], depth: usize) -> usize {
-    let centres = items.iter().fold(Bounds::EMPTY, |sum, item| sum.with(Bounds::point(item.centre)));
+    let centres = items.iter().fold(Bounds::EMPTY, |sum, item| {
+        sum.with(Bounds::point(item.centre))
+    });
     let size = centres.high - centres.low;
     let axis = size.max_position();
     let half = items.len() / 2;
     if size[axis] > 0.0 && depth < UNEVEN_DEPTH {
         let scale = BINS as f32 / size[axis];
-        let bin = |item: &Item| (((item.centre[axis] - centres.low[axis]) * scale) as usize).min(BINS - 1);
+        let bin = |item: &Item| {
+            (((item.centre[axis] - centres.low[axis]) * scale) as usize).min(BINS - 1)
+        };
         let edge = cheapest(items, bin);
         let middle = partition(items, |item| bin(item) < edge);
         if middle > 0 && middle < items.len() {
@@ -177,11 +229,19 @@ fn cheapest(items: &[Item], bin: impl Fn(&Item) -> usize) -> usize {
         *count += 1;
     }
     let cost = |part: &[(Bounds, usize)]| {
-        let (bounds, count) = part.iter().fold((Bounds::EMPTY, 0), |(b, n), (c, m)| (b.with(*c), n + m));
-        if count == 0 { 0.0 } else { bounds.half_area() * count as f32 }
+        let (bounds, count) = part
+            .iter()
+            .fold((Bounds::EMPTY, 0), |(b, n), (c, m)| (b.with(*c), n + m));
+        if count == 0 {
+            0.0
+        } else {
+            bounds.half_area() * count as f32
+        }
     };
     let whole = |edge: &usize| cost(&bins[..*edge]) + cost(&bins[*edge..]);
-    (1..BINS).min_by(|a, b| whole(a).total_cmp(&whole(b))).unwrap_or(1)
+    (1..BINS)
+        .min_by(|a, b| whole(a).total_cmp(&whole(b)))
+        .unwrap_or(1)
 }
 
 /// Moves the items that are `first` before the others; returns how many they are.

@@ -26,7 +26,8 @@ impl Packet {
     }
 
     pub fn ray(&self, ray: usize) -> (DVec3, DVec3, f64) {
-        let of = |planes: &[[f64; RAYS]; 3]| DVec3::new(planes[0][ray], planes[1][ray], planes[2][ray]);
+        let of =
+            |planes: &[[f64; RAYS]; 3]| DVec3::new(planes[0][ray], planes[1][ray], planes[2][ray]);
         (of(&self.origin), of(&self.direction), self.t_max[ray])
     }
 }
@@ -68,7 +69,9 @@ impl PointRow {
 
     /// The point, `clearance` away along its normal.
     pub fn lifted(&self, index: usize, clearance: f64) -> DVec3 {
-        DVec3::from_array([0, 1, 2].map(|axis| self.start[axis][index] + self.normal[axis][index] * clearance))
+        DVec3::from_array(
+            [0, 1, 2].map(|axis| self.start[axis][index] + self.normal[axis][index] * clearance),
+        )
     }
 }
 
@@ -97,8 +100,14 @@ impl Visibility {
 
     /// The bits from point `first` of a block on.
     pub fn at(&self, block: usize, first: usize) -> Option<Reached<'_>> {
-        let words = self.words.get(block * self.block..(block + 1) * self.block)?;
-        (self.block > 0).then_some(Reached { words, stride: self.stride, first })
+        let words = self
+            .words
+            .get(block * self.block..(block + 1) * self.block)?;
+        (self.block > 0).then_some(Reached {
+            words,
+            stride: self.stride,
+            first,
+        })
     }
 }
 
@@ -107,12 +116,20 @@ pub type Vectors<S> = [f32x16<S>; 3];
 
 #[inline(always)]
 pub fn splat<S: Simd>(simd: S, v: Vec3) -> Vectors<S> {
-    [f32x16::splat(simd, v.x), f32x16::splat(simd, v.y), f32x16::splat(simd, v.z)]
+    [
+        f32x16::splat(simd, v.x),
+        f32x16::splat(simd, v.y),
+        f32x16::splat(simd, v.z),
+    ]
 }
 
 #[inline(always)]
 pub fn load<S: Simd>(simd: S, x: &[f32; RAYS], y: &[f32; RAYS], z: &[f32; RAYS]) -> Vectors<S> {
-    [f32x16::from_slice(simd, x), f32x16::from_slice(simd, y), f32x16::from_slice(simd, z)]
+    [
+        f32x16::from_slice(simd, x),
+        f32x16::from_slice(simd, y),
+        f32x16::from_slice(simd, z),
+    ]
 }
 
 #[inline(always)]
@@ -132,5 +149,9 @@ pub fn sub<V: Copy + Sub<Output = V>>(a: &[V; 3], b: &[V; 3]) -> [V; 3] {
 
 #[inline(always)]
 pub fn cross<V: Copy + Mul<Output = V> + Sub<Output = V>>(a: &[V; 3], b: &[V; 3]) -> [V; 3] {
-    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
+    [
+        a[1] * b[2] - b[1] * a[2],
+        a[2] * b[0] - b[2] * a[0],
+        a[0] * b[1] - b[0] * a[1],
+    ]
 }

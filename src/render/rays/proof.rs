@@ -34,7 +34,12 @@ impl Target {
     /// `up` is positive for a source above the floor.
     pub fn new(place: DVec3, parallel: bool, up: f64, radius: f64) -> Self {
         let rise = f32::from(i8::from(up > 0.0) - i8::from(up < 0.0));
-        Self { place, parallel, rise, outside: parallel || place.length() > radius * WIDER }
+        Self {
+            place,
+            parallel,
+            rise,
+            outside: parallel || place.length() > radius * WIDER,
+        }
     }
 }
 
@@ -97,7 +102,10 @@ impl<S: Simd> Points<S> {
         let lift = side * clearance;
         let mut planes = [[0.0_f32; RAYS]; 7];
         for axis in 0..3 {
-            let (starts, normals) = (&row.start[axis][range.clone()], &row.normal[axis][range.clone()]);
+            let (starts, normals) = (
+                &row.start[axis][range.clone()],
+                &row.normal[axis][range.clone()],
+            );
             for lane in 0..RAYS {
                 planes[axis][lane] = (starts[lane] + normals[lane] * lift) as f32;
                 planes[3 + axis][lane] = (normals[lane] * side) as f32;
@@ -110,14 +118,24 @@ impl<S: Simd> Points<S> {
         let [x, y, z, nx, ny, nz, above] = &planes;
         let (from, above) = (load(simd, x, y, z), f32x16::from_slice(simd, above));
         let distance = dot(&from, &from).sqrt();
-        Self { from, normal: load(simd, nx, ny, nz), distance, error: (distance + balls.outer) * ROUNDINGS, above }
+        Self {
+            from,
+            normal: load(simd, nx, ny, nz),
+            distance,
+            error: (distance + balls.outer) * ROUNDINGS,
+            above,
+        }
     }
 
     /// The ways to a source.
     #[inline(always)]
     pub fn way_to(&self, simd: S, target: &Target) -> Vectors<S> {
         let place = target.place.as_vec3();
-        if target.parallel { splat(simd, place) } else { self.way_from(simd, place) }
+        if target.parallel {
+            splat(simd, place)
+        } else {
+            self.way_from(simd, place)
+        }
     }
 
     /// The ways to a point.
@@ -155,20 +173,45 @@ impl<S: Simd> Points<S> {
         let inner = f32x16::splat(simd, balls.inner) - self.error;
         let open = bits(square.simd_gt(outer * outer) & sound);
         let within = square.simd_lt(inner * inner) & inner.simd_gt(f32x16::splat(simd, 0.0));
-        [open, if target.outside { bits(within & sound) } else { 0 }]
+        [
+            open,
+            if target.outside {
+                bits(within & sound)
+            } else {
+                0
+            },
+        ]
     }
 
     /// The squared distance from the middle at which rays pass it between t = 0 and t = `most`, and where that is reliable.
     #[inline(always)]
-    fn approach(&self, simd: S, way: &Vectors<S>, most: f32, balls: Balls) -> (f32x16<S>, mask32x16<S>) {
+    fn approach(
+        &self,
+        simd: S,
+        way: &Vectors<S>,
+        most: f32,
+        balls: Balls,
+    ) -> (f32x16<S>, mask32x16<S>) {
         let length = dot(way, way);
-        let t = (-dot(&self.from, way) / length).max(f32x16::splat(simd, 0.0)).min(f32x16::splat(simd, most));
+        let t = (-dot(&self.from, way) / length)
+            .max(f32x16::splat(simd, 0.0))
+            .min(f32x16::splat(simd, most));
         let [x, y, z] = self.from;
-        let near = [way[0].mul_add(t, x), way[1].mul_add(t, y), way[2].mul_add(t, z)];
-        let (least, greatest) = (f32x16::splat(simd, SQUARES[0]), f32x16::splat(simd, SQUARES[1]));
+        let near = [
+            way[0].mul_add(t, x),
+            way[1].mul_add(t, y),
+            way[2].mul_add(t, z),
+        ];
+        let (least, greatest) = (
+            f32x16::splat(simd, SQUARES[0]),
+            f32x16::splat(simd, SQUARES[1]),
+        );
         let sized = mask32x16::splat(simd, balls.outer > RADII[0] && balls.outer < RADII[1]);
         let far = (self.distance * self.distance).simd_lt(greatest);
-        (dot(&near, &near), length.simd_gt(least) & length.simd_lt(greatest) & far & sized)
+        (
+            dot(&near, &near),
+            length.simd_gt(least) & length.simd_lt(greatest) & far & sized,
+        )
     }
 
     /// Which of the points certainly see nothing of an area light: the inner ball hides its corners, and so all of it.
@@ -203,7 +246,9 @@ impl<S: Simd> Points<S> {
     fn beside(&self, simd: S, area: &AreaLight, way: &Vectors<S>, balls: Balls) -> mask32x16<S> {
         let one = f32x16::splat(simd, 1.0);
         let mut beside = mask32x16::splat(simd, false);
-        let Some(last) = area.corners.last() else { return beside };
+        let Some(last) = area.corners.last() else {
+            return beside;
+        };
         let mut last = self.way_to(simd, last);
         for corner in &area.corners {
             let next = self.way_to(simd, corner);
@@ -211,7 +256,8 @@ impl<S: Simd> Points<S> {
             // Outwards: away from the light's middle.
             let outwards = one.copysign(-dot(&across, way));
             let beyond = -dot(&across, &self.from) * outwards;
-            let sides = (dot(&last, &last).sqrt() + self.distance) * (dot(&next, &next).sqrt() + self.distance);
+            let sides = (dot(&last, &last).sqrt() + self.distance)
+                * (dot(&next, &next).sqrt() + self.distance);
             let far = dot(&across, &across).sqrt() * balls.outer + sides * self.error;
             beside |= beyond.simd_gt(far);
             last = next;

@@ -79,21 +79,39 @@ impl<'a> ShadowCaster<'a> {
         let target = |source: usize| {
             let (place, t_max) = equation.way_to(source, middle);
             let parallel = t_max > 1.0;
-            let up = if parallel { place.y } else { ground.map_or(0.0, |ground| middle.y + place.y - ground) };
+            let up = if parallel {
+                place.y
+            } else {
+                ground.map_or(0.0, |ground| middle.y + place.y - ground)
+            };
             Target::new(place, parallel, up, radius)
         };
         let targets: Vec<Target> = (0..equation.sources.len()).map(target).collect();
         let lamp = |light: usize| {
             let sources = equation.sources_of(light);
-            let area = scene.lights.get(light).filter(|light| light.kind == LightKind::Area && sources.len() > 1);
-            let any = |sign: f32| targets[sources.clone()].iter().any(|target| target.rise * sign > 0.0);
+            let area = scene
+                .lights
+                .get(light)
+                .filter(|light| light.kind == LightKind::Area && sources.len() > 1);
+            let any = |sign: f32| {
+                targets[sources.clone()]
+                    .iter()
+                    .any(|target| target.rise * sign > 0.0)
+            };
             let sides = [any(-1.0), any(1.0)];
-            Lamp { sides, sources, area: area.map(|light| AreaLight::new(light, middle, radius)) }
+            Lamp {
+                sides,
+                sources,
+                area: area.map(|light| AreaLight::new(light, middle, radius)),
+            }
         };
         Self {
             lamps: (0..equation.light_count()).map(lamp).collect(),
             targets,
-            balls: Balls { outer: radius as f32, inner: solid.inner_radius() as f32 },
+            balls: Balls {
+                outer: radius as f32,
+                inner: solid.inner_radius() as f32,
+            },
             flip: scene.reflection.backfacing == Backfacing::Flip,
             ground,
             middle,
@@ -109,25 +127,37 @@ impl<'a> ShadowCaster<'a> {
 
     /// The least height of the object's own points, though normals that lean out of its faces may lift some beneath the floor.
     fn least_height(&self) -> f64 {
-        let ground = self.ground.filter(|ground| self.solid.lowest() >= ground - self.solid.clearance());
+        let ground = self
+            .ground
+            .filter(|ground| self.solid.lowest() >= ground - self.solid.clearance());
         ground.unwrap_or(f64::NEG_INFINITY)
     }
 
     /// Whether all sources surely reach all points: a convex solid shadows nothing that faces a source, and no floor parts them.
     fn reaches_all(&self) -> bool {
-        let above = |ground: f64| self.least_height() >= ground && self.targets.iter().all(|target| target.rise > 0.0);
+        let above = |ground: f64| {
+            self.least_height() >= ground && self.targets.iter().all(|target| target.rise > 0.0)
+        };
         self.own && !self.flip && self.solid.is_convex() && self.ground.is_none_or(above)
     }
 
     /// Marks which sources are seen from which pixels, a block of bits a row.
-    pub fn mark_pixels(&self, coverage: Coverage<'_>, hits: &PrimaryHits<'_>, visibility: &mut Visibility) {
+    pub fn mark_pixels(
+        &self,
+        coverage: Coverage<'_>,
+        hits: &PrimaryHits<'_>,
+        visibility: &mut Visibility,
+    ) {
         let [width, height] = coverage.size.map(|side| side as usize);
         visibility.clear(height, width, self.targets.len());
         if self.reaches_all() {
             return;
         }
         let (block, stride) = (visibility.block, visibility.stride);
-        let bands = visibility.words.par_chunks_mut(ROWS * block).zip(coverage.parts());
+        let bands = visibility
+            .words
+            .par_chunks_mut(ROWS * block)
+            .zip(coverage.parts());
         bands.for_each_init(<(Vec<PointRow>, Waiting)>::default, |(rows, waiting), (words, (band, fragments))| {
             rows.resize_with(ROWS, PointRow::default);
             rows.iter_mut().for_each(|row| row.clear(width));
@@ -167,17 +197,42 @@ impl<'a> ShadowCaster<'a> {
 
     /// Clears the bits of the sources that are hidden from a row's points; a source has `stride` words.
     #[inline(always)]
-    pub fn mark_row<S: Simd>(&self, simd: S, row: &PointRow, stride: usize, words: &mut [u64], waiting: &mut Waiting) {
-        let mut sheet = Sheet { stride, words, waiting };
-        let least = if self.own { self.least_height() } else { f64::NEG_INFINITY };
-        let heights = [self.ground.unwrap_or(f64::NEG_INFINITY), least].map(|height| height - self.middle.y);
+    pub fn mark_row<S: Simd>(
+        &self,
+        simd: S,
+        row: &PointRow,
+        stride: usize,
+        words: &mut [u64],
+        waiting: &mut Waiting,
+    ) {
+        let mut sheet = Sheet {
+            stride,
+            words,
+            waiting,
+        };
+        let least = if self.own {
+            self.least_height()
+        } else {
+            f64::NEG_INFINITY
+        };
+        let heights =
+            [self.ground.unwrap_or(f64::NEG_INFINITY), least].map(|height| height - self.middle.y);
         // Where light counts from either side, a ray starts on the side of its source.
-        let sides: &[f64] = if self.own && self.flip { &[1.0, -1.0] } else { &[1.0] };
+        let sides: &[f64] = if self.own && self.flip {
+            &[1.0, -1.0]
+        } else {
+            &[1.0]
+        };
         for packet in (0..row.present.len()).filter(|packet| row.present[*packet] != 0) {
             for &side in sides {
                 let lift = [side, self.solid.clearance()];
                 let points = Points::load(simd, row, packet, lift, heights, self.balls);
-                let group = Group { row, first: packet * RAYS, side, points };
+                let group = Group {
+                    row,
+                    first: packet * RAYS,
+                    side,
+                    points,
+                };
                 for lamp in &self.lamps {
                     self.mark_lamp(simd, &group, lamp, &mut sheet);
                 }
@@ -188,8 +243,19 @@ impl<'a> ShadowCaster<'a> {
 
     /// Asks about one light at sixteen points.
     #[inline(always)]
-    fn mark_lamp<S: Simd>(&self, simd: S, group: &Group<'_, S>, lamp: &Lamp, sheet: &mut Sheet<'_>) {
-        let Group { row, first, side, points } = group;
+    fn mark_lamp<S: Simd>(
+        &self,
+        simd: S,
+        group: &Group<'_, S>,
+        lamp: &Lamp,
+        sheet: &mut Sheet<'_>,
+    ) {
+        let Group {
+            row,
+            first,
+            side,
+            points,
+        } = group;
         let present = row.present[first / RAYS];
         // A convex solid lies behind the tangent plane of each of its points.
         let alone = self.own && *side > 0.0 && self.solid.is_convex();
@@ -198,7 +264,10 @@ impl<'a> ShadowCaster<'a> {
             None => (0, present),
             Some(area) => {
                 let hidden = points.hidden(simd, area, self.balls) & present;
-                (hidden, present & !hidden & !points.clear(simd, area, self.balls))
+                (
+                    hidden,
+                    present & !hidden & !points.clear(simd, area, self.balls),
+                )
             }
         };
         if hidden | mixed == 0 && !(self.ground.is_some() && points.floor_parts(simd, lamp.sides)) {
@@ -208,7 +277,11 @@ impl<'a> ShadowCaster<'a> {
             let target = &self.targets[source];
             let way = points.way_to(simd, target);
             let both = self.flip && !self.own;
-            let facing = if both { present } else { present & points.facing(simd, &way) };
+            let facing = if both {
+                present
+            } else {
+                present & points.facing(simd, &way)
+            };
             let mut dark = facing & (hidden | points.beyond_floor(simd, target));
             let unknown = facing & mixed & !dark;
             if unknown != 0 {
@@ -222,8 +295,19 @@ impl<'a> ShadowCaster<'a> {
 
     /// Lets rays wait for their packet.
     #[inline(always)]
-    fn wait<S: Simd>(&self, simd: S, group: &Group<'_, S>, mut rays: u32, source: usize, sheet: &mut Sheet<'_>) {
-        let Target { place: to, parallel, .. } = self.targets[source];
+    fn wait<S: Simd>(
+        &self,
+        simd: S,
+        group: &Group<'_, S>,
+        mut rays: u32,
+        source: usize,
+        sheet: &mut Sheet<'_>,
+    ) {
+        let Target {
+            place: to,
+            parallel,
+            ..
+        } = self.targets[source];
         while rays != 0 {
             let point = group.first + rays.trailing_zeros() as usize;
             rays &= rays - 1;
@@ -235,7 +319,11 @@ impl<'a> ShadowCaster<'a> {
             } else {
                 (start, to - start, 1.0)
             };
-            let Waiting { packet, marks, count } = sheet.waiting;
+            let Waiting {
+                packet,
+                marks,
+                count,
+            } = sheet.waiting;
             packet.set(*count, origin, direction, t_max);
             marks[*count] = (source as u32, point as u32);
             *count += 1;

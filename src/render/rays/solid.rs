@@ -43,7 +43,11 @@ pub struct SolidHit {
 impl Solid<'_> {
     /// How far from the surface a ray starts, world units.
     pub fn clearance(&self) -> f64 {
-        let part = if self.surface.is_some() { CLEAR_OF_SURFACE } else { CLEAR_OF_POLYGONS };
+        let part = if self.surface.is_some() {
+            CLEAR_OF_SURFACE
+        } else {
+            CLEAR_OF_POLYGONS
+        };
         part * self.model.radius
     }
 
@@ -80,16 +84,27 @@ impl Solid<'_> {
     /// On which of the rays whose bits are set in `asked` the object lies; the rays are relative to the ball's middle.
     #[inline(always)]
     pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> u32 {
-        let Some(surface) = self.surface else { return self.bvh.blocked(simd, packet, asked) };
+        let Some(surface) = self.surface else {
+            return self.bvh.blocked(simd, packet, asked);
+        };
         let blocks = |ray: &usize| {
             let (origin, direction, t_max) = packet.ray(*ray);
-            surface.intersect(&Ray { origin, direction }, 0.0).is_some_and(|hit| hit.t < t_max)
+            surface
+                .intersect(&Ray { origin, direction }, 0.0)
+                .is_some_and(|hit| hit.t < t_max)
         };
-        rays_of(asked).filter(blocks).fold(0, |blocked, ray| blocked | 1 << ray)
+        rays_of(asked)
+            .filter(blocks)
+            .fold(0, |blocked, ray| blocked | 1 << ray)
     }
 
     /// Calls `each` with every ray whose bit is set in `asked` and the first point that it meets; rays are relative to the middle.
-    pub fn nearest(&self, packet: &Packet, asked: u32, mut each: impl FnMut(usize, Option<SolidHit>)) {
+    pub fn nearest(
+        &self,
+        packet: &Packet,
+        asked: u32,
+        mut each: impl FnMut(usize, Option<SolidHit>),
+    ) {
         let (middle, _) = self.ball();
         if let Some(surface) = self.surface {
             for ray in rays_of(asked) {
@@ -97,7 +112,14 @@ impl Solid<'_> {
                 let origin = middle + start;
                 let hit = surface.intersect(&Ray { origin, direction }, 0.0);
                 let point = |t: f64| origin + direction * t;
-                each(ray, hit.map(|hit| SolidHit { point: point(hit.t), normal: hit.normal, facing: hit.normal }));
+                each(
+                    ray,
+                    hit.map(|hit| SolidHit {
+                        point: point(hit.t),
+                        normal: hit.normal,
+                        facing: hit.normal,
+                    }),
+                );
             }
             return;
         }
@@ -105,9 +127,14 @@ impl Solid<'_> {
         for ray in rays_of(asked) {
             let (origin, direction, _) = packet.ray(ray);
             let hit = |(t, triangle, weights): (f64, u32, [f64; 2])| {
-                let [a, b, c] = self.model.triangles[triangle as usize].map(|v| self.model.place(v).as_dvec3());
+                let [a, b, c] =
+                    self.model.triangles[triangle as usize].map(|v| self.model.place(v).as_dvec3());
                 let (point, facing) = (middle + origin + direction * t, (b - a).cross(c - a));
-                SolidHit { point, normal: self.normal(triangle, weights), facing }
+                SolidHit {
+                    point,
+                    normal: self.normal(triangle, weights),
+                    facing,
+                }
             };
             each(ray, nearest.of(ray).map(hit));
         }
@@ -123,7 +150,11 @@ impl Solid<'_> {
         let unit = direction.normalize();
         let middle = -start.dot(unit);
         let half_chord = radius * radius - (start + unit * middle).length_squared();
-        if middle > 0.0 && half_chord > 0.0 { start + unit * (middle + half_chord.sqrt()) } else { start }
+        if middle > 0.0 && half_chord > 0.0 {
+            start + unit * (middle + half_chord.sqrt())
+        } else {
+            start
+        }
     }
 
     /// The unit normal of a triangle where its second and third corner have these weights.
@@ -133,7 +164,9 @@ impl Solid<'_> {
             return face();
         }
         let [a, b, c] = self.model.triangles[triangle as usize].map(|v| self.model.normal(v));
-        (a * (1.0 - w1 - w2) + b * w1 + c * w2).try_normalize().unwrap_or_else(face)
+        (a * (1.0 - w1 - w2) + b * w1 + c * w2)
+            .try_normalize()
+            .unwrap_or_else(face)
     }
 }
 
@@ -159,7 +192,12 @@ pub struct PrimaryHits<'a> {
 
 impl PrimaryHits<'_> {
     /// Calls `each` with column, row within the band and what is seen there, for every pixel of a band that sees the object.
-    pub fn walk(&self, band: &Band, fragments: &[Block], mut each: impl FnMut(usize, usize, PrimaryHit)) {
+    pub fn walk(
+        &self,
+        band: &Band,
+        fragments: &[Block],
+        mut each: impl FnMut(usize, usize, PrimaryHit),
+    ) {
         let centre = |x: usize, row: usize| pixel_centre(x, band.place.first_row as usize + row);
         if self.solid.surface.is_some() {
             for (x, row, fragment) in seen_fragments(band, fragments) {
@@ -174,16 +212,27 @@ impl PrimaryHits<'_> {
                 _ => &seen.insert((run.triangle, self.facet(run.triangle))).1,
             };
             let row = usize::from(run.row);
-            (usize::from(run.x0)..usize::from(run.x1)).for_each(|x| each(x, row, facet.at(centre(x, row))));
+            (usize::from(run.x0)..usize::from(run.x1))
+                .for_each(|x| each(x, row, facet.at(centre(x, row))));
         }
     }
 
     /// Calls `each` with row and columns of every run of a band's pixels that see the object.
-    pub fn walk_covered(&self, band: &Band, fragments: &[Block], mut each: impl FnMut(usize, Range<usize>)) {
+    pub fn walk_covered(
+        &self,
+        band: &Band,
+        fragments: &[Block],
+        mut each: impl FnMut(usize, Range<usize>),
+    ) {
         if self.solid.surface.is_some() {
             seen_fragments(band, fragments).for_each(|(x, row, _)| each(row, x..x + 1));
         } else {
-            band.runs.iter().for_each(|run| each(usize::from(run.row), usize::from(run.x0)..usize::from(run.x1)));
+            band.runs.iter().for_each(|run| {
+                each(
+                    usize::from(run.row),
+                    usize::from(run.x0)..usize::from(run.x1),
+                );
+            });
         }
     }
 
@@ -193,7 +242,11 @@ impl PrimaryHits<'_> {
         let depth = self.lens.depth_from_key(f64::from(key));
         let point = self.lens.world(start + direction * depth);
         let normal = DVec3::new(f64::from(nx), f64::from(ny), f64::from(nz)).normalize_or(DVec3::Y);
-        PrimaryHit { point, normal, lifted: point }
+        PrimaryHit {
+            point,
+            normal,
+            lifted: point,
+        }
     }
 
     /// What a pixel sees of `triangle`, one of the model's or of the clipper's.
@@ -207,10 +260,19 @@ impl PrimaryHits<'_> {
 }
 
 /// Column, row within the band and fragment of each pixel that sees the true surface.
-fn seen_fragments(band: &Band, fragments: &[Block]) -> impl Iterator<Item = (usize, usize, Fragment)> {
-    let lines = fragments.chunks_exact(Block::count(band.place.width)).zip(&band.extents).enumerate();
-    let seen = lines
-        .flat_map(|(row, (line, extent))| extent.clone().map(move |x| (x as usize, row, fragment(line, x as usize))));
+fn seen_fragments(
+    band: &Band,
+    fragments: &[Block],
+) -> impl Iterator<Item = (usize, usize, Fragment)> {
+    let lines = fragments
+        .chunks_exact(Block::count(band.place.width))
+        .zip(&band.extents)
+        .enumerate();
+    let seen = lines.flat_map(|(row, (line, extent))| {
+        extent
+            .clone()
+            .map(move |x| (x as usize, row, fragment(line, x as usize)))
+    });
     seen.filter(|(_, _, fragment)| is_seen(*fragment))
 }
 
@@ -247,11 +309,28 @@ impl<'a> Facet<'a> {
         } else {
             let d = lens.forward;
             let (first, second) = (d.cross(e2), e1.cross(d));
-            ([first, second, DVec3::ZERO], [-a.dot(first), -a.dot(second), e1.dot(first)])
+            (
+                [first, second, DVec3::ZERO],
+                [-a.dot(first), -a.dot(second), e1.dot(first)],
+            )
         };
-        let above = |k: usize| DVec3::from_array(corners.map(|corner| (corner - corners[k]).dot(normals[k])));
-        let above = if flat.is_some() { [DVec3::ZERO; 3] } else { [above(0), above(1), above(2)] };
-        Self { lens, corners, normals, flat, slopes, constants, above }
+        let above = |k: usize| {
+            DVec3::from_array(corners.map(|corner| (corner - corners[k]).dot(normals[k])))
+        };
+        let above = if flat.is_some() {
+            [DVec3::ZERO; 3]
+        } else {
+            [above(0), above(1), above(2)]
+        };
+        Self {
+            lens,
+            corners,
+            normals,
+            flat,
+            slopes,
+            constants,
+            above,
+        }
     }
 
     /// What is seen at a place in the picture; the plane's middle stands for one that is seen edge-on.
@@ -259,7 +338,8 @@ impl<'a> Facet<'a> {
     pub fn at(&self, place: DVec2) -> PrimaryHit {
         let (p, d) = self.lens.ray(place);
         let differing = if self.lens.perspective { d } else { p };
-        let [first, second, whole] = [0, 1, 2].map(|k| self.slopes[k].dot(differing) + self.constants[k]);
+        let [first, second, whole] =
+            [0, 1, 2].map(|k| self.slopes[k].dot(differing) + self.constants[k]);
         let inverse = 1.0 / whole;
         let (mut w1, mut w2) = (first * inverse, second * inverse);
         if !(w1.is_finite() && w2.is_finite()) {
@@ -268,14 +348,24 @@ impl<'a> Facet<'a> {
         let share = DVec3::new(1.0 - w1 - w2, w1, w2);
         let point = mean(&self.corners, share);
         match self.flat {
-            Some(normal) => PrimaryHit { point, normal, lifted: point },
+            Some(normal) => PrimaryHit {
+                point,
+                normal,
+                lifted: point,
+            },
             None => {
-                let normal = mean(&self.normals, share).try_normalize().unwrap_or_else(|| {
-                    // Vertex normals that cancel each other.
-                    let [a, b, c] = self.corners;
-                    (b - a).cross(c - a).normalize_or_zero()
-                });
-                PrimaryHit { point, normal, lifted: self.lifted(point, share) }
+                let normal = mean(&self.normals, share)
+                    .try_normalize()
+                    .unwrap_or_else(|| {
+                        // Vertex normals that cancel each other.
+                        let [a, b, c] = self.corners;
+                        (b - a).cross(c - a).normalize_or_zero()
+                    });
+                PrimaryHit {
+                    point,
+                    normal,
+                    lifted: self.lifted(point, share),
+                }
             }
         }
     }

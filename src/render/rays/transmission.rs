@@ -43,8 +43,17 @@ impl World<'_> {
         mut each: impl FnMut(usize, Transmission),
     ) {
         let solid = &self.hits.solid;
-        let none = Transmission { t: None, refractions: 0, total_reflections: 0, seen: Rgb::ZERO };
-        let mut paths = [Path { point: DVec3::ZERO, direction: DVec3::X, told: none }; RAYS];
+        let none = Transmission {
+            t: None,
+            refractions: 0,
+            total_reflections: 0,
+            seen: Rgb::ZERO,
+        };
+        let mut paths = [Path {
+            point: DVec3::ZERO,
+            direction: DVec3::X,
+            told: none,
+        }; RAYS];
         for (path, (_, hit, incident)) in paths.iter_mut().zip(rays) {
             (path.point, path.direction) = (hit.point, *incident);
             path.told.t = self.pass(path, hit.normal);
@@ -52,17 +61,28 @@ impl World<'_> {
         let mut packet = Packet::default();
         let (middle, _) = solid.ball();
         let whole = self.scene.transparency.through == Through::Solid;
-        let mut inside = if whole { u32::MAX >> (32 - rays.len().clamp(1, RAYS)) } else { 0 };
+        let mut inside = if whole {
+            u32::MAX >> (32 - rays.len().clamp(1, RAYS))
+        } else {
+            0
+        };
         let convex = solid.is_convex();
         let mut lost = 0_u32;
         while inside != 0 {
             for (ray, path) in paths.iter().enumerate() {
                 let start = path.point + path.direction * solid.clearance() - middle;
-                packet.set(ray, solid.past_inner_ball(start, path.direction), path.direction, f64::INFINITY);
+                packet.set(
+                    ray,
+                    solid.past_inner_ball(start, path.direction),
+                    path.direction,
+                    f64::INFINITY,
+                );
             }
             let mut on = 0;
             solid.nearest(&packet, inside, |ray, hit| {
-                let (Some(hit), path) = (hit, &mut paths[ray]) else { return };
+                let (Some(hit), path) = (hit, &mut paths[ray]) else {
+                    return;
+                };
                 path.point = hit.point;
                 self.pass(path, hit.normal);
                 // Nothing meets a convex solid that has left it.
@@ -75,7 +95,12 @@ impl World<'_> {
         }
         let mut on_floor = [(0, (DVec3::ZERO, DVec3::Y)); RAYS];
         let mut count = 0;
-        for (ray, path) in paths.iter_mut().enumerate().take(rays.len()).filter(|(ray, _)| lost >> ray & 1 == 0) {
+        for (ray, path) in paths
+            .iter_mut()
+            .enumerate()
+            .take(rays.len())
+            .filter(|(ray, _)| lost >> ray & 1 == 0)
+        {
             match self.meet(path.point, path.direction) {
                 Beyond::Elsewhere(color) => path.told.seen = color,
                 Beyond::Floor(point) => {
@@ -85,8 +110,12 @@ impl World<'_> {
             }
         }
         let points = on_floor.map(|(_, point)| point);
-        self.floor.light(&points[..count], scratch, |index, color| paths[on_floor[index].0].told.seen = color);
-        rays.iter().zip(&paths).for_each(|((number, ..), path)| each(*number, path.told));
+        self.floor.light(&points[..count], scratch, |index, color| {
+            paths[on_floor[index].0].told.seen = color;
+        });
+        rays.iter()
+            .zip(&paths)
+            .for_each(|((number, ..), path)| each(*number, path.told));
     }
 
     /// Refracts the path at a surface whose outward normal is `n`, or mirrors it where it cannot leave.

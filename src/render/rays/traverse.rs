@@ -25,7 +25,9 @@ impl Bvh {
     /// On which of the rays whose bits are set in `asked` anything lies, for 0 < t < t_max.
     #[inline(always)]
     pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> u32 {
-        let Some(root) = self.nodes.first() else { return 0 };
+        let Some(root) = self.nodes.first() else {
+            return 0;
+        };
         let rays = Rays::new(simd, packet, f64::from(root.radius()));
         let mut stack = [(0_u32, 0_u32); STACK];
         let mut waiting = 0;
@@ -36,7 +38,9 @@ impl Bvh {
             if among == 0 {
                 // All rays that came here are blocked by now.
             } else if node.count > 0 {
-                for corners in &self.corners[node.start as usize..(node.start + node.count) as usize] {
+                for corners in
+                    &self.corners[node.start as usize..(node.start + node.count) as usize]
+                {
                     let near = rays.pass_near(simd, corners) & among & open;
                     if near != 0 {
                         open &= !(meet_exactly(simd, packet, corners, near) & near);
@@ -107,8 +111,15 @@ impl Bvh {
     /// The first triangle on each of the rays whose bits are set in `asked`, for 0 < t < t_max.
     #[inline(always)]
     pub fn nearest<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> Nearest {
-        let mut nearest = Nearest { t: packet.t_max, triangle: [0; RAYS], weights: [[0.0; RAYS]; 2], met: 0 };
-        let Some(root) = self.nodes.first() else { return nearest };
+        let mut nearest = Nearest {
+            t: packet.t_max,
+            triangle: [0; RAYS],
+            weights: [[0.0; RAYS]; 2],
+            met: 0,
+        };
+        let Some(root) = self.nodes.first() else {
+            return nearest;
+        };
         let mut rays = Rays::new(simd, packet, f64::from(root.radius()));
         let mut stack = [(0_u32, 0_u32); STACK];
         let mut waiting = 0;
@@ -118,7 +129,9 @@ impl Bvh {
             if node.count > 0 && among != 0 {
                 let range = node.start as usize..(node.start + node.count) as usize;
                 let mut nearer = false;
-                for (corners, &triangle) in self.corners[range.clone()].iter().zip(&self.order[range]) {
+                for (corners, &triangle) in
+                    self.corners[range.clone()].iter().zip(&self.order[range])
+                {
                     let near = rays.pass_near(simd, corners) & among;
                     for first in [0, HALF] {
                         if near >> first & 0xff != 0 {
@@ -214,7 +227,11 @@ impl<S: Simd> Rays<S> {
                 let near = origin + start[ray] * direction;
                 origins[ray] = near;
                 // Two roundings of at most the origin's distance, where the ray was moved at all.
-                lost[ray] += if start[ray] > 0.0 { 4.0 * f64::EPSILON * origin.abs() } else { 0.0 };
+                lost[ray] += if start[ray] > 0.0 {
+                    4.0 * f64::EPSILON * origin.abs()
+                } else {
+                    0.0
+                };
                 widening[ray] = widening[ray].max(WIDENING * near.abs());
                 distance[ray] += near.abs();
                 speed[ray] += direction.abs();
@@ -228,7 +245,11 @@ impl<S: Simd> Rays<S> {
         for axis in 0..3 {
             for ray in 0..RAYS {
                 let (origin, direction) = (moved[axis][ray], packet.direction[axis][ray]);
-                let slope = if direction.abs() < LEVEL { LEVEL.copysign(direction) } else { direction };
+                let slope = if direction.abs() < LEVEL {
+                    LEVEL.copysign(direction)
+                } else {
+                    direction
+                };
                 low[axis][ray] = (origin + widening[ray]) as f32;
                 high[axis][ray] = (origin - widening[ray]) as f32;
                 inverse[axis][ray] = (1.0 / slope) as f32;
@@ -262,7 +283,8 @@ impl<S: Simd> Rays<S> {
     fn end_at(&mut self, simd: S, t: &[f64; RAYS]) {
         let mut limit = [0.0_f32; RAYS];
         for ray in 0..RAYS {
-            limit[ray] = ((t[ray] - self.start[ray]) * (1.0 + 2e-6) + 4.0 * f64::EPSILON * self.start[ray]) as f32;
+            limit[ray] = ((t[ray] - self.start[ray]) * (1.0 + 2e-6)
+                + 4.0 * f64::EPSILON * self.start[ray]) as f32;
         }
         self.limit = f32x16::from_slice(simd, &limit);
     }
@@ -273,12 +295,17 @@ impl<S: Simd> Rays<S> {
         let mut near = f32x16::splat(simd, 0.0);
         let mut far = f32x16::splat(simd, f32::INFINITY);
         for axis in 0..3 {
-            let low = (f32x16::splat(simd, node.low[axis]) - self.from_low[axis]) * self.inverse[axis];
-            let high = (f32x16::splat(simd, node.high[axis]) - self.from_high[axis]) * self.inverse[axis];
+            let low =
+                (f32x16::splat(simd, node.low[axis]) - self.from_low[axis]) * self.inverse[axis];
+            let high =
+                (f32x16::splat(simd, node.high[axis]) - self.from_high[axis]) * self.inverse[axis];
             near = near.max(low.min(high));
             far = far.min(low.max(high));
         }
-        (bits(near.simd_le(far * (1.0 + 1e-6)) & near.simd_le(self.limit)), near)
+        (
+            bits(near.simd_le(far * (1.0 + 1e-6)) & near.simd_le(self.limit)),
+            near,
+        )
     }
 
     /// Which of the rays may meet a triangle: all that do, and few others.
@@ -292,11 +319,15 @@ impl<S: Simd> Rays<S> {
         let determinant = packet::dot(&e1, &p);
         let one = f32x16::splat(simd, 1.0).copysign(determinant);
         let size = determinant.abs();
-        let (w1, w2) = (packet::dot(&from, &p) * one, packet::dot(&self.direction, &q) * one);
+        let (w1, w2) = (
+            packet::dot(&from, &p) * one,
+            packet::dot(&self.direction, &q) * one,
+        );
         let t = packet::dot(&e2, &q) * one;
         let error = self.error * longest;
         let depth_error = self.depth_error * (longest * longest);
-        let beside = w1.simd_lt(-error) | w2.simd_lt(-error) | (w1 + w2).simd_gt(size + error * 3.0);
+        let beside =
+            w1.simd_lt(-error) | w2.simd_lt(-error) | (w1 + w2).simd_gt(size + error * 3.0);
         let behind = t.simd_lt(-depth_error);
         // Without a sign of the determinant nothing is known.
         !bits((beside | behind) & size.simd_gt(error + Self::LEAST))
@@ -313,14 +344,28 @@ struct Met<S: Simd> {
 /// Which of the rays in `near` meet a triangle before their limit.
 #[inline(always)]
 fn meet_exactly<S: Simd>(simd: S, packet: &Packet, corners: &[Vec3; 3], near: u32) -> u32 {
-    let low = if near & 0xff == 0 { 0 } else { meet_half(simd, packet, &packet.t_max, corners, 0).rays };
-    let high = if near >> HALF == 0 { 0 } else { meet_half(simd, packet, &packet.t_max, corners, HALF).rays };
+    let low = if near & 0xff == 0 {
+        0
+    } else {
+        meet_half(simd, packet, &packet.t_max, corners, 0).rays
+    };
+    let high = if near >> HALF == 0 {
+        0
+    } else {
+        meet_half(simd, packet, &packet.t_max, corners, HALF).rays
+    };
     low | high << HALF
 }
 
 /// Where eight rays meet a triangle (T. Möller and B. Trumbore, *Fast, minimum storage ray/triangle intersection*, 1997).
 #[inline(always)]
-fn meet_half<S: Simd>(simd: S, packet: &Packet, limit: &[f64; RAYS], corners: &[Vec3; 3], first: usize) -> Met<S> {
+fn meet_half<S: Simd>(
+    simd: S,
+    packet: &Packet,
+    limit: &[f64; RAYS],
+    corners: &[Vec3; 3],
+    first: usize,
+) -> Met<S> {
     let [a, b, c] = corners.map(|corner| corner.as_dvec3());
     let (e1, e2, corner) = (splat(simd, b - a), splat(simd, c - a), splat(simd, a));
     let direction = half(simd, &packet.direction, first);
@@ -338,7 +383,11 @@ fn meet_half<S: Simd>(simd: S, packet: &Packet, limit: &[f64; RAYS], corners: &[
     let limit = f64x8::from_slice(simd, &limit[first..first + HALF]);
     let within = w1.simd_ge(least) & w1.simd_le(most) & w2.simd_ge(least) & (w1 + w2).simd_le(most);
     let met = within & t.simd_gt(zero) & t.simd_lt(limit) & determinant.simd_ne(zero);
-    Met { rays: met.to_bitmask() as u32, t, weights: [w1, w2] }
+    Met {
+        rays: met.to_bitmask() as u32,
+        t,
+        weights: [w1, w2],
+    }
 }
 
 #[inline(always)]
@@ -352,7 +401,11 @@ fn half<S: Simd>(simd: S, planes: &[[f64; RAYS]; 3], first: usize) -> Exact<S> {
 
 #[inline(always)]
 fn splat<S: Simd>(simd: S, v: DVec3) -> Exact<S> {
-    [f64x8::splat(simd, v.x), f64x8::splat(simd, v.y), f64x8::splat(simd, v.z)]
+    [
+        f64x8::splat(simd, v.x),
+        f64x8::splat(simd, v.y),
+        f64x8::splat(simd, v.z),
+    ]
 }
 
 #[inline(always)]
@@ -369,15 +422,24 @@ mod tests {
     use fearless_simd::{Level, dispatch};
 
     fn model(kind: ObjectKind) -> Model {
-        let mesh = tessellate(&Object { kind, segments: 40, rings: 23, ..Object::default() });
+        let mesh = tessellate(&Object {
+            kind,
+            segments: 40,
+            rings: 23,
+            ..Object::default()
+        });
         Model::new(mesh.with_vertex_normals(NormalSource::Exact, Weighting::Equal))
     }
 
     fn rays() -> Vec<(DVec3, DVec3)> {
         let part = |k: u32, factor: f64| (f64::from(k) * factor).fract() * 2.0 - 1.0;
         let ray = |k| {
-            let origin = DVec3::new(part(k, 0.618_034), part(k, 0.754_877), part(k, 0.569_84)) * 1.5;
-            (origin, DVec3::new(part(k, 0.438_579), part(k, 0.324_718), part(k, 0.220_744)))
+            let origin =
+                DVec3::new(part(k, 0.618_034), part(k, 0.754_877), part(k, 0.569_84)) * 1.5;
+            (
+                origin,
+                DVec3::new(part(k, 0.438_579), part(k, 0.324_718), part(k, 0.220_744)),
+            )
         };
         (1..2000).map(ray).collect()
     }
@@ -388,26 +450,49 @@ mod tests {
         let (e1, e2, from) = (b - a, c - a, origin - a);
         let (p, q) = (direction.cross(e2), from.cross(e1));
         let inverse = 1.0 / e1.dot(p);
-        let (w1, w2, t) = (from.dot(p) * inverse, direction.dot(q) * inverse, e2.dot(q) * inverse);
+        let (w1, w2, t) = (
+            from.dot(p) * inverse,
+            direction.dot(q) * inverse,
+            e2.dot(q) * inverse,
+        );
         (w1 >= -SEAM && w2 >= -SEAM && w1 + w2 <= 1.0 + SEAM && t > 0.0 && t < limit).then_some(t)
     }
 
     #[test]
     fn packets_find_what_a_search_through_all_triangles_finds() {
-        let kinds = [ObjectKind::Torus, ObjectKind::Teapot, ObjectKind::Plane, ObjectKind::Sphere];
-        for (kind, away) in kinds.into_iter().flat_map(|kind| [0.0, 1e8].map(|away| (kind, away))) {
+        let kinds = [
+            ObjectKind::Torus,
+            ObjectKind::Teapot,
+            ObjectKind::Plane,
+            ObjectKind::Sphere,
+        ];
+        for (kind, away) in kinds
+            .into_iter()
+            .flat_map(|kind| [0.0, 1e8].map(|away| (kind, away)))
+        {
             let model = model(kind);
             let bvh = Bvh::new(&model);
-            let corners: Vec<[Vec3; 3]> = model.triangles.iter().map(|t| t.map(|v| model.place(v))).collect();
+            let corners: Vec<[Vec3; 3]> = model
+                .triangles
+                .iter()
+                .map(|t| t.map(|v| model.place(v)))
+                .collect();
             let mut found = 0;
             for rays in rays().chunks_exact(RAYS) {
                 let mut packet = Packet::default();
                 for (k, (origin, direction)) in rays.iter().enumerate() {
-                    packet.set(k, *origin - *direction * away, *direction, away + 0.1 + 0.2 * k as f64);
+                    packet.set(
+                        k,
+                        *origin - *direction * away,
+                        *direction,
+                        away + 0.1 + 0.2 * k as f64,
+                    );
                 }
                 let first = |k: usize| {
                     let (origin, direction, t_max) = packet.ray(k);
-                    let nearer = |limit, corners: &[Vec3; 3]| meet(*corners, origin, direction, limit).unwrap_or(limit);
+                    let nearer = |limit, corners: &[Vec3; 3]| {
+                        meet(*corners, origin, direction, limit).unwrap_or(limit)
+                    };
                     Some(corners.iter().fold(t_max, nearer)).filter(|t| *t < t_max)
                 };
                 let expected: [Option<f64>; RAYS] = std::array::from_fn(first);
@@ -420,7 +505,12 @@ mod tests {
                         let nearest = dispatch!(level, simd => bvh.nearest(simd, &packet, asked));
                         for k in (0..RAYS).filter(|k| asked >> k & 1 == 1) {
                             let alone = nearest.of(k).map(|(t, ..)| t);
-                            assert!(alone.zip(expected[k]).is_none_or(|(a, b)| (a - b).abs() <= 1e-12 * b), "{kind:?}");
+                            assert!(
+                                alone
+                                    .zip(expected[k])
+                                    .is_none_or(|(a, b)| (a - b).abs() <= 1e-12 * b),
+                                "{kind:?}"
+                            );
                             assert_eq!(alone.is_some(), expected[k].is_some(), "{kind:?}");
                         }
                     }
@@ -432,7 +522,12 @@ mod tests {
 
     #[test]
     fn rays_from_far_away_enter_no_box_that_they_pass() {
-        let node = Node { low: [-1.0; 3], high: [1.0; 3], start: 0, count: 1 };
+        let node = Node {
+            low: [-1.0; 3],
+            high: [1.0; 3],
+            start: 0,
+            count: 1,
+        };
         let mut packet = Packet::default();
         for ray in 0..RAYS {
             let towards = DVec3::new(0.0, 0.92 + 0.05 * ray as f64, 0.0);
@@ -440,7 +535,8 @@ mod tests {
             packet.set(ray, origin, towards - origin, f64::INFINITY);
         }
         let radius = f64::from(node.radius());
-        let entered = dispatch!(Level::new(), simd => Rays::new(simd, &packet, radius).enter(simd, &node).0);
+        let entered =
+            dispatch!(Level::new(), simd => Rays::new(simd, &packet, radius).enter(simd, &node).0);
         assert_eq!(entered, 0x00ff, "those past y = 1.3 miss the corner");
     }
 
@@ -450,11 +546,18 @@ mod tests {
         assert!(radius > 0.98 && radius < 1.0, "{radius}");
         assert_eq!(Bvh::new(&model(ObjectKind::Torus)).inner_radius, 0.0);
         let position = [vec![0.0; 16], vec![0.0; 16], vec![0.0; 16]];
-        let place = Model { position, triangles: vec![[0, 1, 2]; 1000], ..Model::default() };
+        let place = Model {
+            position,
+            triangles: vec![[0, 1, 2]; 1000],
+            ..Model::default()
+        };
         let mut packet = Packet::default();
         packet.set(0, DVec3::Z, -DVec3::Z, f64::INFINITY);
         for bvh in [Bvh::new(&place), Bvh::new(&Model::default())] {
-            assert_eq!(dispatch!(Level::new(), simd => bvh.nearest(simd, &packet, 1)).of(0), None);
+            assert_eq!(
+                dispatch!(Level::new(), simd => bvh.nearest(simd, &packet, 1)).of(0),
+                None
+            );
         }
     }
 }

@@ -51,17 +51,24 @@ impl<'a> World<'a> {
     /// The world of `scene`; `ka` is the floor's coefficient of ambient light, and `shadows` says whether the object casts any.
     pub fn new(scene: &'a Scene, hits: PrimaryHits<'a>, ka: f64, shadows: bool) -> Self {
         let (lens, backdrop) = (hits.lens, &scene.backdrop);
-        let wall = Fields::new(backdrop.pattern, backdrop.scale, 2, DVec3::ZERO, 1.0).map(|fields| Wall {
-            centre: scene.camera.target + lens.forward * backdrop.distance,
-            right: lens.right,
-            up: lens.up,
-            forward: lens.forward,
-            fields,
-            color: backdrop.color,
-        });
-        let depth = wall.as_ref().map(|wall| (wall.centre - lens.eye).dot(lens.forward) / lens.unit);
+        let wall =
+            Fields::new(backdrop.pattern, backdrop.scale, 2, DVec3::ZERO, 1.0).map(|fields| Wall {
+                centre: scene.camera.target + lens.forward * backdrop.distance,
+                right: lens.right,
+                up: lens.up,
+                forward: lens.forward,
+                fields,
+                color: backdrop.color,
+            });
+        let depth = wall
+            .as_ref()
+            .map(|wall| (wall.centre - lens.eye).dot(lens.forward) / lens.unit);
         let Ground { kd, color, .. } = scene.ground;
-        let floor = matt_scene(scene, [Rgb::splat(ka), Rgb::splat(kd), color], Pattern::default());
+        let floor = matt_scene(
+            scene,
+            [Rgb::splat(ka), Rgb::splat(kd), color],
+            Pattern::default(),
+        );
         Self {
             scene,
             ground: scene.ground.visible.then_some(scene.ground.height),
@@ -75,11 +82,21 @@ impl<'a> World<'a> {
 
     /// What the ray meets first: the floor, the wall, or nothing.
     pub fn meet(&self, origin: DVec3, direction: DVec3) -> Beyond {
-        let floor = self.ground.and_then(|height| meet_floor(height, origin, direction));
-        let wall = self.wall.as_ref().and_then(|wall| wall.met(origin, direction));
+        let floor = self
+            .ground
+            .and_then(|height| meet_floor(height, origin, direction));
+        let wall = self
+            .wall
+            .as_ref()
+            .and_then(|wall| wall.met(origin, direction));
         match (floor, wall) {
-            (Some((t, point)), wall) if wall.is_none_or(|(nearest, _)| t <= nearest) => Beyond::Floor(point),
-            (_, wall) => Beyond::Elsewhere(wall.and_then(|(_, color)| color).unwrap_or(self.scene.image.background)),
+            (Some((t, point)), wall) if wall.is_none_or(|(nearest, _)| t <= nearest) => {
+                Beyond::Floor(point)
+            }
+            (_, wall) => Beyond::Elsewhere(
+                wall.and_then(|(_, color)| color)
+                    .unwrap_or(self.scene.image.background),
+            ),
         }
     }
 
@@ -89,9 +106,15 @@ impl<'a> World<'a> {
         if self.ground.is_some() {
             return;
         }
-        let (lens, depth, background) = (self.hits.lens, self.wall_depth, in_range(self.scene.image.background));
+        let (lens, depth, background) = (
+            self.hits.lens,
+            self.wall_depth,
+            in_range(self.scene.image.background),
+        );
         let Some(wall) = self.wall.as_ref().filter(|_| depth.is_finite()) else {
-            line.iter_mut().filter(|pixel| pixel.is_nan()).for_each(|pixel| *pixel = background);
+            line.iter_mut()
+                .filter(|pixel| pixel.is_nan())
+                .for_each(|pixel| *pixel = background);
             return;
         };
         let at = |x: f64| {
@@ -99,11 +122,22 @@ impl<'a> World<'a> {
             let place = lens.world(point + direction * depth) - wall.centre;
             DVec2::new(place.dot(wall.right), place.dot(wall.up))
         };
-        let (first, step) = (at(0.5), (at(line.len() as f64 + 0.5) - at(0.5)) / line.len() as f64);
+        let (first, step) = (
+            at(0.5),
+            (at(line.len() as f64 + 0.5) - at(0.5)) / line.len() as f64,
+        );
         let color = in_range(wall.color);
-        for (x, pixel) in line.iter_mut().enumerate().filter(|(_, pixel)| pixel.x.is_nan()) {
+        for (x, pixel) in line
+            .iter_mut()
+            .enumerate()
+            .filter(|(_, pixel)| pixel.x.is_nan())
+        {
             let place = first + step * x as f64;
-            *pixel = if wall.fields.lie_on(V3::new(place.x, place.y, 0.0)) { color } else { background };
+            *pixel = if wall.fields.lie_on(V3::new(place.x, place.y, 0.0)) {
+                color
+            } else {
+                background
+            };
         }
     }
 }
@@ -111,7 +145,10 @@ impl<'a> World<'a> {
 /// Where the ray meets the floor from above: how many times its length away, and the point (see `meet_eight`).
 fn meet_floor(height: f64, origin: DVec3, direction: DVec3) -> Option<(f64, DVec3)> {
     let t = (height - origin.y) / direction.y;
-    let point = DVec3 { y: height, ..origin + direction * t };
+    let point = DVec3 {
+        y: height,
+        ..origin + direction * t
+    };
     (direction.y < 0.0 && origin.y > height && point.is_finite()).then_some((t, point))
 }
 
@@ -127,14 +164,26 @@ impl Wall {
 
 /// An intensity in single precision, at most the brightest.
 pub fn in_range(intensity: Rgb) -> Vec3 {
-    intensity.clamp(Rgb::splat(-BRIGHTEST), Rgb::splat(BRIGHTEST)).as_vec3()
+    intensity
+        .clamp(Rgb::splat(-BRIGHTEST), Rgb::splat(BRIGHTEST))
+        .as_vec3()
 }
 
 /// The scene with a plain diffuse material. Sources that cannot light the object are kept.
 pub fn matt_scene(scene: &Scene, [ka, kd, color]: [Rgb; 3], pattern: Pattern) -> Scene {
-    let material =
-        Material { ka, kd, ks: Rgb::ZERO, color, reflectance: Reflectance::Constant, ..scene.material.clone() };
-    Scene { material, pattern, ..scene.clone() }
+    let material = Material {
+        ka,
+        kd,
+        ks: Rgb::ZERO,
+        color,
+        reflectance: Reflectance::Constant,
+        ..scene.material.clone()
+    };
+    Scene {
+        material,
+        pattern,
+        ..scene.clone()
+    }
 }
 
 /// A surface that pixels do not see directly, in the shadow of the object if that casts any.
@@ -171,12 +220,25 @@ impl<'a> DiffuseSurface<'a> {
         words.clear();
         words.resize(caster.words(stride), u64::MAX);
         dispatch!(caster.solid.level, simd => caster.mark_row(simd, row, stride, words, waiting));
-        Some(Reached { words, stride, first: 0 })
+        Some(Reached {
+            words,
+            stride,
+            first: 0,
+        })
     }
 
     /// Calls `each` with the index of every point, world, and I there.
-    pub fn light(&self, points: &[(DVec3, DVec3)], scratch: &mut LightScratch, mut each: impl FnMut(usize, Rgb)) {
-        let LightScratch { row, words, waiting } = scratch;
+    pub fn light(
+        &self,
+        points: &[(DVec3, DVec3)],
+        scratch: &mut LightScratch,
+        mut each: impl FnMut(usize, Rgb),
+    ) {
+        let LightScratch {
+            row,
+            words,
+            waiting,
+        } = scratch;
         for (first, points) in (0..).step_by(RAYS).zip(points.chunks(RAYS)) {
             if let Some(caster) = &self.caster {
                 row.clear(points.len());
@@ -187,7 +249,10 @@ impl<'a> DiffuseSurface<'a> {
             let reached = self.reached(1, row, words, waiting);
             for (index, (point, normal)) in points.iter().enumerate() {
                 let reached = Reached::starting_at(reached, index);
-                each(first + index, self.equation.illuminate_world(*point, *normal, reached));
+                each(
+                    first + index,
+                    self.equation.illuminate_world(*point, *normal, reached),
+                );
             }
         }
     }
@@ -208,17 +273,34 @@ impl FloorScratch {
     /// The point that a pixel of the row sees of the floor, relative to the eye, camera distances.
     pub fn seen(&self, x: usize) -> Option<Vec3> {
         let [px, py, pz] = &self.position;
-        (self.light.row.present[x / RAYS] >> (x % RAYS) & 1 == 1).then(|| Vec3::new(px[x], py[x], pz[x]))
+        (self.light.row.present[x / RAYS] >> (x % RAYS) & 1 == 1)
+            .then(|| Vec3::new(px[x], py[x], pz[x]))
     }
 }
 
 impl World<'_> {
     /// Puts the floor's intensity into the unset (NaN) pixels of row `y` that see the floor.
     #[inline(always)]
-    pub fn light_row<S: Simd>(&self, simd: S, y: usize, line: &mut [Vec3], scratch: &mut FloorScratch) {
+    pub fn light_row<S: Simd>(
+        &self,
+        simd: S,
+        y: usize,
+        line: &mut [Vec3],
+        scratch: &mut FloorScratch,
+    ) {
         if self.find_row(simd, y, line.len(), |x| line[x].x.is_nan(), scratch) {
-            let FloorScratch { light: LightScratch { row, words, waiting }, position } = scratch;
-            let reached = self.floor.reached(line.len().div_ceil(64), row, words, waiting);
+            let FloorScratch {
+                light:
+                    LightScratch {
+                        row,
+                        words,
+                        waiting,
+                    },
+                position,
+            } = scratch;
+            let reached = self
+                .floor
+                .reached(line.len().div_ceil(64), row, words, waiting);
             self.light_found(simd, row, position, reached, line);
         }
     }
@@ -233,10 +315,17 @@ impl World<'_> {
         wanted: impl Fn(usize) -> bool,
         scratch: &mut FloorScratch,
     ) -> bool {
-        let Some(ground) = self.ground else { return false };
-        let FloorScratch { light: LightScratch { row, .. }, position } = scratch;
+        let Some(ground) = self.ground else {
+            return false;
+        };
+        let FloorScratch {
+            light: LightScratch { row, .. },
+            position,
+        } = scratch;
         row.clear(width);
-        position.iter_mut().for_each(|plane| plane.resize(width.next_multiple_of(RAYS), 0.0));
+        position
+            .iter_mut()
+            .for_each(|plane| plane.resize(width.next_multiple_of(RAYS), 0.0));
         let mut any = false;
         for x in (0..width).step_by(EIGHT) {
             let mut eight = 0;
@@ -262,13 +351,25 @@ impl World<'_> {
         position: &mut [Vec<f32>; 3],
     ) -> bool {
         let lens = self.hits.lens;
-        let Lens { eye, unit, right, focal, middle, perspective, .. } = *lens;
+        let Lens {
+            eye,
+            unit,
+            right,
+            focal,
+            middle,
+            perspective,
+            ..
+        } = *lens;
         let (point, direction) = lens.ray(DVec2::new(middle.x, y as f64 + 0.5));
         let columns: [f64; EIGHT] = [0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5];
         let across = (f64x8::from_slice(simd, &columns) + (x as f64 - middle.x)) / focal;
         let splat = |v: f64| f64x8::splat(simd, v);
         let drop = (height - eye.y) / unit;
-        let (from, along) = if perspective { (splat(0.0), across) } else { (across, splat(0.0)) };
+        let (from, along) = if perspective {
+            (splat(0.0), across)
+        } else {
+            (across, splat(0.0))
+        };
         let from_y = from * right.y + point.y;
         let along_y = along * right.y + direction.y;
         let t = (splat(drop) - from_y) / along_y;
@@ -318,12 +419,21 @@ impl World<'_> {
             if present == 0 {
                 continue;
             }
-            let position =
-                V3::new(Lanes::load(simd, &px[x..]), Lanes::load(simd, &py[x..]), Lanes::load(simd, &pz[x..]));
+            let position = V3::new(
+                Lanes::load(simd, &px[x..]),
+                Lanes::load(simd, &py[x..]),
+                Lanes::load(simd, &pz[x..]),
+            );
             let point = self.floor_lanes.site(position, V3::new(zero, one, zero));
             let reached = Reached::starting_at(reached, x);
-            let [r, g, b] = self.floor_lanes.illuminate::<Lanes<S>, NoSpecular>(&point, reached);
-            for (lane, pixel) in pixels.iter_mut().enumerate().filter(|(lane, _)| present >> lane & 1 == 1) {
+            let [r, g, b] = self
+                .floor_lanes
+                .illuminate::<Lanes<S>, NoSpecular>(&point, reached);
+            for (lane, pixel) in pixels
+                .iter_mut()
+                .enumerate()
+                .filter(|(lane, _)| present >> lane & 1 == 1)
+            {
                 *pixel = Vec3::new(r.0[lane], g.0[lane], b.0[lane]);
             }
         }

@@ -9,8 +9,8 @@ use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
 use crate::render::node::{Memory, room};
 use crate::render::raster::{
-    BAND, Band, BandPlace, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, carry, fragment, interpolate, is_seen,
-    meet_band,
+    BAND, Band, BandPlace, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, carry, fragment,
+    interpolate, is_seen, meet_band,
 };
 use crate::scene::FlatAt;
 use crate::with_form;
@@ -82,24 +82,49 @@ impl BandPainter<'_> {
         canvas: (&mut [[u8; 4]], &mut [Linear]),
     ) -> Tally {
         let began = self.now();
-        let Inputs { level, plan, triangles, .. } = self.inputs;
+        let Inputs {
+            level,
+            plan,
+            triangles,
+            ..
+        } = self.inputs;
         let [width, height] = self.inputs.scene.image.size;
         let Interpolated { carried, fragments } = interpolated;
         bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
-        let blocks = if plan.keeps_fragments() { Block::count(width) * height as usize } else { 0 };
+        let blocks = if plan.keeps_fragments() {
+            Block::count(width) * height as usize
+        } else {
+            0
+        };
         fragments.resize(blocks, Block::GAP);
         if self.stale.interpolation && plan.interpolates() {
-            let planes = if plan.per == Per::Pixel { &triangles.model.normal } else { self.intensity };
+            let planes = if plan.per == Per::Pixel {
+                &triangles.model.normal
+            } else {
+                self.intensity
+            };
             let by_key = plan.carries && plan.perspective;
-            carry(level, planes.each_ref().map(Vec::as_slice), by_key, &triangles, carried);
+            carry(
+                level,
+                planes.each_ref().map(Vec::as_slice),
+                by_key,
+                &triangles,
+                carried,
+            );
         }
         let carrying = self.now().saturating_sub(began);
         let jobs = jobs(bands, fragments, canvas, [width, height]).into_par_iter();
         let sum = |a: Tally, b: Tally| std::array::from_fn(|k| a[k] + b[k]);
-        let [covering, interpolating, shading, overflowing] =
-            jobs.map(|job| self.paint(job, carried)).reduce(Tally::default, sum);
+        let [covering, interpolating, shading, overflowing] = jobs
+            .map(|job| self.paint(job, carried))
+            .reduce(Tally::default, sum);
         let threads = rayon::current_num_threads().max(1) as u64;
-        [covering / threads, interpolating / threads + carrying, shading / threads, overflowing]
+        [
+            covering / threads,
+            interpolating / threads + carrying,
+            shading / threads,
+            overflowing,
+        ]
     }
 
     fn now(&self) -> u64 {
@@ -109,7 +134,12 @@ impl BandPainter<'_> {
     /// Whether fragments are to be made: those that are kept are as good as what they are made from.
     pub fn interpolates(&self) -> bool {
         let plan = self.inputs.plan;
-        plan.interpolates() && if plan.keeps_fragments() { self.stale.interpolation } else { self.shades }
+        plan.interpolates()
+            && if plan.keeps_fragments() {
+                self.stale.interpolation
+            } else {
+                self.shades
+            }
     }
 
     fn paint(&self, job: Job<'_>, carried: &[Fragment]) -> Tally {
@@ -135,7 +165,9 @@ impl BandPainter<'_> {
             lap(0);
         }
         if self.interpolates() {
-            let Job { band, fragments, .. } = &mut job;
+            let Job {
+                band, fragments, ..
+            } = &mut job;
             let (sources, scanline) = ((self.inputs.triangles, carried), self.inputs.plan.scanline);
             dispatch!(self.inputs.level, simd => interpolate(simd, band, sources, scanline, fragments));
             lap(1);
@@ -147,8 +179,20 @@ impl BandPainter<'_> {
     }
 
     fn cover(&self, job: &mut Job<'_>) {
-        let Job { index, band, fragments, .. } = job;
-        let Inputs { level, plan, lens, triangles, surface, .. } = self.inputs;
+        let Job {
+            index,
+            band,
+            fragments,
+            ..
+        } = job;
+        let Inputs {
+            level,
+            plan,
+            lens,
+            triangles,
+            surface,
+            ..
+        } = self.inputs;
         if plan.true_surface {
             if let Some(surface) = surface {
                 meet_band(lens, surface, band, fragments);
@@ -174,11 +218,18 @@ impl BandPainter<'_> {
         let encoding = self.inputs.scene.display.encoding;
         let background = self.inputs.scene.image.background;
         if job.linear.is_empty() {
-            let target = Stored { pixels: &mut *job.pixels, background: stored_pixel(background, encoding), encoding };
+            let target = Stored {
+                pixels: &mut *job.pixels,
+                background: stored_pixel(background, encoding),
+                encoding,
+            };
             self.shade_into(job.band, job.fragments, target)
         } else {
             let [r, g, b] = background.as_vec3().to_array();
-            let target = Unstored { pixels: &mut *job.linear, background: [r, g, b, 0.0] };
+            let target = Unstored {
+                pixels: &mut *job.linear,
+                background: [r, g, b, 0.0],
+            };
             self.shade_into(job.band, job.fragments, target)
         }
     }
@@ -192,7 +243,9 @@ impl BandPainter<'_> {
             return dispatch!(level, simd => self.fill_faces(simd, band, target));
         }
         if plan.per != Per::Pixel {
-            let carried = Carried { by_key: plan.carries && plan.perspective };
+            let carried = Carried {
+                by_key: plan.carries && plan.perspective,
+            };
             return dispatch!(level, simd => shade(simd, band, fragments, carried, &mut target));
         }
         with_form!(self.equation.form(), F => {
@@ -219,7 +272,10 @@ impl BandPainter<'_> {
         let mut last = (u32::MAX, target.ink(simd, [0.0; 3]));
         for run in &band.runs {
             if last.0 != run.triangle {
-                last = (run.triangle, target.ink(simd, self.face_intensity(run.triangle)));
+                last = (
+                    run.triangle,
+                    target.ink(simd, self.face_intensity(run.triangle)),
+                );
             }
             let row = usize::from(run.row) * width;
             over += target.fill(row + usize::from(run.x0)..row + usize::from(run.x1), last.1);
@@ -229,7 +285,9 @@ impl BandPainter<'_> {
 
     #[inline(always)]
     fn face_intensity(&self, triangle: u32) -> [f32; 3] {
-        let Inputs { triangles, scene, .. } = &self.inputs;
+        let Inputs {
+            triangles, scene, ..
+        } = &self.inputs;
         let at = |point: u32| self.intensity.each_ref().map(|plane| plane[point as usize]);
         let face = triangles.face(triangle);
         let corners = triangles.model.face(face);
@@ -238,7 +296,10 @@ impl BandPainter<'_> {
             FlatAt::ProvokingVertex => at(corners.first().copied().unwrap_or_default()),
             FlatAt::VertexMean => {
                 let share = 1.0 / corners.len().max(1) as f32;
-                let sum = corners.iter().map(|&v| at(v)).fold([0.0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
+                let sum = corners
+                    .iter()
+                    .map(|&v| at(v))
+                    .fold([0.0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
                 sum.map(|v| v * share)
             }
         }
@@ -294,7 +355,11 @@ fn jobs<'a>(
     let (mut pixels, mut linear) = (canvas.0.chunks_mut(share), canvas.1.chunks_mut(share));
     let bands = bands.iter_mut().zip((0..height).step_by(ROWS)).enumerate();
     let job = |(index, (band, first_row)): (usize, (&'a mut Band, u32))| {
-        band.place = BandPlace { first_row, rows: BAND.min(height - first_row), width };
+        band.place = BandPlace {
+            first_row,
+            rows: BAND.min(height - first_row),
+            width,
+        };
         Job {
             index,
             band,

@@ -21,19 +21,27 @@ impl Inputs<'_> {
     /// s0 at points given relative to `origin`.
     fn scales(&self, origin: DVec3, position: &Planes) -> Vec<f32> {
         let mut scales = vec![0.0; position[0].len()];
-        scales.par_chunks_mut(POINTS).enumerate().for_each(|(chunk, scales)| {
-            let start = chunk * POINTS;
-            let [x, y, z] = position.each_ref().map(|plane| &plane[start..start + scales.len()]);
-            for (((scale, x), y), z) in scales.iter_mut().zip(x).zip(y).zip(z) {
-                *scale = self.scale(origin + Vec3::new(*x, *y, *z).as_dvec3()) as f32;
-            }
-        });
+        scales
+            .par_chunks_mut(POINTS)
+            .enumerate()
+            .for_each(|(chunk, scales)| {
+                let start = chunk * POINTS;
+                let [x, y, z] = position
+                    .each_ref()
+                    .map(|plane| &plane[start..start + scales.len()]);
+                for (((scale, x), y), z) in scales.iter_mut().zip(x).zip(y).zip(z) {
+                    *scale = self.scale(origin + Vec3::new(*x, *y, *z).as_dvec3()) as f32;
+                }
+            });
         scales
     }
 
     /// Lets the intensities of points fade.
     pub fn fade_points(&self, origin: DVec3, position: &Planes, intensity: &mut Planes) {
-        let (scales, color) = (self.scales(origin, position), self.scene.depth_cueing.color.as_vec3());
+        let (scales, color) = (
+            self.scales(origin, position),
+            self.scene.depth_cueing.color.as_vec3(),
+        );
         for (plane, color) in intensity.iter_mut().zip(color.to_array()) {
             for (value, s0) in plane.iter_mut().zip(&scales) {
                 *value = s0 * *value + (1.0 - s0) * color;
@@ -66,14 +74,19 @@ impl CueLayer {
             Cued::Nowhere => {}
             Cued::AtPixels if plan.keeps_fragments() => self.by_depth(inputs, coverage),
             Cued::AtPoints if !plan.carries => self.by_face(inputs, coverage, middles),
-            Cued::AtPixels | Cued::AtVertices | Cued::AtPoints => self.by_carrying(inputs, coverage),
+            Cued::AtPixels | Cued::AtVertices | Cued::AtPoints => {
+                self.by_carrying(inputs, coverage);
+            }
         }
     }
 
     /// From the depths of the bands' own fragments.
     fn by_depth(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>) {
         let [width, _] = coverage.size;
-        let bands = self.scales.par_chunks_mut(ROWS * width as usize).zip(coverage.parts());
+        let bands = self
+            .scales
+            .par_chunks_mut(ROWS * width as usize)
+            .zip(coverage.parts());
         bands.for_each(|(scales, (_, fragments))| {
             for (scales, line) in rows(scales, fragments, width) {
                 for (x, scale) in scales.iter_mut().enumerate() {
@@ -86,9 +99,19 @@ impl CueLayer {
     /// One for each flat polygon, where its intensity is found.
     fn by_face(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>, middles: &Planes) {
         let (model, flat_at) = (inputs.triangles.model, inputs.scene.shading.flat_at);
-        let points = inputs.scales(model.origin, if flat_at == FlatAt::Centre { middles } else { &model.position });
+        let points = inputs.scales(
+            model.origin,
+            if flat_at == FlatAt::Centre {
+                middles
+            } else {
+                &model.position
+            },
+        );
         let width = coverage.size[0] as usize;
-        let bands = self.scales.par_chunks_mut(ROWS * width).zip(coverage.parts());
+        let bands = self
+            .scales
+            .par_chunks_mut(ROWS * width)
+            .zip(coverage.parts());
         bands.for_each(|(scales, (band, _))| {
             for run in &band.runs {
                 let scale = of_face(flat_at, &points, model, inputs.triangles.face(run.triangle));
@@ -102,13 +125,25 @@ impl CueLayer {
     fn by_carrying(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>) {
         let (plan, model, [width, height]) = (inputs.plan, inputs.triangles.model, coverage.size);
         let by_depth = plan.cued == Cued::AtPixels;
-        let points =
-            if by_depth { vec![0.0; model.padded_len()] } else { inputs.scales(model.origin, &model.position) };
-        carry(inputs.level, [&points; 3], plan.perspective, &inputs.triangles, &mut self.carried);
+        let points = if by_depth {
+            vec![0.0; model.padded_len()]
+        } else {
+            inputs.scales(model.origin, &model.position)
+        };
+        carry(
+            inputs.level,
+            [&points; 3],
+            plan.perspective,
+            &inputs.triangles,
+            &mut self.carried,
+        );
         let blocks = Block::count(width);
         self.fragments.resize(blocks * height as usize, Block::GAP);
         let sources = (inputs.triangles, &*self.carried);
-        let bands = self.scales.par_chunks_mut(ROWS * width as usize).zip(self.fragments.par_chunks_mut(ROWS * blocks));
+        let bands = self
+            .scales
+            .par_chunks_mut(ROWS * width as usize)
+            .zip(self.fragments.par_chunks_mut(ROWS * blocks));
         bands.zip(coverage.parts()).for_each(|((scales, fragments), (band, _))| {
             dispatch!(inputs.level, simd => interpolate(simd, band, sources, plan.scanline, fragments));
             for (scales, line) in rows(scales, fragments, width) {
@@ -131,12 +166,16 @@ fn rows<'a>(
     fragments: &'a [Block],
     width: u32,
 ) -> impl Iterator<Item = (&'a mut [f32], &'a [Block])> {
-    scales.chunks_mut(width as usize).zip(fragments.chunks(Block::count(width)))
+    scales
+        .chunks_mut(width as usize)
+        .zip(fragments.chunks(Block::count(width)))
 }
 
 /// s0 at a depth key.
 fn at_key(Inputs { lens, scene, .. }: &Inputs<'_>, key: f32) -> f32 {
-    scene.depth_cueing.scale_at(lens.depth_from_key(f64::from(key)) * lens.unit) as f32
+    scene
+        .depth_cueing
+        .scale_at(lens.depth_from_key(f64::from(key)) * lens.unit) as f32
 }
 
 /// What a flat polygon's s0 is, from those of the points where its intensity is found.

@@ -11,7 +11,12 @@ pub type Linear = [f32; 4];
 
 /// Puts together what the equation gave, what is seen beyond and what other surfaces scatter; returns how many pixels overflow.
 /// Where the equation's part has faded at vertices or faces already, `faded` has s0 at each pixel, for what is added there.
-pub fn compose(scene: &Scene, [seen, bounced]: [&[Vec3]; 2], faded: Option<&[f32]>, linear: &mut [Linear]) -> u64 {
+pub fn compose(
+    scene: &Scene,
+    [seen, bounced]: [&[Vec3]; 2],
+    faded: Option<&[f32]>,
+    linear: &mut [Linear],
+) -> u64 {
     let width = scene.image.size[0] as usize;
     let kt = scene.transparency.kt as f32;
     let side = scene.ambient.source;
@@ -23,8 +28,16 @@ pub fn compose(scene: &Scene, [seen, bounced]: [&[Vec3]; 2], faded: Option<&[f32
             let index = row * width + x;
             let covered = pixel[3] > 0.0;
             let beyond = seen.get(index).copied().unwrap_or(Vec3::ZERO);
-            let mut color = if covered { Vec3::from_slice(&pixel[..3]) } else { beyond };
-            let s0 = faded.filter(|_| covered).and_then(|faded| faded.get(index)).copied().unwrap_or(1.0);
+            let mut color = if covered {
+                Vec3::from_slice(&pixel[..3])
+            } else {
+                beyond
+            };
+            let s0 = faded
+                .filter(|_| covered)
+                .and_then(|faded| faded.get(index))
+                .copied()
+                .unwrap_or(1.0);
             if let Some(difference) = bounced.get(index).filter(|_| bounces_at(side, x, width)) {
                 // What has faded holds its veil already, which no lack of light takes away.
                 color = (color + s0 * *difference).max((1.0 - s0) * veil);
@@ -52,7 +65,11 @@ pub fn bounces_at(source: AmbientSource, x: usize, width: usize) -> bool {
 
 /// The transfer function of IEC 61966-2-1 for 0 ≤ v ≤ 1.
 pub fn srgb(v: f64) -> f64 {
-    if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 }
+    if v <= 0.003_130_8 {
+        12.92 * v
+    } else {
+        1.055 * v.powf(1.0 / 2.4) - 0.055
+    }
 }
 
 /// The stored value of a linear intensity: clamped, encoded, times 255, rounded.
@@ -116,20 +133,32 @@ pub fn pack<S: Simd>(
     let over = (peak.greater_than(one) & covered).to_bitmask();
     let [r, g, b] = color;
     let (r, g, b) = (code(r, encoding), code(g, encoding), code(b, encoding));
-    let pixel = r | (g << 8) | (b << 16) | S::i32s::simd_from(simd, i32::from_le_bytes([0, 0, 0, 255]));
+    let pixel =
+        r | (g << 8) | (b << 16) | S::i32s::simd_from(simd, i32::from_le_bytes([0, 0, 0, 255]));
     (covered.select(pixel, background).bitcast(), over)
 }
 
 /// Stores a linear picture of `width` columns by the policies that need to see all of it; returns what it was divided by.
-pub fn display(level: Level, linear: &[Linear], width: usize, policy: &Display, out: &mut [[u8; 4]]) -> f64 {
+pub fn display(
+    level: Level,
+    linear: &[Linear],
+    width: usize,
+    policy: &Display,
+    out: &mut [[u8; 4]],
+) -> f64 {
     // The fourth component is 1 at most.
     let peak = |line: &[Linear]| dispatch!(level, simd => greatest(simd, line.as_flattened()));
     let divisor = match policy.overflow {
-        Overflow::Scale => linear.par_chunks_exact(width).map(peak).reduce(|| 1.0, f32::max),
+        Overflow::Scale => linear
+            .par_chunks_exact(width)
+            .map(peak)
+            .reduce(|| 1.0, f32::max),
         Overflow::Clamp | Overflow::Mark => 1.0,
     };
     let factor = 1.0 / divisor;
-    let lines = linear.par_chunks_exact(width).zip(out.par_chunks_exact_mut(width));
+    let lines = linear
+        .par_chunks_exact(width)
+        .zip(out.par_chunks_exact_mut(width));
     lines.enumerate().for_each(|(row, (line, pixels))| {
         dispatch!(level, simd => store_line(simd, (row, line), factor, policy, pixels));
     });
@@ -159,10 +188,17 @@ fn store_line<S: Simd>(
     let lanes = Lanes::<S>::LEN;
     let (all, nothing) = (S::mask32s::splat(simd, true), S::i32s::simd_from(simd, 0));
     let mut planes = [[0.0; WIDEST]; 4];
-    for (first, (colors, pixels)) in (0..).step_by(lanes).zip(line.chunks(lanes).zip(pixels.chunks_mut(lanes))) {
+    for (first, (colors, pixels)) in (0..)
+        .step_by(lanes)
+        .zip(line.chunks(lanes).zip(pixels.chunks_mut(lanes)))
+    {
         separate(simd, colors, &mut planes);
         let [r, g, b, _] = &planes;
-        let color = [Lanes::load(simd, r) * factor, Lanes::load(simd, g) * factor, Lanes::load(simd, b) * factor];
+        let color = [
+            Lanes::load(simd, r) * factor,
+            Lanes::load(simd, g) * factor,
+            Lanes::load(simd, b) * factor,
+        ];
         let (packed, mut over) = pack(simd, color, all, nothing, policy.encoding);
         let bytes = pixels.as_flattened_mut();
         bytes.copy_from_slice(&packed.as_slice()[..bytes.len()]);
@@ -200,7 +236,11 @@ fn separate<S: Simd>(simd: S, colors: &[Linear], planes: &mut [[f32; WIDEST]; 4]
 
 /// Black and white diagonal stripes, three pixels wide, which no shading looks like.
 fn hatching(x: usize, y: usize) -> [u8; 4] {
-    if ((x + y) / 3).is_multiple_of(2) { [0, 0, 0, 255] } else { [255, 255, 255, 255] }
+    if ((x + y) / 3).is_multiple_of(2) {
+        [0, 0, 0, 255]
+    } else {
+        [255, 255, 255, 255]
+    }
 }
 
 #[cfg(test)]
@@ -219,7 +259,13 @@ mod tests {
             for overflow in [Overflow::Clamp, Overflow::Scale, Overflow::Mark] {
                 for encoding in [Encoding::Raw, Encoding::Srgb] {
                     let mut out = vec![[0; 4]; linear.len()];
-                    let divisor = display(level, &linear, 37, &Display { overflow, encoding }, &mut out);
+                    let divisor = display(
+                        level,
+                        &linear,
+                        37,
+                        &Display { overflow, encoding },
+                        &mut out,
+                    );
                     assert_eq!(divisor > 1.1, overflow == Overflow::Scale, "{divisor}");
                     for (index, (color, pixel)) in linear.iter().zip(&out).enumerate() {
                         if overflow == Overflow::Mark && color.iter().any(|&v| v > 1.0) {
@@ -228,7 +274,10 @@ mod tests {
                         }
                         for channel in 0..3 {
                             let expected = stored(f64::from(color[channel]) / divisor, encoding);
-                            assert!(pixel[channel].abs_diff(expected) <= 1, "{color:?}: {pixel:?}, {expected}");
+                            assert!(
+                                pixel[channel].abs_diff(expected) <= 1,
+                                "{color:?}: {pixel:?}, {expected}"
+                            );
                         }
                         assert_eq!(pixel[3], 255);
                     }

@@ -43,8 +43,20 @@ pub enum Stage {
 impl Stage {
     /// In their order.
     const ALL: [Self; 8] = {
-        use Stage::{Coverage, Display, Geometry, Interpolation, PixelShading, Rays, Transform, VertexShading};
-        [Geometry, Transform, VertexShading, Rays, Coverage, Interpolation, PixelShading, Display]
+        use Stage::{
+            Coverage, Display, Geometry, Interpolation, PixelShading, Rays, Transform,
+            VertexShading,
+        };
+        [
+            Geometry,
+            Transform,
+            VertexShading,
+            Rays,
+            Coverage,
+            Interpolation,
+            PixelShading,
+            Display,
+        ]
     };
 }
 
@@ -92,7 +104,12 @@ pub struct Report {
 impl Report {
     /// Starts the account of a frame: no stage has run.
     pub(super) fn begin(&mut self) {
-        let run = |stage| StageRun { stage, ran: false, nanoseconds: 0, evaluations: 0 };
+        let run = |stage| StageRun {
+            stage,
+            ran: false,
+            nanoseconds: 0,
+            evaluations: 0,
+        };
         self.stages = Stage::ALL.map(run).to_vec();
     }
 
@@ -113,7 +130,9 @@ pub const COARSEST: u32 = 8;
 
 /// Downscale factor that keeps a frame of this cost within the budget; 1 for none.
 pub fn coarseness(nanoseconds: u64) -> u32 {
-    (1..COARSEST).find(|coarser| nanoseconds / u64::from(coarser * coarser) <= BUDGET).unwrap_or(COARSEST)
+    (1..COARSEST)
+        .find(|coarser| nanoseconds / u64::from(coarser * coarser) <= BUDGET)
+        .unwrap_or(COARSEST)
 }
 
 /// A picture's size drawn coarser.

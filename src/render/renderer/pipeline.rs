@@ -70,7 +70,10 @@ pub(super) struct Job {
 impl Renderer {
     /// A renderer that measures its stages by `clock`, which gives nanoseconds from any fixed moment.
     pub fn with_clock(clock: fn() -> u64) -> Self {
-        Self { clock: Some(clock), ..Self::default() }
+        Self {
+            clock: Some(clock),
+            ..Self::default()
+        }
     }
 
     /// The same renderer on another SIMD level than the machine's best.
@@ -128,7 +131,13 @@ impl Renderer {
 
     /// The same for a part of a picture of `size` pixels whose samples lie `offset` pixels from the centres; `linear` says whether
     /// all of it is kept before the display.
-    pub(super) fn draw(&mut self, scene: &Scene, size: [u32; 2], offset: DVec2, linear: bool) -> &Frame {
+    pub(super) fn draw(
+        &mut self,
+        scene: &Scene,
+        size: [u32; 2],
+        offset: DVec2,
+        linear: bool,
+    ) -> &Frame {
         let began = self.now();
         self.mesh(scene);
         let job = self.plan_frame(scene, size, offset, linear);
@@ -154,23 +163,48 @@ impl Renderer {
         let shows_model = object.kind == ObjectKind::Obj;
         let given = if shows_model { self.given.1 } else { 0 };
         let polygons = (object.kind == ObjectKind::Polygons).then(|| object.polygons());
-        let mut ran = self.mesh.update((object.kind, object.segments, object.rings, given, polygons), |mesh| {
-            *mesh = if shows_model {
-                MeshSource { mesh: self.given.0.clone().unwrap_or_default().into(), shape: None }
-            } else {
-                MeshSource { shape: Some(object.clone()), ..MeshSource::default() }
-            };
-        });
+        let mut ran = self.mesh.update(
+            (object.kind, object.segments, object.rings, given, polygons),
+            |mesh| {
+                *mesh = if shows_model {
+                    MeshSource {
+                        mesh: self.given.0.clone().unwrap_or_default().into(),
+                        shape: None,
+                    }
+                } else {
+                    MeshSource {
+                        shape: Some(object.clone()),
+                        ..MeshSource::default()
+                    }
+                };
+            },
+        );
         let normals = Plan::normals(scene);
         let averages = matches!(normals, NormalSource::Averaged | NormalSource::File);
-        let weighting = if averages { object.weighting } else { Weighting::Equal };
-        ran |= self.model.update((self.mesh.stamp, normals, weighting), |model| {
-            *model = Model::new(self.mesh.output.mesh().with_vertex_normals(normals, weighting));
-            self.mesh.output.release();
-        });
+        let weighting = if averages {
+            object.weighting
+        } else {
+            Weighting::Equal
+        };
+        ran |= self
+            .model
+            .update((self.mesh.stamp, normals, weighting), |model| {
+                *model = Model::new(
+                    self.mesh
+                        .output
+                        .mesh()
+                        .with_vertex_normals(normals, weighting),
+                );
+                self.mesh.output.release();
+            });
         if Plan::shows_surface(scene) {
-            let shape = Object { path: None, ..object.clone() };
-            ran |= self.surface.update(shape, |surface| *surface = Surface::of(object));
+            let shape = Object {
+                path: None,
+                ..object.clone()
+            };
+            ran |= self
+                .surface
+                .update(shape, |surface| *surface = Surface::of(object));
         }
         self.note(Stage::Geometry, ran, began, 0);
         let (model, report) = (&self.model.output, &mut self.report);
@@ -189,7 +223,12 @@ impl Renderer {
         if !(plan.shadows || plan.composes) {
             self.report.stages.retain(|run| run.stage != Stage::Rays);
         }
-        let lens = Lens::new(&scene.camera, size, offset, self.model.output.unit(&scene.camera));
+        let lens = Lens::new(
+            &scene.camera,
+            size,
+            offset,
+            self.model.output.unit(&scene.camera),
+        );
         let mut equation = Equation::<f32>::in_units(scene, lens.unit);
         equation.retain_lights(|light| plan.lights[light]);
         if plan.leaves_out {
@@ -197,7 +236,12 @@ impl Renderer {
         } else {
             equation.leave_nothing_out(scene);
         }
-        Job { scene: scene.clone(), plan, lens, equation }
+        Job {
+            scene: scene.clone(),
+            plan,
+            lens,
+            equation,
+        }
     }
 
     /// The triangles to where they lie in the picture, clipped and sorted into bands of rows.
@@ -210,21 +254,37 @@ impl Renderer {
         let (size, cull) = (job.scene.image.size, job.plan.cull);
         let key = (self.model.stamp, job.lens, size, cull);
         let (level, model) = (self.level(), &self.model.output);
-        let ran = self.placed.update(key, |placed| placed.run(level, &job.lens, model, size, cull));
-        let PlacedTriangles { clipped, candidates, .. } = &self.placed.output;
-        (self.report.candidates, self.report.clipped) = (*candidates, clipped.triangles.len() as u64);
+        let ran = self.placed.update(key, |placed| {
+            placed.run(level, &job.lens, model, size, cull);
+        });
+        let PlacedTriangles {
+            clipped,
+            candidates,
+            ..
+        } = &self.placed.output;
+        (self.report.candidates, self.report.clipped) =
+            (*candidates, clipped.triangles.len() as u64);
         self.note(Stage::Transform, ran, began, 0);
     }
 
     /// The equation at vertices or faces, where the mode evaluates it there.
     fn points(&mut self, job: &Job) {
-        let Job { scene, plan, lens, equation } = job;
+        let Job {
+            scene,
+            plan,
+            lens,
+            equation,
+        } = job;
         self.report.points = 0;
         if plan.per == Per::Pixel {
             return;
         }
         let at_faces = plan.per == Per::Face;
-        let count = if at_faces { self.model.output.face_count() } else { self.model.output.vertex_count };
+        let count = if at_faces {
+            self.model.output.face_count()
+        } else {
+            self.model.output.vertex_count
+        };
         if plan.shadows {
             let began = self.now();
             let mut rays = take(&mut self.rays);
@@ -234,11 +294,21 @@ impl Renderer {
         }
         let began = self.now();
         if at_faces {
-            self.faces.update(self.model.stamp, |faces| *faces = face_points(&self.model.output));
+            self.faces.update(self.model.stamp, |faces| {
+                *faces = face_points(&self.model.output);
+            });
         }
-        let cue = (plan.cued == Cued::AtPoints).then_some((scene.depth_cueing, lens.eye, lens.forward));
+        let cue =
+            (plan.cued == Cued::AtPoints).then_some((scene.depth_cueing, lens.eye, lens.forward));
         let visibility = plan.shadows.then(|| self.rays.stamps()[0]);
-        let key = (self.model.stamp, equation.clone(), plan.per, plan.double, visibility, cue);
+        let key = (
+            self.model.stamp,
+            equation.clone(),
+            plan.per,
+            plan.double,
+            visibility,
+            cue,
+        );
         let mut points = take(&mut self.points);
         let ran = points.update(key, |intensity| {
             let (inputs, model) = (self.inputs(job), &self.model.output);
@@ -259,11 +329,22 @@ impl Renderer {
     }
 
     /// Which triangle each pixel sees.
-    fn cover(&mut self, Job { scene, plan, lens, .. }: &Job) {
-        let source = if plan.true_surface { self.surface.stamp } else { self.placed.stamp };
+    fn cover(
+        &mut self,
+        Job {
+            scene, plan, lens, ..
+        }: &Job,
+    ) {
+        let source = if plan.true_surface {
+            self.surface.stamp
+        } else {
+            self.placed.stamp
+        };
         // Rays to the true surface depend on the lens; placed triangles have taken it in.
         let lens = plan.true_surface.then_some(*lens);
-        self.stale.coverage = self.bands.outdate((scene.image.size, source, lens, plan.depth_test));
+        self.stale.coverage = self
+            .bands
+            .outdate((scene.image.size, source, lens, plan.depth_test));
     }
 
     /// What is carried to each pixel.
@@ -275,7 +356,9 @@ impl Renderer {
         };
         let rule = (plan.interpolates(), plan.perspective, plan.scanline);
         let flat_at = (!plan.carries).then_some(scene.shading.flat_at);
-        self.stale.interpolation = self.interpolated.outdate((self.bands.stamp, source, plan.per, rule, flat_at));
+        self.stale.interpolation =
+            self.interpolated
+                .outdate((self.bands.stamp, source, plan.per, rule, flat_at));
     }
 
     /// Rays that start from what the pixels see.
@@ -287,20 +370,46 @@ impl Renderer {
             self.paint(job, false);
         }
         let began = self.now();
-        let object = if job.plan.true_surface { self.surface.stamp } else { self.model.stamp };
+        let object = if job.plan.true_surface {
+            self.surface.stamp
+        } else {
+            self.model.stamp
+        };
         let mut rays = take(&mut self.rays);
-        let ran = rays.follow(&self.inputs(job), self.coverage(&job.scene), [object, self.bands.stamp]);
+        let ran = rays.follow(
+            &self.inputs(job),
+            self.coverage(&job.scene),
+            [object, self.bands.stamp],
+        );
         self.rays = rays;
         self.note(Stage::Rays, ran, began, 0);
     }
 
     /// The equation at pixels, or the colours carried to them; s0 where pixels fade. Tells whether the picture is shaded anew.
     fn shade(&mut self, job: &Job) -> bool {
-        let Job { scene, plan, lens, equation } = job;
+        let Job {
+            scene,
+            plan,
+            lens,
+            equation,
+        } = job;
         let flat_at = (!plan.carries).then_some(scene.shading.flat_at);
         let cue = plan.cues_pixels().then(|| {
-            let rule = (plan.perspective, plan.scanline, plan.keeps_fragments(), flat_at);
-            (scene.depth_cueing, plan.cued, *lens, scene.image.size, self.model.stamp, self.bands.stamp, rule)
+            let rule = (
+                plan.perspective,
+                plan.scanline,
+                plan.keeps_fragments(),
+                flat_at,
+            );
+            (
+                scene.depth_cueing,
+                plan.cued,
+                *lens,
+                scene.image.size,
+                self.model.stamp,
+                self.bands.stamp,
+                rule,
+            )
         });
         let shaded = self.picture.outdate((
             self.interpolated.stamp,
@@ -314,7 +423,8 @@ impl Renderer {
             plan.shadows,
             plan.follows_rays().then(|| self.rays.stamps()),
             // How what is seen beyond is mixed in.
-            plan.composes.then_some((scene.transparency.kt, scene.ambient.source)),
+            plan.composes
+                .then_some((scene.transparency.kt, scene.ambient.source)),
             cue,
         ));
         if shaded {
@@ -324,7 +434,11 @@ impl Renderer {
             let began = self.now();
             let mut cue = take(&mut self.cue);
             let run = |layer: &mut CueLayer| {
-                layer.run(&self.inputs(job), self.coverage(scene), &self.faces.output[0]);
+                layer.run(
+                    &self.inputs(job),
+                    self.coverage(scene),
+                    &self.faces.output[0],
+                );
             };
             let ran = cue.update(key, run);
             self.cue = cue;
@@ -337,7 +451,10 @@ impl Renderer {
     fn display(&mut self, Job { scene, plan, .. }: &Job) {
         let (began, level) = (self.now(), self.level());
         let report = &mut self.report;
-        let fit = self.rays.fit().filter(|_| scene.ambient.source != AmbientSource::Constant);
+        let fit = self
+            .rays
+            .fit()
+            .filter(|_| scene.ambient.source != AmbientSource::Constant);
         report.ambient_fit = fit.map(|fit| fit.to_array());
         let Picture { frame, linear } = &mut self.picture.output;
         let layer = &self.cue.output;
@@ -346,7 +463,12 @@ impl Renderer {
             report.overflowing = compose(scene, self.rays.layers(scene), faded, linear);
         }
         if matches!(plan.cued, Cued::AtVertices | Cued::AtPixels) {
-            report.overflowing = fade_pixels(layer, scene.depth_cueing.color.as_vec3(), plan.composes, linear);
+            report.overflowing = fade_pixels(
+                layer,
+                scene.depth_cueing.color.as_vec3(),
+                plan.composes,
+                linear,
+            );
         }
         report.divisor = 1.0;
         if plan.whole_picture {
@@ -359,8 +481,11 @@ impl Renderer {
     /// Takes every band through what is stale, and through shading if the frame is to be shaded.
     fn paint(&mut self, job: &Job, shades: bool) {
         let (plan, stale) = (&job.plan, take(&mut self.stale));
-        let (mut bands, mut interpolated, mut picture) =
-            (take(&mut self.bands), take(&mut self.interpolated), take(&mut self.picture));
+        let (mut bands, mut interpolated, mut picture) = (
+            take(&mut self.bands),
+            take(&mut self.interpolated),
+            take(&mut self.picture),
+        );
         let painter = BandPainter {
             inputs: self.inputs(job),
             clock: self.clock,
@@ -370,8 +495,13 @@ impl Renderer {
             stale,
             shades,
         };
-        let canvas: (&mut [_], &mut [_]) =
-            if shades { picture.output.canvas(job.scene.image.size, plan.whole_picture) } else { Default::default() };
+        let canvas: (&mut [_], &mut [_]) = if shades {
+            picture
+                .output
+                .canvas(job.scene.image.size, plan.whole_picture)
+        } else {
+            Default::default()
+        };
         let interpolates = painter.interpolates();
         let tally = painter.run(&mut bands.output, &mut interpolated.output, canvas);
         (self.bands, self.interpolated, self.picture) = (bands, interpolated, picture);
@@ -388,8 +518,11 @@ impl Renderer {
         if shades {
             report.overflowing = overflowing;
             let at_pixels = plan.per == Per::Pixel;
-            let (stage, evaluations) =
-                if at_pixels { (Stage::PixelShading, report.covered) } else { (Stage::Display, 0) };
+            let (stage, evaluations) = if at_pixels {
+                (Stage::PixelShading, report.covered)
+            } else {
+                (Stage::Display, 0)
+            };
             report.ran(stage, shading, evaluations);
         }
     }
@@ -413,7 +546,12 @@ impl Renderer {
     }
 
     /// What the steps of a frame read.
-    pub(super) fn inputs<'a>(&'a self, Job { scene, plan, lens, .. }: &'a Job) -> Inputs<'a> {
+    pub(super) fn inputs<'a>(
+        &'a self,
+        Job {
+            scene, plan, lens, ..
+        }: &'a Job,
+    ) -> Inputs<'a> {
         Inputs {
             level: self.level(),
             scene,
@@ -428,7 +566,11 @@ impl Renderer {
     /// Which triangle each pixel of a picture sees, once it is covered.
     pub(super) fn coverage(&self, scene: &Scene) -> Coverage<'_> {
         let (bands, fragments) = (&self.bands.output, &self.interpolated.output.fragments);
-        Coverage { size: scene.image.size, bands, fragments }
+        Coverage {
+            size: scene.image.size,
+            bands,
+            fragments,
+        }
     }
 
     /// The polygons of the last picture, before they were given vertex normals; shared, to be kept and known again.
@@ -443,12 +585,30 @@ impl Renderer {
 
     /// The terms and steps of the last picture: how often each is evaluated, or why it is left out.
     pub fn terms(&self) -> Vec<Term> {
-        let Some(job) = &self.drawn else { return Vec::new() };
+        let Some(job) = &self.drawn else {
+            return Vec::new();
+        };
         let Job { scene, plan, .. } = job;
         let culled = plan.cull || plan.true_surface;
-        let backs = if culled { 0 } else { self.placed.output.backs(&self.model.output) };
-        let inks = if plan.carries { 0 } else { self.bands.output.iter().map(Band::ink_count).sum() };
-        Account { scene, plan, model: &self.model.output, report: &self.report, backs, inks }.terms()
+        let backs = if culled {
+            0
+        } else {
+            self.placed.output.backs(&self.model.output)
+        };
+        let inks = if plan.carries {
+            0
+        } else {
+            self.bands.output.iter().map(Band::ink_count).sum()
+        };
+        Account {
+            scene,
+            plan,
+            model: &self.model.output,
+            report: &self.report,
+            backs,
+            inks,
+        }
+        .terms()
     }
 
     /// The memory that is held for the next picture. A model's polygons, which its owner shares, count as well.
@@ -463,10 +623,19 @@ impl Renderer {
         self.cue.output.count(&mut memory);
         self.rays.count(per, &mut memory);
         memory.triangles += self.faces.output.iter().map(room_of_planes).sum::<u64>();
-        let points = if per == Per::Face { &mut memory.triangles } else { &mut memory.vertices };
+        let points = if per == Per::Face {
+            &mut memory.triangles
+        } else {
+            &mut memory.vertices
+        };
         *points += room_of_planes(&self.points.output);
         // Each run has a pixel of its own at least, so that runs grow with the pixels.
-        memory.pixels += self.bands.output.iter().map(|band| room(&band.runs) + room(&band.extents)).sum::<u64>();
+        memory.pixels += self
+            .bands
+            .output
+            .iter()
+            .map(|band| room(&band.runs) + room(&band.extents))
+            .sum::<u64>();
         memory.pixels += room(&frame.pixels) + room(linear);
         memory
     }
@@ -474,7 +643,11 @@ impl Renderer {
 
 impl Picture {
     /// Gives the buffers their size; the room of a linear picture that is not wanted is let go.
-    fn canvas(&mut self, [width, height]: [u32; 2], whole: bool) -> (&mut [[u8; 4]], &mut [Linear]) {
+    fn canvas(
+        &mut self,
+        [width, height]: [u32; 2],
+        whole: bool,
+    ) -> (&mut [[u8; 4]], &mut [Linear]) {
         let Self { frame, linear } = self;
         let pixels = width as usize * height as usize;
         (frame.width, frame.height) = (width, height);

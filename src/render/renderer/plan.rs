@@ -11,8 +11,8 @@ use crate::render::model::Model;
 use crate::render::raster::Triangles;
 use crate::render::rays::{Visibility, World};
 use crate::scene::{
-    AmbientSource, Backfacing, Camera, CuedBy, FlatAt, Interpolation, Light, LightKind, NormalSource, Overflow,
-    PatternKind, Projection, Rgb, Scene, ShadingMode,
+    AmbientSource, Backfacing, Camera, CuedBy, FlatAt, Interpolation, Light, LightKind,
+    NormalSource, Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode,
 };
 use fearless_simd::Level;
 use glam::DVec3;
@@ -86,13 +86,20 @@ impl Plan {
         };
         let has_surface = scene.object.kind.has_surface();
         let outside = !sees_inside(&scene.camera, model);
-        let interpolation =
-            if mode == ShadingMode::Exact { Interpolation::Perspective } else { scene.shading.interpolation };
+        let interpolation = if mode == ShadingMode::Exact {
+            Interpolation::Perspective
+        } else {
+            scene.shading.interpolation
+        };
         let composes = World::has_surroundings(scene)
             || scene.transparency.kt > 0.0
             || scene.ambient.source != AmbientSource::Constant;
         let mut plan = Self {
-            per: if mode == ShadingMode::Flat && scene.shading.flat_at != FlatAt::Centre { Per::Vertex } else { per },
+            per: if mode == ShadingMode::Flat && scene.shading.flat_at != FlatAt::Centre {
+                Per::Vertex
+            } else {
+                per
+            },
             carries: mode != ShadingMode::Flat,
             true_surface: Self::shows_surface(scene),
             double: (mode == ShadingMode::Exact && !has_surface) || stiff(scene, model).is_some(),
@@ -199,7 +206,9 @@ impl Inputs<'_> {
         if self.plan.cued == Cued::Nowhere {
             return 1.0;
         }
-        self.scene.depth_cueing.scale_at((point - self.lens.eye).dot(self.lens.forward))
+        self.scene
+            .depth_cueing
+            .scale_at((point - self.lens.eye).dot(self.lens.forward))
     }
 }
 
@@ -215,7 +224,10 @@ const FAR_FROM: f64 = 1e4;
 pub fn stiff(scene: &Scene, model: &Model) -> Option<&'static str> {
     let powers = matches!(
         SpecularForm::of(scene),
-        SpecularForm::PhongCosine | SpecularForm::PhongChord | SpecularForm::BlinnCosine | SpecularForm::BlinnChord
+        SpecularForm::PhongCosine
+            | SpecularForm::PhongChord
+            | SpecularForm::BlinnCosine
+            | SpecularForm::BlinnChord
     );
     if powers && scene.material.n > STIFF_FROM {
         return Some("n is past 10⁷");
@@ -233,7 +245,11 @@ fn sees_inside(camera: &Camera, model: &Model) -> bool {
 /// Why each light adds nothing, if it does not.
 pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<&'static str>> {
     let (soloing, material, pattern) = (scene.soloing(), &scene.material, &scene.pattern);
-    let color = if pattern.kind == PatternKind::None { Rgb::ZERO } else { pattern.color } + material.color;
+    let color = if pattern.kind == PatternKind::None {
+        Rgb::ZERO
+    } else {
+        pattern.color
+    } + material.color;
     // The greatest part of a light that the material takes, diffuse and specular together.
     let reflected = material.kd * color + material.ks * material.specular_color;
     let silence = |light: &Light| match light {
@@ -253,11 +269,14 @@ const NEAREST_CONE: f64 = 1e-3;
 
 /// Whether the whole model lies outside a spot light's cone.
 fn misses(scene: &Scene, model: &Model, light: &Light) -> bool {
-    let polygons =
-        scene.shading.mode != ShadingMode::Exact && scene.shading.interpolation == Interpolation::Perspective;
+    let polygons = scene.shading.mode != ShadingMode::Exact
+        && scene.shading.interpolation == Interpolation::Perspective;
     // The true surface bulges out of its polygons, and other interpolations take points off them.
     let radius = model.radius * if polygons { 1.0 + 1e-5 } else { 3.0 };
-    let (way, from_eye) = (model.origin - light.position, (light.position - scene.camera.eye).length());
+    let (way, from_eye) = (
+        model.origin - light.position,
+        (light.position - scene.camera.eye).length(),
+    );
     let (distance, axis) = (way.length(), light.direction.normalize_or_zero());
     let spread = from_eye + distance + radius;
     if light.kind != LightKind::Spot || axis == DVec3::ZERO || !spread.is_finite() {

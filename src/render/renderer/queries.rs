@@ -94,7 +94,8 @@ impl Renderer {
 
     /// The triangle that a pixel of the last picture sees, one of the model's or of the clipper's.
     fn seen(&self, pixel: [u32; 2]) -> Option<u32> {
-        self.coverage(&self.drawn.as_ref()?.scene).triangle_at(pixel)
+        self.coverage(&self.drawn.as_ref()?.scene)
+            .triangle_at(pixel)
     }
 
     /// I where `triangle` is seen in the picture of `scene`, which has the last model and no shadows; none if it is clipped.
@@ -111,9 +112,20 @@ impl Renderer {
         let mut turned = PlacedTriangles::default();
         turned.placed.run(self.level(), &lens, model, size[1]);
         let triangles = turned.triangles(model);
-        let whole = triangles.corners(triangle).iter().all(|corner| corner[0] != UNPLACED);
+        let whole = triangles
+            .corners(triangle)
+            .iter()
+            .all(|corner| corner[0] != UNPLACED);
         let (plan, lens) = (&plan, &lens);
-        let inputs = Inputs { level: self.level(), scene, plan, lens, triangles, surface: None, visibility: None };
+        let inputs = Inputs {
+            level: self.level(),
+            scene,
+            plan,
+            lens,
+            triangles,
+            surface: None,
+            visibility: None,
+        };
         whole.then(|| inputs.of_triangle(triangle, place).intensity(equation))
     }
 
@@ -126,15 +138,27 @@ impl Renderer {
 
     /// Polygons of the last picture's object.
     pub(crate) fn polygon_count(&self) -> usize {
-        if self.drawn.is_some() { self.model.output.face_count() } else { 0 }
+        if self.drawn.is_some() {
+            self.model.output.face_count()
+        } else {
+            0
+        }
     }
 
     /// Face `face` of the last picture's object, if there is one of that index.
     pub(crate) fn polygon(&self, face: u32) -> Option<Polygon<'_>> {
-        let last = self.last().filter(|last| (face as usize) < last.triangles.model.face_count())?;
+        let last = self
+            .last()
+            .filter(|last| (face as usize) < last.triangles.model.face_count())?;
         let corners = last.corner_points(face);
-        let before_the_eye = corners.iter().all(|at| last.lens.view_from_world(at.point).z >= NEAR);
-        Some(Polygon { flat: last.flat_points(face), corners, before_the_eye })
+        let before_the_eye = corners
+            .iter()
+            .all(|at| last.lens.view_from_world(at.point).z >= NEAR);
+        Some(Polygon {
+            flat: last.flat_points(face),
+            corners,
+            before_the_eye,
+        })
     }
 
     /// The polygon that a pixel of the last picture sees, or that stands for the true surface there.
@@ -151,7 +175,8 @@ impl Renderer {
         };
         let hits = model.triangles.iter().zip(&model.faces);
         let hits = hits.filter_map(|(vertices, face)| Some((distance(vertices)?, *face)));
-        hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, face)| face)
+        hits.min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, face)| face)
     }
 }
 

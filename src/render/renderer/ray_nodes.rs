@@ -7,10 +7,12 @@ use crate::render::lens::pixel_centre;
 use crate::render::node::{Memory, Node, room};
 use crate::render::raster::Coverage;
 use crate::render::rays::{
-    Bounced, Bvh, DiffuseSurface, LightScratch, PrimaryHits, ShadowCaster, Solid, Transmission, Visibility, World,
-    matt_scene,
+    Bounced, Bvh, DiffuseSurface, LightScratch, PrimaryHits, ShadowCaster, Solid, Transmission,
+    Visibility, World, matt_scene,
 };
-use crate::scene::{AmbientSource, Backfacing, Light, PatternKind, Rgb, Scene, ShadingMode, Transparency};
+use crate::scene::{
+    AmbientSource, Backfacing, Light, PatternKind, Rgb, Scene, ShadingMode, Transparency,
+};
 use glam::Vec3;
 
 /// The outputs that are kept.
@@ -33,7 +35,10 @@ pub(crate) struct Mixture {
 
 impl<'a> Inputs<'a> {
     fn smooth(&self) -> bool {
-        !matches!(self.scene.shading.mode, ShadingMode::Flat | ShadingMode::Interpolated)
+        !matches!(
+            self.scene.shading.mode,
+            ShadingMode::Flat | ShadingMode::Interpolated
+        )
     }
 
     fn hits<'b>(&self, bvh: &'b Bvh) -> PrimaryHits<'b>
@@ -41,8 +46,18 @@ impl<'a> Inputs<'a> {
         'a: 'b,
     {
         let surface = self.surface.filter(|_| self.plan.true_surface);
-        let solid = Solid { level: self.level, model: self.triangles.model, bvh, surface, smooth: self.smooth() };
-        PrimaryHits { lens: self.lens, triangles: self.triangles, solid }
+        let solid = Solid {
+            level: self.level,
+            model: self.triangles.model,
+            bvh,
+            surface,
+            smooth: self.smooth(),
+        };
+        PrimaryHits {
+            lens: self.lens,
+            triangles: self.triangles,
+            solid,
+        }
     }
 
     /// What casts shadows upon the object.
@@ -65,17 +80,34 @@ impl<'a> Inputs<'a> {
             samples: light.samples,
             ..Light::default()
         };
-        let Scene { ground, reflection, lights, .. } = self.scene;
-        let (ground, flip) = (ground.visible.then_some(ground.height), reflection.backfacing == Backfacing::Flip);
+        let Scene {
+            ground,
+            reflection,
+            lights,
+            ..
+        } = self.scene;
+        let (ground, flip) = (
+            ground.visible.then_some(ground.height),
+            reflection.backfacing == Backfacing::Flip,
+        );
         let places: Vec<Light> = lights.iter().map(place).collect();
-        (self.plan.per, self.smooth(), ground, flip, places, self.plan.lights.clone())
+        (
+            self.plan.per,
+            self.smooth(),
+            ground,
+            flip,
+            places,
+            self.plan.lights.clone(),
+        )
     }
 
     /// Whether the object's shadow is seen on the floor.
     fn shades_floor(&self) -> bool {
         let soloing = self.scene.soloing();
         let shines = |light: &Light| light.shines(soloing) && light.color != Rgb::ZERO;
-        self.scene.shading.shadows && self.scene.ground.visible && self.scene.lights.iter().any(shines)
+        self.scene.shading.shadows
+            && self.scene.ground.visible
+            && self.scene.lights.iter().any(shines)
     }
 }
 
@@ -104,63 +136,127 @@ impl RayNodes {
     /// Builds the boxes, unless the true surface takes their place. `object` is the run that the object is of.
     fn build(&mut self, inputs: &Inputs<'_>, object: u64) {
         if !inputs.plan.true_surface {
-            self.boxes.update(object, |boxes| *boxes = Bvh::new(inputs.triangles.model));
+            self.boxes
+                .update(object, |boxes| *boxes = Bvh::new(inputs.triangles.model));
         }
     }
 
     /// Finds out which sources are seen from the `count` vertices or faces where the equation is evaluated.
     pub fn shadow_points(&mut self, inputs: &Inputs<'_>, object: u64, count: usize) -> bool {
         self.build(inputs, object);
-        let Self { boxes, visibility, .. } = self;
+        let Self {
+            boxes, visibility, ..
+        } = self;
         visibility.update((object, inputs.shadow_key()), |visibility| {
             let model = inputs.triangles.model;
             let point = |index: usize| match inputs.plan.per {
-                Per::Face => (model.face_centre(index as u32), model.face_normal(index as u32)),
+                Per::Face => (
+                    model.face_centre(index as u32),
+                    model.face_normal(index as u32),
+                ),
                 _ => (model.position(index as u32), model.normal(index as u32)),
             };
-            inputs.caster(&boxes.output).mark_points(count, point, visibility);
+            inputs
+                .caster(&boxes.output)
+                .mark_points(count, point, visibility);
         })
     }
 
     /// Follows the rays of covered pixels; tells whether any had to be followed. `covered` is the run of the coverage.
-    pub fn follow(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>, [object, covered]: [u64; 2]) -> bool {
-        let Inputs { scene, plan, lens, .. } = *inputs;
-        let Scene { transparency, ground, backdrop, material, ambient, .. } = scene;
+    pub fn follow(
+        &mut self,
+        inputs: &Inputs<'_>,
+        coverage: Coverage<'_>,
+        [object, covered]: [u64; 2],
+    ) -> bool {
+        let Inputs {
+            scene, plan, lens, ..
+        } = *inputs;
+        let Scene {
+            transparency,
+            ground,
+            backdrop,
+            material,
+            ambient,
+            ..
+        } = scene;
         let at_pixels = plan.shadows && plan.per == Per::Pixel;
         let bounces = ambient.source != AmbientSource::Constant;
-        if at_pixels || bounces || (plan.composes && (transparency.kt > 0.0 || scene.shading.shadows)) {
+        if at_pixels
+            || bounces
+            || (plan.composes && (transparency.kt > 0.0 || scene.shading.shadows))
+        {
             self.build(inputs, object);
         }
-        let Self { boxes, visibility, background, bounced } = self;
+        let Self {
+            boxes,
+            visibility,
+            background,
+            bounced,
+        } = self;
         let (bvh, smooth) = (&boxes.output, inputs.smooth());
         let mut ran = false;
         if at_pixels {
             ran |= visibility.update((object, covered, inputs.shadow_key()), |visibility| {
-                inputs.caster(bvh).mark_pixels(coverage, &inputs.hits(bvh), visibility);
+                inputs
+                    .caster(bvh)
+                    .mark_pixels(coverage, &inputs.hits(bvh), visibility);
             });
         }
         if plan.composes {
             let shadows = inputs.shades_floor();
-            let glass = (transparency.kt > 0.0).then(|| Transparency { kt: 1.0, ..transparency.clone() });
+            let glass = (transparency.kt > 0.0).then(|| Transparency {
+                kt: 1.0,
+                ..transparency.clone()
+            });
             let solid = (shadows || glass.is_some()).then_some(object);
             // What the floor is lit by.
-            let lights = ground.visible.then(|| (scene.lights.clone(), ambient.clone()));
+            let lights = ground
+                .visible
+                .then(|| (scene.lights.clone(), ambient.clone()));
             let behind = (scene.image.background, ground.clone(), backdrop.clone());
-            ran |= background.update((solid, covered, smooth, *lens, behind, glass, lights, shadows), |seen| {
-                World::new(scene, inputs.hits(bvh), ground.ka, shadows).see_background(coverage, seen);
-            });
+            ran |= background.update(
+                (
+                    solid, covered, smooth, *lens, behind, glass, lights, shadows,
+                ),
+                |seen| {
+                    World::new(scene, inputs.hits(bvh), ground.ka, shadows)
+                        .see_background(coverage, seen);
+                },
+            );
         }
         if bounces {
             let wall = (backdrop.pattern != PatternKind::None).then_some(backdrop.distance);
             // Highlights are not scattered on.
-            let surface = (material.ka, material.kd, material.color, scene.pattern.clone());
+            let surface = (
+                material.ka,
+                material.kd,
+                material.color,
+                scene.pattern.clone(),
+            );
             let light = (ambient.constant(), scene.lights.clone());
-            ran |= bounced.update((object, covered, smooth, *lens, ground.clone(), wall, surface, light), |bounced| {
-                let world = World::new(scene, inputs.hits(bvh), 0.0, true);
-                let object = matt_scene(scene, [Rgb::ZERO, material.kd, material.color], scene.pattern.clone());
-                let object = DiffuseSurface::new(&object, world.hits.solid, lens.unit, true);
-                bounced.run(&world, &object, coverage);
-            });
+            ran |= bounced.update(
+                (
+                    object,
+                    covered,
+                    smooth,
+                    *lens,
+                    ground.clone(),
+                    wall,
+                    surface,
+                    light,
+                ),
+                |bounced| {
+                    let world = World::new(scene, inputs.hits(bvh), 0.0, true);
+                    let object = matt_scene(
+                        scene,
+                        [Rgb::ZERO, material.kd, material.color],
+                        scene.pattern.clone(),
+                    );
+                    let object = DiffuseSurface::new(&object, world.hits.solid, lens.unit, true);
+                    bounced.run(&world, &object, coverage);
+                },
+            );
         }
         ran
     }
@@ -173,7 +269,14 @@ impl RayNodes {
     /// What composes the picture: what is seen beyond, and what other surfaces scatter.
     pub fn layers(&self, scene: &Scene) -> [&[Vec3]; 2] {
         let bounces = scene.ambient.source != AmbientSource::Constant;
-        [&self.background.output, if bounces { &self.bounced.output.difference } else { &[] }]
+        [
+            &self.background.output,
+            if bounces {
+                &self.bounced.output.difference
+            } else {
+                &[]
+            },
+        ]
     }
 
     /// The constant that stands for one bounce best.
@@ -183,13 +286,27 @@ impl RayNodes {
 
     /// Which runs the outputs are of: the shadow bits first.
     pub fn stamps(&self) -> [u64; 3] {
-        [self.visibility.stamp, self.background.stamp, self.bounced.stamp]
+        [
+            self.visibility.stamp,
+            self.background.stamp,
+            self.bounced.stamp,
+        ]
     }
 
     /// What is mixed into the equation's value at a pixel that shows the object.
-    pub fn mixture_at(&self, inputs: &Inputs<'_>, coverage: Coverage<'_>, [x, y]: [u32; 2]) -> Option<Mixture> {
-        let Inputs { scene, plan, lens, .. } = *inputs;
-        let (hits, place) = (inputs.hits(&self.boxes.output), pixel_centre(x as usize, y as usize));
+    pub fn mixture_at(
+        &self,
+        inputs: &Inputs<'_>,
+        coverage: Coverage<'_>,
+        [x, y]: [u32; 2],
+    ) -> Option<Mixture> {
+        let Inputs {
+            scene, plan, lens, ..
+        } = *inputs;
+        let (hits, place) = (
+            inputs.hits(&self.boxes.output),
+            pixel_centre(x as usize, y as usize),
+        );
         let hit = if plan.true_surface {
             hits.of_fragment(place, coverage.fragment_at([x, y])?)
         } else {
@@ -199,13 +316,19 @@ impl RayNodes {
         if scene.transparency.kt > 0.0 {
             let ray = [(0, hit, lens.ray(place).1.normalize())];
             let world = World::new(scene, hits, scene.ground.ka, inputs.shades_floor());
-            world.transmit(&ray, &mut LightScratch::default(), |_, told| transmission = Some(told));
+            world.transmit(&ray, &mut LightScratch::default(), |_, told| {
+                transmission = Some(told);
+            });
         }
         let width = scene.image.size[0] as usize;
         let [_, difference] = self.layers(scene);
         let difference = difference.get(y as usize * width + x as usize);
-        let bounced =
-            difference.filter(|_| bounces_at(scene.ambient.source, x as usize, width)).map(|light| light.as_dvec3());
-        Some(Mixture { transmission, bounced })
+        let bounced = difference
+            .filter(|_| bounces_at(scene.ambient.source, x as usize, width))
+            .map(|light| light.as_dvec3());
+        Some(Mixture {
+            transmission,
+            bounced,
+        })
     }
 }

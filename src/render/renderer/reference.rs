@@ -49,12 +49,18 @@ impl WeightedPoint<'_> {
 impl Evaluation<'_> {
     /// I at the pixel, before the display.
     pub fn intensity(&self, equation: &Equation<f64>) -> Rgb {
-        self.points.iter().map(|at| at.value(equation) * at.weight).sum()
+        self.points
+            .iter()
+            .map(|at| at.value(equation) * at.weight)
+            .sum()
     }
 
     /// What is left of I at the pixel: each point's share fades by its own s0.
     pub fn kept(&self, equation: &Equation<f64>) -> Rgb {
-        self.points.iter().map(|at| at.value(equation) * (at.weight * at.scale)).sum()
+        self.points
+            .iter()
+            .map(|at| at.value(equation) * (at.weight * at.scale))
+            .sum()
     }
 
     /// s0 at the pixel.
@@ -64,7 +70,8 @@ impl Evaluation<'_> {
 
     /// What takes the place of the intensity that is gone: `(1 − s0)·Idc`.
     pub fn veil(&self) -> Rgb {
-        self.cue.map_or(Rgb::ZERO, |color| color * (1.0 - self.scale()))
+        self.cue
+            .map_or(Rgb::ZERO, |color| color * (1.0 - self.scale()))
     }
 
     /// I at the pixel after depth cueing, before the display.
@@ -80,7 +87,14 @@ impl<'a> Inputs<'a> {
         let depth = (position - self.lens.eye).dot(self.lens.forward);
         let (normal, reached) = (hit.normal, self.visible_at_pixel(place));
         let points = vec![self.point(position, normal, reached)];
-        Some(Evaluation { position, normal, depth, face: None, cue: self.cue_color(), points })
+        Some(Evaluation {
+            position,
+            normal,
+            depth,
+            face: None,
+            cue: self.cue_color(),
+            points,
+        })
     }
 
     /// The pixel whose sample lies at `place` sees `triangle`, one of the model's or of the clipper's.
@@ -96,23 +110,34 @@ impl<'a> Inputs<'a> {
         let whole = match self.plan.cued {
             Cued::Nowhere | Cued::AtPoints => None,
             Cued::AtPixels => Some(self.scale(position)),
-            Cued::AtVertices => {
-                Some(carried.iter().map(|&(v, weight)| weight * self.scale(self.model().position(v))).sum())
-            }
+            Cued::AtVertices => Some(
+                carried
+                    .iter()
+                    .map(|&(v, weight)| weight * self.scale(self.model().position(v)))
+                    .sum(),
+            ),
         };
         let mut points = match self.scene.shading.mode {
             ShadingMode::Phong | ShadingMode::Exact => {
                 vec![self.point(position, normal, self.visible_at_pixel(place))]
             }
-            ShadingMode::Interpolated | ShadingMode::Gouraud => {
-                carried.iter().map(|&(v, weight)| self.vertex_point(v, weight)).collect()
-            }
+            ShadingMode::Interpolated | ShadingMode::Gouraud => carried
+                .iter()
+                .map(|&(v, weight)| self.vertex_point(v, weight))
+                .collect(),
             ShadingMode::Flat => self.flat_points(face),
         };
         if let Some(scale) = whole {
             points.iter_mut().for_each(|at| at.scale = scale);
         }
-        Evaluation { position, normal, depth, face: Some(face), cue: self.cue_color(), points }
+        Evaluation {
+            position,
+            normal,
+            depth,
+            face: Some(face),
+            cue: self.cue_color(),
+            points,
+        }
     }
 
     fn cue_color(&self) -> Option<Rgb> {
@@ -121,7 +146,11 @@ impl<'a> Inputs<'a> {
 
     /// The corners of a face, each with the weight 1.
     pub fn corner_points(&self, face: u32) -> Vec<WeightedPoint<'a>> {
-        self.model().face(face).iter().map(|&v| self.vertex_point(v, 1.0)).collect()
+        self.model()
+            .face(face)
+            .iter()
+            .map(|&v| self.vertex_point(v, 1.0))
+            .collect()
     }
 
     /// Where flat shading evaluates the equation for a face.
@@ -130,22 +159,47 @@ impl<'a> Inputs<'a> {
         let share = 1.0 / corners.len().max(1) as f64;
         match self.scene.shading.flat_at {
             FlatAt::Centre => {
-                let (point, normal) = (self.model().face_centre(face), self.model().face_normal(face));
+                let (point, normal) = (
+                    self.model().face_centre(face),
+                    self.model().face_normal(face),
+                );
                 vec![self.point(point, normal, self.visible_at_point(face))]
             }
-            FlatAt::VertexMean => corners.iter().map(|&v| self.vertex_point(v, share)).collect(),
-            FlatAt::ProvokingVertex => corners.iter().take(1).map(|&v| self.vertex_point(v, 1.0)).collect(),
+            FlatAt::VertexMean => corners
+                .iter()
+                .map(|&v| self.vertex_point(v, share))
+                .collect(),
+            FlatAt::ProvokingVertex => corners
+                .iter()
+                .take(1)
+                .map(|&v| self.vertex_point(v, 1.0))
+                .collect(),
         }
     }
 
     fn vertex_point(&self, v: u32, weight: f64) -> WeightedPoint<'a> {
-        let point = self.point(self.model().position(v), self.model().normal(v), self.visible_at_point(v));
+        let point = self.point(
+            self.model().position(v),
+            self.model().normal(v),
+            self.visible_at_point(v),
+        );
         WeightedPoint { weight, ..point }
     }
 
     /// A point of weight 1.
-    fn point(&self, point: DVec3, normal: DVec3, reached: Option<Reached<'a>>) -> WeightedPoint<'a> {
-        WeightedPoint { weight: 1.0, point, normal, scale: self.scale(point), reached }
+    fn point(
+        &self,
+        point: DVec3,
+        normal: DVec3,
+        reached: Option<Reached<'a>>,
+    ) -> WeightedPoint<'a> {
+        WeightedPoint {
+            weight: 1.0,
+            point,
+            normal,
+            scale: self.scale(point),
+            reached,
+        }
     }
 
     /// The sources that reach a pixel.
@@ -161,11 +215,21 @@ impl<'a> Inputs<'a> {
     }
 
     fn pixel_normal(&self, face: u32, carried: &[(u32, f64)]) -> DVec3 {
-        if matches!(self.scene.shading.mode, ShadingMode::Flat | ShadingMode::Interpolated) {
+        if matches!(
+            self.scene.shading.mode,
+            ShadingMode::Flat | ShadingMode::Interpolated
+        ) {
             return self.model().face_normal(face);
         }
-        let normal: DVec3 = carried.iter().map(|&(v, weight)| self.model().normal(v) * weight).sum();
-        if self.plan.renormalise { normal / normal.length().max(SHORTEST_NORMAL) } else { normal }
+        let normal: DVec3 = carried
+            .iter()
+            .map(|&(v, weight)| self.model().normal(v) * weight)
+            .sum();
+        if self.plan.renormalise {
+            normal / normal.length().max(SHORTEST_NORMAL)
+        } else {
+            normal
+        }
     }
 
     /// The weights by which values are carried from the model's vertices to a place, and the depth key there.
@@ -185,18 +249,36 @@ impl<'a> Inputs<'a> {
             return exact;
         }
         let grid = by(true);
-        let of = |weights: &[(u32, f64)], vertex| weights.iter().find(|(v, _)| *v == vertex).map_or(0.0, |(_, w)| *w);
+        let of = |weights: &[(u32, f64)], vertex| {
+            weights
+                .iter()
+                .find(|(v, _)| *v == vertex)
+                .map_or(0.0, |(_, w)| *w)
+        };
         let same = |&(v, _): &(u32, f64)| (of(&exact.0, v) - of(&grid.0, v)).abs() <= MOVED;
-        if exact.0.iter().chain(&grid.0).all(same) { exact } else { grid }
+        if exact.0.iter().chain(&grid.0).all(same) {
+            exact
+        } else {
+            grid
+        }
     }
 
     /// P and Q on the picture's grid.
     fn pair(&self, triangle: u32, place: DVec2) -> [Crossing; 2] {
         let place = place * f64::from(SUBPIXELS);
         let mut crossings = Vec::new();
-        Outline::of(&self.triangles, triangle).cross(&self.triangles.placed.places, place.y, &mut crossings);
-        let corner = Crossing { x: place.x, ends: [self.triangles.vertices(triangle)[0]; 2], alpha: 0.0 };
-        crossing_pair(&crossings, place.x).map_or([corner; 2], |pair| pair.map(|crossing| *crossing))
+        Outline::of(&self.triangles, triangle).cross(
+            &self.triangles.placed.places,
+            place.y,
+            &mut crossings,
+        );
+        let corner = Crossing {
+            x: place.x,
+            ends: [self.triangles.vertices(triangle)[0]; 2],
+            alpha: 0.0,
+        };
+        crossing_pair(&crossings, place.x)
+            .map_or([corner; 2], |pair| pair.map(|crossing| *crossing))
     }
 
     /// The ends of the edges that P and Q lie on, with their weights (Gouraud 1971).
@@ -204,22 +286,45 @@ impl<'a> Inputs<'a> {
         let [p, q] = pair.map(|Crossing { ends, alpha, .. }| {
             let [a, b] = ends.map(|v| self.corner(v, grid));
             let exact = (place.y - a.place.y) / (b.place.y - a.place.y);
-            let alpha = if exact.is_finite() { exact.clamp(0.0, 1.0) } else { alpha };
-            (a.place.x + alpha * (b.place.x - a.place.x), [(a, 1.0 - alpha), (b, alpha)])
+            let alpha = if exact.is_finite() {
+                exact.clamp(0.0, 1.0)
+            } else {
+                alpha
+            };
+            (
+                a.place.x + alpha * (b.place.x - a.place.x),
+                [(a, 1.0 - alpha), (b, alpha)],
+            )
         });
-        let t = if q.0 > p.0 { ((place.x - p.0) / (q.0 - p.0)).clamp(0.0, 1.0) } else { 0.0 };
-        let shared = |corners: [(Corner, f64); 2], share: f64| corners.map(|(corner, weight)| (corner, weight * share));
+        let t = if q.0 > p.0 {
+            ((place.x - p.0) / (q.0 - p.0)).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        let shared = |corners: [(Corner, f64); 2], share: f64| {
+            corners.map(|(corner, weight)| (corner, weight * share))
+        };
         [shared(p.1, 1.0 - t), shared(q.1, t)].concat()
     }
 
     /// The corners of a triangle, with their weights in the picture; its middle stands for one that is seen edge-on.
     fn over_triangle(&self, triangle: u32, place: DVec2, grid: bool) -> Vec<(Corner, f64)> {
-        let corners = self.triangles.vertices(triangle).map(|v| self.corner(v, grid));
+        let corners = self
+            .triangles
+            .vertices(triangle)
+            .map(|v| self.corner(v, grid));
         let [a, b, c] = corners.map(|corner| corner.place);
         let area = (b - a).perp_dot(c - a);
-        let (w1, w2) = ((place - a).perp_dot(c - a) / area, (b - a).perp_dot(place - a) / area);
+        let (w1, w2) = (
+            (place - a).perp_dot(c - a) / area,
+            (b - a).perp_dot(place - a) / area,
+        );
         let sound = w1.is_finite() && w2.is_finite();
-        let weights = if sound { [1.0 - w1 - w2, w1, w2] } else { [1.0 / 3.0; 3] };
+        let weights = if sound {
+            [1.0 - w1 - w2, w1, w2]
+        } else {
+            [1.0 / 3.0; 3]
+        };
         corners.into_iter().zip(weights).collect()
     }
 
@@ -228,28 +333,57 @@ impl<'a> Inputs<'a> {
         let view = |v: u32| self.lens.view_from_world(self.model().position(v));
         let view = match self.triangles.cut(vertex) {
             None => view(vertex),
-            Some(cut) => cut.vertices.iter().zip(cut.weights).map(|(&v, weight)| view(v) * weight).sum(),
+            Some(cut) => cut
+                .vertices
+                .iter()
+                .zip(cut.weights)
+                .map(|(&v, weight)| view(v) * weight)
+                .sum(),
         };
-        let view = DVec3 { z: view.z.max(NEAR), ..view };
-        let on_grid = || DVec2::from_array(self.triangles.placed.places[vertex as usize].map(f64::from));
-        let place = if grid { on_grid() / f64::from(SUBPIXELS) } else { self.lens.picture_from_view(view) };
-        Corner { vertex, place, key: self.lens.key_from_depth(view.z) }
+        let view = DVec3 {
+            z: view.z.max(NEAR),
+            ..view
+        };
+        let on_grid =
+            || DVec2::from_array(self.triangles.placed.places[vertex as usize].map(f64::from));
+        let place = if grid {
+            on_grid() / f64::from(SUBPIXELS)
+        } else {
+            self.lens.picture_from_view(view)
+        };
+        Corner {
+            vertex,
+            place,
+            key: self.lens.key_from_depth(view.z),
+        }
     }
 
     /// Weights over the model's vertices, and the depth key, from weights in the picture.
     fn weights(&self, seen: &[(Corner, f64)]) -> (Vec<(u32, f64)>, f64) {
-        let key: f64 = seen.iter().map(|(corner, weight)| weight * corner.key).sum();
+        let key: f64 = seen
+            .iter()
+            .map(|(corner, weight)| weight * corner.key)
+            .sum();
         let key = key.max(self.lens.least_key());
         let mut weights: Vec<(u32, f64)> = Vec::with_capacity(4);
-        let mut add = |vertex: u32, weight: f64| match weights.iter_mut().find(|(v, _)| *v == vertex) {
-            Some((_, sum)) => *sum += weight,
-            None => weights.push((vertex, weight)),
-        };
+        let mut add =
+            |vertex: u32, weight: f64| match weights.iter_mut().find(|(v, _)| *v == vertex) {
+                Some((_, sum)) => *sum += weight,
+                None => weights.push((vertex, weight)),
+            };
         for (corner, weight) in seen {
-            let weight = if self.plan.perspective { weight * corner.key / key } else { *weight };
+            let weight = if self.plan.perspective {
+                weight * corner.key / key
+            } else {
+                *weight
+            };
             match self.triangles.cut(corner.vertex) {
                 None => add(corner.vertex, weight),
-                Some(cut) => cut.vertices.iter().zip(cut.weights).for_each(|(&v, part)| add(v, weight * part)),
+                Some(cut) => cut
+                    .vertices
+                    .iter()
+                    .zip(cut.weights)
+                    .for_each(|(&v, part)| add(v, weight * part)),
             }
         }
         (weights, key)

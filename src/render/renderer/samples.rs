@@ -17,7 +17,9 @@ const BYTES_BESIDES: u64 = 1 << 28;
 
 /// A picture whose memory cannot be had.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{width}×{height} pixels need about {megabytes} MB of memory, which cannot be had, expected a smaller picture")]
+#[error(
+    "{width}×{height} pixels need about {megabytes} MB of memory, which cannot be had, expected a smaller picture"
+)]
 pub struct TooLarge {
     width: u32,
     height: u32,
@@ -27,7 +29,8 @@ pub struct TooLarge {
 /// Rows that are drawn at a time: all of them where the picture is small, or where a pixel depends on all others.
 fn rows_at_once(scene: &Scene) -> u32 {
     let [width, height] = scene.image.size;
-    let alone = scene.display.overflow != Overflow::Scale && scene.ambient.source == AmbientSource::Constant;
+    let alone = scene.display.overflow != Overflow::Scale
+        && scene.ambient.source == AmbientSource::Constant;
     if !alone || u64::from(width) * u64::from(height) <= MOST_AT_ONCE {
         return height;
     }
@@ -43,21 +46,43 @@ pub fn check_memory(scene: &Scene) -> Result<(), TooLarge> {
     let [width, height] = scene.image.size;
     let row = u64::from(width);
     // Panes are compared before the display, all of their pixels.
-    let rows = if scene.compare.view == CompareView::Single { rows_at_once(scene) } else { height };
+    let rows = if scene.compare.view == CompareView::Single {
+        rows_at_once(scene)
+    } else {
+        height
+    };
     let stored = row * u64::from(height) * size_of::<[u8; 4]>() as u64;
     let bytes = stored + row * u64::from(rows) * BYTES_AT_ONCE + BYTES_BESIDES;
     let small = row * u64::from(height) <= MOST_AT_ONCE;
-    let there = usize::try_from(bytes).is_ok_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok());
-    if small || there { Ok(()) } else { Err(TooLarge { width, height, megabytes: bytes >> 20 }) }
+    let there =
+        usize::try_from(bytes).is_ok_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok());
+    if small || there {
+        Ok(())
+    } else {
+        Err(TooLarge {
+            width,
+            height,
+            megabytes: bytes >> 20,
+        })
+    }
 }
 
 impl Renderer {
     /// Draws with `samples` samples a pixel: the mean of their intensities, each clamped first where the display clamps. What
     /// a large picture takes besides its stored pixels is bounded, unless [`Renderer::keep_linear`] asks for all of it.
     /// `progress` gets the number of samples done and returns whether to go on; a stopped picture is unfinished.
-    pub fn render_supersampled(&mut self, scene: &Scene, samples: u32, progress: &mut dyn FnMut(u32) -> bool) -> Frame {
+    pub fn render_supersampled(
+        &mut self,
+        scene: &Scene,
+        samples: u32,
+        progress: &mut dyn FnMut(u32) -> bool,
+    ) -> Frame {
         let samples = samples.max(1);
-        let rows = if self.keeps_linear { scene.image.size[1] } else { rows_at_once(scene) };
+        let rows = if self.keeps_linear {
+            scene.image.size[1]
+        } else {
+            rows_at_once(scene)
+        };
         if samples == 1 && rows >= scene.image.size[1] {
             return self.render(scene).clone();
         }
@@ -85,7 +110,11 @@ impl Renderer {
             }
         }
         self.redraw();
-        Frame { width, height, pixels }
+        Frame {
+            width,
+            height,
+            pixels,
+        }
     }
 
     /// Draws the mean of samples into the rows from `first` on of a picture of `height` rows; false if `progress` has stopped it.
@@ -139,22 +168,37 @@ mod tests {
 
     #[test]
     fn strips_are_the_picture_that_is_drawn_at_once() {
-        for name in ["sphere", "teapot", "overflow", "glass-ball", "shadows", "depth-cueing", "silhouette"] {
+        for name in [
+            "sphere",
+            "teapot",
+            "overflow",
+            "glass-ball",
+            "shadows",
+            "depth-cueing",
+            "silhouette",
+        ] {
             let mut scene = presets::find(name).expect("a scene").scene();
             scene.image.size = [160, 150];
             for (samples, overflow) in [(1, Overflow::Clamp), (3, Overflow::Mark)] {
                 scene.display.overflow = overflow;
                 let whole = Renderer::default().render_supersampled(&scene, samples, &mut |_| true);
                 let mut told = 0;
-                let strips = Renderer::default().render_in_strips(&scene, samples, STRIDE, &mut |done| {
-                    told = done;
-                    true
-                });
+                let strips =
+                    Renderer::default().render_in_strips(&scene, samples, STRIDE, &mut |done| {
+                        told = done;
+                        true
+                    });
                 assert_eq!((strips.width, strips.height, told), (160, 150, samples));
                 // Places in the picture are rounded to 1/256 pixel in single precision, which may fall to either side.
-                let far = |(a, b): &(&[u8; 4], &[u8; 4])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2);
+                let far = |(a, b): &(&[u8; 4], &[u8; 4])| {
+                    a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2)
+                };
                 let differ = strips.pixels.iter().zip(&whole.pixels).filter(far).count();
-                assert!(differ <= 12, "{name}: {differ} of {} pixels", whole.pixels.len());
+                assert!(
+                    differ <= 12,
+                    "{name}: {differ} of {} pixels",
+                    whole.pixels.len()
+                );
             }
         }
     }
@@ -167,7 +211,10 @@ mod tests {
         for size in [[16_384, 8192], [8192, 16_384], [16_384, 513]] {
             scene.image.size = size;
             let rows = rows_at_once(&scene);
-            assert!(rows.is_multiple_of(STRIDE) && u64::from(rows) * u64::from(size[0]) <= MOST_AT_ONCE, "{size:?}");
+            assert!(
+                rows.is_multiple_of(STRIDE) && u64::from(rows) * u64::from(size[0]) <= MOST_AT_ONCE,
+                "{size:?}"
+            );
         }
         scene.display.overflow = Overflow::Scale;
         assert_eq!(rows_at_once(&scene), scene.image.size[1]);

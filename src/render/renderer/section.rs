@@ -49,19 +49,28 @@ impl Interval {
 impl Renderer {
     /// The polygons that the line between two places of the last picture sees, in its order; the true surface has none.
     pub(crate) fn section(&self, from: DVec2, to: DVec2) -> Vec<Piece> {
-        let Some(Inputs { plan, triangles, .. }) = self.last().filter(|last| !last.plan.true_surface) else {
+        let Some(Inputs {
+            plan, triangles, ..
+        }) = self.last().filter(|last| !last.plan.true_surface)
+        else {
             return Vec::new();
         };
         let count = triangles.model.triangles.len() + triangles.clipped.triangles.len();
         let ends = [from, to].map(|end| end * f64::from(SUBPIXELS));
         let meet = |triangle| meet(triangle, &triangles, plan, ends);
-        let mut intervals: Vec<Interval> = (0..u32::try_from(count).unwrap_or(u32::MAX)).filter_map(meet).collect();
+        let mut intervals: Vec<Interval> = (0..u32::try_from(count).unwrap_or(u32::MAX))
+            .filter_map(meet)
+            .collect();
         intervals.sort_by(|a, b| a.from.total_cmp(&b.from).then(a.triangle.cmp(&b.triangle)));
         visible(&intervals, |triangle| triangles.face(triangle))
     }
 
     /// What is evaluated at a place on a section's line, or beside it in the plane of `piece`. The true surface needs no piece.
-    pub(crate) fn evaluation_at(&self, place: DVec2, piece: Option<&Piece>) -> Option<Evaluation<'_>> {
+    pub(crate) fn evaluation_at(
+        &self,
+        place: DVec2,
+        piece: Option<&Piece>,
+    ) -> Option<Evaluation<'_>> {
         let last = self.last()?;
         if last.plan.true_surface {
             return last.of_surface(place);
@@ -74,8 +83,18 @@ impl Renderer {
 pub(crate) fn displayed(linear: &[Linear], scene: &Scene) -> Frame {
     let [width, height] = scene.image.size;
     let mut pixels = vec![[0; 4]; linear.len()];
-    display(Level::new(), linear, width as usize, &scene.display, &mut pixels);
-    Frame { width, height, pixels }
+    display(
+        Level::new(),
+        linear,
+        width as usize,
+        &scene.display,
+        &mut pixels,
+    );
+    Frame {
+        width,
+        height,
+        pixels,
+    }
 }
 
 /// Twice the area of a place against an edge, positive to its right (y downwards).
@@ -85,7 +104,12 @@ fn side(a: Place, b: Place, p: DVec2) -> f64 {
 }
 
 /// Where the line meets a triangle that the plan draws.
-fn meet(triangle: u32, triangles: &Triangles<'_>, plan: &Plan, ends: [DVec2; 2]) -> Option<Interval> {
+fn meet(
+    triangle: u32,
+    triangles: &Triangles<'_>,
+    plan: &Plan,
+    ends: [DVec2; 2],
+) -> Option<Interval> {
     let (vertices, corners) = (triangles.vertices(triangle), triangles.corners(triangle));
     if corners.iter().any(|corner| corner[0] == UNPLACED) {
         return None;
@@ -100,13 +124,20 @@ fn meet(triangle: u32, triangles: &Triangles<'_>, plan: &Plan, ends: [DVec2; 2])
     for (i, weight) in [(0usize, 2usize), (1, 0), (2, 1)] {
         let (a, b) = (corners[i], corners[(i + 1) % 3]);
         // Taken in one order by both neighbours, so that they agree on where the line crosses.
-        let (low, high, turned) = if a <= b { (a, b, inside) } else { (b, a, -inside) };
+        let (low, high, turned) = if a <= b {
+            (a, b, inside)
+        } else {
+            (b, a, -inside)
+        };
         let [e0, e1] = ends.map(|end| side(low, high, end));
         weights[0][weight] = e0 * turned;
         weights[1][weight] = e1 * turned;
         if e0 == 0.0 && e1 == 0.0 {
             // The line runs along the edge: left and top edges belong, as in `span`.
-            let (across, down) = (-f64::from(high[1] - low[1]) * turned, f64::from(high[0] - low[0]) * turned);
+            let (across, down) = (
+                -f64::from(high[1] - low[1]) * turned,
+                f64::from(high[0] - low[0]) * turned,
+            );
             if !(across > 0.0 || (across == 0.0 && down > 0.0)) {
                 return None;
             }
@@ -123,12 +154,20 @@ fn meet(triangle: u32, triangles: &Triangles<'_>, plan: &Plan, ends: [DVec2; 2])
     let keys = vertices.map(|v| f64::from(triangles.placed.keys[v as usize]));
     let size = area.unsigned_abs() as f64;
     let keys = weights.map(|w| (w[0] * keys[0] + w[1] * keys[1] + w[2] * keys[2]) / size);
-    (to - from > LEAST).then_some(Interval { triangle, from, to, keys })
+    (to - from > LEAST).then_some(Interval {
+        triangle,
+        from,
+        to,
+        keys,
+    })
 }
 
 /// Orders intervals, sorted by their beginnings, by depth.
 fn visible(intervals: &[Interval], face: impl Fn(u32) -> u32) -> Vec<Piece> {
-    let mut breaks: Vec<f64> = intervals.iter().flat_map(|interval| [interval.from, interval.to]).collect();
+    let mut breaks: Vec<f64> = intervals
+        .iter()
+        .flat_map(|interval| [interval.from, interval.to])
+        .collect();
     breaks.sort_by(f64::total_cmp);
     breaks.dedup_by(|b, a| *b - *a <= LEAST);
     let mut pieces: Vec<Piece> = Vec::new();
@@ -147,8 +186,15 @@ fn visible(intervals: &[Interval], face: impl Fn(u32) -> u32) -> Vec<Piece> {
         while let Some(seen) = nearest(&active, from, end) {
             let to = overtaken(&active, &seen, from, end);
             match pieces.last_mut() {
-                Some(last) if last.triangle == seen.triangle && from - last.to <= LEAST => last.to = to,
-                _ => pieces.push(Piece { triangle: seen.triangle, face: face(seen.triangle), from, to }),
+                Some(last) if last.triangle == seen.triangle && from - last.to <= LEAST => {
+                    last.to = to;
+                }
+                _ => pieces.push(Piece {
+                    triangle: seen.triangle,
+                    face: face(seen.triangle),
+                    from,
+                    to,
+                }),
             }
             from = to;
             if end - from <= LEAST {
@@ -163,18 +209,28 @@ fn visible(intervals: &[Interval], face: impl Fn(u32) -> u32) -> Vec<Piece> {
 fn nearest(active: &[Interval], from: f64, end: f64) -> Option<Interval> {
     let just_after = from + 1e-6 * (end - from);
     let order = |a: &&Interval, b: &&Interval| {
-        a.key(just_after).total_cmp(&b.key(just_after)).then(b.triangle.cmp(&a.triangle))
+        a.key(just_after)
+            .total_cmp(&b.key(just_after))
+            .then(b.triangle.cmp(&a.triangle))
     };
     active.iter().max_by(order).copied()
 }
 
 /// Where another interval comes before `seen`, at most `end`.
 fn overtaken(active: &[Interval], seen: &Interval, from: f64, end: f64) -> f64 {
-    let passes = active.iter().filter(|other| other.key(end) > seen.key(end)).map(|other| {
-        let (before, after) = (seen.key(from) - other.key(from), other.key(end) - seen.key(end));
-        from + (end - from) * (before / (before + after)).clamp(0.0, 1.0)
-    });
-    passes.filter(|at| at - from > 1e-6 * (end - from)).fold(end, f64::min)
+    let passes = active
+        .iter()
+        .filter(|other| other.key(end) > seen.key(end))
+        .map(|other| {
+            let (before, after) = (
+                seen.key(from) - other.key(from),
+                other.key(end) - seen.key(end),
+            );
+            from + (end - from) * (before / (before + after)).clamp(0.0, 1.0)
+        });
+    passes
+        .filter(|at| at - from > 1e-6 * (end - from))
+        .fold(end, f64::min)
 }
 
 #[cfg(test)]
@@ -182,8 +238,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_nearer_interval_is_seen_gaps_stay_gaps_and_those_that_pass_through_each_other_change_there() {
-        let of = |(triangle, from, to, keys)| Interval { triangle, from, to, keys };
+    fn the_nearer_interval_is_seen_gaps_stay_gaps_and_those_that_pass_through_each_other_change_there()
+     {
+        let of = |(triangle, from, to, keys)| Interval {
+            triangle,
+            from,
+            to,
+            keys,
+        };
         let seen = |intervals: &[(u32, f64, f64, [f64; 2])]| -> Vec<(u32, f64, f64)> {
             let intervals: Vec<Interval> = intervals.iter().copied().map(of).collect();
             visible(&intervals, |triangle| triangle)
@@ -191,8 +253,20 @@ mod tests {
                 .map(|piece| (piece.triangle, piece.from, piece.to))
                 .collect()
         };
-        let apart = [(0, 0.0, 0.5, [1.0, 1.0]), (1, 0.25, 0.375, [2.0, 2.0]), (2, 0.75, 1.0, [1.0, 1.0])];
-        assert_eq!(seen(&apart), [(0, 0.0, 0.25), (1, 0.25, 0.375), (0, 0.375, 0.5), (2, 0.75, 1.0)]);
+        let apart = [
+            (0, 0.0, 0.5, [1.0, 1.0]),
+            (1, 0.25, 0.375, [2.0, 2.0]),
+            (2, 0.75, 1.0, [1.0, 1.0]),
+        ];
+        assert_eq!(
+            seen(&apart),
+            [
+                (0, 0.0, 0.25),
+                (1, 0.25, 0.375),
+                (0, 0.375, 0.5),
+                (2, 0.75, 1.0)
+            ]
+        );
         let crossing = [(0, 0.0, 1.0, [2.0, 0.0]), (1, 0.0, 1.0, [0.0, 2.0])];
         assert_eq!(seen(&crossing), [(0, 0.0, 0.5), (1, 0.5, 1.0)]);
     }

@@ -24,7 +24,13 @@ pub trait Colour {
     fn row(&mut self, _y: u32) {}
 
     /// Red, green, blue at the pixels from `column` on, given the three carried numbers and the depth key.
-    fn at<S: Simd>(&mut self, simd: S, column: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3];
+    fn at<S: Simd>(
+        &mut self,
+        simd: S,
+        column: usize,
+        carried: [Lanes<S>; 3],
+        key: Lanes<S>,
+    ) -> [Lanes<S>; 3];
 }
 
 /// The carried numbers are intensities.
@@ -36,10 +42,20 @@ pub struct Carried {
 
 impl Colour for Carried {
     #[inline(always)]
-    fn at<S: Simd>(&mut self, simd: S, _: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
+    fn at<S: Simd>(
+        &mut self,
+        simd: S,
+        _: usize,
+        carried: [Lanes<S>; 3],
+        key: Lanes<S>,
+    ) -> [Lanes<S>; 3] {
         // Rounding may leave nothing of the key of what is far beside what is near.
         let least = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
-        let factor = if self.by_key { Lanes::splat(simd, 1.0) / key.max(least) } else { Lanes::splat(simd, 1.0) };
+        let factor = if self.by_key {
+            Lanes::splat(simd, 1.0) / key.max(least)
+        } else {
+            Lanes::splat(simd, 1.0)
+        };
         let [r, g, b] = carried;
         [r * factor, g * factor, b * factor]
     }
@@ -97,26 +113,40 @@ impl<'a, F: Specular> Evaluated<'a, F> {
 
 /// In single precision, no component greater than the farthest distance.
 fn within_reach(v: DVec3) -> [f32; 3] {
-    v.clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST)).as_vec3().to_array()
+    v.clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST))
+        .as_vec3()
+        .to_array()
 }
 
 impl<F: Specular> Colour for Evaluated<'_, F> {
     #[inline(always)]
     fn row(&mut self, y: u32) {
-        let Inputs { lens, visibility, .. } = self.inputs;
+        let Inputs {
+            lens, visibility, ..
+        } = self.inputs;
         let (point, direction) = lens.ray(pixel_centre(0, y as usize));
         self.start = within_reach(if self.perspective { direction } else { point });
         self.reached = visibility.and_then(|bits| bits.at(y as usize, 0));
     }
 
     #[inline(always)]
-    fn at<S: Simd>(&mut self, simd: S, column: usize, carried: [Lanes<S>; 3], key: Lanes<S>) -> [Lanes<S>; 3] {
+    fn at<S: Simd>(
+        &mut self,
+        simd: S,
+        column: usize,
+        carried: [Lanes<S>; 3],
+        key: Lanes<S>,
+    ) -> [Lanes<S>; 3] {
         let key = key.max(Lanes::splat(simd, self.least_key));
         let [nx, ny, nz] = carried;
         let normal = V3::new(nx, ny, nz);
         let normal = if self.renormalise {
             let shortest = Lanes::splat(simd, SHORTEST_SQUARED);
-            normal.normalised_from(if self.by_key { key * key * shortest } else { shortest })
+            normal.normalised_from(if self.by_key {
+                key * key * shortest
+            } else {
+                shortest
+            })
         } else if self.by_key {
             normal.scale(Lanes::splat(simd, 1.0) / key)
         } else {
@@ -124,7 +154,8 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
         };
         let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
         let point = self.equation.site(self.positions(simd, x, key), normal);
-        self.equation.illuminate::<Lanes<S>, F>(&point, Reached::starting_at(self.reached, column))
+        self.equation
+            .illuminate::<Lanes<S>, F>(&point, Reached::starting_at(self.reached, column))
     }
 }
 
@@ -135,7 +166,14 @@ pub trait Target {
     /// The pixels, and what those hold that see no object.
     fn pixels(&mut self) -> (&mut [Self::Pixel], Self::Pixel);
     /// Writes one vector's lanes to the pixels from `first` on, at most `count` of them; returns how many overflow.
-    fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32;
+    fn put<S: Simd>(
+        &mut self,
+        simd: S,
+        first: usize,
+        count: usize,
+        color: [Lanes<S>; 3],
+        covered: S::mask32s,
+    ) -> u32;
     /// A linear colour as pixels hold it, and whether it overflows.
     fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> (Self::Pixel, bool);
 
@@ -176,7 +214,14 @@ impl Target for Stored<'_> {
     }
 
     #[inline(always)]
-    fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32 {
+    fn put<S: Simd>(
+        &mut self,
+        simd: S,
+        first: usize,
+        count: usize,
+        color: [Lanes<S>; 3],
+        covered: S::mask32s,
+    ) -> u32 {
         let background = S::i32s::simd_from(simd, i32::from_le_bytes(self.background));
         let (packed, over) = pack(simd, color, covered, background, self.encoding);
         let bytes = self.pixels[first..first + count].as_flattened_mut();
@@ -195,10 +240,17 @@ impl Target for Stored<'_> {
             return (raw(simd, color), overflows(color));
         }
         let mut pixel = [[0; 4]];
-        let mut one = Stored { pixels: &mut pixel, ..*self };
+        let mut one = Stored {
+            pixels: &mut pixel,
+            ..*self
+        };
         let covered = S::mask32s::from_bitmask(simd, 1);
         let [r, g, b] = color;
-        let color = [Lanes::splat(simd, r), Lanes::splat(simd, g), Lanes::splat(simd, b)];
+        let color = [
+            Lanes::splat(simd, r),
+            Lanes::splat(simd, g),
+            Lanes::splat(simd, b),
+        ];
         let overflows = one.put(simd, 0, 1, color, covered) > 0;
         (pixel[0], overflows)
     }
@@ -219,12 +271,24 @@ impl Target for Unstored<'_> {
     }
 
     #[inline(always)]
-    fn put<S: Simd>(&mut self, simd: S, first: usize, count: usize, color: [Lanes<S>; 3], covered: S::mask32s) -> u32 {
+    fn put<S: Simd>(
+        &mut self,
+        simd: S,
+        first: usize,
+        count: usize,
+        color: [Lanes<S>; 3],
+        covered: S::mask32s,
+    ) -> u32 {
         let one = Lanes::splat(simd, 1.0);
         let [red, green, blue, _] = self.background;
         let brightest = one.constant(BRIGHTEST as f32);
-        let [r, g, b] = [color[0].min(brightest), color[1].min(brightest), color[2].min(brightest)];
-        let over = (r.max(g).max(b).greater_than(one) & covered).to_bitmask() & (u64::MAX >> (64 - count));
+        let [r, g, b] = [
+            color[0].min(brightest),
+            color[1].min(brightest),
+            color[2].min(brightest),
+        ];
+        let over =
+            (r.max(g).max(b).greater_than(one) & covered).to_bitmask() & (u64::MAX >> (64 - count));
         let planes = [
             Lanes::select(covered, r, one.constant(red)),
             Lanes::select(covered, g, one.constant(green)),
@@ -260,7 +324,11 @@ pub fn shade<S: Simd>(
 ) -> u64 {
     let width = place.width as usize;
     let mut over = 0;
-    for ((row, extent), line) in extents.iter().enumerate().zip(fragments.chunks(Block::count(place.width))) {
+    for ((row, extent), line) in extents
+        .iter()
+        .enumerate()
+        .zip(fragments.chunks(Block::count(place.width)))
+    {
         let start = row * width;
         if extent.is_empty() {
             target.clear(start..start + width);
@@ -289,14 +357,22 @@ pub fn face_points(model: &Model) -> [Planes; 2] {
     let count = model.face_count();
     let points: Vec<(DVec3, DVec3)> = (0..u32::try_from(count).unwrap_or(u32::MAX))
         .into_par_iter()
-        .map(|face| (model.face_centre(face) - model.origin, model.face_normal(face)))
+        .map(|face| {
+            (
+                model.face_centre(face) - model.origin,
+                model.face_normal(face),
+            )
+        })
         .collect();
     let plane = |get: &dyn Fn(&(DVec3, DVec3)) -> f64| -> Vec<f32> {
         let mut plane: Vec<f32> = points.iter().map(|p| get(p) as f32).collect();
         plane.resize(count.next_multiple_of(PADDING), 0.0);
         plane
     };
-    [[0, 1, 2].map(|axis| plane(&|p| p.0[axis])), [0, 1, 2].map(|axis| plane(&|p| p.1[axis]))]
+    [
+        [0, 1, 2].map(|axis| plane(&|p| p.0[axis])),
+        [0, 1, 2].map(|axis| plane(&|p| p.1[axis])),
+    ]
 }
 
 /// Evaluates the equation at the vertices or faces of the model, [`BLOCK`] of them a task.
@@ -306,34 +382,63 @@ pub fn shade_points<F: Specular>(
     [position, normal]: [&Planes; 2],
     intensity: &mut Planes,
 ) {
-    let Inputs { lens, triangles, visibility, .. } = *inputs;
+    let Inputs {
+        lens,
+        triangles,
+        visibility,
+        ..
+    } = *inputs;
     let model = triangles.model;
     fit(intensity, position[0].len());
     let scale = (1.0 / lens.unit).min(FARTHEST / model.radius.max(f64::MIN_POSITIVE)) as f32;
     let offset = within_reach((model.origin - lens.eye) / lens.unit);
     let [r, g, b] = intensity;
-    let out = r.par_chunks_mut(BLOCK).zip(g.par_chunks_mut(BLOCK)).zip(b.par_chunks_mut(BLOCK));
+    let out = r
+        .par_chunks_mut(BLOCK)
+        .zip(g.par_chunks_mut(BLOCK))
+        .zip(b.par_chunks_mut(BLOCK));
     out.enumerate().for_each(|(chunk, ((r, g), b))| {
         let range = chunk * BLOCK..chunk * BLOCK + r.len();
         let position = position.each_ref().map(|plane| &plane[range.clone()]);
         let normal = normal.each_ref().map(|plane| &plane[range.clone()]);
         let reached = visibility.and_then(|bits| bits.at(chunk, 0));
-        let points = Points { equation, scale, offset, position, normal, reached };
+        let points = Points {
+            equation,
+            scale,
+            offset,
+            position,
+            normal,
+            reached,
+        };
         dispatch!(inputs.level, simd => points.shade::<_, F>(simd, [r, g, b]));
     });
 }
 
 /// The same in double precision.
-pub fn shade_points_in_double(inputs: &Inputs<'_>, [position, normal]: [&Planes; 2], intensity: &mut Planes) {
+pub fn shade_points_in_double(
+    inputs: &Inputs<'_>,
+    [position, normal]: [&Planes; 2],
+    intensity: &mut Planes,
+) {
     let equation = inputs.equation();
     fit(intensity, position[0].len());
     let [r, g, b] = intensity;
-    let at = |planes: &Planes, index: usize| DVec3::from_array([0, 1, 2].map(|axis| f64::from(planes[axis][index])));
+    let at = |planes: &Planes, index: usize| {
+        DVec3::from_array([0, 1, 2].map(|axis| f64::from(planes[axis][index])))
+    };
     let out = r.par_iter_mut().zip(g.par_iter_mut()).zip(b.par_iter_mut());
     out.enumerate().for_each(|(index, ((r, g), b))| {
-        let reached = inputs.visibility.and_then(|bits| bits.at(index / BLOCK, index % BLOCK));
-        let (point, normal) = (inputs.triangles.model.origin + at(position, index), at(normal, index));
-        [*r, *g, *b] = equation.illuminate_world(point, normal, reached).as_vec3().to_array();
+        let reached = inputs
+            .visibility
+            .and_then(|bits| bits.at(index / BLOCK, index % BLOCK));
+        let (point, normal) = (
+            inputs.triangles.model.origin + at(position, index),
+            at(normal, index),
+        );
+        [*r, *g, *b] = equation
+            .illuminate_world(point, normal, reached)
+            .as_vec3()
+            .to_array();
     });
 }
 
@@ -361,9 +466,12 @@ impl Points<'_> {
         let scale = Lanes::splat(simd, self.scale);
         let [r, g, b] = out;
         for start in (0..r.len()).step_by(lanes) {
-            let position = load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
+            let position =
+                load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
             let point = self.equation.site(position, load(simd, self.normal, start));
-            let rgb = self.equation.illuminate::<Lanes<S>, F>(&point, Reached::starting_at(self.reached, start));
+            let rgb = self
+                .equation
+                .illuminate::<Lanes<S>, F>(&point, Reached::starting_at(self.reached, start));
             rgb[0].0.store_slice(&mut r[start..start + lanes]);
             rgb[1].0.store_slice(&mut g[start..start + lanes]);
             rgb[2].0.store_slice(&mut b[start..start + lanes]);
@@ -373,5 +481,9 @@ impl Points<'_> {
 
 #[inline(always)]
 fn load<S: Simd>(simd: S, [x, y, z]: [&[f32]; 3], start: usize) -> V3<Lanes<S>> {
-    V3::new(Lanes::load(simd, &x[start..]), Lanes::load(simd, &y[start..]), Lanes::load(simd, &z[start..]))
+    V3::new(
+        Lanes::load(simd, &x[start..]),
+        Lanes::load(simd, &y[start..]),
+        Lanes::load(simd, &z[start..]),
+    )
 }

@@ -26,7 +26,10 @@ impl Datum for f64 {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
         let (text, infinite) = match value.get_ref() {
             DeValue::Integer(number) => match integer(number) {
-                #[expect(clippy::cast_precision_loss, reason = "a whole number in a file stands for a real one")]
+                #[expect(
+                    clippy::cast_precision_loss,
+                    reason = "a whole number in a file stands for a real one"
+                )]
                 Some(whole) => return Ok(whole as f64),
                 None => (number.as_str(), false),
             },
@@ -60,17 +63,26 @@ impl Datum for bool {
 
 impl Datum for String {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
-        scalar(value, |value| value.as_str().map(str::to_owned), "text in quotation marks")
+        scalar(
+            value,
+            |value| value.as_str().map(str::to_owned),
+            "text in quotation marks",
+        )
     }
 }
 
 impl Datum for Option<PathBuf> {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
-        scalar(value, |value| value.as_str().map(|path| Some(path.into())), "a path in quotation marks")
+        scalar(
+            value,
+            |value| value.as_str().map(|path| Some(path.into())),
+            "a path in quotation marks",
+        )
     }
 
     fn value(&self) -> Option<Value> {
-        self.as_ref().map(|path| Value::String(path.to_string_lossy().into_owned()))
+        self.as_ref()
+            .map(|path| Value::String(path.to_string_lossy().into_owned()))
     }
 }
 
@@ -78,7 +90,10 @@ impl<T: Choice + Serialize> Datum for T {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
         let words: Vec<_> = T::OPTIONS.iter().map(|option| option.word).collect();
         let DeValue::String(word) = value.get_ref() else {
-            return Err(Finding::value(found(value.get_ref()), format_args!("one of {}", words.join(", "))));
+            return Err(Finding::value(
+                found(value.get_ref()),
+                format_args!("one of {}", words.join(", ")),
+            ));
         };
         T::from_word(word).ok_or_else(|| Finding::new("", Cause::unknown_word(word, &words)))
     }
@@ -116,14 +131,18 @@ impl<T: Datum> Datum for Shared<T> {
     }
 
     fn same(&self, other: &Self) -> bool {
-        self.is(other) || (self.len() == other.len() && self.iter().zip(other.iter()).all(|(a, b)| a.same(b)))
+        self.is(other)
+            || (self.len() == other.len() && self.iter().zip(other.iter()).all(|(a, b)| a.same(b)))
     }
 }
 
 /// The settings of a pane.
 impl Datum for Vec<String> {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
-        list(value, "a list of settings in quotation marks, as in [\"shading.mode=exact\"]")
+        list(
+            value,
+            "a list of settings in quotation marks, as in [\"shading.mode=exact\"]",
+        )
     }
 }
 
@@ -146,7 +165,10 @@ fn scalar<T>(
 }
 
 fn list<T: Datum>(value: &Spanned<DeValue<'_>>, expected: &str) -> Result<Vec<T>, Finding> {
-    let elements = value.get_ref().as_array().ok_or_else(|| Finding::value(found(value.get_ref()), expected))?;
+    let elements = value
+        .get_ref()
+        .as_array()
+        .ok_or_else(|| Finding::value(found(value.get_ref()), expected))?;
     let element = |(i, element): (usize, &Spanned<DeValue<'_>>)| {
         T::read(element).map_err(|wrong| Finding {
             key: format!(".{i}{}", wrong.key),
@@ -157,10 +179,14 @@ fn list<T: Datum>(value: &Spanned<DeValue<'_>>, expected: &str) -> Result<Vec<T>
     elements.iter().enumerate().map(element).collect()
 }
 
-fn array<T: Datum, const N: usize>(value: &Spanned<DeValue<'_>>, expected: &str) -> Result<[T; N], Finding> {
+fn array<T: Datum, const N: usize>(
+    value: &Spanned<DeValue<'_>>,
+    expected: &str,
+) -> Result<[T; N], Finding> {
     let list = list(value, expected)?;
     let count = list.len();
-    list.try_into().map_err(|_| Finding::value(format_args!("a list of {count}"), expected))
+    list.try_into()
+        .map_err(|_| Finding::value(format_args!("a list of {count}"), expected))
 }
 
 /// A value of a wrong type, as a message repeats it.
@@ -185,7 +211,10 @@ pub fn value_text(value: &Value) -> String {
     match value {
         Value::Float(number) if number.is_nan() => "nan".to_owned(),
         Value::Float(number) => format!("{number:?}"),
-        Value::Array(list) => format!("[{}]", list.iter().map(value_text).collect::<Vec<_>>().join(", ")),
+        Value::Array(list) => format!(
+            "[{}]",
+            list.iter().map(value_text).collect::<Vec<_>>().join(", ")
+        ),
         value => value.to_string(),
     }
 }

@@ -10,7 +10,10 @@ use toml::de::{DeTable, DeValue};
 /// Reads a document: the scene, and everything found on the way. Limits are not looked at.
 pub fn read(document: &DeTable<'_>) -> (Scene, Vec<Finding>) {
     let mut scene = Scene::default();
-    let mut reader = Reader { scene: &mut scene, findings: vec![] };
+    let mut reader = Reader {
+        scene: &mut scene,
+        findings: vec![],
+    };
     match wrong_version(document) {
         Some(finding) => reader.findings.push(finding),
         None => reader.table(&Key::default(), document),
@@ -22,16 +25,24 @@ pub fn read(document: &DeTable<'_>) -> (Scene, Vec<Finding>) {
 /// Another version's keys mean nothing here, so its number is all that is reported.
 fn wrong_version(document: &DeTable<'_>) -> Option<Finding> {
     let (key, value) = document.get_key_value("version")?;
-    let DeValue::Integer(number) = value.get_ref() else { return None };
+    let DeValue::Integer(number) = value.get_ref() else {
+        return None;
+    };
     let known = integer(number) == Some(i64::from(Scene::VERSION));
     let finding = Finding::new("version", Cause::version(number));
-    (!known).then(|| Finding { offset: Some(key.span().start), ..finding })
+    (!known).then(|| Finding {
+        offset: Some(key.span().start),
+        ..finding
+    })
 }
 
 /// Puts a value at a key of a scene: at a parameter, at an element of its list (`camera.eye.1`), or at a table or a list of
 /// tables, all of which it replaces. Returns what is wrong with it.
 pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Finding> {
-    let mut reader = Reader { scene, findings: vec![] };
+    let mut reader = Reader {
+        scene,
+        findings: vec![],
+    };
     let mut key = Key::default();
     let mut parts = name.split('.');
     while let Some(part) = parts.next() {
@@ -42,9 +53,12 @@ pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Fi
                 Err(cause) => return key.finding(cause),
             },
             Node::Parameter(parameter) => {
-                let whole =
-                    parameter.value(reader.scene, key.index).map_or_else(String::new, |value| value.to_string());
-                let Ok(mut whole) = DeValue::parse(&whole) else { return vec![] };
+                let whole = parameter
+                    .value(reader.scene, key.index)
+                    .map_or_else(String::new, |value| value.to_string());
+                let Ok(mut whole) = DeValue::parse(&whole) else {
+                    return vec![];
+                };
                 let path = std::iter::once(part).chain(parts);
                 match element_of(whole.get_mut(), &key, path) {
                     Ok(place) => *place = value.into_inner(),
@@ -58,8 +72,14 @@ pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Fi
     }
     match key.node() {
         Node::Unknown => {
-            let table = key.pattern.rsplit_once('.').map_or("", |(table, _)| table).to_owned();
-            return key.finding(Cause::UnknownKey { known: Parameter::names_in(&table) });
+            let table = key
+                .pattern
+                .rsplit_once('.')
+                .map_or("", |(table, _)| table)
+                .to_owned();
+            return key.finding(Cause::UnknownKey {
+                known: Parameter::names_in(&table),
+            });
         }
         Node::Table => reader.clear(&key),
         Node::Parameter(_) | Node::List(_) => {}
@@ -77,7 +97,10 @@ fn element_of<'v, 'i, 'p>(
     let mut key = key.clone();
     for part in path {
         let DeValue::Array(list) = value else {
-            let words = format!(" is a single value, expected no `{}` after it", shortened(part));
+            let words = format!(
+                " is a single value, expected no `{}` after it",
+                shortened(part)
+            );
             return Err(key.finding(Cause::Key(words)));
         };
         let index = element(part, list.len()).map_err(|cause| key.finding(cause))?;
@@ -89,14 +112,18 @@ fn element_of<'v, 'i, 'p>(
 
 /// The number of an element of a list.
 fn element(part: &str, count: usize) -> Result<usize, Cause> {
-    let index = part.parse().map_err(|_| Cause::value("a list", "a number from 0 after it"))?;
+    let index = part
+        .parse()
+        .map_err(|_| Cause::value("a list", "a number from 0 after it"))?;
     let expected = match count {
         _ if index < count => return Ok(index),
         0 => "none, since it is empty".to_owned(),
         1 => "0, its only one".to_owned(),
         _ => format!("0 to {}", count - 1),
     };
-    Err(Cause::Key(format!(" has no element {index}, expected {expected}")))
+    Err(Cause::Key(format!(
+        " has no element {index}, expected {expected}"
+    )))
 }
 
 /// The name of a table, a list or a value.
@@ -120,12 +147,26 @@ enum Node {
 
 impl Key {
     fn inside(&self, name: &str) -> Self {
-        let join = |table: &str| if table.is_empty() { name.to_owned() } else { format!("{table}.{name}") };
-        Self { text: join(&self.text), pattern: join(&self.pattern), index: self.index }
+        let join = |table: &str| {
+            if table.is_empty() {
+                name.to_owned()
+            } else {
+                format!("{table}.{name}")
+            }
+        };
+        Self {
+            text: join(&self.text),
+            pattern: join(&self.pattern),
+            index: self.index,
+        }
     }
 
     fn element(&self, index: usize) -> Self {
-        Self { text: format!("{}.{index}", self.text), pattern: format!("{}.N", self.pattern), index }
+        Self {
+            text: format!("{}.{index}", self.text),
+            pattern: format!("{}.N", self.pattern),
+            index,
+        }
     }
 
     fn finding(&self, cause: Cause) -> Vec<Finding> {
@@ -138,9 +179,9 @@ impl Key {
         }
         let mut inside = Parameter::in_table(&self.pattern);
         match inside.next() {
-            None => {
-                Parameter::all().find(|parameter| parameter.key == self.pattern).map_or(Node::Unknown, Node::Parameter)
-            }
+            None => Parameter::all()
+                .find(|parameter| parameter.key == self.pattern)
+                .map_or(Node::Unknown, Node::Parameter),
             Some(parameter) => match List::of(parameter.key) {
                 Some(list) if list.key() == self.pattern => Node::List(list),
                 _ => Node::Table,
@@ -159,8 +200,14 @@ impl Reader<'_> {
         for (name, value) in table {
             let (offset, inner) = (name.span().start, key.inside(name.get_ref()));
             if name.get_ref().contains('.') || matches!(inner.node(), Node::Unknown) {
-                let cause = Cause::UnknownKey { known: Parameter::names_in(&key.pattern) };
-                self.findings.push(Finding { offset: Some(offset), key: inner.text, cause });
+                let cause = Cause::UnknownKey {
+                    known: Parameter::names_in(&key.pattern),
+                };
+                self.findings.push(Finding {
+                    offset: Some(offset),
+                    key: inner.text,
+                    cause,
+                });
             } else {
                 self.value(&inner, offset, value);
             }
@@ -185,8 +232,15 @@ impl Reader<'_> {
             (_, other) => Err(Finding::value(found(other), "a table of keys")),
         };
         if let Err(wrong) = read {
-            let (offset, key) = (wrong.offset.or(Some(offset)), format!("{}{}", key.text, wrong.key));
-            self.findings.push(Finding { offset, key, cause: wrong.cause });
+            let (offset, key) = (
+                wrong.offset.or(Some(offset)),
+                format!("{}{}", key.text, wrong.key),
+            );
+            self.findings.push(Finding {
+                offset,
+                key,
+                cause: wrong.cause,
+            });
         }
     }
 

@@ -97,24 +97,52 @@ impl<'a> Equation<'a> {
         let two_sided = scene.reflection.backfacing == Backfacing::Flip;
         let lit = |terms: &LightTerms| n.dot(terms.l) > 0.0 || (two_sided && n.dot(terms.l) < 0.0);
         let chosen = options.light.filter(|index| *index < hit.lights.len());
-        let index = chosen.or_else(|| hit.lights.iter().position(lit)).unwrap_or(0);
+        let index = chosen
+            .or_else(|| hit.lights.iter().position(lit))
+            .unwrap_or(0);
         let focus = hit.lights.get(index).map(|terms| {
-            let n = if two_sided && n.dot(terms.l) < 0.0 { -n } else { n };
-            let phi_between = if phong { (terms.r, hit.view) } else { (n, terms.h) };
-            Focus { index, terms, n, lit: lit(terms), phi_between }
+            let n = if two_sided && n.dot(terms.l) < 0.0 {
+                -n
+            } else {
+                n
+            };
+            let phi_between = if phong {
+                (terms.r, hit.view)
+            } else {
+                (n, terms.h)
+            };
+            Focus {
+                index,
+                terms,
+                n,
+                lit: lit(terms),
+                phi_between,
+            }
         });
-        Self { hit, half_vector: options.half_vector || !phong, focus }
+        Self {
+            hit,
+            half_vector: options.half_vector || !phong,
+            focus,
+        }
     }
 
     /// The lobe of the light that is looked at, if it is asked for.
     pub fn lobe(&self, sketch: &Sketch, scene: &Scene, layers: &[OverlayLayer]) -> Vec<Shape> {
-        let focus = self.focus.as_ref().filter(|_| layers.contains(&OverlayLayer::Lobe));
+        let focus = self
+            .focus
+            .as_ref()
+            .filter(|_| layers.contains(&OverlayLayer::Lobe));
         let lobe = focus.and_then(|focus| ReflectionLobe::at(scene, self.hit, focus.index));
         lobe.map_or_else(Vec::new, |lobe| lobe::draw(sketch, &lobe, scene))
     }
 
     /// The side view in a corner of `picture`, if it is asked for and has room: vectors and angles of one light.
-    pub fn side_view(&self, picture: Area, sketch: &Sketch, options: &OverlayOptions) -> Option<Sketch> {
+    pub fn side_view(
+        &self,
+        picture: Area,
+        sketch: &Sketch,
+        options: &OverlayOptions,
+    ) -> Option<Sketch> {
         let (focus, v) = (self.focus.as_ref()?, self.hit.view.try_normalize()?);
         let sound = focus.n != DVec3::ZERO && focus.terms.l.is_finite();
         if !options.layers.contains(&OverlayLayer::SideView) || !sound {
@@ -124,24 +152,45 @@ impl<'a> Equation<'a> {
         let phi_between = if focus.lit { focus.phi_between } else { (v, v) };
         let mut side = side::sketch(pane, [focus.n, focus.terms.l, v], phi_between, options)?;
         let mut layers = vec![OverlayLayer::Vectors, OverlayLayer::Angles];
-        layers.extend(options.layers.iter().filter(|layer| **layer == OverlayLayer::Construction));
+        layers.extend(
+            options
+                .layers
+                .iter()
+                .filter(|layer| **layer == OverlayLayer::Construction),
+        );
         self.draw(&mut side, false, &layers);
         Some(side)
     }
 
     /// Draws layers in the order in which the letters want places: what is lettered first gets the best. `every_light` adds
     /// L of the other lights.
-    pub fn draw(&self, sketch: &mut Sketch, every_light: bool, layers: &[OverlayLayer]) -> (Vec<Arrow>, Vec<Arc>) {
+    pub fn draw(
+        &self,
+        sketch: &mut Sketch,
+        every_light: bool,
+        layers: &[OverlayLayer],
+    ) -> (Vec<Arrow>, Vec<Arc>) {
         let shown = |layer| self.focus.as_ref().filter(|_| layers.contains(&layer));
         let constructed = shown(OverlayLayer::Construction).filter(|focus| focus.lit);
         if let Some(focus) = constructed {
             draw_construction(sketch, focus.n, focus.terms.l);
         }
         let with_vectors = layers.contains(&OverlayLayer::Vectors);
-        let arrows = if with_vectors { self.draw_vectors(sketch, every_light) } else { vec![] };
-        let point = Shape::ring(sketch.origin, sketch.style.ring, 0.5 * sketch.style.line, sketch.style.neutral);
+        let arrows = if with_vectors {
+            self.draw_vectors(sketch, every_light)
+        } else {
+            vec![]
+        };
+        let point = Shape::ring(
+            sketch.origin,
+            sketch.style.ring,
+            0.5 * sketch.style.line,
+            sketch.style.neutral,
+        );
         sketch.shapes.push(point);
-        let arcs = shown(OverlayLayer::Angles).map(|focus| self.draw_angles(sketch, focus)).unwrap_or_default();
+        let arcs = shown(OverlayLayer::Angles)
+            .map(|focus| self.draw_angles(sketch, focus))
+            .unwrap_or_default();
         if let Some(Focus { n, terms, .. }) = constructed {
             let foot = *n * n.dot(terms.l);
             if let (Some(at_l), Some(at_foot)) = (sketch.end(terms.l), sketch.end(foot)) {
@@ -157,16 +206,35 @@ impl<'a> Equation<'a> {
     fn draw_vectors(&self, sketch: &mut Sketch, every_light: bool) -> Vec<Arrow> {
         let hit = self.hit;
         let mut list = vec![(Vector::N, None, hit.normal)];
-        if let Some(Focus { index, terms, lit, .. }) = &self.focus {
-            let own = [(Vector::L, true, terms.l), (Vector::R, *lit, terms.r), (Vector::H, self.half_vector, terms.h)];
-            list.extend(own.into_iter().filter(|(_, shown, _)| *shown).map(|(letter, _, v)| (letter, Some(*index), v)));
+        if let Some(Focus {
+            index, terms, lit, ..
+        }) = &self.focus
+        {
+            let own = [
+                (Vector::L, true, terms.l),
+                (Vector::R, *lit, terms.r),
+                (Vector::H, self.half_vector, terms.h),
+            ];
+            list.extend(
+                own.into_iter()
+                    .filter(|(_, shown, _)| *shown)
+                    .map(|(letter, _, v)| (letter, Some(*index), v)),
+            );
         }
         list.push((Vector::V, None, hit.view));
-        list.extend(hit.transmission.and_then(|through| through.t).map(|t| (Vector::T, None, t)));
+        list.extend(
+            hit.transmission
+                .and_then(|through| through.t)
+                .map(|t| (Vector::T, None, t)),
+        );
         let emphasised = list.len();
         if every_light {
             let looked_at = self.focus.as_ref().map(|focus| focus.index);
-            let others = hit.lights.iter().enumerate().filter(|(index, _)| Some(*index) != looked_at);
+            let others = hit
+                .lights
+                .iter()
+                .enumerate()
+                .filter(|(index, _)| Some(*index) != looked_at);
             list.extend(others.map(|(index, terms)| (Vector::L, Some(index), terms.l)));
         }
         let (mut circles, mut arrows) = (vec![(sketch.origin, sketch.style.ring)], Vec::new());
@@ -174,7 +242,9 @@ impl<'a> Equation<'a> {
             if !direction.is_finite() || direction == DVec3::ZERO {
                 continue;
             }
-            let Some(tip) = sketch.end(direction) else { continue };
+            let Some(tip) = sketch.end(direction) else {
+                continue;
+            };
             let slant = sketch.slant(direction);
             let head = match (slant.abs() < HEAD_ON, slant.is_sign_positive()) {
                 (false, _) => ArrowHead::Plain,
@@ -182,13 +252,33 @@ impl<'a> Equation<'a> {
                 (true, false) => ArrowHead::Away,
             };
             let emphasised = place < emphasised;
-            let arrow = Arrow { vector, light, tail: sketch.origin, tip, head, emphasised };
+            let arrow = Arrow {
+                vector,
+                light,
+                tail: sketch.origin,
+                tip,
+                head,
+                emphasised,
+            };
             let beside = draw_arrow(sketch, &arrow, &mut circles);
             if emphasised || hit.lights.len() <= LETTERED {
                 let name = format!("{}{}", vector.letter(), self.subscript(light));
-                let (anchor, along) = (sketch.inside(tip, 0.5 * sketch.style.text), tip - sketch.origin);
-                let (size, clearance) = (if emphasised { 1.15 } else { 0.9 }, beside + 0.15 * sketch.style.text);
-                sketch.letter(name, size, vector.colour(), anchor, along.normalize_or_zero(), clearance);
+                let (anchor, along) = (
+                    sketch.inside(tip, 0.5 * sketch.style.text),
+                    tip - sketch.origin,
+                );
+                let (size, clearance) = (
+                    if emphasised { 1.15 } else { 0.9 },
+                    beside + 0.15 * sketch.style.text,
+                );
+                sketch.letter(
+                    name,
+                    size,
+                    vector.colour(),
+                    anchor,
+                    along.normalize_or_zero(),
+                    clearance,
+                );
             }
             arrows.push(arrow);
         }
@@ -203,9 +293,16 @@ impl<'a> Equation<'a> {
         if focus.lit {
             arcs.extend(draw_arc(sketch, Angle::Mirror, (*n, terms.r)));
         }
-        let phi = focus.lit.then_some((Angle::Phi, focus.phi_between, "φ", terms.phi));
-        for (angle, pair, letter, value) in [(Angle::Theta, (*n, terms.l), "θ", terms.theta)].into_iter().chain(phi) {
-            let Some(arc) = draw_arc(sketch, angle, pair) else { continue };
+        let phi = focus
+            .lit
+            .then_some((Angle::Phi, focus.phi_between, "φ", terms.phi));
+        for (angle, pair, letter, value) in [(Angle::Theta, (*n, terms.l), "θ", terms.theta)]
+            .into_iter()
+            .chain(phi)
+        {
+            let Some(arc) = draw_arc(sketch, angle, pair) else {
+                continue;
+            };
             let (middle, style) = (arc.points[arc.points.len() / 2], sketch.style);
             let out = (middle - sketch.origin).normalize_or_zero();
             let anchor = sketch.inside(middle, 0.5 * style.text);
@@ -218,7 +315,9 @@ impl<'a> Equation<'a> {
 
     /// The light's number below the line, where there are several lights.
     fn subscript(&self, light: Option<usize>) -> String {
-        light.filter(|_| self.hit.lights.len() > 1).map_or_else(String::new, |index| lowered(index + 1))
+        light
+            .filter(|_| self.hit.lights.len() > 1)
+            .map_or_else(String::new, |index| lowered(index + 1))
     }
 }
 
@@ -233,13 +332,15 @@ fn draw_arrow(sketch: &mut Sketch, arrow: &Arrow, circles: &mut Vec<(DVec2, f64)
         let thin = if arrow.emphasised { 1.0 } else { SUBORDINATE };
         let head = (style.head * thin.sqrt()).min(0.6 * length);
         let start = arrow.tail + along * style.ring.min(0.4 * length);
-        let [shaft, point] = Shape::arrow([start, arrow.tip], along, style.line * thin, head, colour);
+        let [shaft, point] =
+            Shape::arrow([start, arrow.tip], along, style.line * thin, head, colour);
         sketch.shapes.extend([shaft.dashed(dashes), point]);
         return 0.0;
     }
     let mut radius = style.ring + 1.6 * style.line;
     let near = |(centre, taken): &(DVec2, f64), radius: f64| {
-        (*centre - arrow.tip).length() < 3.0 * style.line && (taken - radius).abs() < 1.3 * style.line
+        (*centre - arrow.tip).length() < 3.0 * style.line
+            && (taken - radius).abs() < 1.3 * style.line
     };
     while circles.iter().any(|circle| near(circle, radius)) {
         radius += 1.5 * style.line;
@@ -247,7 +348,9 @@ fn draw_arrow(sketch: &mut Sketch, arrow: &Arrow, circles: &mut Vec<(DVec2, f64)
     circles.push((arrow.tip, radius));
     if length > radius + style.ring {
         let shaft = vec![arrow.tail + along * style.ring, arrow.tip - along * radius];
-        sketch.shapes.push(Shape::line(shaft, style.line, colour).dashed(dashes));
+        sketch
+            .shapes
+            .push(Shape::line(shaft, style.line, colour).dashed(dashes));
     }
     sketch.draw_end_on(arrow.tip, radius, arrow.head == ArrowHead::Towards, colour);
     radius
@@ -261,25 +364,41 @@ fn draw_arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3)) -> Op
         Angle::Phi => (RADIUS[1], 0.6),
     };
     let directions = turn(from, to)?.into_iter();
-    let points: Vec<DVec2> = directions.map(|direction| sketch.end(direction * radius)).collect::<Option<_>>()?;
+    let points: Vec<DVec2> = directions
+        .map(|direction| sketch.end(direction * radius))
+        .collect::<Option<_>>()?;
     // All points on one line through the origin: seen from its edge the arc would only thicken the arrow beneath it.
     let ways = || points.iter().map(|point| *point - sketch.origin);
     let far = ways().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
     let along = far.unwrap_or(DVec2::ZERO).normalize_or_zero();
     let edge_on = ways().all(|way| along.perp_dot(way).abs() < 1.2 * sketch.style.line);
     if !edge_on {
-        let mark = Shape::line(points.clone(), width * sketch.style.line, sketch.style.neutral);
+        let mark = Shape::line(
+            points.clone(),
+            width * sketch.style.line,
+            sketch.style.neutral,
+        );
         // The two arcs share a colour; dashes tell φ's from θ's.
-        sketch.shapes.push(if angle == Angle::Phi { mark.dashed(&[3.0, 2.0]) } else { mark });
+        sketch.shapes.push(if angle == Angle::Phi {
+            mark.dashed(&[3.0, 2.0])
+        } else {
+            mark
+        });
     }
-    Some(Arc { angle, points, edge_on })
+    Some(Arc {
+        angle,
+        points,
+        edge_on,
+    })
 }
 
 /// Unit vectors from `from` to `to` along the great circle; nothing if either has no direction.
 fn turn(from: DVec3, to: DVec3) -> Option<Vec<DVec3>> {
     let (from, to) = (from.try_normalize()?, to.try_normalize()?);
     let whole = from.angle_between(to);
-    let across = (to - from * from.dot(to)).try_normalize().unwrap_or_else(|| from.any_orthonormal_vector());
+    let across = (to - from * from.dot(to))
+        .try_normalize()
+        .unwrap_or_else(|| from.any_orthonormal_vector());
     let at = |i: u32| {
         let (sine, cosine) = (whole * f64::from(i) / f64::from(CHORDS)).sin_cos();
         from * cosine + across * sine
@@ -291,20 +410,41 @@ fn turn(from: DVec3, to: DVec3) -> Option<Vec<DVec3>> {
 /// unit, and `n`·`l` is positive.
 fn draw_construction(sketch: &mut Sketch, n: DVec3, l: DVec3) {
     let foot = n * n.dot(l);
-    let [at_l, at_r, at_foot, at_top] = [l, 2.0 * foot - l, foot, 2.0 * foot].map(|vector| sketch.end(vector));
-    let (Some(at_l), Some(at_r), Some(at_foot), Some(at_top)) = (at_l, at_r, at_foot, at_top) else { return };
+    let [at_l, at_r, at_foot, at_top] =
+        [l, 2.0 * foot - l, foot, 2.0 * foot].map(|vector| sketch.end(vector));
+    let (Some(at_l), Some(at_r), Some(at_foot), Some(at_top)) = (at_l, at_r, at_foot, at_top)
+    else {
+        return;
+    };
     let style = sketch.style;
     let thin = |points| Shape::line(points, 0.45 * style.line, style.neutral);
     sketch.shapes.push(thin(vec![at_l, at_r]));
-    sketch.shapes.push(thin(vec![at_l, at_top, at_r]).dashed(DASHES));
-    sketch.shapes.push(thin(vec![sketch.origin, at_top]).dashed(DASHES));
-    if let Some(across) = (l - foot).try_normalize().filter(|_| (l - foot).length() > 2.0 * SQUARE) {
-        let corners = [foot + across * SQUARE, foot + (across - n) * SQUARE, foot - n * SQUARE];
-        if let Some(corners) = corners.into_iter().map(|corner| sketch.end(corner)).collect() {
+    sketch
+        .shapes
+        .push(thin(vec![at_l, at_top, at_r]).dashed(DASHES));
+    sketch
+        .shapes
+        .push(thin(vec![sketch.origin, at_top]).dashed(DASHES));
+    if let Some(across) = (l - foot)
+        .try_normalize()
+        .filter(|_| (l - foot).length() > 2.0 * SQUARE)
+    {
+        let corners = [
+            foot + across * SQUARE,
+            foot + (across - n) * SQUARE,
+            foot - n * SQUARE,
+        ];
+        if let Some(corners) = corners
+            .into_iter()
+            .map(|corner| sketch.end(corner))
+            .collect()
+        {
             sketch.shapes.push(thin(corners));
         }
     }
-    sketch.shapes.push(Shape::disc(at_foot, 0.9 * style.line, palette::N));
+    sketch
+        .shapes
+        .push(Shape::disc(at_foot, 0.9 * style.line, palette::N));
 }
 
 #[cfg(test)]
@@ -315,13 +455,20 @@ mod tests {
     fn an_arc_runs_from_one_vector_to_the_other_at_unit_distance_and_even_pace() {
         let (from, to) = (DVec3::Y, DVec3::new(1.0, -1.0, 0.5).normalize());
         let turned = turn(from, to).expect("both have a direction");
-        assert!((turned[0] - from).length() < 1e-12 && (turned[CHORDS as usize] - to).length() < 1e-12);
+        assert!(
+            (turned[0] - from).length() < 1e-12 && (turned[CHORDS as usize] - to).length() < 1e-12
+        );
         let step = turned[0].angle_between(turned[1]);
         for pair in turned.windows(2) {
-            assert!((pair[0].length() - 1.0).abs() < 1e-12 && (pair[0].angle_between(pair[1]) - step).abs() < 1e-7);
+            assert!(
+                (pair[0].length() - 1.0).abs() < 1e-12
+                    && (pair[0].angle_between(pair[1]) - step).abs() < 1e-7
+            );
         }
         let opposite = turn(DVec3::X, DVec3::NEG_X).expect("both have a direction");
-        assert!(opposite.iter().all(|v| v.is_finite()) && opposite[CHORDS as usize / 2].x.abs() < 1e-12);
+        assert!(
+            opposite.iter().all(|v| v.is_finite()) && opposite[CHORDS as usize / 2].x.abs() < 1e-12
+        );
         assert!(turn(DVec3::ZERO, DVec3::X).is_none() && turn(DVec3::NAN, DVec3::X).is_none());
     }
 }

@@ -30,7 +30,11 @@ pub struct LightHandle {
 }
 
 /// Draws the lights of a scene; `chosen` is drawn larger. Several are numbered from 1.
-pub(super) fn draw(sketch: &mut Sketch, lights: &[Light], chosen: Option<usize>) -> Vec<LightHandle> {
+pub(super) fn draw(
+    sketch: &mut Sketch,
+    lights: &[Light],
+    chosen: Option<usize>,
+) -> Vec<LightHandle> {
     let mut handles = Vec::new();
     for (index, light) in lights.iter().enumerate() {
         let size = if chosen == Some(index) { 1.25 } else { 1.0 };
@@ -41,9 +45,20 @@ pub(super) fn draw(sketch: &mut Sketch, lights: &[Light], chosen: Option<usize>)
         if lights.len() > 1 && (lights.len() <= LETTERED || chosen == Some(index)) {
             let aside = (sketch.view.centre - pixel).normalize_or_zero();
             let clearance = SUN[0] * radius + 0.1 * sketch.style.text;
-            sketch.letter((index + 1).to_string(), size, palette::L, pixel, aside, clearance);
+            sketch.letter(
+                (index + 1).to_string(),
+                size,
+                palette::L,
+                pixel,
+                aside,
+                clearance,
+            );
         }
-        handles.push(LightHandle { light: index, pixel, outside });
+        handles.push(LightHandle {
+            light: index,
+            pixel,
+            outside,
+        });
     }
     handles
 }
@@ -52,9 +67,16 @@ pub(super) fn draw(sketch: &mut Sketch, lights: &[Light], chosen: Option<usize>)
 fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     let (wanted, behind) = whereabouts(&sketch.view, light, sketch.pane);
     let margin = (SUN[0] * radius).min(0.5 * (sketch.pane.max - sketch.pane.min).min_element());
-    let seen = Area { min: sketch.pane.min + margin, max: sketch.pane.max - margin };
+    let seen = Area {
+        min: sketch.pane.min + margin,
+        max: sketch.pane.max - margin,
+    };
     let outside = behind || seen.nearest(wanted) != wanted;
-    let pixel = if outside { on_edge(sketch, wanted, SUN[1] * radius) } else { wanted };
+    let pixel = if outside {
+        on_edge(sketch, wanted, SUN[1] * radius)
+    } else {
+        wanted
+    };
     let line = 0.7 * sketch.style.line;
     for eighth in 0..8 {
         let way = DVec2::from_angle(f64::from(eighth) * std::f64::consts::FRAC_PI_4);
@@ -63,14 +85,28 @@ fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     }
     if outside {
         let way = (wanted - sketch.view.centre).normalize_or_zero();
-        sketch.shapes.push(Shape::arrow_head(pixel + way * SUN[1] * radius, way, 0.9 * radius, palette::L));
+        sketch.shapes.push(Shape::arrow_head(
+            pixel + way * SUN[1] * radius,
+            way,
+            0.9 * radius,
+            palette::L,
+        ));
     }
     // The light's hue at full brightness: a dim light is still to be found.
     let brightest = light.color.max_element();
-    let scale = if brightest > 0.0 && brightest.is_finite() { 255.0 / brightest } else { 0.0 };
-    let hue = light.color.to_array().map(|channel| (channel * scale).round().clamp(0.0, 255.0) as u8);
+    let scale = if brightest > 0.0 && brightest.is_finite() {
+        255.0 / brightest
+    } else {
+        0.0
+    };
+    let hue = light
+        .color
+        .to_array()
+        .map(|channel| (channel * scale).round().clamp(0.0, 255.0) as u8);
     sketch.shapes.push(Shape::disc(pixel, radius, hue));
-    sketch.shapes.push(Shape::ring(pixel, radius, line, palette::L).plain());
+    sketch
+        .shapes
+        .push(Shape::ring(pixel, radius, line, palette::L).plain());
     (pixel, outside)
 }
 
@@ -90,7 +126,9 @@ fn on_edge(sketch: &Sketch, point: DVec2, margin: f64) -> DVec2 {
     let centre = sketch.pane.centre();
     let room = ((sketch.pane.max - sketch.pane.min) * 0.5 - margin).max(DVec2::ZERO);
     let way = point - centre;
-    let share = (room / way.abs().max(DVec2::splat(f64::MIN_POSITIVE))).min_element().min(1.0);
+    let share = (room / way.abs().max(DVec2::splat(f64::MIN_POSITIVE)))
+        .min_element()
+        .min(1.0);
     centre + way * share
 }
 
@@ -98,19 +136,37 @@ fn on_edge(sketch: &Sketch, point: DVec2, margin: f64) -> DVec2 {
 fn draw_rays(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     let style = sketch.style;
     let direction = (light.direction / light.direction.abs().max_element()).normalize_or_zero();
-    let flat = DVec2::new(direction.dot(sketch.view.right), -direction.dot(sketch.view.up));
+    let flat = DVec2::new(
+        direction.dot(sketch.view.right),
+        -direction.dot(sketch.view.up),
+    );
     let room = RAYS_AT * (sketch.pane.max - sketch.pane.min).min_element();
     let pixel = sketch.pane.centre() - flat * room;
     if flat.length() < HEAD_ON {
-        sketch.draw_end_on(pixel, 1.5 * radius, direction.dot(sketch.view.forward) < 0.0, palette::L);
+        sketch.draw_end_on(
+            pixel,
+            1.5 * radius,
+            direction.dot(sketch.view.forward) < 0.0,
+            palette::L,
+        );
         return (pixel, false);
     }
     let (along, half) = (flat.normalize(), flat * 0.5 * RAYS_LENGTH * radius / 0.4);
     for side in [-1.0, 0.0, 1.0] {
         let middle = pixel + along.perp() * side * 1.3 * radius;
-        let width = if side == 0.0 { style.line } else { 0.6 * style.line };
+        let width = if side == 0.0 {
+            style.line
+        } else {
+            0.6 * style.line
+        };
         let (tip, head) = (middle + half, (4.5 * width).min(half.length()));
-        sketch.shapes.extend(Shape::arrow([middle - half, tip], along, width, head, palette::L));
+        sketch.shapes.extend(Shape::arrow(
+            [middle - half, tip],
+            along,
+            width,
+            head,
+            palette::L,
+        ));
     }
     (pixel, false)
 }

@@ -36,8 +36,17 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
     if greatest.is_nan() || greatest <= 0.0 || !greatest.is_finite() {
         return vec![];
     }
-    let surface = Surface { sketch, lobe, unit: greatest / LENGTH, skirt: SKIRT * highlight_half_width(scene) };
-    let specular = if scene.reflection.model == ReflectionModel::Phong { palette::R } else { palette::H };
+    let surface = Surface {
+        sketch,
+        lobe,
+        unit: greatest / LENGTH,
+        skirt: SKIRT * highlight_half_width(scene),
+    };
+    let specular = if scene.reflection.model == ReflectionModel::Phong {
+        palette::R
+    } else {
+        palette::H
+    };
     let [meridians, parallels] = NET;
     // The silhouette's inside, faintly.
     let mut skin = Vec::new();
@@ -46,21 +55,42 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
             let direction = surface.direction(i * CHORDS, j * CHORDS);
             sketch.end(direction * surface.reach(direction))
         };
-        let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].into_iter().map(place);
+        let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+            .into_iter()
+            .map(place);
         let corners: Option<Vec<DVec2>> = corners.collect();
         skin.extend(corners.map(|corners| Shape::area(corners, specular).faded(FAINT[1]).plain()));
     }
-    let along = |i| (0..=parallels * CHORDS).map(move |j| (i * CHORDS, j)).collect();
-    let round = |j| (0..=meridians * CHORDS).map(move |i| (i, j * CHORDS)).collect();
-    let lines: Vec<Vec<(u32, u32)>> = (0..meridians).map(along).chain((1..=parallels).map(round)).collect();
+    let along = |i| {
+        (0..=parallels * CHORDS)
+            .map(move |j| (i * CHORDS, j))
+            .collect()
+    };
+    let round = |j| {
+        (0..=meridians * CHORDS)
+            .map(move |i| (i, j * CHORDS))
+            .collect()
+    };
+    let lines: Vec<Vec<(u32, u32)>> = (0..meridians)
+        .map(along)
+        .chain((1..=parallels).map(round))
+        .collect();
     let (mut hidden, mut shown) = (Vec::new(), Vec::new());
     for line in lines {
         let knots: Vec<Knot> = line.into_iter().map(|(i, j)| surface.knot(i, j)).collect();
         for run in runs(&knots) {
             let Knot { seen, bright, .. } = run[0];
             let points = run.iter().filter_map(|knot| knot.place).collect();
-            let line = Shape::line(points, WIDTH * sketch.style.line, if bright { specular } else { palette::L });
-            if seen { shown.push(line) } else { hidden.push(line.faded(FAINT[0]).plain()) }
+            let line = Shape::line(
+                points,
+                WIDTH * sketch.style.line,
+                if bright { specular } else { palette::L },
+            );
+            if seen {
+                shown.push(line);
+            } else {
+                hidden.push(line.faded(FAINT[0]).plain());
+            }
         }
     }
     [skin, hidden, shown].concat()
@@ -71,8 +101,13 @@ fn greatest(lobe: &ReflectionLobe, scene: &Scene) -> f64 {
     let fine = highlight_half_width(scene) / 8.0;
     let even = (-90..=90).map(|i| f64::from(i).to_radians());
     let near = (-16..=16).map(|i| lobe.mirror_angle() + fine * f64::from(i));
-    let directions = even.chain(near).map(|angle| lobe.in_plane(angle)).chain([lobe.r]);
-    directions.map(|v| lobe.towards(v).total()).fold(0.0, f64::max)
+    let directions = even
+        .chain(near)
+        .map(|angle| lobe.in_plane(angle))
+        .chain([lobe.r]);
+    directions
+        .map(|v| lobe.towards(v).total())
+        .fold(0.0, f64::max)
 }
 
 /// A point of the net.
@@ -110,8 +145,11 @@ impl Surface<'_> {
         let skirt = self.skirt.min(MOST * horizon);
         let step = f64::from(j) / f64::from(CHORDS);
         let (near, all) = (f64::from(NEAR), f64::from(parallels));
-        let angle =
-            if step <= near { skirt * step / near } else { skirt + (horizon - skirt) * (step - near) / (all - near) };
+        let angle = if step <= near {
+            skirt * step / near
+        } else {
+            skirt + (horizon - skirt) * (step - near) / (all - near)
+        };
         let (sine, cosine) = angle.sin_cos();
         let direction = r * cosine + aside * sine;
         // On the horizon itself rounding must not let the direction dip below.
@@ -128,7 +166,11 @@ impl Surface<'_> {
         let response = self.lobe.towards(direction);
         let point = direction * (response.total() / self.unit);
         let bright = response.specular > response.diffuse;
-        Knot { place: self.sketch.end(point), seen: self.is_seen(point), bright }
+        Knot {
+            place: self.sketch.end(point),
+            seen: self.is_seen(point),
+            bright,
+        }
     }
 
     /// Whether the way from `point` to the eye keeps outside the lobe: it is star-shaped, so that a place is inside when

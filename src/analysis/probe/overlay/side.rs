@@ -57,20 +57,31 @@ pub(super) fn sketch(
     sketch.shapes.extend([ground.faded(OPAQUE[1]), frame]);
     let (across, into) = n.any_orthonormal_pair();
     let rim = Shape::ring(DVec2::ZERO, DISC, 0.0, SURFACE).points;
-    let rim: Option<Vec<DVec2>> = rim.into_iter().map(|p| sketch.end(across * p.x + into * p.y)).collect();
-    sketch.shapes.extend(rim.map(|rim| Shape::area(rim, SURFACE).plain().faded(OPAQUE[0])));
+    let rim: Option<Vec<DVec2>> = rim
+        .into_iter()
+        .map(|p| sketch.end(across * p.x + into * p.y))
+        .collect();
+    sketch
+        .shapes
+        .extend(rim.map(|rim| Shape::area(rim, SURFACE).plain().faded(OPAQUE[0])));
     Some(sketch)
 }
 
 /// The view, turned about N by as little as shows the angles and V at a fair part of their size. All vectors are unit.
 fn view(pane: Area, [n, l, v]: [DVec3; 3], phi_between: (DVec3, DVec3)) -> View {
     let shown = |view: &View| {
-        [(n, l), phi_between, (v, DVec3::ZERO)].iter().fold(1.0, |least: f64, (from, to)| {
-            let between = *from - *to;
-            let across = between - view.forward * between.dot(view.forward);
-            // Vectors that coincide have no angle to show.
-            if between.length() < 1e-6 { least } else { least.min(across.length() / between.length()) }
-        })
+        [(n, l), phi_between, (v, DVec3::ZERO)]
+            .iter()
+            .fold(1.0, |least: f64, (from, to)| {
+                let between = *from - *to;
+                let across = between - view.forward * between.dot(view.forward);
+                // Vectors that coincide have no angle to show.
+                if between.length() < 1e-6 {
+                    least
+                } else {
+                    least.min(across.length() / between.length())
+                }
+            })
     };
     let straight = view_turned(pane, [n, l, v], 0.0);
     let (mut best, mut most) = (straight, shown(&straight));
@@ -89,7 +100,9 @@ fn view(pane: Area, [n, l, v]: [DVec3; 3], phi_between: (DVec3, DVec3)) -> View 
 
 fn view_turned(pane: Area, [n, l, v]: [DVec3; 3], turn: f64) -> View {
     let aside = |vector: DVec3| (vector - n * vector.dot(n)).try_normalize();
-    let right = aside(-l).or_else(|| aside(v)).unwrap_or_else(|| n.any_orthonormal_vector());
+    let right = aside(-l)
+        .or_else(|| aside(v))
+        .unwrap_or_else(|| n.any_orthonormal_vector());
     let into = n.cross(right);
     let (sine, cosine) = turn.sin_cos();
     let (right, into) = (right * cosine + into * sine, into * cosine - right * sine);
@@ -121,7 +134,10 @@ mod tests {
             .prop_map(DVec3::normalize)
     }
 
-    const PANE: Area = Area { min: DVec2::ZERO, max: DVec2::new(300.0, 300.0) };
+    const PANE: Area = Area {
+        min: DVec2::ZERO,
+        max: DVec2::new(300.0, 300.0),
+    };
 
     proptest! {
         #![proptest_config(properties::config(file!()))]
@@ -142,16 +158,32 @@ mod tests {
     fn coinciding_vectors_still_have_a_side() {
         let y = DVec3::Y;
         let view = view(PANE, [y; 3], (y, y));
-        assert!((view.right.cross(view.up) + view.forward).length() < 1e-9, "{view:?}");
+        assert!(
+            (view.right.cross(view.up) + view.forward).length() < 1e-9,
+            "{view:?}"
+        );
     }
 
     #[test]
     fn the_pane_takes_the_far_corner_of_a_picture_with_room() {
-        let picture = Area { min: DVec2::ZERO, max: DVec2::new(800.0, 600.0) };
+        let picture = Area {
+            min: DVec2::ZERO,
+            max: DVec2::new(800.0, 600.0),
+        };
         let style = Style::new(600.0, &OverlayOptions::default());
         let far = pane(picture, DVec2::new(100.0, 100.0), &style).expect("room enough");
         assert!(far.min.x > 400.0 && far.min.y > 300.0 && picture.holds(&far));
-        let small = Area { min: DVec2::ZERO, max: DVec2::splat(60.0) };
-        assert_eq!(pane(small, DVec2::ZERO, &Style::new(60.0, &OverlayOptions::default())), None);
+        let small = Area {
+            min: DVec2::ZERO,
+            max: DVec2::splat(60.0),
+        };
+        assert_eq!(
+            pane(
+                small,
+                DVec2::ZERO,
+                &Style::new(60.0, &OverlayOptions::default())
+            ),
+            None
+        );
     }
 }
