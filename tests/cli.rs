@@ -1068,33 +1068,38 @@ fn tables_have_a_field_for_each_column_whatever_the_words() {
 #[test]
 fn an_interrupted_write_leaves_nothing() {
     let folder = Folder::new("interrupted");
-    for signal in ["INT", "TERM", "KILL"] {
-        // Compressing takes long enough to be met.
-        let render = ["render", "checker", "--size", "2000x2000", "-o", "a.png"];
+    let writes = |pid: u32| {
+        let open = fs::read_dir(format!("/proc/{pid}/fd"))
+            .into_iter()
+            .flatten()
+            .flatten();
+        open.filter_map(|entry| fs::read_link(entry.path()).ok())
+            .any(|file| file.starts_with(&folder.0))
+    };
+    // Compressing takes long enough to be met, but on a busy machine the signal may come after the end.
+    let is_met = |signal: &str| {
+        let render = ["render", "checker", "--size", "700x700", "-o", "a.png"];
         let mut child = folder
             .command(&render)
             .stderr(Stdio::null())
             .spawn()
             .expect("the program");
-        let writes = |pid: u32| {
-            let open = fs::read_dir(format!("/proc/{pid}/fd"))
-                .into_iter()
-                .flatten()
-                .flatten();
-            open.filter_map(|entry| fs::read_link(entry.path()).ok())
-                .any(|file| file.starts_with(&folder.0))
-        };
-        while !writes(child.id()) {
-            assert!(
-                child.try_wait().expect("its state").is_none(),
-                "it ended before it wrote"
-            );
+        while !writes(child.id()) && child.try_wait().expect("its state").is_none() {
             std::thread::sleep(std::time::Duration::from_millis(1));
         }
         let kill = std::process::Command::new("kill")
             .args(["-s", signal, &child.id().to_string()])
+            .stderr(Stdio::null())
             .status();
-        assert!(kill.expect("kill").success() && !child.wait().expect("an end").success());
+        kill.expect("kill");
+        let met = !child.wait().expect("an end").success();
+        if !met {
+            fs::remove_file(folder.0.join("a.png")).expect("the whole picture");
+        }
+        met
+    };
+    for signal in ["INT", "TERM", "KILL"] {
+        assert!((0..20).any(|_| is_met(signal)), "{signal}");
         assert!(folder.names().is_empty(), "{signal}: {:?}", folder.names());
     }
 }
