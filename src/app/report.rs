@@ -12,7 +12,7 @@ use crate::document::save_answer;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out};
 use crate::jobs::{Asked, Background};
 use crate::scene::{Choice, Scene};
-use eframe::egui::{Align, Button, Context, Grid, Layout, RichText, ScrollArea, Ui};
+use eframe::egui::{Align, Button, Context, Grid, Layout, RichText, ScrollArea, TextStyle, Ui};
 use glam::DVec2;
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -218,9 +218,10 @@ pub fn table_ui(
     ScrollArea::horizontal()
         .id_salt(("scroll", id))
         .show(ui, |ui| {
+            ui.spacing_mut().interact_size.y = ui.text_style_height(&TextStyle::Body);
             Grid::new(("table", id))
                 .num_columns(heads.len())
-                .spacing([10.0, 2.0])
+                .spacing([6.0, 3.0])
                 .show(ui, table)
         });
     picked
