@@ -72,7 +72,7 @@ pub struct VertexFace {
 /// A normal at its point, which the picture shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeenNormal {
-    /// The face's or the vertex' number.
+    /// The face's or the vertex's number.
     pub index: u32,
     /// World: a face's centre, or the vertex.
     pub point: DVec3,

@@ -12,7 +12,9 @@ use crate::document::save_answer;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out};
 use crate::jobs::{Asked, Background};
 use crate::scene::{Choice, Scene};
-use eframe::egui::{Align, Button, Context, Grid, Layout, RichText, ScrollArea, TextStyle, Ui};
+use eframe::egui::{
+    Align, Button, Context, Grid, Label, Layout, RichText, ScrollArea, TextStyle, Ui,
+};
 use glam::DVec2;
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -189,9 +191,14 @@ pub fn table_ui(
     let mut picked = None;
     let table = |ui: &mut Ui| {
         if heads.iter().any(|head| !head.is_empty()) {
-            heads
-                .iter()
-                .for_each(|head| _ = ui.label(RichText::new(*head).weak()));
+            for (head, number) in heads.iter().zip(&numbers) {
+                let head = Label::new(RichText::new(*head).weak()).extend();
+                if *number {
+                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.add(head));
+                } else {
+                    ui.add(head);
+                }
+            }
             ui.end_row();
         }
         for (index, row) in rows.into_iter().enumerate() {

@@ -28,7 +28,7 @@ pub const SCALES: [f32; 9] = [
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ThemeChoice {
-    /// As the desktop has it.
+    /// Follows the system.
     #[default]
     System,
     Dark,

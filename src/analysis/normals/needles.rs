@@ -63,7 +63,7 @@ pub enum NeedleKind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Needle {
     pub kind: NeedleKind,
-    /// The face's or the vertex' number.
+    /// The face's or the vertex's number.
     pub index: u32,
     /// Where its point appears, pixels.
     pub foot: DVec2,
