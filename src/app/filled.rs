@@ -4,8 +4,8 @@ use super::palette::tone_text as colour;
 use super::state::AppState;
 use super::typeset::{Piece, Place, Run, formula, run_ui, spoken};
 use crate::analysis::{
-    CHANNELS, FilledLine, FilledPart, Here, LineValue, ProbeHit, Product, Share, digits,
-    digits_below, percent,
+    CHANNELS, FilledLine, FilledPart, Here, LineValue, Product, Share, digits, digits_below,
+    percent,
 };
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::{CollapsingState, paint_default_icon};
@@ -48,10 +48,7 @@ const COLUMN_GAPS: [f32; 2] = [9.0, 16.0];
 type Values = [(&'static str, String)];
 
 /// The whole formula at the probe.
-pub fn filled_ui(ui: &mut Ui, state: &mut AppState, hit: &ProbeHit) {
-    // What is pointed at is written to the state, while this is read.
-    let scene = state.shown.scene.clone();
-    let here = Here { scene: &scene, hit };
+pub fn filled_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>) {
     let chosen = newly_chosen(ui, state.light);
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing = vec2(8.0, 2.0);

@@ -121,10 +121,12 @@ pub fn numbers_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
 
 /// The equation filled in at the probe.
 fn equation_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    let Some(probe) = engine.probed() else { return };
+    let (Some(probe), Some(scene)) = (engine.probed(), engine.drawn()) else {
+        return;
+    };
     match &probe.hit {
         None => background_ui(ui, probe),
-        Some(hit) => hit_ui(ui, state, probe, hit),
+        Some(hit) => hit_ui(ui, state, probe, Here { scene, hit }),
     }
     export_ui(ui, state, "probe", || {
         let sampling = vec![None; probe.hit.as_ref().map_or(0, |hit| hit.lights.len())];
@@ -145,21 +147,14 @@ fn background_ui(ui: &mut Ui, probe: &Probe) {
     ui.label("The probe sees the background. Double-click the object, or drag the ring onto it.");
 }
 
-fn hit_ui(ui: &mut Ui, state: &mut AppState, probe: &Probe, hit: &ProbeHit) {
-    pixel_ui(ui, probe, hit);
+fn hit_ui(ui: &mut Ui, state: &mut AppState, probe: &Probe, here: Here<'_>) {
+    pixel_ui(ui, probe, here.hit);
     ui.add_space(8.0);
-    filled_ui(ui, state, hit);
+    filled_ui(ui, state, here);
     ui.add_space(8.0);
     ui.separator();
-    let light = state.light.min(hit.lights.len().saturating_sub(1));
-    vectors_ui(
-        ui,
-        Here {
-            scene: &state.shown.scene,
-            hit,
-        },
-        light,
-    );
+    let light = state.light.min(here.hit.lights.len().saturating_sub(1));
+    vectors_ui(ui, here, light);
 }
 
 /// The pixel, its stored colour and where it lies.
