@@ -165,7 +165,9 @@ proptest! {
             prop_assert!((point - origin).cross(along).length() < 1e-8);
             let beside = point + view.right * view.world_per_pixel(depth);
             let (next, _) = view.project(beside).expect("as deep as the point");
-            prop_assert!((next - pixel - DVec2::X).length() < 1e-6);
+            // Each projection rounds the depth, which may be a thousandth of what it is the difference of.
+            let rounding = 1e-14 / depth * (pixel - view.centre).length();
+            prop_assert!((next - pixel - DVec2::X).length() < 1e-9 + 10.0 * rounding);
         }
     }
 
