@@ -38,3 +38,4 @@ pub mod picture;
 mod properties;
 pub mod render;
 pub mod scene;
+pub mod text;

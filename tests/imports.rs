@@ -9,7 +9,8 @@ use std::path::Path;
 use syn::{Attribute, Item, UseTree, Visibility};
 
 /// Folders and files right below `src`, from the bottom up: each may import from those before it.
-const ORDER: [&str; 12] = [
+const ORDER: [&str; 13] = [
+    "text",
     "scene",
     "illumination",
     "geometry",

@@ -1,0 +1,1 @@
+language-system = 系統

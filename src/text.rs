@@ -1,0 +1,218 @@
+//! The text that people read, from one catalogue in two languages: `assets/text/LANGUAGE/*.ftl`, in the syntax of Project
+//! Fluent. What programs read (JSON, CSV keys, scene files) is not text and never changes with the language.
+
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource};
+use std::cell::Cell;
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::{LazyLock, PoisonError, RwLock};
+use unic_langid::LanguageIdentifier;
+
+/// A message of the catalogue: `text!("key")` is a `&'static str`, `text!("key", name = value)` a `String` with the
+/// variables filled in (strings or numbers). An attribute is written `key.attribute`.
+#[macro_export]
+macro_rules! text {
+    ($key:expr) => {
+        $crate::text::message($key)
+    };
+    ($key:expr, $($name:ident = $value:expr),+ $(,)?) => {
+        $crate::text::filled($key, &[$((stringify!($name), $crate::text::Value::from($value))),+])
+    };
+}
+pub use crate::text;
+pub use fluent_bundle::FluentValue as Value;
+
+/// A language of the catalogue.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Language {
+    #[default]
+    English,
+    TraditionalChinese,
+}
+
+impl Language {
+    pub const ALL: [Self; 2] = [Self::English, Self::TraditionalChinese];
+
+    /// Its tag by BCP 47, as `--language` takes it.
+    pub fn tag(self) -> &'static str {
+        ["en", "zh-Hant"][self as usize]
+    }
+
+    /// Its own name for itself.
+    pub fn name(self) -> &'static str {
+        ["English", "繁體中文"][self as usize]
+    }
+
+    /// The language for a locale such as `zh_TW.UTF-8` or `en-GB`: Chinese for any Chinese, English for anything else.
+    pub fn from_locale(locale: &str) -> Self {
+        let language = locale.split(['-', '_', '.']).next().unwrap_or_default();
+        if language.eq_ignore_ascii_case("zh") {
+            Self::TraditionalChinese
+        } else {
+            Self::English
+        }
+    }
+
+    /// The language of the system's locale.
+    pub fn of_system() -> Self {
+        sys_locale::get_locale().map_or(Self::English, |locale| Self::from_locale(&locale))
+    }
+}
+
+/// The language of the process, an index of [`Language::ALL`].
+static CHOSEN: AtomicU8 = AtomicU8::new(0);
+
+thread_local! {
+    static OVERRIDE: Cell<Option<Language>> = const { Cell::new(None) };
+}
+
+/// The language that text is in at present.
+pub fn language() -> Language {
+    OVERRIDE
+        .get()
+        .unwrap_or(Language::ALL[usize::from(CHOSEN.load(Ordering::Relaxed))])
+}
+
+/// Chooses the language of the process.
+pub fn set_language(language: Language) {
+    CHOSEN.store(language as u8, Ordering::Relaxed);
+}
+
+/// Runs `work` with this thread's text in `language`, as what programs read is written in English.
+pub fn in_language<T>(language: Language, work: impl FnOnce() -> T) -> T {
+    struct Restore(Option<Language>);
+    impl Drop for Restore {
+        fn drop(&mut self) {
+            OVERRIDE.set(self.0);
+        }
+    }
+    let _restore = Restore(OVERRIDE.replace(Some(language)));
+    work()
+}
+
+macro_rules! files {
+    ($($name:literal)*) => {
+        /// The catalogue's files, by language: name and content.
+        pub const FILES: [&[(&str, &str)]; 2] = [
+            &[$(($name, include_str!(concat!("../assets/text/en/", $name, ".ftl")))),*],
+            &[$(($name, include_str!(concat!("../assets/text/zh-Hant/", $name, ".ftl")))),*],
+        ];
+    };
+}
+
+files! {
+    "parameters" "scenes" "problems" "render" "export" "document" "cli" "report" "point" "line" "picture" "engine"
+    "controls" "lights" "files" "window"
+}
+
+struct Catalogue {
+    bundle: FluentBundle<FluentResource>,
+    /// Messages without variables that have been asked for.
+    known: RwLock<HashMap<String, &'static str>>,
+}
+
+static CATALOGUES: [LazyLock<Catalogue>; 2] = [
+    LazyLock::new(|| Catalogue::read(Language::English)),
+    LazyLock::new(|| Catalogue::read(Language::TraditionalChinese)),
+];
+
+impl Catalogue {
+    fn read(language: Language) -> Self {
+        let locale: LanguageIdentifier = language.tag().parse().unwrap_or_default();
+        let mut bundle = FluentBundle::new_concurrent(vec![locale]);
+        // Marks around variables for text of mixed directions; both languages run from left to right.
+        bundle.set_use_isolating(false);
+        for (_, file) in FILES[language as usize] {
+            // A message with an error is left out, and so is the second of two with one key; a test finds both.
+            let resource = FluentResource::try_new((*file).to_owned());
+            let _ = bundle.add_resource(resource.unwrap_or_else(|(resource, _)| resource));
+        }
+        Self {
+            bundle,
+            known: RwLock::default(),
+        }
+    }
+
+    fn fill(&self, key: &str, values: Option<&FluentArgs<'_>>) -> Option<String> {
+        let (id, attribute) = key
+            .split_once('.')
+            .map_or((key, None), |(id, attribute)| (id, Some(attribute)));
+        let message = self.bundle.get_message(id)?;
+        let pattern = match attribute {
+            Some(attribute) => message.get_attribute(attribute)?.value(),
+            None => message.value()?,
+        };
+        let mut errors = Vec::new();
+        let text = self.bundle.format_pattern(pattern, values, &mut errors);
+        Some(text.into_owned())
+    }
+}
+
+fn catalogue() -> &'static Catalogue {
+    &CATALOGUES[language() as usize]
+}
+
+/// Whether the catalogue has a message.
+pub fn has(key: &str) -> bool {
+    catalogue().fill(key, None).is_some()
+}
+
+/// A message without variables; its key where there is none, which a test finds.
+pub fn message(key: &str) -> &'static str {
+    let catalogue = catalogue();
+    let known = catalogue
+        .known
+        .read()
+        .unwrap_or_else(PoisonError::into_inner);
+    if let Some(text) = known.get(key) {
+        return text;
+    }
+    drop(known);
+    let text = catalogue.fill(key, None);
+    let text: &'static str = text.unwrap_or_else(|| key.to_owned()).leak();
+    let mut known = catalogue
+        .known
+        .write()
+        .unwrap_or_else(PoisonError::into_inner);
+    known.entry(key.to_owned()).or_insert(text)
+}
+
+/// A message with its variables filled in.
+pub fn filled(key: &str, values: &[(&'static str, Value<'_>)]) -> String {
+    let mut variables = FluentArgs::with_capacity(values.len());
+    for (name, value) in values {
+        variables.set(*name, value.clone());
+    }
+    let text = catalogue().fill(key, Some(&variables));
+    text.unwrap_or_else(|| key.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_is_in_the_language_chosen() {
+        assert_eq!(text!("language-system"), "System");
+        in_language(Language::TraditionalChinese, || {
+            assert_eq!(text!("language-system"), "系統");
+        });
+        assert_eq!(language(), Language::English);
+        assert_eq!(text!("no-such-key"), "no-such-key");
+    }
+
+    #[test]
+    fn chinese_locales_are_chinese() {
+        for (locale, language) in [
+            ("zh_TW.UTF-8", Language::TraditionalChinese),
+            ("zh-Hant-HK", Language::TraditionalChinese),
+            ("zh", Language::TraditionalChinese),
+            ("en_GB", Language::English),
+            ("C", Language::English),
+            ("", Language::English),
+        ] {
+            assert_eq!(Language::from_locale(locale), language, "{locale}");
+        }
+    }
+}
