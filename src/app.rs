@@ -33,6 +33,7 @@ mod panes;
 mod picture;
 mod place;
 mod plan;
+mod point;
 mod profile;
 mod recovery;
 mod report;
