@@ -370,7 +370,7 @@ pub fn save_answer(
 
 /// One JSON object. JSON has no infinity; it becomes null.
 pub fn json_text(answer: &dyn Answer, about: &Analysed<'_>) -> String {
-    format!("{:#}\n", answer.json(about))
+    format!("{:#}\n", answer.object(about))
 }
 
 /// Writes a file by `content`: the old one stays as it is until the new one is whole and on the disk, and passes its mode

@@ -571,9 +571,10 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
     let (name, symbol, formula) = falling.words(model);
     let notes = vec![degrees(falling.half_width())];
     let present = Curve {
+        name: format!("{name}, now"),
         notes,
         ..Curve::new(
-            format!("{name}, now"),
+            name,
             sampled(&falling),
             specular_ink(scene),
         )

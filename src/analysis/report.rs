@@ -1,9 +1,13 @@
 //! What an analysis found, in the one form that the terminal, CSV, JSON, pictures and the window show.
+//!
+//! People read a report in the language of the moment: it is made when it is shown, from messages of the catalogue. Programs
+//! read the columns' keys and the words of choices, which are in the code; what text there is in CSV and JSON is English.
 
 use super::Plot;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
 use crate::render::Frame;
 use crate::scene::Scene;
+use crate::text::{Language, in_language, text};
 use glam::DVec2;
 use serde_json::Value;
 use std::borrow::Cow;
@@ -18,19 +22,22 @@ pub struct About<'a> {
 }
 
 impl About<'_> {
-    /// The name and the picture's size.
+    /// The name, where there is one, and the picture's size.
     pub fn heading(&self) -> String {
         let [width, height] = self.scene.image.size;
+        if self.name.is_empty() {
+            return format!("{width}×{height}");
+        }
         format!("{}: {width}×{height}", self.name)
     }
 }
 
 /// What an analysis found.
 pub trait Answer: Debug + Send + Sync {
-    /// Words, numbers, tables and plots.
+    /// Words, numbers, tables and plots, in the present language.
     fn report(&self, about: &About<'_>) -> Report;
 
-    /// The object that `--json` prints.
+    /// The object that `--json` prints; [`dyn Answer::object`] asks for it in English.
     fn json(&self, about: &About<'_>) -> Value;
 
     /// The rows for a file, where they are more than the report shows.
@@ -139,6 +146,15 @@ impl Report {
 impl dyn Answer + '_ {
     /// The rows as CSV: the answer's own table, or that of the report which has keys, or the samples of all curves.
     pub fn csv(&self, about: &About<'_>) -> String {
+        in_language(Language::English, || self.rows(about))
+    }
+
+    /// The object that programs read, whatever the language.
+    pub fn object(&self, about: &About<'_>) -> Value {
+        in_language(Language::English, || self.json(about))
+    }
+
+    fn rows(&self, about: &About<'_>) -> String {
         if let Some(table) = self.table() {
             return table.to_csv();
         }
@@ -203,7 +219,7 @@ impl Section {
         for part in &self.parts {
             match part {
                 Part::Text(line) | Part::Note(line) => text += &format!("{line}\n"),
-                Part::Quantity { value, name } => text += &format!("  {value:>10}  {name}\n"),
+                Part::Quantity { value, name } => text += &format!("  {}{value}  {name}\n", " ".repeat(10_usize.saturating_sub(columns_of(value)))),
                 Part::Table(table) => text += &table.text(),
                 Part::Plot(plot) => text += &plot_text(plot),
             }
@@ -230,10 +246,11 @@ fn plot_text(plot: &Plot) -> String {
         text += &table.text();
     }
     text.extend(plot.marks.iter().map(|mark| format!("  {}\n", mark.label)));
+    let from = text!("report-from-normal");
     text.extend(
         plot.directions
             .iter()
-            .map(|arrow| format!("  {:20}{:11.1}° from N\n", arrow.letter, arrow.angle)),
+            .map(|arrow| format!("  {:20}{:11.1}° {from}\n", arrow.letter, arrow.angle)),
     );
     text
 }
@@ -244,12 +261,11 @@ fn samples<'a>(plots: impl Iterator<Item = &'a Plot>) -> Table {
     for plot in plots {
         let kind = word(&plot.kind);
         for curve in &plot.curves {
-            let name = curve.name.replace(", now", "");
             table.rows.extend(
                 curve
                     .points
                     .iter()
-                    .map(|[x, y]| cells![kind.as_str(), name.as_str(), *x, *y]),
+                    .map(|[x, y]| cells![kind.as_str(), curve.key.as_str(), *x, *y]),
             );
         }
     }
@@ -330,7 +346,11 @@ impl Column {
     }
 
     /// A column for both.
-    pub fn both(key: &'static str, head: &'static str, show: fn(f64) -> String) -> Self {
+    pub fn both(
+        key: &'static str,
+        head: impl Into<Cow<'static, str>>,
+        show: fn(f64) -> String,
+    ) -> Self {
         Self {
             key: Some(key.into()),
             head: Some(head.into()),
@@ -405,7 +425,7 @@ impl Table {
         };
         let width = |column: usize| {
             lines()
-                .map(|line| line[column].chars().count())
+                .map(|line| columns_of(&line[column]))
                 .max()
                 .unwrap_or(0)
         };
@@ -414,10 +434,11 @@ impl Table {
         for line in lines().filter(|line| !line.is_empty()) {
             let mut row = String::new();
             for ((cell, width), number) in line.iter().zip(&widths).zip(&numbers) {
+                let blank = " ".repeat(width - columns_of(cell));
                 row += &if *number {
-                    format!("  {cell:>width$}")
+                    format!("  {blank}{cell}")
                 } else {
-                    format!("  {cell:width$}")
+                    format!("  {cell}{blank}")
                 };
             }
             text += row.trim_end();
@@ -448,6 +469,14 @@ impl Table {
         }
         String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
     }
+}
+
+/// Columns of a terminal that a text takes: Chinese characters and their punctuation take two each.
+fn columns_of(text: &str) -> usize {
+    let wide = |c: char| {
+        matches!(c, '\u{2E80}'..='\u{A4CF}' | '\u{AC00}'..='\u{D7A3}' | '\u{F900}'..='\u{FAFF}' | '\u{FE30}'..='\u{FE4F}' | '\u{FF01}'..='\u{FF60}')
+    };
+    text.chars().map(|c| 1 + usize::from(wide(c))).sum()
 }
 
 /// Values that stand in a cell as they are.

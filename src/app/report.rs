@@ -12,6 +12,7 @@ use crate::document::save_answer;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out};
 use crate::jobs::{Asked, Background};
 use crate::scene::{Choice, Scene};
+use crate::text::{Language, language};
 use eframe::egui::{
     Align, Button, Context, Grid, Label, Layout, RichText, ScrollArea, TextStyle, Ui,
 };
@@ -24,6 +25,7 @@ use std::path::Path;
 #[derive(Debug, Default)]
 pub struct ReportView {
     report: Report,
+    language: Language,
     drawings: Vec<Drawing>,
     /// The style and the width of what is laid out.
     laid_out: Option<(PlotStyle, f32)>,
@@ -31,7 +33,12 @@ pub struct ReportView {
 
 impl ReportView {
     pub fn set(&mut self, report: Report) {
-        (self.report, self.laid_out) = (report, None);
+        (self.report, self.laid_out, self.language) = (report, None, language());
+    }
+
+    /// Whether the report is in the language of the window; if not, it is to be made again.
+    pub fn is_current(&self) -> bool {
+        self.language == language()
     }
 
     pub fn title(&self) -> &str {
@@ -130,7 +137,8 @@ impl<Q: Question> Asking<Q> {
         let new = self.work.ask(wake(ctx), same, || {
             Asked::new(question.clone(), scene, model.as_ref(), size)
         });
-        if let Some(answer) = self.work.answer().filter(|_| new) {
+        let again = new || !self.view.is_current();
+        if let Some(answer) = self.work.answer().filter(|_| again) {
             self.view.set(answer.report(&About { name: "", scene }));
         }
     }
@@ -145,7 +153,7 @@ impl<Q: Question> Asking<Q> {
 
     /// Takes what a question that was asked once has found.
     pub fn receive(&mut self) {
-        if self.work.take()
+        if (self.work.take() || !self.view.is_current())
             && let (Some(answer), Some(asked)) = (self.work.answer(), self.work.answered())
         {
             self.view.set(answer.report(&About {

@@ -149,6 +149,9 @@ impl Axis {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Curve {
     pub name: String,
+    /// What it is called in files, where that is not its name.
+    #[serde(skip)]
+    pub key: String,
     /// What the legend says besides the name, in columns.
     pub notes: Vec<String>,
     /// x and y; x never decreases, unless the curve is read nowhere.
@@ -164,9 +167,10 @@ pub struct Curve {
 impl Curve {
     /// A curve of the scene's own.
     pub fn new(name: impl Into<String>, points: Vec<[f64; 2]>, ink: Ink) -> Self {
-        let (notes, dash) = (Vec::new(), Dash::Solid);
+        let (name, notes, dash) = (name.into(), Vec::new(), Dash::Solid);
         Self {
-            name: name.into(),
+            key: name.clone(),
+            name,
             notes,
             points,
             ink,
