@@ -647,7 +647,7 @@ fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_thei
         .set_value_accesskit(0.25);
     harness.run();
     assert_eq!(scene(&harness).material.kd, Rgb::splat(0.25));
-    press(&mut harness, "shading.mode=gouraud  ×");
+    press(&mut harness, "Shading mode: Gouraud  ×");
     assert_eq!(scene(&harness).compare.panes, [Pane::default()]);
     press(&mut harness, "Removes pane 2");
     assert_eq!(scene(&harness).compare.view, CompareView::Single);

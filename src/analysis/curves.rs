@@ -573,11 +573,7 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
     let present = Curve {
         name: format!("{name}, now"),
         notes,
-        ..Curve::new(
-            name,
-            sampled(&falling),
-            specular_ink(scene),
-        )
+        ..Curve::new(name, sampled(&falling), specular_ink(scene))
     };
     let top = present
         .points

@@ -219,7 +219,12 @@ impl Section {
         for part in &self.parts {
             match part {
                 Part::Text(line) | Part::Note(line) => text += &format!("{line}\n"),
-                Part::Quantity { value, name } => text += &format!("  {}{value}  {name}\n", " ".repeat(10_usize.saturating_sub(columns_of(value)))),
+                Part::Quantity { value, name } => {
+                    text += &format!(
+                        "  {}{value}  {name}\n",
+                        " ".repeat(10_usize.saturating_sub(columns_of(value)))
+                    )
+                }
                 Part::Table(table) => text += &table.text(),
                 Part::Plot(plot) => text += &plot_text(plot),
             }
@@ -473,9 +478,7 @@ impl Table {
 
 /// Columns of a terminal that a text takes: Chinese characters and their punctuation take two each.
 fn columns_of(text: &str) -> usize {
-    let wide = |c: char| {
-        matches!(c, '\u{2E80}'..='\u{A4CF}' | '\u{AC00}'..='\u{D7A3}' | '\u{F900}'..='\u{FAFF}' | '\u{FE30}'..='\u{FE4F}' | '\u{FF01}'..='\u{FF60}')
-    };
+    let wide = |c: char| matches!(c, '\u{2E80}'..='\u{A4CF}' | '\u{AC00}'..='\u{D7A3}' | '\u{F900}'..='\u{FAFF}' | '\u{FE30}'..='\u{FE4F}' | '\u{FF01}'..='\u{FF60}');
     text.chars().map(|c| 1 + usize::from(wide(c))).sum()
 }
 

@@ -9,7 +9,9 @@ use super::state::AppState;
 use crate::analysis::{self, Answer, Comparison};
 use crate::scene::compare::{DIFFERENCE, GAIN};
 use crate::scene::shading::{INTERPOLATION, MODE};
-use crate::scene::{ChoiceOption, Compare, CompareView, Object, Pane, Scene, ShadingMode};
+use crate::scene::{
+    ChoiceOption, Compare, CompareView, Object, Pane, Scene, ShadingMode, setting_words,
+};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, Key, Layout, RichText, TextEdit, Ui, WidgetInfo};
 
@@ -135,7 +137,7 @@ fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, coun
                 setting.split('=').next().unwrap_or(setting)
             );
             if ui
-                .add(Button::new(format!("{setting}  ×")).small())
+                .add(Button::new(format!("{}  ×", setting_words(setting))).small())
                 .on_hover_text(tip)
                 .clicked()
             {

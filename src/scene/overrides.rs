@@ -49,7 +49,7 @@ fn replace(scene: &mut Scene, assignment: &str) -> Vec<Finding> {
     }
 }
 
-fn key_and_value(assignment: &str) -> Option<(&str, &str)> {
+pub(super) fn key_and_value(assignment: &str) -> Option<(&str, &str)> {
     let (key, value) = assignment.split_once('=')?;
     let key = key.trim();
     (!key.is_empty()).then_some((key, value.trim()))

@@ -1,0 +1,79 @@
+//! A setting, such as `shading.mode=gouraud`, in words.
+
+use super::overrides::key_and_value;
+use super::parameter::{Kind, Parameter};
+use crate::text::text;
+
+/// `KEY=VALUE` as people read it: what the key is called, and the value's own word. What is no setting stays as it is.
+pub fn setting_words(setting: &str) -> String {
+    let Some((key, written)) = key_and_value(setting) else {
+        return setting.to_owned();
+    };
+    let written = written.trim_matches(['"', '\'']);
+    let (number, pattern) = without_number(key);
+    let Some(parameter) = Parameter::all().find(|parameter| parameter.key == pattern) else {
+        return format!("{key}: {written}");
+    };
+    let value = match &parameter.kind {
+        Kind::Choice(choice) => choice
+            .options()
+            .iter()
+            .find(|option| option.word == written)
+            .map_or_else(
+                || written.to_owned(),
+                |option| text!(option.label).to_owned(),
+            ),
+        Kind::Switch(_) => match written {
+            "true" => text!("report-on").to_owned(),
+            "false" => text!("report-off").to_owned(),
+            _ => written.to_owned(),
+        },
+        _ if written == "inf" => "∞".to_owned(),
+        _ => written.replace('-', "−"),
+    };
+    let name = text!(parameter.name);
+    match number {
+        Some(light) => text!(
+            "report-setting-of-light",
+            light = light + 1,
+            name = name,
+            value = value
+        ),
+        None => text!("report-setting", name = name, value = value),
+    }
+}
+
+/// The number in `light.0.position`, and the key with `N` in its place.
+fn without_number(key: &str) -> (Option<u32>, String) {
+    let found = key
+        .split('.')
+        .find_map(|part| Some((part, part.parse().ok()?)));
+    found.map_or((None, key.to_owned()), |(part, number)| {
+        (Some(number), key.replacen(&format!(".{part}."), ".N.", 1))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_of_a_setting_is_left() {
+        for (setting, words) in [
+            ("shading.shadows=true", "on"),
+            ("light.0.exponent=-2", "−2"),
+            ("material.n = inf", "∞"),
+        ] {
+            let shown = setting_words(setting);
+            assert!(
+                shown.ends_with(words) && !shown.contains(['=', '.']),
+                "{setting}: {shown}"
+            );
+        }
+        for parameter in Parameter::all().filter(|parameter| parameter.key != "version") {
+            let shown = setting_words(&format!("{}=1", parameter.key(0)));
+            assert!(!shown.contains(parameter.key), "{}: {shown}", parameter.key);
+        }
+        assert_eq!(setting_words("no setting"), "no setting");
+    }
+}
