@@ -98,6 +98,13 @@ pub fn load_with(
         scene = scene.with_overrides(overrides)?;
     }
     let model = load_model(&scene.object, progress)?;
+    let alone = source
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("obj"));
+    if let Some(mesh) = model.as_ref().filter(|_| alone) {
+        let (centre, radius) = mesh.ball();
+        scene.camera = scene.camera.fitted(centre, radius, scene.image.size);
+    }
     // Only now, so that messages name the model as its user does. Where the working directory is unknown, so be it.
     if let Some(model_path) = &mut scene.object.path
         && let Ok(absolute) = std::path::absolute(&*model_path)

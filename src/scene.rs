@@ -27,7 +27,7 @@ mod symbol;
 mod validation;
 mod view;
 
-pub use camera::{About, Camera, Display, Encoding, Image, Overflow, Projection, Viewer};
+pub use camera::{About, Camera, Display, Encoding, Framing, Image, Overflow, Projection, Viewer};
 pub(crate) use choice::choices;
 pub use choice::{Choice, ChoiceOption};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};

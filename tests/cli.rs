@@ -193,7 +193,7 @@ fn what_is_wrong_with_a_file_is_named_with_its_line() {
     fs::create_dir_all(folder.0.join("folder")).expect("a folder");
     let bad: &[&str] = &[
         "error: bad.toml:2: `camera.fov_y` is 400, expected 0.001 to 179 degrees",
-        "error: bad.toml:3: unknown key `camera.lens`, expected one of eye, target, up, roll, projection, fov_y, height, viewer",
+        "error: bad.toml:3: unknown key `camera.lens`, expected one of eye, target, up, roll, projection, fov_y, height, framing, viewer",
         "error: bad.toml:5: `material.n` is -1, expected 0 to inf",
     ];
     folder.fails(&["check", "bad.toml"], 2, bad);

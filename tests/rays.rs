@@ -38,7 +38,7 @@ fn eye_ray(scene: &Scene, x: u32, y: u32) -> (DVec3, DVec3) {
     let right = forward.cross(camera.up).normalize();
     let up = right.cross(forward);
     let [width, height] = scene.image.size.map(f64::from);
-    let focal = 0.5 * height / (0.5 * camera.fov_y.to_radians()).tan();
+    let focal = 0.5 * camera.span([width, height]) / (0.5 * camera.fov_y.to_radians()).tan();
     let place = DVec2::new(
         f64::from(x) + 0.5 - 0.5 * width,
         0.5 * height - f64::from(y) - 0.5,

@@ -75,7 +75,7 @@ fn unknown_keys_are_all_named_with_their_choices() {
     assert_objections(
         "[camera]\nfov = 3\n\n[shadow]\non = true\n[[light]]\n[[light]]\npositoin = [0, 0, 0]\n",
         &[
-            "s.toml:2: unknown key `camera.fov`, expected one of eye, target, up, roll, projection, fov_y, height, viewer \
+            "s.toml:2: unknown key `camera.fov`, expected one of eye, target, up, roll, projection, fov_y, height, framing, viewer \
              (did you mean fov_y?)",
             "s.toml:4: unknown key `shadow`, expected one of version, about, camera, image, display, object, material, \
              reflection, ambient, pattern, transparency, shading, ground, backdrop, depth_cueing, compare, light",

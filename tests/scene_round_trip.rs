@@ -8,9 +8,9 @@ use proptest::prelude::*;
 use shading_lab::scene::{
     About, Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Compare,
     CompareView, CuedBy, DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt,
-    Ground, Image, Interpolation, Light, LightKind, Material, NormalSource, Object, ObjectKind,
-    Overflow, Pane, Pattern, PatternKind, Projection, Reflectance, Reflection, ReflectionModel,
-    Scene, Shading, ShadingMode, Shared, Through, Transparency, Viewer, Weighting,
+    Framing, Ground, Image, Interpolation, Light, LightKind, Material, NormalSource, Object,
+    ObjectKind, Overflow, Pane, Pattern, PatternKind, Projection, Reflectance, Reflection,
+    ReflectionModel, Scene, Shading, ShadingMode, Shared, Through, Transparency, Viewer, Weighting,
 };
 use std::f64::consts::TAU;
 
@@ -77,10 +77,11 @@ prop_compose! {
         roll in number(-1e30, 1e30),
         fov_y in number(1e-3, 179.0),
         height in number(1e-30, 1e30),
+        framing in word(&[Framing::Height, Framing::Whole]),
         viewer in word(&[Viewer::Local, Viewer::Infinite]),
     ) -> Camera {
         let target = eye + DVec3::new(1.0, 0.25, -2.0);
-        Camera { eye, target, up: DVec3::new(0.1, 1.0, 0.0), roll, projection, fov_y, height, viewer }
+        Camera { eye, target, up: DVec3::new(0.1, 1.0, 0.0), roll, projection, fov_y, height, framing, viewer }
     }
 }
 

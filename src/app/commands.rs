@@ -9,7 +9,7 @@ use super::orbit;
 use super::scan::ScanView;
 use super::state::AppState;
 use crate::analysis::ScanLevel;
-use crate::scene::{Camera, Choice, Light, Scene, ShadingMode};
+use crate::scene::{Choice, Light, Scene, ShadingMode};
 use eframe::egui::{Context, Event, Key, Modifiers};
 use std::sync::LazyLock;
 
@@ -455,16 +455,7 @@ impl AppState {
         match action {
             Action::Undo => self.history.undo(&mut self.document),
             Action::Redo => self.history.redo(&mut self.document),
-            Action::ResetCamera => {
-                let Camera {
-                    projection, viewer, ..
-                } = *camera;
-                *camera = Camera {
-                    projection,
-                    viewer,
-                    ..self.saved.scene.camera.clone()
-                };
-            }
+            Action::ResetCamera => orbit::reset(&mut self.shown, &self.opened, size),
             Action::Shade { mode, renormalise } => {
                 self.shown.scene.shading.mode = mode;
                 self.shown.scene.shading.renormalise = renormalise;

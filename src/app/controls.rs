@@ -130,6 +130,7 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
         &[
             Rows(&[&camera::VIEWER, &camera::PROJECTION]),
             Used(&[&camera::FOV_Y, &camera::HEIGHT]),
+            Rows(&[&camera::FRAMING]),
             Rows(&[&camera::ROLL, &camera::EYE, &camera::TARGET]),
             Own(|ui, state, _| {
                 if ui

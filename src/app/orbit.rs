@@ -1,6 +1,8 @@
 //! The camera moved by hand: round its target, along the picture, nearer and farther.
 
-use crate::scene::{Camera, Projection, View};
+use super::document::Document;
+use crate::geometry::tessellate;
+use crate::scene::{Camera, Object, ObjectKind, Projection, Scene, View};
 use glam::{DQuat, DVec3};
 
 /// The viewing direction keeps this far from `up`, degrees, so that the picture never turns over.
@@ -32,7 +34,7 @@ pub fn orbit(camera: &mut Camera, right: f64, up: f64) {
     }
 }
 
-/// Moves eye and target together: `right` and `up` in heights of the picture at the target's distance.
+/// Moves eye and target together: `right` and `up` in what the picture spans at the target's distance.
 pub fn pan(camera: &mut Camera, right: f64, up: f64) {
     let view = View::new(camera, [1, 1]);
     let seen = view.world_per_pixel(camera.eye.distance(camera.target));
@@ -56,6 +58,45 @@ pub fn zoom(camera: &mut Camera, factor: f64) {
                 camera.eye = eye;
             }
         }
+    }
+}
+
+/// The divisions of a shape whose extent is looked for.
+const COARSE: u32 = 32;
+
+/// Puts the camera of `document` back to where the scene was opened, with the projection and the viewer that it has now. An
+/// object that has changed since then is shown whole in a picture of `size` pixels.
+pub fn reset(document: &mut Document, opened: &Scene, size: [u32; 2]) {
+    let Camera {
+        projection, viewer, ..
+    } = document.scene.camera;
+    let camera = Camera {
+        projection,
+        viewer,
+        ..opened.camera.clone()
+    };
+    let extent = |object: &Object| (object.kind, object.vertices.clone(), object.path.clone());
+    let same = extent(&document.scene.object) == extent(&opened.object)
+        && projection == opened.camera.projection;
+    document.scene.camera = if same {
+        camera
+    } else {
+        let (centre, radius) = ball(document);
+        camera.fitted(centre, radius, size)
+    };
+}
+
+/// The centre and the radius of a ball about the object.
+pub fn ball(document: &Document) -> (DVec3, f64) {
+    let object = &document.scene.object;
+    match &document.model {
+        Some(mesh) if object.kind == ObjectKind::Obj => mesh.ball(),
+        _ => tessellate(&Object {
+            segments: object.segments.min(COARSE),
+            rings: object.rings.min(COARSE),
+            ..object.clone()
+        })
+        .ball(),
     }
 }
 

@@ -19,7 +19,7 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
-/// Degrees that the camera turns when the pointer travels the picture's height.
+/// Degrees that the camera turns when the pointer travels the side of the picture that the camera spans.
 const DEGREES_PER_HEIGHT: f64 = 180.0;
 /// How fast the wheel zooms: the logarithm of the factor a point of scrolling makes.
 const ZOOM_PER_POINT: f64 = 0.0025;
@@ -246,10 +246,11 @@ fn drag(state: &mut AppState, response: &Response, at: Pos2, whole: Place, point
         return;
     };
     let Pointed { place, view, .. } = pointed;
-    let delta = response.drag_delta() / place.rect.height().max(1.0);
-    let (dx, dy) = (f64::from(delta.x), f64::from(delta.y));
     let pixel = place.pixel(at) + grab;
     let scene = &mut state.shown.scene;
+    let span = scene.camera.span(place.size.map(f64::from)).max(1.0);
+    let delta = response.drag_delta() * place.pixels_per_point;
+    let (dx, dy) = (f64::from(delta.x) / span, f64::from(delta.y) / span);
     match grip {
         Grip::Camera if deep => orbit::pan(&mut scene.camera, -dx, dy),
         Grip::Camera => {

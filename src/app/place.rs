@@ -52,7 +52,12 @@ impl Place {
     }
 }
 
-/// Where the probe stands: from the picture's middle, in units of the picture's height, so that it keeps to the same
+/// The shorter side of a picture, at least 1 pixel.
+fn shorter(size: [u32; 2]) -> f64 {
+    f64::from(size[0].min(size[1]).max(1))
+}
+
+/// Where the probe stands: from the picture's middle, in units of its shorter side, so that it keeps to the same
 /// place of the scene when the window changes its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProbePoint(pub DVec2);
@@ -66,13 +71,13 @@ impl Default for ProbePoint {
 impl ProbePoint {
     /// The pixel it stands on in a picture of `size` pixels, kept inside.
     pub fn pixel(self, size: [u32; 2]) -> [u32; 2] {
-        let [width, height] = size.map(f64::from);
+        let ([width, height], unit) = (size.map(f64::from), shorter(size));
         let inside = |value: f64, side: u32| {
             value.floor().clamp(0.0, f64::from(side.saturating_sub(1))) as u32
         };
         [
-            inside(self.0.x * height + width * 0.5, size[0]),
-            inside(self.0.y * height + height * 0.5, size[1]),
+            inside(self.0.x * unit + width * 0.5, size[0]),
+            inside(self.0.y * unit + height * 0.5, size[1]),
         ]
     }
 
@@ -87,8 +92,8 @@ impl ProbePoint {
         let [width, height] = size.map(|side| f64::from(side.max(1)));
         let [x, y] = pixel.map(|value| f64::from(value) + 0.5);
         Self(DVec2::new(
-            (x - width * 0.5) / height,
-            (y - height * 0.5) / height,
+            (x - width * 0.5) / shorter(size),
+            (y - height * 0.5) / shorter(size),
         ))
     }
 
@@ -102,7 +107,7 @@ impl ProbePoint {
     }
 }
 
-/// Where the profile is taken: both ends from the picture's middle in units of its height, like the probe.
+/// Where the profile is taken: both ends from the picture's middle in units of its shorter side, like the probe.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfileLine(pub [DVec2; 2]);
 
@@ -115,16 +120,18 @@ impl Default for ProfileLine {
 impl ProfileLine {
     /// Both ends in a picture of `size` pixels, kept inside.
     pub fn pixels(self, size: [u32; 2]) -> [DVec2; 2] {
+        let unit = shorter(size);
         let size = DVec2::from_array(size.map(f64::from));
         self.0
-            .map(|end| (end * size.y + 0.5 * size).clamp(DVec2::ZERO, size))
+            .map(|end| (end * unit + 0.5 * size).clamp(DVec2::ZERO, size))
     }
 
     /// Puts an end at a place of a picture of `size` pixels.
     pub fn put(&mut self, end: usize, pixel: DVec2, size: [u32; 2]) {
+        let unit = shorter(size);
         let size = DVec2::from_array(size.map(|side| f64::from(side.max(1))));
         if let Some(end) = self.0.get_mut(end) {
-            *end = (pixel.clamp(DVec2::ZERO, size) - 0.5 * size) / size.y;
+            *end = (pixel.clamp(DVec2::ZERO, size) - 0.5 * size) / unit;
         }
     }
 }

@@ -9,8 +9,8 @@ use super::{Export, ExportError, Part, export_mesh, fan};
 use crate::geometry::{Mesh, VertexMesh};
 use crate::illumination::{Index, SpecularForm, blinn_from_phong};
 use crate::scene::{
-    Attenuation, Backfacing, Camera, CuedBy, DepthCueing, Encoding, Light, LightKind, Overflow,
-    PatternKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer,
+    Attenuation, Backfacing, Camera, CuedBy, DepthCueing, Encoding, Framing, Light, LightKind,
+    Overflow, PatternKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer,
 };
 use glam::{DVec3, Vec3};
 
@@ -251,12 +251,20 @@ fn camera(scene: &Scene, mesh: &VertexMesh) -> String {
         Projection::Orthographic => (
             2.0 / camera.height,
             format!(
-                "2/height, {} units are seen from bottom to top",
+                "2/height, {} units are seen across the span",
                 said(camera.height)
             ),
             "-2.0 / (z_far - z_near), 0.0",
             "-(z_far + z_near) / (z_far - z_near), 1.0",
         ),
+    };
+    let [span, across, upwards] = match camera.framing {
+        Framing::Height => ["", "height", "scale"],
+        Framing::Whole => [
+            "    const double span = width < height ? width : height; /* the shorter side */\n",
+            "span",
+            "scale * span / height",
+        ],
     };
     let column = |v: DVec3, w: &str| {
         let seen = [v.dot(view.right), v.dot(view.up), v.dot(-view.forward)];
@@ -277,6 +285,9 @@ fn camera(scene: &Scene, mesh: &VertexMesh) -> String {
             ("far", &far),
             ("scale", &c_double(scale)),
             ("scale_means", &scale_means),
+            ("span", span),
+            ("across", across),
+            ("upwards", upwards),
             ("third", third),
             ("fourth", fourth),
             ("columns", &columns.join(",\n")),

@@ -150,23 +150,33 @@ impl<C: AtPoint> Mesh<C> {
 }
 
 impl Mesh {
-    /// The mesh centred and scaled into the unit sphere: the middle of its bounding box comes to the world's origin, the
-    /// farthest point to distance 1. A mesh of a single point is only centred, one without points stays as it is.
-    pub fn fitted(mut self) -> Self {
+    /// The centre and the radius of a ball that holds every point: the middle of its bounding box, and the distance to the
+    /// farthest point from there. A mesh without points has a ball of radius 0 about its origin.
+    pub fn ball(&self) -> (DVec3, f64) {
         let Some(&first) = self.positions.first() else {
-            return self;
+            return (self.origin, 0.0);
         };
         let (low, high) = self
             .positions
             .iter()
             .fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
         let centre = (low.as_dvec3() + high.as_dvec3()) / 2.0;
-        let radius = self
+        let squared = self
             .positions
             .iter()
             .map(|p| p.as_dvec3().distance_squared(centre))
-            .fold(0.0, f64::max)
-            .sqrt();
+            .fold(0.0, f64::max);
+        (self.origin + centre, squared.sqrt())
+    }
+
+    /// The mesh centred and scaled into the unit sphere: the middle of its bounding box comes to the world's origin, the
+    /// farthest point to distance 1. A mesh of a single point is only centred, one without points stays as it is.
+    pub fn fitted(mut self) -> Self {
+        if self.positions.is_empty() {
+            return self;
+        }
+        let (centre, radius) = self.ball();
+        let centre = centre - self.origin;
         let scale = if radius > 0.0 { 1.0 / radius } else { 1.0 };
         for position in &mut self.positions {
             *position = ((position.as_dvec3() - centre) * scale).as_vec3();

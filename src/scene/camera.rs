@@ -37,11 +37,13 @@ table! {
         PROJECTION projection: Projection = Projection::Perspective, Choice, "Projection",
             "How points are projected onto the picture.";
         FOV_Y fov_y: f64 = 40.0, Number(Limits::within(&Camera::FOV_Y), FIELD_OF_VIEW), "Field of view",
-            "The angle that the picture spans from bottom to top in perspective projection."
+            "The angle that the picture spans in perspective projection: from bottom to top, or as `camera.framing` says."
             .unit("degrees").idle(no_perspective);
         HEIGHT height: f64 = 2.5, Number(Limits::new(LEAST_LENGTH, GREATEST_LENGTH), Slider::logarithmic(0.1, 20.0)), "Height",
-            "The length that the picture spans from bottom to top in orthographic projection."
+            "The length that the picture spans in orthographic projection: from bottom to top, or as `camera.framing` says."
             .unit("world units").idle(not_orthographic);
+        FRAMING framing: Framing = Framing::Height, Choice, "Framing",
+            "Which side of the picture the field of view or the height spans.";
         VIEWER viewer: Viewer = Viewer::Local, Choice, "viewer",
             "Where V points: to the eye from each point, or in one constant direction, as if the viewer were infinitely far away."
             .letter("V", Symbol::Viewer).idle(no_viewer);
@@ -68,6 +70,14 @@ impl Camera {
     /// Degrees. Below, a pixel is narrower than single precision resolves; above, the picture is all rim.
     pub const FOV_Y: RangeInclusive<f64> = 1e-3..=179.0;
 
+    /// The side of a picture of `width` and `height`, in any unit, that the field of view or the height spans.
+    pub fn span(&self, [width, height]: [f64; 2]) -> f64 {
+        match self.framing {
+            Framing::Height => height,
+            Framing::Whole => width.min(height),
+        }
+    }
+
     /// Distance from eye to target, world units: the scene's own measure of length.
     pub fn distance(&self) -> f64 {
         let span = self.eye - self.target;
@@ -84,6 +94,14 @@ choices! {
     pub enum Projection {
         Perspective = "perspective", "perspective", "As an eye or a camera sees";
         Orthographic = "orthographic", "orthographic", "Parallel rays: no foreshortening";
+    }
+}
+
+choices! {
+    /// Which side of the picture the field of view or the height spans.
+    pub enum Framing {
+        Height = "height", "picture height", "From bottom to top, whatever the width: a narrow picture shows less";
+        Whole = "whole", "shorter side", "The shorter side: whatever a square picture shows stays in sight in any shape";
     }
 }
 

@@ -1,5 +1,6 @@
 //! The camera's mathematics: from the world to the picture and back, in double precision.
 
+use super::parameter::GREATEST_LENGTH;
 use super::{Camera, Projection};
 use glam::{DVec2, DVec3};
 
@@ -38,11 +39,12 @@ impl View {
     /// The view of `camera` in a picture of `size` (width, height) pixels; a side of 0 counts as 1.
     pub fn new(camera: &Camera, size: [u32; 2]) -> Self {
         let [width, height] = size.map(|side| f64::from(side.max(1)));
+        let span = camera.span([width, height]);
         let forward = direction(camera.target * 0.5 - camera.eye * 0.5).unwrap_or(DVec3::NEG_Z);
         let [right, up] = frame(forward, camera.up, camera.roll);
         let scale = match camera.projection {
-            Projection::Perspective => 0.5 * height / (0.5 * camera.fov_y.to_radians()).tan(),
-            Projection::Orthographic => height / camera.height,
+            Projection::Perspective => 0.5 * span / (0.5 * camera.fov_y.to_radians()).tan(),
+            Projection::Orthographic => span / camera.height,
         };
         Self {
             eye: camera.eye,
@@ -53,7 +55,7 @@ impl View {
             scale: if scale > 0.0 && scale.is_finite() {
                 scale
             } else {
-                height
+                span
             },
             projection: camera.projection,
         }
@@ -123,6 +125,44 @@ impl View {
     fn across(&self, pixel: DVec2) -> DVec3 {
         let offset = (pixel - self.centre) / self.scale;
         self.right * offset.x - self.up * offset.y
+    }
+}
+
+impl Camera {
+    /// The part of the picture's shorter side that [`Camera::fitted`] leaves free on either side.
+    pub const MARGIN: f64 = 0.04;
+
+    /// This camera moved back, or spanning more in orthographic projection, until a ball lies in a picture of `size` pixels:
+    /// inside the circle about the middle that leaves [`Camera::MARGIN`] free. A camera that shows all of the ball is returned as
+    /// it is, and so is one that would leave the limits of a scene.
+    #[must_use]
+    pub fn fitted(&self, centre: DVec3, radius: f64, size: [u32; 2]) -> Self {
+        let view = View::new(self, size);
+        let shorter = f64::from(size[0].min(size[1]).max(1));
+        // Of the circle: its tangent, or world units.
+        let half = (0.5 - Self::MARGIN) * shorter / view.scale;
+        let offset = centre - view.eye;
+        let along = offset.dot(view.forward);
+        let across = offset.dot(view.right).hypot(offset.dot(view.up));
+        let mut fitted = self.clone();
+        let depth = match self.projection {
+            Projection::Perspective => {
+                let (sine, cosine) = half.atan().sin_cos();
+                (radius + across * cosine) / sine
+            }
+            Projection::Orthographic => {
+                fitted.height *= ((across + radius) / half).max(1.0);
+                radius
+            }
+        };
+        fitted.eye -= view.forward * (depth - along).max(0.0);
+        let reach = fitted.eye.abs().max_element().max(fitted.height);
+        // A comparison with NaN is false.
+        if reach <= GREATEST_LENGTH {
+            fitted
+        } else {
+            self.clone()
+        }
     }
 }
 

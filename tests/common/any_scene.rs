@@ -11,10 +11,10 @@ use shading_lab::geometry::Mesh;
 use shading_lab::scene::{
     Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Choice, Compare,
     CompareView, CuedBy, DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt,
-    GREATEST_INTENSITY, GREATEST_LENGTH, Ground, Image, Interpolation, LEAST_LENGTH, Light,
-    LightKind, Material, NormalSource, Object, ObjectKind, Overflow, Pane, Pattern, PatternKind,
-    Projection, Reflectance, Reflection, ReflectionModel, Rgb, Scene, Shading, ShadingMode, Shared,
-    Through, Transparency, Viewer, Weighting,
+    Framing, GREATEST_INTENSITY, GREATEST_LENGTH, Ground, Image, Interpolation, LEAST_LENGTH,
+    Light, LightKind, Material, NormalSource, Object, ObjectKind, Overflow, Pane, Pattern,
+    PatternKind, Projection, Reflectance, Reflection, ReflectionModel, Rgb, Scene, Shading,
+    ShadingMode, Shared, Through, Transparency, Viewer, Weighting,
 };
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -264,6 +264,12 @@ impl Author {
             ]),
             fov_y: self.number(10.0..=120.0, Camera::FOV_Y),
             height: self.length(0.5..=6.0, LEAST_LENGTH..=GREATEST_LENGTH),
+            // Without a throw of the dice, which would change all that is thrown after it.
+            framing: if eye.x > target.x {
+                Framing::Whole
+            } else {
+                Framing::Height
+            },
             viewer: self.dice.of(&[Viewer::Local, Viewer::Infinite]),
         }
     }

@@ -157,14 +157,14 @@ pub fn meet(scene: &Scene, x: u32, y: u32) -> Option<(DVec3, f64)> {
     );
     let distance = camera.eye.length();
     let (origin, direction, radius) = if camera.projection == Projection::Perspective {
-        let focal = height / 2.0 / (camera.fov_y.to_radians() / 2.0).tan();
+        let focal = camera.span([width, height]) / 2.0 / (camera.fov_y.to_radians() / 2.0).tan();
         (
             camera.eye,
             (forward * focal + right * px + up * py).normalize(),
             focal / (distance * distance - 1.0).sqrt(),
         )
     } else {
-        let pixels = height / camera.height;
+        let pixels = camera.span([width, height]) / camera.height;
         (
             camera.eye + (right * px + up * py) / pixels,
             forward,

@@ -82,13 +82,13 @@ impl<'a> Stage<'a> {
         let ahead = Precise3::new(camera.target) - eye;
         let forward = ahead.unit();
         let right = forward.cross(Precise3::new(camera.up)).unit();
-        let height = precise(f64::from(scene.image.size[1]));
+        let span = precise(camera.span(scene.image.size.map(f64::from)));
         let scale = match camera.projection {
             Projection::Perspective => {
                 let (sine, cosine) = precise(camera.fov_y / 2.0).to_radians().sin_cos();
-                height / (sine / cosine * 2.0)
+                span / (sine / cosine * 2.0)
             }
-            Projection::Orthographic => height / precise(camera.height),
+            Projection::Orthographic => span / precise(camera.height),
         };
         Self {
             scene,

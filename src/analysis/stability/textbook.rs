@@ -72,25 +72,31 @@ impl Camera {
         let up = right.cross(forward);
         let row = |axis: Vec3| axis.extend(-axis.dot(eye));
         let [x, y, z] = [row(right), row(up), row(-forward)];
-        let aspect = size.x / size.y;
+        let span = camera.span([f64::from(width), f64::from(height)]) as f32;
+        let (across, upwards) = (span / size.x, span / size.y);
         let (matrix, scale) = if perspective {
             let cotangent = 1.0 / ((camera.fov_y as f32).to_radians() / 2.0).tan();
             let (a, b) = ((far + near) / (near - far), 2.0 * far * near / (near - far));
             (
                 [
-                    x * (cotangent / aspect),
-                    y * cotangent,
+                    x * (cotangent * across),
+                    y * (cotangent * upwards),
                     z * a + Vec4::W * b,
                     -z,
                 ],
-                size.y * cotangent / 2.0,
+                span * cotangent / 2.0,
             )
         } else {
             let half = camera.height as f32 / 2.0;
             let (a, b) = (2.0 / (near - far), (far + near) / (near - far));
             (
-                [x / (half * aspect), y / half, z * a + Vec4::W * b, Vec4::W],
-                size.y / camera.height as f32,
+                [
+                    x * (across / half),
+                    y * (upwards / half),
+                    z * a + Vec4::W * b,
+                    Vec4::W,
+                ],
+                span / camera.height as f32,
             )
         };
         Self {

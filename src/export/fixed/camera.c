@@ -2,9 +2,9 @@
 void set_up_camera(int width, int height) {
     const double z_near = $near$, z_far = $far$; /* depths that are drawn */
     const double scale = $scale$; /* $scale_means$ */
-    const double projection[16] = {
-        scale * height / width, 0.0, 0.0, 0.0,
-        0.0, scale, 0.0, 0.0,
+$span$    const double projection[16] = {
+        scale * $across$ / width, 0.0, 0.0, 0.0,
+        0.0, $upwards$, 0.0, 0.0,
         0.0, 0.0, $third$,
         0.0, 0.0, $fourth$
     };
