@@ -22,11 +22,11 @@ mod files;
 mod filled;
 mod focus;
 mod handles;
+mod layout;
 mod letter;
 mod lines;
 mod look;
 mod material;
-mod numbers;
 mod orbit;
 mod palette;
 mod panes;
@@ -40,13 +40,18 @@ mod report;
 mod row;
 mod sampling;
 mod scan;
+mod scenes;
+mod sign;
 mod stability;
 mod start;
 mod state;
 mod study;
 mod symbol;
+mod terms;
 mod theme;
 mod typeset;
+mod views;
+mod welcome;
 
 pub use document::{Document, Origin};
 pub use look::{Look, NumbersTab, OverlayLook};
@@ -60,19 +65,18 @@ pub use state::AppState;
 use crate::document::Loaded;
 use crate::render::{Frame, Renderer, Report};
 use crate::scene::Choice as _;
+use crate::text::{self, Language};
 use action::Action;
 use dialog::{CodeForm, Dialog, ExportForm, FileTask};
 use document::History;
-use eframe::egui::{
-    CentralPanel, ColorImage, Context, Frame as Margins, Panel, ThemePreference, Ui,
-    ViewportCommand,
-};
+use eframe::egui::{ColorImage, Context, ThemePreference, Ui, ViewportCommand};
 use engine::Engine;
 use files::Files;
+use layout::Layout;
 use picture::Room;
 use recovery::Recovery;
 use serde::{Deserialize, Serialize};
-use state::Leaving;
+use state::{Leaving, Own};
 use std::path::{Path, PathBuf};
 use theme::ThemeChoice;
 
@@ -91,6 +95,7 @@ pub struct App {
     state: AppState,
     engine: Engine,
     files: Files,
+    layout: Layout,
     room: Room,
     title: String,
     /// Whether a dialog, or the progress of work on a file, stands in front of everything else: the keys are for that.
@@ -120,6 +125,7 @@ impl App {
             state,
             engine: Engine::new(),
             files: Files::default(),
+            layout: Layout::default(),
             room: Room {
                 whole: [1, 1],
                 pane: [1, 1],
@@ -155,34 +161,26 @@ impl App {
         &self.state
     }
 
+    /// The same window, which welcomes whoever has not been here before.
+    #[must_use]
+    pub fn with_welcome(mut self) -> Self {
+        self.state.welcome = !self.state.look.welcomed;
+        self
+    }
+
     fn panels(&mut self, ui: &mut Ui) {
-        let Self { state, engine, .. } = self;
-        if !state.picture_alone {
-            Panel::top("menus").show(ui, |ui| bars::menus_ui(ui, state));
-            if state.look.stages {
-                Panel::bottom("stages").show(ui, |ui| bars::stages_ui(ui, state, engine));
-            }
-            if state.look.controls {
-                let panel = Panel::left("controls")
-                    .resizable(true)
-                    .default_size(344.0)
-                    .min_size(300.0);
-                panel.show(ui, |ui| controls::controls_ui(ui, state, engine));
-                // Nothing is drawn of a scene that a scene file would refuse.
-                state.commit();
-            }
-            if state.look.numbers {
-                let panel = Panel::right("numbers")
-                    .resizable(true)
-                    .default_size(322.0)
-                    .min_size(280.0);
-                panel.show(ui, |ui| numbers::numbers_ui(ui, state, engine));
+        let Self {
+            state,
+            engine,
+            layout,
+            ..
+        } = self;
+        if let Some(room) = layout.ui(ui, state, engine) {
+            self.room = room;
+            if let Some(picture) = layout.picture {
+                welcome::welcome_ui(ui.ctx(), state, picture);
             }
         }
-        let shown = CentralPanel::default()
-            .frame(Margins::NONE)
-            .show(ui, |ui| picture::picture_ui(ui, state, engine));
-        self.room = shown.inner;
         self.state.commit();
     }
 
@@ -233,6 +231,13 @@ impl App {
             ThemeChoice::Light => ThemePreference::Light,
         });
         ctx.set_zoom_factor(self.state.look.scale);
+        let language = self.state.look.language.unwrap_or_else(Language::of_system);
+        if language != text::language() {
+            text::set_language(language);
+            // What views have worked out holds text.
+            self.state.own = Own::default();
+            ctx.request_repaint();
+        }
         let mark = if self.state.modified() { "*" } else { "" };
         let title = format!("{}{mark} — shading-lab", self.state.document.origin.name());
         if title != self.title {
@@ -275,6 +280,11 @@ impl App {
                 );
             }
             Action::Code => self.state.dialog = Some(Dialog::Code(CodeForm::default())),
+            Action::Scenes => self.state.dialog = Some(Dialog::Scenes),
+            Action::NextScene(step) => {
+                let name = self.state.scene_after(step).to_owned();
+                self.perform(ctx, Action::OpenBuiltIn(name));
+            }
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),
             Action::PictureAlone => {

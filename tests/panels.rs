@@ -8,7 +8,7 @@ use eframe::egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Sh
 use egui_kittest::Harness;
 use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
 use glam::{DVec3, Vec3Swizzles};
-use hands::{choose, drag, enter, press, scene, undo, wait, window, window_of};
+use hands::{choose, drag, enter, open_view, press, scene, undo, wait, window, window_of};
 use shading_lab::analysis::{ANALYSES, ProbeHit, probe};
 use shading_lab::app::{App, Look, NumbersTab, Profiles};
 use shading_lab::document::load;
@@ -31,18 +31,12 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
         NumbersTab::Curves,
         "the scene names its tab"
     );
-    harness
-        .get_by_role_and_label(Role::Tab, "Equation")
-        .click_accesskit();
-    harness.run();
+    open_view(&mut harness, "Equation");
     assert!(
         harness.query_by_label(titles[1]).is_none(),
         "the equation is shown"
     );
-    harness
-        .get_by_role_and_label(Role::Tab, "Curves")
-        .click_accesskit();
-    harness.run();
+    open_view(&mut harness, "Curves");
     assert_eq!(harness.state().state().look.tab, NumbersTab::Curves);
     for title in titles {
         assert!(harness.query_by_label(title).is_some(), "{title}");
@@ -135,10 +129,7 @@ fn the_plan_has_a_tab_that_the_bar_opens() {
 }
 
 fn tab(harness: &mut Harness<'_, App>, name: &str) {
-    harness
-        .get_by_role_and_label(Role::Tab, name)
-        .click_accesskit();
-    harness.run();
+    open_view(harness, name);
 }
 
 /// What was put on the clipboard since the window was last run.
@@ -489,9 +480,7 @@ fn until_taken(harness: &mut Harness<'_, App>) {
 #[test]
 fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     let mut harness = window("flat-facets");
-    harness
-        .get_by_role_and_label(Role::Tab, "Profile")
-        .click_accesskit();
+    open_view(&mut harness, "Profile");
     until_taken(&mut harness);
     assert_eq!(harness.state().state().look.tab, NumbersTab::Profile);
     for title in [
@@ -788,9 +777,7 @@ fn the_teapot_is_cut_by_one_number_too() {
 #[test]
 fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
     let mut harness = window("orientation");
-    harness
-        .get_by_role_and_label(Role::Tab, "Defects")
-        .click_accesskit();
+    open_view(&mut harness, "Defects");
     assert!(wait(&mut harness, |harness| harness
         .query_by_label("with barycentric weights")
         .is_some()));
@@ -836,10 +823,7 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
 #[test]
 fn the_picture_is_shown_as_it_is_perceived() {
     let mut harness = window("mach-bands");
-    harness
-        .get_by_role_and_label(Role::Tab, "Profile")
-        .click_accesskit();
-    harness.run();
+    open_view(&mut harness, "Profile");
     let checkbox = "Show the picture as it is perceived";
     let perceived = |harness: &Harness<'_, App>| {
         harness
@@ -1054,9 +1038,7 @@ fn a_profile_of_any_height_is_clipped_to_its_pane() {
         loaded.scene.lights[0].color = Rgb::splat(bright);
         loaded.scene.compare = Compare::default();
         let mut harness = window_of(loaded);
-        harness
-            .get_by_role_and_label(Role::Tab, "Profile")
-            .click_accesskit();
+        open_view(&mut harness, "Profile");
         assert!(wait(&mut harness, |harness| harness
             .state()
             .state()

@@ -7,7 +7,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use hands::{press, scene, window};
+use hands::{open_view, press, scene, window};
 use shading_lab::analysis::{Scan, ScanLevel, scan};
 use shading_lab::app::{App, NumbersTab, ScanView};
 use shading_lab::render::Renderer;
@@ -18,10 +18,7 @@ fn opened(name: &str) -> Harness<'static, App> {
     let mut harness = window(name);
     harness.key_press(Key::Num3);
     harness.run();
-    harness
-        .get_by_role_and_label(Role::Tab, "Scan line")
-        .click_accesskit();
-    harness.run();
+    open_view(&mut harness, "Scan line");
     assert_eq!(harness.state().state().look.tab, NumbersTab::ScanLine);
     harness
 }

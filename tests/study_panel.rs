@@ -5,17 +5,14 @@ mod hands;
 
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
-use hands::{press, scene, undo, wait, window};
+use hands::{open_view, press, scene, undo, wait, window};
 use shading_lab::analysis::stability_cases;
 use shading_lab::scene::{ObjectKind, ShadingMode};
 
 #[test]
 fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
     let mut harness = window("sphere");
-    harness
-        .get_by_role_and_label(Role::Tab, "Study")
-        .click_accesskit();
-    harness.run();
+    open_view(&mut harness, "Study");
     for segments in ["16", "64", "128"] {
         press(&mut harness, segments);
     }
@@ -83,10 +80,7 @@ fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
 fn the_catalogue_is_drawn_and_a_case_opens_as_the_scene() {
     let mut harness = window("sphere");
     let before = scene(&harness).clone();
-    harness
-        .get_by_role_and_label(Role::Tab, "Stability")
-        .click_accesskit();
-    harness.run();
+    open_view(&mut harness, "Stability");
     let last = stability_cases().last().expect("cases").title;
     assert!(
         wait(&mut harness, |harness| harness

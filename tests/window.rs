@@ -8,7 +8,7 @@ use eframe::egui::{Key, Modifiers, Shape, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DVec2, DVec3};
-use hands::{choose, drag, enter, picture, press, scene, undo, unfold, wait, window};
+use hands::{choose, drag, enter, open_view, picture, press, scene, undo, unfold, wait, window};
 use serde::Serialize;
 use shading_lab::analysis::NormalField;
 use shading_lab::app::{App, Look, NumbersTab, ProfileLook};
@@ -610,10 +610,7 @@ fn a_spot_lights_arrow_is_dragged() {
 #[test]
 fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_their_own() {
     let mut harness = window("torus");
-    harness
-        .get_by_role_and_label(Role::Tab, "Compare")
-        .click_accesskit();
-    harness.run();
+    open_view(&mut harness, "Compare");
     harness.key_press(Key::K);
     harness.run();
     assert_eq!(scene(&harness).compare.view, CompareView::Panes);
@@ -680,9 +677,7 @@ fn the_line_of_a_wipe_is_dragged_in_one_step() {
 #[test]
 fn the_probe_jumps_to_the_greatest_difference() {
     let mut harness = window("flat-facets");
-    harness
-        .get_by_role_and_label(Role::Tab, "Compare")
-        .click_accesskit();
+    open_view(&mut harness, "Compare");
     for _ in 0..3 {
         harness.key_press(Key::K);
         harness.run();
@@ -753,9 +748,7 @@ fn press_key_for_every_mode(harness: &mut Harness<'_, App>) {
 fn pointing_at_a_vertex_lights_up_its_faces() {
     let mut harness = window("vertex-normals");
     // The tab that the scene opens has pictures of its own.
-    harness
-        .get_by_role_and_label(Role::Tab, "Equation")
-        .click_accesskit();
+    open_view(&mut harness, "Equation");
     // From its panes by way of wipe and difference to one picture.
     for _ in 0..3 {
         harness.key_press(Key::K);
@@ -1005,9 +998,6 @@ fn what_a_screen_reader_sends_is_kept_within_bounds() {
     harness
         .get_by_role_and_label(Role::SpinButton, "Roll")
         .set_value_accesskit(f64::NEG_INFINITY);
-    harness
-        .get_by_role_and_label(Role::Tab, "Defects")
-        .click_accesskit();
-    harness.run();
+    open_view(&mut harness, "Defects");
     assert_eq!(scene(&harness).validate(), Ok(()));
 }

@@ -12,6 +12,10 @@ pub enum Action {
     Open,
     OpenFile(PathBuf),
     OpenBuiltIn(String),
+    /// The gallery of built-in scenes.
+    Scenes,
+    /// The built-in scene so many places further.
+    NextScene(isize),
     Save,
     SaveAs,
     SaveTo(PathBuf),

@@ -5,52 +5,36 @@ use super::action::Action;
 use super::commands::SECTIONS;
 use super::compare::VIEWS;
 use super::engine::Engine;
+use super::equation;
+use super::focus::named;
 use super::look::NumbersTab;
 use super::plan::{grouped, left_out};
 use super::state::AppState;
+use super::terms;
 use super::theme::ThemeChoice;
 use crate::analysis::stage_words;
 use crate::render::StageRun;
-use crate::scene::{Choice, ShadingMode, presets};
-use eframe::egui::{Align, Button, Label, Layout, MenuBar, RichText, Sense, Ui};
+use crate::scene::{Choice, ShadingMode};
+use crate::text::{Language, text};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Align, Button, ComboBox, Label, Layout, MenuBar, RichText, Sense, Ui};
+
+/// Below this width the menus fold into one, and the modes into a list.
+const NARROW: f32 = 860.0;
 
 /// Menus at the left, modes in the middle.
 pub fn menus_ui(ui: &mut Ui, state: &mut AppState) {
     ui.add_space(3.0);
+    let narrow = ui.available_width() < NARROW;
     MenuBar::new().ui(ui, |ui| {
-        for menu in ["File", "Edit", "View", "Compare", "Help"] {
-            ui.menu_button(menu, |ui| {
-                ui.set_min_width(260.0);
-                match menu {
-                    "File" => _ = ui.menu_button("Built-in scenes", |ui| scenes_ui(ui, state)),
-                    "Compare" => {
-                        for (view, name, tip) in VIEWS {
-                            let present = state.document.scene.compare.view == view;
-                            if ui.radio(present, name).on_hover_text(tip).clicked() {
-                                state.ask(Action::Compare(view));
-                                ui.close();
-                            }
-                        }
-                        ui.separator();
-                    }
-                    _ => {}
-                }
-                items_ui(ui, state, menu);
-                if menu == "View" {
-                    ui.separator();
-                    let themes = [
-                        ("System", ThemeChoice::System),
-                        ("Dark", ThemeChoice::Dark),
-                        ("Light", ThemeChoice::Light),
-                    ];
-                    for (text, theme) in themes {
-                        ui.radio_value(&mut state.look.theme, theme, text);
-                    }
-                }
-            });
+        if narrow {
+            ui.menu_button(text!("menu"), |ui| each_menu_ui(ui, state));
+            mode_list_ui(ui, state);
+        } else {
+            each_menu_ui(ui, state);
+            ui.separator();
+            modes_ui(ui, state);
         }
-        ui.separator();
-        modes_ui(ui, state);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let name = state.document.origin.name();
             let text = if state.modified() {
@@ -58,10 +42,110 @@ pub fn menus_ui(ui: &mut Ui, state: &mut AppState) {
             } else {
                 name
             };
-            ui.label(RichText::new(text).weak());
+            ui.add(Label::new(RichText::new(text).weak()).truncate());
         });
     });
     ui.add_space(3.0);
+}
+
+fn each_menu_ui(ui: &mut Ui, state: &mut AppState) {
+    for menu in ["File", "Edit", "View", "Compare", "Help"] {
+        ui.menu_button(menu, |ui| {
+            ui.set_min_width(260.0);
+            if menu == "Compare" {
+                for (view, name, tip) in VIEWS {
+                    let present = state.document.scene.compare.view == view;
+                    if ui.radio(present, name).on_hover_text(tip).clicked() {
+                        state.ask(Action::Compare(view));
+                        ui.close();
+                    }
+                }
+                ui.separator();
+            }
+            items_ui(ui, state, menu);
+            if menu == "View" {
+                ui.separator();
+                let themes = [
+                    ("System", ThemeChoice::System),
+                    ("Dark", ThemeChoice::Dark),
+                    ("Light", ThemeChoice::Light),
+                ];
+                for (text, theme) in themes {
+                    ui.radio_value(&mut state.look.theme, theme, text);
+                }
+                ui.separator();
+                ui.menu_button(text!("language"), |ui| {
+                    ui.radio_value(&mut state.look.language, None, text!("language-system"));
+                    for language in Language::ALL {
+                        let chosen = Some(language);
+                        ui.radio_value(&mut state.look.language, chosen, language.name());
+                    }
+                });
+            }
+        });
+    }
+}
+
+/// The equation, and a switch for each of its terms.
+pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
+    ui.add_space(4.0);
+    let wide = ui.available_width() > 640.0;
+    if wide {
+        ui.horizontal(|ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                terms::switches_ui(ui, state, true);
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    equation::equation_ui(ui, state);
+                });
+            });
+        });
+    } else {
+        equation::equation_ui(ui, state);
+        ui.horizontal_wrapped(|ui| terms::switches_ui(ui, state, false));
+    }
+    ui.add_space(3.0);
+}
+
+/// The scene's title and sentence, the latter not where the window is `low`; the scenes before and after it, and all of them.
+pub fn title_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
+    ui.add_space(2.0);
+    ui.horizontal(|ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let small = ui.available_width() < 480.0;
+            let all = if small {
+                "▦".to_owned()
+            } else {
+                format!("▦ {}", text!("scenes"))
+            };
+            let button = named(ui.button(all), Role::Button, text!("scenes"));
+            if button.on_hover_text(text!("scenes.tip")).clicked() {
+                state.ask(Action::Scenes);
+            }
+            for (sign, step, name) in [
+                ("▶", 1, text!("scenes-next")),
+                ("◀", -1, text!("scenes-previous")),
+            ] {
+                let button = named(ui.button(sign), Role::Button, name);
+                if button.on_hover_text(name).clicked() {
+                    state.ask(Action::NextScene(step));
+                }
+            }
+            ui.with_layout(Layout::top_down(Align::Min), |ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                let about = &state.document.scene.about;
+                let title = if about.title.is_empty() {
+                    state.document.origin.name()
+                } else {
+                    about.title.clone()
+                };
+                ui.add(Label::new(RichText::new(title).strong()).truncate());
+                if !about.sentence.is_empty() && !low {
+                    ui.add(Label::new(RichText::new(&about.sentence).weak()).wrap());
+                }
+            });
+        });
+    });
+    ui.add_space(2.0);
 }
 
 /// The commands of a menu.
@@ -96,48 +180,39 @@ fn items_ui(ui: &mut Ui, state: &mut AppState, menu: &str) {
     }
 }
 
-/// The built-in scenes, a menu for each topic.
-fn scenes_ui(ui: &mut Ui, state: &mut AppState) {
-    for topic in presets::topics() {
-        ui.menu_button(topic, |ui| {
-            for preset in presets::ALL
-                .iter()
-                .filter(|preset| preset.about().topic == topic)
-            {
-                let about = preset.about();
-                if ui
-                    .button(&about.title)
-                    .on_hover_text(&about.sentence)
-                    .clicked()
-                {
-                    state.ask(Action::OpenBuiltIn(preset.name.to_owned()));
-                    ui.close();
-                }
-            }
-        });
+/// The shading modes, a button each.
+fn modes_ui(ui: &mut Ui, state: &mut AppState) {
+    let present = state.shown.scene.shading.mode;
+    for (index, mode) in ShadingMode::VALUES.iter().enumerate() {
+        let name = format!("{} {}", index + 1, mode.label());
+        let button = ui.add(Button::selectable(present == *mode, name));
+        if button.on_hover_text(mode.help()).clicked() {
+            shade(state, *mode);
+        }
     }
 }
 
-fn modes_ui(ui: &mut Ui, state: &mut AppState) {
-    let shading = &state.shown.scene.shading;
-    let present = (
-        shading.mode,
-        shading.renormalise || shading.mode != ShadingMode::Phong,
-    );
-    let modes = ShadingMode::VALUES
-        .iter()
-        .map(|mode| (*mode, true, mode.label(), mode.help()));
-    let tip = "Phong shading without renormalising the interpolated normals";
-    let modes = modes.chain([(ShadingMode::Phong, false, "Phong, not renormalised", tip)]);
-    for (index, (mode, renormalise, name, tip)) in modes.enumerate() {
-        let button = Button::selectable(
-            present == (mode, renormalise),
-            format!("{} {name}", index + 1),
-        );
-        if ui.add(button).on_hover_text(tip).clicked() {
-            state.ask(Action::Shade { mode, renormalise });
-        }
-    }
+/// The shading modes as a list, named as large as the room allows.
+fn mode_list_ui(ui: &mut Ui, state: &mut AppState) {
+    let present = state.shown.scene.shading.mode;
+    let list = ComboBox::from_id_salt("modes")
+        .selected_text(present.label())
+        .show_ui(ui, |ui| {
+            for mode in ShadingMode::VALUES {
+                let entry = ui.selectable_label(present == *mode, mode.label());
+                if entry.on_hover_text(mode.help()).clicked() {
+                    shade(state, *mode);
+                }
+            }
+        });
+    named(list.response, Role::ComboBox, text!("modes"));
+}
+
+fn shade(state: &mut AppState, mode: ShadingMode) {
+    state.ask(Action::Shade {
+        mode,
+        renormalise: true,
+    });
 }
 
 /// The bar of stages.

@@ -4,10 +4,10 @@ use super::action::{Action, Walk};
 use super::focus;
 use super::handles;
 use super::look::{Look, NumbersTab};
-use super::numbers::TABS;
 use super::orbit;
 use super::scan::ScanView;
 use super::state::AppState;
+use super::views::after;
 use crate::analysis::ScanLevel;
 use crate::scene::{Choice, Light, Scene, ShadingMode};
 use eframe::egui::{Context, Event, Key, Modifiers};
@@ -312,6 +312,12 @@ pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
                 "opens a scene, model or picture",
                 [Action::Open],
             )
+            .row(
+                "Scenes…",
+                "F2",
+                "opens the gallery of scenes",
+                [Action::Scenes],
+            )
             .line()
             .row("Save scene", "Ctrl + S", "saves the scene", [Action::Save])
             .row(
@@ -376,10 +382,8 @@ pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
 
 /// The next tab of the numbers; the curves where the panel is closed.
 fn next_tab(look: &mut Look) {
-    let tabs = TABS.map(|tab| tab.key);
-    let place = tabs.iter().position(|key| *key == look.tab).unwrap_or(0);
     look.tab = if look.numbers {
-        tabs[(place + 1) % tabs.len()]
+        after(look.tab)
     } else {
         NumbersTab::Curves
     };
@@ -440,7 +444,7 @@ fn find(key: Key, modifiers: Modifiers) -> Option<Action> {
 fn allowed(key: Key, modifiers: Modifiers, free: bool, editing: bool) -> bool {
     let function = matches!(
         key,
-        Key::F1 | Key::F4 | Key::F5 | Key::F6 | Key::F9 | Key::F11
+        Key::F1 | Key::F2 | Key::F4 | Key::F5 | Key::F6 | Key::F9 | Key::F11
     );
     let field_wants = editing && matches!(key, Key::Z | Key::Y | Key::C | Key::U);
     function || (modifiers.command && !field_wants) || free

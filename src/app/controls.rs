@@ -5,7 +5,6 @@ mod object;
 
 use super::action::Action;
 use super::engine::Engine;
-use super::equation::equation_ui;
 use super::focus::named;
 use super::material::{gallery_ui, matching_ui};
 use super::plan::grouped;
@@ -168,12 +167,8 @@ fn has_facets(scene: &Scene) -> bool {
     scene.reflection.model == ReflectionModel::CookTorrance
 }
 
-/// The equation, and under it what its symbols stand for.
+/// The controls of what the equation's symbols stand for.
 pub fn controls_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    ui.add_space(6.0);
-    equation_ui(ui, state);
-    ui.add_space(4.0);
-    ui.separator();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         for (title, folded_with, items) in &SECTIONS {
             // A symbol that was clicked may live in a folded section.

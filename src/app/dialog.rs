@@ -30,6 +30,7 @@ pub enum Dialog {
     Restore {
         name: String,
     },
+    Scenes,
     Keys,
     About,
 }

@@ -7,6 +7,7 @@ use super::dialog::{Choice, Dialog, ExportForm, FileTask, buttons_ui, path_ui, q
 use super::files::Files;
 use super::focus::named;
 use super::report;
+use super::scenes::scenes_ui;
 use super::state::{AppState, Leaving};
 use crate::scene::Image;
 use eframe::egui::accesskit::Role;
@@ -40,6 +41,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
     let shown = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
         ui.set_width(match dialog {
             Dialog::Keys => 620.0,
+            Dialog::Scenes => (ctx.content_rect().width() - 64.0).min(1020.0),
             Dialog::Code(_) => code::width(ui),
             _ => 480.0,
         });
@@ -124,7 +126,7 @@ fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialo
             state.ask(Action::Save);
         }
         Dialog::Restore { .. } => state.ask(Action::Restore),
-        Dialog::Message { .. } | Dialog::Keys | Dialog::About => {}
+        Dialog::Message { .. } | Dialog::Scenes | Dialog::Keys | Dialog::About => {}
     }
 }
 
@@ -170,6 +172,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             ];
             question_ui(ui, "Restore unsaved work?", &text, &answers)
         }
+        Dialog::Scenes => scenes_ui(ui, state),
         Dialog::Keys => keys_ui(ui),
         Dialog::About => question_ui(
             ui,

@@ -2,6 +2,7 @@
 
 use super::profile::look::ProfileLook;
 use super::theme::{PROJECTOR_TEXT, SCALES, TEXT, ThemeChoice};
+use crate::text::Language;
 use serde::{Deserialize, Serialize};
 
 /// How the window looks.
@@ -17,6 +18,12 @@ pub struct Look {
     pub numbers: bool,
     /// Whether the bar of stages is open.
     pub stages: bool,
+    /// Whether the equation stands over the picture.
+    pub equation: bool,
+    /// The language of the text; the system's where none is chosen.
+    pub language: Option<Language>,
+    /// Whether the first start's card has been answered.
+    pub welcomed: bool,
     /// Whether coefficients have a number for each channel.
     pub channels: bool,
     /// What the panel of numbers shows.
@@ -79,6 +86,9 @@ impl Default for Look {
             controls: true,
             numbers: true,
             stages: true,
+            equation: true,
+            language: None,
+            welcomed: false,
             channels: false,
             tab: NumbersTab::Equation,
             overlay: OverlayLook {

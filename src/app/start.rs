@@ -24,13 +24,13 @@ pub fn run(loaded: Loaded) -> Result<(), String> {
         .with_title("shading-lab")
         .with_app_id("shading-lab")
         .with_inner_size([1280.0, 800.0])
-        .with_min_inner_size([720.0, 480.0]);
+        .with_min_inner_size([360.0, 360.0]);
     let options = eframe::NativeOptions {
         viewport,
         ..eframe::NativeOptions::default()
     };
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
-        let app = App::new(cc, loaded);
+        let app = App::new(cc, loaded).with_welcome();
         let folder = eframe::storage_dir("shading-lab").map(|folder| folder.join("recovery"));
         Box::new(match folder {
             Some(folder) => app.with_recovery(&folder),

@@ -53,6 +53,10 @@ pub struct AppState {
     pub gallery: Gallery,
     pub drag: Option<Drag>,
     pub lit: Lit,
+    /// Shows the open view alone.
+    pub enlarged: bool,
+    /// Whether the first start's card is shown.
+    pub welcome: bool,
     /// Shows the picture alone.
     pub picture_alone: bool,
     pub dialog: Option<Dialog>,

@@ -81,6 +81,20 @@ pub fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
     harness.run();
 }
 
+/// Opens a view by its name, by way of its group on the rail.
+pub fn open_view(harness: &mut Harness<'_, App>, name: &str) {
+    for group in ["Point", "Line", "Picture", "Engine"] {
+        if harness.query_by_role_and_label(Role::Tab, name).is_some() {
+            break;
+        }
+        press(harness, group);
+    }
+    harness
+        .get_by_role_and_label(Role::Tab, name)
+        .click_accesskit();
+    harness.run();
+}
+
 /// Clicks a button by its name.
 pub fn press(harness: &mut Harness<'_, App>, name: &str) {
     harness

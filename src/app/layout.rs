@@ -1,0 +1,197 @@
+//! Where everything stands, by the size of the window.
+//!
+//! ```text
+//!   wide                                        tall          flat
+//!   ┌──────────── menus, modes ────────────┐    ┌─ menus ─┐   ┌──── menus ────┬──────┐
+//!   │ equation                             │    │ equation│   │ equation      │      │
+//!   ├─────────┬──── title ────┬───────┬────┤    │ title   │   ├───────────────┤drawer│
+//!   │controls │    picture    │ view  │rail│    │ picture │   │ picture       │      │
+//!   │         ├───────────────┤       │    │    ├─────────┤   │               │      │
+//!   │         │ a wide view   │       │    │    │ drawer  │   │               │      │
+//!   └─────────┴───────────────┴───────┴────┘    └─ rail ──┘   └──── rail ─────┴──────┘
+//! ```
+//!
+//! The picture keeps half of the window's width: where there is no room for both panels, the one opened last is shown. The drawer
+//! of a narrow window holds the controls or a view.
+
+use super::bars;
+use super::controls;
+use super::engine::Engine;
+use super::picture::{self, Room};
+use super::state::AppState;
+use super::views::{self, RAIL};
+use eframe::egui::{
+    Align2, Area, CentralPanel, Frame as Margins, Id, Margin, Order, Panel, Rect, Ui, Vec2, vec2,
+};
+
+/// Below this width, points, panels become a drawer.
+const NARROW: f32 = 900.0;
+/// The narrowest that a panel can be, points.
+const PANEL: f32 = 288.0;
+/// The least side of the picture in a narrow window, points.
+const PICTURE: f32 = 300.0;
+/// How a wide view shares the height with the picture.
+const BELOW: f32 = 0.4;
+/// Below this height, points, only what is needed stands over the picture.
+const LOW: f32 = 520.0;
+
+/// What the layout remembers.
+#[derive(Debug, Default)]
+pub struct Layout {
+    /// Whether controls and a view were open in the last frame.
+    open: [bool; 2],
+    /// Where the picture was, points.
+    pub picture: Option<Rect>,
+}
+
+impl Layout {
+    /// Shows everything but dialogs; returns the room that the picture has, if it is in sight.
+    pub fn ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Option<Room> {
+        let size = ui.available_size();
+        if state.picture_alone {
+            return Some(self.picture_ui(ui, state, engine));
+        }
+        let narrow = size.x < NARROW;
+        Panel::top("menus").show(ui, |ui| bars::menus_ui(ui, state));
+        if state.enlarged && state.look.numbers {
+            CentralPanel::default().show(ui, |ui| views::view_ui(ui, state, engine, narrow));
+            state.commit();
+            return None;
+        }
+        state.enlarged = false;
+        self.make_room(state, size);
+        let low = size.y < LOW;
+        if state.look.equation {
+            Panel::top("equation").show(ui, |ui| bars::equation_ui(ui, state));
+        }
+        if narrow {
+            drawer_ui(ui, state, engine, size);
+        } else {
+            panels_ui(ui, state, engine, size);
+        }
+        // Nothing is drawn of a scene that a scene file would refuse.
+        state.commit();
+        Panel::top("title").show(ui, |ui| bars::title_ui(ui, state, low));
+        Some(self.picture_ui(ui, state, engine))
+    }
+
+    fn picture_ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Room {
+        let shown = CentralPanel::default()
+            .frame(Margins::NONE)
+            .show(ui, |ui| picture::picture_ui(ui, state, engine));
+        self.picture = Some(shown.response.rect);
+        state.commit();
+        shown.inner
+    }
+
+    /// Closes a panel where there is no room for both: the one that was opened first.
+    fn make_room(&mut self, state: &mut AppState, size: Vec2) {
+        let open = [state.look.controls, state.look.numbers];
+        let beside = size.x < NARROW || !views::stands_below(state);
+        if open == [true, true] && beside && panel_room(size) < 2.0 * PANEL {
+            let controls_first = self.open[0] && !self.open[1];
+            (state.look.controls, state.look.numbers) = (!controls_first, controls_first);
+        }
+        self.open = [state.look.controls, state.look.numbers];
+    }
+}
+
+/// The width that panels may take, points: the picture has half of the window. In a narrow one there is one panel.
+fn panel_room(size: Vec2) -> f32 {
+    if size.x < NARROW {
+        PANEL
+    } else {
+        0.5 * size.x - RAIL
+    }
+}
+
+/// Controls at the left, the view at the right or below the picture, the rail.
+fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2) {
+    if state.look.stages {
+        Panel::bottom("stages").show(ui, |ui| bars::stages_ui(ui, state, engine));
+    }
+    Panel::right("rail")
+        .resizable(false)
+        .exact_size(RAIL)
+        .show(ui, |ui| {
+            ui.add_space(4.0);
+            views::rail_ui(ui, state, false, views::wide_size());
+        });
+    let room = panel_room(size);
+    let below = state.look.numbers && views::stands_below(state);
+    let beside = state.look.numbers && !below;
+    let mut left = room;
+    if state.look.controls {
+        let most = if beside { room - PANEL } else { room };
+        let panel = Panel::left("controls")
+            .resizable(true)
+            .default_size(PANEL.max(0.26 * size.x).min(360.0))
+            .size_range(PANEL..=most.clamp(PANEL, 560.0));
+        let shown = panel.show(ui, |ui| controls::controls_ui(ui, state, engine));
+        left -= shown.response.rect.width();
+        state.commit();
+    }
+    if beside {
+        Panel::right("view")
+            .resizable(true)
+            .default_size(PANEL.max(0.26 * size.x).min(380.0))
+            .size_range(PANEL..=left.clamp(PANEL, 720.0))
+            .show(ui, |ui| views::view_ui(ui, state, engine, false));
+    }
+    if below {
+        let height = ui.available_height();
+        Panel::bottom("wide view")
+            .resizable(true)
+            .default_size(BELOW * height)
+            .size_range(140.0..=(height - PICTURE).max(140.0))
+            .show(ui, |ui| views::view_ui(ui, state, engine, false));
+    }
+}
+
+/// The rail at the bottom, and a drawer for what it opens: below a tall window's picture, beside or over a flat one's.
+fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2) {
+    Panel::bottom("rail at the bottom").show(ui, |ui| {
+        ui.horizontal(|ui| views::rail_ui(ui, state, true, views::narrow_size(size.x)));
+    });
+    let controls = state.look.controls;
+    if !controls && !state.look.numbers {
+        return;
+    }
+    let mut show = |ui: &mut Ui| {
+        if controls {
+            controls::controls_ui(ui, state, engine);
+        } else {
+            views::view_ui(ui, state, engine, true);
+        }
+    };
+    let height = ui.available_height();
+    if size.y > size.x {
+        Panel::bottom("drawer")
+            .resizable(true)
+            .default_size(0.45 * height)
+            .size_range(160.0..=(height - PICTURE).max(160.0))
+            .show(ui, show);
+    } else if size.x - PANEL >= PICTURE.max(0.5 * size.x) {
+        Panel::right("drawer beside")
+            .resizable(true)
+            .default_size(0.45 * size.x)
+            .size_range(PANEL..=(0.5 * size.x).max(PANEL))
+            .show(ui, show);
+    } else {
+        let room = ui.available_rect_before_wrap();
+        let width = PANEL.min(room.width());
+        Area::new(Id::unique("drawer over"))
+            .order(Order::Middle)
+            .pivot(Align2::RIGHT_TOP)
+            .fixed_pos(room.right_top())
+            .show(ui.ctx(), |ui| {
+                Margins::side_top_panel(ui.style())
+                    .inner_margin(Margin::symmetric(8, 2))
+                    .show(ui, |ui| {
+                        ui.set_min_size(vec2(width - 16.0, room.height() - 4.0));
+                        ui.set_max_size(vec2(width - 16.0, room.height() - 4.0));
+                        show(ui);
+                    });
+            });
+    }
+}

@@ -1,0 +1,188 @@
+//! The gallery of built-in scenes: a small picture of each, drawn in the background while the gallery is open.
+
+use super::action::Action;
+use super::background::wake;
+use super::dialog::Choice;
+use super::focus::named;
+use super::state::AppState;
+use crate::analysis::Watch;
+use crate::jobs::{Background, Work};
+use crate::render::Renderer;
+use crate::scene::presets::{self, Preset};
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align2, Color32, ColorImage, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextEdit,
+    TextStyle, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
+};
+
+/// Size of a thumbnail, points.
+const PICTURE: Vec2 = Vec2::new(148.0, 111.0);
+/// With its title.
+const CARD: Vec2 = Vec2::new(156.0, 156.0);
+
+/// What the gallery remembers.
+#[derive(Default)]
+pub struct Gallery {
+    sought: String,
+    /// In the order of the scenes, as far as they have come.
+    textures: Vec<TextureHandle>,
+    work: Background<Thumbnails>,
+}
+
+/// The scenes in pictures of this size, in pixels.
+#[derive(PartialEq)]
+struct Thumbnails([u32; 2]);
+
+impl Work for Thumbnails {
+    type Answer = Vec<ColorImage>;
+
+    fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
+        let mut pictures = Vec::new();
+        for preset in presets::ALL {
+            let mut scene = preset.scene();
+            scene.image.size = self.0;
+            let frame = Renderer::default().render_supersampled(&scene, 4, &mut |_| true);
+            let size = self.0.map(|side| side as usize);
+            pictures.push(ColorImage::from_rgba_unmultiplied(
+                size,
+                frame.pixels.as_flattened(),
+            ));
+            watch.found(&pictures);
+            if !watch.at(pictures.len() as f32 / presets::ALL.len() as f32) {
+                break;
+            }
+        }
+        Ok(pictures)
+    }
+}
+
+/// Whether a scene is one that is looked for.
+fn is_sought(preset: &Preset, sought: &str) -> bool {
+    let about = preset.about();
+    let found = |text: &str| text.to_lowercase().contains(sought);
+    found(preset.name) || found(&about.title) || found(&about.sentence) || found(&about.topic)
+}
+
+/// Every scene by chapter; a click opens it.
+pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
+    let mut gallery: Gallery = state.own.take();
+    let size = (PICTURE * ui.ctx().pixels_per_point()).round();
+    let wanted = Thumbnails([size.x as u32, size.y as u32]);
+    gallery.work.keep_only(|known| *known == wanted);
+    gallery.work.ask(
+        wake(ui.ctx()),
+        |known| *known == wanted,
+        || Thumbnails(wanted.0),
+    );
+    let pictures = gallery.work.answer().map_or(&[][..], Vec::as_slice);
+    gallery.textures.truncate(pictures.len());
+    for (index, image) in pictures.iter().enumerate().skip(gallery.textures.len()) {
+        let name = format!("scene {index}");
+        let texture = ui
+            .ctx()
+            .load_texture(name, image.clone(), TextureOptions::LINEAR);
+        gallery.textures.push(texture);
+    }
+    let mut choice = Choice::Stay;
+    ui.horizontal(|ui| {
+        ui.heading(text!("scenes"));
+        let field = TextEdit::singleline(&mut gallery.sought)
+            .hint_text(text!("scenes-search"))
+            .desired_width(ui.available_width() - 76.0);
+        named(ui.add(field), Role::SearchInput, text!("scenes-search"));
+        if ui.button(text!("close")).clicked() {
+            choice = Choice::Leave;
+        }
+    });
+    ui.add_space(8.0);
+    let sought = gallery.sought.trim().to_lowercase();
+    let height = (ui.ctx().content_rect().height() - 150.0).max(160.0);
+    ScrollArea::vertical()
+        .max_height(height)
+        .min_scrolled_height(height)
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            let mut any = false;
+            for topic in presets::topics() {
+                let scenes: Vec<_> = presets::ALL
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, preset)| preset.about().topic == topic)
+                    .filter(|(_, preset)| is_sought(preset, &sought))
+                    .collect();
+                if scenes.is_empty() {
+                    continue;
+                }
+                any = true;
+                ui.label(RichText::new(topic).strong());
+                ui.horizontal_wrapped(|ui| {
+                    ui.spacing_mut().item_spacing = vec2(8.0, 8.0);
+                    for (index, preset) in scenes {
+                        if card_ui(ui, preset, gallery.textures.get(index)) {
+                            state.ask(Action::OpenBuiltIn(preset.name.to_owned()));
+                            choice = Choice::Leave;
+                        }
+                    }
+                });
+                ui.add_space(10.0);
+            }
+            if !any {
+                ui.label(text!("scenes-none", sought = gallery.sought.trim()));
+            }
+        });
+    state.own.put(gallery);
+    choice
+}
+
+/// A scene's picture over its title; whether it was clicked.
+fn card_ui(ui: &mut Ui, preset: &Preset, texture: Option<&TextureHandle>) -> bool {
+    let (rect, response) = ui.allocate_exact_size(CARD, Sense::click());
+    let about = preset.about();
+    let response = named(response, Role::Button, &about.title);
+    if !ui.is_rect_visible(rect) {
+        return response.clicked();
+    }
+    let visuals = ui.style().interact(&response);
+    let fill = if response.hovered() {
+        visuals.bg_fill
+    } else {
+        ui.visuals().faint_bg_color
+    };
+    let painter = ui.painter();
+    painter.rect_filled(rect, 8.0, fill);
+    let place = Rect::from_min_size(rect.min + vec2(4.0, 4.0), PICTURE);
+    if let Some(texture) = texture {
+        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        painter.image(texture.id(), place, whole, Color32::WHITE);
+    } else {
+        painter.rect_filled(place, 4.0, ui.visuals().extreme_bg_color);
+    }
+    if response.hovered() || response.has_focus() {
+        let stroke = Stroke::new(2.0, ui.visuals().selection.bg_fill);
+        painter.rect_stroke(rect, 8.0, stroke, StrokeKind::Inside);
+    }
+    let font = TextStyle::Body.resolve(ui.style());
+    let colour = ui.visuals().text_color();
+    let galley = painter.layout(about.title.clone(), font, colour, PICTURE.x);
+    let at = pos2(
+        rect.center().x,
+        place.max.y + 0.5 * (rect.max.y - place.max.y),
+    );
+    let corner = Align2::CENTER_CENTER.anchor_size(at, galley.size()).min;
+    painter.galley(corner, galley, colour);
+    response.on_hover_text(about.sentence.as_str()).clicked()
+}
+
+impl AppState {
+    /// The built-in scene so many places after the one in view, round all of them.
+    pub fn scene_after(&self, step: isize) -> &'static str {
+        let super::Origin::BuiltIn(name) = &self.document.origin else {
+            return presets::DEFAULT;
+        };
+        let place = presets::ALL.iter().position(|preset| preset.name == name);
+        let count = presets::ALL.len() as isize;
+        let next = (place.unwrap_or(0) as isize + step).rem_euclid(count);
+        presets::ALL[next as usize].name
+    }
+}

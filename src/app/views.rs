@@ -1,0 +1,329 @@
+//! The views: ways of reading the picture, in groups that the rail at the right shows.
+
+use super::compare::compare_ui;
+use super::curves::curves_ui;
+use super::defects::defects_ui;
+use super::engine::Engine;
+use super::focus::switch_named;
+use super::look::NumbersTab;
+use super::plan::plan_ui;
+use super::point::point_ui;
+use super::profile::profile_ui;
+use super::scan::scan_ui;
+use super::sign::{Sign, sign_button};
+use super::stability::stability_ui;
+use super::state::AppState;
+use super::study::study_ui;
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Align2, Button, FontId, Layout, Rect, ScrollArea, Sense, Ui, Vec2, vec2,
+};
+
+/// A view.
+#[derive(Clone, Copy)]
+pub struct View {
+    pub key: NumbersTab,
+    /// The key of its name in the catalogue.
+    name: &'static str,
+    /// Whether it needs more width than a panel beside the picture has: it opens below it.
+    wide: bool,
+    show: fn(&mut Ui, &mut AppState, &Engine),
+}
+
+impl View {
+    pub fn title(&self) -> &'static str {
+        text!(self.name)
+    }
+}
+
+/// Views that belong together, under one sign on the rail.
+pub struct Group {
+    pub sign: Sign,
+    name: &'static str,
+    pub views: &'static [View],
+}
+
+impl Group {
+    pub fn title(&self) -> &'static str {
+        text!(self.name)
+    }
+
+    pub fn has(&self, key: NumbersTab) -> bool {
+        self.views.iter().any(|view| view.key == key)
+    }
+}
+
+/// Every view, in the order in which they are shown.
+pub static GROUPS: [Group; 4] = [
+    Group {
+        sign: Sign::Point,
+        name: "view-point",
+        views: &[
+            View {
+                key: NumbersTab::Equation,
+                name: "view-equation",
+                wide: false,
+                show: point_ui,
+            },
+            View {
+                key: NumbersTab::Curves,
+                name: "view-curves",
+                wide: false,
+                show: |ui, state, engine| with(ui, state, engine, curves_ui),
+            },
+        ],
+    },
+    Group {
+        sign: Sign::Line,
+        name: "view-line",
+        views: &[
+            View {
+                key: NumbersTab::Profile,
+                name: "view-profile",
+                wide: true,
+                show: |ui, state, engine| with(ui, state, engine, profile_ui),
+            },
+            View {
+                key: NumbersTab::ScanLine,
+                name: "view-scan-line",
+                wide: false,
+                show: |ui, state, engine| with(ui, state, engine, scan_ui),
+            },
+        ],
+    },
+    Group {
+        sign: Sign::Picture,
+        name: "view-picture",
+        views: &[
+            View {
+                key: NumbersTab::Compare,
+                name: "view-compare",
+                wide: false,
+                show: |ui, state, engine| with(ui, state, engine, compare_ui),
+            },
+            View {
+                key: NumbersTab::Defects,
+                name: "view-defects",
+                wide: false,
+                show: |ui, state, engine| with(ui, state, engine, defects_ui),
+            },
+        ],
+    },
+    Group {
+        sign: Sign::Engine,
+        name: "view-engine",
+        views: &[
+            View {
+                key: NumbersTab::Plan,
+                name: "view-plan",
+                wide: false,
+                show: |ui, state, engine| with(ui, state, engine, plan_ui),
+            },
+            View {
+                key: NumbersTab::Study,
+                name: "view-study",
+                wide: true,
+                show: |ui, state, engine| with(ui, state, engine, study_ui),
+            },
+            View {
+                key: NumbersTab::Stability,
+                name: "view-stability",
+                wide: false,
+                show: |ui, state, engine| with(ui, state, engine, stability_ui),
+            },
+        ],
+    },
+];
+
+/// Shows a view with what it remembers.
+fn with<T: Default + 'static>(
+    ui: &mut Ui,
+    state: &mut AppState,
+    engine: &Engine,
+    show: fn(&mut Ui, &mut T, &mut AppState, &Engine),
+) {
+    let mut own = state.own.take();
+    show(ui, &mut own, state, engine);
+    state.own.put(own);
+}
+
+fn group(key: NumbersTab) -> &'static Group {
+    let has = |group: &&Group| group.has(key);
+    GROUPS.iter().find(has).unwrap_or(&GROUPS[0])
+}
+
+fn view(key: NumbersTab) -> &'static View {
+    let views = group(key).views;
+    views
+        .iter()
+        .find(|view| view.key == key)
+        .unwrap_or(&views[0])
+}
+
+/// The view after this one, round all groups.
+pub fn after(key: NumbersTab) -> NumbersTab {
+    let all: Vec<_> = GROUPS.iter().flat_map(|group| group.views).collect();
+    let place = all.iter().position(|view| view.key == key).unwrap_or(0);
+    all[(place + 1) % all.len()].key
+}
+
+/// Which view of each group was shown last, and where views stand, until the window closes.
+#[derive(Debug, Default)]
+struct Habits {
+    last: [Option<NumbersTab>; GROUPS.len()],
+    /// The views that were moved from where they open: below the picture or beside it.
+    moved: Vec<NumbersTab>,
+}
+
+/// Whether the present view stands below the picture, where there is room on both sides.
+pub fn stands_below(state: &AppState) -> bool {
+    let view = view(state.look.tab);
+    let moved = state
+        .own
+        .get()
+        .is_some_and(|habits: &Habits| habits.moved.contains(&view.key));
+    view.wide != moved
+}
+
+/// Shows the group's view that was shown last, or closes it if it is in sight.
+fn choose(state: &mut AppState, index: usize) {
+    let group = &GROUPS[index];
+    if group.has(state.look.tab) && state.look.numbers {
+        state.look.numbers = false;
+        return;
+    }
+    let last = state
+        .own
+        .get()
+        .and_then(|habits: &Habits| habits.last[index]);
+    let present = group.has(state.look.tab).then_some(state.look.tab);
+    state.show_tab(present.or(last).unwrap_or(group.views[0].key));
+}
+
+/// The rail: a button for each group, below each other or, on a narrow window, side by side with one for the controls.
+pub fn rail_ui(ui: &mut Ui, state: &mut AppState, narrow: bool, size: Vec2) {
+    ui.spacing_mut().item_spacing = vec2(2.0, 4.0);
+    if narrow
+        && sign_ui(
+            ui,
+            Sign::Controls,
+            text!("view-controls"),
+            state.look.controls,
+            size,
+        )
+    {
+        state.look.controls = !state.look.controls;
+        state.look.numbers = false;
+    }
+    for (index, group) in GROUPS.iter().enumerate() {
+        let shown = state.look.numbers && group.has(state.look.tab);
+        if sign_ui(ui, group.sign, group.title(), shown, size) {
+            choose(state, index);
+            state.look.controls &= !narrow;
+        }
+    }
+}
+
+/// A sign over its name; whether it was clicked.
+fn sign_ui(ui: &mut Ui, sign: Sign, name: &str, on: bool, size: Vec2) -> bool {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let response = switch_named(response, Role::Button, on, name);
+    let visuals = ui.visuals();
+    let (fill, colour) = if on {
+        (visuals.selection.bg_fill, visuals.selection.stroke.color)
+    } else if response.hovered() {
+        let widget = &visuals.widgets.hovered;
+        (widget.bg_fill, widget.fg_stroke.color)
+    } else {
+        (visuals.panel_fill, visuals.text_color())
+    };
+    let painter = ui.painter();
+    painter.rect_filled(rect, 6.0, fill);
+    let at = |share: f32| rect.center_top() + vec2(0.0, share * rect.height());
+    let square = Rect::from_center_size(at(0.34), vec2(18.0, 18.0));
+    sign.paint(painter, square, colour);
+    let font = FontId::proportional(12.0);
+    painter.text(at(0.76), Align2::CENTER_CENTER, name, font, colour);
+    response.clicked()
+}
+
+/// The view that is open, under the names of its group.
+pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool) {
+    let group = group(state.look.tab);
+    ui.add_space(4.0);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for view in group.views {
+            let on = view.key == state.look.tab;
+            let button = ui.add(Button::selectable(on, view.title()));
+            if switch_named(button, Role::Tab, on, view.title()).clicked() {
+                state.look.tab = view.key;
+            }
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            place_ui(ui, state, narrow);
+        });
+    });
+    let index = GROUPS.iter().position(|one| one.has(state.look.tab));
+    let tab = state.look.tab;
+    state
+        .own
+        .change(|habits: &mut Habits| habits.last[index.unwrap_or(0)] = Some(tab));
+    ui.add_space(2.0);
+    let view = view(tab);
+    ScrollArea::vertical()
+        .id_salt(view.name)
+        .auto_shrink(false)
+        .show(ui, |ui| (view.show)(ui, state, engine));
+}
+
+/// Closes, enlarges or moves the view.
+fn place_ui(ui: &mut Ui, state: &mut AppState, narrow: bool) {
+    ui.spacing_mut().item_spacing.x = 2.0;
+    if sign_button(ui, Sign::Close, text!("view-close")) {
+        (state.look.numbers, state.enlarged) = (false, false);
+    }
+    let (sign, name) = if state.enlarged {
+        (Sign::Shrink, text!("view-shrink"))
+    } else {
+        (Sign::Enlarge, text!("view-enlarge"))
+    };
+    if sign_button(ui, sign, name) {
+        state.enlarged = !state.enlarged;
+    }
+    if narrow || state.enlarged {
+        return;
+    }
+    let (sign, name) = if stands_below(state) {
+        (Sign::Beside, text!("view-beside"))
+    } else {
+        (Sign::Below, text!("view-below"))
+    };
+    if sign_button(ui, sign, name) {
+        let tab = state.look.tab;
+        state.own.change(|habits: &mut Habits| {
+            if habits.moved.contains(&tab) {
+                habits.moved.retain(|moved| *moved != tab);
+            } else {
+                habits.moved.push(tab);
+            }
+        });
+    }
+}
+
+/// How wide the rail is, and how tall where it lies at the bottom.
+pub const RAIL: f32 = 60.0;
+
+/// The size of a button of the rail where it lies at the bottom of a window of this width.
+pub fn narrow_size(width: f32) -> Vec2 {
+    vec2(
+        (width / (GROUPS.len() + 1) as f32 - 4.0).clamp(44.0, 110.0),
+        48.0,
+    )
+}
+
+/// The size of a button of the rail where it stands at the side.
+pub fn wide_size() -> Vec2 {
+    vec2(RAIL - 12.0, 52.0)
+}
