@@ -109,6 +109,9 @@ files! {
     "controls" "lights" "files" "window"
 }
 
+/// A font with the Chinese characters of the catalogue: Noto Sans CJK TC, cut down by `.ci/font`.
+pub const CHINESE_FONT: &[u8] = include_bytes!("../assets/fonts/NotoSansTC-subset.otf");
+
 struct Catalogue {
     bundle: FluentBundle<FluentResource>,
     /// Messages without variables that have been asked for.

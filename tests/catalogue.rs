@@ -1,7 +1,8 @@
 //! The catalogue of text: both languages have the same messages with the same variables, and `src` uses each.
 
 use fluent_bundle::FluentResource;
-use shading_lab::text::FILES;
+use shading_lab::text::{CHINESE_FONT, FILES};
+use skrifa::{FontRef, MetadataProvider};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
@@ -177,4 +178,27 @@ fn every_message_is_used() {
         unused.len(),
         unused.join("\n")
     );
+}
+
+#[test]
+fn every_character_of_the_catalogue_has_a_glyph() {
+    let fonts = [
+        epaint_default_fonts::UBUNTU_LIGHT,
+        epaint_default_fonts::HACK_REGULAR,
+        CHINESE_FONT,
+    ]
+    .map(|font| FontRef::new(font).expect("a font"));
+    let known = |character: char| {
+        character.is_control()
+            || fonts
+                .iter()
+                .any(|font| font.charmap().map(character).is_some())
+    };
+    let missing: BTreeSet<char> = FILES
+        .iter()
+        .flat_map(|files| files.iter())
+        .flat_map(|(_, file)| file.chars())
+        .filter(|character| !known(*character))
+        .collect();
+    assert!(missing.is_empty(), "no font has {missing:?}: run .ci/font");
 }

@@ -22,8 +22,8 @@ use eframe::egui::{Align, Button, ComboBox, Label, Layout, MenuBar, RichText, Se
 /// Below this width the menus fold into one, and the modes into a list.
 const NARROW: f32 = 860.0;
 
-/// Menus at the left, modes in the middle.
-pub fn menus_ui(ui: &mut Ui, state: &mut AppState) {
+/// Menus at the left, modes in the middle; the scene's title too where the window is `low`.
+pub fn menus_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
     ui.add_space(3.0);
     let narrow = ui.available_width() < NARROW;
     MenuBar::new().ui(ui, |ui| {
@@ -36,7 +36,12 @@ pub fn menus_ui(ui: &mut Ui, state: &mut AppState) {
             modes_ui(ui, state);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let name = state.document.origin.name();
+            let name = if low {
+                scene_buttons_ui(ui, state);
+                state.document.title()
+            } else {
+                state.document.origin.name()
+            };
             let text = if state.modified() {
                 format!("{name} *")
             } else {
@@ -106,46 +111,46 @@ pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
     ui.add_space(3.0);
 }
 
-/// The scene's title and sentence, the latter not where the window is `low`; the scenes before and after it, and all of them.
-pub fn title_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
+/// The scene's title and sentence; the scenes before and after it, and all of them.
+pub fn title_ui(ui: &mut Ui, state: &mut AppState) {
     ui.add_space(2.0);
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let small = ui.available_width() < 480.0;
-            let all = if small {
-                "▦".to_owned()
-            } else {
-                format!("▦ {}", text!("scenes"))
-            };
-            let button = named(ui.button(all), Role::Button, text!("scenes"));
-            if button.on_hover_text(text!("scenes.tip")).clicked() {
-                state.ask(Action::Scenes);
-            }
-            for (sign, step, name) in [
-                ("▶", 1, text!("scenes-next")),
-                ("◀", -1, text!("scenes-previous")),
-            ] {
-                let button = named(ui.button(sign), Role::Button, name);
-                if button.on_hover_text(name).clicked() {
-                    state.ask(Action::NextScene(step));
-                }
-            }
+            scene_buttons_ui(ui, state);
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
-                let about = &state.document.scene.about;
-                let title = if about.title.is_empty() {
-                    state.document.origin.name()
-                } else {
-                    about.title.clone()
-                };
-                ui.add(Label::new(RichText::new(title).strong()).truncate());
-                if !about.sentence.is_empty() && !low {
-                    ui.add(Label::new(RichText::new(&about.sentence).weak()).wrap());
+                let title = RichText::new(state.document.title()).strong();
+                ui.add(Label::new(title).truncate());
+                let sentence = &state.document.scene.about.sentence;
+                if !sentence.is_empty() {
+                    ui.add(Label::new(RichText::new(sentence).weak()).wrap());
                 }
             });
         });
     });
     ui.add_space(2.0);
+}
+
+/// From the right to the left: all scenes, the next one, the one before.
+fn scene_buttons_ui(ui: &mut Ui, state: &mut AppState) {
+    let all = if ui.available_width() < 480.0 {
+        "▦".to_owned()
+    } else {
+        format!("▦ {}", text!("scenes"))
+    };
+    let button = named(ui.button(all), Role::Button, text!("scenes"));
+    if button.on_hover_text(text!("scenes.tip")).clicked() {
+        state.ask(Action::Scenes);
+    }
+    for (sign, step, name) in [
+        ("▶", 1, text!("scenes-next")),
+        ("◀", -1, text!("scenes-previous")),
+    ] {
+        let button = named(ui.button(sign), Role::Button, name);
+        if button.on_hover_text(name).clicked() {
+            state.ask(Action::NextScene(step));
+        }
+    }
 }
 
 /// The commands of a menu.

@@ -56,6 +56,16 @@ impl Document {
         })
     }
 
+    /// What its scene is called: its title, or the name of its file.
+    pub fn title(&self) -> String {
+        let title = &self.scene.about.title;
+        if title.is_empty() {
+            self.origin.name()
+        } else {
+            title.clone()
+        }
+    }
+
     /// The scene file that it was opened from or saved to.
     pub fn scene_file(&self) -> Option<PathBuf> {
         match &self.origin {

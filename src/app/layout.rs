@@ -2,13 +2,13 @@
 //!
 //! ```text
 //!   wide                                        tall          flat
-//!   ┌──────────── menus, modes ────────────┐    ┌─ menus ─┐   ┌──── menus ────┬──────┐
-//!   │ equation                             │    │ equation│   │ equation      │      │
-//!   ├─────────┬──── title ────┬───────┬────┤    │ title   │   ├───────────────┤drawer│
-//!   │controls │    picture    │ view  │rail│    │ picture │   │ picture       │      │
-//!   │         ├───────────────┤       │    │    ├─────────┤   │               │      │
+//!   ┌──────────── menus, modes ────────────┐    ┌─ menus ─┐   ┌──── menus ────────┬────┐
+//!   │ equation                             │    │ equation│   │ equation          │    │
+//!   ├─────────┬──── title ────┬───────┬────┤    │ title   │   ├────────────┬──────┤rail│
+//!   │controls │    picture    │ view  │rail│    │ picture │   │ picture    │drawer│    │
+//!   │         ├───────────────┤       │    │    ├─────────┤   │            │      │    │
 //!   │         │ a wide view   │       │    │    │ drawer  │   │               │      │
-//!   └─────────┴───────────────┴───────┴────┘    └─ rail ──┘   └──── rail ─────┴──────┘
+//!   └─────────┴───────────────┴───────┴────┘    └─ rail ──┘   └────────────┴──────┴────┘
 //! ```
 //!
 //! The picture keeps half of the window's width: where there is no room for both panels, the one opened last is shown. The drawer
@@ -52,7 +52,8 @@ impl Layout {
             return Some(self.picture_ui(ui, state, engine));
         }
         let narrow = size.x < NARROW;
-        Panel::top("menus").show(ui, |ui| bars::menus_ui(ui, state));
+        let low = size.y < LOW;
+        Panel::top("menus").show(ui, |ui| bars::menus_ui(ui, state, low));
         if state.enlarged && state.look.numbers {
             CentralPanel::default().show(ui, |ui| views::view_ui(ui, state, engine, narrow));
             state.commit();
@@ -60,9 +61,12 @@ impl Layout {
         }
         state.enlarged = false;
         self.make_room(state, size);
-        let low = size.y < LOW;
         if state.look.equation {
             Panel::top("equation").show(ui, |ui| bars::equation_ui(ui, state));
+        }
+        // A card over the picture leaves no room for a drawer.
+        if narrow && state.welcome {
+            (state.look.controls, state.look.numbers) = (false, false);
         }
         if narrow {
             drawer_ui(ui, state, engine, size);
@@ -71,7 +75,9 @@ impl Layout {
         }
         // Nothing is drawn of a scene that a scene file would refuse.
         state.commit();
-        Panel::top("title").show(ui, |ui| bars::title_ui(ui, state, low));
+        if !low {
+            Panel::top("title").show(ui, |ui| bars::title_ui(ui, state));
+        }
         Some(self.picture_ui(ui, state, engine))
     }
 
@@ -150,9 +156,17 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
 
 /// The rail at the bottom, and a drawer for what it opens: below a tall window's picture, beside or over a flat one's.
 fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2) {
-    Panel::bottom("rail at the bottom").show(ui, |ui| {
-        ui.horizontal(|ui| views::rail_ui(ui, state, true, views::narrow_size(size.x)));
-    });
+    let tall = size.y > size.x;
+    if tall {
+        Panel::bottom("rail at the bottom").show(ui, |ui| {
+            ui.horizontal(|ui| views::rail_ui(ui, state, true, views::narrow_size(size.x)));
+        });
+    } else {
+        Panel::right("rail")
+            .resizable(false)
+            .exact_size(RAIL)
+            .show(ui, |ui| views::rail_ui(ui, state, true, views::wide_size()));
+    }
     let controls = state.look.controls;
     if !controls && !state.look.numbers {
         return;
@@ -165,17 +179,17 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
         }
     };
     let height = ui.available_height();
-    if size.y > size.x {
+    if tall {
         Panel::bottom("drawer")
             .resizable(true)
             .default_size(0.45 * height)
             .size_range(160.0..=(height - PICTURE).max(160.0))
             .show(ui, show);
-    } else if size.x - PANEL >= PICTURE.max(0.5 * size.x) {
+    } else if ui.available_width() - PANEL >= PICTURE.max(0.5 * size.x) {
         Panel::right("drawer beside")
             .resizable(true)
             .default_size(0.45 * size.x)
-            .size_range(PANEL..=(0.5 * size.x).max(PANEL))
+            .size_range(PANEL..=(0.5 * size.x - RAIL).max(PANEL))
             .show(ui, show);
     } else {
         let room = ui.available_rect_before_wrap();

@@ -1,9 +1,10 @@
 //! How the window looks: type, spacing and two calm themes.
 
+use crate::text::CHINESE_FONT;
 use eframe::egui::style::{HandleShape, Selection, TextCursorStyle, WidgetVisuals, Widgets};
 use eframe::egui::{
-    Color32, Context, CornerRadius, FontDefinitions, FontFamily, Margin, Shadow, Stroke, Style,
-    TextStyle, Theme, Visuals, vec2,
+    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Margin, Shadow, Stroke,
+    Style, TextStyle, Theme, Visuals, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -44,7 +45,8 @@ pub fn install(ctx: &Context) {
     ctx.options_mut(|options| options.zoom_with_keyboard = false);
 }
 
-/// The usual fonts, with the monospaced one behind the proportional one: it has the arrows and the squares.
+/// The usual fonts, with the monospaced one behind the proportional one: it has the arrows and the squares. Behind both, the
+/// Chinese characters of the catalogue.
 fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
     let behind = fonts
@@ -57,6 +59,11 @@ fn fonts() -> FontDefinitions {
         .entry(FontFamily::Proportional)
         .or_default()
         .extend(behind);
+    let chinese = FontData::from_static(CHINESE_FONT);
+    fonts.font_data.insert("Chinese".to_owned(), chinese.into());
+    for family in fonts.families.values_mut() {
+        family.push("Chinese".to_owned());
+    }
     fonts
 }
 

@@ -1,5 +1,6 @@
 //! Lettering as outlines: text in, a path and its extent in pixels out.
 
+use crate::text::CHINESE_FONT;
 use glam::DVec2;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::{DrawSettings, OutlinePen};
@@ -192,6 +193,7 @@ fn fonts() -> &'static [FontRef<'static>] {
         let files = [
             epaint_default_fonts::UBUNTU_LIGHT,
             epaint_default_fonts::HACK_REGULAR,
+            CHINESE_FONT,
         ];
         files
             .into_iter()
