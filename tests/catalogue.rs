@@ -1,6 +1,9 @@
 //! The catalogue of text: both languages have the same messages with the same variables, and `src` uses each.
 
 use fluent_bundle::FluentResource;
+use shading_lab::analysis::{Format, Method, Topic, Verdict};
+use shading_lab::scene::Choice;
+use shading_lab::scene::parameter::Parameter;
 use shading_lab::text::{CHINESE_FONT, FILES};
 use skrifa::{FontRef, MetadataProvider};
 use std::collections::{BTreeMap, BTreeSet};
@@ -159,7 +162,35 @@ fn every_message_that_is_used_is_there_with_the_variables_it_is_given() {
 }
 
 /// Families of messages whose keys are put together from names in the code.
-const DERIVED: [&str; 0] = [];
+const DERIVED: [&str; 2] = ["parameter-", "choice-"];
+
+/// The keys of [`DERIVED`] families, from what is there to be named.
+fn derived() -> BTreeSet<String> {
+    let parameters = Parameter::all().flat_map(|parameter| {
+        let name = format!("parameter-{}", parameter.key.replace('.', "-"));
+        ["", ".label", ".help"].map(|part| format!("{name}{part}"))
+    });
+    let options = Parameter::all()
+        .flat_map(Parameter::options)
+        .chain(Format::OPTIONS)
+        .chain(Method::OPTIONS)
+        .chain(Topic::OPTIONS)
+        .chain(Verdict::OPTIONS)
+        .flat_map(|option| option.messages.map(str::to_owned));
+    parameters.chain(options).collect()
+}
+
+#[test]
+fn whatever_is_named_by_a_family_has_its_messages_and_no_other_has() {
+    let of_families: BTreeSet<String> = messages(0)
+        .into_keys()
+        .filter(|key| DERIVED.iter().any(|family| key.starts_with(family)))
+        .filter(|key| key != "parameter-of-light")
+        .collect();
+    let derived = derived();
+    let differ: Vec<_> = of_families.symmetric_difference(&derived).collect();
+    assert!(differ.is_empty(), "{differ:?}");
+}
 
 #[test]
 fn every_message_is_used() {

@@ -259,7 +259,7 @@ fn the_command_lists_every_parameter() {
             assert!(object.get(key).is_some(), "{}: no {key}", parameter.key);
         }
         assert!(
-            !parameter.name.is_empty() && parameter.help.ends_with('.'),
+            !parameter.name().is_empty() && parameter.help().ends_with('.'),
             "{}",
             parameter.key
         );
@@ -293,9 +293,8 @@ fn table(names: &str) -> String {
         let range = match parameter.options() {
             [] => parameter.range_text(),
             options => {
-                let option = |option: &shading_lab::scene::ChoiceOption| match option.help {
-                    "" => code(option.word),
-                    help => format!("{}: {help}", code(option.word)),
+                let option = |option: &shading_lab::scene::ChoiceOption| {
+                    format!("{}: {}", code(option.word), option.help())
                 };
                 options.iter().map(option).collect::<Vec<_>>().join("; ")
             }
@@ -309,17 +308,15 @@ fn table(names: &str) -> String {
         } else {
             format!("{}: ", parameter.letter)
         };
-        let unit = if parameter.unit.is_empty() {
-            String::new()
-        } else {
-            format!(" ({})", parameter.unit)
-        };
+        let unit = parameter
+            .unit
+            .map_or_else(String::new, |unit| format!(" ({})", unit.name()));
         let default = code(&parameter.default_text());
         let range = range.replace('|', "\\|");
         let _ = writeln!(
             text,
             "| `{key}` | {default} | {range} | {letter}{}{unit} |",
-            parameter.help
+            parameter.help()
         );
     }
     text

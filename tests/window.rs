@@ -305,7 +305,7 @@ fn a_spot_lights_cone_is_typed() {
             .is_none(),
         "a point has no cone"
     );
-    choose(&mut harness, "Light 1 kind", "spot");
+    choose(&mut harness, "Light 1 kind", "spotlight");
     for (name, value) in [
         ("Light 1 cone", 6.0),
         ("Light 1 softness", 0.8),
@@ -575,7 +575,7 @@ fn the_pixels_above_one_are_counted() {
 #[test]
 fn a_spot_lights_arrow_is_dragged() {
     let mut harness = window("sphere");
-    choose(&mut harness, "Light 1 kind", "spot");
+    choose(&mut harness, "Light 1 kind", "spotlight");
     let before = scene(&harness).clone();
     // The light has been aimed at the camera's target, so that its arrow ends in the picture's middle.
     let middle = harness

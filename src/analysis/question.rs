@@ -68,11 +68,11 @@ pub fn unwatched(_share: f32) -> bool {
 
 choices! {
     /// A way to write an answer; its word is what names of such files end in.
-    pub enum Format {
-        Png = "png", "PNG", "The figure as pixels";
-        Svg = "svg", "SVG", "The figure as a drawing";
-        Csv = "csv", "CSV", "The table";
-        Json = "json", "JSON", "One object";
+    pub enum Format = "format" {
+        Png = "png";
+        Svg = "svg";
+        Csv = "csv";
+        Json = "json";
     }
 }
 

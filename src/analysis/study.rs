@@ -20,19 +20,16 @@ use serde::{Deserialize, Serialize};
 
 choices! {
     /// A way of shading: one of the engine's modes, or one of the historic ones, in scalar code.
-    pub enum Method {
-        Flat = "flat", "flat", "One intensity a face, at its centre";
-        FlatVertexMean = "flat-vertex-mean", "flat, vertex mean", "One intensity a face, the mean of those at its vertices";
-        Interpolated = "interpolated", "interpolated", "Intensities at vertices with the face's own normal";
-        Gouraud = "gouraud", "Gouraud", "Intensities at vertices with their normals, interpolated";
-        Phong = "phong", "Phong", "Normals interpolated and made unit vectors at each pixel";
-        PhongUnnormalised = "phong-unnormalised", "Phong, not unit", "Normals interpolated and left as they are";
-        PhongScalar = "phong-scalar", "Phong, scalar",
-            "Phong shading in the scalar code of the two historic methods, to compare their times with";
-        Taylor = "taylor", "Taylor, scalar",
-            "Bishop and Weimer 1986: the cosines' Taylor expansion over each triangle, by forward differences";
-        Angular = "angular", "angular, scalar",
-            "Kuijk and Blake 1989: normals turn by equal angles along edges and spans";
+    pub enum Method = "method" {
+        Flat = "flat";
+        FlatVertexMean = "flat-vertex-mean";
+        Interpolated = "interpolated";
+        Gouraud = "gouraud";
+        Phong = "phong";
+        PhongUnnormalised = "phong-unnormalised";
+        PhongScalar = "phong-scalar";
+        Taylor = "taylor";
+        Angular = "angular";
     }
 }
 

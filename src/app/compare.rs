@@ -157,9 +157,10 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     let mut chosen = None;
     for (parameter, what) in [(&MODE, "shading"), (&INTERPOLATION, "interpolation")] {
         let present = parameter.value(scene, 0);
-        for ChoiceOption { word, label, .. } in parameter.options() {
+        for option in parameter.options() {
+            let ChoiceOption { word, .. } = option;
             let other = present.as_ref().and_then(toml::Value::as_str) != Some(*word);
-            if other && ui.button(format!("{label} {what}")).clicked() {
+            if other && ui.button(format!("{} {what}", option.label())).clicked() {
                 chosen = Some(vec![format!("{}={word}", parameter.key)]);
             }
         }

@@ -147,7 +147,7 @@ pub fn gallery_ui(ui: &mut Ui, lit: &mut Lit, gallery: &mut Gallery, material: &
     let opened = lit.opened.material.clone();
     value_row(ui, lit, &about, opened, material, |ui, material| {
         let button =
-            Button::new(present.map_or("choose…", |named| named.title)).min_size(vec2(92.0, 0.0));
+            Button::new(present.map_or("choose…", NamedMaterial::title)).min_size(vec2(92.0, 0.0));
         let response = named(ui.add(button), Role::Button, "Materials").on_hover_text(tip);
         let popup = Popup::menu(&response).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         popup.show(|ui| {
@@ -222,11 +222,11 @@ fn material_ui(
     ui.painter().text(
         below,
         Align2::CENTER_BOTTOM,
-        material.title,
+        material.title(),
         font,
         visuals.text_color(),
     );
-    let response = switch_named(response, Role::Button, present, material.title);
+    let response = switch_named(response, Role::Button, present, material.title());
     let NamedMaterial { ka, kd, ks, n, .. } = *material;
     let triple = |value: Rgb| format!("{}, {}, {}", value.x, value.y, value.z);
     let numbers = format!(

@@ -16,7 +16,7 @@ use super::palette::vector_text;
 use super::symbol::{Lit, Symbol};
 use crate::analysis::specular_vector;
 use crate::figure::palette::Vector;
-use crate::scene::parameter::{Access, Kind, Limits, Parameter, Slider, defaults};
+use crate::scene::parameter::{Access, Kind, Limits, Parameter, Slider, Unit, defaults};
 use crate::scene::{ChoiceOption, Rgb, Scene};
 use eframe::egui::{Color32, Ui};
 use number::{CHANNELS, channels_row, coefficient_slider, fields, slider_and_field, whole_slider};
@@ -62,7 +62,7 @@ pub fn parameter_with(
     let about = About {
         letter: parameter.letter,
         tint: tint(ui, scene, parameter),
-        label: parameter.label,
+        label: parameter.label(),
         name: &name,
         tip: &tip,
         symbol: parameter.symbol,
@@ -184,7 +184,7 @@ fn range(scene: &Scene, parameter: &Parameter, view: &View) -> SliderRange {
         refuses: true,
         logarithmic: slider.logarithmic,
         decimals: slider.decimals,
-        suffix: if parameter.unit == "degrees" {
+        suffix: if parameter.unit == Some(Unit::Degrees) {
             "°"
         } else {
             ""
@@ -203,13 +203,13 @@ fn tip(parameter: &Parameter, scene: &Scene) -> String {
         .limits(scene)
         .filter(|limits| parameter.slider().is_some() && limits.greatest <= 1e6);
     let range = limits.map_or_else(String::new, |limits| format!("{limits} "));
-    let about = format!("{range}{}", parameter.unit);
+    let about = format!("{range}{}", parameter.unit());
     let about = if about.trim().is_empty() {
         String::new()
     } else {
         format!(" ({})", about.trim())
     };
-    format!("{letter}{}{about}", parameter.help)
+    format!("{letter}{}{about}", parameter.help())
 }
 
 /// The colour of the term or the vector that a parameter belongs to.

@@ -12,6 +12,7 @@ use shading_lab::scene::materials::{NAMED, NamedMaterial};
 use shading_lab::scene::parameter::{Kind, Parameter};
 use shading_lab::scene::presets::{self, Preset};
 use shading_lab::scene::{Rgb, Scene};
+use shading_lab::text;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -48,7 +49,7 @@ impl List {
         };
         let (name, title) = (
             widest(|named| named.name).unwrap_or(0),
-            widest(|named| named.title).unwrap_or(0),
+            widest(NamedMaterial::title).unwrap_or(0),
         );
         // Three numbers as a scene file writes them, in columns.
         let triple = |value: Rgb| {
@@ -63,18 +64,22 @@ impl List {
                 triple(kd),
                 triple(ks)
             );
-            format!("{:name$}  {:title$}  {numbers}\n", named.name, named.title)
+            format!(
+                "{:name$}  {:title$}  {numbers}\n",
+                named.name,
+                named.title()
+            )
         };
         let object = |named: &NamedMaterial| {
             let NamedMaterial {
                 name,
-                title,
                 ka,
                 kd,
                 ks,
                 n,
+                ..
             } = *named;
-            json!({"name": name, "title": title, "ka": ka.to_array(), "kd": kd.to_array(), "ks": ks.to_array(), "n": n})
+            json!({"name": name, "title": named.title(), "ka": ka.to_array(), "kd": kd.to_array(), "ks": ks.to_array(), "n": n})
         };
         self.print("materials", NAMED, line, object)
     }
@@ -93,11 +98,9 @@ impl List {
             .unwrap_or(0);
         let line = |parameter: &&'static Parameter| {
             let Parameter {
-                key: name,
-                letter,
-                help,
-                ..
+                key: name, letter, ..
             } = parameter;
+            let help = parameter.help();
             let letter = if letter.is_empty() {
                 String::new()
             } else {
@@ -107,16 +110,9 @@ impl List {
             format!("{name:key$}  {value:default$}  {range}\n    {letter}{help}\n")
         };
         let object = |parameter: &&'static Parameter| {
-            let Parameter {
-                key,
-                letter,
-                name,
-                unit,
-                help,
-                ..
-            } = parameter;
+            let Parameter { key, letter, .. } = parameter;
             let limits = match (&parameter.kind, parameter.limits(&Scene::default())) {
-                (Kind::Other(.., limits), _) => json!(limits),
+                (Kind::Other(.., limits), _) => json!(limits()),
                 // Infinity becomes null: no limit.
                 (_, Some(limits)) => json!([limits.least, limits.greatest]),
                 _ => Value::Null,
@@ -127,8 +123,8 @@ impl List {
                 .map(|option| option.word)
                 .collect();
             json!({
-                "key": key, "symbol": letter, "name": name, "unit": unit, "kind": parameter.kind_name(),
-                "limits": limits, "default": parameter.default(), "choices": choices, "help": help,
+                "key": key, "symbol": letter, "name": parameter.name(), "unit": parameter.unit(), "kind": parameter.kind_name(),
+                "limits": limits, "default": parameter.default(), "choices": choices, "help": parameter.help(),
             })
         };
         self.print("parameters", &all, line, object)
@@ -145,7 +141,10 @@ impl List {
         match self.json {
             true => print(&format!(
                 "{:#}\n",
-                json!({ name: all.iter().map(object).collect::<Vec<_>>() })
+                text::in_language(
+                    text::Language::English,
+                    || json!({ name: all.iter().map(object).collect::<Vec<_>>() })
+                )
             )),
             false => print(&all.iter().map(line).collect::<String>()),
         }

@@ -1,14 +1,26 @@
 //! Choices: enumerations whose values have a word in the scene file, a label on screen and a meaning.
 
+use crate::text::text;
+
 /// One value of a choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChoiceOption {
     /// As in a scene file.
     pub word: &'static str,
+    /// The keys of its label and its meaning in the catalogue.
+    pub messages: [&'static str; 2],
+}
+
+impl ChoiceOption {
     /// As on screen.
-    pub label: &'static str,
-    /// What it means; may be empty.
-    pub help: &'static str,
+    pub fn label(&self) -> &'static str {
+        text!(self.messages[0])
+    }
+
+    /// What it means.
+    pub fn help(&self) -> &'static str {
+        text!(self.messages[1])
+    }
 }
 
 /// An enumeration whose values can be chosen.
@@ -32,12 +44,12 @@ pub trait Choice: Copy + PartialEq + 'static {
 
     /// As on screen.
     fn label(self) -> &'static str {
-        Self::OPTIONS[self.place()].label
+        Self::OPTIONS[self.place()].label()
     }
 
     /// What it means.
     fn help(self) -> &'static str {
-        Self::OPTIONS[self.place()].help
+        Self::OPTIONS[self.place()].help()
     }
 
     fn from_word(word: &str) -> Option<Self> {
@@ -48,21 +60,28 @@ pub trait Choice: Copy + PartialEq + 'static {
     }
 }
 
-/// Defines an enumeration; each value has its word, label and meaning: `Flat = "flat", "Flat", "Once per polygon";`.
+/// Defines an enumeration; each value has its word. Of `pub enum Mode = "shading" { Flat = "flat"; }` the label is the message
+/// `choice-shading-flat`, and the meaning its `.help`.
 macro_rules! choices {
-    ($(#[$about:meta])* pub enum $name:ident {
-        $($(#[$detail:meta])* $value:ident = $word:literal, $label:literal, $help:literal;)+
+    ($(#[$about:meta])* pub enum $name:ident = $messages:literal {
+        $($(#[$detail:meta])* $value:ident = $word:literal;)+
     }) => {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum $name {
-            $(#[doc = $help] $(#[$detail])* $value,)+
+            $($(#[$detail])* $value,)+
         }
 
         impl $crate::scene::Choice for $name {
             const VALUES: &'static [Self] = &[$(Self::$value),+];
             const OPTIONS: &'static [$crate::scene::ChoiceOption] =
-                &[$($crate::scene::ChoiceOption { word: $word, label: $label, help: $help }),+];
+                &[$($crate::scene::ChoiceOption {
+                    word: $word,
+                    messages: [
+                        concat!("choice-", $messages, "-", $word),
+                        concat!("choice-", $messages, "-", $word, ".help"),
+                    ],
+                }),+];
         }
 
         impl serde::Serialize for $name {

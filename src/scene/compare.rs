@@ -4,31 +4,28 @@ use super::Scene;
 use super::camera::Overflow;
 use super::choice::{Choice, choices};
 use super::overrides::is_inside;
-use super::parameter::{Limits, Slider, table};
+use super::parameter::{Limits, Slider, at_most, table};
 use super::problem::{Cause, Finding, Place, Problem, SceneError};
-use super::shading::ShadingMode;
+use super::setting::setting_words;
+use super::shading::{Interpolation, ShadingMode};
+use crate::text::text;
 
 table! {
     /// What is compared and how. The first pane is the scene itself; the last one is what the others are measured against.
-    pub struct Compare = "compare" in compare with (panes: Vec<Pane> = vec![]) {
-        COMPARE_VIEW view: CompareView = CompareView::Single, Choice, "Comparison",
-            "How the scene and its panes are shown.";
+    pub struct Compare = [compare] in compare with (panes: Vec<Pane> = vec![]) {
+        COMPARE_VIEW view: CompareView = CompareView::Single, Choice;
         /// The scene is seen to its left, the last pane to its right.
-        WIPE wipe: f64 = 0.5, Number(Limits::UNIT, Slider::UNIT), "Wipe position",
-            "Where the line of a wipe is, from 0 at the left to 1 at the right."
-            .idle(|scene, _| (scene.compare.view != CompareView::Wipe).then_some("The comparison is not a wipe"));
-        DIFFERENCE difference: DifferenceKind = DifferenceKind::Signed, Choice, "Difference kind",
-            "What the difference picture shows of each pixel's difference d.".idle(no_difference);
-        GAIN gain: f64 = 8.0, Number(Limits::new(1.0, Compare::MAX_GAIN), GAINS), "Gain",
-            "The factor that the difference is multiplied by before it is shown.".idle(no_difference);
+        WIPE wipe: f64 = 0.5, Number(Limits::UNIT, Slider::UNIT)
+            .idle(|scene, _| (scene.compare.view != CompareView::Wipe).then(|| text!("idle-no-wipe")));
+        DIFFERENCE difference: DifferenceKind = DifferenceKind::Signed, Choice.idle(no_difference);
+        GAIN gain: f64 = 8.0, Number(Limits::new(1.0, Compare::MAX_GAIN), GAINS).idle(no_difference);
     }
 }
 
 const GAINS: Slider = Slider::logarithmic(1.0, Compare::MAX_GAIN).decimals(1);
 
 fn no_difference(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.compare.view != CompareView::Difference)
-        .then_some("The comparison shows no difference picture")
+    (scene.compare.view != CompareView::Difference).then(|| text!("idle-no-difference"))
 }
 
 impl Compare {
@@ -42,30 +39,28 @@ impl Compare {
 
 choices! {
     /// How the panes are shown.
-    pub enum CompareView {
-        Single = "single", "single", "The scene alone";
-        Panes = "panes", "panes", "The scene and its panes side by side";
-        Wipe = "wipe", "wipe", "The scene and the last pane on either side of a line";
-        Difference = "difference", "difference", "The scene minus the last pane";
+    pub enum CompareView = "compare" {
+        Single = "single";
+        Panes = "panes";
+        Wipe = "wipe";
+        Difference = "difference";
     }
 }
 
 choices! {
     /// What a difference picture shows of each pixel's difference d.
-    pub enum DifferenceKind {
-        Signed = "signed", "signed", "gain·d of the luminance, from blue (darker) through white to orange (brighter)";
-        Absolute = "absolute", "absolute", "gain·|d| of each channel";
-        FalseColor = "false-color", "false colour", "gain·|d| of the channel that differs most, from dark blue to yellow";
+    pub enum DifferenceKind = "difference" {
+        Signed = "signed";
+        Absolute = "absolute";
+        FalseColor = "false-color";
     }
 }
 
 table! {
     /// A pane beside the scene itself: what is different in it.
-    pub struct Pane = "compare.pane.N" in [compare.panes] {
-        PANE_NAME name: String = String::new(), Text(Pane::MAX_NAME), "Pane name",
-            "What a pane beside the scene is called; without a name it is called by its settings. At most 3 panes.";
-        PANE_SET set: Vec<String> = vec![], Other("list of settings", "at most 64"), "Pane settings",
-            "The keys that differ in a pane, each as `--set` takes it.";
+    pub struct Pane = [compare.pane.N] in [compare.panes] {
+        PANE_NAME name: String = String::new(), Text(Pane::MAX_NAME);
+        PANE_SET set: Vec<String> = vec![], Other("kind-settings", || at_most(Compare::MAX_SETTINGS));
     }
 }
 
@@ -155,36 +150,35 @@ impl Scene {
             .pane(index)
             .map_or_else(|_| self.shading.clone(), |scene| scene.shading);
         let plain = shading.mode != ShadingMode::Phong || shading.renormalise;
-        let mut words = vec![
-            if plain {
-                shading.mode.label()
-            } else {
-                "Phong, not renormalised"
-            }
-            .to_owned(),
-        ];
-        for setting in pane.iter().flat_map(|pane| &pane.set) {
-            let Some((key, value)) = setting.split_once('=') else {
-                continue;
-            };
-            let (section, name) = key.trim().rsplit_once('.').unwrap_or(("", key.trim()));
-            let value = value.trim().trim_matches(['"', '\'']);
-            match name {
-                "mode" | "renormalise" => {}
-                "segments" | "rings" => words.push(format!("{value} {name}")),
-                "interpolation" | "model" | "normals" | "weighting" | "by" => {
-                    words.push(value.to_owned());
-                }
-                _ if section.is_empty() => words.push(format!("{name} {value}")),
-                _ => words.push(format!("{} {value}", name.replace('_', " "))),
-            }
-        }
+        let mode = if plain {
+            shading.mode.label()
+        } else {
+            text!("pane-not-renormalised")
+        };
+        let settings = pane.iter().flat_map(|pane| &pane.set);
+        let settings = settings.filter_map(|setting| short_words(setting));
+        let words: Vec<String> = std::iter::once(mode.to_owned()).chain(settings).collect();
         words.join(", ")
     }
 
     /// Whether what the display clamps is to be compared clamped.
     pub fn clamps(&self) -> bool {
         self.display.overflow == Overflow::Clamp
+    }
+}
+
+/// A setting in few words, where its value says what it is about.
+fn short_words(setting: &str) -> Option<String> {
+    let (key, value) = setting.split_once('=')?;
+    let value = value.trim().trim_matches(['"', '\'']);
+    match key.trim() {
+        "shading.mode" | "shading.renormalise" => None,
+        "object.segments" => Some(text!("pane-segments", count = value)),
+        "object.rings" => Some(text!("pane-rings", count = value)),
+        "shading.interpolation" => {
+            Interpolation::from_word(value).map(|chosen| chosen.label().to_owned())
+        }
+        _ => Some(setting_words(setting)),
     }
 }
 

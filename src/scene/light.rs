@@ -2,9 +2,10 @@
 
 use super::camera::{Projection, Viewer};
 use super::choice::choices;
-use super::parameter::{Limits, Slider, table};
+use super::parameter::{Limits, Slider, Unit, table};
 use super::symbol::Symbol;
 use super::{Rgb, Scene};
+use crate::text::text;
 use glam::DVec3;
 use std::ops::RangeInclusive;
 
@@ -18,76 +19,51 @@ const COUNT: Slider = Slider::logarithmic(1.0, Light::MAX_SAMPLES as f64).decima
 table! {
     /// One light source. Fields that its kind or its attenuation does not read keep their value, so that switching back
     /// and forth loses nothing.
-    pub struct Light = "light.N" in [lights] {
-        NAME name: String = String::new(), Text(Light::MAX_NAME), "name",
-            "What the light is called; may be empty.".label("Name").symbol(Symbol::Lights);
-        KIND kind: LightKind = LightKind::Point, Choice, "kind",
-            "The kind of light source.".label("Kind").symbol(Symbol::Lights);
-        MUTE mute: bool = false, Switch, "mute",
-            "Whether the light is switched off.".label("Mute").symbol(Symbol::Lights);
-        SOLO solo: bool = false, Switch, "solo",
-            "While any light has this, only the lights that have it are on.".label("Solo").symbol(Symbol::Lights);
-        POSITION position: DVec3 = DVec3::new(2.0, 2.0, 3.0), Point, "position",
-            "Where the light is, or the centre of an area light: x to the right, y up, z towards the default camera."
-            .letter("L", Symbol::Light).unit("world units")
-            .idle(|scene, index| unless(scene, index, |light| light.kind.has_position(), "A directional light has no position"));
-        DIRECTION direction: DVec3 = DVec3::new(-2.0, -2.0, -3.0), Direction(has_direction), "direction",
-            "The direction in which directional light travels, the axis of a spot light's cone, or the side that a rectangle faces; of any length but zero."
-            .letter("D", Symbol::Light)
-            .idle(|scene, index| unless(scene, index, Light::has_direction, "This light shines equally in all directions"));
-        COLOR color: Rgb = Rgb::ONE, Colour(Limits::INTENSITY), "intensity",
-            "The linear intensity of the light per channel; 1 is white. An area light's is that of all its samples together."
-            .letter("Ip", Symbol::Ip);
-        CONE cone: f64 = 20.0, Number(Limits::within(&Light::CONE), ANGLE), "cone",
-            "The angle between a spot light's axis and the edge of its cone."
-            .letter("δ", Symbol::Light).unit("degrees").idle(no_spot);
-        EXPONENT exponent: f64 = 4.0, Number(Limits::new(0.0, Light::MAX_EXPONENT), EXPONENTS), "exponent",
-            "How fast a spot light falls off: as the e-th power of the cosine of the angle to its axis."
-            .label("fall-off").letter("e", Symbol::Light).idle(no_spot);
-        SOFTNESS softness: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT), "softness",
-            "The outer fraction of a spot light's cone over which the light fades; 0 is a hard edge."
-            .label("Softness").symbol(Symbol::Light).idle(no_spot);
-        SHAPE shape: AreaShape = AreaShape::Rectangle, Choice, "shape",
-            "The shape of an area light.".label("Shape").symbol(Symbol::Light).idle(no_area);
-        EXTENT extent: [f64; 2] = [1.0, 1.0], Pair(Limits::LENGTH, LENGTHS), "extent",
-            "Width and height of a rectangular light; its width is level."
-            .label("Extent").symbol(Symbol::Light).unit("world units").idle(no_rectangle);
-        RADIUS radius: f64 = 0.5, Number(Limits::LENGTH, LENGTHS), "radius",
-            "The radius of a spherical light."
-            .label("Radius").symbol(Symbol::Light).unit("world units").idle(no_sphere);
-        SAMPLES samples: u32 = 16, Whole(|_| Limits::new(1.0, Light::MAX_SAMPLES as f64), COUNT), "samples",
-            "The number of points that stand for an area light. The work grows with N; the error falls about as 1/N."
+    pub struct Light = [light.N] in [lights] {
+        NAME name: String = String::new(), Text(Light::MAX_NAME).symbol(Symbol::Lights);
+        KIND kind: LightKind = LightKind::Point, Choice.symbol(Symbol::Lights);
+        MUTE mute: bool = false, Switch.symbol(Symbol::Lights);
+        SOLO solo: bool = false, Switch.symbol(Symbol::Lights);
+        POSITION position: DVec3 = DVec3::new(2.0, 2.0, 3.0), Point.letter("L", Symbol::Light).measured_in(Unit::World)
+            .idle(|scene, index| unless(scene, index, |light| light.kind.has_position(), "idle-no-position"));
+        DIRECTION direction: DVec3 = DVec3::new(-2.0, -2.0, -3.0), Direction(has_direction).letter("D", Symbol::Light)
+            .idle(|scene, index| unless(scene, index, Light::has_direction, "idle-no-direction"));
+        COLOR color: Rgb = Rgb::ONE, Colour(Limits::INTENSITY).letter("Ip", Symbol::Ip);
+        CONE cone: f64 = 20.0, Number(Limits::within(&Light::CONE), ANGLE)
+            .letter("δ", Symbol::Light).measured_in(Unit::Degrees).idle(no_spot);
+        EXPONENT exponent: f64 = 4.0, Number(Limits::new(0.0, Light::MAX_EXPONENT), EXPONENTS)
+            .letter("e", Symbol::Light).idle(no_spot);
+        SOFTNESS softness: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).symbol(Symbol::Light).idle(no_spot);
+        SHAPE shape: AreaShape = AreaShape::Rectangle, Choice.symbol(Symbol::Light).idle(no_area);
+        EXTENT extent: [f64; 2] = [1.0, 1.0], Pair(Limits::LENGTH, LENGTHS)
+            .symbol(Symbol::Light).measured_in(Unit::World).idle(no_rectangle);
+        RADIUS radius: f64 = 0.5, Number(Limits::LENGTH, LENGTHS)
+            .symbol(Symbol::Light).measured_in(Unit::World).idle(no_sphere);
+        SAMPLES samples: u32 = 16, Whole(|_| Limits::new(1.0, Light::MAX_SAMPLES as f64), COUNT)
             .letter("N", Symbol::Light).idle(no_area);
-        ATTENUATION attenuation: Attenuation = Attenuation::None, Choice, "attenuation",
-            "How the light weakens with distance: d and r are distances to the light, or r to the viewer."
-            .letter("f", Symbol::Attenuation);
-        K k: f64 = 1.0, Number(Limits::LENGTH, CONSTANT), "k",
-            "The constant that keeps 1/(r + k) finite."
-            .label("constant").letter("k", Symbol::Attenuation).unit("world units").idle(no_sum);
-        C1 c1: f64 = 0.25, Number(Limits::LENGTH, CONSTANT), "c1",
-            "The constant coefficient of the quadratic attenuation. One of c1, c2, c3 is above 0."
-            .label("constant").letter("c1", Symbol::Attenuation).idle(no_quadratic);
-        C2 c2: f64 = 0.1, Number(Limits::LENGTH, CONSTANT), "c2",
-            "The linear coefficient of the quadratic attenuation."
-            .label("linear").letter("c2", Symbol::Attenuation).unit("per world unit").idle(no_quadratic);
-        C3 c3: f64 = 0.05, Number(Limits::LENGTH, CONSTANT), "c3",
-            "The quadratic coefficient of the quadratic attenuation."
-            .label("quadratic").letter("c3", Symbol::Attenuation).unit("per world unit squared").idle(no_quadratic);
+        ATTENUATION attenuation: Attenuation = Attenuation::None, Choice.letter("f", Symbol::Attenuation);
+        K k: f64 = 1.0, Number(Limits::LENGTH, CONSTANT)
+            .letter("k", Symbol::Attenuation).measured_in(Unit::World).idle(no_sum);
+        C1 c1: f64 = 0.25, Number(Limits::LENGTH, CONSTANT).letter("c1", Symbol::Attenuation).idle(no_quadratic);
+        C2 c2: f64 = 0.1, Number(Limits::LENGTH, CONSTANT)
+            .letter("c2", Symbol::Attenuation).measured_in(Unit::PerWorld).idle(no_quadratic);
+        C3 c3: f64 = 0.05, Number(Limits::LENGTH, CONSTANT)
+            .letter("c3", Symbol::Attenuation).measured_in(Unit::PerWorldSquared).idle(no_quadratic);
     }
 }
 
-/// `reason`, where the light does not satisfy `used`.
+/// The message `reason`, where the light does not satisfy `used`.
 fn unless(
     scene: &Scene,
     index: usize,
     used: fn(&Light) -> bool,
-    reason: &'static str,
+    reason: &str,
 ) -> Option<&'static str> {
     scene
         .lights
         .get(index)
         .is_none_or(|light| !used(light))
-        .then_some(reason)
+        .then(|| text!(reason))
 }
 
 fn has_direction(scene: &Scene, index: usize) -> bool {
@@ -99,7 +75,7 @@ fn no_spot(scene: &Scene, index: usize) -> Option<&'static str> {
         scene,
         index,
         |light| light.kind == LightKind::Spot,
-        "The light is not a spot light",
+        "idle-no-spotlight",
     )
 }
 
@@ -108,7 +84,7 @@ fn no_area(scene: &Scene, index: usize) -> Option<&'static str> {
         scene,
         index,
         |light| light.kind == LightKind::Area,
-        "The light is not an area light",
+        "idle-no-area",
     )
 }
 
@@ -117,7 +93,7 @@ fn no_rectangle(scene: &Scene, index: usize) -> Option<&'static str> {
         scene,
         index,
         |light| light.shape == AreaShape::Rectangle,
-        "The light is a sphere",
+        "idle-is-sphere",
     ))
 }
 
@@ -126,7 +102,7 @@ fn no_sphere(scene: &Scene, index: usize) -> Option<&'static str> {
         scene,
         index,
         |light| light.shape == AreaShape::Sphere,
-        "The light is a rectangle",
+        "idle-is-rectangle",
     ))
 }
 
@@ -146,8 +122,8 @@ fn unused(scene: &Scene, index: usize, read: fn(Attenuation) -> bool) -> Option<
     let light = scene.lights.get(index)?;
     let far = light.kind == LightKind::Directional && light.attenuation != Attenuation::Viewer;
     (!read(light.attenuation))
-        .then_some("This form of attenuation does not use it")
-        .or(far.then_some("A directional light is infinitely far away and is not attenuated"))
+        .then(|| text!("idle-other-attenuation"))
+        .or(far.then(|| text!("idle-far-light")))
 }
 
 /// Whether the attenuation follows the eye although V is taken as constant.
@@ -163,11 +139,11 @@ pub fn viewer_far(scene: &Scene, index: usize) -> bool {
 }
 
 choices! {
-    pub enum LightKind {
-        Point = "point", "point", "Shines from a point in all directions";
-        Directional = "directional", "directional", "Parallel rays, like sunlight";
-        Spot = "spot", "spot", "Shines from a point into a cone";
-        Area = "area", "area", "A rectangle or a sphere, represented by points spread evenly over it";
+    pub enum LightKind = "light-kind" {
+        Point = "point";
+        Directional = "directional";
+        Spot = "spot";
+        Area = "area";
     }
 }
 
@@ -233,24 +209,24 @@ impl Scene {
 
 choices! {
     /// The shape of an area light.
-    pub enum AreaShape {
-        Rectangle = "rectangle", "rectangle", "A window or a panel; its points shine in all directions";
-        Sphere = "sphere", "sphere", "A globe";
+    pub enum AreaShape = "area-shape" {
+        Rectangle = "rectangle";
+        Sphere = "sphere";
     }
 }
 
 choices! {
     /// The factor f of a light's contribution.
-    pub enum Attenuation {
+    pub enum Attenuation = "attenuation" {
         /// f = 1.
-        None = "none", "none", "f = 1";
+        None = "none";
         /// f = 1/(r + k), r the distance from the point to the viewer.
-        Viewer = "viewer", "1/(r+k), r to the viewer", "As in older textbooks";
+        Viewer = "viewer";
         /// f = 1/(r + k), r the distance from the point to the light.
-        Light = "light", "1/(r+k), r to the light", "";
+        Light = "light";
         /// f = 1/d², d the distance from the point to the light.
-        InverseSquare = "inverse-square", "1/d²", "As light weakens in empty space";
+        InverseSquare = "inverse-square";
         /// f = min(1, 1/(c1 + c2·d + c3·d²)).
-        Quadratic = "quadratic", "1/(c1+c2·d+c3·d²)", "At most 1";
+        Quadratic = "quadratic";
     }
 }

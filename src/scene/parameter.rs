@@ -10,6 +10,7 @@ use super::format::{Datum, read_coefficient, value_text};
 use super::problem::Finding;
 use super::symbol::Symbol;
 use super::{Rgb, Scene};
+use crate::text::text;
 use glam::DVec3;
 use std::ops::RangeInclusive;
 use std::sync::LazyLock;
@@ -26,7 +27,18 @@ pub const LEAST_LENGTH: f64 = 1e-30;
 /// Greatest intensity of a light or of the background, in units of the display's white.
 pub const GREATEST_INTENSITY: f64 = 1e30;
 
-/// One key of a scene.
+/// A key of a scene file and the keys of its messages in the catalogue.
+#[derive(Clone, Copy, Debug)]
+pub struct Keys {
+    /// As in the scene file.
+    pub key: &'static str,
+    pub name: &'static str,
+    pub label: &'static str,
+    pub help: &'static str,
+}
+
+/// One key of a scene. What people read about it is in the catalogue: its name, a label for its row in the window and a
+/// sentence that says what it means.
 #[derive(Debug)]
 pub struct Parameter {
     /// As in the scene file, for example `material.n`. `light.N.` stands for the light of any number.
@@ -35,15 +47,9 @@ pub struct Parameter {
     pub letter: &'static str,
     /// The symbol of the equation that it belongs to.
     pub symbol: Option<Symbol>,
-    /// What it is called.
-    pub name: &'static str,
-    /// A short form of the name for its row in the window.
-    pub label: &'static str,
-    /// Empty where it has none.
-    pub unit: &'static str,
-    /// What it means, in a sentence.
-    pub help: &'static str,
+    pub unit: Option<Unit>,
     pub kind: Kind,
+    messages: Keys,
     /// Why it has no effect in a scene at present; for a light's parameters, on the light of this number.
     pub idle: fn(&Scene, usize) -> Option<&'static str>,
 }
@@ -68,8 +74,30 @@ pub enum Kind {
     Switch(&'static Access<bool>),
     /// A line of so many characters at most.
     Text(&'static Access<String>, usize),
-    /// What has its own checks and controls; its kind and its limits in words.
-    Other(&'static dyn Field, &'static str, &'static str),
+    /// What has its own checks and controls; the message that names its kind, and its limits in words.
+    Other(&'static dyn Field, &'static str, fn() -> String),
+}
+
+/// What a number is measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    Pixels,
+    Degrees,
+    World,
+    PerWorld,
+    PerWorldSquared,
+}
+
+impl Unit {
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Pixels => text!("unit-pixels"),
+            Self::Degrees => text!("unit-degrees"),
+            Self::World => text!("unit-world"),
+            Self::PerWorld => text!("unit-per-world"),
+            Self::PerWorldSquared => text!("unit-per-world-squared"),
+        }
+    }
 }
 
 /// A struct whose fields are the keys of a table of the scene file.
@@ -80,27 +108,27 @@ pub(super) trait Table: Sized + 'static {
 }
 
 /// Defines a struct of a scene, which is a table of the scene file, and describes each of its keys: the parameter's constant,
-/// the field with its type and default, the kind with its limits and slider, the name and the help. What else there is to
-/// say follows as calls:
+/// the field with its type and default, and the kind with its limits and slider. What else there is to say follows as calls:
 ///
-/// `ROLL roll: f64 = 0.0, Number(Limits::FINITE, SLIDER), "Roll", "The angle by which …".unit("degrees");`
+/// `ROLL roll: f64 = 0.0, Number(Limits::FINITE, ANGLE).measured_in(Unit::Degrees);`
 ///
-/// `in material` says which field of the scene the struct is; `in [lights]`, that the scene has a list of them.
+/// The key `camera.roll` has the messages `parameter-camera-roll`, `.label` and `.help`. `in material` says which field of
+/// the scene the struct is; `in [lights]`, that the scene has a list of them.
 macro_rules! table {
     (
         $(#[$about:meta])*
-        pub struct $struct:ident = $table:literal in $place:tt $(with ($other:ident: $other_type:ty = $none:expr))? {
+        pub struct $struct:ident = $table:tt in $place:tt $(with ($other:ident: $other_type:ty = $none:expr))? {
             $(
                 $(#[$detail:meta])*
                 $NAME:ident $field:ident: $type:ty = $default:expr,
-                $kind:ident $(($($argument:expr),+))?, $title:literal, $help:literal $(.$say:ident($($what:expr),+))*;
+                $kind:ident $(($($argument:expr),+))? $(.$say:ident($($what:expr),+))*;
             )+
         }
     ) => {
         $(#[$about])*
         #[derive(Clone, Debug, PartialEq)]
         pub struct $struct {
-            $(#[doc = $help] $(#[$detail])* pub $field: $type,)+
+            $($(#[$detail])* pub $field: $type,)+
             $(pub $other: $other_type,)?
         }
 
@@ -112,8 +140,7 @@ macro_rules! table {
 
         $(
             pub static $NAME: $crate::scene::parameter::Parameter = $crate::scene::parameter::Parameter::new(
-                concat!($table, ".", stringify!($field)),
-                $title,
+                $crate::scene::parameter::table!(@keys $table $field),
                 $crate::scene::parameter::Kind::$kind(
                     &$crate::scene::parameter::Access {
                         get: |scene, index| {
@@ -126,11 +153,18 @@ macro_rules! table {
                     }
                     $($(, $argument)+)?
                 ),
-                $help,
             )$(.$say($($what),+))*;
         )+
 
         $crate::scene::parameter::table!(@place $struct [$(&$NAME),+] $place);
+    };
+    (@keys [$($table:ident).+] $field:ident) => {
+        $crate::scene::parameter::Keys {
+            key: concat!($(stringify!($table), ".",)+ stringify!($field)),
+            name: concat!("parameter-", $(stringify!($table), "-",)+ stringify!($field)),
+            label: concat!("parameter-", $(stringify!($table), "-",)+ stringify!($field), ".label"),
+            help: concat!("parameter-", $(stringify!($table), "-",)+ stringify!($field), ".help"),
+        }
     };
     (@place $struct:ident $parameters:tt [$($list:ident).+]) => {
         impl $crate::scene::parameter::Table for $struct {
@@ -163,17 +197,20 @@ macro_rules! table {
 pub(super) use table;
 
 static VERSION: Parameter = Parameter::new(
-    "version",
-    "version",
+    Keys {
+        key: "version",
+        name: "parameter-version",
+        label: "parameter-version.label",
+        help: "parameter-version.help",
+    },
     Kind::Other(
         &Access {
             get: |scene, _| Some(&scene.version),
             get_mut: |scene, _| Some(&mut scene.version),
         },
-        "whole number",
-        "1",
+        "kind-whole",
+        || Scene::VERSION.to_string(),
     ),
-    "The version of the scene file's format.",
 );
 
 /// The least and the greatest value that a scene may have.
@@ -245,28 +282,17 @@ impl Slider {
 
 impl Parameter {
     /// A parameter without a letter or a unit, which always has an effect.
-    pub(super) const fn new(
-        key: &'static str,
-        name: &'static str,
-        kind: Kind,
-        help: &'static str,
-    ) -> Self {
+    pub(super) const fn new(messages: Keys, kind: Kind) -> Self {
         let idle = |_: &Scene, _: usize| None;
         Self {
-            key,
+            key: messages.key,
             letter: "",
             symbol: None,
-            name,
-            label: name,
-            unit: "",
-            help,
+            unit: None,
             kind,
             idle,
+            messages,
         }
-    }
-
-    pub(super) const fn label(self, label: &'static str) -> Self {
-        Self { label, ..self }
     }
 
     pub(super) const fn letter(self, letter: &'static str, symbol: Symbol) -> Self {
@@ -284,12 +310,35 @@ impl Parameter {
         }
     }
 
-    pub(super) const fn unit(self, unit: &'static str) -> Self {
-        Self { unit, ..self }
+    pub(super) const fn measured_in(self, unit: Unit) -> Self {
+        Self {
+            unit: Some(unit),
+            ..self
+        }
     }
 
     pub(super) const fn idle(self, idle: fn(&Scene, usize) -> Option<&'static str>) -> Self {
         Self { idle, ..self }
+    }
+
+    /// What it is called.
+    pub fn name(&self) -> &'static str {
+        text!(self.messages.name)
+    }
+
+    /// A short form of the name for its row in the window.
+    pub fn label(&self) -> &'static str {
+        text!(self.messages.label)
+    }
+
+    /// What it means, in a sentence.
+    pub fn help(&self) -> &'static str {
+        text!(self.messages.help)
+    }
+
+    /// What it is measured in; empty where it has no unit.
+    pub fn unit(&self) -> &'static str {
+        self.unit.map_or("", Unit::name)
     }
 
     /// Every parameter, in the order of the scene file.
@@ -430,9 +479,9 @@ impl Parameter {
     /// Its letter and its name, for the light of number `index` where it is a light's.
     pub fn full_name(&self, index: usize) -> String {
         match (self.of_light(), self.letter) {
-            (true, _) => format!("Light {} {}", index + 1, self.name),
-            (false, "") => self.name.to_owned(),
-            (false, letter) => format!("{letter} {}", self.name),
+            (true, _) => text!("parameter-of-light", number = index + 1, name = self.name()),
+            (false, "") => self.name().to_owned(),
+            (false, letter) => format!("{letter} {}", self.name()),
         }
     }
 
@@ -451,18 +500,18 @@ impl Parameter {
     /// What kind of value it has, in a word or two.
     pub fn kind_name(&self) -> &'static str {
         match self.kind {
-            Kind::Number(..) => "number",
-            Kind::Whole(..) => "whole number",
-            Kind::Pair(..) => "two numbers",
-            Kind::Coefficient(..) => "number or colour",
-            Kind::Channels(..) => "number per channel",
-            Kind::Colour(..) => "colour",
-            Kind::Point(_) => "point",
-            Kind::Direction(..) => "direction",
-            Kind::Choice(_) => "choice",
-            Kind::Switch(_) => "switch",
-            Kind::Text(..) => "text",
-            Kind::Other(_, kind, _) => kind,
+            Kind::Number(..) => text!("kind-number"),
+            Kind::Whole(..) => text!("kind-whole"),
+            Kind::Pair(..) => text!("kind-pair"),
+            Kind::Coefficient(..) => text!("kind-coefficient"),
+            Kind::Channels(..) => text!("kind-channels"),
+            Kind::Colour(..) => text!("kind-colour"),
+            Kind::Point(_) => text!("kind-point"),
+            Kind::Direction(..) => text!("kind-direction"),
+            Kind::Choice(_) => text!("kind-choice"),
+            Kind::Switch(_) => text!("kind-switch"),
+            Kind::Text(..) => text!("kind-text"),
+            Kind::Other(_, kind, _) => text!(kind),
         }
     }
 
@@ -489,7 +538,7 @@ impl Parameter {
     /// What it can be set to, in words.
     pub fn range_text(&self) -> String {
         match self.kind {
-            Kind::Other(.., limits) => limits.to_owned(),
+            Kind::Other(.., limits) => limits(),
             Kind::Choice(_) => self
                 .options()
                 .iter()
@@ -497,8 +546,8 @@ impl Parameter {
                 .collect::<Vec<_>>()
                 .join(", "),
             Kind::Switch(_) => "true, false".to_owned(),
-            Kind::Text(_, longest) => format!("at most {longest} characters in one line"),
-            Kind::Direction(..) => "not zero".to_owned(),
+            Kind::Text(_, longest) => text!("range-text", longest = longest),
+            Kind::Direction(..) => text!("range-direction").to_owned(),
             Kind::Point(_) => String::new(),
             _ => self
                 .limits(defaults())
@@ -528,6 +577,11 @@ impl Scene {
                 .map(move |index| (parameter, index))
         })
     }
+}
+
+/// The limits of a list of at most `count`, in words.
+pub(super) fn at_most(count: usize) -> String {
+    text!("range-at-most", count = count)
 }
 
 /// Whether a text can stand without quotation marks.

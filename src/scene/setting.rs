@@ -19,10 +19,7 @@ pub fn setting_words(setting: &str) -> String {
             .options()
             .iter()
             .find(|option| option.word == written)
-            .map_or_else(
-                || written.to_owned(),
-                |option| text!(option.label).to_owned(),
-            ),
+            .map_or_else(|| written.to_owned(), |option| option.label().to_owned()),
         Kind::Switch(_) => match written {
             "true" => text!("report-on").to_owned(),
             "false" => text!("report-off").to_owned(),
@@ -31,7 +28,7 @@ pub fn setting_words(setting: &str) -> String {
         _ if written == "inf" => "∞".to_owned(),
         _ => written.replace('-', "−"),
     };
-    let name = text!(parameter.name);
+    let name = parameter.name();
     match number {
         Some(light) => text!(
             "report-setting-of-light",

@@ -2,50 +2,44 @@
 
 use super::choice::choices;
 use super::material::{COEFFICIENT, FIELD, FIELD_SLIDER, PatternKind, no_ambient, no_light};
-use super::parameter::{Limits, Slider, table};
+use super::parameter::{Limits, Slider, Unit, table};
 use super::symbol::Symbol;
 use super::{Rgb, Scene};
+use crate::text::text;
 
 table! {
     /// A level floor that receives light and shadows: it is seen from above, behind the object, and before what of the wall
     /// is farther away.
-    pub struct Ground = "ground" in ground {
-        GROUND_VISIBLE visible: bool = false, Switch, "Ground",
-            "Whether there is a level floor, which receives light and shadows and hides no part of the object.";
-        GROUND_HEIGHT height: f64 = -1.0, Number(Limits::COORDINATE, Slider::linear(-3.0, 3.0)), "Ground height",
-            "The floor's y coordinate.".label("Height").unit("world units").idle(no_ground);
-        GROUND_KA ka: f64 = 0.1, Number(COEFFICIENT, Slider::UNIT), "Ground Ka",
-            "The floor's ambient coefficient."
-            .label("Ka ambient").idle(|scene, index| no_ground(scene, index).or(no_ambient(scene)));
-        GROUND_KD kd: f64 = 0.7, Number(COEFFICIENT, Slider::UNIT), "Ground Kd",
-            "The floor's diffuse coefficient; it has no highlight."
-            .label("Kd diffuse").idle(|scene, index| no_ground(scene, index).or(no_light(scene, index)));
-        GROUND_COLOR color: Rgb = Rgb::new(0.8, 0.8, 0.8), Colour(COEFFICIENT), "Ground colour",
-            "The floor's own colour Od, linear.".label("Od colour").idle(no_ground);
+    pub struct Ground = [ground] in ground {
+        GROUND_VISIBLE visible: bool = false, Switch;
+        GROUND_HEIGHT height: f64 = -1.0, Number(Limits::COORDINATE, Slider::linear(-3.0, 3.0))
+            .measured_in(Unit::World).idle(no_ground);
+        GROUND_KA ka: f64 = 0.1, Number(COEFFICIENT, Slider::UNIT)
+            .idle(|scene, index| no_ground(scene, index).or(no_ambient(scene)));
+        GROUND_KD kd: f64 = 0.7, Number(COEFFICIENT, Slider::UNIT)
+            .idle(|scene, index| no_ground(scene, index).or(no_light(scene, index)));
+        GROUND_COLOR color: Rgb = Rgb::new(0.8, 0.8, 0.8), Colour(COEFFICIENT).idle(no_ground);
     }
 }
 
 fn no_ground(scene: &Scene, _: usize) -> Option<&'static str> {
-    (!scene.ground.visible).then_some("There is no ground")
+    (!scene.ground.visible).then(|| text!("idle-no-ground"))
 }
 
 table! {
     /// A patterned wall behind the object, upright to the viewing direction, without end. Between the pattern it has the
     /// background's colour; it hides what of the ground lies beyond it.
-    pub struct Backdrop = "backdrop" in backdrop {
-        BACKDROP_PATTERN pattern: PatternKind = PatternKind::None, Choice, "Backdrop",
-            "The pattern of a wall behind the object, perpendicular to the viewing direction; between its fields the background is seen.";
-        BACKDROP_COLOR color: Rgb = Rgb::new(0.85, 0.83, 0.78), Colour(Limits::INTENSITY), "Backdrop colour",
-            "The linear colour of the backdrop's pattern, which no light changes.".label("Colour").idle(no_backdrop);
-        BACKDROP_SCALE scale: f64 = 0.4, Number(FIELD, FIELD_SLIDER), "Backdrop scale",
-            "The width of one field of the backdrop's pattern.".label("Field width").unit("world units").idle(no_backdrop);
-        BACKDROP_DISTANCE distance: f64 = 2.0, Number(Limits::COORDINATE, Slider::linear(0.0, 10.0)), "Backdrop distance",
-            "How far the backdrop is behind the camera's target.".label("Distance").unit("world units").idle(no_backdrop);
+    pub struct Backdrop = [backdrop] in backdrop {
+        BACKDROP_PATTERN pattern: PatternKind = PatternKind::None, Choice;
+        BACKDROP_COLOR color: Rgb = Rgb::new(0.85, 0.83, 0.78), Colour(Limits::INTENSITY).idle(no_backdrop);
+        BACKDROP_SCALE scale: f64 = 0.4, Number(FIELD, FIELD_SLIDER).measured_in(Unit::World).idle(no_backdrop);
+        BACKDROP_DISTANCE distance: f64 = 2.0, Number(Limits::COORDINATE, Slider::linear(0.0, 10.0))
+            .measured_in(Unit::World).idle(no_backdrop);
     }
 }
 
 fn no_backdrop(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.backdrop.pattern == PatternKind::None).then_some("There is no backdrop")
+    (scene.backdrop.pattern == PatternKind::None).then(|| text!("idle-no-backdrop"))
 }
 
 const DEPTHS: Slider = Slider::linear(0.0, 10.0);
@@ -57,30 +51,20 @@ table! {
     /// [`Self::front`], [`Self::back_scale`] from [`Self::back`] on, and linear between the two. It is the object that
     /// fades; ground, backdrop and background keep their colours.
     #[derive(Copy)]
-    pub struct DepthCueing = "depth_cueing" in depth_cueing {
-        CUED_BY by: CuedBy = CuedBy::Off, Choice, "Depth cueing",
-            "Whether distant parts fade into one colour, and where the fading is evaluated: s0·I + (1 − s0)·Idc is shown."
-            .symbol(Symbol::Depth);
-        FRONT front: f64 = 3.0, Number(Limits::LENGTH, DEPTHS), "start of fading",
-            "The depth where fading begins. Depth is the distance from the eye along the viewing direction."
-            .label("begins at").letter("z", Symbol::Depth).unit("world units").idle(no_cueing);
-        BACK back: f64 = 5.0, Number(Limits::LENGTH, DEPTHS), "end of fading",
-            "The depth where fading is complete, greater than the depth where it begins."
-            .label("complete at").letter("z", Symbol::Depth).unit("world units").idle(no_cueing);
-        FRONT_SCALE front_scale: f64 = 1.0, Number(Limits::UNIT, Slider::UNIT), "remaining intensity in front",
-            "The fraction of the intensity that remains where fading begins."
-            .label("in front").letter("s0", Symbol::Depth).idle(no_cueing);
-        BACK_SCALE back_scale: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT), "remaining intensity at the back",
-            "The fraction of the intensity that remains where fading is complete."
-            .label("at the back").letter("s0", Symbol::Depth).idle(no_cueing);
-        CUE_COLOR color: Rgb = Rgb::ZERO, Colour(Limits::INTENSITY), "fading colour",
-            "The linear colour that the object fades into. With the background's colour it disappears in the distance."
-            .label("colour").letter("Idc", Symbol::Depth).idle(no_cueing);
+    pub struct DepthCueing = [depth_cueing] in depth_cueing {
+        CUED_BY by: CuedBy = CuedBy::Off, Choice.symbol(Symbol::Depth);
+        FRONT front: f64 = 3.0, Number(Limits::LENGTH, DEPTHS)
+            .letter("z", Symbol::Depth).measured_in(Unit::World).idle(no_cueing);
+        BACK back: f64 = 5.0, Number(Limits::LENGTH, DEPTHS)
+            .letter("z", Symbol::Depth).measured_in(Unit::World).idle(no_cueing);
+        FRONT_SCALE front_scale: f64 = 1.0, Number(Limits::UNIT, Slider::UNIT).letter("s0", Symbol::Depth).idle(no_cueing);
+        BACK_SCALE back_scale: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).letter("s0", Symbol::Depth).idle(no_cueing);
+        CUE_COLOR color: Rgb = Rgb::ZERO, Colour(Limits::INTENSITY).letter("Idc", Symbol::Depth).idle(no_cueing);
     }
 }
 
 fn no_cueing(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.depth_cueing.by == CuedBy::Off).then_some("Depth cueing is off")
+    (scene.depth_cueing.by == CuedBy::Off).then(|| text!("idle-no-cueing"))
 }
 
 impl DepthCueing {
@@ -94,11 +78,11 @@ impl DepthCueing {
 
 choices! {
     /// Where s0 is evaluated.
-    pub enum CuedBy {
-        Off = "off", "off", "No fading";
+    pub enum CuedBy = "depth-cueing" {
+        Off = "off";
         /// Where intensities live at vertices or faces, they fade there, before they are interpolated; in Phong shading s0
         /// itself is interpolated between the vertices. Exact shading has no vertices and takes each pixel's.
-        Vertex = "vertex", "at vertices", "Intensities fade at the vertices; in Phong shading s0 is interpolated";
-        Pixel = "pixel", "at pixels", "By each pixel's own depth";
+        Vertex = "vertex";
+        Pixel = "pixel";
     }
 }

@@ -5,9 +5,10 @@ use super::compare;
 use super::light::Attenuation;
 use super::material::{AmbientSource, PatternKind};
 use super::object::ObjectKind;
-use super::parameter::{GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, is_grey};
+use super::parameter::{GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, is_grey};
 use super::problem::{Cause, Finding, Place, SceneError};
 use super::{Image, Rgb, Scene};
+use crate::text::text;
 use glam::DVec3;
 use std::fmt;
 
@@ -263,7 +264,7 @@ impl Checks {
 impl Parameter {
     /// What its value is and what was expected instead, where it is outside its limits.
     fn outside(&self, scene: &Scene, index: usize) -> Option<(String, String)> {
-        let unit = if self.unit == "degrees" {
+        let unit = if self.unit == Some(Unit::Degrees) {
             " degrees"
         } else {
             ""
@@ -335,8 +336,12 @@ pub(super) fn direction_outside(value: DVec3) -> Option<(String, String)> {
 impl fmt::Display for Limits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            &Self::FINITE => f.write_str("a finite number"),
-            Self { least, greatest } => write!(f, "{} to {}", number(*least), number(*greatest)),
+            &Self::FINITE => f.write_str(text!("range-finite")),
+            Self { least, greatest } => f.write_str(&text!(
+                "range-between",
+                least = number(*least),
+                greatest = number(*greatest)
+            )),
         }
     }
 }

@@ -108,17 +108,15 @@ pub fn choice(
     let shown = options
         .iter()
         .find(|(place, _)| *place == *chosen)
-        .map_or("", |(_, option)| option.label);
+        .map_or("", |(_, option)| option.label());
     let list = ComboBox::from_id_salt(about.name())
         .selected_text(shown)
         .width(ui.available_width())
         .height(420.0);
     let response = list.show_ui(ui, |ui| {
         for (place, option) in options {
-            let response = ui.selectable_value(chosen, place, option.label);
-            if !option.help.is_empty() {
-                response.on_hover_text(option.help);
-            }
+            let response = ui.selectable_value(chosen, place, option.label());
+            response.on_hover_text(option.help());
         }
     });
     let enabled = ui.is_enabled();
