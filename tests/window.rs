@@ -254,7 +254,7 @@ fn every_choice_changes_the_picture() {
         ("sphere", &[], "Overflow", "mark"),
         ("sphere", &[], "Overflow", "scale the picture"),
         ("sphere", &[], "I encoding", "sRGB"),
-        ("attenuation", &[Key::Num1], "Flat at", "the first vertex"),
+        ("attenuation", &[Key::Num1], "Flat at", "first vertex"),
         ("highlight", &[Key::Num3], "Interpolation", "affine"),
         ("torus", &[Key::Num3], "Interpolation", "scan line"),
     ];
