@@ -1,7 +1,7 @@
 //! The intensity along a line through the picture, for each way of shading, with its slope and what is perceived of it.
 //!
-//! Gouraud shading makes the intensity continuous but leaves corners in it, where its slope changes at once: Mach bands are
-//! seen there. Phong shading weakens them, it does not abolish them.
+//! Gouraud shading makes the intensity continuous but leaves corners in it, where its slope jumps: Mach bands appear there.
+//! Phong shading weakens them but does not remove them.
 //!
 //! Intensities are linear and before the display: neither clamped nor rounded, as Rec. 709 luminance. The equation is
 //! evaluated at the places of the line themselves, in double precision, where the shading mode evaluates it; only what rays
@@ -14,15 +14,16 @@ mod plots;
 
 pub use line::Sample;
 pub use picture::{
-    CURVE, PERCEIVED_WIDTH, ProfileCurves, draw_profile, lay_out_profile, perceived_picture,
+    PERCEIVED_WIDTH, ProfileCurves, draw_profile, lay_out_profile, perceived_picture,
 };
-pub use plots::profile_plots;
+pub use plots::{Abscissa, Compared, compared_plots, mode_dash, profile_plots};
 
 use super::perception::{Perception, Viewing, blur_line};
 use super::report::{About, Answer, Cell, Column, Part, Report, Table};
 use super::{Question, Subject, Watch};
 use crate::render::{Piece, Renderer};
 use crate::scene::{Choice, Scene, ShadingMode};
+use crate::text::text;
 use glam::DVec2;
 use line::{Line, Source};
 use serde::{Deserialize, Serialize};
@@ -87,12 +88,16 @@ impl ProfileQuestion {
 /// Why there is no profile.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ProfileError {
-    #[error("outside the picture, expected 0,0 to {width},{height}", width = .size[0], height = .size[1])]
+    #[error("{}", outside(*.size))]
     Outside { size: [u32; 2] },
-    #[error("both ends of the line are at one place, expected two")]
+    #[error("{}", text!("line-error-no-length"))]
     NoLength,
-    #[error("no shading mode, expected at least one")]
+    #[error("{}", text!("line-error-no-mode"))]
     NoMode,
+}
+
+fn outside([width, height]: [u32; 2]) -> String {
+    text!("line-error-outside", width = width, height = height)
 }
 
 /// The profile along a line.
@@ -277,8 +282,7 @@ impl Answer for TakenProfile {
         for plot in profile_plots(&self.profile, &self.question) {
             report.section("").push(Part::Plot(plot.into()));
         }
-        let note = "Phong shading weakens Mach bands, it does not abolish them: its slope still jumps, only by less.";
-        report.section("").note(note);
+        report.section("").note(text!("line-phong-bands"));
         report
     }
 

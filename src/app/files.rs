@@ -52,10 +52,10 @@ pub fn over(state: &AppState) -> impl Fn(&mut Frame, &mut Renderer, &Scene) + Se
         let probe = probe(renderer, scene, x, y);
         let options = overlay_options(&overlay, light, scene);
         let taken = line.and_then(|line| {
-            let modes = vec![scene.shading.mode];
+            let own = scene.shading.mode;
             let request = ProfileQuestion {
-                modes,
-                ..profile_look.request(line.pixels([width, height]))
+                modes: vec![own],
+                ..profile_look.request(line.pixels([width, height]), own)
             };
             profile(renderer, scene, &request).ok()
         });

@@ -15,15 +15,12 @@ pub use beam::{aim_at, cursor, open_to};
 pub use vertex::{MOST, drag_to as drag_vertex, go, paint as paint_vertices, push as push_vertex};
 
 use super::letter::letter;
-use super::lines::line;
 use super::look::NumbersTab;
 use super::palette;
 use super::place::{Place, ProbePoint, tidy};
-use super::profile::Profiles;
+use super::profile;
 use super::row::swatch;
 use super::state::{AppState, Grip};
-use super::theme::TEXT;
-use crate::analysis::{CURVE, lay_out_profile};
 use crate::figure::palette::Vector;
 use crate::scene::{Camera, Light, LightKind, Scene, View};
 use beam::MARGIN;
@@ -35,8 +32,6 @@ const SPHERE: f64 = 0.42;
 /// Radius of a handle, points.
 const RADIUS: f32 = 8.0;
 
-/// Radius of an end of the line, points.
-const END: f32 = 6.0;
 /// Radius of the ring, in the picture's shorter side.
 const RING: f32 = 0.46;
 /// Radius of the ring's knob, points.
@@ -372,22 +367,11 @@ pub fn turn_to(state: &mut AppState, place: Place, at: Pos2) {
     state.probe = ProbePoint(DVec2::from_angle(-turned.to_radians()).rotate(state.probe.0));
 }
 
-/// Draws the profile's line white on dark, so that it shows on any picture, with the profile above it; and the ring.
+/// Draws the profile's line; and the ring.
 fn paint_tabs(painter: &Painter, state: &AppState, place: Place, active: bool) {
+    profile::paint(painter, state, place, active);
     let dark = |width, alpha| Stroke::new(width, Color32::from_black_alpha(alpha));
     let white = |width| Stroke::new(width, Color32::WHITE);
-    if state.shows(NumbersTab::Profile) {
-        if active {
-            curves(painter, state, place);
-        }
-        let ends = state.line.pixels(place.size).map(|end| place.point(end));
-        painter.line_segment(ends, dark(3.5, 150));
-        painter.line_segment(ends, white(1.5));
-        for end in ends {
-            painter.circle(end, END, Color32::from_black_alpha(110), dark(4.0, 150));
-            painter.circle_stroke(end, END, white(2.0));
-        }
-    }
     if state.shows(NumbersTab::Defects) {
         let centre = place.rect.center();
         painter.circle_stroke(centre, ring(place), dark(3.0, 110));
@@ -400,51 +384,4 @@ fn paint_tabs(painter: &Painter, state: &AppState, place: Place, active: bool) {
         painter.circle(at, KNOB, Color32::from_black_alpha(170), dark(3.5, 150));
         painter.circle_stroke(at, KNOB, white(2.0));
     }
-}
-
-/// The curves above the line: what is there solid, what is perceived dashed, for the scene's own shading where it is taken.
-fn curves(painter: &Painter, state: &AppState, place: Place) {
-    let Some(taken) = state.own.get().and_then(Profiles::profile) else {
-        return;
-    };
-    let own = state.shown.scene.shading.mode;
-    let Some(trace) = taken
-        .traces
-        .iter()
-        .find(|trace| trace.mode == own)
-        .or(taken.traces.first())
-    else {
-        return;
-    };
-    let side = f64::from(place.size[0].min(place.size[1]));
-    let em = f64::from(TEXT * place.pixels_per_point);
-    let Some(curves) = lay_out_profile(taken, trace, side, em) else {
-        return;
-    };
-    let draw = |points: &[DVec2], stroke: Stroke, dashes: &[f32]| {
-        line(
-            painter,
-            points.iter().map(|point| place.exact_point(*point)),
-            stroke,
-            dashes,
-        );
-    };
-    let dark = Stroke::new(4.0, Color32::from_black_alpha(140));
-    for tick in &curves.ticks {
-        draw(tick, dark, &[]);
-        draw(tick, Stroke::new(1.5, Color32::WHITE), &[]);
-    }
-    draw(&curves.perceived, dark, &[]);
-    draw(
-        &curves.perceived,
-        Stroke::new(1.6, Color32::WHITE),
-        &[6.0, 4.0],
-    );
-    draw(&curves.intensity, dark, &[]);
-    let [r, g, b] = CURVE;
-    draw(
-        &curves.intensity,
-        Stroke::new(2.0, Color32::from_rgb(r, g, b)),
-        &[],
-    );
 }

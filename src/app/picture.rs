@@ -74,6 +74,10 @@ pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Roo
         clicked,
     );
     let panes = panes::places(state, whole);
+    let active = panes.iter().find(|pane| pane.pane == state.panes.active);
+    if let Some(active) = active {
+        profile::watch(ui.ctx(), state, active.place, response.hover_pos());
+    }
     for pane in &panes {
         paint(ui, state, engine, pane);
     }

@@ -5,7 +5,7 @@ use eframe::egui::{Pos2, Rect, Ui, vec2};
 use glam::{DVec2, DVec3};
 
 /// Where the picture is on the screen, in points and in pixels.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     pub rect: Rect,
     /// In physical pixels.

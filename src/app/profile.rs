@@ -1,62 +1,104 @@
-//! The profile along the line in the picture: what is compared, who looks from where, and the plots.
+//! The profile along the line in the picture: what is compared, how it is looked at, and the plots. It stands in a side panel or,
+//! wide, under the picture, where each place of the plot lies right below its place in the picture.
 
 pub mod look;
+mod over;
+mod plots;
+
+pub use over::{paint, watch};
 
 use super::background::wake;
 use super::document::Document;
+use super::drawing::{colour_of, plot_style};
 use super::engine::{Engine, image_of, upload};
+use super::focus::switch_named;
 use super::look::NumbersTab;
-use super::report::{Asking, export_ui};
+use super::place::Place;
+use super::report::export_ui;
 use super::row::{About, NumberRow, SliderRange, number};
 use super::state::AppState;
+use super::symbol::Lit;
 use crate::analysis::{
-    PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel, Viewing, Watch,
-    perceived_picture,
+    Answer, Compared, PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion,
+    ResponseModel, TakenProfile, Viewing, Watch, mode_dash, perceived_picture,
 };
+use crate::figure::{Dash, Ink, dashes};
 use crate::jobs::{Asked, Background, Work};
 use crate::render::Frame;
-use crate::scene::{Choice, ShadingMode};
-use eframe::egui::{Button, Context, RichText, TextureHandle, TextureOptions, Ui};
+use crate::scene::{Choice, Scene, ShadingMode};
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Atom, Button, Context, Layout, Popup, PopupCloseBehavior, RichText, Shape, Stroke, TextureHandle,
+    TextureOptions, Ui, vec2,
+};
 use glam::DVec2;
+use look::ProfileLook;
+use plots::{Plots, Room};
 
-/// The profile's tab.
+/// From this width on the controls stand in a row above the plots, points.
+const WIDE: f32 = 620.0;
+/// Length and height of the sample of a curve in its switch, and width of the controls in a pop-up; points.
+const SAMPLE: [f32; 2] = [24.0, 10.0];
+const POPUP: f32 = 330.0;
+/// How much of a sample's colour is left while its curve is not shown.
+const OFF: f32 = 0.45;
+
+/// The profile's view.
 pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, engine: &Engine) {
-    ui.label("Drag the line's ends in the picture.");
-    modes_ui(ui, &mut state.look.profile.modes);
-    eye_ui(ui, state);
+    let wide = ui.available_width() >= WIDE;
+    if !wide {
+        ui.label(text!("line-drag-ends"));
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        switches_ui(ui, state);
+    });
+    if wide {
+        ui.horizontal(|ui| {
+            profiles.plots.choice_ui(ui);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                popup_ui(ui, text!("line-save"), |ui| profiles.export_ui(ui, state));
+                popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, state));
+                perceived_ui(ui, &mut state.look.profile);
+            });
+        });
+    } else {
+        perceived_ui(ui, &mut state.look.profile);
+        ui.collapsing(text!("line-viewing"), |ui| eye_ui(ui, state));
+    }
     let size = engine.size;
     if size.contains(&0) {
         return;
     }
-    ui.checkbox(
-        &mut state.look.profile.perceived,
-        "Show the picture as it is perceived",
-    );
-    let question = state.look.profile.request(state.line.pixels(size));
+    let own = state.shown.scene.shading.mode;
+    let question = state.look.profile.request(state.line.pixels(size), own);
     if state.look.profile.perceived {
         profiles.ask_perceived(ui.ctx(), &state.shown, size, &question);
         if let Some(Err(why)) = profiles.seen.known() {
             ui.label(RichText::new(why).weak());
         }
     }
-    profiles.taken.ask(ui.ctx(), &state.shown, size, &question);
-    ui.add_space(4.0);
-    export_ui(ui, state, "profile", || profiles.taken.latest());
-    ui.separator();
-    match profiles.taken.work.known() {
-        None => _ = ui.label("…"),
-        Some(Err(why)) => _ = ui.label(why),
-        Some(Ok(_)) => profiles.taken.view.ui(ui),
+    profiles.ask(ui.ctx(), &state.shown, size, &question);
+    if !wide {
+        profiles.export_ui(ui, state);
+        ui.separator();
     }
+    profiles.plots_ui(ui, &state.look.profile, own, wide);
 }
 
 /// The profile last taken with its plots, and the picture as it is perceived.
 #[derive(Default)]
 pub struct Profiles {
-    taken: Asking<ProfileQuestion>,
+    taken: Background<Asked<ProfileQuestion>>,
+    plots: Plots,
     seen: Background<Perceived>,
     /// The whole picture as it is perceived.
     pub perceived: Option<TextureHandle>,
+    /// Where the picture was last shown.
+    picture: Option<Place>,
+    /// Which share of the line the pointer is at: in a plot, and in the picture.
+    pointed: [Option<f64>; 2],
 }
 
 struct Perceived(Asked<ProfileQuestion>);
@@ -72,8 +114,10 @@ impl Work for Perceived {
         } = &self.0.question;
         let [_, widest] = perception.widths(viewing.pixels_per_degree());
         if widest > PERCEIVED_WIDTH {
-            return Err(format!(
-                "σs is {widest:.0} pixels, expected at most {PERCEIVED_WIDTH} for a whole picture"
+            return Err(text!(
+                "line-error-surround",
+                width = format!("{widest:.0}"),
+                most = PERCEIVED_WIDTH.to_string()
             ));
         }
         let subject = self.0.subject();
@@ -87,6 +131,24 @@ impl Work for Perceived {
 }
 
 impl Profiles {
+    /// Takes the profile in the background; until it comes, the last one is shown.
+    fn ask(
+        &mut self,
+        ctx: &Context,
+        document: &Document,
+        size: [u32; 2],
+        question: &ProfileQuestion,
+    ) {
+        let (scene, model) = (&document.scene, document.model.as_ref());
+        let same = |asked: &Asked<ProfileQuestion>| asked.is(question, scene, model, size);
+        let new = self.taken.ask(wake(ctx), same, || {
+            Asked::new(question.clone(), scene, model, size)
+        });
+        if new {
+            self.plots.forget();
+        }
+    }
+
     /// Computes the picture as it is perceived in the background; until then the last one is shown.
     fn ask_perceived(
         &mut self,
@@ -122,117 +184,237 @@ impl Profiles {
 
     /// The profile last taken.
     pub fn profile(&self) -> Option<&Profile> {
-        self.taken.work.answer().map(|taken| &taken.profile)
+        self.taken.answer().map(|taken| &taken.profile)
+    }
+
+    /// The share of the line that the pointer is at, in a plot or in the picture.
+    pub fn pointed(&self) -> Option<f64> {
+        self.pointed[0].or(self.pointed[1])
+    }
+
+    fn latest(&self) -> Option<(Box<dyn Answer>, Scene)> {
+        let answer = self.taken.answer()?.clone();
+        Some((Box::new(answer), self.taken.answered()?.subject().scene))
+    }
+
+    fn export_ui(&self, ui: &mut Ui, state: &mut AppState) {
+        export_ui(ui, state, "profile", || self.latest());
+    }
+
+    fn plots_ui(&mut self, ui: &mut Ui, look: &ProfileLook, own: ShadingMode, wide: bool) {
+        let taken: &TakenProfile = match self.taken.known() {
+            Some(Ok(taken)) => taken,
+            Some(Err(why)) => {
+                ui.label(why);
+                return;
+            }
+            None => {
+                ui.label(text!("line-working"));
+                return;
+            }
+        };
+        let view = |abscissa| Compared {
+            own,
+            abscissa,
+            edges: look.edges,
+            perceived: look.brightness,
+        };
+        let room = Room {
+            picture: self.picture,
+            wide,
+        };
+        let before = self.pointed[0];
+        self.pointed[0] = self.plots.ui(ui, taken, &view, room, self.pointed());
+        // The picture may have been painted before the plots.
+        if self.pointed[0] != before {
+            ui.ctx().request_repaint();
+        }
     }
 }
 
-fn modes_ui(ui: &mut Ui, modes: &mut Vec<ShadingMode>) {
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        for &mode in ShadingMode::VALUES {
-            let shown = modes.contains(&mode);
-            let name = if mode == ShadingMode::Interpolated {
-                "Interp."
+/// A switch for each curve and for the marks of edges. They are the plots' legend.
+fn switches_ui(ui: &mut Ui, state: &mut AppState) {
+    let own = state.shown.scene.shading.mode;
+    let look = &mut state.look.profile;
+    for &mode in ShadingMode::VALUES {
+        let (is_own, added) = (mode == own, look.added.contains(&mode));
+        let tip = if is_own {
+            text!("line-mode-own")
+        } else {
+            text!("line-mode-added")
+        };
+        let sample = Sample {
+            ink: Ink::Shading(mode),
+            dash: mode_dash(mode, is_own),
+            width: if is_own { 2.6 } else { 1.7 },
+        };
+        let clicked = switch_ui(ui, mode.label(), tip, is_own || added, sample);
+        if clicked && !is_own {
+            if added {
+                look.added.retain(|other| *other != mode);
             } else {
-                mode.label()
-            };
-            if ui
-                .add(Button::selectable(shown, name))
-                .on_hover_text("Shows the profile of this shading")
-                .clicked()
-            {
-                let kept = |other: &ShadingMode| {
-                    if *other == mode {
-                        !shown
-                    } else {
-                        modes.contains(other)
-                    }
-                };
-                *modes = ShadingMode::VALUES.iter().copied().filter(kept).collect();
+                look.added.push(mode);
             }
         }
-    });
+    }
+    let perceived = Sample {
+        ink: Ink::Perceived,
+        dash: Dash::Dashed,
+        width: 1.7,
+    };
+    let tip = text!("line-perceived-switch.tip");
+    look.brightness ^= switch_ui(
+        ui,
+        text!("line-perceived-switch"),
+        tip,
+        look.brightness,
+        perceived,
+    );
+    let edges = Sample {
+        ink: Ink::Reference,
+        dash: Dash::Dashed,
+        width: 1.2,
+    };
+    let tip = text!("line-edges-switch.tip");
+    look.edges ^= switch_ui(ui, text!("line-edges-switch"), tip, look.edges, edges);
 }
 
+/// How a curve looks.
+struct Sample {
+    ink: Ink,
+    dash: Dash,
+    width: f32,
+}
+
+/// A switch with the sample of a curve; returns whether it was clicked.
+fn switch_ui(ui: &mut Ui, name: &str, tip: &str, on: bool, sample: Sample) -> bool {
+    let paper = plot_style(ui).paper;
+    let strength = if on { 1.0 } else { OFF };
+    let colour = colour_of(paper.line(sample.ink), f64::from(strength));
+    let (width, dash) = (sample.width, dashes(sample.dash));
+    let line = Atom::paint(vec2(SAMPLE[0], SAMPLE[1]), move |ui, place| {
+        let ends = [place.rect.left_center(), place.rect.right_center()];
+        let stroke = Stroke::new(width, colour);
+        let [marks, gaps] = [0, 1].map(|from| -> Vec<f32> {
+            let lengths = dash.iter().skip(from).step_by(2);
+            lengths.map(|length| length * width).collect()
+        });
+        if dash.is_empty() {
+            ui.painter().line_segment(ends, stroke);
+        } else {
+            ui.painter().extend(Shape::dashed_line_with_offset(
+                &ends, stroke, &marks, &gaps, 0.0,
+            ));
+        }
+    });
+    let visuals = ui.visuals();
+    let (text, outline) = if on {
+        (visuals.strong_text_color(), visuals.weak_text_color())
+    } else {
+        (visuals.weak_text_color(), visuals.window_stroke.color)
+    };
+    let button = Button::new((line, RichText::new(name).color(text)))
+        .fill(visuals.panel_fill)
+        .stroke(Stroke::new(1.0, outline));
+    let response = ui.add(button).on_hover_text(tip);
+    switch_named(response, Role::CheckBox, on, name).clicked()
+}
+
+fn perceived_ui(ui: &mut Ui, look: &mut ProfileLook) {
+    ui.checkbox(&mut look.perceived, text!("line-picture-perceived"))
+        .on_hover_text(text!("line-picture-perceived.tip"));
+}
+
+/// A button that opens controls.
+fn popup_ui(ui: &mut Ui, name: &str, controls: impl FnOnce(&mut Ui)) {
+    let button = ui.button(format!("{name} ▾"));
+    Popup::menu(&button)
+        .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
+        .show(|ui| {
+            ui.set_width(POPUP);
+            controls(ui);
+        });
+}
+
+/// How far away the screen is, how fine it is, and the numbers of the eye.
 fn eye_ui(ui: &mut Ui, state: &mut AppState) {
     let AppState { look, lit, .. } = state;
     let (viewing, perception) = (&mut look.profile.viewing, &mut look.profile.perception);
-    ui.collapsing("The eye and the screen", |ui| {
-        ui.horizontal(|ui| {
-            let names = ["Lateral inhibition", "Normalisation"];
-            for (model, name) in ResponseModel::ALL.into_iter().zip(names) {
-                ui.selectable_value(&mut perception.model, model, name);
-            }
-        });
-        let (usual, eye) = (Viewing::default(), Perception::default());
-        let far = "From the eye to the screen, millimetres.";
-        let dense = "Pixels of the screen to a millimetre; 3.78 are 96 to an inch.";
-        let (centre, surround) = (
-            "σc, degrees of visual angle.",
-            "σs, degrees of visual angle.",
-        );
-        let (strong, weight) = (
-            "w, the strength of the inhibition.",
-            [0.01, Perception::WEIGHT[1]],
-        );
-        for (label, tip, [low, high], default, value) in [
-            (
-                "distance",
-                far,
-                Viewing::DISTANCE,
-                usual.distance,
-                &mut viewing.distance,
-            ),
-            (
-                "density",
-                dense,
-                Viewing::DENSITY,
-                usual.density,
-                &mut viewing.density,
-            ),
-            (
-                "centre",
-                centre,
-                Perception::WIDTH,
-                eye.centre,
-                &mut perception.centre,
-            ),
-            (
-                "surround",
-                surround,
-                Perception::WIDTH,
-                eye.surround,
-                &mut perception.surround,
-            ),
-            (
-                "strength",
-                strong,
-                weight,
-                eye.weight,
-                &mut perception.weight,
-            ),
-        ] {
-            let about = About {
-                label,
-                tip,
-                ..About::default()
-            };
-            let range = SliderRange {
-                limits: low..=high,
-                ..SliderRange::logarithmic(low..=high)
-            };
-            number(
-                ui,
-                lit,
-                &NumberRow {
-                    about,
-                    range,
-                    default,
-                },
-                value,
-            );
+    ui.horizontal_wrapped(|ui| {
+        let names = [
+            text!("line-model-inhibition"),
+            text!("line-model-normalisation"),
+        ];
+        for (model, name) in ResponseModel::ALL.into_iter().zip(names) {
+            ui.selectable_value(&mut perception.model, model, name);
         }
     });
+    let (usual, eye) = (Viewing::default(), Perception::default());
+    row_ui(
+        ui,
+        lit,
+        [text!("line-distance"), text!("line-distance.tip")],
+        Viewing::DISTANCE,
+        usual.distance,
+        &mut viewing.distance,
+    );
+    row_ui(
+        ui,
+        lit,
+        [text!("line-density"), text!("line-density.tip")],
+        Viewing::DENSITY,
+        usual.density,
+        &mut viewing.density,
+    );
+    row_ui(
+        ui,
+        lit,
+        [text!("line-centre"), text!("line-centre.tip")],
+        Perception::WIDTH,
+        eye.centre,
+        &mut perception.centre,
+    );
+    row_ui(
+        ui,
+        lit,
+        [text!("line-surround"), text!("line-surround.tip")],
+        Perception::WIDTH,
+        eye.surround,
+        &mut perception.surround,
+    );
+    row_ui(
+        ui,
+        lit,
+        [text!("line-strength"), text!("line-strength.tip")],
+        [0.01, Perception::WEIGHT[1]],
+        eye.weight,
+        &mut perception.weight,
+    );
+}
+
+fn row_ui(
+    ui: &mut Ui,
+    lit: &mut Lit,
+    [label, tip]: [&str; 2],
+    [low, high]: [f64; 2],
+    default: f64,
+    value: &mut f64,
+) {
+    let about = About {
+        label,
+        tip,
+        ..About::default()
+    };
+    let range = SliderRange {
+        limits: low..=high,
+        ..SliderRange::logarithmic(low..=high)
+    };
+    let row = NumberRow {
+        about,
+        range,
+        default,
+    };
+    number(ui, lit, &row, value);
 }
 
 /// Whether the picture is to be shown as it is perceived.

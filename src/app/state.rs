@@ -95,6 +95,7 @@ impl AppState {
         self.document = document;
         self.saved = self.document.clone();
         self.opened = self.document.scene.clone();
+        self.look.profile.begin();
         self.light = 0;
         self.panes.active = 0;
         self.vertex = 0;

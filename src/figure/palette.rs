@@ -3,6 +3,7 @@
 //! The colours are Okabe and Ito's (2008, "Color Universal Design"), which colour-blind eyes tell apart; the letters and
 //! the dashes carry the meaning where colour cannot.
 
+use crate::scene::ShadingMode;
 use std::sync::LazyLock;
 
 /// A display colour: red, green, blue, as stored in a picture.
@@ -20,6 +21,20 @@ pub const V: Rgb8 = [0x00, 0x9E, 0x73];
 pub const H: Rgb8 = [0xCC, 0x79, 0xA7];
 /// The transmitted direction: sky blue.
 pub const T: Rgb8 = [0x56, 0xB4, 0xE9];
+/// Flat, interpolated, Gouraud, Phong and exact shading, in plots and over pictures: of the same colours.
+const SHADING: [Rgb8; 5] = [
+    [0xD5, 0x5E, 0x00],
+    [0xCC, 0x79, 0xA7],
+    [0x00, 0x72, 0xB2],
+    [0x00, 0x9E, 0x73],
+    [0x8A, 0x6D, 0x00],
+];
+
+/// The colour of a shading mode.
+pub const fn shading(mode: ShadingMode) -> Rgb8 {
+    SHADING[mode as usize]
+}
+
 /// The share α along an edge or along a scan line, which is no vector: yellow.
 pub const ALPHA: Rgb8 = [0xF0, 0xE4, 0x42];
 /// The normal of a polygon, where it stands beside those of vertices: yellow, the colour that no vector has.

@@ -13,7 +13,7 @@ mod sheet;
 
 pub use axes::{round_up, short, ticks};
 pub use data::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
-pub use paper::{Paper, PlotStyle};
+pub use paper::{Paper, PlotStyle, dashes};
 
 use super::area::Area;
 use super::drawing::Drawing;
@@ -26,6 +26,24 @@ pub fn lay_out(plot: &Plot, size: DVec2, style: &PlotStyle) -> Drawing {
     lay_out_sheet(std::slice::from_ref(plot), size, style)
 }
 
+/// Lays `plot` out without a legend, for a view that names the curves elsewhere. With a `span`, the axis of x begins and ends
+/// exactly at these places of the room, whatever stands beside it.
+pub fn lay_out_bare(
+    plot: &Plot,
+    size: DVec2,
+    span: Option<[f64; 2]>,
+    style: &PlotStyle,
+) -> Drawing {
+    let mut drawing = Drawing::new(size, style.paper.ground);
+    let mut sheet = Sheet::new(&mut drawing, plot, style);
+    let room = sheet.heading(Area {
+        min: DVec2::ZERO,
+        max: size,
+    });
+    cartesian::draw(&mut sheet, room, span);
+    drawing
+}
+
 /// Lays several plots out on one sheet of `size`, in their order.
 pub fn lay_out_sheet(plots: &[Plot], size: DVec2, style: &PlotStyle) -> Drawing {
     let mut drawing = Drawing::new(size, style.paper.ground);
@@ -34,13 +52,7 @@ pub fn lay_out_sheet(plots: &[Plot], size: DVec2, style: &PlotStyle) -> Drawing 
     for (index, plot) in (0u32..).zip(plots) {
         let index = f64::from(index);
         let min = cell * DVec2::new(index % grid.x, (index / grid.x).floor());
-        let mut sheet = Sheet {
-            drawing: &mut drawing,
-            plot,
-            style,
-            em: style.text,
-            paper: style.paper,
-        };
+        let mut sheet = Sheet::new(&mut drawing, plot, style);
         let room = sheet.heading(Area {
             min,
             max: min + cell,
@@ -49,7 +61,7 @@ pub fn lay_out_sheet(plots: &[Plot], size: DVec2, style: &PlotStyle) -> Drawing 
         if plot.kind.is_polar() {
             polar::draw(&mut sheet, room);
         } else {
-            cartesian::draw(&mut sheet, room);
+            cartesian::draw(&mut sheet, room, None);
         }
         legend.draw(&mut sheet);
     }

@@ -5,7 +5,7 @@ use super::{Profile, Trace};
 use crate::analysis::overlay::{OverlayOptions, Style};
 use crate::analysis::perception::{Perception, Viewing, blur_picture, pixel_luminance};
 use crate::figure::Shape;
-use crate::figure::palette::{Rgb8, readable};
+use crate::figure::palette::{readable, shading};
 use crate::render::{Frame, Renderer, displayed};
 use crate::scene::{Rgb, Scene};
 use glam::DVec2;
@@ -21,8 +21,6 @@ const TICK: f64 = 0.3;
 const GAP: f64 = 0.25;
 /// Of the perceived response, in widths.
 const DASHES: &[f32] = &[3.5, 2.2];
-/// The curve's colour, before it is fitted to its halo.
-pub const CURVE: Rgb8 = [0xF0, 0xA0, 0x20];
 
 /// A profile laid out over its picture, pixels.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,9 +29,9 @@ pub struct ProfileCurves {
     pub ends: [DVec2; 2],
     /// Where polygons meet on it, from one side to the other.
     pub ticks: Vec<[DVec2; 2]>,
-    /// What is there, above the line.
+    /// The intensity, above the line.
     pub intensity: Vec<DVec2>,
-    /// What is perceived.
+    /// The perceived brightness.
     pub perceived: Vec<DVec2>,
 }
 
@@ -84,7 +82,8 @@ pub fn lay_out_profile(
     })
 }
 
-/// Draws the profile of one mode over its picture on `pixmap`: what is there solid, what is perceived dashed.
+/// Draws the profile of one mode over its picture on `pixmap`: the intensity solid in the mode's colour, the perceived
+/// brightness dashed.
 pub fn draw_profile(
     pixmap: &mut PixmapMut<'_>,
     profile: &Profile,
@@ -102,7 +101,7 @@ pub fn draw_profile(
         intensity,
         perceived,
     } = curves;
-    let colour = readable(CURVE, style.halo_colour, 3.0);
+    let colour = readable(shading(trace.mode), style.halo_colour, 3.0);
     let thin = |points: Vec<DVec2>| Shape::line(points, 0.7 * style.line, style.neutral);
     let mut marks = vec![thin(ends.to_vec())];
     marks.extend(ticks.iter().map(|tick| thin(tick.to_vec())));

@@ -1,170 +1,345 @@
-//! A profile as plots: a panel a mode, then the slopes and what the eye adds, all modes together.
+//! A profile as plots: intensity with perceived brightness, the slope, and the difference of perceived and actual.
 
-use super::{Profile, ProfileQuestion, Trace};
+use super::{Border, Profile, ProfileQuestion, Sample, Trace};
 use crate::analysis::perception::ResponseModel;
 use crate::figure::{Axis, Curve, Dash, Ink, Plot, PlotKind};
 use crate::scene::{Choice, ShadingMode};
+use crate::text::text;
 
-/// Of the values of a curve this share may lie off its plot: at an outline slopes grow beyond all bounds.
-const OFF: f64 = 0.02;
-/// The same for what the eye adds, which is greatest at the outline.
-const OFF_ADDED: f64 = 0.08;
 /// Room below and above the curves, in their height.
 const PADDING: f64 = 0.06;
+/// Slopes below this, per pixel, are 0: over a thousand pixels they make less than a code value.
+const CONSTANT: f64 = 1e-6;
+/// How far from the object's outline values set the scale of a plot: at the outline the intensity jumps, which would hide all
+/// the rest. For slopes in pixels; for the perceived brightness in widths of the surround.
+const CLEAR: [f64; 2] = [2.0, 2.5];
+/// Without polygons no outline is known. Slopes grow beyond all bounds there, and this share of them may lie off the plot.
+const OFF: f64 = 0.02;
 
-/// The plots of a profile: for each mode its intensity beside what is perceived, on the same scale for all; then the slopes,
-/// and the difference between perceived and real intensity.
-pub fn profile_plots(profile: &Profile, request: &ProfileQuestion) -> Vec<Plot> {
-    let all = profile
-        .traces
-        .iter()
-        .flat_map(|trace| trace.intensity.iter().chain(&trace.perceived));
-    let y = axis("I", bounds(all.copied(), 0.0));
-    let panels = profile.traces.iter().map(|trace| {
-        let seen = Curve::new(
-            "intensity",
-            points(profile, &trace.intensity),
-            Ink::Shading(trace.mode),
-        );
-        let perceived = Curve::new(
-            "perceived",
-            points(profile, &trace.perceived),
-            Ink::Perceived,
-        );
-        let perceived = Curve {
-            dash: Dash::Dashed,
-            emphasised: false,
-            ..perceived
-        };
-        let title = format!("{}: what is there and what is seen", trace.mode.label());
-        plot(
-            profile,
-            PlotKind::Profile,
-            &title,
-            y.clone(),
-            vec![seen, perceived],
-        )
-    });
-    panels
-        .chain([slopes(profile), added(profile, request)])
-        .collect()
+/// What the axis of x measures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Abscissa {
+    /// The distance along the line, pixels.
+    Distance,
+    /// x in the picture between two places, pixels. It is for lines that are level.
+    PictureX([f64; 2]),
 }
 
-fn slopes(profile: &Profile) -> Plot {
-    let curves = profile
-        .traces
-        .iter()
-        .map(|trace| curve(profile, trace, &trace.slope))
-        .collect();
-    let all = profile
-        .traces
-        .iter()
-        .flat_map(|trace| trace.slope.iter().copied());
-    let y = axis("dI/ds, per pixel", bounds(all, OFF));
-    plot(
-        profile,
-        PlotKind::ProfileSlope,
-        "The slope, which jumps where bands are seen",
-        y,
-        curves,
-    )
-}
+impl Abscissa {
+    /// Where a share t of the line lies on the axis.
+    pub fn at(self, profile: &Profile, t: f64) -> f64 {
+        match self {
+            Self::Distance => t * profile.length,
+            Self::PictureX(_) => {
+                let [from, to] = ends(profile);
+                from + (to - from) * t
+            }
+        }
+    }
 
-fn added(profile: &Profile, request: &ProfileQuestion) -> Plot {
-    let difference = |trace: &Trace| -> Vec<f64> {
-        trace
-            .perceived
-            .iter()
-            .zip(&trace.intensity)
-            .map(|(seen, there)| seen - there)
-            .collect()
-    };
-    let curves: Vec<Curve> = profile
-        .traces
-        .iter()
-        .map(|trace| curve(profile, trace, &difference(trace)))
-        .collect();
-    // Steps would hide the rest: where there is anything else, that sets the scale.
-    let smooth = |curve: &Curve| {
-        !matches!(
-            curve.ink,
-            Ink::Shading(ShadingMode::Flat | ShadingMode::Interpolated)
-        )
-    };
-    let none_smooth = !curves.iter().any(smooth);
-    let scale = curves.iter().filter(|curve| none_smooth || smooth(curve));
-    let [low, high] = bounds(
-        scale.flat_map(|curve| curve.points.iter().map(|[_, y]| *y)),
-        OFF_ADDED,
-    );
-    let y = axis("R − I", [low.min(0.0), high.max(0.0)]);
-    let [centre, surround] = profile.widths;
-    let model = match request.perception.model {
-        ResponseModel::LateralInhibition => "lateral inhibition",
-        ResponseModel::ResponseNormalisation => "response normalisation",
-    };
-    let mut plot = plot(
-        profile,
-        PlotKind::ProfileAdded,
-        "The bands: what the eye adds",
-        y,
-        curves,
-    );
-    plot.note = format!(
-        "{model}, σc = {centre:.1} and σs = {surround:.1} pixels, w = {}",
-        request.perception.weight
-    );
-    plot
-}
+    /// Which share t of the line lies at x.
+    pub fn share(self, profile: &Profile, x: f64) -> f64 {
+        match self {
+            Self::Distance => x / profile.length,
+            Self::PictureX(_) => {
+                let [from, to] = ends(profile);
+                (x - from) / (to - from)
+            }
+        }
+    }
 
-fn plot(profile: &Profile, kind: PlotKind, title: &str, y: Axis, curves: Vec<Curve>) -> Plot {
-    let x = Axis::new("s, pixels along the line", 0.0, profile.length);
-    // Not the diagonals within polygons.
-    let edges = profile
-        .borders
-        .iter()
-        .filter(|border| border.faces[0] != border.faces[1]);
-    let borders = edges.map(|border| border.t * profile.length).collect();
-    Plot {
-        borders,
-        ..Plot::new(kind, title, "", [x, y], curves)
+    /// Whether the axis runs against the line.
+    fn reversed(self, profile: &Profile) -> bool {
+        let [from, to] = ends(profile);
+        self != Self::Distance && to < from
     }
 }
 
-fn curve(profile: &Profile, trace: &Trace, values: &[f64]) -> Curve {
-    let dash = match trace.mode {
+/// x of the line's ends.
+fn ends(profile: &Profile) -> [f64; 2] {
+    let x = |sample: Option<&Sample>| sample.map_or(0.0, |sample| sample.x);
+    [x(profile.samples.first()), x(profile.samples.last())]
+}
+
+/// The plots of a report: for each mode its intensity with the perceived brightness, on the same scale for all; then the
+/// slopes, and perceived minus actual, of all modes together.
+pub fn profile_plots(profile: &Profile, request: &ProfileQuestion) -> Vec<Plot> {
+    let sheet = Sheet::new(profile, Abscissa::Distance, true);
+    let y = sheet.intensity_axis(&profile.traces.iter().collect::<Vec<_>>());
+    let panels = profile.traces.iter().map(|trace| {
+        let mode = trace.mode.label();
+        let actual = sheet.curve(trace, &trace.intensity, Dash::Solid);
+        let actual = Curve {
+            name: text!("line-intensity").to_owned(),
+            ..actual
+        };
+        let title = text!("line-mode-title", mode = mode);
+        let curves = vec![actual, sheet.perceived(trace)];
+        sheet.plot(PlotKind::Profile, &title, y.clone(), curves)
+    });
+    let others = [sheet.slopes(None), sheet.added(request, None)];
+    panels.chain(others).collect()
+}
+
+/// A view that is about one mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compared {
+    /// The mode whose curve stands out from the others.
+    pub own: ShadingMode,
+    pub abscissa: Abscissa,
+    /// Whether it is marked where polygons meet.
+    pub edges: bool,
+    /// Whether the mode's perceived brightness is beside its intensity.
+    pub perceived: bool,
+}
+
+/// The plots of such a view: intensity, slope, and perceived minus actual, each with the curves of all modes.
+pub fn compared_plots(
+    profile: &Profile,
+    request: &ProfileQuestion,
+    view: Compared,
+) -> [Plot; 3] {
+    let sheet = Sheet::new(profile, view.abscissa, view.edges);
+    let own = Some(view.own);
+    let traces = profile.traces.iter();
+    let seen: Vec<&Trace> = traces
+        .filter(|trace| view.perceived && trace.mode == view.own)
+        .collect();
+    let mut curves = sheet.curves(own, |trace| trace.intensity.clone());
+    curves.extend(seen.iter().map(|trace| sheet.perceived(trace)));
+    let title = text!("line-intensity-title");
+    let y = sheet.intensity_axis(&seen);
+    let intensity = sheet.plot(PlotKind::Profile, title, y, curves);
+    [intensity, sheet.slopes(own), sheet.added(request, own)]
+}
+
+/// A profile over an axis.
+struct Sheet<'a> {
+    profile: &'a Profile,
+    abscissa: Abscissa,
+    /// Where polygons meet on the line; not the diagonals within polygons.
+    edges: Vec<&'a Border>,
+    marked: bool,
+}
+
+impl<'a> Sheet<'a> {
+    fn new(profile: &'a Profile, abscissa: Abscissa, marked: bool) -> Self {
+        let borders = profile.borders.iter();
+        Self {
+            profile,
+            abscissa,
+            edges: borders
+                .filter(|border| border.faces[0] != border.faces[1])
+                .collect(),
+            marked,
+        }
+    }
+
+    /// The range of all intensities, and of what is perceived of those of `seen`.
+    fn intensity_axis(&self, seen: &[&Trace]) -> Axis {
+        let actual = self.profile.traces.iter().flat_map(|trace| &trace.intensity);
+        let perceived = seen.iter().flat_map(|trace| &trace.perceived);
+        let all = actual.chain(perceived).copied().collect();
+        axis(text!("line-axis-intensity"), bounds(all, 0.0))
+    }
+
+    fn slopes(&self, own: Option<ShadingMode>) -> Plot {
+        let traces = &self.profile.traces;
+        let constant = |trace: &Trace| trace.slope.iter().all(|slope| slope.abs() < CONSTANT);
+        if traces.iter().all(constant) {
+            return self.jumps(own);
+        }
+        let sign = if self.abscissa.reversed(self.profile) {
+            -1.0
+        } else {
+            1.0
+        };
+        let curves = self.curves(own, |trace| trace.slope.iter().map(|s| s * sign).collect());
+        let values = self.away_from_outline(CLEAR[0], &curves);
+        let off = if self.edges.is_empty() { OFF } else { 0.0 };
+        let y = axis(text!("line-axis-slope"), bounds(values, off));
+        let title = text!("line-slope-title");
+        let mut plot = self.plot(PlotKind::ProfileSlope, title, y, curves);
+        text!("line-slope-note").clone_into(&mut plot.note);
+        plot
+    }
+
+    /// Where slopes are 0 within polygons: by how much the intensity jumps between them.
+    fn jumps(&self, own: Option<ShadingMode>) -> Plot {
+        let traces = self.profile.traces.iter();
+        let sign = if self.abscissa.reversed(self.profile) {
+            -1.0
+        } else {
+            1.0
+        };
+        let curves: Vec<Curve> = traces
+            .map(|trace| {
+                let steps = self.profile.borders.iter().zip(&trace.corners);
+                let spikes = steps.filter_map(|(border, corner)| {
+                    let x = self.abscissa.at(self.profile, border.t);
+                    Some([[x, 0.0], [x, sign * corner.as_ref()?.step], [x, 0.0]])
+                });
+                let [first, last] = [0.0, 1.0].map(|t| [self.abscissa.at(self.profile, t), 0.0]);
+                let spikes = spikes.flatten();
+                let points = std::iter::once(first).chain(spikes).chain([last]).collect();
+                Curve {
+                    points: self.ordered(points),
+                    ..self.curve_of(trace, Vec::new(), own)
+                }
+            })
+            .collect();
+        let values = curves
+            .iter()
+            .flat_map(|curve| curve.points.iter().map(|[_, y]| *y));
+        let y = axis(text!("line-axis-jump"), bounds(values.collect(), 0.0));
+        let title = text!("line-jumps-title");
+        let mut plot = self.plot(PlotKind::ProfileSlope, title, y, curves);
+        text!("line-jumps-note").clone_into(&mut plot.note);
+        plot
+    }
+
+    fn added(&self, request: &ProfileQuestion, own: Option<ShadingMode>) -> Plot {
+        let curves = self.curves(own, |trace| {
+            let pairs = trace.perceived.iter().zip(&trace.intensity);
+            pairs.map(|(perceived, actual)| perceived - actual).collect()
+        });
+        let [centre, surround] = self.profile.widths;
+        let values = self.away_from_outline(CLEAR[1] * surround, &curves);
+        let [low, high] = bounds(values, 0.0);
+        let y = axis(text!("line-axis-added"), [low.min(0.0), high.max(0.0)]);
+        let outside = |curve: &Curve| {
+            let room = PADDING * (high - low);
+            let mut values = curve.points.iter().map(|[_, value]| *value);
+            values.any(|value| !(low - room..=high + room).contains(&value))
+        };
+        let model = match request.perception.model {
+            ResponseModel::LateralInhibition => text!("line-lateral-inhibition"),
+            ResponseModel::ResponseNormalisation => text!("line-response-normalisation"),
+        };
+        let mut note = text!(
+            "line-added-note",
+            model = model,
+            centre = format!("{centre:.1}"),
+            surround = format!("{surround:.1}"),
+            weight = request.perception.weight.to_string()
+        );
+        if curves.iter().any(outside) {
+            note = format!("{note} {}", text!("line-added-outline"));
+        }
+        let title = text!("line-added-title");
+        let mut plot = self.plot(PlotKind::ProfileAdded, title, y, curves);
+        plot.note = note;
+        plot
+    }
+
+    /// The values of curves at least so many pixels away from where the line enters or leaves the object; all where nothing is
+    /// that far away.
+    fn away_from_outline(&self, pixels: f64, curves: &[Curve]) -> Vec<f64> {
+        let outline: Vec<f64> = self
+            .edges
+            .iter()
+            .filter(|edge| edge.faces.contains(&None))
+            .map(|edge| self.abscissa.at(self.profile, edge.t))
+            .collect();
+        let clear = |x: f64| outline.iter().all(|edge| (x - edge).abs() >= pixels);
+        let points = || curves.iter().flat_map(|curve| &curve.points);
+        let away: Vec<f64> = points()
+            .filter(|[x, _]| clear(*x))
+            .map(|[_, y]| *y)
+            .collect();
+        if away.is_empty() {
+            points().map(|[_, y]| *y).collect()
+        } else {
+            away
+        }
+    }
+
+    fn plot(&self, kind: PlotKind, title: &str, y: Axis, curves: Vec<Curve>) -> Plot {
+        let x = match self.abscissa {
+            Abscissa::Distance => Axis::new(text!("line-axis-distance"), 0.0, self.profile.length),
+            Abscissa::PictureX([low, high]) => Axis::new(text!("line-axis-x"), low, high),
+        };
+        let marked = self.edges.iter().filter(|_| self.marked);
+        let mut borders: Vec<f64> = marked
+            .map(|edge| self.abscissa.at(self.profile, edge.t))
+            .collect();
+        borders.sort_by(f64::total_cmp);
+        Plot {
+            borders,
+            ..Plot::new(kind, title, "", [x, y], curves)
+        }
+    }
+
+    /// A curve for each mode; that of `own` stands out, or all do.
+    fn curves(
+        &self,
+        own: Option<ShadingMode>,
+        values: impl Fn(&Trace) -> Vec<f64>,
+    ) -> Vec<Curve> {
+        let traces = self.profile.traces.iter();
+        traces
+            .map(|trace| self.curve_of(trace, values(trace), own))
+            .collect()
+    }
+
+    fn curve_of(&self, trace: &Trace, values: Vec<f64>, own: Option<ShadingMode>) -> Curve {
+        let stands_out = own == Some(trace.mode);
+        let dash = mode_dash(trace.mode, stands_out);
+        Curve {
+            emphasised: own.is_none() || stands_out,
+            ..self.curve(trace, &values, dash)
+        }
+    }
+
+    fn curve(&self, trace: &Trace, values: &[f64], dash: Dash) -> Curve {
+        let samples = self.profile.samples.iter().zip(values);
+        let points = samples
+            .map(|(sample, value)| [self.abscissa.at(self.profile, sample.t), *value])
+            .collect();
+        let (name, ink) = (trace.mode.label(), Ink::Shading(trace.mode));
+        Curve {
+            dash,
+            ..Curve::new(name, self.ordered(points), ink)
+        }
+    }
+
+    fn perceived(&self, trace: &Trace) -> Curve {
+        Curve {
+            name: text!("line-perceived").to_owned(),
+            ink: Ink::Perceived,
+            emphasised: false,
+            ..self.curve(trace, &trace.perceived, Dash::Dashed)
+        }
+    }
+
+    /// Points in the order of the axis.
+    fn ordered(&self, mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+        if self.abscissa.reversed(self.profile) {
+            points.reverse();
+        }
+        points
+    }
+}
+
+/// How a mode's curve is broken, so that it is known without its colour; the one that stands out is solid.
+pub fn mode_dash(mode: ShadingMode, stands_out: bool) -> Dash {
+    match mode {
+        _ if stands_out => Dash::Solid,
         ShadingMode::Flat => Dash::Dotted,
         ShadingMode::Interpolated => Dash::DashDot,
         ShadingMode::Gouraud => Dash::Solid,
         ShadingMode::Phong => Dash::Long,
         ShadingMode::Exact => Dash::Dashed,
-    };
-    Curve {
-        dash,
-        ..Curve::new(
-            trace.mode.label(),
-            points(profile, values),
-            Ink::Shading(trace.mode),
-        )
     }
-}
-
-fn points(profile: &Profile, values: &[f64]) -> Vec<[f64; 2]> {
-    profile
-        .samples
-        .iter()
-        .zip(values)
-        .map(|(sample, value)| [sample.t * profile.length, *value])
-        .collect()
 }
 
 fn axis(name: &str, [low, high]: [f64; 2]) -> Axis {
     Axis::new(name, low - PADDING * (high - low), high)
 }
 
-/// Least and greatest value but for the share `off` at either end; apart from each other in any case.
-fn bounds(values: impl Iterator<Item = f64>, off: f64) -> [f64; 2] {
-    let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
+/// Least and greatest value but for the share `off` at either end. Equal ones get room on both sides.
+fn bounds(mut values: Vec<f64>, off: f64) -> [f64; 2] {
+    values.retain(|value| value.is_finite());
     values.sort_by(f64::total_cmp);
     let Some(last) = values.len().checked_sub(1) else {
         return [0.0, 1.0];
@@ -172,10 +347,10 @@ fn bounds(values: impl Iterator<Item = f64>, off: f64) -> [f64; 2] {
     #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2⁵³")]
     let skip = (last as f64 * off) as usize;
     let [low, high] = [values[skip], values[last - skip]];
-    let least = (1e-9f64).max(1e-6 * high.abs());
-    if high - low > least {
+    if high - low > 1e-6 * high.abs().max(low.abs()) {
         [low, high]
     } else {
-        [low - least, high + least]
+        let room = (0.5 * high.abs()).max(0.05);
+        [low - room, high + room]
     }
 }

@@ -1,4 +1,5 @@
-//! What the profile's tab compares, which is kept between two sessions.
+//! What the profile's view shows. How it is looked at is kept between two sessions; what is compared begins anew with each
+//! scene.
 
 use crate::analysis::{Perception, ProfileQuestion, Viewing};
 use crate::scene::{Choice, ShadingMode};
@@ -9,61 +10,58 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ProfileLook {
-    pub modes: Vec<ShadingMode>,
+    /// Modes that are compared with the picture's own.
+    #[serde(skip)]
+    pub added: Vec<ShadingMode>,
+    /// Whether the picture is shown as it is perceived.
+    #[serde(skip)]
+    pub perceived: bool,
+    /// Whether the plots mark where polygons meet.
+    pub edges: bool,
+    /// Whether the perceived brightness is plotted beside the intensity.
+    pub brightness: bool,
     pub viewing: Viewing,
     pub perception: Perception,
-    /// Whether the picture is shown as it is perceived.
-    pub perceived: bool,
 }
 
 impl Default for ProfileLook {
     fn default() -> Self {
-        let modes = vec![ShadingMode::Gouraud, ShadingMode::Phong];
         Self {
-            modes,
+            added: Vec::new(),
+            perceived: false,
+            edges: true,
+            brightness: true,
             viewing: Viewing::default(),
             perception: Perception::default(),
-            perceived: false,
         }
     }
 }
 
 impl ProfileLook {
-    /// The same with what is out of bounds put back to its default, each mode at most once.
+    /// The same with what is out of bounds put back to its default.
     pub fn sound(self) -> Self {
-        let Self {
-            modes,
-            viewing,
-            perception,
-            perceived,
-        } = self;
-        let modes = ShadingMode::VALUES
-            .iter()
-            .copied()
-            .filter(|mode| modes.contains(mode))
-            .collect();
         Self {
-            modes,
-            viewing: viewing.sound(),
-            perception: perception.sound(),
-            perceived,
+            viewing: self.viewing.sound(),
+            perception: self.perception.sound(),
+            ..self
         }
     }
 
-    /// The profile between two places.
-    pub fn request(&self, [from, to]: [DVec2; 2]) -> ProfileQuestion {
-        let Self {
-            modes,
-            viewing,
-            perception,
-            perceived: _,
-        } = self.clone();
+    /// Compares nothing, as when a scene is opened.
+    pub fn begin(&mut self) {
+        self.added.clear();
+        self.perceived = false;
+    }
+
+    /// The profile between two places, of the picture's mode and those beside it.
+    pub fn request(&self, [from, to]: [DVec2; 2], own: ShadingMode) -> ProfileQuestion {
+        let shown = |mode: &ShadingMode| *mode == own || self.added.contains(mode);
         ProfileQuestion {
             from,
             to,
-            modes,
-            viewing,
-            perception,
+            modes: ShadingMode::VALUES.iter().copied().filter(shown).collect(),
+            viewing: self.viewing,
+            perception: self.perception,
         }
     }
 }

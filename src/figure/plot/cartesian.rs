@@ -5,6 +5,7 @@ use super::data::{Axis, Mark, Plot, Point};
 use super::sheet::Sheet;
 use crate::figure::area::{Area, clipped};
 use crate::figure::drawing::{Scale, width_of};
+use crate::text::text;
 use glam::DVec2;
 
 /// The axis of y reaches beyond its greatest value by this factor, so that a curve's top is seen.
@@ -15,8 +16,8 @@ const ROW: f64 = 1.35;
 const LEAST: f64 = 3.0;
 /// Least width of a plot whose curves carry names, in ems.
 const TAGGED: f64 = 20.0;
-/// Least distance between borders that are drawn, in ems.
-const BORDER_GAP: f64 = 0.2;
+/// Least mean distance between borders that are ticked, in ems.
+const BORDER_GAP: f64 = 0.25;
 /// Least mean distance between borders that have lines of their own.
 const LINE_GAP: f64 = 0.8;
 /// Of those lines, in widths.
@@ -29,8 +30,8 @@ const GAP: f64 = 0.2;
 /// Size of the names of points, in that of other letters.
 const LETTERS: f64 = 0.85;
 
-/// Draws axes, marks and curves in `room`.
-pub fn draw(sheet: &mut Sheet<'_>, room: Area) {
+/// Draws axes, marks and curves in `room`; the axis of x over `span`, where one is given.
+pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
     let (em, plot) = (sheet.em, sheet.plot);
     let y = Axis {
         high: plot.y.low + (plot.y.high - plot.y.low) * HEADROOM,
@@ -45,7 +46,14 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area) {
         min: room.min + DVec2::new(widest + 0.6 * em, 0.0),
         max: room.max - DVec2::new(0.9 * em, 3.0 * em),
     };
-    let rows = label_rows(plot, &area, room.min.x, em);
+    // Where there is no room beside the axis, its numbers stand inside.
+    let inside = span.is_some_and(|[from, _]| from < area.min.x);
+    let mut left = room.min.x;
+    if let Some([from, to]) = span {
+        (area.min.x, area.max.x) = (from, to);
+        left = left.max(from - widest - 0.6 * em);
+    }
+    let rows = label_rows(plot, &area, left, em);
     area.min.y += ROW * em * (1.0 + rows.iter().copied().fold(0.0, f64::max));
     if (area.max - area.min).min_element() < LEAST * em {
         return;
@@ -56,10 +64,10 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area) {
         x: [plot.x.low, plot.x.high],
         y: [y.low, y.high],
     };
-    axes(sheet, &scale, &area, &y_ticks);
+    axes(sheet, &scale, &area, &y_ticks, inside);
     sheet.text(
         &plot.y.name,
-        DVec2::new(room.min.x, area.min.y - 0.45 * em),
+        DVec2::new(left, area.min.y - 0.45 * em),
         1.0,
         sheet.paper.text,
         0.0,
@@ -152,18 +160,23 @@ fn label_span(mark: &Mark, plot: &Plot, area: &Area, em: f64) -> (f64, f64) {
     (from, from + width)
 }
 
-fn axes(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area, y_ticks: &[(f64, String)]) {
+fn axes(
+    sheet: &mut Sheet<'_>,
+    scale: &Scale,
+    area: &Area,
+    y_ticks: &[(f64, String)],
+    inside: bool,
+) {
     let (em, paper, plot) = (sheet.em, sheet.paper, sheet.plot);
     for (value, text) in y_ticks {
         let at = scale.place([plot.x.low, *value]);
         sheet.axis(at, DVec2::new(area.max.x, at.y), paper.grid);
-        sheet.text(
-            text,
-            at + DVec2::new(-0.45 * em, 0.34 * em),
-            1.0,
-            paper.weak,
-            1.0,
-        );
+        let beside = at + DVec2::new(if inside { 0.3 } else { -0.45 }, 0.34) * em;
+        if inside {
+            sheet.over_lines(text, beside, 1.0, paper.weak, 0.0);
+        } else {
+            sheet.text(text, beside, 1.0, paper.weak, 1.0);
+        }
     }
     for (value, text) in ticks(&plot.x, (area.max.x - area.min.x) / (3.4 * em)) {
         let at = scale.place([value, plot.y.low]);
@@ -177,20 +190,25 @@ fn axes(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area, y_ticks: &[(f64, Stri
     sheet.text(&plot.x.name, middle, 1.0, paper.text, 0.5);
 }
 
-/// Where polygons meet: a faint line through the plot and a tick on the axis, unless they are too close to be told apart.
+/// Where polygons meet: a faint line through the plot and a tick on the axis, or ticks alone; a word where there are too many
+/// to be told apart.
 fn borders(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
     let (em, weak, plot) = (sheet.em, sheet.paper.weak, sheet.plot);
     let places = plot.borders.iter().map(|x| scale.place([*x, plot.y.low]).x);
+    let places: Vec<f64> = places
+        .filter(|x| (area.min.x..=area.max.x).contains(x))
+        .collect();
     #[expect(clippy::cast_precision_loss, reason = "far fewer borders than 2⁵³")]
-    let roomy = area.max.x - area.min.x >= LINE_GAP * em * plot.borders.len() as f64;
-    let mut last = f64::NEG_INFINITY;
-    for x in places.filter(|x| (area.min.x..=area.max.x).contains(x)) {
-        if x - last < BORDER_GAP * em {
-            continue;
-        }
-        last = x;
+    let gap = (area.max.x - area.min.x) / (places.len() as f64 * em);
+    if gap < BORDER_GAP {
+        let words = text!("line-edges-crowded", count = places.len());
+        let at = area.max - DVec2::new(0.3, 0.5) * em;
+        sheet.over_lines(&words, at, 0.92, weak, 1.0);
+        return;
+    }
+    for x in places {
         let foot = DVec2::new(x, area.max.y);
-        if roomy {
+        if gap >= LINE_GAP {
             sheet.axis(foot, DVec2::new(x, area.min.y), weak).dashes = BORDER_DASHES;
         }
         sheet.axis(foot, foot - DVec2::new(0.0, 0.5 * em), weak);

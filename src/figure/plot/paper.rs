@@ -1,7 +1,7 @@
 //! The paper a plot is drawn on: its greys, the colours of curves on it, and their dashes.
 
 use super::data::{Dash, Ink};
-use crate::figure::palette::{Rgb8, Vector, readable};
+use crate::figure::palette::{Rgb8, Vector, readable, shading};
 use glam::DVec2;
 
 /// Contrast that WCAG 2.2 asks of lines (1.4.11) and of text (1.4.3).
@@ -9,15 +9,6 @@ const CONTRAST: [f64; 2] = [3.0, 4.5];
 
 /// Red, green and blue, apart in lightness as well, before they are fitted to the paper.
 const CHANNELS: [Rgb8; 3] = [[0xD4, 0x2A, 0x2A], [0x12, 0x8A, 0x3E], [0x3A, 0x5F, 0xE0]];
-
-/// Flat, interpolated, Gouraud, Phong and exact shading: of Okabe and Ito's colours, which colour-blind readers tell apart.
-const MODES: [Rgb8; 5] = [
-    [0xD5, 0x5E, 0x00],
-    [0xCC, 0x79, 0xA7],
-    [0x00, 0x72, 0xB2],
-    [0x00, 0x9E, 0x73],
-    [0x8A, 0x6D, 0x00],
-];
 
 /// Historic ways of shading: two more of those colours, and a violet.
 const HISTORIC: [Rgb8; 3] = [[0x7A, 0x4F, 0xB5], [0xE6, 0x9F, 0x00], [0x56, 0xB4, 0xE9]];
@@ -66,7 +57,7 @@ impl Paper {
             Ink::V => Vector::V.colour(),
             Ink::H => Vector::H.colour(),
             Ink::Channel(channel) => CHANNELS[usize::from(channel.min(2))],
-            Ink::Shading(mode) => MODES[mode as usize],
+            Ink::Shading(mode) => shading(mode),
             Ink::Historic(which) => HISTORIC[usize::from(which.min(2))],
             Ink::Perceived => self.text,
             Ink::Reference => self.weak,

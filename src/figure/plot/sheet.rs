@@ -21,7 +21,17 @@ pub struct Sheet<'a> {
     pub paper: Paper,
 }
 
-impl Sheet<'_> {
+impl<'a> Sheet<'a> {
+    pub fn new(drawing: &'a mut Drawing, plot: &'a Plot, style: &'a PlotStyle) -> Self {
+        Self {
+            drawing,
+            plot,
+            style,
+            em: style.text,
+            paper: style.paper,
+        }
+    }
+
     pub fn line(&mut self, points: Vec<DVec2>, width: f64, colour: Rgb8) -> &mut Shape {
         self.push(Shape::line(points, width * self.em, colour))
     }
