@@ -50,9 +50,9 @@ pub use probe::{
     draw_overlay, equation_letters, percent, plain_formula, probe, specular_vector,
 };
 pub use profile::{
-    Abscissa, Border, Compared, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError, ProfileQuestion,
-    Sample, TakenProfile, Trace, compared_plots, draw_profile, lay_out_profile, mode_dash, perceived_picture,
-    profile, profile_plots,
+    Abscissa, Border, Compared, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError,
+    ProfileQuestion, Sample, TakenProfile, Trace, compared_plots, draw_profile, lay_out_profile,
+    mode_dash, perceived_picture, profile, profile_plots,
 };
 pub use question::{ANALYSES, Analysis, Format, Question, Subject, Watch, unwatched};
 pub(crate) use report::cells;

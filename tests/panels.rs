@@ -15,7 +15,7 @@ use shading_lab::document::load;
 use shading_lab::export::{glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
 use shading_lab::render::Renderer;
-use shading_lab::scene::{Compare, ObjectKind, Reflectance, Rgb, View, presets};
+use shading_lab::scene::{Compare, ObjectKind, Reflectance, Rgb, ShadingMode, View, presets};
 use std::path::Path;
 
 #[test]
@@ -462,14 +462,29 @@ fn every_way_of_evaluating_fills_the_equation_in() {
     }
 }
 
+/// Whether a plot is in sight, by its title.
+fn plot(harness: &Harness<'_, App>, title: &str) -> bool {
+    let mut plots = harness.query_all_by(|node| {
+        node.label()
+            .is_some_and(|label| label.starts_with(&format!("{title};")))
+    });
+    plots.next().is_some()
+}
+
+/// The modes whose profiles were taken last.
+fn modes_taken(harness: &Harness<'_, App>) -> Vec<ShadingMode> {
+    let profiles: Option<&Profiles> = harness.state().state().own.get();
+    let profile = profiles.and_then(Profiles::profile);
+    profile.map_or(vec![], |profile| {
+        profile.traces.iter().map(|trace| trace.mode).collect()
+    })
+}
+
 /// Runs the window until the profile has been taken on its thread.
 fn until_taken(harness: &mut Harness<'_, App>) {
     for _ in 0..400 {
         harness.run_ok();
-        if harness
-            .query_by_label("The bands: what the eye adds")
-            .is_some()
-        {
+        if plot(harness, "Intensity and perceived brightness") {
             return;
         }
         std::thread::sleep(std::time::Duration::from_millis(10));
@@ -483,34 +498,37 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     open_view(&mut harness, "Profile");
     until_taken(&mut harness);
     assert_eq!(harness.state().state().look.tab, NumbersTab::Profile);
-    for title in [
-        "Gouraud: what is there and what is seen",
-        "The slope, which jumps where bands are seen",
-    ] {
-        assert!(harness.query_by_label(title).is_some(), "{title}");
-    }
-    assert!(
+    assert_eq!(modes_taken(&harness), [ShadingMode::Flat], "the picture's");
+    let switch = |harness: &mut Harness<'_, App>, mode: &str| {
         harness
-            .query_by_label("Flat: what is there and what is seen")
-            .is_none()
-    );
-    harness.get_by_label("Flat").click_accesskit();
-    harness.run_ok();
-    for _ in 0..400 {
-        if harness
-            .query_by_label("Flat: what is there and what is seen")
-            .is_some()
-        {
-            break;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
+            .get_by_role_and_label(Role::CheckBox, mode)
+            .click_accesskit();
         harness.run_ok();
-    }
-    assert!(
-        harness
-            .query_by_label("Flat: what is there and what is seen")
-            .is_some()
-    );
+    };
+    let until = |harness: &mut Harness<'_, App>, modes: &[ShadingMode]| {
+        wait(harness, |harness| modes_taken(harness) == modes)
+    };
+    switch(&mut harness, "Phong");
+    assert!(until(
+        &mut harness,
+        &[ShadingMode::Flat, ShadingMode::Phong]
+    ));
+    switch(&mut harness, "Flat");
+    harness.key_press(Key::Num3);
+    assert!(until(
+        &mut harness,
+        &[ShadingMode::Gouraud, ShadingMode::Phong]
+    ));
+    switch(&mut harness, "Phong");
+    assert!(until(&mut harness, &[ShadingMode::Gouraud]));
+    harness.key_press(Key::Num1);
+    harness.run_ok();
+    // Flat shading has no slope but jumps.
+    harness.get_by_label("Slope").click_accesskit();
+    assert!(wait(&mut harness, |harness| plot(
+        harness,
+        "Jumps of the intensity"
+    )));
     // The end of the line, where the picture and the state have it.
     let before = harness.state().state().line;
     let scene_before = scene(&harness).clone();
@@ -534,6 +552,8 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
         "{after:?} from {end}"
     );
     assert_eq!(*scene(&harness), scene_before, "the camera stays");
+    harness.get_by_label("Save ▾").click_accesskit();
+    harness.run_ok();
     for ending in ["CSV…", "PNG…", "SVG…"] {
         assert!(harness.query_by_label(ending).is_some(), "{ending}");
     }
@@ -824,7 +844,7 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
 fn the_picture_is_shown_as_it_is_perceived() {
     let mut harness = window("mach-bands");
     open_view(&mut harness, "Profile");
-    let checkbox = "Show the picture as it is perceived";
+    let checkbox = "Picture as perceived";
     let perceived = |harness: &Harness<'_, App>| {
         harness
             .state()
@@ -839,14 +859,12 @@ fn the_picture_is_shown_as_it_is_perceived() {
         .click_accesskit();
     assert!(wait(&mut harness, perceived));
     // A surround wider than any picture is refused with a reason.
-    harness
-        .get_by_label("The eye and the screen")
-        .click_accesskit();
+    harness.get_by_label("Viewing ▾").click_accesskit();
     harness.run();
-    enter(&mut harness, "density", 40.0);
-    enter(&mut harness, "distance", 5000.0);
+    enter(&mut harness, "Pixel density", 40.0);
+    enter(&mut harness, "Distance", 5000.0);
     assert!(wait(&mut harness, |harness| harness
-        .query_by_label_contains("expected at most 256")
+        .query_by_label_contains("allows at most 256")
         .is_some()));
 }
 
@@ -1057,7 +1075,7 @@ fn every_analysis_is_exported_from_its_tab() {
     let tabs: [(&str, &str, &[&str]); 9] = [
         ("Equation", "", &["probe"]),
         ("Curves", "", &["curves"]),
-        ("Profile", "", &["profile"]),
+        ("Profile", "Save ▾", &["profile"]),
         ("Scan line", "", &["scanline"]),
         ("Compare", "Panes", &["compare"]),
         (

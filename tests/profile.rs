@@ -2,13 +2,15 @@
 
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::{
-    Perception, Profile, ProfileError, ProfileQuestion, ResponseModel, Trace, Viewing, blur_line,
-    blur_picture, luminance, perceived_picture, probe, profile,
+    Abscissa, Compared, Perception, Plot, Profile, ProfileError, ProfileQuestion, ResponseModel,
+    Trace, Viewing, blur_line, blur_picture, compared_plots, luminance, perceived_picture, probe,
+    profile,
 };
+use shading_lab::figure::{Paper, PlotStyle, lay_out_bare};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, Rgb, Scene, ShadingMode,
-    Viewer, presets,
+    Choice, Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, Rgb, Scene,
+    ShadingMode, Viewer, presets,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -482,4 +484,149 @@ fn every_pixel_centre_on_the_line_is_a_sample() {
     }
     let short = taken(&scene, [3.3, 3.0], [3.4, 3.0]).samples;
     assert_eq!(short.len(), 2, "a line shorter than a step is its ends");
+}
+
+fn compared(
+    profile: &Profile,
+    request: &ProfileQuestion,
+    own: ShadingMode,
+    abscissa: Abscissa,
+) -> [Plot; 3] {
+    let view = Compared {
+        own,
+        abscissa,
+        edges: true,
+        perceived: true,
+    };
+    compared_plots(profile, request, view)
+}
+
+#[test]
+fn the_plots_stand_out_for_the_own_mode_and_hold_their_curves() {
+    let scene = cylinder(24);
+    let request = ProfileQuestion {
+        modes: vec![ShadingMode::Gouraud, ShadingMode::Phong],
+        ..ProfileQuestion::new(DVec2::new(520.0, 50.5), DVec2::new(840.0, 50.5))
+    };
+    let profile = profile(&mut Renderer::default(), &scene, &request).expect("a line");
+    let plots = compared(&profile, &request, ShadingMode::Phong, Abscissa::Distance);
+    for plot in &plots {
+        let strong: Vec<&str> = plot
+            .curves
+            .iter()
+            .filter(|curve| curve.emphasised)
+            .map(|curve| curve.name.as_str())
+            .collect();
+        assert_eq!(strong, [ShadingMode::Phong.label()], "{}", plot.title);
+        // No outline on this line: no peak is cut off.
+        let values = plot.curves.iter().flat_map(|curve| &curve.points);
+        assert!(
+            values
+                .clone()
+                .all(|[_, y]| (plot.y.low..=plot.y.high).contains(y)),
+            "{}",
+            plot.title
+        );
+        assert!(!plot.borders.is_empty() && plot.x.name.contains("pixels"));
+    }
+    let names: Vec<&str> = plots[0]
+        .curves
+        .iter()
+        .map(|curve| curve.name.as_str())
+        .collect();
+    assert_eq!(names, ["Gouraud", "Phong", "perceived brightness"]);
+}
+
+#[test]
+fn over_x_of_the_picture_a_line_reads_the_same_both_ways() {
+    let scene = cylinder(24);
+    let [one, other] = [
+        [[100.0, 50.5], [900.0, 50.5]],
+        [[900.0, 50.5], [100.0, 50.5]],
+    ]
+    .map(|ends| taken(&scene, ends[0], ends[1]));
+    let request = ProfileQuestion::new(DVec2::ZERO, DVec2::ONE);
+    let x = Abscissa::PictureX([100.0, 900.0]);
+    let [one, other] =
+        [one, other].map(|profile| compared(&profile, &request, ShadingMode::Gouraud, x));
+    for (a, b) in one.iter().zip(&other) {
+        assert_eq!((a.x.low, a.x.high), (100.0, 900.0));
+        for (a, b) in a.curves.iter().zip(&b.curves) {
+            assert!(a.points.is_sorted_by(|a, b| a[0] <= b[0]), "{}", a.name);
+            for x in (105..895).step_by(10) {
+                let [a, b] = [a, b].map(|curve| curve.at(f64::from(x) + 0.25).expect("inside"));
+                assert!((a - b).abs() < 0.02, "{x}: {a}, {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn flat_shading_has_jumps_in_place_of_a_slope() {
+    let request = ProfileQuestion {
+        modes: vec![ShadingMode::Flat],
+        ..ProfileQuestion::new(DVec2::new(50.0, 50.5), DVec2::new(950.0, 50.5))
+    };
+    let profile = profile(&mut Renderer::default(), &cylinder(24), &request).expect("a line");
+    let [_, slope, _] = compared(&profile, &request, ShadingMode::Flat, Abscissa::Distance);
+    assert!(slope.note.contains("slope is 0"), "{}", slope.note);
+    let jumps = slope.curves[0]
+        .points
+        .iter()
+        .filter(|[_, y]| y.abs() > 1e-3)
+        .count();
+    assert!(jumps >= 10, "{jumps}");
+    assert!(slope.y.high - slope.y.low > 0.01, "{:?}", slope.y);
+}
+
+#[test]
+fn a_plots_axis_lies_where_it_is_told_to() {
+    let profile = taken(&cylinder(24), [100.0, 50.5], [900.0, 50.5]);
+    let request = ProfileQuestion::new(DVec2::ZERO, DVec2::ONE);
+    let x = Abscissa::PictureX([100.0, 900.0]);
+    let style = PlotStyle {
+        paper: Paper::DARK,
+        text: 12.6,
+        titled: false,
+    };
+    for span in [[100.0, 900.0], [3.0, 999.0]] {
+        for plot in compared(&profile, &request, ShadingMode::Gouraud, x) {
+            let drawing = lay_out_bare(&plot, DVec2::new(1000.0, 200.0), Some(span), &style);
+            for (share, at) in [
+                (0.0, span[0]),
+                (0.5, 0.5 * (span[0] + span[1])),
+                (1.0, span[1]),
+            ] {
+                let (place, _) = drawing
+                    .place([100.0 + 800.0 * share, plot.y.low])
+                    .expect("a plot");
+                assert!((place.x - at).abs() < 1e-9, "{place} is not at {at}");
+            }
+            for text in &drawing.texts {
+                let left = text.at.x - text.align * text.width();
+                assert!(left >= 0.0, "{text:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn too_many_edges_are_left_out_with_a_word() {
+    let scene = cylinder(192);
+    let profile = taken(&scene, [100.0, 50.5], [900.0, 50.5]);
+    let request = ProfileQuestion::new(DVec2::ZERO, DVec2::ONE);
+    let [plot, ..] = compared(&profile, &request, ShadingMode::Gouraud, Abscissa::Distance);
+    let style = PlotStyle {
+        paper: Paper::DARK,
+        text: 12.6,
+        titled: false,
+    };
+    let words = |width: f64| {
+        let drawing = lay_out_bare(&plot, DVec2::new(width, 200.0), None, &style);
+        let mut texts = drawing.texts.into_iter().map(|text| text.text);
+        texts.find(|text| text.contains("too close to draw"))
+    };
+    assert_eq!(words(1200.0), None);
+    let count = plot.borders.len();
+    assert!(words(280.0).is_some_and(|text| text.starts_with(&count.to_string())));
 }

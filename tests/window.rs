@@ -948,7 +948,7 @@ fn what_was_stored_is_put_right_field_by_field() {
             ..usual.clone()
         };
         let profile = &mut stored.profile;
-        profile.modes = [ShadingMode::Phong, ShadingMode::Gouraud].repeat(20);
+        profile.added = vec![ShadingMode::Phong];
         (profile.viewing.distance, profile.viewing.density) = (wrong, wrong);
         let perception = &mut profile.perception;
         (
@@ -969,12 +969,20 @@ fn what_was_stored_is_put_right_field_by_field() {
     let sound = Look {
         scale: 2.5,
         profile: ProfileLook {
-            perceived: true,
+            edges: false,
+            brightness: false,
             ..ProfileLook::default()
         },
         ..usual
     };
     assert_eq!(look_from(&sound), sound, "what is within bounds stays");
+    let mut compared = sound.clone();
+    (compared.profile.perceived, compared.profile.added) = (true, vec![ShadingMode::Exact]);
+    assert_eq!(
+        look_from(&compared),
+        sound,
+        "a comparison ends with its session"
+    );
 }
 
 #[test]

@@ -19,8 +19,8 @@ use super::row::{About, NumberRow, SliderRange, number};
 use super::state::AppState;
 use super::symbol::Lit;
 use crate::analysis::{
-    Answer, Compared, PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion,
-    ResponseModel, TakenProfile, Viewing, Watch, mode_dash, perceived_picture,
+    Answer, Compared, PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel,
+    TakenProfile, Viewing, Watch, mode_dash, perceived_picture,
 };
 use crate::figure::{Dash, Ink, dashes};
 use crate::jobs::{Asked, Background, Work};
@@ -29,8 +29,8 @@ use crate::scene::{Choice, Scene, ShadingMode};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Atom, Button, Context, Layout, Popup, PopupCloseBehavior, RichText, Shape, Stroke, TextureHandle,
-    TextureOptions, Ui, vec2,
+    Align, Atom, Button, Context, Layout, Popup, PopupCloseBehavior, RichText, Shape, Stroke,
+    TextureHandle, TextureOptions, Ui, vec2,
 };
 use glam::DVec2;
 use look::ProfileLook;
@@ -97,6 +97,8 @@ pub struct Profiles {
     pub perceived: Option<TextureHandle>,
     /// Where the picture was last shown.
     picture: Option<Place>,
+    /// Whether the plots stand right under the line.
+    aligned: bool,
     /// Which share of the line the pointer is at: in a plot, and in the picture.
     pointed: [Option<f64>; 2],
 }
@@ -224,7 +226,8 @@ impl Profiles {
             wide,
         };
         let before = self.pointed[0];
-        self.pointed[0] = self.plots.ui(ui, taken, &view, room, self.pointed());
+        let pointed = self.pointed();
+        (self.pointed[0], self.aligned) = self.plots.ui(ui, taken, &view, room, pointed);
         // The picture may have been painted before the plots.
         if self.pointed[0] != before {
             ui.ctx().request_repaint();

@@ -15,6 +15,7 @@ line-plot-intensity = Intensity
 line-plot-slope = Slope
 line-plot-added = Perceived − actual
 line-value = { $name }: { $value }
+line-pixels = { $value } pixels
 line-model-inhibition = Lateral inhibition
 line-model-normalisation = Normalisation
 line-distance = Distance

@@ -15,6 +15,7 @@ line-plot-intensity = 亮度
 line-plot-slope = 斜率
 line-plot-added = 感知 − 實際
 line-value = { $name }：{ $value }
+line-pixels = { $value } 像素
 line-model-inhibition = 側抑制
 line-model-normalisation = 正規化
 line-distance = 距離

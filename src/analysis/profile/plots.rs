@@ -12,7 +12,7 @@ const PADDING: f64 = 0.06;
 const CONSTANT: f64 = 1e-6;
 /// How far from the object's outline values set the scale of a plot: at the outline the intensity jumps, which would hide all
 /// the rest. For slopes in pixels; for the perceived brightness in widths of the surround.
-const CLEAR: [f64; 2] = [2.0, 2.5];
+const CLEAR: [f64; 2] = [2.0, 4.0];
 /// Without polygons no outline is known. Slopes grow beyond all bounds there, and this share of them may lie off the plot.
 const OFF: f64 = 0.02;
 
@@ -94,11 +94,7 @@ pub struct Compared {
 }
 
 /// The plots of such a view: intensity, slope, and perceived minus actual, each with the curves of all modes.
-pub fn compared_plots(
-    profile: &Profile,
-    request: &ProfileQuestion,
-    view: Compared,
-) -> [Plot; 3] {
+pub fn compared_plots(profile: &Profile, request: &ProfileQuestion, view: Compared) -> [Plot; 3] {
     let sheet = Sheet::new(profile, view.abscissa, view.edges);
     let own = Some(view.own);
     let traces = profile.traces.iter();
@@ -137,7 +133,11 @@ impl<'a> Sheet<'a> {
 
     /// The range of all intensities, and of what is perceived of those of `seen`.
     fn intensity_axis(&self, seen: &[&Trace]) -> Axis {
-        let actual = self.profile.traces.iter().flat_map(|trace| &trace.intensity);
+        let actual = self
+            .profile
+            .traces
+            .iter()
+            .flat_map(|trace| &trace.intensity);
         let perceived = seen.iter().flat_map(|trace| &trace.perceived);
         let all = actual.chain(perceived).copied().collect();
         axis(text!("line-axis-intensity"), bounds(all, 0.0))
@@ -201,7 +201,9 @@ impl<'a> Sheet<'a> {
     fn added(&self, request: &ProfileQuestion, own: Option<ShadingMode>) -> Plot {
         let curves = self.curves(own, |trace| {
             let pairs = trace.perceived.iter().zip(&trace.intensity);
-            pairs.map(|(perceived, actual)| perceived - actual).collect()
+            pairs
+                .map(|(perceived, actual)| perceived - actual)
+                .collect()
         });
         let [centre, surround] = self.profile.widths;
         let values = self.away_from_outline(CLEAR[1] * surround, &curves);
@@ -271,11 +273,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// A curve for each mode; that of `own` stands out, or all do.
-    fn curves(
-        &self,
-        own: Option<ShadingMode>,
-        values: impl Fn(&Trace) -> Vec<f64>,
-    ) -> Vec<Curve> {
+    fn curves(&self, own: Option<ShadingMode>, values: impl Fn(&Trace) -> Vec<f64>) -> Vec<Curve> {
         let traces = self.profile.traces.iter();
         traces
             .map(|trace| self.curve_of(trace, values(trace), own))

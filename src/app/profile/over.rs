@@ -65,18 +65,15 @@ pub fn paint(painter: &Painter, state: &AppState, place: Place, active: bool) {
         painter.circle(end, END, Color32::from_black_alpha(110), dark(4.0));
         painter.circle_stroke(end, END, white(2.0));
     }
-    let pointed = state.own.get().and_then(Profiles::pointed);
-    if let Some(share) = pointed.filter(|_| active) {
+    let profiles: Option<&Profiles> = state.own.get().filter(|_| active);
+    if let Some((profiles, share)) = profiles.and_then(|one| Some((one, one.pointed()?))) {
         let [from, to] = ends;
         let at = from + (to - from) * share as f32;
         let across = (to - from).rot90().normalized() * ACROSS;
-        // Under a level line a plot goes on with the mark.
-        let level = across.x.abs() < 0.05 * ACROSS;
-        let mark = if level {
-            [
-                at - vec2(0.0, ACROSS),
-                Pos2::new(at.x, place.rect.bottom()),
-            ]
+        let mark = if profiles.aligned {
+            // It goes on in the plot.
+            let bottom = Pos2::new(at.x, place.rect.bottom());
+            [at - vec2(0.0, ACROSS), bottom]
         } else {
             [at - across, at + across]
         };

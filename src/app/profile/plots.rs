@@ -6,7 +6,7 @@ use super::super::lines;
 use super::super::place::Place;
 use crate::analysis::{Abscissa, Compared, Profile, TakenProfile, compared_plots};
 use crate::figure::{Drawing, Plot, PlotStyle, Text, lay_out_bare, short};
-use crate::text::text;
+use crate::text::{Language, language, text};
 use eframe::egui::{Label, Pos2, Rect, RichText, Sense, Stroke, TextStyle, Ui, pos2, vec2};
 use glam::DVec2;
 
@@ -17,7 +17,7 @@ const LEAST_PIXELS: f64 = 16.0;
 /// Height of a plot in a narrow panel: a part of its width, and letters.
 const ASPECT: [f64; 2] = [0.5, 5.5];
 /// Least height of a plot, points.
-const LEAST: f32 = 120.0;
+const LEAST: f32 = 96.0;
 /// With at least so much height a plot in a wide pane has its heading, points.
 const HEADED: f32 = 190.0;
 /// Wide panes at least this high hold all plots, points.
@@ -51,6 +51,7 @@ struct Key {
     style: PlotStyle,
     size: [f32; 2],
     span: Option<[f64; 2]>,
+    language: Language,
 }
 
 impl Plots {
@@ -59,7 +60,8 @@ impl Plots {
         self.laid_out = None;
     }
 
-    /// Shows the plots, with a line across them at `pointed`, a share of the line. Returns the one that the pointer is at.
+    /// Shows the plots, with a line across them at `pointed`, a share of the line. Returns the one that the
+    /// pointer is at, and whether the plots stand right under the line.
     pub fn ui(
         &mut self,
         ui: &mut Ui,
@@ -67,7 +69,7 @@ impl Plots {
         view: &dyn Fn(Abscissa) -> Compared,
         room: Room,
         pointed: Option<f64>,
-    ) -> Option<f64> {
+    ) -> (Option<f64>, bool) {
         let rect = ui.available_rect_before_wrap();
         let under = room
             .picture
@@ -98,6 +100,7 @@ impl Plots {
                 style,
                 size: [width, height],
                 span,
+                language: language(),
             },
         );
         let mut hovered = None;
@@ -118,7 +121,7 @@ impl Plots {
         if !room.wide {
             ui.label(RichText::new(text!("line-phong-bands")).weak());
         }
-        hovered
+        (hovered, aligned.is_some())
     }
 
     /// Which plot is shown, where there is room for one.
@@ -133,7 +136,10 @@ impl Plots {
             text!("line-plot-added"),
         ];
         for (index, name) in names.into_iter().enumerate() {
-            let tip = self.plots.get(index).map(|plot| format!("{}. {}", plot.title, plot.note));
+            let tip = self
+                .plots
+                .get(index)
+                .map(|plot| format!("{}. {}", plot.title, plot.note));
             ui.selectable_value(&mut self.chosen, index, name)
                 .on_hover_text(tip.unwrap_or_default());
         }
@@ -184,12 +190,11 @@ impl Plots {
         let stroke = Stroke::new(1.0, ui.visuals().text_color());
         painter.line_segment(ends.map(on_screen), stroke);
         let style = plot_style(ui);
-        let mut values = vec![Text::new(
-            text!("line-value", name = plot.x.name.as_str(), value = short(x)),
-            DVec2::ZERO,
-            style.text,
-            style.paper.text,
-        )];
+        let here = match abscissa {
+            Abscissa::Distance => text!("line-pixels", value = short(x)),
+            Abscissa::PictureX(_) => format!("x = {}", short(x)),
+        };
+        let mut values = vec![Text::new(here, DVec2::ZERO, style.text, style.paper.text)];
         for curve in &plot.curves {
             let Some(y) = curve.at(x) else { continue };
             let words = text!("line-value", name = curve.name.as_str(), value = short(y));

@@ -181,7 +181,10 @@ fn axes(
     for (value, text) in ticks(&plot.x, (area.max.x - area.min.x) / (3.4 * em)) {
         let at = scale.place([value, plot.y.low]);
         sheet.axis(at, DVec2::new(at.x, area.min.y), paper.grid);
-        sheet.text(text, at + DVec2::new(0.0, 1.3 * em), 1.0, paper.weak, 0.5);
+        let half = 0.5 * width_of(&text, em);
+        let middle = at.x.max(half).min(sheet.drawing.size.x - half);
+        let below = DVec2::new(middle, at.y + 1.3 * em);
+        sheet.text(text, below, 1.0, paper.weak, 0.5);
     }
     let corner = DVec2::new(area.min.x, area.max.y);
     sheet.axis(corner, area.max, paper.weak);
