@@ -291,8 +291,7 @@ fn a_profile_along_no_line_is_refused() {
     };
     let outside = "error: --from 0,0 --to 769,3: outside the picture, expected 0,0 to 768,768";
     folder.fails(&with("0,0", "769,3", &[]), 2, &[outside]);
-    let nowhere =
-        "error: --from 5,5 --to 5,5: both ends of the line are at one place, expected two";
+    let nowhere = "error: --from 5,5 --to 5,5: both ends of the line are at the same place, expected two places";
     folder.fails(&with("5,5", "5,5", &[]), 2, &[nowhere]);
     let narrow = "error: --surround 0.01: expected more than the centre's 0.04";
     folder.fails(&with("0,0", "5,5", &["--surround", "0.01"]), 2, &[narrow]);
