@@ -65,7 +65,7 @@ pub use state::AppState;
 use crate::document::Loaded;
 use crate::render::{Frame, Renderer, Report};
 use crate::scene::Choice as _;
-use crate::text::{self, Language};
+use crate::text::{Language, language, set_language, text};
 use action::Action;
 use dialog::{CodeForm, Dialog, ExportForm, FileTask};
 use document::History;
@@ -176,7 +176,7 @@ impl App {
             ..
         } = self;
         if let Some(room) = layout.ui(ui, state, engine) {
-            self.room = room;
+            (self.room, state.room) = (room, room.whole);
             if let Some(picture) = layout.picture {
                 welcome::welcome_ui(ui.ctx(), state, picture);
             }
@@ -231,9 +231,9 @@ impl App {
             ThemeChoice::Light => ThemePreference::Light,
         });
         ctx.set_zoom_factor(self.state.look.scale);
-        let language = self.state.look.language.unwrap_or_else(Language::of_system);
-        if language != text::language() {
-            text::set_language(language);
+        let wanted = self.state.look.language.unwrap_or_else(Language::of_system);
+        if wanted != language() {
+            set_language(wanted);
             // What views have worked out holds text.
             self.state.own = Own::default();
             ctx.request_repaint();
@@ -266,8 +266,9 @@ impl App {
             Action::SaveTo(path) => self.save(ctx, path),
             Action::Export => {
                 let form = ExportForm {
-                    size: self.room.whole,
-                    samples: 1,
+                    size: [1920, 1080],
+                    shape: None,
+                    samples: 16,
                     overlay: true,
                 };
                 self.ask_file(FileTask::Export(form), self.state.document.suggested("png"));
@@ -313,23 +314,22 @@ impl App {
         let leaving = std::mem::take(&mut self.state.leaving);
         match crate::document::save_scene(&path, &self.state.document.scene) {
             Ok(()) => {
-                self.state.notice = Some(format!("saved {}", path.display()));
-                let origin = Origin::File(path);
+                self.state.notice = Some(text!("saved", path = path.display().to_string()));
+                let origin = Origin::File(path.clone());
                 if self.state.document.origin != origin {
                     self.state.opened = self.state.document.scene.clone();
+                    self.state.look.remember(&path);
                     self.state.activate(self.state.panes.active);
                 }
                 self.state.document.origin = origin;
                 self.state.saved = self.state.document.clone();
+                self.state.begin();
                 if leaving == Leaving::OnceSaved {
                     self.close(ctx);
                 }
             }
             Err(error) => {
-                self.state.dialog = Some(Dialog::message(
-                    "The scene was not saved",
-                    error.to_string(),
-                ));
+                self.state.dialog = Some(Dialog::message(text!("not-saved"), error.to_string()));
             }
         }
     }
@@ -350,7 +350,7 @@ impl App {
             size,
             frame.pixels.as_flattened(),
         ));
-        self.state.notice = Some("copied the picture".to_owned());
+        self.state.notice = Some(text!("copied-picture").to_owned());
     }
 }
 

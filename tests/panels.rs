@@ -240,7 +240,7 @@ fn code_is_saved_and_a_path_that_cannot_be_written_is_named() {
         "one step back"
     );
     save_to(&mut harness, &folder.join("ball.vert"));
-    let said = harness.query_by_label_contains("saved ").is_some();
+    let said = harness.query_by_label_contains("Saved ").is_some();
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap_or_default();
     let saved = [read("ball.vert"), read("ball.frag")];
     std::fs::remove_dir_all(&folder).expect("the test's own folder");

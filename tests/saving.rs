@@ -8,8 +8,8 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use hands::{enter, press, scene, wait, window, window_with};
-use shading_lab::app::{App, Origin};
+use hands::{enter, open_view, press, scene, undo, wait, window, window_with};
+use shading_lab::app::{App, NumbersTab, Origin};
 use shading_lab::document::load;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -94,7 +94,7 @@ fn a_name_without_an_ending_is_given_one_that_opens() {
     save_as(&mut window, SAVE_AS, &folder.path("myscene"), "Save");
     save_as(&mut window, SAVE_AS, &folder.path("version.2"), "Save");
     save_as(&mut window, EXPORT, &folder.path("picture"), "Export");
-    assert!(wait(&mut window, |window| asks(window, "exported")));
+    assert!(wait(&mut window, |window| asks(window, "Exported")));
     assert_eq!(
         folder.names(),
         ["myscene.toml", "picture.png", "version.2.toml"]
@@ -129,7 +129,7 @@ fn no_file_is_replaced_without_a_question() {
     save_as(&mut window, EXPORT, &folder.path("old.png"), "Export");
     assert!(asks(&window, "Replace the file?"));
     press(&mut window, "Replace");
-    assert!(wait(&mut window, |_| !old("old.png")));
+    assert!(wait(&mut window, |window| asks(window, "Exported")) && !old("old.png"));
     save_as(&mut window, SAVE_AS, &folder.path("old"), "Save");
     press(&mut window, "Replace");
     assert!(!old("old.toml"));
@@ -144,7 +144,7 @@ fn no_file_is_replaced_without_a_question() {
     assert!(wait(&mut window, |window| asks(window, "lines")));
     press(&mut window, "Save…");
     fill_in(&mut window, &folder.path("old.vert"), "Save");
-    assert!(asks(&window, "old.frag exists already") && old("old.frag"));
+    assert!(asks(&window, "old.frag already exists") && old("old.frag"));
     press(&mut window, "Replace");
     assert!(!old("old.frag"));
 }
@@ -165,7 +165,7 @@ fn an_export_that_is_cancelled_writes_nothing() {
     assert!(!asks(&window, "Drawing "));
     std::thread::sleep(std::time::Duration::from_secs(2));
     window.run();
-    assert!(folder.names().is_empty() && !asks(&window, "exported"));
+    assert!(folder.names().is_empty() && !asks(&window, "Exported"));
 }
 
 #[test]
@@ -318,6 +318,19 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     let mut first = keeping("torus", &folder.0);
     assert!(kept(&mut first, &folder).is_empty(), "nothing has changed");
     change(&mut first, 7.0);
+    open_view(&mut first, "Profile");
+    // Where the probe stands and which pane is worked on are kept with it.
+    first.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+    first.key_press(Key::K);
+    first.run();
+    first.key_press(Key::N);
+    first.run();
+    let looked_at = |window: &Window| {
+        let state = window.state().state();
+        (state.probe, state.line, state.panes.active, state.look.tab)
+    };
+    let before = looked_at(&first);
+    assert_eq!((before.2, before.3), (1, NumbersTab::Profile));
     assert_eq!(kept(&mut first, &folder), ["0.toml"]);
     // Another window has its own file and leaves this one's alone.
     let mut second = keeping("sphere", &folder.0);
@@ -326,9 +339,10 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     assert_eq!(kept(&mut second, &folder), ["0.toml", "1.toml"]);
     drop(first);
     let mut third = keeping("cube", &folder.0);
-    assert!(asks(&third, "Unsaved changes to torus"));
+    assert!(asks(&third, "unsaved changes to torus"));
     press(&mut third, "Restore");
     assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
+    assert_eq!(looked_at(&third), before);
     let state = third.state().state();
     assert!(state.modified() && state.document.origin == Origin::BuiltIn("torus".to_owned()));
     assert_eq!(
@@ -375,6 +389,19 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("a model");
     let mut first = keeping(&folder.path("triangle.obj"), &folder.0);
     change(&mut first, 7.0);
+    open_view(&mut first, "Profile");
+    // Where the probe stands and which pane is worked on are kept with it.
+    first.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+    first.key_press(Key::K);
+    first.run();
+    first.key_press(Key::N);
+    first.run();
+    let looked_at = |window: &Window| {
+        let state = window.state().state();
+        (state.probe, state.line, state.panes.active, state.look.tab)
+    };
+    let before = looked_at(&first);
+    assert_eq!((before.2, before.3), (1, NumbersTab::Profile));
     assert_eq!(kept(&mut first, &folder), ["0.toml"]);
     drop(first);
     fs::rename(&model, folder.0.join("elsewhere.obj")).expect("renamed");
@@ -395,4 +422,71 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     press(&mut third, "Restore");
     assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
     assert!(third.state().state().document.model.is_some());
+}
+
+#[test]
+fn undo_reaches_across_opening_another_scene() {
+    let folder = Folder::new("undo");
+    let mut window = window("sphere");
+    change(&mut window, 7.0);
+    save_as(&mut window, SAVE_AS, &folder.path("ball.toml"), "Save");
+    change(&mut window, 8.0);
+    press(&mut window, "Next scene");
+    let state = |window: &Window| {
+        let state = window.state().state();
+        (
+            state.document.origin.name(),
+            state.modified(),
+            state.opened.material.n,
+        )
+    };
+    let next = state(&window);
+    assert!(next.0 != "ball.toml" && !next.1);
+    undo(&mut window);
+    assert_eq!(scene(&window).material.n, 8.0);
+    assert_eq!(state(&window), ("ball.toml".to_owned(), true, 7.0));
+    undo(&mut window);
+    assert_eq!(
+        state(&window),
+        ("ball.toml".to_owned(), false, 7.0),
+        "as saved"
+    );
+    for _ in 0..2 {
+        window.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+        window.run();
+    }
+    assert_eq!(state(&window), next);
+    let recent = &window.state().state().look.recent;
+    assert_eq!(
+        recent,
+        &[folder.0.join("ball.toml")],
+        "the file can be opened again"
+    );
+}
+
+#[test]
+fn the_form_of_an_export_has_usual_sizes_and_keeps_proportions() {
+    let mut window = window("sphere");
+    window.key_press_modifiers(EXPORT.0, EXPORT.1);
+    window.run();
+    let sides = |window: &Window| {
+        ["Width", "Height"].map(|side| {
+            let field = window.get_by_role_and_label(Role::SpinButton, side);
+            field.value().expect("a number")
+        })
+    };
+    assert_eq!(sides(&window), ["1920", "1080"]);
+    press(&mut window, "4K");
+    assert_eq!(sides(&window), ["3840", "2160"]);
+    window
+        .get_by_role_and_label(Role::CheckBox, "Keep proportions")
+        .click_accesskit();
+    window.run();
+    enter(&mut window, "Width", 1600.0);
+    assert_eq!(sides(&window), ["1600", "900"]);
+    enter(&mut window, "Height", 1.0);
+    assert_eq!(sides(&window), ["2", "1"]);
+    press(&mut window, "Window");
+    let [width, height] = sides(&window).map(|side| side.parse::<u32>().expect("a number"));
+    assert_eq!([width, height], window.state().state().room);
 }

@@ -54,8 +54,14 @@ pub fn menus_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
 }
 
 fn each_menu_ui(ui: &mut Ui, state: &mut AppState) {
-    for menu in ["File", "Edit", "View", "Compare", "Help"] {
-        ui.menu_button(menu, |ui| {
+    for (menu, name) in [
+        ("File", text!("menu-file")),
+        ("Edit", text!("menu-edit")),
+        ("View", text!("menu-view")),
+        ("Compare", text!("menu-compare")),
+        ("Help", text!("menu-help")),
+    ] {
+        ui.menu_button(name, |ui| {
             ui.set_min_width(260.0);
             if menu == "Compare" {
                 for (view, name, tip) in VIEWS {
@@ -68,12 +74,18 @@ fn each_menu_ui(ui: &mut Ui, state: &mut AppState) {
                 ui.separator();
             }
             items_ui(ui, state, menu);
+            if menu == "File" {
+                ui.separator();
+                ui.add_enabled_ui(!state.look.recent.is_empty(), |ui| {
+                    ui.menu_button(text!("recent"), |ui| recent_ui(ui, state));
+                });
+            }
             if menu == "View" {
                 ui.separator();
                 let themes = [
-                    ("System", ThemeChoice::System),
-                    ("Dark", ThemeChoice::Dark),
-                    ("Light", ThemeChoice::Light),
+                    (text!("theme-system"), ThemeChoice::System),
+                    (text!("theme-dark"), ThemeChoice::Dark),
+                    (text!("theme-light"), ThemeChoice::Light),
                 ];
                 for (text, theme) in themes {
                     ui.radio_value(&mut state.look.theme, theme, text);
@@ -150,6 +162,23 @@ fn scene_buttons_ui(ui: &mut Ui, state: &mut AppState) {
         if button.on_hover_text(name).clicked() {
             state.ask(Action::NextScene(step));
         }
+    }
+}
+
+/// The files opened or saved last.
+fn recent_ui(ui: &mut Ui, state: &mut AppState) {
+    for path in state.look.recent.clone() {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        let button = ui.button(name.to_string_lossy());
+        if button.on_hover_text(path.display().to_string()).clicked() {
+            state.ask(Action::OpenFile(path));
+            ui.close();
+        }
+    }
+    ui.separator();
+    if ui.button(text!("recent-clear")).clicked() {
+        state.look.recent.clear();
+        ui.close();
     }
 }
 
@@ -233,10 +262,8 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         let ms = engine.nanoseconds() as f64 / 1e6;
         ui.label(RichText::new(format!("{ms:.1} ms")).monospace());
         if engine.coarser() > 1 {
-            let text = format!("1/{} of the size while dragged", engine.coarser());
-            ui.label(text).on_hover_text(
-                "All of it would not keep up with the hand; it is drawn whole when you let go",
-            );
+            let text = text!("coarser", share = engine.coarser());
+            ui.label(text).on_hover_text(text!("coarser-tip"));
         }
         // A notice takes the room of the counts; so does a narrow window.
         let room = if state.notice.is_none() {
@@ -245,24 +272,23 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             0.0
         };
         if room > 250.0 {
-            let words = if evaluations == 1 {
-                "evaluation"
-            } else {
-                "evaluations"
-            };
-            ui.label(format!("{} {words}", grouped(evaluations)));
+            ui.label(text!(
+                "evaluations",
+                count = evaluations,
+                shown = grouped(evaluations)
+            ));
         }
         if room > 530.0 {
-            ui.label(RichText::new(format!("{} triangles", grouped(report.triangles))).weak());
+            ui.label(RichText::new(text!("triangles", count = grouped(report.triangles))).weak());
         }
         if report.overflowing > 0 && room.min(ui.available_width()) > 250.0 {
-            ui.label(format!("{} pixels above 1", grouped(report.overflowing)));
+            ui.label(text!("overflowing", count = grouped(report.overflowing)));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let omitted = left_out(engine, &state.look);
-            let tip = "What does not run and why: opens the plan of the frame";
+            let tip = text!("left-out-tip");
             if ui
-                .link(format!("left out: {omitted}"))
+                .link(text!("left-out", count = omitted))
                 .on_hover_text(tip)
                 .clicked()
             {
@@ -282,12 +308,16 @@ fn stage_ui(ui: &mut Ui, run: &StageRun) {
         let (ms, evaluations) = (run.nanoseconds as f64 / 1e6, grouped(run.evaluations));
         (
             RichText::new(format!("■ {name}")).strong(),
-            format!("ran for {ms:.2} ms, {evaluations} evaluations"),
+            text!(
+                "stage-ran",
+                ms = format!("{ms:.2}"),
+                evaluations = evaluations
+            ),
         )
     } else {
         (
             RichText::new(format!("□ {name}")).weak(),
-            "not run: nothing that it reads has changed".to_owned(),
+            text!("stage-kept").to_owned(),
         )
     };
     ui.add(Label::new(text).sense(Sense::hover()))

@@ -2,7 +2,7 @@
 //! is written in the background, and again when the scene has become another.
 
 use super::background::wake;
-use super::dialog::{Choice, CodeForm, Dialog, Language, buttons_ui, path_ui};
+use super::dialog::{Choice, CodeForm, Dialog, Language, both, buttons_ui, path_ui};
 use super::document::Document;
 use super::focus::{named, switch_named};
 use super::state::AppState;
@@ -12,6 +12,7 @@ use crate::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
 use crate::geometry::{Mesh, tessellate};
 use crate::jobs::{Asked, Background, Work};
 use crate::scene::Scene;
+use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{
@@ -26,21 +27,9 @@ const PROGRAM_LINES: usize = 200;
 const TEXT_LINES: usize = 2000;
 /// The languages, what their tabs are called, and what they are.
 const LANGUAGES: [(Language, &str, &str); 3] = [
-    (
-        Language::Calls,
-        "OpenGL calls",
-        "Camera, lights and material as calls of fixed-function OpenGL, in C",
-    ),
-    (
-        Language::Shaders,
-        "GLSL 330",
-        "A vertex and a fragment shader that evaluate the equation where the shading mode does",
-    ),
-    (
-        Language::Program,
-        "Whole program in C",
-        "The calls and the polygons in a program that draws them off screen",
-    ),
+    (Language::Calls, "code-calls", "code-calls-tip"),
+    (Language::Shaders, "code-shaders", "code-shaders-tip"),
+    (Language::Program, "code-program", "code-program-tip"),
 ];
 /// Width of the dialog in a window that has room for it, points: a line of 100 characters.
 const WIDTH: f32 = 920.0;
@@ -89,8 +78,8 @@ impl Written {
         self.paths(target)
             .iter()
             .map(|path| path.display().to_string())
-            .collect::<Vec<_>>()
-            .join(" and ")
+            .reduce(both)
+            .unwrap_or_default()
     }
 }
 
@@ -181,7 +170,7 @@ pub fn save(state: &mut AppState, mut form: CodeForm) {
         form.message = Some(match save_code(&target, &written.export) {
             Ok(()) => {
                 form.path = None;
-                format!("saved {}", written.names(&target))
+                text!("saved", path = written.names(&target))
             }
             Err(error) => error.to_string(),
         });
@@ -201,10 +190,11 @@ pub fn code_ui(
     writer: &mut Writer,
     document: &Document,
 ) -> Choice {
-    ui.heading("The scene as code");
+    ui.heading(text!("code"));
     ui.add_space(6.0);
     ui.horizontal(|ui| {
         for (language, title, what) in LANGUAGES {
+            let (title, what) = (text!(title), text!(what));
             let on = form.language == language;
             let tab = switch_named(ui.add(Button::selectable(on, title)), Role::Tab, on, title);
             if tab.on_hover_text(what).clicked() && !on {
@@ -219,7 +209,7 @@ pub fn code_ui(
     let bottom = ui.cursor().top() + HEIGHT.min(ui.ctx().content_rect().height() - AROUND);
     let answer = ask(writer, ui.ctx(), document, form.language);
     match answer {
-        None => _ = ui.label("Writing…"),
+        None => _ = ui.label(text!("code-writing")),
         Some(Err(reason)) => _ = ui.label(reason),
         Some(Ok(written)) => {
             form.part = form.part.min(written.shown.len().saturating_sub(1));
@@ -238,11 +228,8 @@ pub fn code_ui(
                     }
                     let Shown { lines, hidden, .. } = shown;
                     let text = match hidden {
-                        0 => format!("{lines} lines"),
-                        _ => format!(
-                            "the first {lines} of {} lines; copying and saving take them all",
-                            lines + hidden
-                        ),
+                        0 => text!("code-lines", count = *lines),
+                        _ => text!("code-first-lines", shown = *lines, all = lines + hidden),
                     };
                     ui.label(RichText::new(text).weak());
                 });
@@ -267,18 +254,30 @@ pub fn code_ui(
     let entered = path_ui(ui, path, form.language.file_kind().example);
     let sound = ready.filter(|_| !path.trim().is_empty());
     if let Some(written) = sound.filter(|written| written.export.parts.len() > 1) {
-        ui.label(RichText::new(format!("Writes {}", written.names(Path::new(path.trim())))).weak());
+        ui.label(
+            RichText::new(text!(
+                "code-files",
+                names = written.names(Path::new(path.trim()))
+            ))
+            .weak(),
+        );
     }
-    buttons_ui(ui, "Save", ("Back", Choice::Back), sound.is_some(), entered)
+    buttons_ui(
+        ui,
+        text!("save"),
+        (text!("back"), Choice::Back),
+        sound.is_some(),
+        entered,
+    )
 }
 
 /// What the target cannot say, as plainly as the text itself.
 fn limits_ui(ui: &mut Ui, limits: &[String]) {
     if limits.is_empty() {
-        ui.label(RichText::new("It expresses the scene completely.").weak());
+        ui.label(RichText::new(text!("code-complete")).weak());
         return;
     }
-    ui.label(RichText::new("What it does not express:").weak());
+    ui.label(RichText::new(text!("code-limits")).weak());
     ScrollArea::vertical()
         .id_salt("limits")
         .max_height(LIMITS)
@@ -323,7 +322,7 @@ fn text_ui(ui: &mut Ui, form: &CodeForm, text: &str, height: f32) {
                 .layouter(&mut unwrapped)
                 .frame(Frame::NONE);
             let view = ui.add(view.cursor_at_end(false).desired_width(f32::INFINITY));
-            named(view, Role::MultilineTextInput, "Code");
+            named(view, Role::MultilineTextInput, text!("code-text"));
         });
     });
 }
@@ -336,19 +335,19 @@ fn actions_ui(
 ) -> Choice {
     let mut choice = Choice::Stay;
     ui.horizontal(|ui| {
-        let copy = ui.add_enabled(ready.is_some(), Button::new("Copy"));
-        let save = ui.add_enabled(ready.is_some(), Button::new("Save…"));
+        let copy = ui.add_enabled(ready.is_some(), Button::new(text!("copy")));
+        let save = ui.add_enabled(ready.is_some(), Button::new(text!("save-as")));
         if let Some(part) = ready.and_then(|written| written.export.parts.get(form.part)) {
             if copy.clicked() {
                 ui.ctx().copy_text(part.text.clone());
-                form.message = Some(format!("copied the {}", part.title));
+                form.message = Some(text!("copied", what = part.title));
             }
             if save.clicked() {
                 form.path = Some(document.suggested(part.ending));
                 form.message = None;
             }
         }
-        if ui.button("Close").clicked() {
+        if ui.button(text!("close")).clicked() {
             choice = Choice::Leave;
         }
     });

@@ -457,8 +457,14 @@ impl AppState {
     pub fn perform(&mut self, action: Action, size: [u32; 2]) -> Option<Action> {
         let camera = &mut self.shown.scene.camera;
         match action {
-            Action::Undo => self.history.undo(&mut self.document),
-            Action::Redo => self.history.redo(&mut self.document),
+            Action::Undo => {
+                self.history.undo(&mut self.document);
+                self.return_to_origin();
+            }
+            Action::Redo => {
+                self.history.redo(&mut self.document);
+                self.return_to_origin();
+            }
             Action::ResetCamera => orbit::reset(&mut self.shown, &self.opened, size),
             Action::Shade { mode, renormalise } => {
                 self.shown.scene.shading.mode = mode;

@@ -2,6 +2,7 @@
 
 use super::focus::named;
 use crate::analysis::Format;
+use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Key, ScrollArea, TextEdit, Ui};
 use std::path::Path;
@@ -48,6 +49,8 @@ pub enum FileTask {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExportForm {
     pub size: [u32; 2],
+    /// Width over height, while a change of one changes the other.
+    pub shape: Option<f64>,
     pub samples: u32,
     /// With the vectors as they are shown.
     pub overlay: bool,
@@ -105,17 +108,23 @@ impl FileTask {
     pub fn file_kind(&self) -> FileKind {
         let (title, verb, files, endings, example): (_, _, _, &[_], _) = match self {
             Self::Open => (
-                "Open a scene, a model or an exported picture",
-                "Open",
-                "Scenes, models, pictures",
+                text!("file-open"),
+                text!("open"),
+                text!("file-open-kinds"),
                 &["toml", "obj", "png"],
-                "scene.toml, model.obj or picture.png",
+                text!("file-open-example"),
             ),
-            Self::SaveScene => ("Save the scene", "Save", "Scene", &["toml"], "scene.toml"),
+            Self::SaveScene => (
+                text!("file-save"),
+                text!("save"),
+                text!("file-scene"),
+                &["toml"],
+                "scene.toml",
+            ),
             Self::Export(_) => (
-                "Export the picture",
-                "Export",
-                "Picture",
+                text!("file-export"),
+                text!("export"),
+                text!("file-picture"),
                 &["png"],
                 "picture.png",
             ),
@@ -127,9 +136,9 @@ impl FileTask {
                     Format::Svg => "analysis.svg",
                 };
                 (
-                    "Save the analysis",
-                    "Save",
-                    "Analysis",
+                    text!("file-analysis"),
+                    text!("save"),
+                    text!("file-analysis-kind"),
                     &["csv", "png", "svg", "json"],
                     example,
                 )
@@ -153,9 +162,9 @@ impl Language {
             "scene.c"
         };
         FileKind {
-            title: "Save the code",
-            verb: "Save",
-            files: "Code",
+            title: text!("file-code"),
+            verb: text!("save"),
+            files: text!("file-code-kind"),
             endings: &[],
             example,
         }
@@ -237,6 +246,11 @@ impl Dialog {
     }
 }
 
+/// Two names in one sentence.
+pub fn both(first: String, second: String) -> String {
+    text!("and", first = first, second = second)
+}
+
 /// A question or a message with a button for each answer; Enter gives the only one.
 pub fn question_ui(ui: &mut Ui, title: &str, text: &str, answers: &[(&str, Choice)]) -> Choice {
     ui.heading(title);
@@ -263,15 +277,15 @@ pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str) -> Choice {
         let field = TextEdit::singleline(path)
             .hint_text(hint)
             .desired_width((ui.available_width() - 92.0).max(0.0));
-        let field = named(ui.add(field), Role::TextInput, "File");
+        let field = named(ui.add(field), Role::TextInput, text!("file"));
         if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
             choice = Choice::Accept;
         } else if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
             field.request_focus();
         }
         if ui
-            .button("Browse…")
-            .on_hover_text("The desktop's own dialog, where it has one")
+            .button(text!("browse"))
+            .on_hover_text(text!("browse-tip"))
             .clicked()
         {
             choice = Choice::Browse;

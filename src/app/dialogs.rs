@@ -3,13 +3,14 @@
 use super::action::Action;
 use super::code::{self, Writer, code_ui};
 use super::commands::SECTIONS;
-use super::dialog::{Choice, Dialog, ExportForm, FileTask, buttons_ui, path_ui, question_ui};
+use super::dialog::{Choice, Dialog, ExportForm, FileTask, both, buttons_ui, path_ui, question_ui};
 use super::files::Files;
 use super::focus::named;
 use super::report;
 use super::scenes::scenes_ui;
 use super::state::{AppState, Leaving};
 use crate::scene::Image;
+use crate::text::{has, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Context, DragValue, Grid, Id, Key, Modal, ProgressBar, RichText, ScrollArea, Ui,
@@ -25,7 +26,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
             ui.label(what);
             ui.add(ProgressBar::new(fraction).show_percentage());
             ui.add_space(6.0);
-            ui.button("Cancel").clicked()
+            ui.button(text!("cancel")).clicked()
         });
         let escape = !browsing && ctx.input(|input| input.key_pressed(Key::Escape));
         if shown.inner || escape {
@@ -92,18 +93,17 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Di
     let lost = |path: &&PathBuf| {
         path.is_file() && !state.document.is_from(path) && agreed.as_ref() != Some(path)
     };
-    let names: Vec<String> = targets
+    let names = targets
         .iter()
         .filter(lost)
         .map(|path| path.display().to_string())
-        .collect();
-    if names.is_empty() {
-        perform(ctx, state, files, dialog);
-    } else {
-        state.dialog = Some(Dialog::Replace {
-            names: names.join(" and "),
-            then: Box::new(dialog),
-        });
+        .reduce(both);
+    match names {
+        None => perform(ctx, state, files, dialog),
+        Some(names) => {
+            let then = Box::new(dialog);
+            state.dialog = Some(Dialog::Replace { names, then });
+        }
     }
     ctx.request_repaint();
 }
@@ -116,7 +116,7 @@ fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialo
             FileTask::Export(form) => files.export(ctx, state, form, PathBuf::from(path)),
             FileTask::SaveAnswer(_) => {
                 if let Err(text) = report::save(state, Path::new(path.trim())) {
-                    state.dialog = Some(Dialog::message("The analysis was not saved", text));
+                    state.dialog = Some(Dialog::message(text!("analysis-not-saved"), text));
                 }
             }
         },
@@ -134,9 +134,9 @@ fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialo
 fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice {
     match dialog {
         Dialog::Message { title, text } => {
-            question_ui(ui, title, text, &[("Close", Choice::Leave)])
+            question_ui(ui, title, text, &[(text!("close"), Choice::Leave)])
         }
-        Dialog::File { task, path } => file_ui(ui, task, path),
+        Dialog::File { task, path } => file_ui(ui, task, path, state.room),
         Dialog::Code(form) => {
             let mut writer = state.own.take();
             let choice = code_ui(ui, form, &mut writer, &state.document);
@@ -144,52 +144,52 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             choice
         }
         Dialog::Replace { names, .. } => {
-            let text = format!("{names} exists already. What is in it will be lost.");
+            let text = text!("replace-lost", names = names.as_str());
             question_ui(
                 ui,
-                "Replace the file?",
+                text!("replace-file"),
                 &text,
-                &[("Replace", Choice::Accept), ("Back", Choice::Back)],
+                &[
+                    (text!("replace"), Choice::Accept),
+                    (text!("back"), Choice::Back),
+                ],
             )
         }
         Dialog::Unsaved => {
-            let title = format!("Save the changes to {}?", state.document.origin.name());
-            let text = "They are lost if the window closes without saving.";
+            let title = text!("unsaved", name = state.document.origin.name());
+            let text = text!("unsaved-lost");
             let answers = [
-                ("Save", Choice::Accept),
-                ("Close without saving", Choice::Discard),
-                ("Cancel", Choice::Leave),
+                (text!("save"), Choice::Accept),
+                (text!("close-unsaved"), Choice::Discard),
+                (text!("cancel"), Choice::Leave),
             ];
             question_ui(ui, &title, text, &answers)
         }
         Dialog::Restore { name } => {
-            let text = format!(
-                "The last window ended without closing. Unsaved changes to {name} have been kept."
-            );
+            let text = text!("restore-kept", name = name.as_str());
             let answers = [
-                ("Restore", Choice::Accept),
-                ("Delete", Choice::Discard),
-                ("Later", Choice::Leave),
+                (text!("restore"), Choice::Accept),
+                (text!("delete"), Choice::Discard),
+                (text!("later"), Choice::Leave),
             ];
-            question_ui(ui, "Restore unsaved work?", &text, &answers)
+            question_ui(ui, text!("restore-work"), &text, &answers)
         }
         Dialog::Scenes => scenes_ui(ui, state),
         Dialog::Keys => keys_ui(ui),
         Dialog::About => question_ui(
             ui,
             concat!("shading-lab ", env!("CARGO_PKG_VERSION")),
-            "A laboratory for local illumination and polygon shading: the illumination equation, a rasterizer of its own, \
-             and what both mean in numbers.",
-            &[("Close", Choice::Leave)],
+            text!("about"),
+            &[(text!("close"), Choice::Leave)],
         ),
     }
 }
 
-fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String) -> Choice {
+fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, window: [u32; 2]) -> Choice {
     let kind = task.file_kind();
     ui.heading(kind.title);
     if let FileTask::Export(form) = task {
-        export_ui(ui, form);
+        export_ui(ui, form, window);
     }
     ui.add_space(8.0);
     let entered = path_ui(ui, path, kind.example);
@@ -197,45 +197,89 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String) -> Choice {
     buttons_ui(
         ui,
         kind.verb,
-        ("Cancel", Choice::Leave),
+        (text!("cancel"), Choice::Leave),
         !path.trim().is_empty(),
         entered,
     )
 }
 
-fn export_ui(ui: &mut Ui, form: &mut ExportForm) {
-    ui.label(RichText::new("The scene goes with it: opening the picture brings it back.").weak());
+/// Sizes of pictures that are often wanted, pixels; the first is the window's.
+const PRESETS: [(&str, [u32; 2]); 4] = [
+    ("preset-window", [0, 0]),
+    ("1080p", [1920, 1080]),
+    ("4K", [3840, 2160]),
+    ("preset-square", [1024, 1024]),
+];
+
+fn export_ui(ui: &mut Ui, form: &mut ExportForm, window: [u32; 2]) {
+    ui.label(RichText::new(text!("export-scene")).weak());
     ui.add_space(8.0);
     let number_ui = |ui: &mut Ui, name: &str, value: &mut u32, most: u32| {
         named(
             ui.add(DragValue::new(value).range(1..=most)),
             Role::SpinButton,
             name,
-        );
+        )
+        .changed()
     };
+    let most = Image::MAX_SIDE / 2;
+    ui.horizontal_wrapped(|ui| {
+        for (name, size) in PRESETS {
+            let size = if size == [0, 0] { window } else { size };
+            let name = if has(name) { text!(name) } else { name };
+            let tip = format!("{} × {}", size[0], size[1]);
+            let button = ui.selectable_label(form.size == size, name);
+            if button.on_hover_text(tip).clicked() {
+                form.size = size;
+                form.shape = form.shape.and(Some(shape(size)));
+            }
+        }
+    });
+    ui.add_space(4.0);
     Grid::new("export")
         .num_columns(2)
         .spacing([16.0, 8.0])
         .show(ui, |ui| {
-            ui.label("Size");
+            ui.label(text!("size"));
             ui.horizontal(|ui| {
-                number_ui(ui, "Width", &mut form.size[0], Image::MAX_SIDE / 2);
+                let [width, height] = &mut form.size;
+                let wider = number_ui(ui, text!("width"), width, most);
                 ui.label("×");
-                number_ui(ui, "Height", &mut form.size[1], Image::MAX_SIDE / 2);
-                ui.label("pixels");
+                let higher = number_ui(ui, text!("height"), height, most);
+                ui.label(text!("pixels"));
+                let fitting = |side: f64| (side.round() as u32).clamp(1, most);
+                if let Some(shape) = form.shape {
+                    if wider {
+                        *height = fitting(f64::from(*width) / shape);
+                    } else if higher {
+                        *width = fitting(f64::from(*height) * shape);
+                    }
+                }
             });
             ui.end_row();
-            ui.label("Samples per pixel");
-            number_ui(ui, "Samples per pixel", &mut form.samples, 1024);
+            ui.label("");
+            let mut kept = form.shape.is_some();
+            if ui.checkbox(&mut kept, text!("keep-shape")).changed() {
+                form.shape = kept.then(|| shape(form.size));
+            }
             ui.end_row();
-            ui.label("Vectors");
-            ui.checkbox(&mut form.overlay, "as they are shown");
+            ui.label(text!("samples"))
+                .on_hover_text(text!("samples-tip"));
+            number_ui(ui, text!("samples"), &mut form.samples, 1024);
+            ui.end_row();
+            ui.label(text!("vectors"));
+            ui.checkbox(&mut form.overlay, text!("vectors-shown"));
             ui.end_row();
         });
 }
 
+/// Width over height.
+fn shape([width, height]: [u32; 2]) -> f64 {
+    f64::from(width) / f64::from(height.max(1))
+}
+
 fn keys_ui(ui: &mut Ui) -> Choice {
-    ui.heading("Keys and gestures");
+    ui.heading(text!("keys"));
     ui.add_space(8.0);
     ScrollArea::vertical()
         .max_height(440.0)
@@ -262,7 +306,7 @@ fn keys_ui(ui: &mut Ui) -> Choice {
                 });
         });
     ui.add_space(12.0);
-    if ui.button("Close").clicked() {
+    if ui.button(text!("close")).clicked() {
         Choice::Leave
     } else {
         Choice::Stay

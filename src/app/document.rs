@@ -3,6 +3,7 @@
 use crate::document::Loaded;
 use crate::geometry::Mesh;
 use crate::scene::{Scene, presets};
+use crate::text::text;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::mem::replace;
@@ -211,18 +212,18 @@ impl History {
 /// The name of what differs between two documents.
 fn change(before: &Document, after: &Document) -> String {
     if before.origin != after.origin || before.model_differs(after) {
-        return "opening".to_owned();
+        return text!("change-opening").to_owned();
     }
     let (a, b) = (&before.scene, &after.scene);
     if a.lights.len() != b.lights.len() {
-        return "lights".to_owned();
+        return text!("change-lights").to_owned();
     }
     if a.compare.panes != b.compare.panes {
-        return "panes".to_owned();
+        return text!("change-panes").to_owned();
     }
     let mut differing = a.differences(b);
     let Some((first, index)) = differing.next() else {
-        return "change".to_owned();
+        return text!("change-one").to_owned();
     };
     let mut others = differing.map(|(parameter, _)| parameter.section());
     match others.next() {
@@ -230,7 +231,7 @@ fn change(before: &Document, after: &Document) -> String {
         Some(section) if section == first.section() && others.all(|other| other == section) => {
             section.replace('_', " ")
         }
-        Some(_) => "several settings".to_owned(),
+        Some(_) => text!("change-several").to_owned(),
     }
 }
 

@@ -16,6 +16,7 @@ use crate::document::{load_with, save_picture};
 use crate::jobs::Job;
 use crate::render::{Frame, Renderer, check_memory};
 use crate::scene::Scene;
+use crate::text::text;
 use eframe::egui::Context;
 use std::cell::Cell;
 use std::convert::Infallible;
@@ -137,8 +138,8 @@ impl Files {
     pub fn open(&mut self, ctx: &Context, path: PathBuf) {
         self.start(
             ctx,
-            format!("Opening {}", path.display()),
-            "The file was not opened",
+            text!("opening", path = path.display().to_string()),
+            text!("not-opened"),
             move |watch| {
                 let mut progress =
                     |read: u64, total: u64| _ = watch.at(read as f32 / total.max(1) as f32);
@@ -152,20 +153,17 @@ impl Files {
 
     /// Opens unsaved work that was left in a file.
     pub fn restore(&mut self, ctx: &Context, path: PathBuf) {
-        let failure = "The unsaved work was not restored";
-        self.start(
-            ctx,
-            "Restoring unsaved work".to_owned(),
-            failure,
-            move |_| {
-                let (document, original) = recovery::restore(&path)?;
-                Ok(move |state: &mut AppState| {
-                    state.open(original.clone());
-                    state.document = document.clone();
-                    state.ask(Action::AdoptRestored);
-                })
-            },
-        );
+        let failure = text!("not-restored");
+        self.start(ctx, text!("restoring").to_owned(), failure, move |_| {
+            let (document, original, around) = recovery::restore(&path)?;
+            Ok(move |state: &mut AppState| {
+                state.open(original.clone());
+                state.document = document.clone();
+                state.derive();
+                around.apply(state);
+                state.ask(Action::AdoptRestored);
+            })
+        });
     }
 
     /// Draws and writes a picture of the document.
@@ -178,8 +176,8 @@ impl Files {
         let total = f64::from(form.samples) * scene.shown_panes().len() as f64;
         self.start(
             ctx,
-            format!("Drawing {}", path.display()),
-            "The picture was not exported",
+            text!("drawing-file", path = path.display().to_string()),
+            text!("not-exported"),
             move |watch| {
                 check_memory(&scene).map_err(|error| error.to_string())?;
                 let mut renderer = Renderer::default();
@@ -190,7 +188,7 @@ impl Files {
                 if let Some(frame) = frame.filter(|_| watch.at(1.0)) {
                     save_picture(&path, &frame, &scene).map_err(|error| error.to_string())?;
                 }
-                let notice = format!("exported {}", path.display());
+                let notice = text!("exported", path = path.display().to_string());
                 Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
             },
         );
@@ -219,8 +217,8 @@ impl Files {
         };
         self.start(
             ctx,
-            "Waiting for the desktop's file dialog".to_owned(),
-            "That did not work",
+            text!("waiting-dialog").to_owned(),
+            text!("did-not-work"),
             move |_| {
                 let all = rfd::FileDialog::new();
                 let dialog = if endings.is_empty() {

@@ -4,6 +4,7 @@ use super::profile::look::ProfileLook;
 use super::theme::{PROJECTOR_TEXT, SCALES, TEXT, ThemeChoice};
 use crate::text::Language;
 use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
 
 /// How the window looks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -30,7 +31,12 @@ pub struct Look {
     pub tab: NumbersTab,
     pub overlay: OverlayLook,
     pub profile: ProfileLook,
+    /// Files opened or saved, the latest first.
+    pub recent: Vec<PathBuf>,
 }
+
+/// How many files are remembered.
+const RECENT: usize = 10;
 
 impl Look {
     /// The same with what is out of bounds put back to its default.
@@ -46,6 +52,14 @@ impl Look {
             profile: self.profile.sound(),
             ..self
         }
+    }
+
+    /// Puts a file first among those that were opened or saved.
+    pub fn remember(&mut self, path: &Path) {
+        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        self.recent.retain(|known| *known != path);
+        self.recent.insert(0, path);
+        self.recent.truncate(RECENT);
     }
 
     /// Shows the normals of polygons and of vertices, or hides both.
@@ -98,6 +112,7 @@ impl Default for Look {
                 ..OverlayLook::default()
             },
             profile: ProfileLook::default(),
+            recent: Vec::new(),
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::lines;
 use eframe::egui::{Pos2, Rect, Ui, vec2};
 use glam::{DVec2, DVec3};
+use serde::{Deserialize, Serialize};
 
 /// Where the picture is on the screen, in points and in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +60,7 @@ fn shorter(size: [u32; 2]) -> f64 {
 
 /// Where the probe stands: from the picture's middle, in units of its shorter side, so that it keeps to the same
 /// place of the scene when the window changes its size.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ProbePoint(pub DVec2);
 
 impl Default for ProbePoint {
@@ -108,7 +109,7 @@ impl ProbePoint {
 }
 
 /// Where the profile is taken: both ends from the picture's middle in units of its shorter side, like the probe.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ProfileLine(pub [DVec2; 2]);
 
 impl Default for ProfileLine {

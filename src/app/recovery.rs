@@ -5,11 +5,16 @@
 
 use super::background::Task;
 use super::document::{Document, Origin};
+use super::look::NumbersTab;
+use super::place::{ProbePoint, ProfileLine};
 use super::state::{AppState, Leaving};
 use crate::analysis::Watch;
 use crate::document::{load, write_whole};
 use crate::jobs::Job;
+use crate::text::text;
 use eframe::egui::Context;
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -18,15 +23,54 @@ use std::time::Duration;
 const PAUSE: f64 = 3.0;
 /// Most windows at a time that keep their work.
 const MOST: usize = 100;
-/// The first line of a kept scene begins with this; what follows says where the scene came from.
+/// The first line of a kept scene begins with this; what follows is [`Around`] as JSON.
 const HEAD: &str = "# Unsaved work of shading-lab, from ";
+
+/// What is kept beside the scene: where it came from, and what was being looked at.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Around {
+    origin: Origin,
+    probe: ProbePoint,
+    line: ProfileLine,
+    tab: NumbersTab,
+    /// The pane that was being worked on.
+    pane: usize,
+}
+
+impl Around {
+    fn of(state: &AppState) -> Self {
+        Self {
+            origin: state.document.origin.clone(),
+            probe: state.probe,
+            line: state.line,
+            tab: state.look.tab,
+            pane: state.panes.active,
+        }
+    }
+
+    /// Shows again what was being looked at; not what no file of ours would say.
+    pub fn apply(&self, state: &mut AppState) {
+        let sound = |point: DVec2| point.is_finite() && point.abs().max_element() < 1e6;
+        if sound(self.probe.0) {
+            state.probe = self.probe;
+        }
+        if self.line.0.into_iter().all(sound) {
+            state.line = self.line;
+        }
+        state.show_tab(self.tab);
+        if state.document.scene.shown_panes().contains(&self.pane) {
+            state.activate(self.pane);
+        }
+    }
+}
 
 /// The work of this window, and what another one left behind.
 pub struct Recovery {
     own: Slot,
     left: Option<Slot>,
-    /// The document as last kept.
-    kept: Option<Document>,
+    /// The document as last kept, and what was around it.
+    kept: Option<(Document, Around)>,
     /// When the next change is to be kept, seconds.
     due: Option<f64>,
     /// Whether there may be a file of this window's.
@@ -82,7 +126,7 @@ impl Recovery {
     pub fn left(&self) -> Option<(&Path, String)> {
         self.left
             .as_ref()
-            .map(|slot| (&*slot.path, origin(&slot.path).name()))
+            .map(|slot| (&*slot.path, around(&slot.path).origin.name()))
     }
 
     /// Makes what was left behind this window's work.
@@ -105,29 +149,37 @@ impl Recovery {
     /// Keeps the document a while after it has changed, and nothing once it is saved. Nothing runs in between.
     pub fn keep(&mut self, ctx: &Context, state: &mut AppState) {
         if let Some((_, Err(error))) = Job::take(&mut self.writing) {
-            state.notice = Some(format!("unsaved changes are not kept: {error}"));
+            state.notice = Some(text!("not-kept", error = error));
         }
         if !state.modified() {
             self.forget();
-        } else if self.kept.as_ref() != Some(&state.document) && state.leaving != Leaving::Now {
+        } else if !self.is_kept(state) && state.leaving != Leaving::Now {
             let time = ctx.input(|input| input.time);
             let due = *self.due.get_or_insert(time + PAUSE);
             if time < due || self.writing.is_some() {
                 ctx.request_repaint_after(Duration::from_secs_f64((due - time).max(0.1)));
             } else {
-                self.write(&state.document);
+                self.write(state);
             }
         }
     }
 
-    fn write(&mut self, document: &Document) {
+    fn is_kept(&self, state: &AppState) -> bool {
+        let kept = |(document, around): &(Document, Around)| {
+            *document == state.document && *around == Around::of(state)
+        };
+        self.kept.as_ref().is_some_and(kept)
+    }
+
+    fn write(&mut self, state: &AppState) {
         self.due = None;
-        self.kept = Some(document.clone());
+        let around = Around::of(state);
+        self.kept = Some((state.document.clone(), around.clone()));
         self.written = true;
-        let (path, Document { scene, origin, .. }) = (self.own.path.clone(), document.clone());
+        let (path, scene) = (self.own.path.clone(), state.document.scene.clone());
         let write = move |_: &dyn Watch<()>| {
-            let origin = serde_json::to_string(&origin).unwrap_or_default();
-            let text = format!("{HEAD}{origin}\n{}", scene.to_toml());
+            let around = serde_json::to_string(&around).unwrap_or_default();
+            let text = format!("{HEAD}{around}\n{}", scene.to_toml());
             let written = write_whole(&path, |out| out.write_all(text.as_bytes()));
             written.map_err(|error| error.to_string())
         };
@@ -147,31 +199,31 @@ impl Recovery {
     }
 }
 
-/// Where the scene in a file of kept work came from.
-fn origin(path: &Path) -> Origin {
+/// What was around the scene in a file of kept work.
+fn around(path: &Path) -> Around {
     let text = fs::read_to_string(path).unwrap_or_default();
-    let origin = text.lines().next().and_then(|line| line.strip_prefix(HEAD));
-    origin
-        .and_then(|origin| serde_json::from_str(origin).ok())
+    let around = text.lines().next().and_then(|line| line.strip_prefix(HEAD));
+    around
+        .and_then(|around| serde_json::from_str(around).ok())
         .unwrap_or_default()
 }
 
-/// The document in a file of kept work, and the one that it was made from.
-pub fn restore(path: &Path) -> Result<(Document, Document), String> {
-    let loaded =
-        load(path).map_err(|error| format!("{error}\n\nThe work stays in {}", path.display()))?;
-    let origin = origin(path);
-    let original = match &origin {
+/// The document in a file of kept work, the one that it was made from, and what was around it.
+pub fn restore(path: &Path) -> Result<(Document, Document, Around), String> {
+    let loaded = load(path).map_err(|error| {
+        let path = path.display().to_string();
+        text!("work-stays", error = error.to_string(), path = path)
+    })?;
+    let around = around(path);
+    let original = match &around.origin {
         Origin::New => None,
         Origin::BuiltIn(name) => Document::built_in(name),
         Origin::File(path) => load(path).ok().map(Document::from),
     };
-    Ok((
-        Document {
-            scene: loaded.scene,
-            model: loaded.model,
-            origin,
-        },
-        original.unwrap_or_default(),
-    ))
+    let document = Document {
+        scene: loaded.scene,
+        model: loaded.model,
+        origin: around.origin.clone(),
+    };
+    Ok((document, original.unwrap_or_default(), around))
 }

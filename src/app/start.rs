@@ -2,6 +2,7 @@
 
 use super::App;
 use crate::document::Loaded;
+use crate::text::text;
 use eframe::egui::ViewportBuilder;
 use std::path::Path;
 
@@ -37,11 +38,15 @@ pub fn run(loaded: Loaded) -> Result<(), String> {
             None => app,
         })
     };
-    eframe::run_native("shading-lab", options, Box::new(|cc| Ok(open(cc)))).map_err(|error| match error {
-        eframe::Error::NoGlutinConfigs(..) | eframe::Error::Glutin(_) | eframe::Error::OpenGL(_) => {
-            format!("no OpenGL was found, expected the Debian packages libgl1 and libgl1-mesa-dri ({error})")
+    eframe::run_native("shading-lab", options, Box::new(|cc| Ok(open(cc)))).map_err(|error| {
+        match error {
+            eframe::Error::NoGlutinConfigs(..)
+            | eframe::Error::Glutin(_)
+            | eframe::Error::OpenGL(_) => {
+                text!("no-opengl", error = error.to_string())
+            }
+            _ => text!("no-window", error = error.to_string()),
         }
-        _ => format!("the window could not be opened ({error})"),
     })
 }
 
@@ -52,16 +57,13 @@ fn check_environment() -> Result<(), String> {
         return Ok(());
     }
     if !set("DISPLAY") {
-        let what = "no display was found, expected DISPLAY or WAYLAND_DISPLAY to name one";
-        return Err(format!("{what}; `shading-lab render` draws without"));
+        return Err(text!("no-display").to_owned());
     }
     match X11_LIBRARIES
         .into_iter()
         .find(|(library, _)| !is_installed(library))
     {
-        Some((library, package)) => Err(format!(
-            "the library {library} is missing, expected the Debian package {package}"
-        )),
+        Some((library, package)) => Err(text!("no-library", library = library, package = package)),
         None => Ok(()),
     }
 }

@@ -11,7 +11,7 @@
 
 use super::action::Action;
 use super::dialog::Dialog;
-use super::document::{Document, History};
+use super::document::{Document, History, Origin};
 use super::look::{Look, NumbersTab};
 use super::material::Gallery;
 use super::place::{ProbePoint, ProfileLine};
@@ -39,6 +39,8 @@ pub struct AppState {
     /// The scene as opened, or as saved in a new file: what resetting returns to.
     pub opened: Scene,
     pub probe: ProbePoint,
+    /// What was opened before, as it was opened or saved: undo reaches back to it.
+    pub begun: Vec<(Document, Scene)>,
     /// Where the profile is taken.
     pub line: ProfileLine,
     /// Index of the light whose controls are shown.
@@ -59,6 +61,8 @@ pub struct AppState {
     pub welcome: bool,
     /// Shows the picture alone.
     pub picture_alone: bool,
+    /// Size of the picture with all its panes, pixels.
+    pub room: [u32; 2],
     pub dialog: Option<Dialog>,
     /// The path that the desktop's own dialog gave, which has asked whether to replace the file.
     pub agreed: Option<PathBuf>,
@@ -92,15 +96,44 @@ impl AppState {
         if let Ok(tab) = serde_json::from_value(document.scene.about.view.as_str().into()) {
             self.show_tab(tab);
         }
+        if let Origin::File(path) = &document.origin {
+            self.look.remember(path);
+        }
         self.document = document;
         self.saved = self.document.clone();
         self.opened = self.document.scene.clone();
         self.look.profile.begin();
+        self.begin();
         self.light = 0;
         self.panes.active = 0;
         self.vertex = 0;
         self.derive();
         self.lit.opened.clone_from(&self.opened);
+    }
+
+    /// Remembers how the document was opened or saved, for when undo comes back to it.
+    pub fn begin(&mut self) {
+        let origin = &self.saved.origin;
+        self.begun.retain(|(saved, _)| saved.origin != *origin);
+        self.begun.push((self.saved.clone(), self.opened.clone()));
+    }
+
+    /// After undo or redo: what was opened or saved may have been another document.
+    pub fn return_to_origin(&mut self) {
+        let origin = &self.document.origin;
+        if *origin == self.saved.origin {
+            return;
+        }
+        let begun = self.begun.iter().find(|(saved, _)| saved.origin == *origin);
+        if let Some((saved, opened)) = begun.cloned() {
+            (self.saved, self.opened) = (saved, opened);
+            (self.light, self.vertex) = (0, 0);
+            self.derive();
+            self.lit.opened = self
+                .opened
+                .pane(self.panes.active)
+                .unwrap_or_else(|_| self.opened.clone());
+        }
     }
 
     /// Whether the document has changed since it was opened or saved.
