@@ -44,10 +44,11 @@ pub use overlay::{Halo, OverlayLayer, OverlayOptions};
 pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture, luminance};
 pub use plan::{FramePlan, PlanQuestion, stage_words};
 pub use probe::{
-    Angle, Arc, Arrow, ArrowHead, CHANNELS, CueTerms, FilledLine, FilledPart, Here, Letters,
-    LightHandle, LightHere, LightTerms, LineValue, Overlay, Probe, ProbeHit, ProbeQuestion, Probed,
-    Product, Share, TermColumn, Tone, ZeroCause, ZeroCauses, clearest_pixel, digits, digits_below,
-    draw_overlay, equation_letters, percent, plain_formula, probe, specular_vector,
+    Angle, Arc, Arrow, ArrowHead, CHANNELS, ConstructionStep, CueTerms, FilledLine, FilledPart,
+    Here, Letters, LightHandle, LightHere, LightTerms, LineValue, Overlay, Probe, ProbeHit,
+    ProbeQuestion, Probed, Product, Share, TIMES_TEN, TermColumn, Tone, VectorsShown, WorkedStep,
+    ZeroCause, ZeroCauses, clearest_pixel, digits, digits_below, draw_overlay, draw_vectors,
+    equation_letters, percent, plain_formula, probe, specular_vector,
 };
 pub use profile::{
     Abscissa, Border, Compared, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError,

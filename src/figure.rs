@@ -20,4 +20,4 @@ pub use plot::{
     lay_out, lay_out_bare, lay_out_sheet, round_up, short, ticks,
 };
 pub(crate) use text::inked_size;
-pub use text::{Set, lowered};
+pub use text::{Set, lowered, raised};

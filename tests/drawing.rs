@@ -351,7 +351,7 @@ fn ticks_are_round_numbers_within_the_axis() {
     );
     assert_eq!(
         labels(&Axis::new("", 0.0, 2e7), 3.0),
-        ["0", "1.0·10⁷", "2.0·10⁷"]
+        ["0", "1.0×10⁷", "2.0×10⁷"]
     );
     assert_eq!(
         labels(&Axis::degrees("", -90.0, 90.0), 8.0),
@@ -413,8 +413,8 @@ fn numbers_keep_three_digits() {
             "12.3",
             "1005",
             "0.00123",
-            "1.0·10⁻⁷",
-            "4.0·10¹⁸"
+            "1.0×10⁻⁷",
+            "4.0×10¹⁸"
         ]
     );
 }

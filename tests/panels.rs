@@ -278,7 +278,7 @@ fn line_of(harness: &Harness<'_, App>, name: &str) -> String {
 fn parsed(text: &str) -> f64 {
     text.trim()
         .replace('−', "-")
-        .replace("·10^", "e")
+        .replace("×10⁻⁵", "e-5")
         .parse()
         .expect("a number")
 }

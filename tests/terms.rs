@@ -125,12 +125,13 @@ fn a_column_has_one_number_of_decimals_and_chosen_numbers_keep_their_few_digits(
 #[test]
 fn very_small_and_very_large_numbers_have_a_power_of_ten() {
     for (value, text) in [
-        (0.000_012_34, "1.2·10^−5"),
-        (-1.5e20, "−1.5·10^20"),
+        (0.000_012_34, "1.2×10⁻⁵"),
+        (-1.5e20, "−1.5×10²⁰"),
         (0.0, "0.0000"),
+        (-0.0, "0.0000"),
         (0.554_4, "0.5544"),
         (153.0, "153.0"),
-        (f64::INFINITY, "inf"),
+        (f64::INFINITY, "∞"),
     ] {
         assert_eq!(digits(value), text);
     }

@@ -140,9 +140,13 @@ impl Style {
         } else {
             1.0
         };
-        let text = LEAST_TEXT.max(side / 28.0) * scale;
+        Self::of_text(LEAST_TEXT.max(side / 28.0) * scale, options.halo)
+    }
+
+    /// The style with letters of `text` pixels an em.
+    pub fn of_text(text: f64, halo: Halo) -> Self {
         let line = 0.115 * text;
-        let (neutral, halo_colour) = match options.halo {
+        let (neutral, halo_colour) = match halo {
             Halo::Light => ([24; 3], [255; 3]),
             Halo::Dark => ([255; 3], [16; 3]),
         };

@@ -1,5 +1,6 @@
 //! The pixel probe: the equation at one pixel, in double precision.
 
+mod construction;
 mod filled;
 mod letters;
 mod overlay;
@@ -7,10 +8,15 @@ mod products;
 mod report;
 mod zero;
 
-pub use filled::{FilledLine, FilledPart, LineValue, Share, digits, digits_below, percent};
+pub use construction::{ConstructionStep, WorkedStep};
+pub use filled::{
+    FilledLine, FilledPart, LineValue, Share, TIMES_TEN, digits, digits_below, percent,
+};
 pub use letters::{Letters, Tone, equation_letters, plain_formula, specular_vector};
 pub(super) use letters::{attenuation_law, exponent};
-pub use overlay::{Angle, Arc, Arrow, ArrowHead, LightHandle, Overlay, draw_overlay};
+pub use overlay::{
+    Angle, Arc, Arrow, ArrowHead, LightHandle, Overlay, VectorsShown, draw_overlay, draw_vectors,
+};
 pub use products::{Here, LightHere, Product, TermColumn};
 pub use report::{CHANNELS, ProbeQuestion, Probed};
 pub use zero::{ZeroCause, ZeroCauses};

@@ -4,9 +4,10 @@ use super::palette::tone_text as colour;
 use super::state::AppState;
 use super::typeset::{Piece, Place, Run, formula, run_ui, spoken};
 use crate::analysis::{
-    CHANNELS, FilledLine, FilledPart, Here, LineValue, Product, Share, digits, digits_below,
-    percent,
+    CHANNELS, FilledLine, FilledPart, Here, LineValue, Product, Share, TIMES_TEN, digits,
+    digits_below, percent,
 };
+use crate::figure::Set;
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::{CollapsingState, paint_default_icon};
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
@@ -45,7 +46,7 @@ const MARK: f32 = 16.0;
 const COLUMN_GAPS: [f32; 2] = [9.0, 16.0];
 
 /// What letters are at the pixel, by their names.
-type Values = [(&'static str, String)];
+pub type Values = [(&'static str, String)];
 
 /// The whole formula at the probe.
 pub fn filled_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>) {
@@ -136,7 +137,7 @@ fn here_words(values: &Values, letter: &str) -> String {
 }
 
 /// A typeset formula that shrinks to fit the panel.
-fn formula_ui(ui: &mut Ui, state: &mut AppState, text: &str, values: &Values, id: Id) {
+pub fn formula_ui(ui: &mut Ui, state: &mut AppState, text: &str, values: &Values, id: Id) {
     let visuals = ui.visuals();
     let pieces = formula(visuals, text, visuals.text_color(), |letter| {
         here_words(values, letter)
@@ -578,12 +579,13 @@ fn raised(number: &str, size: f32, color: Color32) -> LayoutJob {
     };
     let mut job = LayoutJob::default();
     let (digits, power) = number
-        .split_once("·10^")
+        .split_once(TIMES_TEN)
         .map_or((number, None), |(digits, power)| (digits, Some(power)));
     job.append(digits, 0.0, format(size, Align::Center));
     if let Some(power) = power {
-        job.append("·10", 0.0, format(size * 0.85, Align::Center));
-        job.append(power, 0.0, format(size * 0.68, Align::TOP));
+        job.append(TIMES_TEN, 0.0, format(size * 0.85, Align::Center));
+        let power: String = power.chars().map(|digit| Set::of(digit).letter).collect();
+        job.append(&power, 0.0, format(size * 0.68, Align::TOP));
     }
     job
 }

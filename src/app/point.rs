@@ -1,28 +1,91 @@
-//! What the probe sees: the pixel, the equation filled in and the vectors.
+//! What the probe sees: the pixel, the equation filled in, the vectors and how R and H come from them, and the curves.
 
+use super::curves::{CurvesView, curves_ui};
+use super::drawing::{drawing_ui, plot_style};
 use super::engine::Engine;
-use super::filled::filled_ui;
+use super::filled::{filled_ui, formula_ui};
 use super::palette::vector_text;
 use super::report::export_ui;
 use super::state::AppState;
-use crate::analysis::{Here, Probe, ProbeHit, Probed, digits};
+use crate::analysis::{
+    ConstructionStep, Here, LightHere, Probe, ProbeHit, Probed, VectorsShown, WorkedStep, digits,
+    draw_vectors,
+};
 use crate::figure::palette::Vector;
-use eframe::egui::{Align, Color32, CornerRadius, Grid, Label, Layout, RichText, Sense, Ui, vec2};
+use crate::figure::{Drawing, PlotStyle};
+use crate::text::{Language, language, text};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Button, CollapsingHeader, Color32, CornerRadius, FontId, Grid, Label, Layout, RichText,
+    Sense, Ui, WidgetInfo, vec2,
+};
 
 /// Height of a table's rows, points.
 const ROW: f32 = 21.0;
+/// From this width on the vectors stand beside the equation, points.
+const WIDE: f32 = 720.0;
+/// The widest drawing of the vectors, points.
+const DRAWING: f32 = 480.0;
+/// Sizes of numbers in the steps: as they are, and as small as they may become in a narrow panel, points.
+const NUMBERS: [f32; 2] = [14.0, 10.0];
 
-/// The equation filled in at the probe, with its vectors.
+/// What the drawing of the vectors shows, as last laid out.
+#[derive(Debug, Default)]
+struct VectorsView {
+    shown: VectorsShown,
+    laid_out: Option<(LaidOutFor, Option<Drawing>)>,
+}
+
+/// The probe, the light, what is shown, the width, the style and the language.
+type LaidOutFor = (u64, usize, VectorsShown, f32, PlotStyle, Language);
+
+/// Everything about the probed point.
 pub fn point_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     let (Some(probe), Some(scene)) = (engine.probed(), engine.drawn()) else {
         return;
     };
     match &probe.hit {
         None => background_ui(ui, probe),
-        Some(hit) => hit_ui(ui, state, probe, Here { scene, hit }),
+        Some(hit) => hit_ui(ui, state, engine, Here { scene, hit }, probe),
     }
+    ui.add_space(4.0);
+    CollapsingHeader::new(RichText::new(text!("point-curves")).strong())
+        .id_salt("curves of the point")
+        .show_unindented(ui, |ui| {
+            let mut own: CurvesView = state.own.take();
+            curves_ui(ui, &mut own, state, engine);
+            state.own.put(own);
+        });
+}
+
+fn background_ui(ui: &mut Ui, probe: &Probe) {
+    let [x, y] = probe.pixel;
+    ui.label(RichText::new(text!("point-pixel", x = x, y = y)).strong());
+    ui.add_space(4.0);
+    ui.label(text!("point-background"));
+}
+
+fn hit_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, here: Here<'_>, probe: &Probe) {
+    if ui.available_width() < WIDE {
+        sum_ui(ui, state, engine, here, probe);
+        ui.separator();
+        vectors_ui(ui, state, engine, here);
+        return;
+    }
+    ui.columns_const(|[sum, vectors]| {
+        sum_ui(sum, state, engine, here, probe);
+        vectors_ui(vectors, state, engine, here);
+    });
+}
+
+/// The pixel and the equation.
+fn sum_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, here: Here<'_>, probe: &Probe) {
+    pixel_ui(ui, probe, here.hit);
+    ui.add_space(8.0);
+    filled_ui(ui, state, here);
+    ui.add_space(4.0);
     export_ui(ui, state, "probe", || {
-        let sampling = vec![None; probe.hit.as_ref().map_or(0, |hit| hit.lights.len())];
+        let sampling = vec![None; here.hit.lights.len()];
         Some((
             Box::new(Probed {
                 probe: probe.clone(),
@@ -31,42 +94,180 @@ pub fn point_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             engine.drawn()?.clone(),
         ))
     });
-}
-
-fn background_ui(ui: &mut Ui, probe: &Probe) {
-    let [x, y] = probe.pixel;
-    ui.label(RichText::new(format!("Pixel {x}, {y}")).strong());
     ui.add_space(4.0);
-    ui.label("The probe sees the background. Double-click the object, or drag the ring onto it.");
 }
 
-fn hit_ui(ui: &mut Ui, state: &mut AppState, probe: &Probe, here: Here<'_>) {
-    pixel_ui(ui, probe, here.hit);
-    ui.add_space(8.0);
-    filled_ui(ui, state, here);
-    ui.add_space(8.0);
-    ui.separator();
-    let light = state.light.min(here.hit.lights.len().saturating_sub(1));
-    vectors_ui(ui, here, light);
-}
-
-/// The pixel, its stored colour and where it lies.
+/// The pixel, its stored colour, and where its centre lies on the object.
 fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
     let [x, y] = probe.pixel;
     let [r, g, b] = hit.stored;
     ui.horizontal(|ui| {
-        let (rect, _) = ui.allocate_exact_size(vec2(34.0, 34.0), Sense::hover());
+        let (rect, _) = ui.allocate_exact_size(vec2(40.0, 40.0), Sense::hover());
         ui.painter()
             .rect_filled(rect, CornerRadius::same(5), Color32::from_rgb(r, g, b));
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 1.0;
-            ui.label(RichText::new(format!("Pixel {x}, {y}")).strong());
-            let face = hit
-                .face
-                .map_or_else(|| "true surface".to_owned(), |face| format!("face {face}"));
-            ui.label(RichText::new(format!("{face}, depth {:.3}", hit.depth)).weak());
+            ui.horizontal(|ui| {
+                ui.label(RichText::new(text!("point-pixel", x = x, y = y)).strong());
+                ui.label(RichText::new(format!("{r:>3} {g:>3} {b:>3}")).monospace())
+                    .on_hover_text(text!("point-stored-tip"));
+            });
+            let depth = format!("{:.3}", hit.depth);
+            let place = match hit.face {
+                Some(face) => text!("point-place-face", face = face.to_string(), depth = depth),
+                None => text!("point-place-surface", depth = depth),
+            };
+            ui.label(RichText::new(place).weak());
         });
     });
+}
+
+/// The vectors and the angles between them for the chosen light, drawn, built and in numbers.
+fn vectors_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, here: Here<'_>) {
+    let count = here.hit.lights.len();
+    let light = state.light.min(count.saturating_sub(1));
+    let title = if count > 1 {
+        text!("point-vectors-of", light = light + 1)
+    } else {
+        text!("point-vectors").to_owned()
+    };
+    ui.label(RichText::new(title).strong());
+    if let Some(chosen) = here.lights().nth(light) {
+        let mut own: VectorsView = state.own.take();
+        let steps = chosen.construction();
+        if matches!(own.shown, VectorsShown::Step(step) if steps.iter().all(|worked| worked.step != step))
+        {
+            own.shown = VectorsShown::Angles;
+        }
+        own.drawing_ui(ui, engine.revision, here, chosen);
+        own.stepper_ui(ui, &steps);
+        steps_ui(ui, state, own.shown, &steps, chosen);
+        state.own.put(own);
+    } else {
+        ui.label(text!("point-no-light"));
+    }
+    ui.add_space(6.0);
+    numbers_ui(ui, here, light);
+}
+
+impl VectorsView {
+    fn drawing_ui(&mut self, ui: &mut Ui, revision: u64, here: Here<'_>, light: LightHere<'_>) {
+        let (style, width) = (plot_style(ui), ui.available_width().min(DRAWING));
+        let key = (revision, light.index, self.shown, width, style, language());
+        if self.laid_out.as_ref().is_none_or(|(laid, _)| *laid != key) {
+            let drawing = draw_vectors(here, light.index, self.shown, width.into(), &style);
+            self.laid_out = Some((key, drawing));
+        }
+        let Some((_, Some(drawing))) = &self.laid_out else {
+            ui.label(text!("point-no-direction"));
+            return;
+        };
+        let words = || {
+            let angles = light.angles();
+            let list: Vec<_> = angles
+                .iter()
+                .map(|(name, value)| format!("{name} {value}"))
+                .collect();
+            text!("point-drawing", list = list.join("; "))
+        };
+        ui.vertical_centered(|ui| _ = drawing_ui(ui, drawing, Sense::hover(), words));
+    }
+
+    /// One step back, one on, or all at once.
+    fn stepper_ui(&mut self, ui: &mut Ui, steps: &[WorkedStep]) {
+        let stops: Vec<_> = [VectorsShown::Angles]
+            .into_iter()
+            .chain(steps.iter().map(|worked| VectorsShown::Step(worked.step)))
+            .chain([VectorsShown::Construction])
+            .collect();
+        let at = stops
+            .iter()
+            .position(|stop| *stop == self.shown)
+            .unwrap_or(0);
+        ui.horizontal_wrapped(|ui| {
+            let before = at.checked_sub(1);
+            let after = Some(at + 1).filter(|after| *after < stops.len());
+            for (sign, name, to) in [
+                ("◀", text!("point-previous-step"), before),
+                ("▶", text!("point-next-step"), after),
+            ] {
+                let response = ui.add_enabled(to.is_some(), Button::new(sign));
+                response.widget_info(|| WidgetInfo::labeled(Role::Button, to.is_some(), name));
+                if response.on_hover_text(name).clicked() {
+                    self.shown = to.map_or(self.shown, |to| stops[to]);
+                }
+            }
+            let all = self.shown == VectorsShown::Construction;
+            if ui
+                .add(Button::selectable(all, text!("point-all-steps")))
+                .clicked()
+            {
+                self.shown = if all {
+                    VectorsShown::Angles
+                } else {
+                    VectorsShown::Construction
+                };
+            }
+            let title = match self.shown {
+                VectorsShown::Angles => text!("point-construction-hint").to_owned(),
+                VectorsShown::Step(step) => text!(
+                    "point-step",
+                    number = at,
+                    count = steps.len(),
+                    title = step.title()
+                ),
+                VectorsShown::Construction => String::new(),
+            };
+            ui.label(RichText::new(title).weak());
+        });
+    }
+}
+
+/// The steps shown, with their numbers.
+fn steps_ui(
+    ui: &mut Ui,
+    state: &mut AppState,
+    shown: VectorsShown,
+    steps: &[WorkedStep],
+    light: LightHere<'_>,
+) {
+    let values = light.values();
+    for worked in steps {
+        let alone = shown == VectorsShown::Step(worked.step);
+        if !alone && shown != VectorsShown::Construction {
+            continue;
+        }
+        let id = ui.scope_id().with(("step", worked.step as usize));
+        ui.scope(|ui| {
+            ui.spacing_mut().item_spacing.y = 2.0;
+            formula_ui(ui, state, worked.formula, &values, id);
+            for line in &worked.numbers {
+                line_ui(ui, &format!("= {line}"));
+            }
+        });
+        match worked.step {
+            ConstructionStep::Mirror => _ = ui.label(light.mirror_check()),
+            ConstructionStep::Cosine if steps.len() < ConstructionStep::ALL.len() - 1 => {
+                ui.label(text!("point-behind"));
+            }
+            _ => {}
+        }
+        ui.add_space(4.0);
+    }
+}
+
+/// A line of numbers, smaller where the panel is narrow.
+fn line_ui(ui: &mut Ui, text: &str) {
+    let [most, least] = NUMBERS;
+    let colour = ui.visuals().text_color();
+    let width = |size| {
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text.to_owned(), FontId::monospace(size), colour);
+        galley.size().x
+    };
+    let size = (most * ui.available_width() / width(most)).clamp(least, most);
+    ui.label(RichText::new(text).monospace().size(size));
 }
 
 /// A cell of a table: words at the left, numbers at the right of columns of one width.
@@ -78,14 +279,8 @@ fn cell(ui: &mut Ui, text: RichText, align: Align) {
     });
 }
 
-/// The vectors at the probe and the angles between them, for one light.
-fn vectors_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
-    let title = if here.hit.lights.len() > 1 {
-        format!("Vectors, light {}", light + 1)
-    } else {
-        "Vectors".to_owned()
-    };
-    ui.label(RichText::new(title).strong());
+/// The vectors' coordinates, and the angles between them, for one light.
+fn numbers_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
     let visuals = ui.visuals().clone();
     let light = here.lights().nth(light);
     Grid::new("vectors")
@@ -109,14 +304,11 @@ fn vectors_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
             {
                 let colour =
                     vector.map_or(visuals.text_color(), |vector| vector_text(&visuals, vector));
-                cell(
-                    ui,
-                    RichText::new(vector.map_or("point", Vector::letter)).color(colour),
-                    Align::Min,
-                );
+                let name = vector.map_or(text!("point-position-short"), Vector::letter);
+                cell(ui, RichText::new(name).color(colour), Align::Min);
                 for value in v.to_array() {
                     // Rounded: what is left of a 0 has no digits.
-                    let number = digits((value * 1e4).round() / 1e4 + 0.0);
+                    let number = digits((value * 1e4).round() / 1e4);
                     cell(
                         ui,
                         RichText::new(number).monospace().color(colour),

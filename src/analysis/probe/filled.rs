@@ -8,7 +8,7 @@ use super::products::{Here, LightHere, Product, TermColumn};
 use super::{LightTerms, ZeroCause};
 use crate::analysis::luminance;
 use crate::figure::palette::Vector;
-use crate::figure::short;
+use crate::figure::{raised, short};
 use crate::illumination::attenuation_at;
 use crate::render::srgb;
 use crate::scene::{
@@ -457,10 +457,6 @@ impl LightHere<'_> {
     /// What the letters of the formulas are here, for those that no column has.
     pub fn values(self) -> Vec<(&'static str, String)> {
         let vectors = self.vectors().into_iter().chain(self.here.vectors());
-        let coordinates = |v: DVec3| {
-            let [x, y, z] = v.to_array().map(|part| minus(&format!("{part:.3}")));
-            format!("({x}, {y}, {z})")
-        };
         let mut values: Vec<_> = vectors
             .filter_map(|(vector, _, v)| Some((vector?.letter(), coordinates(v))))
             .collect();
@@ -506,7 +502,7 @@ impl LightHere<'_> {
                 if phong { "φ, R to V" } else { "φ, N to H" },
                 degrees(terms.phi),
             ),
-            ("N·L", minus(&format!("{:.4}", terms.n_dot_l))),
+            ("N·L", fixed(terms.n_dot_l, 4)),
             ("f", digits(terms.attenuation)),
         ];
         if scene.reflection.model == ReflectionModel::CookTorrance {
@@ -721,9 +717,34 @@ fn decimals(value: f64, most: usize) -> usize {
 fn with_decimals(value: f64, decimals: usize) -> String {
     let size = value.abs();
     if value == 0.0 || (SMALL..LARGE).contains(&size) || !size.is_finite() {
-        return minus(&format!("{value:.decimals$}"));
+        return fixed(value, decimals);
     }
-    minus(&format!("{value:.1e}")).replace('e', "·10^")
+    let text = format!("{value:.1e}");
+    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    minus(&format!("{digits}{TIMES_TEN}")) + &raised(power.parse().unwrap_or(0))
+}
+
+/// Between the digits of a number and its power of ten.
+pub const TIMES_TEN: &str = "×10";
+
+/// A number with so many decimals, a true minus sign, and none before a 0.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    if value.is_infinite() {
+        return if value > 0.0 { "∞" } else { "−∞" }.into();
+    }
+    let text = format!("{value:.decimals$}");
+    let is_zero = !text.contains(|c: char| ('1'..='9').contains(&c) || c == 'N');
+    minus(if is_zero {
+        text.trim_start_matches('-')
+    } else {
+        &text
+    })
+}
+
+/// A vector with three decimals.
+pub fn coordinates(v: DVec3) -> String {
+    let [x, y, z] = v.to_array().map(|part| fixed(part, 3));
+    format!("({x}, {y}, {z})")
 }
 
 fn minus(text: &str) -> String {

@@ -7,9 +7,11 @@ mod equation;
 mod lights;
 mod lobe;
 mod side;
+mod vectors;
 
 pub use equation::{Angle, Arc, Arrow, ArrowHead};
 pub use lights::LightHandle;
+pub use vectors::{VectorsShown, draw_vectors};
 
 use super::Probe;
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};

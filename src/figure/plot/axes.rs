@@ -75,7 +75,7 @@ fn power((exponent, mantissa): (i32, u8)) -> String {
         _ => {
             let text = scientific(f64::from(mantissa) * 10f64.powi(exponent)).replace(".0", "");
             if mantissa == 1 {
-                text.trim_start_matches("1·").to_owned()
+                text.trim_start_matches("1×").to_owned()
             } else {
                 text
             }
@@ -113,14 +113,14 @@ fn number(value: f64, decimals: usize, plain: bool) -> String {
     }
 }
 
-/// A number as the textbooks write very small and very large ones: 1.2·10⁻⁷.
+/// A number as the textbooks write very small and very large ones: 1.2×10⁻⁷.
 fn scientific(value: f64) -> String {
     let text = format!("{value:.1e}");
     let Some((mantissa, exponent)) = text.split_once('e') else {
         return text;
     };
     format!(
-        "{}·10{}",
+        "{}×10{}",
         mantissa.replace('-', "−"),
         raised(exponent.parse().unwrap_or(0))
     )

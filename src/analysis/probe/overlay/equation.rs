@@ -3,7 +3,7 @@
 
 use super::lights::LETTERED;
 use super::{lobe, side};
-use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch};
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
 use crate::analysis::{LightTerms, ProbeHit, ReflectionLobe};
 use crate::figure::palette::{self, Vector};
 use crate::figure::{Area, Shape, lowered};
@@ -15,9 +15,9 @@ use glam::{DVec2, DVec3};
 const HEAD_ON: f64 = 0.17;
 /// Width of the arrows of lights that are not emphasised.
 const SUBORDINATE: f64 = 0.55;
-/// Chords in an arc, and the radius of θ's arcs and of φ's, in unit vectors.
+/// Chords in an arc, and the radius of θ's arcs, of φ's and of α's, in unit vectors.
 const CHORDS: u32 = 48;
-const RADIUS: [f64; 2] = [0.42, 0.64];
+const RADIUS: [f64; 3] = [0.42, 0.64, 0.53];
 /// Side of the square that marks a right angle, in unit vectors.
 const SQUARE: f64 = 0.07;
 /// Of the lines that complete the parallelogram.
@@ -58,6 +58,8 @@ pub enum Angle {
     Mirror,
     /// Between R and V, or N and H for Blinn's model.
     Phi,
+    /// Between N and H, where that is not φ.
+    Alpha,
 }
 
 /// An arc between two vectors in the picture.
@@ -74,19 +76,19 @@ pub struct Arc {
 pub(super) struct Equation<'a> {
     hit: &'a ProbeHit,
     half_vector: bool,
-    focus: Option<Focus<'a>>,
+    pub(super) focus: Option<Focus<'a>>,
 }
 
 /// The light that is looked at.
-struct Focus<'a> {
+pub(super) struct Focus<'a> {
     index: usize,
-    terms: &'a LightTerms,
+    pub terms: &'a LightTerms,
     /// N, unit, turned towards the light where surfaces have two sides.
-    n: DVec3,
+    pub n: DVec3,
     /// Whether N·L > 0, without which there is no reflection to draw.
-    lit: bool,
+    pub lit: bool,
     /// The vectors whose angle is φ.
-    phi_between: (DVec3, DVec3),
+    pub phi_between: (DVec3, DVec3),
 }
 
 impl<'a> Equation<'a> {
@@ -177,19 +179,15 @@ impl<'a> Equation<'a> {
         }
         let with_vectors = layers.contains(&OverlayLayer::Vectors);
         let arrows = if with_vectors {
-            self.draw_vectors(sketch, every_light)
+            self.draw_vectors(sketch, every_light, |_| true)
         } else {
             vec![]
         };
-        let point = Shape::ring(
-            sketch.origin,
-            sketch.style.ring,
-            0.5 * sketch.style.line,
-            sketch.style.neutral,
-        );
-        sketch.shapes.push(point);
+        draw_point(sketch);
         let arcs = shown(OverlayLayer::Angles)
-            .map(|focus| self.draw_angles(sketch, focus))
+            .map(|focus| {
+                self.draw_angles(sketch, focus, &[Angle::Mirror, Angle::Theta, Angle::Phi])
+            })
             .unwrap_or_default();
         if let Some(Focus { n, terms, .. }) = constructed {
             let foot = *n * n.dot(terms.l);
@@ -202,8 +200,13 @@ impl<'a> Equation<'a> {
         (arrows, arcs)
     }
 
-    /// Draws the vectors from the probe's point with their letters.
-    fn draw_vectors(&self, sketch: &mut Sketch, every_light: bool) -> Vec<Arrow> {
+    /// Draws those vectors that are `shown` from the probe's point with their letters.
+    pub fn draw_vectors(
+        &self,
+        sketch: &mut Sketch,
+        every_light: bool,
+        shown: impl Fn(Vector) -> bool,
+    ) -> Vec<Arrow> {
         let hit = self.hit;
         let mut list = vec![(Vector::N, None, hit.normal)];
         if let Some(Focus {
@@ -227,6 +230,7 @@ impl<'a> Equation<'a> {
                 .and_then(|through| through.t)
                 .map(|t| (Vector::T, None, t)),
         );
+        list.retain(|(vector, ..)| shown(*vector));
         let emphasised = list.len();
         if every_light {
             let looked_at = self.focus.as_ref().map(|focus| focus.index);
@@ -286,23 +290,27 @@ impl<'a> Equation<'a> {
     }
 
     /// Draws the arcs of θ and φ and asks for their labels.
-    fn draw_angles(&self, sketch: &mut Sketch, focus: &Focus<'_>) -> Vec<Arc> {
+    pub fn draw_angles(&self, sketch: &mut Sketch, focus: &Focus<'_>, shown: &[Angle]) -> Vec<Arc> {
         let Focus { terms, n, .. } = focus;
         let subscript = self.subscript(Some(focus.index));
         let mut arcs = Vec::new();
-        if focus.lit {
-            arcs.extend(draw_arc(sketch, Angle::Mirror, (*n, terms.r)));
-        }
-        let phi = focus
-            .lit
-            .then_some((Angle::Phi, focus.phi_between, "φ", terms.phi));
-        for (angle, pair, letter, value) in [(Angle::Theta, (*n, terms.l), "θ", terms.theta)]
-            .into_iter()
-            .chain(phi)
-        {
-            let Some(arc) = draw_arc(sketch, angle, pair) else {
+        for angle in shown {
+            let (pair, letter, value) = match angle {
+                Angle::Theta => ((*n, terms.l), "θ", terms.theta),
+                Angle::Mirror => ((*n, terms.r), "", terms.theta),
+                Angle::Phi => (focus.phi_between, "φ", terms.phi),
+                Angle::Alpha => ((*n, terms.h), "α", n.angle_between(terms.h)),
+            };
+            if *angle != Angle::Theta && !focus.lit {
+                continue;
+            }
+            let Some(arc) = draw_arc(sketch, *angle, pair) else {
                 continue;
             };
+            if letter.is_empty() {
+                arcs.push(arc);
+                continue;
+            }
             let (middle, style) = (arc.points[arc.points.len() / 2], sketch.style);
             let out = (middle - sketch.origin).normalize_or_zero();
             let anchor = sketch.inside(middle, 0.5 * style.text);
@@ -362,6 +370,7 @@ fn draw_arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3)) -> Op
         Angle::Theta => (RADIUS[0], 0.6),
         Angle::Mirror => (RADIUS[0], 0.33),
         Angle::Phi => (RADIUS[1], 0.6),
+        Angle::Alpha => (RADIUS[2], 0.6),
     };
     let directions = turn(from, to)?.into_iter();
     let points: Vec<DVec2> = directions
@@ -378,11 +387,11 @@ fn draw_arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3)) -> Op
             width * sketch.style.line,
             sketch.style.neutral,
         );
-        // The two arcs share a colour; dashes tell φ's from θ's.
-        sketch.shapes.push(if angle == Angle::Phi {
-            mark.dashed(&[3.0, 2.0])
-        } else {
-            mark
+        // The arcs share a colour; dashes tell them apart.
+        sketch.shapes.push(match angle {
+            Angle::Phi => mark.dashed(&[3.0, 2.0]),
+            Angle::Alpha => mark.dashed(&[1.25, 1.5]),
+            Angle::Theta | Angle::Mirror => mark,
         });
     }
     Some(Arc {
@@ -425,26 +434,44 @@ fn draw_construction(sketch: &mut Sketch, n: DVec3, l: DVec3) {
     sketch
         .shapes
         .push(thin(vec![sketch.origin, at_top]).dashed(DASHES));
-    if let Some(across) = (l - foot)
-        .try_normalize()
-        .filter(|_| (l - foot).length() > 2.0 * SQUARE)
-    {
-        let corners = [
-            foot + across * SQUARE,
-            foot + (across - n) * SQUARE,
-            foot - n * SQUARE,
-        ];
-        if let Some(corners) = corners
-            .into_iter()
-            .map(|corner| sketch.end(corner))
-            .collect()
-        {
-            sketch.shapes.push(thin(corners));
-        }
-    }
+    draw_right_angle(sketch, n, l, foot);
     sketch
         .shapes
         .push(Shape::disc(at_foot, 0.9 * style.line, palette::N));
+}
+
+/// Draws the square at `foot`, where the way from the end of `l` meets N's line.
+pub(super) fn draw_right_angle(sketch: &mut Sketch, n: DVec3, l: DVec3, foot: DVec3) {
+    let across = (l - foot)
+        .try_normalize()
+        .filter(|_| (l - foot).length() > 2.0 * SQUARE);
+    let Some(across) = across else { return };
+    let corners = [
+        foot + across * SQUARE,
+        foot + (across - n) * SQUARE,
+        foot - n * SQUARE,
+    ];
+    let corners: Option<Vec<DVec2>> = corners
+        .into_iter()
+        .map(|corner| sketch.end(corner))
+        .collect();
+    let (width, colour) = (0.45 * sketch.style.line, sketch.style.neutral);
+    sketch
+        .shapes
+        .extend(corners.map(|corners| Shape::line(corners, width, colour)));
+}
+
+/// Draws the ring about the probed point.
+pub(super) fn draw_point(sketch: &mut Sketch) {
+    let Style {
+        ring,
+        line,
+        neutral,
+        ..
+    } = sketch.style;
+    sketch
+        .shapes
+        .push(Shape::ring(sketch.origin, ring, 0.5 * line, neutral));
 }
 
 #[cfg(test)]

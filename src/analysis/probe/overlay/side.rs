@@ -49,12 +49,18 @@ pub(super) fn sketch(
     options: &OverlayOptions,
 ) -> Option<Sketch> {
     let side = (pane.max - pane.min).min_element();
-    let view = view(pane, [n, l, v], phi_between);
+    let view = view(in_pane(pane, [n, l]), [n, l, v], phi_between);
     let style = Style::new(2.3 * side, options);
     let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, Some(1.0), side)?;
     let ground = Shape::area(pane.corners(), style.halo_colour).plain();
     let frame = Shape::outline(pane.corners(), 0.35 * style.line, SURFACE).plain();
     sketch.shapes.extend([ground.faded(OPAQUE[1]), frame]);
+    draw_surface(&mut sketch, n);
+    Some(sketch)
+}
+
+/// A disc for the surface about the point.
+pub(super) fn draw_surface(sketch: &mut Sketch, n: DVec3) {
     let (across, into) = n.any_orthonormal_pair();
     let rim = Shape::ring(DVec2::ZERO, DISC, 0.0, SURFACE).points;
     let rim: Option<Vec<DVec2>> = rim
@@ -64,11 +70,27 @@ pub(super) fn sketch(
     sketch
         .shapes
         .extend(rim.map(|rim| Shape::area(rim, SURFACE).plain().faded(OPAQUE[0])));
-    Some(sketch)
+}
+
+/// Where the point stands and how long a unit vector is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    pub origin: DVec2,
+    pub unit: f64,
+}
+
+/// The frame of a pane: an L from behind the surface stays within it.
+fn in_pane(pane: Area, [n, l]: [DVec3; 2]) -> Frame {
+    let side = (pane.max - pane.min).min_element();
+    let drop = DROP[0].min(DROP[1] - UNIT * (-n.dot(l)).max(0.0));
+    Frame {
+        origin: pane.centre() + DVec2::new(0.0, drop * side),
+        unit: UNIT * side,
+    }
 }
 
 /// The view, turned about N by as little as shows the angles and V at a fair part of their size. All vectors are unit.
-fn view(pane: Area, [n, l, v]: [DVec3; 3], phi_between: (DVec3, DVec3)) -> View {
+pub(super) fn view(frame: Frame, [n, l, v]: [DVec3; 3], phi_between: (DVec3, DVec3)) -> View {
     let shown = |view: &View| {
         [(n, l), phi_between, (v, DVec3::ZERO)]
             .iter()
@@ -83,12 +105,12 @@ fn view(pane: Area, [n, l, v]: [DVec3; 3], phi_between: (DVec3, DVec3)) -> View 
                 }
             })
     };
-    let straight = view_turned(pane, [n, l, v], 0.0);
+    let straight = view_turned(frame, [n, l, v], 0.0);
     let (mut best, mut most) = (straight, shown(&straight));
     for step in 1..=TURNS {
         for side in [1.0, -1.0] {
             let turn = side * TURN * f64::from(step) / f64::from(TURNS);
-            let turned = view_turned(pane, [n, l, v], turn);
+            let turned = view_turned(frame, [n, l, v], turn);
             let merit = shown(&turned) - RELUCTANCE * turn * turn;
             if merit > most {
                 (best, most) = (turned, merit);
@@ -98,7 +120,7 @@ fn view(pane: Area, [n, l, v]: [DVec3; 3], phi_between: (DVec3, DVec3)) -> View 
     best
 }
 
-fn view_turned(pane: Area, [n, l, v]: [DVec3; 3], turn: f64) -> View {
+fn view_turned(frame: Frame, [n, l, v]: [DVec3; 3], turn: f64) -> View {
     let aside = |vector: DVec3| (vector - n * vector.dot(n)).try_normalize();
     let right = aside(-l)
         .or_else(|| aside(v))
@@ -108,15 +130,13 @@ fn view_turned(pane: Area, [n, l, v]: [DVec3; 3], turn: f64) -> View {
     let (right, into) = (right * cosine + into * sine, into * cosine - right * sine);
     let (sine, cosine) = TILT.sin_cos();
     let (forward, up) = (into * cosine - n * sine, n * cosine + into * sine);
-    let side = (pane.max - pane.min).min_element();
-    let drop = DROP[0].min(DROP[1] - UNIT * (-n.dot(l)).max(0.0));
     View {
         eye: forward * -4.0,
         right,
         up,
         forward,
-        centre: pane.centre() + DVec2::new(0.0, drop * side),
-        scale: UNIT * side,
+        centre: frame.origin,
+        scale: frame.unit,
         projection: Projection::Orthographic,
     }
 }
@@ -145,7 +165,7 @@ mod tests {
         #[test]
         fn n_points_up_l_to_the_left_and_v_is_never_a_point(n in unit(), l in unit(), v in unit()) {
             let r = 2.0 * n.dot(l) * n - l;
-            let view = view(PANE, [n, l, v], (r, v));
+            let view = view(in_pane(PANE, [n, l]), [n, l, v], (r, v));
             prop_assert!((view.right.cross(view.up) + view.forward).length() < 1e-9);
             let at = |vector: DVec3| view.project(vector).expect("in front").0 - view.centre;
             prop_assert!(at(n).y < -0.9 * UNIT * 300.0 && at(n).x.abs() < 1e-6, "N is at {}", at(n));
@@ -157,7 +177,7 @@ mod tests {
     #[test]
     fn coinciding_vectors_still_have_a_side() {
         let y = DVec3::Y;
-        let view = view(PANE, [y; 3], (y, y));
+        let view = view(in_pane(PANE, [y; 2]), [y; 3], (y, y));
         assert!(
             (view.right.cross(view.up) + view.forward).length() < 1e-9,
             "{view:?}"

@@ -1,0 +1,254 @@
+//! The vectors of one light seen from the side as a drawing of its own, and the steps that build R and H in it.
+
+use super::equation::{Angle, Equation, Focus, draw_point, draw_right_angle};
+use super::side::{Frame, draw_surface, view};
+use crate::analysis::overlay::{Halo, OverlayOptions, Sketch, Style};
+use crate::analysis::probe::ConstructionStep;
+use crate::analysis::probe::filled::fixed;
+use crate::analysis::probe::products::Here;
+use crate::figure::palette::{self, Rgb8, Vector, readable};
+use crate::figure::{Area, Drawing, PlotStyle, Shape};
+use crate::scene::ReflectionModel;
+use glam::{DVec2, DVec3};
+
+/// Room about the vectors for their letters, in ems: beside, above and below.
+const MARGIN: [f64; 3] = [2.4, 1.6, 1.0];
+/// How far below the point the drawing reaches, in unit vectors: for the surface alone, and for vectors behind it.
+const BELOW: [f64; 2] = [0.18, 1.0];
+/// A vector counts as behind the surface from this cosine on.
+const BEHIND: f64 = -0.1;
+/// Size of the letters, in that of plots; and the width of what a step adds, in that of an arrow.
+const LETTERS: f64 = 1.15;
+const STRONG: f64 = 1.9;
+/// Of the way from the end of L to N.
+const DASHES: &[f32] = &[4.0, 3.0];
+/// Contrast of lines and of letters with their ground.
+const CONTRAST: [f64; 2] = [3.0, 4.5];
+
+/// What the drawing of the vectors shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum VectorsShown {
+    /// The vectors and the angles between them.
+    #[default]
+    Angles,
+    /// One step of the construction of R and H.
+    Step(ConstructionStep),
+    /// The whole construction.
+    Construction,
+}
+
+impl VectorsShown {
+    fn vector(self, vector: Vector) -> bool {
+        use ConstructionStep::{Across, Cosine, Halfway, Mirror, Projection};
+        match self {
+            Self::Angles | Self::Construction => true,
+            Self::Step(Cosine | Projection | Across) => matches!(vector, Vector::N | Vector::L),
+            Self::Step(Mirror) => matches!(vector, Vector::N | Vector::L | Vector::R),
+            Self::Step(Halfway) => matches!(vector, Vector::L | Vector::V | Vector::H),
+        }
+    }
+
+    fn angles(self, phong: bool) -> &'static [Angle] {
+        match self {
+            Self::Angles if phong => &[Angle::Mirror, Angle::Theta, Angle::Phi, Angle::Alpha],
+            Self::Angles => &[Angle::Mirror, Angle::Theta, Angle::Phi],
+            Self::Step(ConstructionStep::Cosine) => &[Angle::Theta],
+            Self::Step(ConstructionStep::Mirror) => &[Angle::Mirror, Angle::Theta],
+            Self::Step(_) | Self::Construction => &[],
+        }
+    }
+
+    /// Whether what a step adds is shown.
+    fn has(self, step: ConstructionStep) -> bool {
+        match self {
+            Self::Angles => false,
+            Self::Construction => step != ConstructionStep::Cosine,
+            Self::Step(own) => own == step,
+        }
+    }
+}
+
+/// N, L, R, V, H and T of a light at the probed point, seen from the side, in a drawing of that `width`. Nothing where there is
+/// no such light or no direction.
+///
+/// # Guarantees
+///
+/// Letters lie inside the drawing and do not overlap.
+pub fn draw_vectors(
+    here: Here<'_>,
+    light: usize,
+    shown: VectorsShown,
+    width: f64,
+    style: &PlotStyle,
+) -> Option<Drawing> {
+    let options = OverlayOptions {
+        light: Some(light),
+        half_vector: true,
+        ..OverlayOptions::default()
+    };
+    let equation = Equation::new(here.hit, here.scene, &options);
+    let (focus, v) = (equation.focus.as_ref()?, here.hit.view.try_normalize()?);
+    if focus.n == DVec3::ZERO || !focus.terms.l.is_finite() {
+        return None;
+    }
+    let paper = style.paper;
+    let letters = Style {
+        neutral: paper.text,
+        halo_colour: paper.ground,
+        ..Style::of_text(LETTERS * style.text, Halo::Light)
+    };
+    let through = here.hit.transmission.and_then(|through| through.t);
+    let behind = [Some(focus.terms.l), Some(v), through]
+        .into_iter()
+        .flatten()
+        .any(|vector| focus.n.dot(vector) < BEHIND);
+    let margin = MARGIN.map(|margin| margin * letters.text);
+    let unit = (0.5 * width - margin[0]).max(letters.text);
+    let below = BELOW[usize::from(behind)] * unit;
+    let size = DVec2::new(width, margin[1] + unit + below + margin[2]);
+    let frame = Frame {
+        origin: DVec2::new(0.5 * width, margin[1] + unit),
+        unit,
+    };
+    let pane = Area {
+        min: DVec2::ZERO,
+        max: size,
+    };
+    let phi_between = if focus.lit { focus.phi_between } else { (v, v) };
+    let view = view(frame, [focus.n, focus.terms.l, v], phi_between);
+    let mut sketch = Sketch::new(view, letters, pane, DVec3::ZERO, Some(1.0), unit)?;
+    draw_surface(&mut sketch, focus.n);
+    let surfaces = sketch.shapes.len();
+    draw_lines(&mut sketch, focus, shown);
+    equation.draw_vectors(&mut sketch, false, |vector| shown.vector(vector));
+    draw_point(&mut sketch);
+    let phong = here.scene.reflection.model == ReflectionModel::Phong;
+    equation.draw_angles(&mut sketch, focus, shown.angles(phong));
+    draw_steps(&mut sketch, focus, here.hit.normal.length(), v, shown);
+    let labels = sketch.labels(&[]);
+    let mut drawing = Drawing::new(size, paper.ground);
+    drawing.texts = labels
+        .iter()
+        .map(|label| label.to_text(letters.halo))
+        .collect();
+    drawing.shapes = std::mem::take(&mut sketch.shapes);
+    let fit = |colour: &mut Rgb8, contrast| *colour = readable(*colour, paper.ground, contrast);
+    drawing
+        .shapes
+        .iter_mut()
+        .skip(surfaces)
+        .for_each(|shape| fit(&mut shape.colour, CONTRAST[0]));
+    drawing
+        .texts
+        .iter_mut()
+        .for_each(|text| fit(&mut text.colour, CONTRAST[1]));
+    Some(drawing)
+}
+
+/// Whether a step before that of H is shown, for which L drops onto N.
+fn projects(focus: &Focus<'_>, shown: VectorsShown) -> bool {
+    match shown {
+        VectorsShown::Angles | VectorsShown::Step(ConstructionStep::Halfway) => false,
+        VectorsShown::Step(ConstructionStep::Cosine) => true,
+        VectorsShown::Step(_) | VectorsShown::Construction => focus.lit,
+    }
+}
+
+/// What lies under the arrows: the way from the end of L to N's line, and that from L to V.
+fn draw_lines(sketch: &mut Sketch, focus: &Focus<'_>, shown: VectorsShown) {
+    let (n, l) = (focus.n, focus.terms.l);
+    if projects(focus, shown) {
+        let foot = n * n.dot(l);
+        thin(sketch, [l, foot], DASHES);
+        thin(sketch, [DVec3::ZERO, foot], DASHES);
+        draw_right_angle(sketch, n, l, foot);
+    }
+}
+
+/// What the steps shown add, with their letters.
+fn draw_steps(sketch: &mut Sketch, focus: &Focus<'_>, length: f64, v: DVec3, shown: VectorsShown) {
+    use ConstructionStep::{Across, Cosine, Halfway, Mirror, Projection};
+    let (l, r) = (focus.terms.l, focus.terms.r);
+    // N as it is, which may be short.
+    let n = focus.n * length;
+    let foot = n * n.dot(l);
+    let neutral = sketch.style.neutral;
+    if projects(focus, shown) {
+        if shown.has(Cosine) {
+            if let (Some(from), Some(to)) = (sketch.end(DVec3::ZERO), sketch.end(foot)) {
+                let line = STRONG * sketch.style.line;
+                sketch
+                    .shapes
+                    .push(Shape::line(vec![from, to], line, palette::N));
+            }
+            let text = format!("N·L = {}", fixed(n.dot(l), 3));
+            letter(sketch, text, palette::N, 0.5 * foot, -l);
+        }
+        if [Projection, Across, Mirror]
+            .into_iter()
+            .any(|step| shown.has(step))
+        {
+            arrow(sketch, [DVec3::ZERO, foot], STRONG, palette::N);
+            letter(sketch, "N(N·L)".into(), palette::N, 0.5 * foot, r - foot);
+        }
+        if shown.has(Across) || shown.has(Mirror) {
+            arrow(sketch, [l, foot], 1.0, neutral);
+            letter(sketch, "S".into(), neutral, 0.5 * (l + foot), n);
+        }
+        if shown.has(Mirror) {
+            arrow(sketch, [foot, r], 1.0, neutral);
+            letter(sketch, "S".into(), neutral, 0.5 * (foot + r), n);
+        }
+    }
+    if shown.has(Halfway) && (l + v).length() > 1e-9 {
+        let middle = 0.5 * (l + v);
+        thin(sketch, [l, v], DASHES);
+        if let Some(at) = sketch.end(middle) {
+            let disc = Shape::disc(at, 1.3 * sketch.style.line, palette::H);
+            sketch.shapes.push(disc);
+        }
+        letter(sketch, "(L + V)/2".into(), neutral, middle, -middle);
+    }
+}
+
+fn thin(sketch: &mut Sketch, ends: [DVec3; 2], dashes: &'static [f32]) {
+    let points: Option<Vec<DVec2>> = ends.into_iter().map(|end| sketch.end(end)).collect();
+    let (width, colour) = (0.5 * sketch.style.line, sketch.style.neutral);
+    let line = points.map(|points| Shape::line(points, width, colour).dashed(dashes));
+    sketch.shapes.extend(line);
+}
+
+fn arrow(sketch: &mut Sketch, ends: [DVec3; 2], width: f64, colour: Rgb8) {
+    let [Some(from), Some(to)] = ends.map(|end| sketch.end(end)) else {
+        return;
+    };
+    let Some(along) = (to - from).try_normalize() else {
+        return;
+    };
+    let style = sketch.style;
+    let head = (style.head * width.sqrt()).min(0.6 * (to - from).length());
+    sketch.shapes.extend(Shape::arrow(
+        [from, to],
+        along,
+        width * style.line,
+        head,
+        colour,
+    ));
+}
+
+/// Asks for a label beside the end of `at`, towards `aside`.
+fn letter(sketch: &mut Sketch, text: String, colour: Rgb8, at: DVec3, aside: DVec3) {
+    let Some(anchor) = sketch.end(at) else { return };
+    let towards = sketch
+        .end(at + aside)
+        .map_or(DVec2::ZERO, |end| end - anchor);
+    let clearance = 0.35 * sketch.style.text;
+    sketch.letter(
+        text,
+        0.9,
+        colour,
+        anchor,
+        towards.normalize_or_zero(),
+        clearance,
+    );
+}
