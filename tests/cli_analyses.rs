@@ -75,7 +75,7 @@ fn curves_are_the_probes_own() {
         .iter()
         .map(|plot| plot["kind"].clone())
         .collect();
-    assert_eq!(kinds, ["attenuation", "exponent", "lobe"]);
+    assert_eq!(kinds, ["attenuation", "exponent", "reflectance", "lobe"]);
     let marks = curves["plots"][0]["marks"].as_array().expect("marks");
     let mark = marks
         .iter()
@@ -105,7 +105,7 @@ fn curves_that_cannot_be_are_refused() {
     folder.fails(
         &["curves", "sphere", "--light", "1"],
         2,
-        &["error: --light 1: no such light in the scene, which has 0 to 0"],
+        &["error: --light 1: no such light in the scene, expected 0 to 0"],
     );
     folder.fails(
         &["curves", "sphere", "--pixel", "768,0"],

@@ -158,7 +158,8 @@ fn reflectance_begins_at_its_closed_form_and_ends_at_one() {
     ] {
         scene.material.reflectance = kind;
         let plot = reflectance_plot(&scene, None);
-        for (channel, curve) in plot.curves.iter().enumerate() {
+        let own = plot.curves.iter().filter(|curve| curve.emphasised);
+        for (channel, curve) in own.enumerate() {
             let (eta, k) = (index.eta[channel], index.k[channel]);
             let down = ((eta - 1.0).powi(2) + k * k) / ((eta + 1.0).powi(2) + k * k);
             near(value(curve, 0.0), down, 1e-12);
@@ -168,6 +169,7 @@ fn reflectance_begins_at_its_closed_form_and_ends_at_one() {
         let inks: Vec<_> = plot
             .curves
             .iter()
+            .filter(|curve| curve.emphasised)
             .map(|curve| (curve.ink, curve.dash, &curve.name))
             .collect();
         assert!(
@@ -435,12 +437,9 @@ fn a_light_straight_above_and_a_viewer_at_infinity_have_a_lobe() {
 }
 
 #[test]
-fn only_what_varies_is_worth_a_plot() {
+fn attenuation_is_plotted_where_there_is_a_distance() {
     use PlotKind::{Attenuation as F, Exponent, Lobe, Reflectance as W};
     let mut scene = preset("sphere");
-    assert_eq!(shown_kinds(&scene, 0), [Exponent, Lobe]);
-    scene.lights[0].attenuation = Attenuation::Light;
-    scene.material.reflectance = Reflectance::Glass;
     assert_eq!(shown_kinds(&scene, 0), [F, Exponent, W, Lobe]);
     scene.lights[0].kind = LightKind::Directional;
     assert_eq!(shown_kinds(&scene, 0), [Exponent, W, Lobe]);
@@ -706,4 +705,57 @@ fn every_colour_stands_out_from_its_paper() {
             );
         }
     }
+}
+
+#[test]
+fn every_law_of_attenuation_and_every_substance_stands_beside_the_present_one() {
+    let scene = preset("attenuation");
+    let (renderer, probe) = probed(&scene);
+    let light = &scene.lights[0];
+    let plot_of = |kind| plot(kind, &renderer, &scene, &probe, 0).expect("a plot");
+    let laws = plot_of(PlotKind::Attenuation);
+    assert_eq!(laws.curves.len(), 4);
+    let emphasised: Vec<_> = laws.curves.iter().map(|curve| curve.emphasised).collect();
+    assert_eq!(
+        emphasised,
+        [true, false, false, false],
+        "the present law is first"
+    );
+    let mark = laws
+        .marks
+        .iter()
+        .find(|mark| mark.probe)
+        .expect("the probe");
+    assert_eq!(mark.values.len(), 4);
+    for law in [
+        Attenuation::None,
+        Attenuation::Light,
+        Attenuation::InverseSquare,
+        Attenuation::Quadratic,
+    ] {
+        let f = attenuation_at(light, law, mark.x);
+        let told = mark
+            .values
+            .iter()
+            .any(|(_, value)| (value - f).abs() < 1e-12);
+        assert!(told, "{law:?}: {f} is not among {:?}", mark.values);
+    }
+    let names = |plot: &Plot| {
+        plot.curves
+            .iter()
+            .map(|curve| curve.key.clone())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        names(&plot_of(PlotKind::Reflectance)),
+        ["constant", "glass", "silver", "gold"]
+    );
+    let mut gold = scene.clone();
+    gold.material.reflectance = Reflectance::Gold;
+    let plot = reflectance_plot(&gold, Some(0.5));
+    assert_eq!(
+        names(&plot),
+        ["red", "green", "blue", "constant", "glass", "silver"]
+    );
+    assert!(plot.x.name.contains("degrees") && laws.x.name.contains("world units"));
 }

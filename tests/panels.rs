@@ -22,9 +22,9 @@ use std::path::Path;
 fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
     let mut harness = window("attenuation");
     let titles = [
-        "A light weakens with distance",
-        "The highlight falls with φ",
-        "What the point reflects to every side",
+        "Attenuation by distance",
+        "Specular lobe cosⁿφ",
+        "Reflected intensity by direction",
     ];
     assert_eq!(
         harness.state().state().look.tab,
@@ -43,8 +43,8 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
     }
     assert!(
         harness
-            .query_by_label("What gold reflects by angle")
-            .is_none(),
+            .query_by_label("Reflectance W(θ): constant")
+            .is_some(),
         "W is constant"
     );
     let described = |harness: &Harness<'_, App>| {

@@ -3,6 +3,7 @@
 //!
 //! A scene and what was probed in it come in; out go [`Plot`]s, plain data with the scene's own values marked.
 
+use super::perception::luminance;
 use super::probe::{attenuation_law, clearest_pixel, exponent, probe};
 use super::report::{About, Answer, Part, Report};
 use super::{
@@ -13,6 +14,7 @@ pub(crate) use crate::figure::short;
 use crate::illumination::{Index, attenuation_at, half_width};
 use crate::render::Renderer;
 use crate::scene::{Attenuation, Distribution, Light, Reflectance, ReflectionModel, Rgb, Scene};
+use crate::text;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -31,6 +33,8 @@ const SAMPLES: [u32; 2] = [480, 360];
 const SEARCH: u32 = 40;
 /// How far the axes of f reach beyond the scene's own distances and values.
 const BEYOND: f64 = 1.2;
+/// Values of f from here on are seen on an axis that ends at 1.
+const SEEN_BESIDE_ONE: f64 = 0.04;
 /// Even steps of an angle in a right angle, a half of a degree each.
 const EVEN: i32 = 180;
 /// Steps in which a half-width is divided, and how many of them are sampled on each side: of the lobe, and of cosⁿ φ.
@@ -51,26 +55,73 @@ pub struct CurvesQuestion {
     pub light: Option<usize>,
 }
 
-/// The plots.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+/// What the curves are of. The plots are made when they are asked for, in the language of the moment.
+#[derive(Clone, Debug, Default)]
 pub struct Curves {
     pub pixel: [u32; 2],
     pub light: usize,
-    pub plots: Vec<Plot>,
+    /// The plots that there are.
+    pub kinds: Vec<PlotKind>,
+    hit: Option<ProbeHit>,
+    distances: Distances,
 }
 
 impl Curves {
-    /// The plots that have something to say for `probe`, of a picture of `scene` that `renderer` has drawn, and a light.
+    /// The curves that have something to say for `probe`, of a picture of `scene` that `renderer` has drawn, and a light.
     pub fn new(renderer: &Renderer, scene: &Scene, probe: &Probe, light: usize) -> Self {
-        let plot = |kind| plot(kind, renderer, scene, probe, light);
-        let plots = shown_kinds(scene, light)
-            .into_iter()
-            .filter_map(plot)
-            .collect();
-        Self {
+        let mut curves = Self {
             pixel: probe.pixel,
             light,
-            plots,
+            kinds: vec![],
+            hit: probe.hit.clone(),
+            distances: Distances::default(),
+        };
+        if let Some(source) = scene.lights.get(light) {
+            let position = probe.hit.as_ref().map(|hit| hit.position);
+            curves.distances = Distances::seen(renderer, scene, source, position);
+        }
+        curves.kinds = shown_kinds(scene, light);
+        curves.kinds.retain(|kind| {
+            *kind != PlotKind::Lobe
+                || curves
+                    .hit
+                    .as_ref()
+                    .is_some_and(|hit| ReflectionLobe::at(scene, hit, light).is_some())
+        });
+        curves
+    }
+
+    /// The plots.
+    pub fn plots(&self, scene: &Scene) -> Vec<Plot> {
+        let several = scene.lights.len() > 1;
+        let plots = self.kinds.iter().filter_map(|kind| {
+            let mut plot = self.plot(*kind, scene)?;
+            if several && matches!(kind, PlotKind::Attenuation | PlotKind::Lobe) {
+                plot.title = text!(
+                    "point-plot-of-light",
+                    title = plot.title,
+                    light = self.light + 1
+                );
+            }
+            Some(plot)
+        });
+        plots.collect()
+    }
+
+    fn plot(&self, kind: PlotKind, scene: &Scene) -> Option<Plot> {
+        let hit = self.hit.as_ref();
+        let terms = hit.and_then(|hit| hit.lights.get(self.light));
+        match kind {
+            PlotKind::Exponent => Some(exponent_plot(scene, terms.map(|terms| terms.phi))),
+            PlotKind::Reflectance => {
+                Some(reflectance_plot(scene, terms.map(|terms| terms.incidence)))
+            }
+            PlotKind::Attenuation => {
+                let light = scene.lights.get(self.light)?;
+                Some(attenuation_plot(light, &self.distances))
+            }
+            PlotKind::Lobe => lobe_plot(scene, hit?, self.light),
+            _ => None,
         }
     }
 }
@@ -87,14 +138,11 @@ impl Question for CurvesQuestion {
         let (pixel, count) = (probed.pixel, scene.lights.len());
         let light = match self.light {
             Some(light) if light >= count => {
-                let expected = if count == 0 {
-                    "no light at all".into()
+                return Err(if count == 0 {
+                    text!("point-error-no-lights", light = light)
                 } else {
-                    format!("0 to {}", count - 1)
-                };
-                return Err(format!(
-                    "--light {light}: no such light in the scene, which has {expected}"
-                ));
+                    text!("point-error-no-such-light", light = light, last = count - 1)
+                });
             }
             Some(light) => light,
             None => {
@@ -106,40 +154,40 @@ impl Question for CurvesQuestion {
         let Some(kind) = self.kind else {
             return Ok(Curves::new(&renderer, scene, &probed, light));
         };
+        let mut curves = Curves::new(&renderer, scene, &probed, light);
+        curves.kinds = vec![kind];
+        if curves.plot(kind, scene).is_some() {
+            return Ok(curves);
+        }
         let [x, y] = pixel;
-        let missing = match (kind, &probed.hit) {
-            (PlotKind::Lobe, None) => {
-                format!("pixel {x},{y} shows the background, expected one that shows the object")
-            }
+        Err(match (kind, &probed.hit) {
+            (PlotKind::Lobe, None) => text!("point-error-background", x = x, y = y),
             (PlotKind::Lobe, Some(_)) if light < count => {
-                format!(
-                    "light {light} does not reach pixel {x},{y} from the front, expected one that does"
-                )
+                text!("point-error-behind", light = light, x = x, y = y)
             }
-            _ => "the scene has no light, expected one".to_owned(),
-        };
-        let plot = plot(kind, &renderer, scene, &probed, light);
-        plot.map(|plot| Curves {
-            pixel,
-            light,
-            plots: vec![plot],
+            _ => text!("point-error-no-light").to_owned(),
         })
-        .ok_or(missing)
     }
 }
 
 impl Answer for Curves {
     fn report(&self, about: &About<'_>) -> Report {
         let [x, y] = self.pixel;
-        let mut report = Report::new(format!("{}, at pixel ({x}, {y})", about.name));
-        for plot in &self.plots {
-            report.section("").push(Part::Plot(plot.clone().into()));
+        let mut report = Report::new(text!(
+            "point-curves-title",
+            scene = about.name,
+            x = x,
+            y = y
+        ));
+        for plot in self.plots(about.scene) {
+            report.section("").push(Part::Plot(plot.into()));
         }
         report
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
-        json!(self)
+    fn json(&self, about: &About<'_>) -> Value {
+        let plots = self.plots(about.scene);
+        json!({ "pixel": self.pixel, "light": self.light, "plots": plots })
     }
 }
 
@@ -152,40 +200,27 @@ pub fn plot(
     probe: &Probe,
     light: usize,
 ) -> Option<Plot> {
-    let hit = probe.hit.as_ref();
-    let terms = hit.and_then(|hit| hit.lights.get(light));
-    match kind {
-        PlotKind::Exponent => Some(exponent_plot(scene, terms.map(|terms| terms.phi))),
-        PlotKind::Reflectance => Some(reflectance_plot(scene, terms.map(|terms| terms.incidence))),
-        PlotKind::Attenuation => {
-            let light = scene.lights.get(light)?;
-            let distances = Distances::seen(renderer, scene, light, hit.map(|hit| hit.position));
-            Some(attenuation_plot(light, &distances))
-        }
-        PlotKind::Lobe => lobe_plot(scene, hit?, light),
-        _ => None,
-    }
+    Curves::new(renderer, scene, probe, light).plot(kind, scene)
 }
 
-/// The kinds of plot that have more to say than that nothing varies: W and f only where they do.
+/// The kinds of plot that have something to say: f only where there is a distance to count.
 pub fn shown_kinds(scene: &Scene, light: usize) -> Vec<PlotKind> {
-    let varies = |kind: &PlotKind| match kind {
-        PlotKind::Attenuation => scene
-            .lights
-            .get(light)
-            .is_some_and(|light| effective(light) != Attenuation::None),
-        PlotKind::Reflectance => scene.material.reflectance != Reflectance::Constant,
-        PlotKind::Exponent | PlotKind::Lobe => true,
+    let shown = |kind: &PlotKind| match kind {
+        PlotKind::Attenuation => scene.lights.get(light).is_some_and(has_distance),
+        PlotKind::Reflectance | PlotKind::Exponent | PlotKind::Lobe => true,
         _ => false,
     };
-    PlotKind::ALL.into_iter().filter(varies).collect()
+    PlotKind::ALL.into_iter().filter(shown).collect()
+}
+
+fn has_distance(light: &Light) -> bool {
+    light.kind.has_position() || light.attenuation == Attenuation::Viewer
 }
 
 /// The law by which a light weakens: a directional one is equally far from everything, so that only the distance to the
 /// viewer counts.
 fn effective(light: &Light) -> Attenuation {
-    let counts = light.kind.has_position() || light.attenuation == Attenuation::Viewer;
-    if counts {
+    if has_distance(light) {
         light.attenuation
     } else {
         Attenuation::None
@@ -270,7 +305,21 @@ impl Distances {
     }
 }
 
-/// f(d): how a light weakens with distance, from the light itself to beyond what is seen.
+/// The laws of attenuation as functions of a distance, how they are written, and their dashes beside the present one. That
+/// of the distance to the viewer is that of the distance to the light.
+const LAWS: [(Attenuation, &str, Dash); 4] = [
+    (Attenuation::None, "f = 1", Dash::Dotted),
+    (Attenuation::Light, "f = 1/(r + k)", Dash::Long),
+    (Attenuation::InverseSquare, "f = 1/d²", Dash::Dashed),
+    (
+        Attenuation::Quadratic,
+        "f = 1/(c₁ + c₂d + c₃d²) ≤ 1",
+        Dash::DashDot,
+    ),
+];
+
+/// f(d): how light is attenuated with distance, from the light itself to beyond what is seen, by the present law and by the
+/// others with this light's constants.
 pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
     let attenuation = effective(light);
     let f = |d: f64| attenuation_at(light, attenuation, d);
@@ -280,28 +329,64 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
         .filter(|d| *d > 0.0)
         .unwrap_or(1.0)
         * BEYOND;
-    let points = (0..=SAMPLES[0]).map(|i| {
-        let share = f64::from(i) / f64::from(SAMPLES[0]);
-        let d = reach * share * share;
-        [d, f(d)]
-    });
+    let points = |law: Attenuation| {
+        let at = |i: u32| {
+            let share = f64::from(i) / f64::from(SAMPLES[0]);
+            let d = reach * share * share;
+            [d, attenuation_at(light, law, d)]
+        };
+        (0..=SAMPLES[0]).map(at).collect::<Vec<_>>()
+    };
+    // The present law first.
+    let mut laws = LAWS;
+    laws.sort_by_key(|(law, ..)| *law != own_law(attenuation));
+    let curves: Vec<Curve> = laws
+        .into_iter()
+        .enumerate()
+        .map(|(index, (law, name, dash))| {
+            let notes = distances
+                .probe
+                .map(|d| short(attenuation_at(light, law, d)));
+            let curve = Curve {
+                notes: notes.into_iter().collect(),
+                ..Curve::new(name, points(law), Ink::L)
+            };
+            if index == 0 {
+                return Curve {
+                    name: text!("point-now", name = name),
+                    ..curve
+                };
+            }
+            Curve {
+                ink: Ink::Reference,
+                dash,
+                emphasised: false,
+                ..curve
+            }
+        })
+        .collect();
     let marks = [
-        ("nearest", distances.nearest),
-        ("probe", distances.probe),
-        ("farthest", distances.farthest),
+        (text!("point-mark-nearest"), distances.nearest, false),
+        (text!("point-mark-probe"), distances.probe, true),
+        (text!("point-mark-farthest"), distances.farthest, false),
     ];
-    let marks = marks.into_iter().filter_map(|(name, d)| {
+    let marks = marks.into_iter().filter_map(|(name, d, probe)| {
         let d = d?;
-        let label = format!("{name}: f({}) = {}", short(d), short(f(d)));
+        let counted = if probe { curves.len() } else { 1 };
+        let values = laws[..counted]
+            .iter()
+            .enumerate()
+            .map(|(index, (law, ..))| (index, attenuation_at(light, *law, d)));
         Some(Mark {
             x: d,
-            label,
-            values: vec![(0, f(d))],
-            probe: name == "probe",
+            label: format!("{name}: f({}) = {}", short(d), short(f(d))),
+            values: values.collect(),
+            probe,
         })
     });
     let marks: Vec<Mark> = marks.collect();
-    // Near the light f may rise without bound; the axis ends where the scene's own values do.
+    // Near the light f may rise without bound; the axis ends where the scene's own values do, and at 1 where these are not
+    // too small to be seen then.
     let greatest = marks.iter().map(|mark| f(mark.x)).fold(f64::NAN, f64::max);
     let top = if greatest.is_finite() && greatest > 0.0 {
         greatest
@@ -314,31 +399,48 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
     } else {
         BEYOND * top
     };
-    let from = if attenuation == Attenuation::Viewer {
-        "viewer"
+    let top = if top >= SEEN_BESIDE_ONE {
+        top.max(1.0)
     } else {
-        "light"
+        top
     };
     let symbol = if matches!(attenuation, Attenuation::Viewer | Attenuation::Light) {
         "r"
     } else {
         "d"
     };
+    let distance = if attenuation == Attenuation::Viewer {
+        text!("point-axis-from-viewer", symbol = symbol)
+    } else {
+        text!("point-axis-from-light", symbol = symbol)
+    };
     let axes = [
-        Axis::new(format!("{symbol}, distance from the {from}"), 0.0, reach),
+        Axis::new(distance, 0.0, reach),
         Axis::new(format!("f({symbol})"), 0.0, top),
     ];
-    let curves = vec![Curve::new("f", points.collect(), Ink::L)];
-    let title = "A light weakens with distance";
     Plot {
+        legend: Vec::from_iter(
+            distances
+                .probe
+                .map(|_| text!("point-legend-at-probe").to_owned()),
+        ),
         marks,
         ..Plot::new(
             PlotKind::Attenuation,
-            title,
-            attenuation_law(light),
+            text!("point-plot-attenuation"),
+            text!("point-note-laws", law = attenuation_law(light)),
             axes,
             curves,
         )
+    }
+}
+
+/// The entry of [`LAWS`] that has the values of a law.
+fn own_law(law: Attenuation) -> Attenuation {
+    if law == Attenuation::Viewer {
+        Attenuation::Light
+    } else {
+        law
     }
 }
 
@@ -352,40 +454,64 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
         FRAC_PI_2 * (1.0 - left * left.sqrt())
     });
     let thetas: Vec<f64> = thetas.collect();
-    let channels: &[(&str, Dash)] = match index {
+    let channels: &[(&str, &str, Dash)] = match index {
         Some(_) => &[
-            ("red", Dash::Solid),
-            ("green", Dash::Dashed),
-            ("blue", Dash::Dotted),
+            ("red", text!("point-red"), Dash::Solid),
+            ("green", text!("point-green"), Dash::Dashed),
+            ("blue", text!("point-blue"), Dash::Dotted),
         ],
-        None => &[("all channels", Dash::Solid)],
+        None => &[("constant", text!("point-constant"), Dash::Solid)],
     };
-    let curves = (0u8..).zip(channels).map(|(channel, (name, dash))| {
-        let value = |theta: f64| w(theta)[usize::from(channel)];
+    let sampled = |value: &dyn Fn(f64) -> f64| {
+        let at = |theta: &f64| [theta.to_degrees(), value(*theta)];
+        let notes = READ_AT.map(|angle| format!("{:.3}", value(angle.to_radians())));
+        (thetas.iter().map(at).collect::<Vec<_>>(), notes.to_vec())
+    };
+    let own = (0u8..).zip(channels).map(|(channel, (key, name, dash))| {
+        let (points, notes) = sampled(&|theta| w(theta)[usize::from(channel)]);
         let ink = if index.is_some() {
             Ink::Channel(channel)
         } else {
-            Ink::R
+            specular_ink(scene)
         };
-        let points = thetas
-            .iter()
-            .map(|theta| [theta.to_degrees(), value(*theta)])
-            .collect();
-        let notes = READ_AT
-            .map(|angle| format!("{:.3}", value(angle.to_radians())))
-            .to_vec();
         Curve {
             notes,
             dash: *dash,
-            ..Curve::new(*name, points, ink)
+            name: text!("point-now", name = *name),
+            ..Curve::new(*key, points, ink)
         }
     });
+    let present = scene.material.reflectance;
+    let others = SUBSTANCES
+        .into_iter()
+        .filter(|(kind, ..)| *kind != present)
+        .map(|(kind, key, other, dash, [at, aside])| {
+            let value = |theta: f64| {
+                luminance(other.map_or(Rgb::ONE, |index| index.reflectance(cosine(theta))))
+            };
+            let (points, notes) = sampled(&value);
+            let name = substance(kind);
+            let tag = Tag {
+                text: name.to_owned(),
+                at: [at, value(at.to_radians()) + aside],
+            };
+            Curve {
+                notes,
+                dash,
+                emphasised: false,
+                name: name.to_owned(),
+                tag: Some(tag),
+                ..Curve::new(key, points, Ink::Reference)
+            }
+        });
+    let curves: Vec<Curve> = own.chain(others).collect();
     let marks = incidence
         .filter(|theta| (0.0..=FRAC_PI_2).contains(theta))
         .map(|theta| {
             let values: Vec<f64> = w(theta).to_array()[..channels.len()].to_vec();
             let texts: Vec<String> = values.iter().copied().map(short).collect();
-            let label = format!("probe: W({}) = {}", degrees(theta), texts.join(", "));
+            let probe = text!("point-mark-probe");
+            let label = format!("{probe}: W({}) = {}", degrees(theta), texts.join(", "));
             Mark {
                 x: theta.to_degrees(),
                 label,
@@ -393,14 +519,11 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
                 probe: true,
             }
         });
-    let substance = match scene.material.reflectance {
-        Reflectance::Glass => "glass",
-        Reflectance::Silver => "silver",
-        Reflectance::Gold => "gold",
-        Reflectance::Constant | Reflectance::Custom => "the surface",
-    };
-    let axes = [Axis::degrees("θ", 0.0, 90.0), Axis::new("W(θ)", 0.0, 1.0)];
-    let title = format!("What {substance} reflects by angle");
+    let axes = [
+        Axis::degrees(text!("point-axis-theta"), 0.0, 90.0),
+        Axis::new("W(θ)", 0.0, 1.0),
+    ];
+    let title = text!("point-plot-reflectance", substance = substance(present));
     Plot {
         legend: READ_AT.map(|angle| format!("W({angle}°)")).to_vec(),
         marks: marks.into_iter().collect(),
@@ -409,20 +532,58 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
             title,
             reflectance_note(scene, index),
             axes,
-            curves.collect(),
+            curves,
         )
+    }
+}
+
+/// The substances that are plotted beside the present one: their keys, indices of refraction and dashes, and where each
+/// curve carries its name: an angle in degrees, and how far above the curve.
+const SUBSTANCES: [(Reflectance, &str, Option<Index>, Dash, [f64; 2]); 4] = [
+    (
+        Reflectance::Constant,
+        "constant",
+        None,
+        Dash::Dotted,
+        [14.0, -0.02],
+    ),
+    (
+        Reflectance::Glass,
+        "glass",
+        Some(Index::GLASS),
+        Dash::Dashed,
+        [40.0, 0.06],
+    ),
+    (
+        Reflectance::Silver,
+        "silver",
+        Some(Index::SILVER),
+        Dash::Long,
+        [40.0, -0.03],
+    ),
+    (
+        Reflectance::Gold,
+        "gold",
+        Some(Index::GOLD),
+        Dash::DashDot,
+        [40.0, -0.06],
+    ),
+];
+
+fn substance(reflectance: Reflectance) -> &'static str {
+    match reflectance {
+        Reflectance::Constant => text!("point-constant"),
+        Reflectance::Glass => text!("point-glass"),
+        Reflectance::Silver => text!("point-silver"),
+        Reflectance::Gold => text!("point-gold"),
+        Reflectance::Custom => text!("point-custom"),
     }
 }
 
 /// The index of refraction, and which angle θ is.
 fn reflectance_note(scene: &Scene, index: Option<Index>) -> String {
     let Some(Index { eta, k }) = index else {
-        return "W = 1: the specular coefficient is constant".into();
-    };
-    let between = if scene.reflection.model == ReflectionModel::Phong {
-        "N and L"
-    } else {
-        "H and L"
+        return text!("point-note-constant").to_owned();
     };
     let list = |values: Rgb| {
         let [r, g, b] = values.to_array().map(short);
@@ -437,7 +598,16 @@ fn reflectance_note(scene: &Scene, index: Option<Index>) -> String {
     } else {
         format!("; k = {}", list(k))
     };
-    format!("Fresnel, η = {}{k}; θ between {between}", list(eta))
+    let vector = if scene.reflection.model == ReflectionModel::Phong {
+        "N"
+    } else {
+        "H"
+    };
+    text!(
+        "point-note-fresnel",
+        index = format!("η = {}{k}", list(eta)),
+        vector = vector
+    )
 }
 
 /// The lobe cut by the plane of incidence, with the vectors: what the point of `hit` reflects of the light of index
@@ -474,12 +644,14 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
     let curves = vec![
         Curve {
             notes: vec![short(most)],
+            name: text!("point-both-terms").to_owned(),
             ..Curve::new("diffuse + specular", total, specular_ink(scene))
         },
         Curve {
             dash: Dash::Dashed,
             emphasised: false,
             notes: vec![short(lobe.towards(lobe.n).diffuse)],
+            name: text!("point-diffuse").to_owned(),
             ..Curve::new("diffuse", diffuse, Ink::L)
         },
     ];
@@ -489,30 +661,20 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
         1.0
     };
     let axes = [
-        Axis::degrees("angle from N", -90.0, 90.0),
+        Axis::degrees(text!("point-axis-from-normal"), -90.0, 90.0),
         Axis::new("I", 0.0, top),
     ];
     let out = out_of_plane(&lobe, lobe.v).abs();
-    let aside = if out < IN_PLANE {
-        String::new()
-    } else {
-        format!(", {out:.0}° out of this plane")
-    };
     let at_v = short(lobe.towards(lobe.v).total());
-    let note = format!(
-        "in the plane of N and L, θ = {}; to the viewer I = {at_v}{aside}",
-        degrees(mirror)
-    );
+    let mut note = text!("point-note-lobe", theta = degrees(mirror), intensity = at_v);
+    if out >= IN_PLANE {
+        note += text!("point-sentence-gap");
+        note += &text!("point-note-out-of-plane", angle = format!("{out:.0}°"));
+    }
     Some(Plot {
-        legend: vec!["greatest I".into()],
+        legend: vec![text!("point-legend-greatest").to_owned()],
         directions: directions(&lobe),
-        ..Plot::new(
-            PlotKind::Lobe,
-            "What the point reflects to every side",
-            note,
-            axes,
-            curves,
-        )
+        ..Plot::new(PlotKind::Lobe, text!("point-plot-lobe"), note, axes, curves)
     })
 }
 
@@ -571,7 +733,7 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
     let (name, symbol, formula) = falling.words(model);
     let notes = vec![degrees(falling.half_width())];
     let present = Curve {
-        name: format!("{name}, now"),
+        name: text!("point-now", name = &name[..]),
         notes,
         ..Curve::new(name, sampled(&falling), specular_ink(scene))
     };
@@ -583,7 +745,8 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
         .filter(|phi| phi.is_finite() && *phi <= FRAC_PI_2)
         .map(|phi| {
             let value = falling.at(phi);
-            let label = format!("probe: φ = {}, {}", degrees(phi), short(value));
+            let probe = text!("point-mark-probe");
+            let label = format!("{probe}: φ = {}, {}", degrees(phi), short(value));
             Mark {
                 x: phi.to_degrees(),
                 label,
@@ -612,20 +775,20 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
         }
     }
     let angle = if model == ReflectionModel::Phong {
-        "φ, between R and V"
+        text!("point-axis-phi", a = "R", b = "V")
     } else {
-        "φ, between N and H"
+        text!("point-axis-phi", a = "N", b = "H")
     };
     let axes = [
         Axis::degrees(angle, -90.0, 90.0),
         Axis::new(symbol, 0.0, top),
     ];
     Plot {
-        legend: vec!["half-width".into()],
+        legend: vec![text!("point-legend-half-width").to_owned()],
         marks: marks.into_iter().collect(),
         ..Plot::new(
             PlotKind::Exponent,
-            "The highlight falls with φ",
+            text!("point-plot-exponent"),
             formula,
             axes,
             curves,
@@ -701,18 +864,32 @@ impl Falling {
     }
 
     /// Its parameter, what is plotted, and the formula.
-    fn words(self, model: ReflectionModel) -> (String, &'static str, &'static str) {
+    fn words(self, model: ReflectionModel) -> (String, &'static str, String) {
         let vectors = if model == ReflectionModel::Phong {
-            "(R·V)ⁿ = cosⁿ φ"
+            "(R·V)ⁿ = cosⁿφ"
         } else {
-            "(N·H)ⁿ = cosⁿ φ"
+            "(N·H)ⁿ = cosⁿφ"
         };
-        let beckmann = "Beckmann’s D = exp(−tan² φ/m²)/(m² cos⁴ φ); beside it cosⁿ φ";
-        let ggx = "D = α²/(α² cos² φ + sin² φ)² (GGX); beside it cosⁿ φ";
         match self {
-            Self::Power(n) => (format!("n = {}", exponent(n)), "cosⁿ φ", vectors),
-            Self::Beckmann(m) => (format!("m = {}", short(m)), "D(φ)/D(0)", beckmann),
-            Self::Ggx(a) => (format!("α = {}", short(a)), "D(φ)/D(0)", ggx),
+            Self::Power(n) => (format!("n = {}", exponent(n)), "cosⁿφ", vectors.to_owned()),
+            Self::Beckmann(m) => (
+                format!("m = {}", short(m)),
+                "D(φ)/D(0)",
+                text!(
+                    "point-note-distribution",
+                    name = "Beckmann",
+                    formula = "D = exp(−tan²φ/m²)/(m² cos⁴φ)"
+                ),
+            ),
+            Self::Ggx(a) => (
+                format!("α = {}", short(a)),
+                "D(φ)/D(0)",
+                text!(
+                    "point-note-distribution",
+                    name = "GGX",
+                    formula = "D = α²/(α² cos²φ + sin²φ)²"
+                ),
+            ),
         }
     }
 }

@@ -7,6 +7,7 @@ use super::engine::Engine;
 use super::report::{ReportView, export_ui};
 use super::state::AppState;
 use crate::analysis::{About, Answer, Curves, PlotKind};
+use crate::text::text;
 use eframe::egui::Ui;
 
 /// The plots as last sampled, and what for.
@@ -21,25 +22,18 @@ pub struct CurvesView {
 pub fn curves_ui(ui: &mut Ui, own: &mut CurvesView, state: &mut AppState, engine: &Engine) {
     let scene = &state.shown.scene;
     let light = state.light.min(scene.lights.len().saturating_sub(1));
-    if own.sampled != Some((engine.revision, light)) {
+    let new = own.sampled != Some((engine.revision, light));
+    if new {
         own.sampled = Some((engine.revision, light));
         own.curves = engine.curves(light);
-        let mut named = own.curves.clone().unwrap_or_default();
-        for plot in &mut named.plots {
-            if scene.lights.len() > 1 && matches!(plot.kind, PlotKind::Attenuation | PlotKind::Lobe)
-            {
-                plot.title += &format!(", light {}", light + 1);
-            }
-        }
-        own.view.set(named.report(&About { name: "", scene }));
+    }
+    if new || !own.view.is_current() {
+        let curves = own.curves.clone().unwrap_or_default();
+        own.view.set(curves.report(&About { name: "", scene }));
     }
     own.view.ui(ui);
-    if !own
-        .curves
-        .iter()
-        .flat_map(|curves| &curves.plots)
-        .any(|plot| plot.kind == PlotKind::Lobe)
-    {
+    let kinds = own.curves.iter().flat_map(|curves| &curves.kinds);
+    if !kinds.into_iter().any(|kind| *kind == PlotKind::Lobe) {
         missing_ui(ui, engine, light);
     }
     export_ui(ui, state, "curves", || {
@@ -50,17 +44,11 @@ pub fn curves_ui(ui: &mut Ui, own: &mut CurvesView, state: &mut AppState, engine
 /// Why there is no lobe.
 fn missing_ui(ui: &mut Ui, engine: &Engine, light: usize) {
     let Some(probe) = engine.probed() else { return };
-    let text = match &probe.hit {
-        None => "The probe sees the background. Double-click the object, or drag the ring onto it."
-            .to_owned(),
-        Some(hit) if hit.lights.is_empty() => "There is no light to be reflected.".to_owned(),
-        Some(hit) if hit.normal == glam::DVec3::ZERO => {
-            "The normal has no direction here.".to_owned()
-        }
-        Some(_) => format!(
-            "Light {} is behind the surface here: nothing is reflected.",
-            light + 1
-        ),
+    let why = match &probe.hit {
+        None => text!("point-background").to_owned(),
+        Some(hit) if hit.lights.is_empty() => text!("point-no-light").to_owned(),
+        Some(hit) if hit.normal == glam::DVec3::ZERO => text!("point-no-normal").to_owned(),
+        Some(_) => text!("point-light-behind", light = light + 1),
     };
-    ui.label(text);
+    ui.label(why);
 }

@@ -76,7 +76,7 @@ pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) {
         &[],
     );
     let unit = if plot.x.degrees { "°" } else { "" };
-    let symbol = plot.x.name.split(',').next().unwrap_or_default();
+    let symbol = plot.x.name.split([',', '，']).next().unwrap_or_default();
     let line = |text: String, colour| Text::new(text, DVec2::ZERO, style.text, colour);
     let mut lines = vec![line(
         format!("{symbol} = {}{unit}", short(x)),

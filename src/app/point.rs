@@ -208,18 +208,18 @@ impl VectorsView {
                     VectorsShown::Construction
                 };
             }
-            let title = match self.shown {
-                VectorsShown::Angles => text!("point-construction-hint").to_owned(),
-                VectorsShown::Step(step) => text!(
-                    "point-step",
-                    number = at,
-                    count = steps.len(),
-                    title = step.title()
-                ),
-                VectorsShown::Construction => String::new(),
-            };
-            ui.label(RichText::new(title).weak());
         });
+        let title = match self.shown {
+            VectorsShown::Angles => text!("point-construction-hint").to_owned(),
+            VectorsShown::Step(step) => text!(
+                "point-step",
+                number = at,
+                count = steps.len(),
+                title = step.title()
+            ),
+            VectorsShown::Construction => return,
+        };
+        ui.label(RichText::new(title).weak());
     }
 }
 

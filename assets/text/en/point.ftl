@@ -27,3 +27,53 @@ point-step = { $number } of { $count }: { $title }
 point-behind = The light is behind the surface, so it is not reflected here.
 point-position-short = point
 point-curves = Curves
+point-no-normal = N has no direction here.
+point-light-behind = Light { $light } is behind the surface here, so nothing is reflected.
+
+# The curves
+point-curves-title = { $scene }, at pixel ({ $x }, { $y })
+point-plot-attenuation = Attenuation by distance
+point-plot-exponent = Specular lobe cosⁿφ
+point-plot-reflectance = Reflectance W(θ): { $substance }
+point-plot-lobe = Reflected intensity by direction
+point-plot-of-light = { $title }, light { $light }
+point-now = { $name }, now
+point-mark-nearest = nearest
+point-mark-probe = probe
+point-mark-farthest = farthest
+point-legend-at-probe = f at the probe
+point-legend-half-width = half-width
+point-legend-greatest = greatest I
+point-axis-from-viewer = { $symbol }, distance from the viewer (world units)
+point-axis-from-light = { $symbol }, distance from the light (world units)
+point-axis-theta = θ, angle of incidence (degrees)
+point-axis-phi = φ, angle between { $a } and { $b } (degrees)
+point-axis-from-normal = angle from N (degrees)
+point-red = red
+point-green = green
+point-blue = blue
+point-constant = constant
+point-glass = glass
+point-silver = silver
+point-gold = gold
+point-custom = own index
+point-diffuse = diffuse
+point-both-terms = diffuse + specular
+point-note-constant = W = 1: Ks is the same for every angle. Grey: other materials, luminance.
+point-note-fresnel = Fresnel, { $index }. θ is measured between { $vector } and L. Grey: other materials, luminance.
+point-note-lobe = In the plane of N and L, θ = { $theta }. Towards the viewer I = { $intensity }.
+point-note-out-of-plane = V points { $angle } out of this plane.
+point-note-laws = { $law }. Grey: the other laws.
+point-note-distribution = { $name }: { $formula }. Grey: cosⁿφ.
+# Between two sentences.
+point-sentence-gap = { " " }
+point-law = { $law }, d from the light
+point-law-viewer = f = 1/(r + k), k = { $k }, r from the viewer
+point-law-light = f = 1/(r + k), k = { $k }, r from the light
+point-law-none = f = 1: this light is not attenuated
+point-law-directional = f = 1: a directional light has no distance
+point-error-no-lights = --light { $light }: the scene has no light
+point-error-no-such-light = --light { $light }: no such light in the scene, expected 0 to { $last }
+point-error-no-light = the scene has no light, expected one
+point-error-background = pixel { $x },{ $y } shows the background, expected one that shows the object
+point-error-behind = light { $light } is behind the surface at pixel { $x },{ $y }, expected one in front of it

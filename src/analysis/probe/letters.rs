@@ -6,6 +6,7 @@
 use crate::figure::palette::Vector;
 use crate::figure::short;
 use crate::scene::{Attenuation, CuedBy, Light, Reflectance, ReflectionModel, Rgb, Scene};
+use crate::text;
 
 /// How something is coloured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,18 +99,17 @@ pub fn plain_formula(formula: &str) -> String {
         .replace(['{', '}'], "")
 }
 
-/// The law by which a light weakens, with its constants in it.
+/// The law by which a light is attenuated, with its constants in it.
 pub fn attenuation_law(light: &Light) -> String {
     let [k, c1, c2, c3] = [light.k, light.c1, light.c2, light.c3].map(short);
+    let to = |law: String| text!("point-law", law = law);
     match light.attenuation {
-        Attenuation::Viewer => format!("f = 1/(r + k), k = {k}, r from the viewer"),
-        _ if !light.kind.has_position() => {
-            "f = 1: a directional light is equally far from everything".into()
-        }
-        Attenuation::None => "f = 1: this light does not weaken".into(),
-        Attenuation::Light => format!("f = 1/(r + k), k = {k}, r from the light"),
-        Attenuation::InverseSquare => "f = 1/d²".into(),
-        Attenuation::Quadratic => format!("f = min(1, 1/({c1} + {c2} d + {c3} d²))"),
+        Attenuation::Viewer => text!("point-law-viewer", k = k),
+        _ if !light.kind.has_position() => text!("point-law-directional").to_owned(),
+        Attenuation::None => text!("point-law-none").to_owned(),
+        Attenuation::Light => text!("point-law-light", k = k),
+        Attenuation::InverseSquare => to("f = 1/d²".to_owned()),
+        Attenuation::Quadratic => to(format!("f = min(1, 1/({c1} + {c2} d + {c3} d²))")),
     }
 }
 

@@ -13,10 +13,8 @@ use glam::{DVec2, DVec3};
 
 /// Room about the vectors for their letters, in ems: beside, above and below.
 const MARGIN: [f64; 3] = [2.4, 1.6, 1.0];
-/// How far below the point the drawing reaches, in unit vectors: for the surface alone, and for vectors behind it.
-const BELOW: [f64; 2] = [0.18, 1.0];
-/// A vector counts as behind the surface from this cosine on.
-const BEHIND: f64 = -0.1;
+/// How far the surface reaches beside and below the point, in unit vectors.
+const SURFACE: [f64; 2] = [0.64, 0.15];
 /// Size of the letters, in that of plots; and the width of what a step adds, in that of an arrow.
 const LETTERS: f64 = 1.15;
 const STRONG: f64 = 1.9;
@@ -97,25 +95,31 @@ pub fn draw_vectors(
         halo_colour: paper.ground,
         ..Style::of_text(LETTERS * style.text, Halo::Light)
     };
+    let phi_between = if focus.lit { focus.phi_between } else { (v, v) };
+    let vectors = [focus.n, focus.terms.l, v];
+    let seen_from = |origin, unit| view(Frame { origin, unit }, vectors, phi_between);
+    // As large as the width allows, but not higher than wide.
     let through = here.hit.transmission.and_then(|through| through.t);
-    let behind = [Some(focus.terms.l), Some(v), through]
+    let all = vectors
         .into_iter()
-        .flatten()
-        .any(|vector| focus.n.dot(vector) < BEHIND);
+        .chain([focus.terms.r, focus.terms.h])
+        .chain(through);
+    let flat = seen_from(DVec2::ZERO, 1.0);
+    let [mut aside, mut below] = SURFACE;
+    for vector in all.filter(|vector| vector.is_finite()) {
+        aside = aside.max(vector.dot(flat.right).abs());
+        below = below.max(-vector.dot(flat.up));
+    }
     let margin = MARGIN.map(|margin| margin * letters.text);
-    let unit = (0.5 * width - margin[0]).max(letters.text);
-    let below = BELOW[usize::from(behind)] * unit;
-    let size = DVec2::new(width, margin[1] + unit + below + margin[2]);
-    let frame = Frame {
-        origin: DVec2::new(0.5 * width, margin[1] + unit),
-        unit,
-    };
+    let unit = ((0.5 * width - margin[0]) / aside)
+        .min((width - margin[1] - margin[2]) / (1.0 + below))
+        .max(letters.text);
+    let size = DVec2::new(width, margin[1] + (1.0 + below) * unit + margin[2]);
     let pane = Area {
         min: DVec2::ZERO,
         max: size,
     };
-    let phi_between = if focus.lit { focus.phi_between } else { (v, v) };
-    let view = view(frame, [focus.n, focus.terms.l, v], phi_between);
+    let view = seen_from(DVec2::new(0.5 * width, margin[1] + unit), unit);
     let mut sketch = Sketch::new(view, letters, pane, DVec3::ZERO, Some(1.0), unit)?;
     draw_surface(&mut sketch, focus.n);
     let surfaces = sketch.shapes.len();
