@@ -46,9 +46,9 @@ pub use plan::{FramePlan, PlanQuestion, stage_words};
 pub use probe::{
     Angle, Arc, Arrow, ArrowHead, CHANNELS, ConstructionStep, CueTerms, FilledLine, FilledPart,
     Here, Letters, LightHandle, LightHere, LightTerms, LineValue, Overlay, Probe, ProbeHit,
-    ProbeQuestion, Probed, Product, Share, TIMES_TEN, TermColumn, Tone, VectorsShown, WorkedStep,
-    ZeroCause, ZeroCauses, clearest_pixel, digits, digits_below, draw_overlay, draw_vectors,
-    equation_letters, percent, plain_formula, probe, specular_vector,
+    ProbeQuestion, Probed, Product, Share, TermColumn, Tone, VectorsShown, WorkedStep, ZeroCause,
+    ZeroCauses, clearest_pixel, digits, digits_below, draw_overlay, draw_vectors, equation_letters,
+    percent, plain_formula, probe, specular_vector,
 };
 pub use profile::{
     Abscissa, Border, Compared, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError,

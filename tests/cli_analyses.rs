@@ -143,7 +143,7 @@ fn curves_that_cannot_be_are_refused() {
             "380,380",
         ],
         2,
-        &["error: light 0 does not reach pixel 380,380 from the front, expected one that does"],
+        &["error: light 0 is behind the surface at pixel 380,380, expected one in front of it"],
     );
     assert!(folder.names().is_empty());
 }

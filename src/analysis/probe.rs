@@ -9,9 +9,7 @@ mod report;
 mod zero;
 
 pub use construction::{ConstructionStep, WorkedStep};
-pub use filled::{
-    FilledLine, FilledPart, LineValue, Share, TIMES_TEN, digits, digits_below, percent,
-};
+pub use filled::{FilledLine, FilledPart, LineValue, Share, digits, digits_below, percent};
 pub use letters::{Letters, Tone, equation_letters, plain_formula, specular_vector};
 pub(super) use letters::{attenuation_law, exponent};
 pub use overlay::{

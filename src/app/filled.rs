@@ -1,13 +1,13 @@
 //! The equation, filled in: what the analysis says of the pixel, as lines that add up, some of which unfold.
 
+use super::letter::set;
 use super::palette::tone_text as colour;
 use super::state::AppState;
 use super::typeset::{Piece, Place, Run, formula, run_ui, spoken};
 use crate::analysis::{
-    CHANNELS, FilledLine, FilledPart, Here, LineValue, Product, Share, TIMES_TEN, digits,
-    digits_below, percent,
+    CHANNELS, FilledLine, FilledPart, Here, LineValue, Product, Share, digits, digits_below,
+    percent,
 };
-use crate::figure::Set;
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::{CollapsingState, paint_default_icon};
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
@@ -262,9 +262,8 @@ fn paint(ui: &Ui, line: &FilledLine, rect: Rect) {
     match &line.value {
         LineValue::Channels(values) => {
             for (index, value) in values.iter().enumerate() {
-                let galley =
-                    ui.painter()
-                        .layout_no_wrap(value.clone(), FontId::monospace(TEXT), colour);
+                let job = set(value, FontId::monospace(TEXT), colour);
+                let galley = ui.painter().layout_job(job);
                 let edge = channel_edge(rect, index);
                 free = free.min(edge - galley.size().x.max(COLUMN));
                 paint_right(ui, galley, edge, rect, colour);
@@ -429,8 +428,8 @@ impl Table<'_> {
         let plain = ui.visuals().text_color();
         let laid = |index, head, size, numbers: [String; 3], colour, mean| {
             let numbers = numbers.map(|number| {
-                ui.painter()
-                    .layout_job(raised(&number, TEXT * scale, colour))
+                let font = FontId::monospace(TEXT * scale);
+                ui.painter().layout_job(set(&number, font, colour))
             });
             let digits = numbers
                 .iter()
@@ -567,25 +566,4 @@ impl Table<'_> {
 
 fn total(laid: &[Laid<'_>]) -> f32 {
     laid.iter().map(|column| column.width).sum()
-}
-
-/// A number in digits of one width, its power of ten raised.
-fn raised(number: &str, size: f32, color: Color32) -> LayoutJob {
-    let format = |size, valign| TextFormat {
-        font_id: FontId::monospace(size),
-        color,
-        valign,
-        ..TextFormat::default()
-    };
-    let mut job = LayoutJob::default();
-    let (digits, power) = number
-        .split_once(TIMES_TEN)
-        .map_or((number, None), |(digits, power)| (digits, Some(power)));
-    job.append(digits, 0.0, format(size, Align::Center));
-    if let Some(power) = power {
-        job.append(TIMES_TEN, 0.0, format(size * 0.85, Align::Center));
-        let power: String = power.chars().map(|digit| Set::of(digit).letter).collect();
-        job.append(&power, 0.0, format(size * 0.68, Align::TOP));
-    }
-    job
 }

@@ -1,4 +1,4 @@
-//! Letters: on a picture, with a dark edge that keeps them readable on any, and with lowered digits.
+//! Letters: on a picture, with a dark edge that keeps them readable on any, and with lowered and raised digits.
 
 use crate::figure::Set;
 use eframe::egui::text::{LayoutJob, TextFormat};
@@ -35,24 +35,43 @@ pub fn letter(
     painter.text(at, align, text, font.clone(), colour);
 }
 
-/// Text with lowered digits, which the fonts lack.
+/// Text with lowered digits and raised powers, which the fonts lack.
 pub fn lettered(text: &str, colour: Color32) -> LayoutJob {
+    set(text, FontId::proportional(LETTERED), colour)
+}
+
+/// The same in any font.
+pub fn set(text: &str, font_id: FontId, color: Color32) -> LayoutJob {
     let mut job = LayoutJob::default();
-    for character in text.chars() {
-        let set = Set::of(character);
-        let valign = if set.rise < 0.0 {
-            Align::BOTTOM
-        } else {
-            Align::Center
-        };
-        let font_id = FontId::proportional(LETTERED * set.size);
-        let format = TextFormat {
-            font_id,
-            color: colour,
-            valign,
-            ..TextFormat::default()
-        };
-        job.append(&set.letter.to_string(), 0.0, format);
-    }
+    let format = TextFormat {
+        font_id,
+        color,
+        valign: Align::Center,
+        ..TextFormat::default()
+    };
+    append(&mut job, text, &format);
     job
+}
+
+/// Appends such text to a job.
+pub fn append(job: &mut LayoutJob, text: &str, format: &TextFormat) {
+    let mut runs: Vec<(Set, String)> = Vec::new();
+    for set in text.chars().map(Set::of) {
+        match runs.last_mut().filter(|(last, _)| last.rise == set.rise) {
+            Some((_, run)) => run.push(set.letter),
+            None => runs.push((set, set.letter.to_string())),
+        }
+    }
+    for (set, run) in runs {
+        let mut format = format.clone();
+        format.font_id.size *= set.size;
+        if set.rise != 0.0 {
+            format.valign = if set.rise < 0.0 {
+                Align::BOTTOM
+            } else {
+                Align::TOP
+            };
+        }
+        job.append(&run, 0.0, format);
+    }
 }

@@ -4,9 +4,11 @@ use super::curves::{CurvesView, curves_ui};
 use super::drawing::{drawing_ui, plot_style};
 use super::engine::Engine;
 use super::filled::{filled_ui, formula_ui};
+use super::letter::set;
 use super::palette::vector_text;
 use super::report::export_ui;
 use super::state::AppState;
+use super::theme::TEXT;
 use crate::analysis::{
     ConstructionStep, Here, LightHere, Probe, ProbeHit, Probed, VectorsShown, WorkedStep, digits,
     draw_vectors,
@@ -17,7 +19,7 @@ use crate::text::{Language, language, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Button, CollapsingHeader, Color32, CornerRadius, FontId, Grid, Label, Layout, RichText,
-    Sense, Ui, WidgetInfo, vec2,
+    Sense, Ui, WidgetInfo, WidgetText, vec2,
 };
 
 /// Height of a table's rows, points.
@@ -260,18 +262,14 @@ fn steps_ui(
 fn line_ui(ui: &mut Ui, text: &str) {
     let [most, least] = NUMBERS;
     let colour = ui.visuals().text_color();
-    let width = |size| {
-        let galley = ui
-            .painter()
-            .layout_no_wrap(text.to_owned(), FontId::monospace(size), colour);
-        galley.size().x
-    };
-    let size = (most * ui.available_width() / width(most)).clamp(least, most);
-    ui.label(RichText::new(text).monospace().size(size));
+    let job = |size| set(text, FontId::monospace(size), colour);
+    let width = ui.painter().layout_job(job(most)).size().x;
+    let size = (most * ui.available_width() / width).clamp(least, most);
+    ui.label(job(size));
 }
 
 /// A cell of a table: words at the left, numbers at the right of columns of one width.
-fn cell(ui: &mut Ui, text: RichText, align: Align) {
+fn cell(ui: &mut Ui, text: impl Into<WidgetText>, align: Align) {
     let width = if align == Align::Min { 88.0 } else { 66.0 };
     ui.allocate_ui_with_layout(vec2(width, ROW), Layout::top_down(align), |ui| {
         ui.set_min_width(width);
@@ -311,7 +309,7 @@ fn numbers_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
                     let number = digits((value * 1e4).round() / 1e4);
                     cell(
                         ui,
-                        RichText::new(number).monospace().color(colour),
+                        set(&number, FontId::monospace(TEXT), colour),
                         Align::Max,
                     );
                 }
@@ -326,7 +324,8 @@ fn numbers_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
         .show(ui, |ui| {
             for (name, value) in light.iter().flat_map(|light| light.angles()) {
                 cell(ui, RichText::new(name), Align::Min);
-                cell(ui, RichText::new(value).monospace(), Align::Max);
+                let value = set(&value, FontId::monospace(TEXT), visuals.text_color());
+                cell(ui, value, Align::Max);
                 ui.end_row();
             }
         });

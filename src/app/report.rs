@@ -13,8 +13,9 @@ use crate::figure::{Drawing, Paper, PlotStyle, lay_out};
 use crate::jobs::{Asked, Background};
 use crate::scene::{Choice, Scene};
 use crate::text::{Language, language};
+use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, Context, Grid, Label, Layout, RichText, ScrollArea, TextStyle, Ui,
+    Align, Button, Context, Grid, Label, Layout, RichText, ScrollArea, TextStyle, Ui, WidgetInfo,
 };
 use glam::DVec2;
 use std::fmt::Debug;
@@ -85,7 +86,9 @@ impl ReportView {
                         .plots()
                         .position(|other| std::ptr::eq(other, &**plot));
                     if let Some(drawing) = drawing.and_then(|place| self.drawings.get(place)) {
-                        ui.label(RichText::new(&plot.title).strong());
+                        let title = lettered(&plot.title, ui.visuals().strong_text_color());
+                        let words = || WidgetInfo::labeled(Role::Label, true, &plot.title);
+                        ui.label(title).widget_info(words);
                         plot_ui(ui, plot, drawing, &style);
                         ui.add_space(12.0);
                     }

@@ -1,5 +1,6 @@
 //! Formulas as the textbooks set them: italic letters with lowered and raised ones, each symbol a way to its control.
 
+use super::letter::{append, lettered};
 use super::palette::vector_text;
 use super::state::AppState;
 use super::symbol::Symbol;
@@ -176,7 +177,7 @@ impl Piece {
         let italics = self.symbol.is_some()
             && self.text.trim() != "Σ"
             && self.text.trim().chars().count() <= 1;
-        job.append(&self.text, 0.0, format(size, Align::Center, italics));
+        append(&mut job, &self.text, &format(size, Align::Center, italics));
         if !self.low.is_empty() {
             job.append(&self.low, 0.0, format(size * 0.68, Align::BOTTOM, false));
         }
@@ -309,5 +310,6 @@ fn symbol_ui(
             fill,
         );
     }
-    response.on_hover_text(piece.tip.as_deref().unwrap_or(symbol.meaning()));
+    let tip = piece.tip.as_deref().unwrap_or(symbol.meaning());
+    response.on_hover_ui(|ui| _ = ui.label(lettered(tip, ui.visuals().text_color())));
 }

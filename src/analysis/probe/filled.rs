@@ -721,11 +721,8 @@ fn with_decimals(value: f64, decimals: usize) -> String {
     }
     let text = format!("{value:.1e}");
     let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-    minus(&format!("{digits}{TIMES_TEN}")) + &raised(power.parse().unwrap_or(0))
+    minus(&format!("{digits}×10")) + &raised(power.parse().unwrap_or(0))
 }
-
-/// Between the digits of a number and its power of ten.
-pub const TIMES_TEN: &str = "×10";
 
 /// A number with so many decimals, a true minus sign, and none before a 0.
 pub fn fixed(value: f64, decimals: usize) -> String {
