@@ -33,6 +33,8 @@ const SAMPLES: [u32; 2] = [480, 360];
 const SEARCH: u32 = 40;
 /// How far the axes of f reach beyond the scene's own distances and values.
 const BEYOND: f64 = 1.2;
+/// The course's highlight as a function of φ.
+const LOBE: &str = "cosⁿφ";
 /// Values of f from here on are seen on an axis that ends at 1.
 const SEEN_BESIDE_ONE: f64 = 0.04;
 /// Even steps of an angle in a right angle, a half of a degree each.
@@ -788,7 +790,7 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
         marks: marks.into_iter().collect(),
         ..Plot::new(
             PlotKind::Exponent,
-            text!("point-plot-exponent"),
+            text!("point-plot-exponent", lobe = LOBE),
             formula,
             axes,
             curves,
@@ -877,6 +879,7 @@ impl Falling {
                 "D(φ)/D(0)",
                 text!(
                     "point-note-distribution",
+                    lobe = LOBE,
                     name = "Beckmann",
                     formula = "D = exp(−tan²φ/m²)/(m² cos⁴φ)"
                 ),
@@ -886,6 +889,7 @@ impl Falling {
                 "D(φ)/D(0)",
                 text!(
                     "point-note-distribution",
+                    lobe = LOBE,
                     name = "GGX",
                     formula = "D = α²/(α² cos²φ + sin²φ)²"
                 ),

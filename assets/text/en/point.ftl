@@ -33,7 +33,7 @@ point-light-behind = Light { $light } is behind the surface here, so nothing is 
 # The curves
 point-curves-title = { $scene }, at pixel ({ $x }, { $y })
 point-plot-attenuation = Attenuation by distance
-point-plot-exponent = Specular lobe cosⁿφ
+point-plot-exponent = Specular lobe { $lobe }
 point-plot-reflectance = Reflectance W(θ): { $substance }
 point-plot-lobe = Reflected intensity by direction
 point-plot-of-light = { $title }, light { $light }
@@ -64,7 +64,7 @@ point-note-fresnel = Fresnel, { $index }. θ is measured between { $vector } and
 point-note-lobe = In the plane of N and L, θ = { $theta }. Towards the viewer I = { $intensity }.
 point-note-out-of-plane = V points { $angle } out of this plane.
 point-note-laws = { $law }. Grey: the other laws.
-point-note-distribution = { $name }: { $formula }. Grey: cosⁿφ.
+point-note-distribution = { $name }: { $formula }. Grey: { $lobe }.
 # Between two sentences.
 point-sentence-gap = { " " }
 point-law = { $law }, d from the light

@@ -33,7 +33,7 @@ point-light-behind = 光源 { $light } 在這裡位於表面背後，因此沒�
 # 曲線
 point-curves-title = { $scene }，像素 ({ $x }, { $y })
 point-plot-attenuation = 隨距離的衰減（attenuation）
-point-plot-exponent = 鏡面反射瓣（specular lobe）cosⁿφ
+point-plot-exponent = 鏡面反射瓣（specular lobe）{ $lobe }
 point-plot-reflectance = 反射率（reflectance）W(θ)：{ $substance }
 point-plot-lobe = 各方向的反射亮度
 point-plot-of-light = { $title }，光源 { $light }
@@ -64,7 +64,7 @@ point-note-fresnel = Fresnel，{ $index }。θ 是 { $vector } 與 L 的夾角�
 point-note-lobe = 在 N 與 L 的平面內，θ = { $theta }。朝觀察者的 I = { $intensity }。
 point-note-out-of-plane = V 偏離此平面 { $angle }。
 point-note-laws = { $law }。灰線：其他定律。
-point-note-distribution = { $name }：{ $formula }。灰線：cosⁿφ。
+point-note-distribution = { $name }：{ $formula }。灰線：{ $lobe }。
 # 兩句之間。
 point-sentence-gap = { "" }
 point-law = { $law }，d 為與光源的距離
