@@ -5,6 +5,7 @@
 
 mod bench;
 mod comparison;
+mod conditions;
 pub mod curves;
 mod defects;
 mod lobe;
@@ -26,9 +27,10 @@ pub use bench::{Bench, BenchQuestion, CHANGES, Growth};
 pub use comparison::{
     Brightest, Comparison, ComparisonQuestion, DrawnPane, ErrorFigures, LinearPicture, PaneArea,
     PaneFigures, RegionErrors, brightest, caption, comparison_sheet, difference_picture,
-    difference_scale, draw_panes, error_figures, pane_areas, pane_figures, panes_on_sheet,
-    region_errors,
+    difference_scale, draw_panes, error_figures, error_line, pane_areas, pane_figures,
+    panes_on_sheet, region_errors,
 };
+pub use conditions::{CONDITIONS, Conditions, ConditionsQuestion, Variation, conditions};
 pub use curves::{Curves, CurvesQuestion};
 pub use defects::{
     DEFECTS, Defect, DefectMark, Defects, DefectsQuestion, Finding, MeasuredDefects, Orientation,

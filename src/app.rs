@@ -151,6 +151,11 @@ impl App {
         self.engine.frame()
     }
 
+    /// Samples a pixel of the picture in sight; [`Self::frame`] has one.
+    pub fn samples(&self) -> u32 {
+        self.engine.samples()
+    }
+
     /// What drawing it did.
     pub fn report(&self) -> &Report {
         self.engine.report()

@@ -47,6 +47,8 @@ enum Command {
     Normals(Analyse<analyse::Normals>),
     #[command(about = asks("defects"))]
     Defects(Analyse<analyse::Defects>),
+    #[command(about = asks("conditions"))]
+    Conditions(Analyse<analyse::Conditions>),
     /// Times are medians of whole frames drawn anew, in turn by the plan and with everything left in that can be; shares are of the
     /// stages' sum. After the changes that `bench` makes it names the stages that run again.
     #[command(about = asks("explain"))]
@@ -134,6 +136,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Compare(compare)) => compare.run(&earlier),
         Some(Command::Normals(normals)) => normals.run(&earlier),
         Some(Command::Defects(defects)) => defects.run(&earlier),
+        Some(Command::Conditions(conditions)) => conditions.run(&earlier),
         Some(Command::Explain(explain)) => explain.run(&earlier),
         Some(Command::Scanline(scanline)) => scanline.run(&earlier),
         Some(Command::Code(code)) => code.run(&earlier),

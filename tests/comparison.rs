@@ -253,11 +253,16 @@ fn panes_stand_where_they_are_seen_largest() {
     assert_eq!(sizes(3, [1204, 400]), [[400, 400]; 3]);
     let four = pane_areas(4, [802, 602]);
     assert_eq!(four[3].min, [402, 302]);
+    // Rather in one row than beside an empty quarter.
+    assert_eq!(sizes(3, [802, 602]), [[266, 602]; 3]);
+    let five = pane_areas(5, [614, 740]);
+    assert_eq!(five[1].min, [308, 0]);
+    assert_eq!(five[4].min, [154, 494], "the last one stands in the middle");
 }
 
 #[test]
 fn panes_stay_inside_and_apart_at_any_size() {
-    for count in 1..=4 {
+    for count in 1..=6 {
         for size in [[7, 5], [100, 33], [33, 100], [1280, 720]] {
             let areas = pane_areas(count, size);
             assert_eq!(areas.len(), count);
@@ -464,4 +469,41 @@ fn inside_and_outline_are_told_apart() {
     assert_eq!(errors.outline_pixels, 2);
     let expected = ((0.25 + f64::from(0.4_f32).powi(2)) / 2.0).sqrt();
     assert!((errors.outline_rms - expected).abs() < 1e-12);
+}
+
+#[test]
+fn any_pane_is_the_reference_and_a_pane_that_moves_shows_what_it_showed() {
+    let mut scene = scene(CompareView::Panes);
+    scene
+        .compare
+        .panes
+        .push(Pane::of(&["material.n=7.5", "object.segments=20"]));
+    let panes = |scene: &Scene| {
+        (0..scene.pane_count())
+            .map(|pane| scene.pane(pane).expect("a sound pane"))
+            .collect::<Vec<_>>()
+    };
+    for reference in 0..3 {
+        scene.set_reference(reference);
+        assert_eq!(scene.reference_pane(), reference);
+        let errors: Vec<bool> = pane_figures(&drawn(&scene))
+            .iter()
+            .map(|figures| figures.error.is_none())
+            .collect();
+        assert_eq!(errors, [0, 1, 2].map(|pane| pane == reference));
+        for (from, to) in [(0, 2), (2, 0), (1, 2), (1, 0)] {
+            let mut moved = scene.clone();
+            moved.move_pane(from, to).expect("sound panes");
+            let mut expected = panes(&scene);
+            let pane = expected.remove(from);
+            expected.insert(to, pane);
+            assert_eq!(panes(&moved), expected, "{from} to {to}");
+            let against = moved.pane(moved.reference_pane());
+            assert_eq!(against, scene.pane(reference));
+            assert_eq!(moved.validate(), Ok(()));
+        }
+        let mut without = scene.clone();
+        without.remove_pane(0).expect("sound panes");
+        assert_eq!(panes(&without), panes(&scene)[1..]);
+    }
 }

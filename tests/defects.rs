@@ -120,7 +120,10 @@ fn measuring_tells_how_far_it_is_and_can_be_stopped() {
     let after_first = |share: f32| share < 0.3;
     let stopped = defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &after_first);
     assert_eq!(stopped.silhouette, watched.silhouette);
-    assert_eq!(stopped.vertex_normals.map(|_| ()), Err("stopped"));
+    assert_eq!(
+        stopped.vertex_normals.map(|_| ()),
+        Err("picture-missing-stopped")
+    );
 }
 
 /// Many edges with many vertices on them: each is found, an even choice of them is measured.
@@ -193,32 +196,23 @@ fn the_silhouette_nears_the_outline_as_the_square_of_the_segments() {
 fn where_there_is_nothing_to_measure_it_says_why() {
     let mut scene = preset("orientation", [200, 200]);
     let found = measured(&scene);
-    assert_eq!(
-        found.silhouette,
-        Err("the object has no surface beyond its polygons")
-    );
+    assert_eq!(found.silhouette, Err("picture-missing-surface"));
     assert_eq!(
         found.perspective.map(|_| ()),
-        Err("a parallel projection distorts nothing")
+        Err("picture-missing-parallel")
     );
     scene.shading.mode = ShadingMode::Flat;
-    assert_eq!(
-        measured(&scene).orientation,
-        Err("flat shading interpolates nothing")
-    );
+    assert_eq!(measured(&scene).orientation, Err("picture-missing-flat"));
     scene.camera.target = scene.camera.eye * 2.0;
     scene.shading.mode = ShadingMode::Gouraud;
     let away = measured(&scene);
-    assert_eq!(away.orientation, Err("the probe sees the background"));
+    assert_eq!(away.orientation, Err("picture-missing-background"));
     assert_eq!(
         away.vertex_normals.map(|_| ()),
-        Err("the object is not in the picture")
+        Err("picture-missing-object")
     );
     let smooth = measured(&preset("sphere", [100, 100]));
-    assert_eq!(
-        smooth.shared_vertices,
-        Err("every vertex on an edge is shared by both of its sides")
-    );
+    assert_eq!(smooth.shared_vertices, Err("picture-missing-unshared"));
 }
 
 #[test]

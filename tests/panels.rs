@@ -9,7 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
 use glam::{DVec3, Vec3Swizzles};
 use hands::{choose, drag, enter, open_view, press, scene, undo, wait, window, window_of};
-use shading_lab::analysis::{ANALYSES, ProbeHit, probe};
+use shading_lab::analysis::{ANALYSES, ProbeHit, pane_areas, probe};
 use shading_lab::app::{App, Look, NumbersTab, Profiles};
 use shading_lab::document::load;
 use shading_lab::export::{glsl_330, opengl_c, opengl_c_snippet};
@@ -803,7 +803,7 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
         .is_some()));
     assert!(
         harness
-            .query_by_label_contains("Not here: a parallel projection")
+            .query_by_label_contains("Not measured: a parallel projection")
             .is_some()
     );
     let picture = harness
@@ -812,11 +812,9 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
                 .is_some_and(|label| label.starts_with("Picture,"))
         })
         .rect();
-    // The upper of two panes; its knob stands at the scene's 30 degrees.
-    let pane = eframe::egui::Rect::from_min_size(
-        picture.min,
-        vec2(picture.width(), 0.5 * picture.height()),
-    );
+    // The first of two panes; its knob stands at the scene's 30 degrees.
+    let [width, height] = pane_areas(2, [picture.width() as u32, picture.height() as u32])[0].size;
+    let pane = eframe::egui::Rect::from_min_size(picture.min, vec2(width as f32, height as f32));
     let radius = 0.46 * pane.width().min(pane.height());
     let at = |degrees: f32| {
         pane.center() + radius * vec2(degrees.to_radians().cos(), -degrees.to_radians().sin())
@@ -831,7 +829,7 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
     );
     undo(&mut harness);
     assert_eq!(scene(&harness).camera.roll, 30.0);
-    press(&mut harness, "Show “Polygonal silhouette”");
+    press(&mut harness, "Example: Polygonal silhouette");
     let shown = |harness: &Harness<'_, App>| {
         harness
             .query_by_label_contains("pixels from the true outline")
@@ -1072,7 +1070,7 @@ fn a_profile_of_any_height_is_clipped_to_its_pane() {
 
 #[test]
 fn every_analysis_is_exported_from_its_tab() {
-    let tabs: [(&str, &str, &[&str]); 9] = [
+    let tabs: [(&str, &str, &[&str]); 10] = [
         ("Equation", "", &["probe"]),
         ("Curves", "", &["curves"]),
         ("Profile", "Save ▾", &["profile"]),
@@ -1083,6 +1081,7 @@ fn every_analysis_is_exported_from_its_tab() {
             "Where a vertex normal comes from",
             &["defects", "normals"],
         ),
+        ("Defects", "When is flat shading exact?", &["conditions"]),
         ("Plan", "Measure times", &["explain", "bench"]),
         ("Study", "Start", &["study"]),
         ("Stability", "", &["stability"]),

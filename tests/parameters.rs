@@ -186,6 +186,10 @@ fn a_scene_is_held_to_the_limits_of_the_table() {
             let sound = (least..=greatest).contains(&value);
             match &parameter.kind {
                 Kind::Number(at, ..) => *(at.get_mut)(&mut other, 0).expect("a light") = value,
+                // There are no negative whole numbers to be refused.
+                Kind::Whole(..) if least == 0.0 && !sound && value.is_nan() | (value < 0.0) => {
+                    continue;
+                }
                 Kind::Whole(at, ..) => {
                     *(at.get_mut)(&mut other, 0).expect("a light") = value as u32;
                 }

@@ -324,8 +324,8 @@ fn a_pane_at_fault_is_named_with_its_setting() {
         ],
     );
     assert_objections(
-        "compare.pane = [{}, {}, {}, {}]\n",
-        &["s.toml:1: `compare.pane` is a list of 4, expected at most 3 beside the scene itself"],
+        "compare.pane = [{}, {}, {}, {}, {}, {}]\n",
+        &["s.toml:1: `compare.pane` is a list of 6, expected at most 5 beside the scene itself"],
     );
 }
 

@@ -206,6 +206,7 @@ prop_compose! {
     fn compare()(
         view in word(&[CompareView::Panes, CompareView::Wipe, CompareView::Difference]),
         difference in word(&[DifferenceKind::Signed, DifferenceKind::Absolute, DifferenceKind::FalseColor]),
+        reference in 0..=6u32,
         wipe in 0.0..=1.0f64,
         gain in 1.0..=Compare::MAX_GAIN,
         names in proptest::collection::vec("[a-zα-ω ]{0,9}", 0..=Compare::MAX_PANES),
@@ -214,7 +215,8 @@ prop_compose! {
         let panes: Vec<Pane> =
             names.into_iter().map(|name| Pane { name, set: vec![setting.to_owned()] }).collect();
         let view = if panes.is_empty() { CompareView::Single } else { view };
-        Compare { view, wipe, difference, gain, panes }
+        let reference = reference.min(panes.len() as u32 + 1);
+        Compare { view, reference, wipe, difference, gain, panes }
     }
 }
 

@@ -15,8 +15,8 @@ use shading_lab::app::{App, Look, NumbersTab, ProfileLook};
 use shading_lab::document::load;
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{
-    CompareView, Distribution, Light, LightKind, Pane, PatternKind, ReflectionModel, Rgb, Scene,
-    ShadingMode, View,
+    Choice as _, CompareView, Distribution, Light, LightKind, Pane, PatternKind, ReflectionModel,
+    Rgb, Scene, ShadingMode, View,
 };
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -579,7 +579,7 @@ fn a_spot_lights_arrow_is_dragged() {
     let before = scene(&harness).clone();
     // The light has been aimed at the camera's target, so that its arrow ends in the picture's middle.
     let middle = harness
-        .get_by_role_and_label(Role::Image, "Picture, phong shading")
+        .get_by_role_and_label(Role::Image, "Picture, Phong shading")
         .rect()
         .center();
     drag(&mut harness, middle, middle + vec2(60.0, 20.0));
@@ -646,7 +646,8 @@ fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_thei
     assert_eq!(scene(&harness).material.kd, Rgb::splat(0.25));
     press(&mut harness, "Shading mode: Gouraud  ×");
     assert_eq!(scene(&harness).compare.panes, [Pane::default()]);
-    press(&mut harness, "Removes pane 2");
+    press(&mut harness, "Menu of pane 2");
+    press(&mut harness, "Remove");
     assert_eq!(scene(&harness).compare.view, CompareView::Single);
     undo(&mut harness);
     assert_eq!(scene(&harness).compare.panes, [Pane::default()]);
@@ -660,7 +661,7 @@ fn the_line_of_a_wipe_is_dragged_in_one_step() {
     harness.run();
     assert_eq!(scene(&harness).compare.view, CompareView::Wipe);
     let picture = harness
-        .get_by_role_and_label(Role::Image, "Picture, flat shading")
+        .get_by_role_and_label(Role::Image, "Picture, Flat shading")
         .rect();
     let from = picture.center_top() + vec2(0.0, 30.0);
     drag(
@@ -1008,4 +1009,51 @@ fn what_a_screen_reader_sends_is_kept_within_bounds() {
         .set_value_accesskit(f64::NEG_INFINITY);
     open_view(&mut harness, "Defects");
     assert_eq!(scene(&harness).validate(), Ok(()));
+}
+
+#[test]
+fn all_modes_stand_side_by_side_and_captions_are_dragged_to_other_places() {
+    let mut harness = window("cylinder");
+    let before = scene(&harness).compare.clone();
+    open_view(&mut harness, "Compare");
+    press(&mut harness, "All shading modes");
+    let modes = |harness: &Harness<'_, App>| {
+        let scene = scene(harness);
+        (0..scene.pane_count())
+            .map(|pane| scene.pane(pane).expect("a sound pane").shading.mode)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(modes(&harness), ShadingMode::VALUES);
+    assert_eq!(scene(&harness).reference_pane(), 4);
+    let caption = |harness: &Harness<'_, App>, name: &str| {
+        harness
+            .get_by_role_and_label(Role::Button, name)
+            .rect()
+            .center()
+    };
+    let (exact, flat) = (
+        caption(&harness, "Pane 5: Exact"),
+        caption(&harness, "Pane 1: Flat"),
+    );
+    drag(&mut harness, exact, flat);
+    use ShadingMode::{Exact, Flat, Gouraud, Interpolated, Phong};
+    let moved = [Exact, Flat, Interpolated, Gouraud, Phong];
+    assert_eq!(modes(&harness), moved);
+    assert_eq!(
+        scene(&harness).reference_pane(),
+        0,
+        "the exact pane is still the reference"
+    );
+    assert_eq!(scene(&harness).validate(), Ok(()));
+    harness
+        .get_by_role_and_label(Role::RadioButton, "Use pane 5 as reference")
+        .click_accesskit();
+    harness.run();
+    assert_eq!(scene(&harness).reference_pane(), 4);
+    for _ in 0..2 {
+        undo(&mut harness);
+    }
+    assert_eq!(modes(&harness), ShadingMode::VALUES);
+    undo(&mut harness);
+    assert_eq!(scene(&harness).compare, before);
 }

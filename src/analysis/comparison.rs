@@ -4,12 +4,15 @@ mod sheet;
 
 pub use sheet::{
     DrawnPane, PaneArea, caption, comparison_sheet, difference_picture, difference_scale,
-    draw_panes, pane_areas, pane_figures, panes_on_sheet,
+    draw_panes, error_line, pane_areas, pane_figures, panes_on_sheet,
 };
 
 use super::perception::pixel_luminance;
 use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed};
 use super::{Question, Subject, Watch};
+use crate::scene::Scene;
+use crate::text;
+use crate::text::Language;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -220,13 +223,16 @@ pub fn brightest(picture: LinearPicture<'_>) -> Option<Brightest> {
 /// What a caption says of a pane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PaneFigures {
+    /// Its number, from 0.
+    #[serde(skip)]
+    pub pane: usize,
     pub name: String,
     pub brightest: Option<Brightest>,
-    /// Against the last pane; the last pane has none.
+    /// Against the reference, which has none.
     pub error: Option<ErrorFigures>,
 }
 
-/// How far the scene's panes are from the last of them. Which panes there are is part of the scene.
+/// How far the scene's panes are from the reference among them. Which panes there are is part of the scene.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ComparisonQuestion;
 
@@ -244,10 +250,7 @@ impl Question for ComparisonQuestion {
     ) -> Result<Comparison, String> {
         let scene = &subject.scene;
         if scene.compare.panes.is_empty() {
-            return Err(
-                "nothing to compare with, expected --pane KEY=VALUE or a scene with panes"
-                    .to_owned(),
-            );
+            return Err(text!("picture-no-panes").to_owned());
         }
         let which: Vec<_> = (0..scene.pane_count())
             .map(|index| (index, scene.image.size))
@@ -266,52 +269,72 @@ impl Question for ComparisonQuestion {
     }
 }
 
+impl Comparison {
+    /// The panes with their names in the present language.
+    fn named(&self, scene: &Scene) -> Vec<PaneFigures> {
+        let mut panes = self.0.clone();
+        for pane in panes.iter_mut().filter(|one| one.pane < scene.pane_count()) {
+            pane.name = scene.pane_name(pane.pane);
+        }
+        panes
+    }
+}
+
+fn table(panes: &[PaneFigures]) -> Table {
+    let mut table = Table::new([
+        Column::both("pane", text!("picture-column-pane"), as_it_is),
+        Column::both("brightest", text!("picture-column-brightest"), fixed::<4>),
+        Column::key("brightest_x"),
+        Column::key("brightest_y"),
+        Column::key("pixels"),
+        Column::both("mean", text!("picture-column-mean"), fixed::<5>),
+        Column::both("rms", "RMS", fixed::<5>),
+        Column::both("greatest", text!("picture-column-greatest"), fixed::<5>),
+        Column::shown(text!("picture-column-at"), as_it_is),
+        Column::key("x"),
+        Column::key("y"),
+    ]);
+    for PaneFigures {
+        name,
+        brightest,
+        error,
+        ..
+    } in panes
+    {
+        let (peak, at) = (brightest.map(|b| b.at), error.and_then(|e| e.at));
+        table.rows.push(cells![
+            name.as_str(),
+            brightest.map(|b| b.value),
+            peak.map(|at| at[0]),
+            peak.map(|at| at[1]),
+            error.map(|e| e.pixels),
+            error.map(|e| e.mean),
+            error.map(|e| e.rms),
+            error.map(|e| e.greatest),
+            at.map(|[x, y]| format!("{x},{y}")),
+            at.map(|at| at[0]),
+            at.map(|at| at[1]),
+        ]);
+    }
+    table
+}
+
 impl Answer for Comparison {
     fn report(&self, about: &About<'_>) -> Report {
-        let reference = self.0.last().map_or("", |last| last.name.as_str());
-        let mut report = Report::new(format!("{}, against {reference}", about.heading()));
-        report
-            .section("")
-            .note("Linear intensity: 1 is white, 1/255 = 0.0039 a code value");
-        let mut table = Table::new([
-            Column::both("pane", "pane", as_it_is),
-            Column::both("brightest", "brightest", fixed::<4>),
-            Column::key("brightest_x"),
-            Column::key("brightest_y"),
-            Column::key("pixels"),
-            Column::both("mean", "mean", fixed::<5>),
-            Column::both("rms", "RMS", fixed::<5>),
-            Column::both("greatest", "greatest", fixed::<5>),
-            Column::shown("at", as_it_is),
-            Column::key("x"),
-            Column::key("y"),
-        ]);
-        for PaneFigures {
-            name,
-            brightest,
-            error,
-        } in &self.0
-        {
-            let (peak, at) = (brightest.map(|b| b.at), error.and_then(|e| e.at));
-            table.rows.push(cells![
-                name.as_str(),
-                brightest.map(|b| b.value),
-                peak.map(|at| at[0]),
-                peak.map(|at| at[1]),
-                error.map(|e| e.pixels),
-                error.map(|e| e.mean),
-                error.map(|e| e.rms),
-                error.map(|e| e.greatest),
-                at.map(|[x, y]| format!("{x},{y}")),
-                at.map(|at| at[0]),
-                at.map(|at| at[1]),
-            ]);
-        }
-        report.section("").push(Part::Table(table));
+        let panes = self.named(about.scene);
+        let reference = panes.iter().find(|pane| pane.error.is_none());
+        let mut report = Report::new(text!(
+            "picture-compared",
+            scene = about.heading(),
+            reference = reference.map_or("", |pane| pane.name.as_str())
+        ));
+        report.section("").note(text!("picture-linear"));
+        report.section("").push(Part::Table(table(&panes)));
         report
     }
 
     fn json(&self, about: &About<'_>) -> Value {
-        json!({ "scene": about.name, "size": about.scene.image.size, "panes": self.0 })
+        let panes = text::in_language(Language::English, || self.named(about.scene));
+        json!({ "scene": about.name, "size": about.scene.image.size, "panes": panes })
     }
 }

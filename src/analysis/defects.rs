@@ -17,10 +17,12 @@ use super::report::{About, Answer, Column, Part, Report, Table, cells};
 use super::{PlotKind, Question, Subject, clearest_pixel};
 use crate::render::Renderer;
 use crate::scene::{Compare, Interpolation, Scene, ShadingMode};
+use crate::text;
+use crate::text::Language;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Value, json};
 
-/// A measurement, or why there is nothing to measure.
+/// A measurement, or the key of the sentence that says why there is nothing to measure.
 pub type Finding<T> = Result<T, &'static str>;
 
 /// What was measured in a scene.
@@ -45,7 +47,10 @@ fn or_missing<T: Serialize, S: Serializer>(
 ) -> Result<S::Ok, S::Error> {
     match finding {
         Ok(measured) => measured.serialize(serializer),
-        Err(missing) => json!({ "missing": missing }).serialize(serializer),
+        Err(missing) => {
+            let missing = text::in_language(Language::English, || text!(missing));
+            json!({ "missing": missing }).serialize(serializer)
+        }
     }
 }
 
@@ -54,15 +59,15 @@ fn goes_on(watch: &dyn Watch<()>, share: f32) -> Finding<()> {
     if watch.at(share) {
         Ok(())
     } else {
-        Err("stopped")
+        Err("picture-missing-stopped")
     }
 }
 
 /// Why nothing is interpolated in a scene, where nothing is.
 fn interpolates(scene: &Scene) -> Finding<()> {
     match scene.shading.mode {
-        ShadingMode::Flat => Err("flat shading interpolates nothing"),
-        ShadingMode::Exact => Err("exact shading interpolates nothing"),
+        ShadingMode::Flat => Err("picture-missing-flat"),
+        ShadingMode::Exact => Err("picture-missing-exact"),
         ShadingMode::Interpolated | ShadingMode::Gouraud | ShadingMode::Phong => Ok(()),
     }
 }
@@ -128,78 +133,102 @@ impl Question for DefectsQuestion {
     }
 }
 
-/// A defect: its name, what it is, and where to see it.
+/// A defect: what it is, and where to see it.
 #[derive(Clone, Copy, Debug)]
 pub struct Defect {
-    pub title: &'static str,
-    says: &'static str,
+    /// The keys of its name, of what it is and of what to try.
+    keys: [&'static str; 3],
     /// The built-in scene about it.
     pub scene: &'static str,
-    pub try_this: &'static str,
-    plot: Option<PlotKind>,
+    pub plot: Option<PlotKind>,
     figures: fn(&Defects) -> Finding<Figures>,
 }
 
 /// Numbers, each with what it is.
 type Figures = Vec<(String, String)>;
 
+impl Defect {
+    pub fn title(&self) -> &'static str {
+        text!(self.keys[0])
+    }
+
+    fn says(&self) -> &'static str {
+        text!(self.keys[1])
+    }
+
+    /// What to try in its scene.
+    pub fn try_this(&self) -> &'static str {
+        text!(self.keys[2])
+    }
+}
+
 /// All five, in the order of the textbook and of the report's sections.
 pub const DEFECTS: [Defect; 5] = [
     Defect {
-        title: "Polygonal silhouette",
-        says: "However smooth the shading, the outline stays that of the polygons.",
+        keys: [
+            "picture-silhouette",
+            "picture-silhouette.says",
+            "picture-silhouette.try",
+        ],
         scene: "silhouette",
-        try_this: "raise the segments, and watch the distance fall as their square.",
         plot: None,
         figures: |defects| {
             let found = defects.silhouette.as_ref().map_err(|why| *why)?;
-            let at = format!(
-                "pixels from the true outline, at {:.0},{:.0}",
-                found.polygon.x, found.polygon.y
-            );
-            Ok(vec![(format!("{:.2}", found.greatest), at)])
+            let at = place(found.polygon.to_array());
+            let words = text!("picture-silhouette-distance", at = at);
+            Ok(vec![(format!("{:.2}", found.greatest), words)])
         },
     },
     Defect {
-        title: "Perspective distortion",
-        says: "Interpolation is done in the picture, where halfway between two vertices is not halfway in space.",
+        keys: [
+            "picture-perspective",
+            "picture-perspective.says",
+            "picture-perspective.try",
+        ],
         scene: "perspective-distortion",
-        try_this: "turn the floor away, or cut its polygons smaller.",
         plot: None,
         figures: |defects| {
             let found = defects.perspective?;
             let rule = match found.interpolation {
-                Interpolation::Scanline => "scan-line",
-                Interpolation::Affine | Interpolation::Perspective => "affine",
+                Interpolation::Scanline => text!("picture-scan-line"),
+                Interpolation::Affine | Interpolation::Perspective => text!("picture-affine"),
             };
-            let at = found
-                .error
-                .at
-                .map_or_else(String::new, |[x, y]| format!(", at {x},{y}"));
-            let greatest = format!("greatest difference, {rule} to perspective-correct{at}");
+            let greatest = match found.error.at {
+                Some([x, y]) => {
+                    let at = place([x, y].map(f64::from));
+                    text!("picture-perspective-greatest-at", rule = rule, at = at)
+                }
+                None => text!("picture-perspective-greatest", rule = rule),
+            };
             Ok(vec![
                 code(found.error.greatest, greatest),
-                code(found.error.mean, "mean difference"),
+                code(found.error.mean, text!("picture-perspective-mean")),
             ])
         },
     },
     Defect {
-        title: "Dependence on orientation",
-        says: "Along scan lines the shade of a point changes when its polygon turns; that of a triangle does not.",
+        keys: [
+            "picture-orientation",
+            "picture-orientation.says",
+            "picture-orientation.try",
+        ],
         scene: "orientation",
-        try_this: "drag the knob on the ring about the picture, and watch the probe's value.",
         plot: Some(PlotKind::Orientation),
         figures: |defects| {
             let [scanline, barycentric] = defects.orientation.as_ref().map_err(|why| *why)?.spread;
-            let change = code(scanline, "change of the probed point, along the scan line");
-            Ok(vec![change, code(barycentric, "with barycentric weights")])
+            Ok(vec![
+                code(scanline, text!("picture-orientation-scanline")),
+                code(barycentric, text!("picture-orientation-barycentric")),
+            ])
         },
     },
     Defect {
-        title: "Vertices that are not shared",
-        says: "Where one side of an edge has a vertex and the other has none, the two sides interpolate differently.",
+        keys: [
+            "picture-shared",
+            "picture-shared.says",
+            "picture-shared.try",
+        ],
         scene: "shared-vertices",
-        try_this: "drag the lamp along the edge, or its middle vertex off it.",
         plot: Some(PlotKind::SharedEdge),
         figures: |defects| {
             let SharedVertices {
@@ -209,35 +238,49 @@ pub const DEFECTS: [Defect; 5] = [
                 at,
                 ..
             } = defects.shared_vertices.as_ref().map_err(|why| *why)?;
-            let edges = match (edges, measured) {
-                (1, _) => "1 edge".to_owned(),
-                (edges, measured) if measured < edges => {
-                    format!("{edges} edges, {measured} of them measured")
-                }
-                (edges, _) => format!("{edges} edges"),
+            let edges = if measured < edges {
+                text!(
+                    "picture-shared-edges-measured",
+                    edges = *edges,
+                    measured = *measured
+                )
+            } else {
+                text!("picture-shared-edges", edges = *edges)
             };
-            let words = format!(
-                "greatest jump of the intensity, at {:.0},{:.0}; {edges}",
-                at.x, at.y
-            );
+            let at = place(at.to_array());
+            let words = text!("picture-shared-jump", at = at, edges = edges);
             Ok(vec![code(*greatest, words)])
         },
     },
     Defect {
-        title: "Unrepresentative vertex normals",
-        says: "Averaged over folds, all normals may be alike: the surface looks flat.",
+        keys: [
+            "picture-normals",
+            "picture-normals.says",
+            "picture-normals.try",
+        ],
         scene: "vertex-normals",
-        try_this: "set the rings to 2 or more, and the folds come back.",
         plot: None,
         figures: |defects| {
             let found = defects.vertex_normals?;
-            let angle = format!("{:.1}°", found.greatest_angle);
-            let contrast = format!("contrast; the true one is {:.4}", found.true_contrast);
-            let most = "at most between a polygon and its vertices’ normals".to_owned();
-            Ok(vec![(angle, most), code(found.contrast, contrast)])
+            let truth = format!("{:.4}", found.true_contrast);
+            Ok(vec![
+                (
+                    format!("{:.1}°", found.greatest_angle),
+                    text!("picture-normals-angle").to_owned(),
+                ),
+                code(
+                    found.contrast,
+                    text!("picture-normals-contrast", truth = truth),
+                ),
+            ])
         },
     },
 ];
+
+/// A place in the picture, in whole pixels.
+fn place([x, y]: [f64; 2]) -> String {
+    format!("{x:.0},{y:.0}")
+}
 
 fn code(value: f64, name: impl Into<String>) -> (String, String) {
     (format!("{value:.4}"), name.into())
@@ -245,21 +288,24 @@ fn code(value: f64, name: impl Into<String>) -> (String, String) {
 
 impl Answer for MeasuredDefects {
     fn report(&self, about: &About<'_>) -> Report {
-        let mut report = Report::new(format!("{}; linear intensity, 1 is white", about.heading()));
+        let mut report = Report::new(text!(
+            "picture-defects-of",
+            scene = about.heading().as_str()
+        ));
         let plots = defect_plots(&self.defects);
         for defect in DEFECTS {
-            let section = report.section(defect.title);
+            let section = report.section(defect.title());
+            section.note(defect.says());
             match (defect.figures)(&self.defects) {
                 Ok(figures) => figures
                     .into_iter()
                     .for_each(|(value, name)| _ = section.quantity(value, name)),
-                Err(why) => _ = section.note(format!("Not here: {why}.")),
+                Err(why) => _ = section.note(text!("picture-not-here", why = text!(why))),
             }
             let plot = plots.iter().find(|plot| Some(plot.kind) == defect.plot);
             section
                 .parts
                 .extend(plot.cloned().map(|plot| Part::Plot(plot.into())));
-            section.note(defect.says);
         }
         report
     }

@@ -103,7 +103,7 @@ const fn analysis(name: &'static str, asks: &'static str, formats: &'static [For
 }
 
 /// All analyses. A new one is a line here, a module with its question and its answer, and its arguments in `cli`.
-pub const ANALYSES: [Analysis; 11] = [
+pub const ANALYSES: [Analysis; 12] = [
     analysis("probe", "Fill in the equation at one pixel", &[Csv, Json]),
     analysis(
         "curves",
@@ -134,6 +134,11 @@ pub const ANALYSES: [Analysis; 11] = [
         "defects",
         "Measure the five defects of interpolated shading",
         &[Png, Svg, Csv, Json],
+    ),
+    analysis(
+        "conditions",
+        "Check when flat shading is exact: the three conditions",
+        &[Csv, Json],
     ),
     analysis(
         "explain",

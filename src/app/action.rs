@@ -53,6 +53,13 @@ pub enum Action {
     /// Makes a pane the one that the controls show.
     Activate(usize),
     NextPane,
+    /// Shows all shading modes side by side.
+    AllModes,
+    /// Moves a pane to the place of another.
+    MovePane(usize, usize),
+    RemovePane(usize),
+    /// Measures the others against this pane.
+    Reference(usize),
     /// Steps through the scan of a polygon.
     Scan(Walk),
     /// A tab of the panel of numbers, which opens if it is closed.

@@ -66,7 +66,11 @@ fn each_menu_ui(ui: &mut Ui, state: &mut AppState) {
             if menu == "Compare" {
                 for (view, name, tip) in VIEWS {
                     let present = state.document.scene.compare.view == view;
-                    if ui.radio(present, name).on_hover_text(tip).clicked() {
+                    if ui
+                        .radio(present, text!(name))
+                        .on_hover_text(text!(tip))
+                        .clicked()
+                    {
                         state.ask(Action::Compare(view));
                         ui.close();
                     }

@@ -158,6 +158,7 @@ pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
                 [Action::NextPane],
             )
             .line()
+            .item("All shading modes", Action::AllModes)
             .item("Panes and figures…", Action::Tab(NumbersTab::Compare))
             .item("The five defects…", Action::Tab(NumbersTab::Defects)),
         Section::new("Probe")
@@ -257,6 +258,7 @@ pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
             )
             .row("", "M", normals, [change(Look::switch_normals)])
             .item("RGB values", show(|look| &mut look.channels))
+            .item("Smooth edges", show(|look| &mut look.smooth_edges))
             .row(
                 "Next tab of the numbers",
                 "C",
@@ -481,6 +483,17 @@ impl AppState {
                     .unwrap_or(0);
                 self.activate(shown[(place + 1) % shown.len()]);
             }
+            Action::AllModes => self.rearrange(0, |scene| {
+                scene.compare_all_modes();
+                Ok(())
+            }),
+            Action::MovePane(from, to) => self.rearrange(to, |scene| scene.move_pane(from, to)),
+            Action::RemovePane(pane) => {
+                let active = self.panes.active;
+                let active = active - usize::from(active >= pane && active > 0);
+                self.rearrange(active, |scene| scene.remove_pane(pane));
+            }
+            Action::Reference(pane) => self.document.scene.set_reference(pane),
             Action::AddLight(light) => self.add_light(light, size),
             Action::MoveProbe(by) => self.probe = self.probe.moved(by, size),
             Action::Orbit([right, up]) => orbit::orbit(camera, right, up),

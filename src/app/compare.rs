@@ -2,6 +2,8 @@
 
 use super::action::Action;
 use super::engine::Engine;
+use super::focus;
+use super::panes::menu_ui;
 use super::place::ProbePoint;
 use super::report::{ReportView, export_ui};
 use super::row::parameter;
@@ -10,30 +12,38 @@ use crate::analysis::{self, Answer, Comparison};
 use crate::scene::compare::{DIFFERENCE, GAIN};
 use crate::scene::shading::{INTERPOLATION, MODE};
 use crate::scene::{
-    ChoiceOption, Compare, CompareView, Object, Pane, Scene, ShadingMode, setting_words,
+    ChoiceOption, Compare, CompareView, Object, Pane, Scene, SceneError, ShadingMode, setting_words,
 };
+use crate::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align, Button, Key, Layout, RichText, TextEdit, Ui, WidgetInfo};
+use eframe::egui::{Align, Button, Key, Layout, RichText, TextEdit, Ui};
 
-/// The views with their names.
+/// The views with the keys of their names and of what they show.
 pub const VIEWS: [(CompareView, &str, &str); 4] = [
-    (CompareView::Single, "One", "The scene alone"),
+    (
+        CompareView::Single,
+        "picture-view-single",
+        "picture-view-single.tip",
+    ),
     (
         CompareView::Panes,
-        "Panes",
-        "Side by side, with one camera and one probe",
+        "picture-view-panes",
+        "picture-view-panes.tip",
     ),
     (
         CompareView::Wipe,
-        "Wipe",
-        "The first pane and the last on either side of a line to drag",
+        "picture-view-wipe",
+        "picture-view-wipe.tip",
     ),
     (
         CompareView::Difference,
-        "Difference",
-        "The first pane less the last",
+        "picture-view-difference",
+        "picture-view-difference.tip",
     ),
 ];
+
+/// From this width on the panes stand beside their figures, points.
+const WIDE: f32 = 640.0;
 
 /// What is typed in the tab.
 #[derive(Debug, Default)]
@@ -45,22 +55,54 @@ pub struct Typed {
 
 /// The comparison's tab.
 pub fn compare_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: &Engine) {
+    if ui.available_width() < WIDE {
+        views_ui(ui, typed, state, engine);
+        ui.add_space(8.0);
+        figures_ui(ui, state, engine);
+        return;
+    }
+    ui.columns(2, |columns| {
+        views_ui(&mut columns[0], typed, state, engine);
+        figures_ui(&mut columns[1], state, engine);
+    });
+}
+
+/// How panes are shown, and which there are.
+fn views_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: &Engine) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (view, name, tip) in VIEWS {
             let chosen = state.document.scene.compare.view == view;
             if ui
-                .add(Button::selectable(chosen, name))
-                .on_hover_text(tip)
+                .add(Button::selectable(chosen, text!(name)))
+                .on_hover_text(text!(tip))
                 .clicked()
             {
                 state.ask(Action::Compare(view));
             }
         }
     });
+    ui.add_space(4.0);
+    ui.horizontal_wrapped(|ui| {
+        if ui
+            .button(text!("picture-all-modes"))
+            .on_hover_text(text!("picture-all-modes.tip"))
+            .clicked()
+        {
+            state.ask(Action::AllModes);
+        }
+        let full = state.document.scene.compare.panes.len() >= Compare::MAX_PANES;
+        let most = text!("picture-panes-full", count = Compare::MAX_PANES + 1);
+        ui.add_enabled_ui(!full, |ui| {
+            ui.menu_button(text!("picture-add-pane"), |ui| add_ui(ui, typed, state))
+                .response
+        })
+        .inner
+        .on_disabled_hover_text(most);
+    });
     if state.document.scene.compare.panes.is_empty() {
         ui.add_space(4.0);
-        ui.label("Nothing is compared yet. Choose a view above, or add a pane that shows the scene in another way:");
+        ui.label(text!("picture-compare-empty"));
     }
     if state.document.scene.compare.view == CompareView::Difference {
         ui.add_space(4.0);
@@ -73,53 +115,49 @@ pub fn compare_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: 
     for pane in 0..count {
         pane_ui(ui, state, engine, pane, count);
     }
-    ui.add_space(6.0);
-    if count <= Compare::MAX_PANES {
-        ui.menu_button("Add a pane…", |ui| add_ui(ui, typed, state));
-    }
     if count > 1 {
-        let tip = "Otherwise a change concerns all panes, except for what a pane has of its own";
-        ui.checkbox(&mut state.panes.own, "Changes concern the active pane only")
-            .on_hover_text(tip);
+        ui.add_space(6.0);
+        ui.checkbox(&mut state.panes.own, text!("picture-own-changes"))
+            .on_hover_text(text!("picture-own-changes.tip"));
     }
-    ui.add_space(8.0);
-    figures_ui(ui, state, engine);
 }
 
-/// A pane: its name, which makes it active, and what it has of its own.
+/// A pane: whether it is the reference, its name, which makes it active, and what it has of its own.
 fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, count: usize) {
     let name = state.document.scene.pane_name(pane);
-    let shown = engine.shown.contains(&pane);
+    let (number, shown) = (pane + 1, engine.shown.contains(&pane));
     ui.horizontal(|ui| {
-        let text = format!("{} {name}", pane + 1);
-        let button = ui.add_enabled(
-            shown,
-            Button::selectable(state.panes.active == pane && shown, text).truncate(),
-        );
-        if button
-            .on_hover_text("The controls show this pane")
-            .clicked()
-        {
-            state.ask(Action::Activate(pane));
+        if count > 1 {
+            let reference = state.document.scene.reference_pane() == pane;
+            let label = text!("picture-reference-pane", number = number);
+            let mark = Button::selectable(reference, if reference { "◆" } else { "◇" });
+            let response = ui.add(mark.frame(false)).on_hover_text(&label);
+            if focus::switch_named(response, Role::RadioButton, reference, &label).clicked() {
+                state.ask(Action::Reference(pane));
+            }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let removed = pane > 0 && {
-                let name = format!("Removes pane {}", pane + 1);
-                let response = ui.add(Button::new("×").frame(false)).on_hover_text(&name);
-                let enabled = ui.is_enabled();
-                response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, &name));
-                response.clicked()
-            };
-            if removed {
-                state.document.scene.compare.panes.remove(pane - 1);
-                if state.document.scene.compare.panes.is_empty() {
-                    state.document.scene.compare.view = CompareView::Single;
+            if count > 1 {
+                let label = text!("picture-pane-menu", number = number);
+                let menu = ui.menu_button("⋯", |ui| menu_ui(ui, state, pane));
+                focus::named(menu.response, Role::Button, &label).on_hover_text(&label);
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let button = ui.add_enabled(
+                    shown,
+                    Button::selectable(
+                        state.panes.active == pane && shown,
+                        format!("{number} {name}"),
+                    )
+                    .truncate(),
+                );
+                if button
+                    .on_hover_text(text!("picture-activate-tip"))
+                    .clicked()
+                {
+                    state.ask(Action::Activate(pane));
                 }
-            }
-            if pane + 1 == count && count > 1 {
-                ui.label(RichText::new("reference").weak())
-                    .on_hover_text("The others are measured against this pane");
-            }
+            });
         });
     });
     let Some(own) = pane
@@ -130,15 +168,12 @@ fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, coun
     };
     let mut released = None;
     ui.horizontal_wrapped(|ui| {
-        ui.add_space(18.0);
+        ui.add_space(26.0);
         for (index, setting) in own.set.iter().enumerate() {
-            let tip = format!(
-                "Lets {} follow the first pane again",
-                setting.split('=').next().unwrap_or(setting)
-            );
+            let key = setting.split('=').next().unwrap_or(setting);
             if ui
                 .add(Button::new(format!("{}  ×", setting_words(setting))).small())
-                .on_hover_text(tip)
+                .on_hover_text(text!("picture-release-setting", key = key))
                 .clicked()
             {
                 released = Some(index);
@@ -155,34 +190,38 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     ui.set_min_width(250.0);
     let scene = &state.shown.scene;
     let mut chosen = None;
-    for (parameter, what) in [(&MODE, "shading"), (&INTERPOLATION, "interpolation")] {
+    for (parameter, key) in [
+        (&MODE, "picture-add-shading"),
+        (&INTERPOLATION, "picture-add-interpolation"),
+    ] {
         let present = parameter.value(scene, 0);
         for option in parameter.options() {
             let ChoiceOption { word, .. } = option;
             let other = present.as_ref().and_then(toml::Value::as_str) != Some(*word);
-            if other && ui.button(format!("{} {what}", option.label())).clicked() {
+            if other && ui.button(text!(key, name = option.label())).clicked() {
                 chosen = Some(vec![format!("{}={word}", parameter.key)]);
             }
         }
         ui.separator();
     }
-    if finer(scene).is_some() && ui.button("Four times as many polygons each way").clicked() {
+    if finer(scene).is_some() && ui.button(text!("picture-add-finer")).clicked() {
         chosen = finer(scene);
     }
     if ui
-        .button("The same")
-        .on_hover_text("To change afterwards, alone")
+        .button(text!("picture-add-same"))
+        .on_hover_text(text!("picture-add-same.tip"))
         .clicked()
     {
         chosen = Some(vec![]);
     }
     ui.separator();
+    ui.label(text!("picture-add-setting"));
     ui.horizontal(|ui| {
         let field = TextEdit::singleline(&mut typed.setting)
             .hint_text("material.n=1005")
             .desired_width(170.0);
         let entered = ui.add(field).lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-        if ui.button("Add").clicked() || entered {
+        if ui.button(text!("picture-add")).clicked() || entered {
             let setting = typed.setting.trim().to_owned();
             match scene.with_override(&setting) {
                 Ok(_) => chosen = Some(vec![setting]),
@@ -195,13 +234,18 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     }
     if let Some(set) = chosen {
         *typed = Typed::default();
-        let compare = &mut state.document.scene.compare;
-        compare.panes.push(Pane {
+        // The last pane may be the reference because it is the last.
+        let scene = &mut state.document.scene;
+        let (alone, reference) = (scene.compare.panes.is_empty(), scene.reference_pane());
+        scene.compare.panes.push(Pane {
             name: String::new(),
             set,
         });
-        if compare.view == CompareView::Single {
-            compare.view = CompareView::Panes;
+        if !alone {
+            scene.set_reference(reference);
+        }
+        if scene.compare.view == CompareView::Single {
+            scene.compare.view = CompareView::Panes;
         }
         ui.close();
     }
@@ -219,38 +263,42 @@ fn finer(scene: &Scene) -> Option<Vec<String>> {
     scene.with_overrides(&settings).is_ok().then_some(settings)
 }
 
-/// How far each pane is from the last one.
+/// How far each pane is from the reference.
 fn figures_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     let figures = &engine.figures;
-    let (Some(reference), true) = (figures.last(), figures.len() > 1) else {
+    let reference = figures.iter().find(|one| one.error.is_none());
+    let (Some(reference), true) = (reference, figures.len() > 1) else {
         return;
     };
-    ui.label(RichText::new(format!("Against {}", reference.name)).strong());
+    ui.label(RichText::new(text!("picture-against", name = reference.name.as_str())).strong());
     let mut view = ReportView::default();
-    view.set(Comparison(figures.to_vec()).report(&analysis::About {
-        name: "",
-        scene: &state.document.scene,
-    }));
+    let scene = &state.document.scene;
+    view.set(Comparison(figures.to_vec()).report(&analysis::About { name: "", scene }));
     view.ui(ui);
     let size = engine.size;
-    for one in figures {
-        let Some([x, y]) = one.error.and_then(|error| error.at) else {
-            continue;
-        };
-        let tip = format!("Puts the probe where {} differs most", one.name);
-        if ui
-            .link(format!("pixel {x}, {y}"))
-            .on_hover_text(tip)
-            .clicked()
-        {
-            state.probe = ProbePoint::at([x, y], size);
+    ui.horizontal_wrapped(|ui| {
+        for one in figures {
+            let Some([x, y]) = one.error.and_then(|error| error.at) else {
+                continue;
+            };
+            let tip = text!("picture-greatest-tip", name = one.name.as_str());
+            if ui
+                .link(text!("picture-pixel", x = x, y = y))
+                .on_hover_text(tip)
+                .clicked()
+            {
+                state.probe = ProbePoint::at([x, y], size);
+            }
         }
-    }
+    });
+    let state_scene = state.document.scene.clone();
     export_ui(ui, state, "compare", || {
-        Some((
-            Box::new(Comparison(figures.to_vec())),
-            engine.drawn()?.clone(),
-        ))
+        let image = engine.drawn()?.image.clone();
+        let scene = Scene {
+            image,
+            ..state_scene
+        };
+        Some((Box::new(Comparison(figures.to_vec())), scene))
     });
 }
 
@@ -266,8 +314,25 @@ impl AppState {
                 "shading.mode=exact"
             };
             compare.panes.push(Pane::of(&[other]));
+            compare.reference = 0;
         }
         compare.view = view;
+    }
+
+    /// Changes which panes there are; pane `active` is the active one afterwards.
+    pub fn rearrange(
+        &mut self,
+        active: usize,
+        change: impl FnOnce(&mut Scene) -> Result<(), SceneError>,
+    ) {
+        self.commit();
+        match change(&mut self.document.scene) {
+            Ok(()) => {
+                self.panes.active = active;
+                self.derive();
+            }
+            Err(error) => self.notice = error.problems().first().map(ToString::to_string),
+        }
     }
 
     /// The view after the present one.

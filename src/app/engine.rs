@@ -2,8 +2,9 @@
 
 mod normals;
 mod pane;
+mod refined;
 
-use super::look::OverlayLook;
+use super::look::{NumbersTab, OverlayLook};
 use super::state::AppState;
 use crate::analysis::{
     Brightest, Curves, ErrorFigures, Overlay, OverlayOptions, PaneFigures, Probe, Scan, ScanError,
@@ -11,12 +12,15 @@ use crate::analysis::{
 };
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
+use crate::text;
+use crate::text::Language;
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;
 pub use pane::{image_of, overlay_options, upload};
 
 use normals::NormalsDrawing;
 use pane::{PaneEngine, Wanted, drawing, is_dark};
+use refined::{Refined, Supersampled};
 use std::cell::OnceCell;
 
 /// Draws for the window.
@@ -29,12 +33,15 @@ pub struct Engine {
     active: usize,
     /// The size of each pane in pixels, when drawn whole.
     pub size: [u32; 2],
-    /// The figures of the shown panes, in their order; the last is the reference. None where nothing is compared.
+    /// The figures of the shown panes, in their order; the reference has no error. None where nothing is compared.
     pub figures: Vec<PaneFigures>,
+    /// The reference of these figures, and the language of the panes' names.
+    measured: Option<(usize, Language)>,
     /// The difference picture as last drawn, and how.
     difference: Option<(TextureHandle, (DifferenceKind, f64, f32))>,
     overlay: Option<DrawnOverlay>,
     normals: NormalsDrawing,
+    refined: Refined,
     terms: OnceCell<Vec<Term>>,
     /// Grows whenever a picture or the probe has changed.
     pub revision: u64,
@@ -57,8 +64,9 @@ impl Engine {
         }
     }
 
-    /// Brings pictures, probes and overlay up to date for panes of `size` pixels each; what has not changed is kept.
-    pub fn update(&mut self, ctx: &Context, state: &mut AppState, size: [u32; 2]) {
+    /// Brings pictures, probes and overlay up to date for panes of `size` pixels each; what has not changed is kept. Pictures
+    /// that rest get `smooth` edges.
+    pub fn update(&mut self, ctx: &Context, state: &mut AppState, size: [u32; 2], smooth: bool) {
         let size = size.map(|side| side.clamp(1, Image::MAX_SIDE));
         let shown = state.document.scene.shown_panes();
         let count = shown.iter().max().map_or(1, |last| last + 1);
@@ -100,8 +108,10 @@ impl Engine {
         redrawn |= self.shown != shown;
         self.shown = shown;
         reprobed |= before != self.active;
-        if redrawn {
+        let measured = Some((state.document.scene.reference_pane(), text::language()));
+        if redrawn || self.measured != measured {
             self.measure(&state.document.scene);
+            self.measured = measured;
         }
         self.draw_difference(ctx, state, redrawn);
         if reprobed || redrawn {
@@ -113,6 +123,42 @@ impl Engine {
         self.draw_overlay(ctx, state, reprobed);
         self.normals
             .update(ctx, state, self.active, &self.panes[self.active]);
+        self.refine(ctx, state, redrawn, smooth);
+    }
+
+    /// Smooths the edges of the pictures once they rest, unless something over them shows pixels.
+    fn refine(&mut self, ctx: &Context, state: &AppState, redrawn: bool, smooth: bool) {
+        let pixels = state.look.overlay.normals()
+            || self.difference.is_some()
+            || state.shows(NumbersTab::ScanLine);
+        let shown = || self.shown.iter().map(|&pane| &self.panes[pane]);
+        let cost = shown().map(PaneEngine::greatest_cost).sum();
+        let coarse = shown().any(|pane| pane.coarser != 1);
+        if redrawn {
+            self.refined.forget();
+        }
+        if !smooth || pixels || coarse || !Refined::affords(cost) {
+            self.refined.forget();
+            return;
+        }
+        let Self {
+            refined,
+            shown,
+            panes,
+            ..
+        } = self;
+        refined.update(ctx, || Supersampled {
+            panes: shown
+                .iter()
+                .filter_map(|&pane| Some((pane, panes[pane].drawn()?.clone())))
+                .collect(),
+            model: state.document.model.clone(),
+        });
+    }
+
+    /// Samples a pixel of what is shown.
+    pub fn samples(&self) -> u32 {
+        self.refined.samples.max(1)
     }
 
     /// Lights up the faces of the vertex within `reach` pixels of the pointer, or else of the one that is kept; a click
@@ -137,14 +183,11 @@ impl Engine {
 
     fn measure(&mut self, scene: &Scene) {
         self.figures.clear();
-        let Some((&last, _)) = self
-            .shown
-            .split_last()
-            .filter(|(_, others)| !others.is_empty())
-        else {
+        if self.shown.len() < 2 {
             return;
-        };
-        let Some(reference) = self.panes[last].linear() else {
+        }
+        let last = scene.reference_pane();
+        let Some(reference) = self.panes.get(last).and_then(PaneEngine::linear) else {
             return;
         };
         for &pane in &self.shown {
@@ -163,6 +206,7 @@ impl Engine {
                 ..b
             });
             self.figures.push(PaneFigures {
+                pane,
                 name: scene.pane_name(pane),
                 brightest,
                 error,
@@ -259,27 +303,23 @@ impl Engine {
         &self.panes[self.active]
     }
 
-    /// What is shown of a pane, from the bottom up: its picture, or `instead` of it another or the difference; on the active one
-    /// needles, overlay and lit faces as well.
-    pub fn layers<'a>(
-        &'a self,
-        pane: usize,
-        instead: Option<&'a TextureHandle>,
-    ) -> [Option<&'a TextureHandle>; 4] {
+    /// A pane's picture, or the difference.
+    pub fn picture(&self, pane: usize) -> Option<&TextureHandle> {
         let difference = self.difference.as_ref().map(|(texture, _)| texture);
-        let picture = instead
-            .or(difference)
-            .or_else(|| self.panes.get(pane)?.picture.as_ref());
-        if pane != self.active {
-            return [picture, None, None, None];
-        }
+        difference
+            .or_else(|| self.refined.picture(pane))
+            .or_else(|| self.panes.get(pane)?.picture.as_ref())
+    }
+
+    /// What lies over the active pane's picture, from the bottom up: needles, vectors, and lit faces.
+    pub fn overlays(&self) -> [Option<&TextureHandle>; 3] {
         let [needles, lit] = self.normals.textures();
         let overlay = self
             .overlay
             .as_ref()
             .filter(|overlay| overlay.look.0.vectors)
             .map(|overlay| &overlay.texture);
-        [picture, needles, overlay, lit]
+        [needles, overlay, lit]
     }
 
     /// The active pane's picture as last drawn.

@@ -14,6 +14,7 @@ mod vertex;
 pub use beam::{aim_at, cursor, open_to};
 pub use vertex::{MOST, drag_to as drag_vertex, go, paint as paint_vertices, push as push_vertex};
 
+use super::defects::shows_ring;
 use super::letter::letter;
 use super::look::NumbersTab;
 use super::palette;
@@ -55,7 +56,7 @@ pub fn grips(state: &AppState, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
         let ends = state.line.pixels(place.size).into_iter().enumerate();
         grips.extend(ends.map(|(end, pixel)| (Grip::LineEnd(end), place.point(pixel))));
     }
-    if state.shows(NumbersTab::Defects) {
+    if shows_ring(state) {
         grips.push((Grip::Roll, knob(state, place)));
     }
     if state.look.overlay.handles {
@@ -372,7 +373,7 @@ fn paint_tabs(painter: &Painter, state: &AppState, place: Place, active: bool) {
     profile::paint(painter, state, place, active);
     let dark = |width, alpha| Stroke::new(width, Color32::from_black_alpha(alpha));
     let white = |width| Stroke::new(width, Color32::WHITE);
-    if state.shows(NumbersTab::Defects) {
+    if shows_ring(state) {
         let centre = place.rect.center();
         painter.circle_stroke(centre, ring(place), dark(3.0, 110));
         painter.circle_stroke(

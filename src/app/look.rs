@@ -30,6 +30,8 @@ pub struct Look {
     /// What the panel of numbers shows.
     pub tab: NumbersTab,
     pub overlay: OverlayLook,
+    /// Whether a picture that rests is drawn with several samples a pixel.
+    pub smooth_edges: bool,
     pub profile: ProfileLook,
     /// Files opened or saved, the latest first.
     pub recent: Vec<PathBuf>,
@@ -111,6 +113,7 @@ impl Default for Look {
                 handles: true,
                 ..OverlayLook::default()
             },
+            smooth_edges: true,
             profile: ProfileLook::default(),
             recent: Vec::new(),
         }

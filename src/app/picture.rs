@@ -5,17 +5,19 @@ use super::defects;
 use super::engine::Engine;
 use super::focus;
 use super::handles;
+use super::letter::letter;
 use super::orbit;
 use super::panes::{self, PanePlace};
 use super::place::{Place, ProbePoint};
 use super::profile::{self, Profiles};
 use super::scan;
 use super::state::{AppState, Drag, Grip};
-use crate::scene::View;
+use crate::scene::{Choice as _, View};
+use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Color32, CursorIcon, EventFilter, PointerButton, Pos2, Rect, Response, Sense, Stroke,
-    TextStyle, Ui, pos2,
+    Align2, Color32, CursorIcon, EventFilter, PointerButton, Pos2, Rect, Response, Sense, Stroke,
+    TextStyle, Ui, pos2, vec2,
 };
 use glam::DVec2;
 
@@ -39,8 +41,9 @@ pub struct Room {
 pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Room {
     let whole = Place::of(ui);
     let response = ui.interact(whole.rect, focus::picture_id(), Sense::click_and_drag());
-    let mode = format!("{:?}", state.shown.scene.shading.mode).to_lowercase();
-    let response = focus::named(response, Role::Image, &format!("Picture, {mode} shading"));
+    let mode = state.shown.scene.shading.mode.label();
+    let name = text!("picture-name", mode = mode);
+    let response = focus::named(response, Role::Image, &name);
     keep_arrows(ui, &response);
     // What the panels changed is shown by every pane.
     state.commit();
@@ -59,7 +62,8 @@ pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Roo
         },
     );
     state.commit();
-    engine.update(ui.ctx(), state, place.size);
+    let smooth = state.look.smooth_edges && !profile::shows_perceived(state);
+    engine.update(ui.ctx(), state, place.size, smooth);
     // Lights up the faces of the vertex that the pointer is on, where normals are shown.
     let pointer = response
         .hover_pos()
@@ -79,9 +83,15 @@ pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Roo
         profile::watch(ui.ctx(), state, active.place, response.hover_pos());
     }
     for pane in &panes {
-        paint(ui, state, engine, pane);
+        paint_picture(ui, state, engine, pane);
     }
-    panes::paint(ui, state, engine, &panes, whole);
+    for pane in panes
+        .iter()
+        .filter(|pane| panes::is_overlaid(state, pane.pane))
+    {
+        paint_over(ui, state, engine, pane.place, pane.pane);
+    }
+    panes::captions_ui(ui, state, engine, &panes, whole);
     Room {
         whole: whole.size,
         pane: place.size,
@@ -293,18 +303,53 @@ fn cursor(grip: Grip, shift: bool) -> CursorIcon {
     }
 }
 
-fn paint(ui: &Ui, state: &AppState, engine: &Engine, pane: &PanePlace) {
-    let place = pane.place;
+/// The whole of a texture.
+const WHOLE: Rect = Rect {
+    min: Pos2::ZERO,
+    max: pos2(1.0, 1.0),
+};
+
+fn paint_picture(ui: &Ui, state: &AppState, engine: &Engine, pane: &PanePlace) {
     let painter = ui.painter().with_clip_rect(pane.seen);
-    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    let active = pane.pane == state.panes.active;
-    let perceived = state
-        .own
-        .get()
-        .and_then(|own: &Profiles| own.perceived.as_ref());
-    let perceived = perceived.filter(|_| active && profile::shows_perceived(state));
-    for texture in engine.layers(pane.pane, perceived).into_iter().flatten() {
-        painter.image(texture.id(), place.rect, whole, Color32::WHITE);
+    let place = pane.place;
+    if let Some(texture) = engine.picture(pane.pane) {
+        painter.image(texture.id(), place.rect, WHOLE, Color32::WHITE);
+    }
+    if pane.pane != state.panes.active || !profile::shows_perceived(state) {
+        return;
+    }
+    let Some(profiles) = state.own.get::<Profiles>() else {
+        return;
+    };
+    if let Some(texture) = &profiles.perceived {
+        // One of another size is kept in its own shape until the next is there.
+        let [width, height] = texture.size();
+        let size = vec2(width as f32, height as f32);
+        let scale = (place.rect.size() / size).min_elem();
+        let rect = Rect::from_center_size(place.rect.center(), size * scale);
+        painter.rect_filled(place.rect, 0.0, ui.visuals().extreme_bg_color);
+        painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
+    }
+    if profiles.is_perceiving() {
+        let font = TextStyle::Body.resolve(ui.style());
+        let at = place.rect.center_top() + vec2(0.0, 10.0);
+        letter(
+            &painter,
+            at,
+            Align2::CENTER_TOP,
+            text!("picture-drawing"),
+            &font,
+            Color32::WHITE,
+        );
+    }
+}
+
+/// What lies over a pane's picture.
+fn paint_over(ui: &Ui, state: &AppState, engine: &Engine, place: Place, pane: usize) {
+    let painter = ui.painter().with_clip_rect(place.rect);
+    let active = pane == state.panes.active;
+    for texture in engine.overlays().into_iter().flatten().filter(|_| active) {
+        painter.image(texture.id(), place.rect, WHOLE, Color32::WHITE);
     }
     let view = View::new(&state.shown.scene.camera, place.size);
     if state.look.overlay.vectors {

@@ -184,6 +184,11 @@ impl Profiles {
         }
     }
 
+    /// Whether the picture as it is perceived is being computed.
+    pub fn is_perceiving(&self) -> bool {
+        self.seen.progress().is_some()
+    }
+
     /// The profile last taken.
     pub fn profile(&self) -> Option<&Profile> {
         self.taken.answer().map(|taken| &taken.profile)

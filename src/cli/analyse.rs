@@ -8,10 +8,10 @@ use super::output::{Failure, print, progress_bar};
 use clap::Args;
 use glam::DVec2;
 use shading_lab::analysis::{
-    About, Analysis, BenchQuestion, ComparisonQuestion, CurvesQuestion, DefectsQuestion, Format,
-    Method, NormalsQuestion, PERCEIVED_WIDTH, Perception, PlanQuestion, PlotKind, ProbeQuestion,
-    ProfileQuestion, Question, ResponseModel, Scan, ScanQuestion, StabilityQuestion, Stop,
-    StudyQuestion, Subject, Viewing, perceived_picture, stability_cases,
+    About, Analysis, BenchQuestion, ComparisonQuestion, ConditionsQuestion, CurvesQuestion,
+    DefectsQuestion, Format, Method, NormalsQuestion, PERCEIVED_WIDTH, Perception, PlanQuestion,
+    PlotKind, ProbeQuestion, ProfileQuestion, Question, ResponseModel, Scan, ScanQuestion,
+    StabilityQuestion, Stop, StudyQuestion, Subject, Viewing, perceived_picture, stability_cases,
 };
 use shading_lab::document::{check_target, json_text, save_answer, save_picture};
 use shading_lab::figure::Paper;
@@ -272,6 +272,18 @@ impl Asks for Defects {
         Ok(DefectsQuestion {
             pixel: checked(self.pixel, scene)?,
         })
+    }
+}
+
+#[derive(Args)]
+pub struct Conditions;
+
+impl Asks for Conditions {
+    type Question = ConditionsQuestion;
+    const NAME: &'static str = "conditions";
+
+    fn question(&self, _: &mut Scene) -> Result<ConditionsQuestion, Failure> {
+        Ok(ConditionsQuestion)
     }
 }
 

@@ -94,7 +94,7 @@ fn did_you_mean<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> String 
 #[derive(Args)]
 pub struct PaneArguments {
     /// A pane beside the scene, in place of the scene file's own: what is different in it, as in shading.mode=exact; several
-    /// settings between semicolons. The last pane is what the others are measured against
+    /// settings between semicolons. The last pane is what the others are measured against, unless compare.reference names another
     #[arg(long, value_name = "KEY=VALUE[;KEY=VALUE]")]
     pub pane: Vec<String>,
 }

@@ -35,8 +35,8 @@ pub struct Render {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
     samples: u32,
     /// How the scene's panes are shown; with --pane, side by side unless this says otherwise: single (the scene alone), panes
-    /// (side by side), wipe (the scene and the last pane on either side of a line, at compare.wipe) or difference (the scene
-    /// less the last pane, times compare.gain)
+    /// (side by side), wipe (the first pane and the reference on either side of a line, at compare.wipe) or difference (the
+    /// first pane minus the reference, times compare.gain)
     #[arg(long, value_parser = |text: &str| parse_choice(text, CompareView::VALUES))]
     compare: Option<CompareView>,
     #[command(flatten)]

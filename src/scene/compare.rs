@@ -7,14 +7,16 @@ use super::overrides::is_inside;
 use super::parameter::{Limits, Slider, at_most, table};
 use super::problem::{Cause, Finding, Place, Problem, SceneError};
 use super::setting::setting_words;
-use super::shading::{Interpolation, ShadingMode};
+use super::shading::{Interpolation, MODE, ShadingMode};
 use crate::text::text;
 
 table! {
-    /// What is compared and how. The first pane is the scene itself; the last one is what the others are measured against.
+    /// What is compared and how. The first pane is the scene itself; one is the reference that the others are measured against.
     pub struct Compare = [compare] in compare with (panes: Vec<Pane> = vec![]) {
         COMPARE_VIEW view: CompareView = CompareView::Single, Choice;
-        /// The scene is seen to its left, the last pane to its right.
+        REFERENCE reference: u32 = 0,
+            Whole(|scene| Limits::new(0.0, scene.pane_count() as f64), PANE_NUMBERS).idle(no_panes);
+        /// The reference is seen to its right, the first other pane to its left.
         WIPE wipe: f64 = 0.5, Number(Limits::UNIT, Slider::UNIT)
             .idle(|scene, _| (scene.compare.view != CompareView::Wipe).then(|| text!("idle-no-wipe")));
         DIFFERENCE difference: DifferenceKind = DifferenceKind::Signed, Choice.idle(no_difference);
@@ -22,7 +24,16 @@ table! {
     }
 }
 
+const PANE_NUMBERS: Slider = Slider::linear(0.0, 1.0 + Compare::MAX_PANES as f64).decimals(0);
 const GAINS: Slider = Slider::logarithmic(1.0, Compare::MAX_GAIN).decimals(1);
+
+fn no_panes(scene: &Scene, _: usize) -> Option<&'static str> {
+    scene
+        .compare
+        .panes
+        .is_empty()
+        .then(|| text!("picture-idle-one-pane"))
+}
 
 fn no_difference(scene: &Scene, _: usize) -> Option<&'static str> {
     (scene.compare.view != CompareView::Difference).then(|| text!("idle-no-difference"))
@@ -30,7 +41,7 @@ fn no_difference(scene: &Scene, _: usize) -> Option<&'static str> {
 
 impl Compare {
     /// Most panes beside the scene itself.
-    pub const MAX_PANES: usize = 3;
+    pub const MAX_PANES: usize = 5;
     /// Greatest gain of the difference picture.
     pub const MAX_GAIN: f64 = 64.0;
     /// Most keys that one pane replaces.
@@ -113,8 +124,101 @@ impl Scene {
             _ if last == 0 => vec![0],
             CompareView::Single => vec![0],
             CompareView::Panes => (0..=last).collect(),
-            CompareView::Wipe | CompareView::Difference => vec![0, last],
+            CompareView::Wipe | CompareView::Difference => {
+                let reference = self.reference_pane();
+                vec![usize::from(reference == 0), reference]
+            }
         }
+    }
+
+    /// The number of the pane that the others are measured against, from 0.
+    pub fn reference_pane(&self) -> usize {
+        let last = self.compare.panes.len();
+        (self.compare.reference as usize)
+            .checked_sub(1)
+            .map_or(last, |pane| pane.min(last))
+    }
+
+    /// Makes a pane the one that the others are measured against.
+    pub fn set_reference(&mut self, pane: usize) {
+        let last = pane >= self.compare.panes.len();
+        #[expect(clippy::cast_possible_truncation, reason = "there are a few panes")]
+        let number = if last { 0 } else { pane as u32 + 1 };
+        self.compare.reference = number;
+    }
+
+    /// Moves a pane to another place. Every pane goes on showing what it showed: the one that comes to stand first becomes
+    /// the scene itself, and the others set what they have different from it.
+    ///
+    /// # Errors
+    /// What is wrong with the panes' settings; then nothing is moved.
+    pub fn move_pane(&mut self, from: usize, to: usize) -> Result<(), SceneError> {
+        let count = self.pane_count();
+        if from >= count || to >= count {
+            return Ok(());
+        }
+        let mut order: Vec<usize> = (0..count).collect();
+        let moved = order.remove(from);
+        order.insert(to, moved);
+        let scenes = (0..count)
+            .map(|pane| self.pane(pane))
+            .collect::<Result<Vec<_>, _>>()?;
+        let reference = self.reference_pane();
+        let base = &scenes[order[0]];
+        let panes = order[1..].iter().map(|&old| {
+            let own = old.checked_sub(1).map(|index| &self.compare.panes[index]);
+            let mut pane = own.cloned().unwrap_or_default();
+            for (parameter, index) in base.differences(&scenes[old]) {
+                pane.put(
+                    &parameter.key(index),
+                    &parameter.setting(&scenes[old], index),
+                );
+            }
+            pane
+        });
+        let compare = Compare {
+            panes: panes.collect(),
+            ..self.compare.clone()
+        };
+        *self = Self {
+            compare,
+            ..base.clone()
+        };
+        let reference = order.iter().position(|old| *old == reference);
+        self.set_reference(reference.unwrap_or(0));
+        Ok(())
+    }
+
+    /// Removes a pane; without the scene itself, the second pane becomes the scene.
+    ///
+    /// # Errors
+    /// As for [`Self::move_pane`].
+    pub fn remove_pane(&mut self, pane: usize) -> Result<(), SceneError> {
+        let last = self.compare.panes.len();
+        if pane > last || last == 0 {
+            return Ok(());
+        }
+        self.move_pane(pane, last)?;
+        let reference = self.reference_pane();
+        self.compare.panes.pop();
+        self.set_reference(reference.min(last - 1));
+        if last == 1 {
+            self.compare.view = CompareView::Single;
+        }
+        Ok(())
+    }
+
+    /// Shows all shading modes side by side, measured against the exact one.
+    pub fn compare_all_modes(&mut self) {
+        let (first, others) = (ShadingMode::VALUES[0], &ShadingMode::VALUES[1..]);
+        self.shading.mode = first;
+        let pane = |mode: &ShadingMode| Pane::of(&[&format!("{}={}", MODE.key, mode.word())]);
+        self.compare = Compare {
+            view: CompareView::Panes,
+            reference: 0,
+            panes: others.iter().map(pane).collect(),
+            ..self.compare.clone()
+        };
     }
 
     /// The scene that a pane shows, 0 the scene itself; it compares nothing further.
@@ -189,13 +293,13 @@ const SHARED: [&str; 5] = ["version", "camera", "image", "compare", "object.path
 pub(super) fn problems(scene: &Scene) -> Vec<Finding> {
     let Compare { panes, view, .. } = &scene.compare;
     if panes.len() > Compare::MAX_PANES {
-        let expected = format!("at most {} beside the scene itself", Compare::MAX_PANES);
-        let found = format!("a list of {}", panes.len());
+        let expected = text!("picture-problem-most-panes", count = Compare::MAX_PANES);
+        let found = text!("picture-problem-list", count = panes.len());
         return vec![Finding::new("compare.pane", Cause::value(found, expected))];
     }
     if *view != CompareView::Single && panes.is_empty() {
-        let words = " compares with nothing, expected a [[compare.pane]]";
-        return vec![Finding::new("compare.view", Cause::Key(words.to_owned()))];
+        let words = format!(" {}", text!("picture-problem-no-pane"));
+        return vec![Finding::new("compare.view", Cause::Key(words))];
     }
     panes
         .iter()
@@ -207,18 +311,16 @@ pub(super) fn problems(scene: &Scene) -> Vec<Finding> {
 fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
     let key = format!("compare.pane.{index}.set");
     if pane.set.len() > Compare::MAX_SETTINGS {
-        let expected = format!("at most {}", Compare::MAX_SETTINGS);
-        return vec![Finding::new(
-            key,
-            Cause::value(format_args!("a list of {}", pane.set.len()), expected),
-        )];
+        let expected = text!("picture-problem-at-most", count = Compare::MAX_SETTINGS);
+        let found = text!("picture-problem-list", count = pane.set.len());
+        return vec![Finding::new(key, Cause::value(found, expected))];
     }
     let shared = |setting: &String| {
         let name = setting.split_once('=').map_or("", |(name, _)| name.trim());
         SHARED.iter().any(|shared| is_inside(name, shared))
     };
     if let Some(at) = pane.set.iter().position(shared) {
-        let expected = "a key that panes may differ in (they share camera, image and model)";
+        let expected = text!("picture-problem-shared");
         return vec![Finding::new(
             format!("{key}.{at}"),
             Cause::value(format_args!("{:?}", pane.set[at]), expected),

@@ -1,19 +1,18 @@
 //! The panes of a comparison on one sheet: side by side, on either side of a line, or their difference, with the scale that says
 //! what its colours mean.
 
-use super::{LinearPicture, PaneFigures, brightest, error_figures};
+use super::{ErrorFigures, LinearPicture, PaneFigures, brightest, error_figures};
 use crate::analysis::luminance;
 use crate::figure::palette::{self, Rgb8};
 use crate::figure::{Area, Drawing, Shape, Text};
 use crate::render::{Frame, Renderer};
 use crate::scene::{CompareView, DifferenceKind, Rgb, Scene};
+use crate::text;
 use glam::DVec2;
 use rayon::prelude::*;
 
 /// Pixels between two panes of a sheet that is not a tiny one.
 const GAP: u32 = 2;
-/// Panes that are narrower than this share of their height cut objects off at the sides: what is seen is as high as the pane.
-const NARROWEST: f64 = 0.85;
 /// What is seen between panes, and where a row has no further pane.
 const BETWEEN: [u8; 4] = [0x80, 0x80, 0x80, 255];
 const EMPTY: [u8; 4] = [0x26, 0x27, 0x2B, 255];
@@ -45,8 +44,8 @@ pub struct PaneArea {
     pub size: [u32; 2],
 }
 
-/// Where `count` panes stand in a picture of `size`: as large as can be without cutting objects off at the sides, all of
-/// one size.
+/// Where `count` panes stand in a picture of `size`, all of one size: in the rows and columns that show a square object
+/// largest, the share of the room that stays empty held against it. A last row that is not full stands in the middle.
 pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
     let count = u32::try_from(count.max(1)).unwrap_or(1);
     let gap = if size[0].min(size[1]) < 64 { 0 } else { GAP };
@@ -57,16 +56,10 @@ pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
             side(size[1], count.div_ceil(columns)),
         ]
     };
-    let narrowest = NARROWEST.min(f64::from(size[0]) / f64::from(size[1].max(1)));
     let worth = |columns: u32| {
+        let used = f64::from(count) / f64::from(columns * count.div_ceil(columns));
         let [width, height] = cell(columns).map(f64::from);
-        [height.min(width / narrowest), width * height].map(|v| {
-            if width < 0.99 * narrowest * height {
-                0.5 * v
-            } else {
-                v
-            }
-        })
+        [used * width.min(height), width * height]
     };
     let order = |a: &u32, b: &u32| {
         let ([seen, area], [other, beside]) = (worth(*a), worth(*b));
@@ -75,12 +68,14 @@ pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
     let columns = (1..=count).max_by(order).unwrap_or(1);
     let [width, height] = cell(columns);
     let place = |index: u32| {
-        let min = [
-            (index % columns) * (width + gap),
-            (index / columns) * (height + gap),
-        ];
+        let row = index / columns;
+        let missing = columns - (count - row * columns).min(columns);
+        let left = missing * (width + gap) / 2;
         PaneArea {
-            min,
+            min: [
+                left + (index % columns) * (width + gap),
+                row * (height + gap),
+            ],
             size: [width, height],
         }
     };
@@ -94,7 +89,11 @@ pub struct DrawnPane {
     /// Before the display; empty where nothing is compared.
     pub linear: Vec<[f32; 4]>,
     pub clamps: bool,
+    /// Its number, from 0.
+    pub pane: usize,
     pub name: String,
+    /// Whether the others are measured against it.
+    pub reference: bool,
 }
 
 impl DrawnPane {
@@ -108,36 +107,59 @@ impl DrawnPane {
     }
 }
 
-/// What captions say of panes; the last one is the reference.
+/// What captions say of panes.
 pub fn pane_figures(panes: &[DrawnPane]) -> Vec<PaneFigures> {
-    let Some((last, others)) = panes.split_last() else {
-        return vec![];
+    let reference = panes.iter().find(|pane| pane.reference).or(panes.last());
+    let figures = |pane: &DrawnPane| {
+        let others = reference.filter(|reference| !std::ptr::eq(*reference, pane));
+        PaneFigures {
+            pane: pane.pane,
+            name: pane.name.clone(),
+            brightest: brightest(pane.linear()),
+            error: others.map(|reference| error_figures(pane.linear(), reference.linear())),
+        }
     };
-    let figures = |pane: &DrawnPane, error| PaneFigures {
-        name: pane.name.clone(),
-        brightest: brightest(pane.linear()),
-        error,
-    };
-    let compared = others
-        .iter()
-        .map(|pane| figures(pane, Some(error_figures(pane.linear(), last.linear()))));
-    compared.chain([figures(last, None)]).collect()
+    panes.iter().map(figures).collect()
 }
 
-/// The lines of a pane's caption: its name, and its brightest value and error beside those of the `reference`.
-pub fn caption(figures: &PaneFigures, reference: Option<&PaneFigures>) -> [String; 2] {
+/// What is measured of a pane, for its caption: its brightest value and its error beside those of the reference, which is
+/// among `all`.
+pub fn caption(figures: &PaneFigures, all: &[PaneFigures]) -> Vec<String> {
     let mut words = Vec::new();
+    if figures.error.is_none() {
+        words.push(text!("picture-reference").to_owned());
+    }
+    let reference = all.iter().find(|one| one.error.is_none());
     if let Some(brightest) = figures.brightest {
+        let value = format!("{:.3}", brightest.value);
         let truth = reference
             .and_then(|reference| reference.brightest)
             .filter(|_| figures.error.is_some());
-        let of = truth.map_or_else(String::new, |truth| format!(" of {:.3}", truth.value));
-        words.push(format!("brightest {:.3}{of}", brightest.value));
+        words.push(match truth {
+            Some(truth) => {
+                let truth = format!("{:.3}", truth.value);
+                text!("picture-brightest-of", value = value, truth = truth)
+            }
+            None => text!("picture-brightest", value = value),
+        });
     }
     if let Some(error) = figures.error {
-        words.push(format!("RMS error {:.4}", error.rms));
+        words.push(text!(
+            "picture-rms-error",
+            value = format!("{:.4}", error.rms)
+        ));
     }
-    [figures.name.clone(), words.join("   ")]
+    words
+}
+
+/// The error of a difference picture in one line.
+pub fn error_line(error: &ErrorFigures) -> String {
+    text!(
+        "picture-error-line",
+        mean = format!("{:.4}", error.mean),
+        rms = format!("{:.4}", error.rms),
+        greatest = format!("{:.4}", error.greatest)
+    )
 }
 
 /// The panes that stand on a sheet of the scene's size, by their numbers, and the size of each.
@@ -182,7 +204,9 @@ pub fn draw_panes<E>(
             frame,
             linear,
             clamps: shown.clamps(),
+            pane: index,
             name: scene.pane_name(index),
+            reference: index == scene.reference_pane(),
         });
     }
     renderer.keep_linear(false);
@@ -234,8 +258,8 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> F
             let figures = pane_figures(panes);
             for (pane, area) in figures.iter().zip(&areas) {
                 let corner = DVec2::from_array(area.min.map(f64::from));
-                let [name, measured] = caption(pane, figures.last());
-                letter(&name, em, corner + DVec2::new(0.8, 1.4) * em, 0.0);
+                let measured = caption(pane, &figures).join("   ");
+                letter(&pane.name, em, corner + DVec2::new(0.8, 1.4) * em, 0.0);
                 letter(
                     &measured,
                     0.9 * em,
@@ -250,10 +274,7 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> F
         }
         CompareView::Difference => {
             let error = error_figures(first.linear(), last.linear());
-            let words = format!(
-                "mean {:.4}   RMS {:.4}   greatest {:.4}",
-                error.mean, error.rms, error.greatest
-            );
+            let words = error_line(&error);
             letter(
                 &format!("{} − {}", first.name, last.name),
                 em,

@@ -3,6 +3,7 @@
 use super::{Defects, Orientation, SharedVertices};
 use crate::analysis::overlay::{OverlayOptions, Style};
 use crate::figure::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind, Shape, Text};
+use crate::text;
 use glam::DVec2;
 use tiny_skia::PixmapMut;
 
@@ -16,6 +17,8 @@ const SHORT: f64 = 0.3;
 /// A defect that has a place in the picture, marked for letters of some size; pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DefectMark {
+    /// The built-in scene about the defect.
+    pub scene: &'static str,
     pub lines: Vec<Vec<DVec2>>,
     pub label: String,
     /// The middle of the label.
@@ -36,6 +39,7 @@ pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
             let way = (found.surface - found.polygon).normalize_or(DVec2::X);
             let lines = distance([found.polygon, found.surface], way, em);
             DefectMark {
+                scene: "silhouette",
                 lines,
                 label: format!("{:.1} px", found.greatest),
                 label_at: beside(found.surface, way),
@@ -49,8 +53,10 @@ pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
         .map(|found| {
             let mut ring = Shape::ring(found.at, 0.75 * em, 0.0, [0; 3]).points;
             ring.extend(ring.first().copied());
-            let label = format!("jump {:.3}", found.greatest);
+            let size = format!("{:.3}", found.greatest);
+            let label = text!("picture-mark-jump", size = size);
             DefectMark {
+                scene: "shared-vertices",
                 lines: vec![ring],
                 label,
                 label_at: beside(found.at, DVec2::NEG_Y),
@@ -147,19 +153,19 @@ fn orientation(measured: &Orientation) -> Plot {
         .filter_map(|turned| Some([turned.angle, turned.barycentric?]))
         .collect();
     let curves = [
-        Curve::new("along the scan line", scanline, Ink::L),
-        Curve::new("barycentric", barycentric, Ink::N),
+        Curve::new(text!("picture-curve-scanline"), scanline, Ink::L),
+        Curve::new(text!("picture-curve-barycentric"), barycentric, Ink::N),
     ];
     let mark = Mark {
         x: measured.roll,
-        label: "now".to_owned(),
+        label: text!("picture-curve-now").to_owned(),
         values: vec![],
         probe: true,
     };
-    let x = Axis::degrees("roll", 0.0, 360.0);
+    let x = Axis::degrees(text!("picture-axis-roll"), 0.0, 360.0);
     plot(
         PlotKind::Orientation,
-        "One point while the picture turns",
+        text!("picture-plot-orientation"),
         x,
         curves,
         mark,
@@ -175,19 +181,19 @@ fn shared(measured: &SharedVertices) -> Plot {
             .collect()
     };
     let curves = [
-        Curve::new("the side with the vertex", points(2), Ink::L),
-        Curve::new("the side without", points(1), Ink::N),
+        Curve::new(text!("picture-curve-with"), points(2), Ink::L),
+        Curve::new(text!("picture-curve-without"), points(1), Ink::N),
     ];
     let mark = Mark {
         x: measured.vertex,
-        label: "vertex".to_owned(),
+        label: text!("picture-curve-vertex").to_owned(),
         values: vec![],
         probe: false,
     };
     plot(
         PlotKind::SharedEdge,
-        "Both sides of the edge",
-        Axis::new("along the edge", 0.0, 1.0),
+        text!("picture-plot-shared"),
+        Axis::new(text!("picture-axis-edge"), 0.0, 1.0),
         curves,
         mark,
     )

@@ -116,7 +116,7 @@ pub fn silhouette(
     edges = edges.into_iter().step_by(every).collect();
     drawn.shading.mode = ShadingMode::Exact;
     if !renderer.shows_surface(&drawn) {
-        return Err("the object has no surface beyond its polygons");
+        return Err("picture-missing-surface");
     }
     let renderer = &*renderer;
     let sees = |place: DVec2| renderer.evaluation_at(place, None).is_some();
@@ -152,8 +152,7 @@ pub fn silhouette(
     let greatest = found
         .into_iter()
         .reduce(|a, b| if b.0.abs() > a.0.abs() { b } else { a });
-    let (distance, polygon, outwards) =
-        greatest.ok_or("no outline of the object is in the picture")?;
+    let (distance, polygon, outwards) = greatest.ok_or("picture-missing-outline")?;
     Ok(Silhouette {
         greatest: distance.abs(),
         polygon,
@@ -231,7 +230,7 @@ fn touched(mesh: &Mesh) -> Finding<Vec<Touched>> {
     points.sort_unstable();
     points.dedup();
     if points.len().saturating_mul(open.len()) > MOST {
-        return Err("the object has too many borders to be looked at for unshared vertices");
+        return Err("picture-missing-borders");
     }
     let mut faces = vec![0; open.len()];
     for f in 0..mesh.face_count() {
@@ -275,7 +274,7 @@ pub fn shared_vertices(
     let mesh = renderer.mesh_shown();
     let touched = touched(mesh)?;
     if touched.is_empty() {
-        return Err("every vertex on an edge is shared by both of its sides");
+        return Err("picture-missing-unshared");
     }
     let edges = touched.len();
     let equation = renderer.shining_equation(scene);
@@ -293,7 +292,7 @@ pub fn shared_vertices(
             .filter(|measured| measured.greatest > before)
             .or(greatest);
     }
-    greatest.ok_or("no such edge is seen")
+    greatest.ok_or("picture-missing-edge")
 }
 
 /// The luminance on both sides of an edge.

@@ -29,7 +29,7 @@ pub struct PerspectiveDistortion {
 pub fn perspective(renderer: &mut Renderer, scene: &Scene) -> Finding<PerspectiveDistortion> {
     interpolates(scene)?;
     if scene.camera.projection == Projection::Orthographic {
-        return Err("a parallel projection distorts nothing");
+        return Err("picture-missing-parallel");
     }
     let interpolation = match scene.shading.interpolation {
         Interpolation::Perspective => Interpolation::Affine,
@@ -81,7 +81,7 @@ pub fn orientation(
     pixel: [u32; 2],
 ) -> Finding<Orientation> {
     interpolates(scene)?;
-    let missed = "the probe sees the background";
+    let missed = "picture-missing-background";
     let point = probe(renderer, scene, pixel[0], pixel[1])
         .hit
         .ok_or(missed)?
@@ -160,11 +160,11 @@ pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexN
     match scene.shading.mode {
         ShadingMode::Gouraud | ShadingMode::Phong => {}
         ShadingMode::Flat | ShadingMode::Interpolated => {
-            return Err("this shading uses the polygons' own normals");
+            return Err("picture-missing-own-normals");
         }
-        ShadingMode::Exact => return Err("exact shading uses the surface's own normals"),
+        ShadingMode::Exact => return Err("picture-missing-exact-normals"),
     }
-    let own_contrast = contrast(renderer, scene).ok_or("the object is not in the picture")?;
+    let own_contrast = contrast(renderer, scene).ok_or("picture-missing-object")?;
     let mesh = renderer.mesh_shown();
     let vertices = mesh.with_vertex_normals(scene.object.normals, scene.object.weighting);
     let normals = &vertices.normals;

@@ -13,6 +13,7 @@ use crate::figure::{Area, Drawing, Label, Shape, inked_size};
 use crate::geometry::NormalOrigin;
 use crate::render::Renderer;
 use crate::scene::{NormalSource, Scene, View};
+use crate::text;
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 use tiny_skia::PixmapMut;
@@ -100,13 +101,13 @@ impl Needles {
                 NeedleKind::Vertex,
                 OverlayLayer::VertexNormals,
                 seen.vertices,
-                "vertex normals",
+                "picture-needles-vertices",
             ),
             (
                 NeedleKind::Face,
                 OverlayLayer::FaceNormals,
                 seen.faces,
-                "face normals",
+                "picture-needles-faces",
             ),
         ];
         let mut needles = Self {
@@ -129,7 +130,12 @@ impl Needles {
                 field.hidden(renderer, one)
             });
             if choice.thinned {
-                notes.push(format!("{} of {} {name}", choice.shown.len(), seen.len()));
+                let (shown, all) = (choice.shown.len(), seen.len());
+                notes.push(text!(
+                    name,
+                    shown = shown.to_string(),
+                    all = all.to_string()
+                ));
             }
             let [least, most] = LENGTHS.map(|share| share * side * unit);
             // Of either kind as long as the first.
@@ -409,11 +415,18 @@ impl LitVertex {
             let shares = vertex.faces.iter().map(|face| face.share);
             let (least, count) = (shares.fold(f64::INFINITY, f64::min), vertex.faces.len());
             let text = if greatest == 0.0 {
-                format!("{count} faces")
+                text!("picture-lit-faces", count = count)
             } else if greatest - least < 5e-4 {
-                format!("{count} faces, {greatest:.3} each")
+                let share = format!("{greatest:.3}");
+                text!("picture-lit-faces-each", count = count, share = share)
             } else {
-                format!("{count} faces, {least:.3} to {greatest:.3}")
+                let (least, greatest) = (format!("{least:.3}"), format!("{greatest:.3}"));
+                text!(
+                    "picture-lit-faces-range",
+                    count = count,
+                    least = least,
+                    greatest = greatest
+                )
             };
             sketch.letter(
                 text,
@@ -513,8 +526,8 @@ fn draw_vertex_normal(sketch: &mut Sketch, field: &NormalField, vertex: &VertexN
         .shapes
         .push(Shape::disc(origin, 1.7 * style.line, colour));
     let (name, size) = match (vertex.origin, field.source) {
-        (NormalOrigin::Given, NormalSource::File) => ("N of the file", SHARE),
-        (NormalOrigin::Given, _) => ("N of the surface", SHARE),
+        (NormalOrigin::Given, NormalSource::File) => (text!("picture-lit-n-file"), SHARE),
+        (NormalOrigin::Given, _) => (text!("picture-lit-n-surface"), SHARE),
         _ => ("N", 1.0),
     };
     let anchor = sketch.inside(tip, 0.5 * style.text);

@@ -5,6 +5,7 @@ use crate::analysis::report::{About, Answer, Column, Part, Report, Table, as_it_
 use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::NormalOrigin;
 use crate::scene::{NormalSource, View, Weighting};
+use crate::text;
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -50,9 +51,7 @@ impl Question for NormalsQuestion {
             )
         };
         let number = self.vertex.or_else(near);
-        let number = number.ok_or(
-            "no vertex is seen in the picture, expected --vertex or a camera that sees the object",
-        )?;
+        let number = number.ok_or_else(|| text!("picture-no-vertex-seen").to_owned())?;
         Ok(FoundNormal {
             vertex: field.vertex_of(number)?,
             source: field.source,
@@ -66,13 +65,11 @@ impl Question for NormalsQuestion {
 impl NormalField {
     /// The vertex of that number, or which numbers there are.
     pub fn vertex_of(&self, number: u32) -> Result<VertexNormal, String> {
-        self.vertex(number).ok_or_else(|| {
-            let expected = match self.vertex_count() {
-                0 => "expected none: the object has no vertices".to_owned(),
-                count => format!("expected 0 to {}", count - 1),
-            };
-            format!("--vertex {number}: no such vertex, {expected}")
-        })
+        self.vertex(number)
+            .ok_or_else(|| match self.vertex_count() {
+                0 => text!("picture-no-vertices", number = number),
+                count => text!("picture-no-vertex", number = number, last = count - 1),
+            })
     }
 }
 
@@ -93,31 +90,28 @@ impl FoundNormal {
     /// Where the normal comes from, in words.
     fn origin(&self) -> String {
         let vertex = &self.vertex;
-        let images = if vertex.mirrored {
-            " and their mirror images in x"
-        } else {
-            ""
-        };
         let count = vertex.faces.len();
-        let faces = if count == 1 {
-            "1 face".to_owned()
-        } else {
-            format!("{count} faces")
-        };
         match vertex.origin {
             NormalOrigin::Averaged => {
                 let weights = match self.weighting {
-                    Weighting::Equal => "weighted equally",
-                    Weighting::Area => "weighted by area",
-                    Weighting::Angle => "weighted by angle",
+                    Weighting::Equal => text!("picture-weighted-equally"),
+                    Weighting::Area => text!("picture-weighted-by-area"),
+                    Weighting::Angle => text!("picture-weighted-by-angle"),
                 };
-                format!("the mean of {faces}{images}, {weights}")
+                let key = if vertex.mirrored {
+                    "picture-normal-mirrored"
+                } else {
+                    "picture-normal-averaged"
+                };
+                text!(key, count = count, weights = weights)
             }
-            NormalOrigin::Given if self.source == NormalSource::File => "the file's own".to_owned(),
-            NormalOrigin::Given => "the true surface's".to_owned(),
-            NormalOrigin::Facet => "the face's own".to_owned(),
-            NormalOrigin::FirstFace => format!("that of the first of {faces} whose normals cancel"),
-            NormalOrigin::Nowhere => "no face here has an area".to_owned(),
+            NormalOrigin::Given if self.source == NormalSource::File => {
+                text!("picture-normal-of-file").to_owned()
+            }
+            NormalOrigin::Given => text!("picture-normal-of-surface").to_owned(),
+            NormalOrigin::Facet => text!("picture-normal-of-face").to_owned(),
+            NormalOrigin::FirstFace => text!("picture-normal-of-first", count = count),
+            NormalOrigin::Nowhere => text!("picture-normal-nowhere").to_owned(),
         }
     }
 }
@@ -126,30 +120,33 @@ impl Answer for FoundNormal {
     fn report(&self, about: &About<'_>) -> Report {
         let vertex = &self.vertex;
         let (number, count, place) = (vertex.vertex, self.vertices, triple(vertex.position));
-        let mut report = Report::new(format!(
-            "{}: vertex {number} of {count}, at {place}",
-            about.name
+        let mut report = Report::new(text!(
+            "picture-vertex",
+            scene = about.name,
+            number = number.to_string(),
+            count = count.to_string(),
+            at = place
         ));
         let section = report.section("");
         section.line(format!("N = {}: {}", triple(vertex.normal), self.origin()));
         if vertex.length > 0.0 {
-            section.line(format!(
-                "Σ share·N = {}, of length {:.4}",
-                triple(vertex.sum),
-                vertex.length
+            section.line(text!(
+                "picture-normal-sum",
+                sum = triple(vertex.sum),
+                length = format!("{:.4}", vertex.length)
             ));
         }
         let weight = match self.unit() {
-            Some("degrees") => "angle, °",
-            Some(_) => "area",
-            None => "weight",
+            Some("degrees") => text!("picture-column-angle"),
+            Some(_) => text!("picture-column-area"),
+            None => text!("picture-column-weight"),
         };
         let mut columns = vec![
-            Column::both("face", "face", as_it_is),
-            Column::both("share", "share", fixed::<4>),
+            Column::both("face", text!("picture-column-face"), as_it_is),
+            Column::both("share", text!("picture-column-share"), fixed::<4>),
             Column::both("weight", weight, fixed::<5>),
-            Column::both("angle", "off N, °", fixed::<3>),
-            Column::shown("normal", as_it_is),
+            Column::both("angle", text!("picture-column-off"), fixed::<3>),
+            Column::shown(text!("picture-column-normal"), as_it_is),
         ];
         columns.extend(["nx", "ny", "nz"].map(Column::key));
         let mut table = Table::new(columns);

@@ -123,7 +123,12 @@ impl PaneEngine {
             .iter()
             .find(|(known, _)| *known == parts)
             .map(|(_, cost)| *cost);
-        known.unwrap_or_else(|| self.costs.iter().map(|(_, cost)| *cost).max().unwrap_or(0))
+        known.unwrap_or_else(|| self.greatest_cost())
+    }
+
+    /// The most that drawing a whole picture took, nanoseconds.
+    pub fn greatest_cost(&self) -> u64 {
+        self.costs.iter().map(|(_, cost)| *cost).max().unwrap_or(0)
     }
 
     /// Brings the picture up to date, its sides divided by `coarser`; returns whether what is in sight has changed.

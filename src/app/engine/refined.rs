@@ -1,0 +1,162 @@
+//! Smooth edges: pictures of several samples a pixel, drawn in the background once nothing has moved for a while.
+
+use crate::analysis::Watch;
+use crate::app::background::wake;
+use crate::geometry::Mesh;
+use crate::jobs::{Job, News, Work, nanoseconds};
+use crate::render::Renderer;
+use crate::scene::Scene;
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// How long the pictures rest before they are refined, seconds.
+const REST: f64 = 0.2;
+/// Samples a pixel, one after the other.
+const SAMPLES: [u32; 2] = [4, 16];
+/// Pictures that would take longer than this with all of their samples are not refined, nanoseconds.
+const MOST: u64 = 2_000_000_000;
+/// Nor are those of which one sample took longer than this; what the first picture took once is part of it.
+const MOST_ONCE: u64 = MOST / 4;
+
+/// The panes in sight, refined.
+#[derive(Default)]
+pub struct Refined {
+    /// Since when the pictures have not changed, seconds.
+    since: Option<f64>,
+    job: Option<Job<Supersampled>>,
+    /// Whether there is nothing left to draw.
+    over: bool,
+    textures: Vec<(usize, TextureHandle)>,
+    /// Samples a pixel of what is shown; 0 before there is anything.
+    pub samples: u32,
+}
+
+/// Panes by their numbers, to be drawn with several samples a pixel.
+pub struct Supersampled {
+    pub panes: Vec<(usize, Scene)>,
+    pub model: Option<Arc<Mesh>>,
+}
+
+/// The pictures in the panes' order, and their samples.
+#[derive(Clone)]
+pub struct Pictures {
+    samples: u32,
+    images: Vec<(usize, Arc<ColorImage>)>,
+}
+
+impl Work for Supersampled {
+    type Answer = Pictures;
+
+    fn run(&self, watch: &dyn Watch<Pictures>) -> Result<Pictures, String> {
+        let mut renderer = Renderer::default();
+        renderer.set_model(self.model.clone());
+        let mut pictures = None;
+        let all = SAMPLES.iter().sum::<u32>() * self.panes.len() as u32;
+        let (mut done, mut before) = (0, nanoseconds());
+        for samples in SAMPLES {
+            let mut images = Vec::new();
+            for (pane, scene) in &self.panes {
+                let mut goes_on = true;
+                let frame = renderer.render_supersampled(scene, samples, &mut |n| {
+                    let now = nanoseconds();
+                    let took = now - std::mem::replace(&mut before, now);
+                    // The first sample of all makes the mesh as well.
+                    let affordable = done + n < 2 || took.saturating_mul(u64::from(all)) <= MOST;
+                    goes_on = affordable && watch.at((done + n) as f32 / all as f32);
+                    goes_on
+                });
+                if !goes_on {
+                    // Nobody reads why.
+                    return Err(String::new());
+                }
+                done += samples;
+                images.push((*pane, Arc::new(super::image_of(&frame))));
+            }
+            let found = Pictures { samples, images };
+            watch.found(&found);
+            pictures = Some(found);
+        }
+        pictures.ok_or_else(String::new)
+    }
+}
+
+impl Refined {
+    /// Whether pictures of which one sample took so long may be refined, nanoseconds.
+    pub fn affords(cost: u64) -> bool {
+        cost <= MOST_ONCE
+    }
+
+    /// Goes back to one sample a pixel.
+    pub fn forget(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Begins to refine the pictures when they have rested for long enough, and takes what has been drawn.
+    pub fn update(&mut self, ctx: &Context, work: impl FnOnce() -> Supersampled) {
+        if let Some(job) = &self.job {
+            let news = job.news();
+            if let Some(News::Over(_)) = &news {
+                (self.job, self.over) = (None, true);
+            }
+            if let Some(News::SoFar(pictures) | News::Over(Ok(pictures))) = news {
+                self.take(ctx, pictures);
+            }
+            return;
+        }
+        if self.over {
+            return;
+        }
+        let now = ctx.input(|input| input.time);
+        let left = REST - (now - *self.since.get_or_insert(now));
+        if left > 0.0 {
+            ctx.request_repaint_after(Duration::from_secs_f64(left));
+        } else {
+            self.job = Some(Job::start(work(), wake(ctx)));
+        }
+    }
+
+    fn take(&mut self, ctx: &Context, pictures: Pictures) {
+        self.samples = pictures.samples;
+        self.textures = pictures
+            .images
+            .into_iter()
+            .map(|(pane, image)| {
+                (
+                    pane,
+                    ctx.load_texture("refined", image, TextureOptions::NEAREST),
+                )
+            })
+            .collect();
+    }
+
+    /// The refined picture of a pane, where there is one.
+    pub fn picture(&self, pane: usize) -> Option<&TextureHandle> {
+        self.textures
+            .iter()
+            .find(|(number, _)| *number == pane)
+            .map(|(_, texture)| texture)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::unwatched;
+
+    #[test]
+    fn the_last_picture_has_sixteen_samples_a_pixel() {
+        let mut scene = Scene::default();
+        scene.image.size = [24, 20];
+        let expected = Renderer::default().render_supersampled(&scene, 16, &mut |_| true);
+        let work = Supersampled {
+            panes: vec![(3, scene)],
+            model: None,
+        };
+        let found = work.run(&unwatched).expect("pictures");
+        assert_eq!(found.samples, 16);
+        let (pane, image) = &found.images[0];
+        assert_eq!((*pane, image.as_raw()), (3, expected.pixels.as_flattened()));
+        assert!(work.run(&|share| share < 0.5).is_err());
+    }
+}
