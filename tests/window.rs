@@ -357,7 +357,7 @@ fn lights_are_muted_and_soloed() {
             .is_some(),
         "its controls stay"
     );
-    press(&mut harness, "Reset Light 1");
+    press(&mut harness, "Mute light 1");
     assert!(picture(&harness) == all);
     press(&mut harness, "Light 2");
     press(&mut harness, "Solo light 2");
