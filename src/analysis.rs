@@ -50,7 +50,7 @@ pub use probe::{
     Here, Letters, LightHandle, LightHere, LightTerms, LineValue, Overlay, Probe, ProbeHit,
     ProbeQuestion, Probed, Product, Share, TermColumn, Tone, VectorsShown, WorkedStep, ZeroCause,
     ZeroCauses, clearest_pixel, digits, digits_below, draw_overlay, draw_vectors, equation_letters,
-    percent, plain_formula, probe, specular_vector,
+    percent, pixel_beside_highlight, plain_formula, probe, specular_vector,
 };
 pub use profile::{
     Abscissa, Border, Compared, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError,

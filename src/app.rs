@@ -64,7 +64,7 @@ pub use state::AppState;
 
 use crate::document::Loaded;
 use crate::render::{Frame, Renderer, Report};
-use crate::scene::Choice as _;
+use crate::scene::{Choice as _, presets};
 use crate::text::{Language, language, set_language, text};
 use action::Action;
 use dialog::{CodeForm, Dialog, ExportForm, FileTask};
@@ -169,7 +169,9 @@ impl App {
     /// The same window, which welcomes whoever has not been here before.
     #[must_use]
     pub fn with_welcome(mut self) -> Self {
-        self.state.welcome = !self.state.look.welcomed;
+        let default = Origin::BuiltIn(presets::DEFAULT.to_owned());
+        self.state.welcome = !self.state.look.welcomed && self.state.document.origin == default;
+        self.state.seek_highlight = self.state.welcome;
         self
     }
 
@@ -259,6 +261,7 @@ impl App {
             Action::OpenBuiltIn(name) => {
                 if let Some(document) = Document::built_in(&name) {
                     self.state.open(document);
+                    self.state.seek_highlight = true;
                 }
             }
             Action::Save => match self.state.document.scene_file() {

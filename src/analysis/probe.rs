@@ -346,6 +346,47 @@ pub fn clearest_pixel(renderer: &mut Renderer, scene: &Scene) -> Probe {
     best.1
 }
 
+/// A pixel on the flank of the brightest highlight, where R, V and φ mean something: of a grid the one whose specular light is
+/// nearest to half of the most; the brightest by diffuse light where there is no highlight, and none without an object.
+pub fn pixel_beside_highlight(renderer: &mut Renderer, scene: &Scene) -> Option<[u32; 2]> {
+    const GRID: u32 = 24;
+    let [width, height] = scene.image.size;
+    let middles = |side: u32| (0..GRID).map(move |i| (2 * i + 1) * side / (2 * GRID));
+    let mut found = Vec::new();
+    for [x, y] in middles(height).flat_map(|y| middles(width).map(move |x| [x, y])) {
+        if let Some(hit) = probe(renderer, scene, x, y).hit {
+            let sum = |part: fn(&LightTerms) -> Rgb| -> f64 {
+                hit.lights
+                    .iter()
+                    .map(|light| part(light).max_element())
+                    .sum()
+            };
+            // Towards the outline the vectors lie in one line on the screen.
+            let faces = hit.normal.normalize_or_zero().dot(hit.view) > 0.35;
+            found.push((
+                [x, y],
+                faces,
+                sum(|light| light.specular),
+                sum(|light| light.diffuse),
+            ));
+        }
+    }
+    let most = found
+        .iter()
+        .map(|(.., specular, _)| *specular)
+        .fold(0.0, f64::max);
+    let worth = |(_, faces, specular, diffuse): &([u32; 2], bool, f64, f64)| {
+        let clear = f64::from(*faces);
+        if most > 0.02 {
+            clear - (specular / most - 0.5).abs()
+        } else {
+            clear + diffuse
+        }
+    };
+    let best = found.iter().max_by(|a, b| worth(a).total_cmp(&worth(b)));
+    best.map(|(pixel, ..)| *pixel)
+}
+
 /// How much a drawing at a pixel explains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Clarity {

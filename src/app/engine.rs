@@ -5,12 +5,12 @@ mod pane;
 mod refined;
 
 use super::look::{NumbersTab, OverlayLook};
+use super::place::ProbePoint;
 use super::state::AppState;
 use crate::analysis::{
     Brightest, Curves, ErrorFigures, Overlay, OverlayOptions, PaneFigures, Probe, Scan, ScanError,
     brightest, difference_picture, difference_scale, error_figures, scan_drawn,
 };
-use crate::figure::Area;
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
 use crate::text;
@@ -53,8 +53,8 @@ struct DrawnOverlay {
     texture: TextureHandle,
     overlay: Overlay,
     size: [u32; 2],
-    /// With the light's index, whether the background is dark, the scale of the interface, and what handles cover.
-    look: (OverlayLook, usize, bool, f32, Vec<Area>),
+    /// With the light's index, whether the background is dark, and the scale of the interface.
+    look: (OverlayLook, usize, bool, f32),
 }
 
 impl Engine {
@@ -105,6 +105,13 @@ impl Engine {
             let drawn = engine.draw(ctx, wanted, coarser);
             reprobed |= engine.probe(pixel, drawn);
             redrawn |= drawn;
+        }
+        if std::mem::take(&mut state.seek_highlight)
+            && let Some(pixel) = self.panes[self.active].beside_highlight()
+        {
+            state.probe = ProbePoint::at(pixel, size);
+            self.panes[self.active].probe(pixel, false);
+            reprobed = true;
         }
         redrawn |= self.shown != shown;
         self.shown = shown;
@@ -261,7 +268,6 @@ impl Engine {
             state.light,
             is_dark(scene),
             state.look.scale,
-            state.covered.clone(),
         );
         if !reprobed
             && self
@@ -274,7 +280,6 @@ impl Engine {
         let scale = f64::from(state.look.scale);
         let options = OverlayOptions {
             scale,
-            covered: look.4.clone(),
             ..overlay_options(&look.0, state.light, scene)
         };
         let (size, pane) = (self.size, self.active());

@@ -97,8 +97,7 @@ impl Overlay {
                 .push(style.drawing(equation.lobe(&sketch, scene, &options.layers)));
             (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, true, &options.layers);
         }
-        let corners = corner.iter().map(|corner| corner.pane);
-        let taken: Vec<Area> = corners.chain(options.covered.iter().copied()).collect();
+        let taken: Vec<Area> = corner.iter().map(|corner| corner.pane).collect();
         overlay.take(&mut sketch, &taken);
         if let Some(corner) = &mut corner {
             overlay.take(corner, &[]);

@@ -3,7 +3,9 @@
 //! Where drawing all of it would not keep up with the hand, a coarser picture is drawn while the pointer is held, by a renderer
 //! of its own, so that the whole one's stages are kept.
 
-use crate::analysis::{Halo, LinearPicture, OverlayLayer, OverlayOptions, Probe, probe};
+use crate::analysis::{
+    Halo, LinearPicture, OverlayLayer, OverlayOptions, Probe, pixel_beside_highlight, probe,
+};
 use crate::app::document::same_model;
 use crate::app::look::OverlayLook;
 use crate::geometry::Mesh;
@@ -213,6 +215,14 @@ impl PaneEngine {
         probe.pixel = pixel;
         self.probed = Some((pixel, probe));
         true
+    }
+
+    /// A pixel of the whole picture beside its highlight.
+    pub fn beside_highlight(&mut self) -> Option<[u32; 2]> {
+        let Drawing {
+            renderer, drawn, ..
+        } = &mut self.whole;
+        pixel_beside_highlight(renderer, drawn.as_ref()?)
     }
 
     /// The renderer of the picture in sight.
