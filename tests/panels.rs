@@ -335,7 +335,7 @@ fn a_silent_light_is_named_with_the_reason() {
         line_of(harness, &format!("light {light} at the probe: "))
     };
     assert!(says(&harness, "1").ends_with("blue"));
-    press(&mut harness, "Light 1 mute");
+    press(&mut harness, "Mute light 1");
     assert_eq!(says(&harness, "1"), "muted");
     assert!(
         harness
@@ -344,7 +344,7 @@ fn a_silent_light_is_named_with_the_reason() {
         "the chosen light is unfolded"
     );
     press(&mut harness, "Light 2");
-    press(&mut harness, "Light 2 solo");
+    press(&mut harness, "Solo light 2");
     assert_eq!(
         (says(&harness, "1"), says(&harness, "3")),
         ("muted".into(), "another is soloed".into())
@@ -664,7 +664,7 @@ fn polygons_are_counted_and_their_vertices_typed() {
             .is_none()
     );
     enter(&mut harness, "Vertex", 2.0);
-    enter(&mut harness, "Vertex place x", 1.25);
+    enter(&mut harness, "Vertex position x", 1.25);
     assert_eq!(scene(&harness).object.vertices[2].x, 1.25);
     undo(&mut harness);
     assert_eq!(scene(&harness).object.vertices[2].x, 0.85);

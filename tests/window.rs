@@ -110,14 +110,14 @@ fn lights_are_added_and_removed() {
     let mut harness = window("sphere");
     let before = picture(&harness);
     harness
-        .get_by_role_and_label(Role::Button, "Add a light")
+        .get_by_role_and_label(Role::Button, "Add light")
         .click_accesskit();
     harness.run();
     assert_eq!(scene(&harness).lights.len(), 2);
     let lit = picture(&harness);
     assert!(lit != before, "another light changes the picture");
     harness
-        .get_by_role_and_label(Role::Button, "Remove this light")
+        .get_by_role_and_label(Role::Button, "Remove light 2")
         .click_accesskit();
     harness.run();
     assert!(picture(&harness) == before);
@@ -348,7 +348,7 @@ fn a_spot_lights_cone_is_typed() {
 fn lights_are_muted_and_soloed() {
     let mut harness = window("three-lights");
     let all = picture(&harness);
-    press(&mut harness, "Light 1 mute");
+    press(&mut harness, "Mute light 1");
     let muted = picture(&harness);
     assert!(scene(&harness).lights[0].mute && muted != all);
     assert!(
@@ -357,10 +357,10 @@ fn lights_are_muted_and_soloed() {
             .is_some(),
         "its controls stay"
     );
-    press(&mut harness, "Reset Light 1");
+    press(&mut harness, "Mute light 1");
     assert!(picture(&harness) == all);
     press(&mut harness, "Light 2");
-    press(&mut harness, "Light 2 solo");
+    press(&mut harness, "Solo light 2");
     assert!(scene(&harness).lights[1].solo);
     assert!(picture(&harness) != all && picture(&harness) != muted);
     undo(&mut harness);
@@ -422,7 +422,7 @@ fn an_area_lights_points_and_their_error_are_shown() {
     );
     enter(&mut harness, "Light 1 radius", 1.5);
     assert_eq!(scene(&harness).lights[0].radius, 1.5);
-    press(&mut harness, "Light 1 mute");
+    press(&mut harness, "Mute light 1");
     assert!(
         wait(&mut harness, shown("does not reach the picture")),
         "a muted light has no error"
@@ -830,11 +830,7 @@ fn a_new_light_goes_where_it_is_seen_and_no_other_is() {
         for count in scene(&harness).lights.len() + 1..14 {
             press(
                 &mut harness,
-                if count < 8 {
-                    "Add a light"
-                } else {
-                    "Duplicate this light"
-                },
+                if count < 8 { "Add light" } else { "Duplicate" },
             );
             let Scene { lights, camera, .. } = scene(&harness);
             assert_eq!(lights.len(), count);
@@ -871,7 +867,7 @@ fn a_new_light_goes_where_it_is_seen_and_no_other_is() {
 fn a_light_from_afar_is_doubled_to_another_direction() {
     let mut harness = window("sun");
     for _ in 0..12 {
-        press(&mut harness, "Duplicate this light");
+        press(&mut harness, "Duplicate");
     }
     let directions: Vec<DVec3> = scene(&harness)
         .lights

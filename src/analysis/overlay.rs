@@ -100,6 +100,8 @@ pub struct OverlayOptions {
     /// Shows H for every model; without it for Blinn's alone.
     pub half_vector: bool,
     pub halo: Halo,
+    /// What else is drawn over the picture, pixels: labels keep off it.
+    pub covered: Vec<Area>,
     /// Multiplies lettering and line widths, from 0.05 to 20; 1 suits a picture that fills the screen.
     pub scale: f64,
 }
@@ -112,6 +114,7 @@ impl Default for OverlayOptions {
             length: None,
             half_vector: false,
             halo: Halo::Light,
+            covered: vec![],
             scale: 1.0,
         }
     }

@@ -513,14 +513,14 @@ impl AppState {
 
     /// Adds a light like this one where it is seen and no other is.
     fn add_light(&mut self, light: Light, size: [u32; 2]) {
-        let Scene { lights, camera, .. } = &mut self.shown.scene;
-        if lights.len() >= Scene::MAX_LIGHTS {
+        let scene = &mut self.shown.scene;
+        if scene.lights.len() >= Scene::MAX_LIGHTS {
             self.notice = Some(format!("a scene has at most {} lights", Scene::MAX_LIGHTS));
             return;
         }
-        let light = handles::apart(light, lights, camera, size);
-        lights.push(light);
-        self.light = lights.len() - 1;
+        let light = handles::apart(light, scene, size);
+        scene.lights.push(light);
+        self.light = scene.lights.len() - 1;
     }
 }
 

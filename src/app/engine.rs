@@ -11,6 +11,7 @@ use crate::analysis::{
     Brightest, Curves, ErrorFigures, Overlay, OverlayOptions, PaneFigures, Probe, Scan, ScanError,
     brightest, difference_picture, difference_scale, error_figures, scan_drawn,
 };
+use crate::figure::Area;
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
 use crate::text;
@@ -53,8 +54,8 @@ struct DrawnOverlay {
     texture: TextureHandle,
     overlay: Overlay,
     size: [u32; 2],
-    /// With the light's index, whether the background is dark, and the scale of the interface.
-    look: (OverlayLook, usize, bool, f32),
+    /// With the light's index, whether the background is dark, the scale of the interface, and what handles cover.
+    look: (OverlayLook, usize, bool, f32, Vec<Area>),
 }
 
 impl Engine {
@@ -268,6 +269,7 @@ impl Engine {
             state.light,
             is_dark(scene),
             state.look.scale,
+            state.covered.clone(),
         );
         if !reprobed
             && self
@@ -280,6 +282,7 @@ impl Engine {
         let scale = f64::from(state.look.scale);
         let options = OverlayOptions {
             scale,
+            covered: look.4.clone(),
             ..overlay_options(&look.0, state.light, scene)
         };
         let (size, pane) = (self.size, self.active());

@@ -11,7 +11,7 @@ use super::panes::{self, PanePlace};
 use super::place::{Place, ProbePoint};
 use super::profile::{self, Profiles};
 use super::scan;
-use super::state::{AppState, Drag, Grip};
+use super::state::{AppState, Drag, Grip, LightStart};
 use crate::scene::{Choice as _, View};
 use crate::text;
 use eframe::egui::accesskit::Role;
@@ -25,8 +25,6 @@ use glam::DVec2;
 const DEGREES_PER_HEIGHT: f64 = 180.0;
 /// How fast the wheel zooms: the logarithm of the factor a point of scrolling makes.
 const ZOOM_PER_POINT: f64 = 0.0025;
-/// How near the pointer must be to take hold of something, points.
-const REACH: f32 = 14.0;
 /// How near it must be to a vertex to light up its faces, points.
 const NEAR_VERTEX: f32 = 12.0;
 
@@ -62,6 +60,7 @@ pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Roo
         },
     );
     state.commit();
+    state.covered = handles::covered(state, &view, place);
     let smooth = state.look.smooth_edges && !profile::shows_perceived(state);
     engine.update(ui.ctx(), state, place.size, smooth);
     // Lights up the faces of the vertex that the pointer is on, where normals are shown.
@@ -111,7 +110,7 @@ fn pointed(
         .input(|input| input.pointer.press_origin())
         .filter(|_| pressed);
     if let Some(at) = origin
-        && !panes::on_wipe(state, panes, at, REACH)
+        && !panes::on_wipe(state, panes, at, handles::REACH)
         && let Some(pane) = panes::pane_at(panes, state.panes.active, at)
     {
         state.activate(pane.pane);
@@ -163,7 +162,7 @@ impl Pointed {
         let near = self
             .grips
             .iter()
-            .filter(|(_, there)| there.distance(at) <= REACH);
+            .filter(|(_, there)| there.distance(at) <= handles::REACH);
         let nearest = near.min_by(|(a, place_a), (b, place_b)| {
             rank(a)
                 .cmp(&rank(b))
@@ -171,7 +170,13 @@ impl Pointed {
         });
         match nearest {
             Some((grip, there)) => (*grip, self.place.pixel(*there) - self.place.pixel(at)),
-            None if panes::on_wipe(state, &panes::places(state, self.place), at, REACH) => {
+            None if panes::on_wipe(
+                state,
+                &panes::places(state, self.place),
+                at,
+                handles::REACH,
+            ) =>
+            {
                 (Grip::Wipe, DVec2::ZERO)
             }
             None => (Grip::Camera, DVec2::ZERO),
@@ -189,9 +194,14 @@ fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, poi
         let middle = response.dragged_by(PointerButton::Middle)
             || response.dragged_by(PointerButton::Secondary);
         let (grip, grab) = pointed.under(state, at);
+        let start = match grip {
+            Grip::Light(index) => handles::start(&state.shown.scene, index, &pointed.view, place),
+            _ => LightStart::default(),
+        };
         state.drag = Some(Drag {
             grip,
             grab,
+            start,
             deep: shift || (middle && grip == Grip::Camera),
         });
         choose(state, grip);
@@ -227,7 +237,7 @@ fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, poi
         let factor = (-scroll * ZOOM_PER_POINT).exp() / pinch;
         match grip {
             Grip::Light(index) => {
-                handles::push_light(&mut state.shown.scene, index, &pointed.view, -factor.ln());
+                handles::scale_light(&mut state.shown.scene, index, &pointed.view, factor);
             }
             _ => state.ask(Action::Zoom(factor)),
         }
@@ -256,7 +266,13 @@ fn put_probe(state: &mut AppState, place: Place, at: Pos2) {
 }
 
 fn drag(state: &mut AppState, response: &Response, at: Pos2, whole: Place, pointed: &Pointed) {
-    let Some(Drag { grip, grab, deep }) = state.drag else {
+    let Some(Drag {
+        grip,
+        grab,
+        deep,
+        start,
+    }) = state.drag
+    else {
         return;
     };
     let Pointed { place, view, .. } = pointed;
@@ -280,8 +296,8 @@ fn drag(state: &mut AppState, response: &Response, at: Pos2, whole: Place, point
         }
         Grip::Roll => handles::turn_to(state, *place, at),
         Grip::LineEnd(end) => state.line.put(end, pixel, place.size),
-        Grip::Light(index) if deep => handles::push_light(scene, index, view, -dy * 2.0),
-        Grip::Light(index) => handles::drag_light(scene, index, view, pixel),
+        Grip::Light(index) if deep => handles::scale_light(scene, index, view, (-dy * 2.0).exp()),
+        Grip::Light(index) => handles::drag_light(scene, index, view, &start, pixel),
         Grip::Vertex(vertex) if deep => handles::push_vertex(scene, vertex, view, -dy * 2.0),
         Grip::Vertex(vertex) => handles::drag_vertex(&mut scene.object, vertex, view, pixel),
         Grip::Aim { front } => handles::aim_at(scene, state.light, view, pixel, front),
@@ -364,7 +380,7 @@ fn paint_over(ui: &Ui, state: &AppState, engine: &Engine, place: Place, pane: us
     if active {
         defects::paint(&painter, state, place, &TextStyle::Body.resolve(ui.style()));
     }
-    if state.look.overlay.handles {
+    if handles::visible(ui.ctx(), state, place) {
         let pointer = ui.input(|input| input.pointer.hover_pos());
         handles::paint_vertices(&painter, state, &view, place, pointer);
     }

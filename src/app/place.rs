@@ -47,7 +47,12 @@ impl Place {
         self.rect.min + vec2(pixel.x as f32, pixel.y as f32) / self.pixels_per_point
     }
 
-    /// The same in double precision, for lines that may reach far out of sight.
+    /// [`Place::pixel`] in double precision.
+    pub fn exact_pixel(&self, at: DVec2) -> DVec2 {
+        (at - lines::exact(self.rect.min)) * f64::from(self.pixels_per_point)
+    }
+
+    /// [`Place::point`] in double precision, for lines that may reach far out of sight.
     pub fn exact_point(&self, pixel: DVec2) -> DVec2 {
         lines::exact(self.rect.min) + pixel / f64::from(self.pixels_per_point)
     }

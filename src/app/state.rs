@@ -17,10 +17,11 @@ use super::material::Gallery;
 use super::place::{ProbePoint, ProfileLine};
 use super::sampling::Sampling;
 use super::symbol::Lit;
+use crate::figure::Area;
 use crate::scene::parameter::Parameter;
 use crate::scene::{Compare, Scene, SceneError};
 use eframe::egui::Vec2;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -56,6 +57,8 @@ pub struct AppState {
     /// Pictures of the named materials.
     pub gallery: Gallery,
     pub drag: Option<Drag>,
+    /// What handles and captions cover in the active pane, in its pixels: the letters of vectors keep off it.
+    pub covered: Vec<Area>,
     pub lit: Lit,
     /// Shows the open view alone.
     pub enlarged: bool,
@@ -295,8 +298,21 @@ pub struct Drag {
     pub grip: Grip,
     /// From the pointer to the middle of what it holds, pixels.
     pub grab: DVec2,
-    /// A light or a vertex moves towards the viewer and away; the camera moves along the picture's plane.
+    /// A light changes its distance, a vertex moves towards the viewer and away; the camera moves along the picture's plane.
     pub deep: bool,
+    /// Where the light was that it holds.
+    pub start: LightStart,
+}
+
+/// Where a light was when a drag of it began.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LightStart {
+    /// From the object's middle towards the light, world.
+    pub offset: DVec3,
+    /// Its handle, in the picture's pixels.
+    pub pixel: DVec2,
+    /// Whether the handle was where the light is, not at the picture's edge.
+    pub in_picture: bool,
 }
 
 /// What the pointer can take hold of in the picture.

@@ -97,7 +97,8 @@ impl Overlay {
                 .push(style.drawing(equation.lobe(&sketch, scene, &options.layers)));
             (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, true, &options.layers);
         }
-        let taken: Vec<Area> = corner.iter().map(|corner| corner.pane).collect();
+        let corners = corner.iter().map(|corner| corner.pane);
+        let taken: Vec<Area> = corners.chain(options.covered.iter().copied()).collect();
         overlay.take(&mut sketch, &taken);
         if let Some(corner) = &mut corner {
             overlay.take(corner, &[]);

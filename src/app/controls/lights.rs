@@ -2,7 +2,7 @@
 
 use crate::app::action::Action;
 use crate::app::focus::{named, switch_named};
-use crate::app::row::{About, View, parameter_with, swatch, value_row};
+use crate::app::row::{View, parameter_with, swatch};
 use crate::app::sampling::Finding;
 use crate::app::state::AppState;
 use crate::app::symbol::{Lit, Symbol};
@@ -10,17 +10,21 @@ use crate::scene::light::{
     ATTENUATION, C1, C2, C3, COLOR, CONE, DIRECTION, EXPONENT, EXTENT, K, KIND, NAME, POSITION,
     RADIUS, SAMPLES, SHAPE, SOFTNESS, viewer_far,
 };
-use crate::scene::{Attenuation, Light, LightKind, Scene};
+use crate::scene::{Attenuation, Light, LightKind, Rgb, Scene};
+use crate::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Atom, Button, IdSalt, RichText, Sense, Stroke, Ui, vec2};
+use eframe::egui::{
+    Align, Atom, Button, Color32, IdSalt, Layout, Pos2, Rect, RichText, Shape, Stroke, StrokeKind,
+    Ui, Vec2, vec2,
+};
 use glam::DVec3;
 
-/// The longest name that a chip shows, in characters.
-const LONGEST: usize = 12;
+/// The side of a light's sign, points.
+const SIGN: f32 = 16.0;
 
-/// A chip for each light, and the rows of the chosen one; what its kind and its shape do not use is not shown.
+/// A line for each light, and the rows of the chosen one; what its kind and its shape do not use is not shown.
 pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
-    chips_ui(ui, state);
+    list_ui(ui, state);
     let (
         index,
         AppState {
@@ -38,11 +42,10 @@ pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
         },
     );
     if index >= scene.lights.len() {
-        ui.label(RichText::new("No light but the ambient. “+” adds one.").weak());
+        ui.label(RichText::new(text!("lights-none")).weak());
         return;
     }
     parameter_with(ui, lit, scene, &NAME, &view);
-    switches_ui(ui, lit, scene, index);
     kind_ui(ui, lit, scene, index);
     for row in [
         &POSITION, &DIRECTION, &CONE, &EXPONENT, &SOFTNESS, &SHAPE, &EXTENT, &RADIUS, &SAMPLES,
@@ -54,8 +57,8 @@ pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
     let Light { kind, samples, .. } = scene.lights[index];
     if kind == LightKind::Area {
         let text = error_text(sampling.ask(ui.ctx(), shown, index), samples);
-        let tip = "The difference to 4096 points, of white, over a small picture without shadows: the root mean square and the greatest of its channels.";
-        ui.label(RichText::new(text).weak()).on_hover_text(tip);
+        ui.label(RichText::new(text).weak())
+            .on_hover_text(text!("lights-sampling.tip"));
     }
     let scene = &mut shown.scene;
     parameter_with(ui, lit, scene, &COLOR, &view);
@@ -69,140 +72,185 @@ pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
         parameter_with(ui, lit, scene, row, &view);
     }
     if viewer_far(scene, index) {
-        ui.label(RichText::new("f uses the distance to the eye, though V is constant").weak());
+        ui.label(RichText::new(text!("lights-viewer-far")).weak());
     }
 }
 
-/// One chip a light, and what adds, doubles and removes them.
-fn chips_ui(ui: &mut Ui, state: &mut AppState) {
+/// One line a light, and what adds and doubles them.
+fn list_ui(ui: &mut Ui, state: &mut AppState) {
     let lit = state.lit.now == Some(Symbol::Lights);
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        let soloing = state.shown.scene.soloing();
-        for (index, light) in state.shown.scene.lights.iter().enumerate() {
-            if chip(
-                ui,
-                index,
-                light,
-                light.shines(soloing),
-                state.light == index,
-                lit,
-            ) {
-                state.light = index;
-            }
+    let soloing = state.shown.scene.soloing();
+    let mut removed = None;
+    for (index, light) in state.shown.scene.lights.iter_mut().enumerate() {
+        let shines = light.shines(soloing);
+        let asked = line_ui(ui, index, light, shines, state.light == index, lit);
+        match asked {
+            Some(Asked::Choose) => state.light = index,
+            Some(Asked::Remove) => removed = Some(index),
+            None => {}
         }
-        let index = state.light;
-        if tool(ui, "+", "Add a light", true) {
-            state.ask(Action::AddLight(Light::default()));
+    }
+    if let Some(index) = removed {
+        let lights = &mut state.shown.scene.lights;
+        lights.remove(index);
+        if state.light > index || state.light == lights.len() {
+            state.light = state.light.saturating_sub(1);
         }
-        let chosen = state.shown.scene.lights.get(index).cloned();
-        let duplicated = tool(ui, "▫▫", "Duplicate this light", chosen.is_some());
-        if tool(ui, "−", "Remove this light", chosen.is_some()) {
-            state.shown.scene.lights.remove(index);
-            state.light = index.min(state.shown.scene.lights.len().saturating_sub(1));
-        } else if let Some(light) = chosen.filter(|_| duplicated) {
+    }
+    ui.horizontal(|ui| {
+        if ui.button(text!("lights-add")).clicked() {
+            state.ask(Action::AddLight(moderate(&state.shown.scene)));
+        }
+        let chosen = state.shown.scene.lights.get(state.light).cloned();
+        let button = Button::new(text!("lights-duplicate"));
+        let duplicated = ui.add_enabled(chosen.is_some(), button).clicked();
+        if let Some(light) = chosen.filter(|_| duplicated) {
             state.ask(Action::AddLight(light));
         }
     });
 }
 
-/// A light that is silent is struck through and hollow.
-fn chip(ui: &mut Ui, index: usize, light: &Light, shines: bool, selected: bool, lit: bool) -> bool {
-    let is_shown = !light.name.trim().is_empty() && light.name.chars().count() <= LONGEST;
-    let text = RichText::new(if is_shown {
-        light.name.clone()
-    } else {
-        format!("L{}", index + 1)
-    });
-    let text = if shines { text } else { text.strikethrough() };
-    // The colour's place is kept free without letters, which would be struck through as well.
-    let mut button = Button::selectable(
-        selected,
-        (Atom::custom(IdSalt::new("colour"), vec2(12.0, 12.0)), text),
+/// A new light: the more there are, the weaker, so that their sum does not burn out.
+fn moderate(scene: &Scene) -> Light {
+    let soloing = scene.soloing();
+    let on = scene.lights.iter().filter(|light| light.shines(soloing));
+    let share = 0.8 / (1.0 + on.count() as f64).sqrt();
+    Light {
+        color: Rgb::splat((share * 20.0).round() / 20.0),
+        // Beside lamps that are heard alone it is one of them.
+        solo: soloing,
+        ..Light::default()
+    }
+}
+
+/// What a light's line asks for.
+enum Asked {
+    Choose,
+    Remove,
+}
+
+/// A light's kind and colour, its name, and its switches at the right.
+fn line_ui(
+    ui: &mut Ui,
+    index: usize,
+    light: &mut Light,
+    shines: bool,
+    chosen: bool,
+    lit: bool,
+) -> Option<Asked> {
+    let mut asked = None;
+    let height = ui.spacing().interact_size.y.max(24.0);
+    ui.allocate_ui_with_layout(
+        vec2(ui.available_width(), height),
+        Layout::right_to_left(Align::Center),
+        |ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            let number = index + 1;
+            let remove = ui.add(Button::new("×").min_size(vec2(24.0, 0.0)));
+            let name = text!("lights-remove", number = number);
+            if named(remove, Role::Button, &name)
+                .on_hover_text(name)
+                .clicked()
+            {
+                asked = Some(Asked::Remove);
+            }
+            let [solo, mute] = [
+                text!("lights-solo.name", number = number),
+                text!("lights-mute.name", number = number),
+            ];
+            let tips = [text!("lights-solo.tip"), text!("lights-mute.tip")];
+            switch(ui, [text!("lights-solo"), &solo, tips[0]], &mut light.solo);
+            switch(ui, [text!("lights-mute"), &mute, tips[1]], &mut light.mute);
+            if name_ui(ui, index, light, shines, chosen, lit) {
+                asked = Some(Asked::Choose);
+            }
+        },
     );
+    asked
+}
+
+/// Mute or Solo.
+fn switch(ui: &mut Ui, [label, name, tip]: [&str; 3], on: &mut bool) {
+    let button = Button::selectable(*on, label).frame_when_inactive(true);
+    let response = switch_named(ui.add(button), Role::Button, *on, name);
+    *on ^= response.on_hover_text(tip).clicked();
+}
+
+/// The light's sign and name over the rest of the line; struck through where it is off.
+fn name_ui(
+    ui: &mut Ui,
+    index: usize,
+    light: &Light,
+    shines: bool,
+    chosen: bool,
+    lit: bool,
+) -> bool {
+    let number = text!("lights-number", number = index + 1);
+    let own = light.name.trim();
+    let label = RichText::new(if own.is_empty() { &number } else { own });
+    let label = if shines {
+        label
+    } else {
+        label.strikethrough().weak()
+    };
+    let sign = (Atom::custom(IdSalt::new("sign"), vec2(SIGN, SIGN)), label);
+    let mut button = Button::selectable(chosen, sign)
+        .truncate()
+        .min_size(vec2(ui.available_width(), 0.0));
     // The chosen one keeps its colour, on which its letters are read.
-    if lit && !selected {
+    if lit && !chosen {
         button = button.fill(ui.visuals().widgets.hovered.bg_fill);
     }
-    let response = ui.add(button);
-    let centre = response.rect.left_center() + vec2(15.0, 0.0);
-    if shines {
-        ui.painter()
-            .circle(centre, 6.0, swatch(light.color), ui.visuals().window_stroke);
+    let response = ui
+        .with_layout(Layout::left_to_right(Align::Center), |ui| ui.add(button))
+        .inner;
+    let at = response.rect.left_center() + vec2(4.0 + 0.5 * SIGN, 0.0);
+    sign_of(ui, at, light, shines);
+    let name = if own.is_empty() {
+        number
     } else {
-        ui.painter().circle_stroke(
-            centre,
-            5.0,
-            Stroke::new(1.5, ui.visuals().weak_text_color()),
-        );
-    }
-    let number = format!("Light {}", index + 1);
-    let name = if light.name.is_empty() {
-        number.clone()
-    } else {
-        format!("{number}, {}", light.name)
+        text!("lights-named", number = index + 1, name = own)
     };
-    let response = switch_named(response, Role::Button, selected, &name);
-    let silent = if shines {
-        ""
+    let response = switch_named(response, Role::Button, chosen, &name);
+    let tip = if shines {
+        name
     } else {
-        "; it is silent: muted, or another light is soloed"
+        text!("lights-off", name = name)
     };
-    response
-        .on_hover_text(format!(
-            "Show the controls of {}{silent}",
-            name.to_lowercase()
-        ))
-        .clicked()
+    response.on_hover_text(tip).clicked()
 }
 
-fn tool(ui: &mut Ui, sign: &str, name: &str, enabled: bool) -> bool {
-    let response = ui.add_enabled(
-        enabled,
-        Button::new(sign)
-            .min_size(vec2(28.0, 0.0))
-            .sense(Sense::click()),
-    );
-    named(response, Role::Button, name)
-        .on_hover_text(name)
-        .clicked()
-}
-
-/// Mute and solo in one row.
-fn switches_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, index: usize) {
-    let Some(light) = scene.lights.get_mut(index) else {
-        return;
+/// A sign of the light's kind, filled with its colour; hollow where it is off.
+fn sign_of(ui: &Ui, at: Pos2, light: &Light, shines: bool) {
+    let painter = ui.painter();
+    let rim = Stroke::new(1.2, ui.visuals().weak_text_color());
+    let fill = if shines {
+        swatch(light.color)
+    } else {
+        Color32::TRANSPARENT
     };
-    let name = format!("Light {}", index + 1);
-    let tip = "A muted light is off. While any light is soloed, only soloed lights are on.";
-    let about = About {
-        label: "Switch",
-        name: &name,
-        tip,
-        symbol: Some(Symbol::Lights),
-        ..About::default()
-    };
-    let opened = lit
-        .opened
-        .lights
-        .get(index)
-        .map_or([false, false], |light| [light.mute, light.solo]);
-    let mut switches = [light.mute, light.solo];
-    value_row(ui, lit, &about, opened, &mut switches, |ui, switches| {
-        for (label, on) in ["mute", "solo"].into_iter().zip(switches) {
-            let button = Button::selectable(*on, label)
-                .frame_when_inactive(true)
-                .min_size(vec2(58.0, 0.0));
-            let response = switch_named(
-                ui.add(button),
-                Role::Button,
-                *on,
-                &format!("{name} {label}"),
-            );
-            *on ^= response.on_hover_text(tip).clicked();
+    match light.kind {
+        LightKind::Point => _ = painter.circle(at, 6.0, fill, rim),
+        LightKind::Directional => {
+            painter.circle(at, 4.0, fill, rim);
+            for k in 0..8u8 {
+                let way = Vec2::angled(f32::from(k) * std::f32::consts::FRAC_PI_4);
+                painter.line_segment([at + way * 5.5, at + way * 8.0], rim);
+            }
         }
-    });
-    [light.mute, light.solo] = switches;
+        LightKind::Spot => {
+            let cone = vec![
+                at + vec2(0.0, -7.0),
+                at + vec2(6.0, 6.0),
+                at + vec2(-6.0, 6.0),
+            ];
+            painter.add(Shape::convex_polygon(cone, fill, rim));
+        }
+        LightKind::Area => {
+            let area = Rect::from_center_size(at, vec2(14.0, 9.0));
+            painter.rect(area, 1.0, fill, rim, StrokeKind::Middle);
+        }
+    }
 }
 
 fn kind_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, index: usize) {
@@ -239,10 +287,15 @@ fn kind_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, index: usize) {
 fn error_text(finding: Finding, samples: u32) -> String {
     match finding {
         Finding::Waiting => "…".to_owned(),
-        Finding::Nothing => "no error: this light does not reach the picture".to_owned(),
+        Finding::Nothing => text!("lights-sampling-none").to_owned(),
         Finding::Error(error) => {
             let (rms, greatest) = (percent(error.rms), percent(error.greatest));
-            format!("N = {samples}: error {rms} (rms), {greatest} greatest")
+            text!(
+                "lights-sampling",
+                samples = samples,
+                rms = rms,
+                greatest = greatest
+            )
         }
     }
 }
@@ -251,7 +304,7 @@ fn error_text(finding: Finding, samples: u32) -> String {
 fn percent(part: f64) -> String {
     let percent = part * 100.0;
     if percent < 0.001 {
-        return "under 0.001 %".to_owned();
+        return "< 0.001 %".to_owned();
     }
     let decimals = (1.0 - percent.log10().floor()).clamp(0.0, 4.0) as usize;
     format!("{percent:.decimals$} %")
@@ -264,7 +317,7 @@ mod tests {
     #[test]
     fn an_error_has_two_digits() {
         for (part, text) in [
-            (0.0, "under 0.001 %"),
+            (0.0, "< 0.001 %"),
             (0.000_041, "0.0041 %"),
             (0.004_1, "0.41 %"),
             (0.012, "1.2 %"),

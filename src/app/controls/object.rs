@@ -12,6 +12,7 @@ use crate::app::symbol::{Lit, Symbol};
 use crate::geometry::{divisions_for, triangles};
 use crate::scene::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING, polygons_unused};
 use crate::scene::{ChoiceOption, NormalSource, Object, ObjectKind, Scene};
+use crate::text;
 use eframe::egui::{RichText, Ui};
 
 /// The most triangles that the slider reaches, and the most that can be typed: more than a gigabyte of polygons.
@@ -46,10 +47,12 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     match kind {
         ObjectKind::Obj => {
             let path = object.path.as_ref().and_then(|path| path.file_name());
-            let name = path.map_or("no model yet".into(), |name| name.to_string_lossy());
+            let name = path.map_or(text!("lights-model-none").into(), |name| {
+                name.to_string_lossy()
+            });
             ui.horizontal(|ui| {
                 ui.label(RichText::new(name).weak());
-                if ui.button("Open model…").clicked() {
+                if ui.button(text!("lights-model-open")).clicked() {
                     asked.push(Action::Open);
                 }
             });
@@ -67,9 +70,9 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     }
     let [faces, vertices, triangles] =
         [report.faces, report.vertices, report.triangles].map(grouped);
-    let tip = format!("Drawn as {triangles} triangles; a vertex is a point with one normal.");
-    ui.label(RichText::new(format!("{faces} polygons, {vertices} vertices")).weak())
-        .on_hover_text(tip);
+    let tip = text!("lights-mesh.tip", triangles = triangles);
+    let counts = text!("lights-mesh", faces = faces, vertices = vertices);
+    ui.label(RichText::new(counts).weak()).on_hover_text(tip);
     let scene = &mut shown.scene;
     parameter_with(
         ui,
@@ -117,9 +120,8 @@ fn triangles_ui(ui: &mut Ui, lit: &mut Lit, idle: Option<&str>, object: &mut Obj
         ..object.clone()
     }) as f64;
     let about = About {
-        label: "Triangles",
-        tip: "Sets segments and rings together, so that polygons are about as wide as high. The slider reaches a \
-              million; up to four million can be typed.",
+        label: text!("lights-triangles"),
+        tip: text!("lights-triangles.tip"),
         symbol: Some(Symbol::Normal),
         idle,
         ..About::default()
@@ -157,14 +159,11 @@ fn polygons_ui(ui: &mut Ui, lit: &mut Lit, vertex: &mut usize, object: &mut Obje
     let polygons = object.polygons();
     let count = polygons.vertices.len();
     let faces = polygons.faces.len();
-    ui.label(format!(
-        "{count} vertices, {faces} {}",
-        if faces == 1 { "face" } else { "faces" }
-    ));
+    ui.label(text!("lights-polygons", vertices = count, faces = faces));
     let how = if count <= MOST_HANDLES {
-        "Drag a vertex in the picture; with Shift along the line of sight. Faces are edited in the scene file."
+        text!("lights-polygons-drag")
     } else {
-        "Vertices and faces are edited in the scene file."
+        text!("lights-polygons-many")
     };
     ui.label(RichText::new(how).weak());
     *vertex = (*vertex).min(count.saturating_sub(1));
@@ -178,10 +177,9 @@ fn polygons_ui(ui: &mut Ui, lit: &mut Lit, vertex: &mut usize, object: &mut Obje
         decimals: 0,
         ..SliderRange::linear(0.0..=last)
     };
-    let tip = "The vertex whose place is given below, by its number in the scene file.";
     let about = About {
-        label: "Vertex",
-        tip,
+        label: text!("lights-vertex"),
+        tip: text!("lights-vertex.tip"),
         ..About::default()
     };
     whole(
@@ -195,11 +193,10 @@ fn polygons_ui(ui: &mut Ui, lit: &mut Lit, vertex: &mut usize, object: &mut Obje
         &mut number,
     );
     *vertex = number as usize;
-    let tip = "Where the vertex is; world units. It goes no farther than its polygons allow without crossing themselves.";
     let about = About {
-        label: "Place",
-        name: "Vertex place",
-        tip,
+        label: text!("lights-vertex-position"),
+        name: text!("lights-vertex-position.name"),
+        tip: text!("lights-vertex-position.tip"),
         ..About::default()
     };
     let mut to = at;

@@ -257,7 +257,7 @@ pub fn open_to(scene: &mut Scene, index: usize, view: &View, pixel: DVec2) {
 
 /// The unit direction from `centre` to the point of the sphere of radius `reach` that is seen at `pixel`, on the side of
 /// the viewer or beyond; beside the sphere, a point on the other side that comes the nearer the farther away `pixel` is.
-fn on_sphere(view: &View, pixel: DVec2, centre: DVec3, reach: f64, front: bool) -> DVec3 {
+pub fn on_sphere(view: &View, pixel: DVec2, centre: DVec3, reach: f64, front: bool) -> DVec3 {
     let (origin, along) = view.ray(pixel);
     let nearest = (centre - origin).dot(along);
     let offset = origin + along * nearest - centre;
