@@ -5,6 +5,7 @@
 
 use crate::render::Frame;
 use crate::scene::{Encoding, Scene};
+use crate::text::text;
 use png::text_metadata::ITXtChunk;
 use std::io::{BufRead, Seek, Write};
 
@@ -18,13 +19,13 @@ const ANCILLARY_LIMIT: usize = 64 << 20;
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// Not a PNG file, or a damaged one.
-    #[error("not a sound PNG picture ({0}), expected one that shading-lab exported")]
+    #[error("{}", text!("png-damaged", error = .0.to_string()))]
     Damaged(png::DecodingError),
     /// A picture from elsewhere, or one whose text another program dropped.
-    #[error("a picture without a scene, expected one that shading-lab exported")]
+    #[error("{}", text!("png-no-scene"))]
     NoScene,
     /// The text chunk does not hold text, or more than [`Scene::MAX_TEXT`] bytes of it.
-    #[error("the scene in the picture cannot be read ({0}), expected at most {limit} MiB of text", limit = Scene::MAX_TEXT >> 20)]
+    #[error("{}", text!("png-unreadable-scene", error = .0.to_string(), limit = Scene::MAX_TEXT >> 20))]
     UnreadableScene(png::DecodingError),
     /// The picture could not be written.
     #[error("{0}")]

@@ -5,6 +5,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use shading_lab::analysis::{Format, Method, Topic, Verdict};
 use shading_lab::scene::Choice;
 use shading_lab::scene::parameter::Parameter;
+use shading_lab::scene::presets;
 use shading_lab::text::{CHINESE_FONT, FILES};
 use skrifa::{FontRef, MetadataProvider};
 use std::collections::{BTreeMap, BTreeSet};
@@ -163,7 +164,7 @@ fn every_message_that_is_used_is_there_with_the_variables_it_is_given() {
 }
 
 /// Families of messages whose keys are put together from names in the code.
-const DERIVED: [&str; 2] = ["parameter-", "choice-"];
+const DERIVED: [&str; 4] = ["parameter-", "choice-", "scene-", "topic-"];
 
 /// The keys of [`DERIVED`] families, from what is there to be named.
 fn derived() -> BTreeSet<String> {
@@ -178,7 +179,15 @@ fn derived() -> BTreeSet<String> {
         .chain(Topic::OPTIONS)
         .chain(Verdict::OPTIONS)
         .flat_map(|option| option.messages.map(str::to_owned));
-    parameters.chain(options).collect()
+    let scenes = presets::ALL.iter().flat_map(|preset| {
+        let name = format!("scene-{}", preset.name);
+        [
+            format!("{name}.sentence"),
+            name,
+            format!("topic-{}", preset.topic),
+        ]
+    });
+    parameters.chain(options).chain(scenes).collect()
 }
 
 #[test]

@@ -21,11 +21,10 @@ fn every_built_in_scene_is_listed_and_drawn() {
         assert!(
             listed
                 .lines()
-                .any(|line| line.starts_with(preset.name)
-                    && line.ends_with(&preset.about().sentence))
+                .any(|line| line.starts_with(preset.name) && line.ends_with(preset.sentence()))
         );
         assert_eq!(json["scenes"][i]["name"], preset.name);
-        assert_eq!(json["scenes"][i]["title"], preset.about().title);
+        assert_eq!(json["scenes"][i]["title"], preset.title());
         folder.prints(&["render", preset.name, "-o", "a.png", "--size", "48x32"]);
         assert_eq!(
             size_of(&folder.0.join("a.png")),
@@ -239,7 +238,7 @@ fn what_is_wrong_with_a_file_is_named_with_its_line() {
     }
     // The rest of these lines is the words of the readers of those formats.
     for (file, beginning) in [
-        ("plain.png", "error: plain.png: not a sound PNG picture ("),
+        ("plain.png", "error: plain.png: not a valid PNG picture ("),
         ("bad.obj", "error: bad.obj:3: "),
         ("empty.obj", "error: empty.obj: "),
     ] {

@@ -327,7 +327,7 @@ fn what_cannot_change_anything_is_left_out() {
 fn before_the_front_the_picture_is_as_without() {
     for preset in presets::ALL
         .iter()
-        .filter(|preset| preset.about().topic == "Shapes")
+        .filter(|preset| preset.topic == "shapes")
     {
         let mut scene = preset.scene();
         scene.image.size = [40, 40];

@@ -320,10 +320,10 @@ fn what_the_scenes_say_of_total_reflection_is_seen_in_them() {
         );
         assert_eq!(
             critical.is_some(),
-            preset.about().sentence.contains("all light is reflected"),
+            preset.sentence().contains("all light is reflected"),
             "{name}"
         );
-        assert!(!preset.about().sentence.contains("totally"), "{name}");
+        assert!(!preset.sentence().contains("totally"), "{name}");
     }
 }
 

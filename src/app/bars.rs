@@ -137,7 +137,7 @@ pub fn title_ui(ui: &mut Ui, state: &mut AppState) {
                 ui.spacing_mut().item_spacing.y = 1.0;
                 let title = RichText::new(state.document.title()).strong();
                 ui.add(Label::new(title).truncate());
-                let sentence = &state.document.scene.about.sentence;
+                let sentence = state.document.sentence();
                 if !sentence.is_empty() {
                     ui.add(Label::new(RichText::new(sentence).weak()).wrap());
                 }

@@ -2,8 +2,9 @@
 
 use crate::document::Loaded;
 use crate::geometry::Mesh;
-use crate::scene::{Scene, presets};
-use crate::text::text;
+use crate::scene::Scene;
+use crate::scene::presets::{self, Preset};
+use crate::text::{Language, in_language, text};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::mem::replace;
@@ -59,11 +60,33 @@ impl Document {
 
     /// What its scene is called: its title, or the name of its file.
     pub fn title(&self) -> String {
-        let title = &self.scene.about.title;
+        let title = self
+            .preset()
+            .map_or(&*self.scene.about.title, |preset| preset.title());
         if title.is_empty() {
             self.origin.name()
         } else {
-            title.clone()
+            title.to_owned()
+        }
+    }
+
+    /// What there is to see in its scene; may be empty.
+    pub fn sentence(&self) -> &str {
+        self.preset()
+            .map_or(&*self.scene.about.sentence, |preset| preset.sentence())
+    }
+
+    /// The built-in scene that it comes from, whose words follow the language.
+    fn preset(&self) -> Option<&'static Preset> {
+        match &self.origin {
+            Origin::BuiltIn(name) => presets::find(name),
+            Origin::New => presets::find(presets::DEFAULT).filter(|preset| {
+                let title = &self.scene.about.title;
+                Language::ALL
+                    .into_iter()
+                    .any(|language| in_language(language, || preset.title()) == title)
+            }),
+            Origin::File(_) => None,
         }
     }
 

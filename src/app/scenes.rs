@@ -59,9 +59,9 @@ impl Work for Thumbnails {
 
 /// Whether a scene is one that is looked for.
 fn is_sought(preset: &Preset, sought: &str) -> bool {
-    let about = preset.about();
     let found = |text: &str| text.to_lowercase().contains(sought);
-    found(preset.name) || found(&about.title) || found(&about.sentence) || found(&about.topic)
+    let words = [preset.title(), preset.sentence(), preset.topic_title()];
+    found(preset.name) || words.into_iter().any(found)
 }
 
 /// Every scene by chapter; a click opens it.
@@ -108,14 +108,14 @@ pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
                 let scenes: Vec<_> = presets::ALL
                     .iter()
                     .enumerate()
-                    .filter(|(_, preset)| preset.about().topic == topic)
+                    .filter(|(_, preset)| preset.topic == topic)
                     .filter(|(_, preset)| is_sought(preset, &sought))
                     .collect();
                 if scenes.is_empty() {
                     continue;
                 }
                 any = true;
-                ui.label(RichText::new(topic).strong());
+                ui.label(RichText::new(presets::topic_title(topic)).strong());
                 ui.horizontal_wrapped(|ui| {
                     ui.spacing_mut().item_spacing = vec2(8.0, 8.0);
                     for (index, preset) in scenes {
@@ -138,8 +138,7 @@ pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
 /// A scene's picture over its title; whether it was clicked.
 fn card_ui(ui: &mut Ui, preset: &Preset, texture: Option<&TextureHandle>) -> bool {
     let (rect, response) = ui.allocate_exact_size(CARD, Sense::click());
-    let about = preset.about();
-    let response = named(response, Role::Button, &about.title);
+    let response = named(response, Role::Button, preset.title());
     if !ui.is_rect_visible(rect) {
         return response.clicked();
     }
@@ -164,14 +163,14 @@ fn card_ui(ui: &mut Ui, preset: &Preset, texture: Option<&TextureHandle>) -> boo
     }
     let font = TextStyle::Body.resolve(ui.style());
     let colour = ui.visuals().text_color();
-    let galley = painter.layout(about.title.clone(), font, colour, PICTURE.x);
+    let galley = painter.layout(preset.title().to_owned(), font, colour, PICTURE.x);
     let at = pos2(
         rect.center().x,
         place.max.y + 0.5 * (rect.max.y - place.max.y),
     );
     let corner = Align2::CENTER_CENTER.anchor_size(at, galley.size()).min;
     painter.galley(corner, galley, colour);
-    response.on_hover_text(about.sentence.as_str()).clicked()
+    response.on_hover_text(preset.sentence()).clicked()
 }
 
 impl AppState {

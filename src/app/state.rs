@@ -419,7 +419,7 @@ mod tests {
             let mut state = AppState::default();
             state.open(Document::built_in(preset.name).expect("a built-in scene"));
             let opened = serde_json::to_value(state.look.tab).expect("a word");
-            assert_eq!(opened, preset.about().view, "{}", preset.name);
+            assert_eq!(opened, preset.view(), "{}", preset.name);
         }
     }
 

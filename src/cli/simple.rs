@@ -31,13 +31,11 @@ impl List {
             .map(|preset| preset.name.len())
             .max()
             .unwrap_or(0);
-        let line =
-            |preset: &Preset| format!("{:width$}  {}\n", preset.name, preset.about().sentence);
+        let line = |preset: &Preset| format!("{:width$}  {}\n", preset.name, preset.sentence());
         let object = |preset: &Preset| {
-            let about = preset.about();
             json!({
-                "name": preset.name, "title": about.title, "topic": about.topic, "description": about.sentence,
-                "view": about.view,
+                "name": preset.name, "title": preset.title(), "topic": preset.topic_title(), "description": preset.sentence(),
+                "view": preset.view(),
             })
         };
         self.print("scenes", presets::ALL, line, object)

@@ -3,6 +3,7 @@
 use super::Scene;
 use super::camera::Overflow;
 use super::choice::{Choice, choices};
+use super::format::list_of;
 use super::overrides::is_inside;
 use super::parameter::{Limits, Slider, at_most, table};
 use super::problem::{Cause, Finding, Place, Problem, SceneError};
@@ -293,13 +294,13 @@ const SHARED: [&str; 5] = ["version", "camera", "image", "compare", "object.path
 pub(super) fn problems(scene: &Scene) -> Vec<Finding> {
     let Compare { panes, view, .. } = &scene.compare;
     if panes.len() > Compare::MAX_PANES {
-        let expected = text!("picture-problem-most-panes", count = Compare::MAX_PANES);
-        let found = text!("picture-problem-list", count = panes.len());
+        let expected = text!("expected-panes", count = Compare::MAX_PANES);
+        let found = list_of(panes.len());
         return vec![Finding::new("compare.pane", Cause::value(found, expected))];
     }
     if *view != CompareView::Single && panes.is_empty() {
-        let words = format!(" {}", text!("picture-problem-no-pane"));
-        return vec![Finding::new("compare.view", Cause::Key(words))];
+        let words = text!("problem-nothing-to-compare");
+        return vec![Finding::new("compare.view", Cause::Key(words.to_owned()))];
     }
     panes
         .iter()
@@ -311,16 +312,18 @@ pub(super) fn problems(scene: &Scene) -> Vec<Finding> {
 fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
     let key = format!("compare.pane.{index}.set");
     if pane.set.len() > Compare::MAX_SETTINGS {
-        let expected = text!("picture-problem-at-most", count = Compare::MAX_SETTINGS);
-        let found = text!("picture-problem-list", count = pane.set.len());
-        return vec![Finding::new(key, Cause::value(found, expected))];
+        let expected = at_most(Compare::MAX_SETTINGS);
+        return vec![Finding::new(
+            key,
+            Cause::value(list_of(pane.set.len()), expected),
+        )];
     }
     let shared = |setting: &String| {
         let name = setting.split_once('=').map_or("", |(name, _)| name.trim());
         SHARED.iter().any(|shared| is_inside(name, shared))
     };
     if let Some(at) = pane.set.iter().position(shared) {
-        let expected = text!("picture-problem-shared");
+        let expected = text!("expected-pane-key");
         return vec![Finding::new(
             format!("{key}.{at}"),
             Cause::value(format_args!("{:?}", pane.set[at]), expected),
@@ -335,13 +338,9 @@ fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
             .iter()
             .position(|setting| matches!(&problem.place, Place::Override(text) if text == setting));
         let key = at.map_or_else(|| key.clone(), |at| format!("{key}.{at}"));
-        Finding::new(
-            key,
-            Cause::Key(format!(
-                ": {}",
-                Finding::in_words(&problem.key, &problem.cause)
-            )),
-        )
+        let words = Finding::in_words(&problem.key, &problem.cause);
+        let sentence = format!("`{key}`: {words}");
+        Finding::new(key, Cause::Text(sentence))
     };
     error.problems().iter().map(found).collect()
 }

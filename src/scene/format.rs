@@ -9,11 +9,12 @@ mod reader;
 use super::Scene;
 use super::parameter::{Kind, List, Parameter};
 use super::problem::{Cause, Finding, Place, SceneError};
+use crate::text::text;
 use reader::read;
 use toml::Value;
 use toml::de::{DeTable, DeValue};
 
-pub(super) use datum::{Datum, read_coefficient, value_text};
+pub(super) use datum::{Datum, list_of, read_coefficient, value_text};
 pub(super) use reader::set;
 
 /// Tables that are left out where all of it has its default.
@@ -57,15 +58,12 @@ impl Scene {
             });
         };
         if text.len() > Self::MAX_TEXT {
-            whole(
-                0,
-                format!("longer than {} MiB, expected a scene", Self::MAX_TEXT >> 20),
-            );
+            whole(0, text!("problem-too-long", limit = Self::MAX_TEXT >> 20));
         } else {
             match DeTable::parse(text) {
                 Err(error) => whole(
                     error.span().map_or(0, |span| span.start),
-                    error.message().to_owned(),
+                    text!("problem-toml", message = error.message()),
                 ),
                 Ok(document) => {
                     (scene, findings) = read(document.get_ref());

@@ -3,6 +3,7 @@
 use super::Scene;
 use super::format::set;
 use super::problem::{Cause, Finding, Place, SceneError};
+use crate::text::text;
 use std::borrow::Cow;
 use toml::Spanned;
 use toml::de::DeValue;
@@ -40,8 +41,8 @@ impl Scene {
 /// Replaces one key; limits are not looked at.
 fn replace(scene: &mut Scene, assignment: &str) -> Vec<Finding> {
     let Some((key, value)) = key_and_value(assignment) else {
-        let words = "no `=` after a key, expected KEY=VALUE, for example material.n=50";
-        return vec![Finding::new("", Cause::Text(words.to_owned()))];
+        let words = text!("problem-no-equals").to_owned();
+        return vec![Finding::new("", Cause::Text(words))];
     };
     match parse_value(value) {
         Ok(value) => set(scene, key, value),
@@ -61,8 +62,8 @@ fn parse_value(text: &str) -> Result<Spanned<DeValue<'_>>, Cause> {
         Ok(value) => Ok(value),
         Err(error) if text.is_empty() || text.starts_with(['[', '{', '"', '\'']) => {
             Err(Cause::value(
-                format_args!("not a value ({})", error.message()),
-                "one as in a file",
+                text!("found-not-a-value", message = error.message()),
+                text!("expected-file-value"),
             ))
         }
         Err(_) => Ok(Spanned::new(0..0, DeValue::String(Cow::Borrowed(text)))),

@@ -5,9 +5,11 @@
 //! the edge of another.
 
 use super::Object;
-use super::parameter::LEAST_LENGTH;
+use super::format::list_of;
+use super::parameter::{LEAST_LENGTH, at_most};
 use super::shared::Shared;
 use super::validation::{Checks, direction_outside, point_outside};
+use crate::text::text;
 use glam::{DVec2, DVec3};
 use std::sync::LazyLock;
 
@@ -91,11 +93,7 @@ impl Object {
             ("object.faces", faces.len()),
         ] {
             if count > Self::MAX_POLYGONS {
-                checks.value(
-                    key,
-                    format!("a list of {count}"),
-                    format!("at most {}", Self::MAX_POLYGONS),
-                );
+                checks.value(key, list_of(count), at_most(Self::MAX_POLYGONS));
                 sound = false;
             }
         }
@@ -103,8 +101,8 @@ impl Object {
         if corners > Self::MAX_ALL_CORNERS {
             checks.value(
                 "object.faces",
-                format!("{corners} corners"),
-                format!("at most {}", Self::MAX_ALL_CORNERS),
+                text!("found-corners", count = corners),
+                at_most(Self::MAX_ALL_CORNERS),
             );
             sound = false;
         }
@@ -121,18 +119,15 @@ impl Object {
             );
         }
         if !vertex_normals.is_empty() && vertex_normals.len() != vertices.len() {
-            let expected = format!("{}, one for each vertex, or none", vertices.len());
+            let expected = text!("expected-vertex-normals", count = vertices.len());
             checks.value(
                 "object.vertex_normals",
-                format!("a list of {}", vertex_normals.len()),
+                list_of(vertex_normals.len()),
                 expected,
             );
         }
         if faces.is_empty() && !vertices.is_empty() {
-            checks.found(
-                "object.faces",
-                "is empty, expected at least one polygon since there are `object.vertices`",
-            );
+            checks.found("object.faces", text!("problem-no-faces"));
         }
         for (f, face) in faces.iter().enumerate() {
             check_face(&format!("object.faces.{f}"), face, vertices, sound, checks);
@@ -143,8 +138,8 @@ impl Object {
 /// What is wrong with a polygon; its shape is looked at where the vertices are sound.
 fn check_face(key: &str, face: &[u32], vertices: &[DVec3], sound: bool, checks: &mut Checks) {
     if !(3..=Object::MAX_CORNERS).contains(&face.len()) {
-        let expected = format!("3 to {} vertices", Object::MAX_CORNERS);
-        return checks.value(key, format!("a list of {}", face.len()), expected);
+        let expected = text!("expected-corners", most = Object::MAX_CORNERS);
+        return checks.value(key, list_of(face.len()), expected);
     }
     let mut known = true;
     for (k, &v) in face
@@ -154,8 +149,8 @@ fn check_face(key: &str, face: &[u32], vertices: &[DVec3], sound: bool, checks: 
     {
         known = false;
         let expected = match vertices.len() {
-            0 => "no polygon, since `object.vertices` is empty".to_owned(),
-            count => format!("the number of a vertex, 0 to {}", count - 1),
+            0 => text!("expected-no-polygon").to_owned(),
+            count => text!("expected-vertex", last = count - 1),
         };
         checks.value(&format!("{key}.{k}"), v.to_string(), expected);
     }
@@ -166,8 +161,8 @@ fn check_face(key: &str, face: &[u32], vertices: &[DVec3], sound: bool, checks: 
     {
         return checks.value(
             key,
-            format!("a polygon with the vertex {twice} twice"),
-            "each vertex once",
+            text!("found-vertex-twice", vertex = twice),
+            text!("expected-vertex-once"),
         );
     }
     if known
@@ -193,8 +188,7 @@ impl Polygons {
 
 /// Why a polygon of different, known vertices cannot be drawn: what it is, and what was expected.
 fn unsound(face: &[u32], vertices: &[DVec3]) -> Option<(String, &'static str)> {
-    const NO_AREA: &str = "a polygon without an area";
-    const AREA: &str = "corners that span one";
+    let no_area = || (text!("found-no-area").to_owned(), text!("expected-area"));
     let first = vertices[face[0] as usize];
     let mut offsets: Vec<DVec3> = face.iter().map(|&v| vertices[v as usize] - first).collect();
     let extent = offsets
@@ -202,20 +196,22 @@ fn unsound(face: &[u32], vertices: &[DVec3]) -> Option<(String, &'static str)> {
         .map(|offset| offset.abs().max_element())
         .fold(0.0, f64::max);
     if extent < LEAST_LENGTH {
-        return Some((NO_AREA.to_owned(), AREA));
+        return Some(no_area());
     }
     offsets.iter_mut().for_each(|offset| *offset /= extent);
     let area = area_vector(offsets.iter().copied());
     if let Some([i, j]) = meeting_edges(&flattened(&offsets, area)) {
-        let ends = |k: usize| format!("{} to {}", face[k], face[(k + 1) % face.len()]);
-        let found = format!(
-            "a polygon whose edges from vertex {} and {} meet",
-            ends(i),
-            ends(j)
+        let end = |k: usize| face[(k + 1) % face.len()];
+        let found = text!(
+            "found-edges-meet",
+            first = face[i],
+            first_end = end(i),
+            second = face[j],
+            second_end = end(j)
         );
-        return Some((found, "one that neither crosses nor touches itself"));
+        return Some((found, text!("expected-no-crossing")));
     }
-    (area.length() < TOUCH).then(|| (NO_AREA.to_owned(), AREA))
+    (area.length() < TOUCH).then(no_area)
 }
 
 /// The points seen along `axis`, in any frame; along z where it is zero.

@@ -1,6 +1,8 @@
-//! The built-in scenes: the scene files of `assets/scenes`, compiled in and read when first asked for.
+//! The built-in scenes: the scene files of `assets/scenes`, compiled in and read when first asked for. What people read
+//! about them is in the catalogue: `scene-NAME` with its `.sentence`, and `topic-TOPIC`.
 
 use super::{About, Scene};
+use crate::text::text;
 use std::sync::LazyLock;
 
 /// A scene that comes with the program.
@@ -8,17 +10,49 @@ use std::sync::LazyLock;
 pub struct Preset {
     /// What the command line calls it: lower-case words with hyphens.
     pub name: &'static str,
+    /// The chapter that it belongs to, one of [`topics`].
+    pub topic: &'static str,
+    /// The messages of its title, sentence and topic.
+    messages: [&'static str; 3],
     scene: LazyLock<Scene>,
 }
 
 impl Preset {
+    /// The scene with what it is about in the language of the moment.
     pub fn scene(&self) -> Scene {
-        self.scene.clone()
+        Scene {
+            about: self.about(),
+            ..self.scene.clone()
+        }
     }
 
-    /// Title, sentence, topic and view.
-    pub fn about(&self) -> &About {
-        &self.scene.about
+    pub fn title(&self) -> &'static str {
+        text!(self.messages[0])
+    }
+
+    /// What to look at and what to try.
+    pub fn sentence(&self) -> &'static str {
+        text!(self.messages[1])
+    }
+
+    /// What its chapter is called.
+    pub fn topic_title(&self) -> &'static str {
+        text!(self.messages[2])
+    }
+
+    /// The view of the window that opens with it; may be empty.
+    pub fn view(&self) -> &str {
+        &self.scene.about.view
+    }
+
+    /// Title, sentence, topic and view in the language of the moment.
+    pub fn about(&self) -> About {
+        About {
+            title: self.title().to_owned(),
+            sentence: self.sentence().to_owned(),
+            topic: self.topic_title().to_owned(),
+            view: self.view().to_owned(),
+        }
     }
 }
 
@@ -26,8 +60,17 @@ impl Preset {
 pub const DEFAULT: &str = "teapot";
 
 macro_rules! scenes {
-    ($($name:literal)+) => {
-        [$(Preset { name: $name, scene: LazyLock::new(|| read($name, include_str!(concat!("../../assets/scenes/", $name, ".toml")))) }),+]
+    ($($topic:literal: $($name:literal)+;)+) => {
+        [$($(Preset {
+            name: $name,
+            topic: $topic,
+            messages: [
+                concat!("scene-", $name),
+                concat!("scene-", $name, ".sentence"),
+                concat!("topic-", $topic),
+            ],
+            scene: LazyLock::new(|| read($name, include_str!(concat!("../../assets/scenes/", $name, ".toml")))),
+        }),+),+]
     };
 }
 
@@ -35,14 +78,14 @@ macro_rules! scenes {
 pub static ALL: &[Preset] = &SCENES;
 
 static SCENES: [Preset; 44] = scenes! {
-    "sphere" "torus" "cylinder" "cone" "cube" "plane" "teapot"
-    "highlight" "flat-facets" "mach-bands" "silhouette" "perspective-distortion" "orientation" "shared-vertices"
-    "vertex-normals" "depth-cueing"
-    "ambient-only" "sun" "spotlight" "soft-shadow" "three-lights" "colored-lights" "attenuation"
-    "attenuation-quadratic" "attenuation-viewer" "infinite"
-    "matt" "blinn" "tinted-highlight" "mirror-like" "gold" "glass-rim" "microfacets" "two-sided" "overflow" "brass"
-    "opengl" "checker" "rings"
-    "shadows" "glass-ball" "one-surface" "under-water" "one-bounce"
+    "shapes": "sphere" "torus" "cylinder" "cone" "cube" "plane" "teapot";
+    "shading": "highlight" "flat-facets" "mach-bands" "silhouette" "perspective-distortion" "orientation" "shared-vertices"
+        "vertex-normals" "depth-cueing";
+    "light": "ambient-only" "sun" "spotlight" "soft-shadow" "three-lights" "colored-lights" "attenuation"
+        "attenuation-quadratic" "attenuation-viewer" "infinite";
+    "reflection": "matt" "blinn" "tinted-highlight" "mirror-like" "gold" "glass-rim" "microfacets" "two-sided" "overflow"
+        "brass" "opengl" "checker" "rings";
+    "surfaces": "shadows" "glass-ball" "one-surface" "under-water" "one-bounce";
 };
 
 fn read(name: &str, text: &str) -> Scene {
@@ -57,12 +100,25 @@ pub fn find(name: &str) -> Option<&'static Preset> {
 
 /// The topics of the built-in scenes, each once, in their order.
 pub fn topics() -> Vec<&'static str> {
-    let mut topics: Vec<_> = ALL
-        .iter()
-        .map(|preset| preset.about().topic.as_str())
-        .collect();
+    let mut topics: Vec<_> = ALL.iter().map(|preset| preset.topic).collect();
     topics.dedup();
     topics
+}
+
+/// What a topic is called.
+pub fn topic_title(topic: &str) -> &'static str {
+    let preset = ALL.iter().find(|preset| preset.topic == topic);
+    preset.map_or("", Preset::topic_title)
+}
+
+/// What the built-in scene of that name is called; empty where there is none.
+pub fn title(name: &str) -> &'static str {
+    find(name).map_or("", Preset::title)
+}
+
+/// What to look at in the built-in scene of that name and what to try; empty where there is none.
+pub fn sentence(name: &str) -> &'static str {
+    find(name).map_or("", Preset::sentence)
 }
 
 /// The scene shown when none is named.

@@ -1,6 +1,7 @@
 //! What can be wrong with a scene, where, and what was expected instead.
 
 use super::nearest::nearest;
+use crate::text::text;
 use std::fmt;
 
 /// Everything that is wrong with a scene: one problem or more.
@@ -57,9 +58,9 @@ impl fmt::Display for SceneError {
         ) {
             (0, _) => Ok(()),
             (more, Some(Place::Line { file, .. })) => {
-                write!(f, "\n{file}: {more} more problems, expected none")
+                write!(f, "\n{file}: {}", text!("problem-more", count = more))
             }
-            (more, _) => write!(f, "\n{more} more problems, expected none"),
+            (more, _) => write!(f, "\n{}", text!("problem-more", count = more)),
         }
     }
 }
@@ -98,20 +99,30 @@ pub enum Cause {
 impl Cause {
     /// A value that cannot be what the key means, by its type or by its number.
     pub(super) fn value(found: impl fmt::Display, expected: impl fmt::Display) -> Self {
-        Self::Key(format!(" is {found}, expected {expected}"))
+        Self::Key(text!(
+            "problem-value",
+            found = found.to_string(),
+            expected = expected.to_string()
+        ))
     }
 
     /// A choice that is not offered.
     pub(super) fn unknown_word(word: &str, known: &[&'static str]) -> Self {
-        Self::Key(format!(" is {}, {}", quoted(word), choices(word, known)))
+        Self::Key(text!(
+            "problem-unknown-word",
+            found = quoted(word),
+            expected = choices(word, known)
+        ))
     }
 
     /// The file's version is not one that this program reads.
     pub(super) fn version(found: impl fmt::Display) -> Self {
         let (program, version) = (env!("CARGO_PKG_VERSION"), super::Scene::VERSION);
-        Self::Text(format!(
-            "`version` is {found}, expected {version}: shading-lab {program} reads version {version}, \
-             for a later one take a later shading-lab"
+        Self::Text(text!(
+            "problem-version",
+            found = found.to_string(),
+            version = version,
+            program = program
         ))
     }
 }
@@ -145,12 +156,11 @@ impl Finding {
         let short = shortened(key);
         match cause {
             Cause::UnknownKey { known } => {
-                format!(
-                    "unknown key `{short}`, {}",
-                    choices(short.rsplit('.').next().unwrap_or(&short), known)
-                )
+                let name = short.rsplit('.').next().unwrap_or(&short);
+                let expected = choices(name, known);
+                text!("problem-unknown-key", key = short, expected = expected)
             }
-            Cause::Key(words) => format!("`{short}`{words}"),
+            Cause::Key(words) => format!("`{short}` {words}"),
             Cause::Text(sentence) => sentence.clone(),
         }
     }
@@ -170,12 +180,14 @@ impl fmt::Display for Problem {
 /// The words to choose from, with the one probably meant.
 fn choices(word: &str, known: &[&'static str]) -> String {
     let meant = nearest(word, known.iter().copied());
-    let hint = meant.map_or_else(String::new, |meant| format!(" (did you mean {meant}?)"));
-    format!(
-        "expected {}{}{hint}",
-        if known.len() > 1 { "one of " } else { "" },
-        known.join(", ")
-    )
+    let expected = match known {
+        [one] => text!("problem-expected", known = *one),
+        _ => text!("problem-expected-one-of", known = known.join(", ")),
+    };
+    match meant {
+        Some(meant) => text!("problem-did-you-mean", expected = expected, meant = meant),
+        None => expected,
+    }
 }
 
 /// A piece of the user's text in quotation marks, short and without control characters.

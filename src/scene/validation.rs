@@ -2,10 +2,13 @@
 
 use super::camera::Camera;
 use super::compare;
+use super::format::list_of;
 use super::light::Attenuation;
 use super::material::{AmbientSource, PatternKind};
 use super::object::ObjectKind;
-use super::parameter::{GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, is_grey};
+use super::parameter::{
+    GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, at_most, is_grey,
+};
 use super::problem::{Cause, Finding, Place, SceneError};
 use super::{Image, Rgb, Scene};
 use crate::text::text;
@@ -58,8 +61,8 @@ impl Scene {
         if self.lights.len() > Self::MAX_LIGHTS {
             checks.value(
                 "light",
-                format!("a list of {}", self.lights.len()),
-                format!("at most {}", Self::MAX_LIGHTS),
+                list_of(self.lights.len()),
+                at_most(Self::MAX_LIGHTS),
             );
         }
         for parameter in Parameter::all() {
@@ -77,17 +80,10 @@ impl Scene {
             && checks.sound("depth_cueing.back")
             && cue.front >= cue.back
         {
-            checks.found(
-                "depth_cueing.back",
-                "is not beyond `depth_cueing.front`, expected a greater one",
-            );
+            checks.found("depth_cueing.back", text!("problem-depth-cueing"));
         }
         if self.ambient.source == AmbientSource::Split && self.greatest_ambient() > GREATEST_SPLIT {
-            checks.found(
-                "ambient.color",
-                "is so bright that beside the ambient term one bounce is lost to rounding, expected an ambient term of at \
-                 most 10000, or `ambient.source` \"constant\" or \"bounce\"",
-            );
+            checks.found("ambient.color", text!("problem-split-ambient"));
         }
         self.check_samples(&mut checks);
         if checks.found.is_empty() {
@@ -107,17 +103,11 @@ impl Scene {
         let scale = eye.length().max(target.length());
         let forward = target - eye;
         if forward.length() <= (LEAST_SEPARATION * scale).max(LEAST_LENGTH) {
-            checks.found(
-                "camera.eye",
-                "is the same point as `camera.target`, expected two different points",
-            );
+            checks.found("camera.eye", text!("problem-eye-target"));
         } else if checks.sound("camera.up")
             && forward.normalize().cross(up.normalize()).length() < LEAST_TILT
         {
-            checks.found(
-                "camera.up",
-                "is parallel to the viewing direction, expected a direction across it",
-            );
+            checks.found("camera.up", text!("problem-up-parallel"));
         }
     }
 
@@ -127,9 +117,9 @@ impl Scene {
             .iter()
             .any(|side| !(1..=Image::MAX_SIDE).contains(side))
         {
-            format!("sides of 1 to {} pixels", Image::MAX_SIDE)
+            text!("expected-sides", side = Image::MAX_SIDE)
         } else if u64::from(width) * u64::from(height) > Image::MAX_PIXELS {
-            format!("at most {} pixels in all", Image::MAX_PIXELS)
+            text!("expected-pixels", pixels = Image::MAX_PIXELS)
         } else {
             return;
         };
@@ -140,19 +130,17 @@ impl Scene {
         match &self.object.path {
             Some(path) if path.to_str().is_none() => {
                 let found = format!("{:?}", path.to_string_lossy());
-                checks.value(
-                    "object.path",
-                    found,
-                    "a path in Unicode, as a scene file can hold it",
-                );
+                checks.value("object.path", found, text!("expected-unicode-path"));
             }
             Some(path) if path.as_os_str().is_empty() => {
-                checks.value("object.path", "empty", "the path of a model");
+                checks.value(
+                    "object.path",
+                    text!("found-empty"),
+                    text!("expected-model-path"),
+                );
             }
             None if self.object.kind == ObjectKind::Obj => {
-                let words =
-                    "is missing, expected the path of a model since `object.kind` is \"obj\"";
-                checks.found("object.path", words);
+                checks.found("object.path", text!("problem-path-missing"));
             }
             _ => {}
         }
@@ -165,8 +153,10 @@ impl Scene {
                 .all(|name| checks.sound(&format!("light.{index}.{name}")));
             let zero = light.c1 + light.c2 + light.c3 == 0.0;
             if sound && light.attenuation == Attenuation::Quadratic && zero {
-                let words = "is 0 like `c2` and `c3`, expected one of c1, c2, c3 above 0";
-                checks.found(&format!("light.{index}.c1"), words);
+                checks.found(
+                    &format!("light.{index}.c1"),
+                    text!("problem-attenuation-zero"),
+                );
             }
         }
     }
@@ -181,8 +171,8 @@ impl Scene {
         if samples > Self::MAX_LIGHT_SAMPLES {
             checks.value(
                 "light",
-                format!("{samples} samples in all"),
-                format!("at most {}", Self::MAX_LIGHT_SAMPLES),
+                text!("found-samples", count = samples),
+                text!("range-at-most", count = Self::MAX_LIGHT_SAMPLES),
             );
         }
         let pixels: u64 = self
@@ -192,11 +182,7 @@ impl Scene {
             .map(|side| u64::from(*side))
             .product();
         if self.shading.shadows && samples.saturating_mul(pixels) > Self::MAX_SHADOW_BITS {
-            checks.found(
-                "image.size",
-                "has too many pixels for so many shadows, expected a smaller picture, fewer samples of area lights, or no \
-                 shadows",
-            );
+            checks.found("image.size", text!("problem-shadow-pixels"));
         }
     }
 
@@ -234,7 +220,7 @@ impl Checks {
     /// `words` follow the key in the message.
     pub(super) fn found(&mut self, key: &str, words: &str) {
         self.found
-            .push(Finding::new(key, Cause::Key(format!(" {words}"))));
+            .push(Finding::new(key, Cause::Key(words.to_owned())));
     }
 
     pub(super) fn value(
@@ -264,20 +250,24 @@ impl Checks {
 impl Parameter {
     /// What its value is and what was expected instead, where it is outside its limits.
     fn outside(&self, scene: &Scene, index: usize) -> Option<(String, String)> {
-        let unit = if self.unit == Some(Unit::Degrees) {
-            " degrees"
-        } else {
-            ""
+        let in_unit = |limits: Limits| match self.unit {
+            Some(Unit::Degrees) => text!("expected-degrees", range = limits.to_string()),
+            _ => limits.to_string(),
         };
         let channels = |value: Rgb, limits: Limits| {
             let sound = value
                 .to_array()
                 .iter()
                 .all(|channel| limits.contains(*channel));
-            (!sound).then(|| (triple(value), format!("{limits} in each channel")))
+            (!sound).then(|| {
+                (
+                    triple(value),
+                    text!("expected-channels", range = limits.to_string()),
+                )
+            })
         };
         let one = |value: f64, limits: Limits| {
-            (!limits.contains(value)).then(|| (number(value), format!("{limits}{unit}")))
+            (!limits.contains(value)).then(|| (number(value), in_unit(limits)))
         };
         match self.kind {
             // One number where the channels agree, as it was typed.
@@ -303,7 +293,7 @@ impl Parameter {
                 let text = (at.get)(scene, index)?;
                 let sound = text.chars().count() <= longest && !text.chars().any(char::is_control);
                 let found = || format!("{:?}", text.chars().take(20).collect::<String>());
-                (!sound).then(|| (found(), format!("at most {longest} characters in one line")))
+                (!sound).then(|| (found(), text!("range-text", longest = longest)))
             }
             Kind::Choice(_) | Kind::Switch(_) | Kind::Other(..) => None,
         }
@@ -318,7 +308,7 @@ pub(super) fn point_outside(value: DVec3) -> Option<(String, String)> {
     (!sound).then(|| {
         (
             triple(value),
-            format!("coordinates up to {}", number(GREATEST_LENGTH)),
+            text!("expected-coordinates", greatest = number(GREATEST_LENGTH)),
         )
     })
 }
@@ -327,7 +317,7 @@ pub(super) fn direction_outside(value: DVec3) -> Option<(String, String)> {
     let short = || {
         (
             triple(value),
-            format!("a direction, of length {} or more", number(LEAST_LENGTH)),
+            text!("expected-direction", least = number(LEAST_LENGTH)),
         )
     };
     point_outside(value).or_else(|| (value.length() < LEAST_LENGTH).then(short))

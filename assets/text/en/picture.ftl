@@ -189,8 +189,3 @@ picture-flat-greatest = greatest difference
 
 # What is wrong with panes, and why a setting has no effect
 picture-idle-one-pane = There is only one pane
-picture-problem-most-panes = at most { $count } beside the scene itself
-picture-problem-list = a list of { $count }
-picture-problem-at-most = at most { $count }
-picture-problem-no-pane = compares with nothing, expected a [[compare.pane]]
-picture-problem-shared = a key that panes may differ in (they share camera, image and model)

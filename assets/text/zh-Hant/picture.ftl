@@ -180,8 +180,3 @@ picture-flat-greatest = 最大差異
 
 # What is wrong with panes, and why a setting has no effect
 picture-idle-one-pane = 只有一個窗格
-picture-problem-most-panes = 場景之外最多 { $count } 個
-picture-problem-list = 有 { $count } 項的清單
-picture-problem-at-most = 最多 { $count } 個
-picture-problem-no-pane = 沒有可比較的對象，應有 [[compare.pane]]
-picture-problem-shared = 窗格可以不同的鍵（相機、圖片與模型為共用）

@@ -6,23 +6,24 @@
 //! objects end after [`PIECE`] corners.
 
 use crate::geometry::mesh::FAR;
+use crate::text::text;
 use glam::DVec3;
 use std::io::{self, BufRead, Read, Write};
 
 /// Why a model could not be read. The message says what is wrong and what was expected, [`ObjError::line`] where.
 #[derive(Debug, thiserror::Error)]
 pub enum ObjError {
-    #[error("cannot be read: {0}")]
+    #[error("{}", text!("obj-unreadable", error = .0.to_string()))]
     Read(#[from] io::Error),
     #[error("{what}")]
     Line { line: u64, what: String },
-    #[error("the file is empty, expected an OBJ model with `v` and `f` lines")]
+    #[error("{}", text!("obj-empty"))]
     Empty,
-    #[error("there is no face with three different corners, expected at least one `f` line")]
+    #[error("{}", text!("obj-no-face"))]
     NoFace,
-    #[error("the model has more than {} corners, expected fewer", u32::MAX)]
+    #[error("{}", text!("obj-too-large", most = u32::MAX))]
     TooLarge,
-    #[error("the model was refused: {0}")]
+    #[error("{}", text!("obj-refused", error = .0.to_string()))]
     Refused(tobj::LoadError),
 }
 
@@ -112,10 +113,7 @@ impl<'a, R: BufRead> Lines<'a, R> {
                 return Err(not_text(number));
             }
             if self.text.len() > LONGEST {
-                return Err(at(
-                    number,
-                    format!("the line is longer than {LONGEST} bytes, expected an OBJ model"),
-                ));
+                return Err(at(number, text!("obj-line-too-long", longest = LONGEST)));
             }
             self.trim(before);
             if !(ended && self.text.ends_with(b"\\")) {
@@ -223,7 +221,7 @@ impl<R: BufRead> Read for Prepared<'_, R> {
         if self.taken == self.writer.text.len() {
             self.outcome = self.refill();
             if self.outcome.is_err() {
-                return Err(io::Error::other("the model is not sound"));
+                return Err(io::Error::other("refused"));
             }
         }
         let read = (&self.writer.text[self.taken..]).read(buffer)?;
@@ -251,13 +249,11 @@ impl Writer {
         line: u64,
         mut words: impl Iterator<Item = &'w [u8]>,
     ) -> Result<(), ObjError> {
-        let (mut point, xyz) = vector(line, &mut words, "a coordinate", "three coordinates x y z")?;
+        let (mut point, xyz) = vector(line, &mut words, "obj-coordinate", "obj-three-coordinates")?;
         if let (Some(weight), None) = (words.next(), words.next()) {
-            point /= match number(line, weight, "a weight")? {
+            point /= match number(line, weight, "obj-weight")? {
                 0.0 => {
-                    let what =
-                        "a vertex of weight 0 is at infinity, expected a weight that is not zero";
-                    return Err(at(line, what));
+                    return Err(at(line, text!("obj-weight-zero")));
                 }
                 weight => weight,
             };
@@ -268,11 +264,7 @@ impl Writer {
         let relative = (point - self.origin).as_vec3();
         if let Some(k) = (0..3).find(|&k| !relative[k].is_finite()) {
             let word = quoted(xyz[k]);
-            let expected = "expected a number between -3.4e38 and 3.4e38";
-            return Err(at(
-                line,
-                format!("the coordinate {word} is not finite in single precision, {expected}"),
-            ));
+            return Err(at(line, text!("obj-not-finite", word = word)));
         }
         self.positions += 1;
         self.write(format_args!(
@@ -290,8 +282,8 @@ impl Writer {
         let (normal, _) = vector(
             line,
             &mut words,
-            "a component of a normal",
-            "three components of a normal",
+            "obj-normal-component",
+            "obj-three-components",
         )?;
         if self.normals == 0 {
             // Faces so far have no normals; what they become must not have any either.
@@ -317,7 +309,7 @@ impl Writer {
         if corners.len() < 3 {
             return Err(at(
                 line.number,
-                format!("a face of {} vertices, expected at least 3", corners.len()),
+                text!("obj-few-vertices", count = corners.len()),
             ));
         }
         if self.corners_in_piece + corners.len() > PIECE {
@@ -341,7 +333,6 @@ impl Writer {
 
     /// The numbers, from 1, of the position and normal of a corner; 0 for no normal.
     fn corner(&self, line: &Line, word: &[u8]) -> Result<(u64, u64), ObjError> {
-        const EXPECTED: &str = "a corner of a face, v, v/vt, v//vn or v/vt/vn with whole numbers";
         let mut fields = word.split(|&byte| byte == b'/');
         let [position, texture, normal] =
             [fields.next(), fields.next(), fields.next()].map(Option::unwrap_or_default);
@@ -350,13 +341,13 @@ impl Writer {
         let cut_off = !line.ended && line.text.ends_with(b"/") && line.text.ends_with(word);
         let sound = whole(position).is_some() && empty_or_whole(texture) && empty_or_whole(normal);
         if fields.next().is_some() || cut_off || !sound {
-            return Err(malformed(line.number, word, EXPECTED));
+            return Err(malformed(line.number, word, "obj-corner"));
         }
-        let position = absolute(line.number, "vertex", position, self.positions)?;
+        let position = absolute(line.number, "obj-no-such-vertex", position, self.positions)?;
         let normal = if normal.is_empty() {
             0
         } else {
-            absolute(line.number, "normal", normal, self.normals)?
+            absolute(line.number, "obj-no-such-normal", normal, self.normals)?
         };
         Ok((position, normal))
     }
@@ -380,14 +371,16 @@ fn at(line: u64, what: impl Into<String>) -> ObjError {
 }
 
 fn not_text(line: u64) -> ObjError {
-    at(
-        line,
-        "this is not text, expected an OBJ model in ASCII or UTF-8",
-    )
+    at(line, text!("obj-not-text"))
 }
 
+/// The message `expected` says what `word` is not.
 fn malformed(line: u64, word: &[u8], expected: &str) -> ObjError {
-    at(line, format!("`{}` is not {expected}", quoted(word)))
+    let expected = text!(expected);
+    at(
+        line,
+        text!("obj-malformed", word = quoted(word), expected = expected),
+    )
 }
 
 /// A word of the file for a message: valid text, and no longer than a message may be.
@@ -411,9 +404,12 @@ fn vector<'w>(
     let mut xyz = [&[][..]; 3];
     let mut vector = DVec3::ZERO;
     for k in 0..3 {
-        xyz[k] = words
-            .next()
-            .ok_or_else(|| at(line, format!("{k} numbers, expected {three}")))?;
+        xyz[k] = words.next().ok_or_else(|| {
+            at(
+                line,
+                text!("obj-few-numbers", count = k, expected = text!(three)),
+            )
+        })?;
         vector[k] = number(line, xyz[k], one)?;
     }
     Ok((vector, xyz))
@@ -437,21 +433,14 @@ fn whole(field: &[u8]) -> Option<(bool, &[u8])> {
     (!digits.is_empty() && digits.iter().all(u8::is_ascii_digit)).then_some((negative, digits))
 }
 
-/// The number from 1 of the thing that a face names, of which `count` come before it.
-fn absolute(line: u64, kind: &str, field: &[u8], count: u64) -> Result<u64, ObjError> {
+/// The number from 1 of the thing that a face names, of which `count` come before it; the message `unknown`
+/// where there is none.
+fn absolute(line: u64, unknown: &str, field: &[u8], count: u64) -> Result<u64, ObjError> {
     let resolved = whole(field).and_then(|(negative, digits)| {
         let number: u64 = std::str::from_utf8(digits).ok()?.parse().ok()?;
         (1..=count)
             .contains(&number)
             .then(|| if negative { count + 1 - number } else { number })
     });
-    resolved.ok_or_else(|| {
-        let expected = format!(
-            "expected 1 to {count} or -{count} to -1, as {count} of them come before this line"
-        );
-        at(
-            line,
-            format!("the face names {kind} {}, {expected}", quoted(field)),
-        )
-    })
+    resolved.ok_or_else(|| at(line, text!(unknown, number = quoted(field), count = count)))
 }

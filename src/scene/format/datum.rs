@@ -3,6 +3,7 @@
 use super::super::Shared;
 use super::super::choice::Choice;
 use super::super::problem::{Cause, Finding, quoted};
+use crate::text::text;
 use glam::DVec3;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -35,11 +36,11 @@ impl Datum for f64 {
             },
             // `inf` and `nan` are meant, digits too large to hold are not.
             DeValue::Float(number) => (number.as_str(), number.as_str().ends_with(['f', 'n'])),
-            other => return Err(Finding::value(found(other), "a number")),
+            other => return Err(Finding::value(found(other), text!("expected-number"))),
         };
         match text.parse::<f64>() {
             Ok(value) if value.is_finite() || infinite => Ok(value),
-            _ => Err(Finding::value(text, "a number below 1.8e308 (or inf)")),
+            _ => Err(Finding::value(text, text!("expected-number-in-range"))),
         }
     }
 
@@ -51,13 +52,13 @@ impl Datum for f64 {
 impl Datum for u32 {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
         let whole = |value: &DeValue<'_>| value.as_integer().and_then(integer)?.try_into().ok();
-        scalar(value, whole, "a whole number, 0 or more")
+        scalar(value, whole, "expected-whole")
     }
 }
 
 impl Datum for bool {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
-        scalar(value, |value| value.as_bool(), "true or false")
+        scalar(value, |value| value.as_bool(), "expected-bool")
     }
 }
 
@@ -66,7 +67,7 @@ impl Datum for String {
         scalar(
             value,
             |value| value.as_str().map(str::to_owned),
-            "text in quotation marks",
+            "expected-text",
         )
     }
 }
@@ -76,7 +77,7 @@ impl Datum for Option<PathBuf> {
         scalar(
             value,
             |value| value.as_str().map(|path| Some(path.into())),
-            "a path in quotation marks",
+            "expected-path",
         )
     }
 
@@ -92,7 +93,7 @@ impl<T: Choice + Serialize> Datum for T {
         let DeValue::String(word) = value.get_ref() else {
             return Err(Finding::value(
                 found(value.get_ref()),
-                format_args!("one of {}", words.join(", ")),
+                text!("expected-one-of", words = words.join(", ")),
             ));
         };
         T::from_word(word).ok_or_else(|| Finding::new("", Cause::unknown_word(word, &words)))
@@ -101,7 +102,7 @@ impl<T: Choice + Serialize> Datum for T {
 
 impl Datum for DVec3 {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
-        array(value, "a list of three numbers").map(Self::from_array)
+        array(value, "expected-three").map(Self::from_array)
     }
 
     fn same(&self, other: &Self) -> bool {
@@ -111,7 +112,7 @@ impl Datum for DVec3 {
 
 impl Datum for [f64; 2] {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
-        array(value, "a list of two numbers")
+        array(value, "expected-two")
     }
 
     fn same(&self, other: &Self) -> bool {
@@ -121,13 +122,13 @@ impl Datum for [f64; 2] {
 
 impl Datum for [u32; 2] {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
-        array(value, "a list of two whole numbers")
+        array(value, "expected-two-whole")
     }
 }
 
 impl<T: Datum> Datum for Shared<T> {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
-        list(value, "a list").map(Self::from)
+        list(value, "expected-list").map(Self::from)
     }
 
     fn same(&self, other: &Self) -> bool {
@@ -139,36 +140,34 @@ impl<T: Datum> Datum for Shared<T> {
 /// The settings of a pane.
 impl Datum for Vec<String> {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
-        list(
-            value,
-            "a list of settings in quotation marks, as in [\"shading.mode=exact\"]",
-        )
+        list(value, "expected-settings")
     }
 }
 
 /// A coefficient: one number for all channels, or three.
 pub fn read_coefficient(value: &Spanned<DeValue<'_>>) -> Result<DVec3, Finding> {
-    const EXPECTED: &str = "a number or [red, green, blue]";
+    const EXPECTED: &str = "expected-coefficient";
     match value.get_ref() {
         DeValue::Array(_) => array(value, EXPECTED).map(DVec3::from_array),
         DeValue::Integer(_) | DeValue::Float(_) => f64::read(value).map(DVec3::splat),
-        other => Err(Finding::value(found(other), EXPECTED)),
+        other => Err(Finding::value(found(other), text!(EXPECTED))),
     }
 }
 
+/// `expected` is a message, here and below.
 fn scalar<T>(
     value: &Spanned<DeValue<'_>>,
     read: impl Fn(&DeValue<'_>) -> Option<T>,
     expected: &str,
 ) -> Result<T, Finding> {
-    read(value.get_ref()).ok_or_else(|| Finding::value(found(value.get_ref()), expected))
+    read(value.get_ref()).ok_or_else(|| Finding::value(found(value.get_ref()), text!(expected)))
 }
 
 fn list<T: Datum>(value: &Spanned<DeValue<'_>>, expected: &str) -> Result<Vec<T>, Finding> {
     let elements = value
         .get_ref()
         .as_array()
-        .ok_or_else(|| Finding::value(found(value.get_ref()), expected))?;
+        .ok_or_else(|| Finding::value(found(value.get_ref()), text!(expected)))?;
     let element = |(i, element): (usize, &Spanned<DeValue<'_>>)| {
         T::read(element).map_err(|wrong| Finding {
             key: format!(".{i}{}", wrong.key),
@@ -186,7 +185,12 @@ fn array<T: Datum, const N: usize>(
     let list = list(value, expected)?;
     let count = list.len();
     list.try_into()
-        .map_err(|_| Finding::value(format_args!("a list of {count}"), expected))
+        .map_err(|_| Finding::value(list_of(count), text!(expected)))
+}
+
+/// A list of so many, as a message names it.
+pub fn list_of(count: usize) -> String {
+    text!("found-list-of", count = count)
 }
 
 /// A value of a wrong type, as a message repeats it.
@@ -196,9 +200,9 @@ pub fn found(value: &DeValue<'_>) -> String {
         DeValue::Integer(number) => number.to_string(),
         DeValue::Float(number) => number.to_string(),
         DeValue::Boolean(value) => value.to_string(),
-        DeValue::Datetime(_) => "a date".to_owned(),
-        DeValue::Array(_) => "a list".to_owned(),
-        DeValue::Table(_) => "a table of keys".to_owned(),
+        DeValue::Datetime(_) => text!("found-date").to_owned(),
+        DeValue::Array(_) => text!("found-list").to_owned(),
+        DeValue::Table(_) => text!("found-table").to_owned(),
     }
 }
 

@@ -4,6 +4,7 @@ use super::super::Scene;
 use super::super::parameter::{List, Parameter, defaults};
 use super::super::problem::{Cause, Finding, shortened};
 use super::datum::{found, integer};
+use crate::text::text;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -97,10 +98,7 @@ fn element_of<'v, 'i, 'p>(
     let mut key = key.clone();
     for part in path {
         let DeValue::Array(list) = value else {
-            let words = format!(
-                " is a single value, expected no `{}` after it",
-                shortened(part)
-            );
+            let words = text!("problem-single-value", part = shortened(part));
             return Err(key.finding(Cause::Key(words)));
         };
         let index = element(part, list.len()).map_err(|cause| key.finding(cause))?;
@@ -114,15 +112,17 @@ fn element_of<'v, 'i, 'p>(
 fn element(part: &str, count: usize) -> Result<usize, Cause> {
     let index = part
         .parse()
-        .map_err(|_| Cause::value("a list", "a number from 0 after it"))?;
+        .map_err(|_| Cause::value(text!("found-list"), text!("expected-index")))?;
     let expected = match count {
         _ if index < count => return Ok(index),
-        0 => "none, since it is empty".to_owned(),
-        1 => "0, its only one".to_owned(),
-        _ => format!("0 to {}", count - 1),
+        0 => text!("expected-no-index").to_owned(),
+        1 => text!("expected-only-index").to_owned(),
+        _ => text!("range-between", least = 0, greatest = count - 1),
     };
-    Err(Cause::Key(format!(
-        " has no element {index}, expected {expected}"
+    Err(Cause::Key(text!(
+        "problem-no-element",
+        index = index,
+        expected = expected
     )))
 }
 
@@ -224,12 +224,12 @@ impl Reader<'_> {
                 }
                 Ok(())
             }
-            (Node::List(_), other) => Err(Finding::value(found(other), "a list of tables")),
+            (Node::List(_), other) => Err(Finding::value(found(other), text!("expected-tables"))),
             (_, DeValue::Table(table)) => {
                 self.table(key, table);
                 Ok(())
             }
-            (_, other) => Err(Finding::value(found(other), "a table of keys")),
+            (_, other) => Err(Finding::value(found(other), text!("expected-table"))),
         };
         if let Err(wrong) = read {
             let (offset, key) = (
