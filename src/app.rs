@@ -101,6 +101,8 @@ pub struct App {
     /// Whether a dialog, or the progress of work on a file, stands in front of everything else: the keys are for that.
     in_front: bool,
     recovery: Option<Recovery>,
+    /// The language that this run was started in, and the choice in the menu that it goes before; another choice ends it.
+    started_in: Option<(Language, Option<Language>)>,
 }
 
 impl App {
@@ -133,6 +135,7 @@ impl App {
             title: String::new(),
             in_front: false,
             recovery: None,
+            started_in: None,
         }
     }
 
@@ -172,6 +175,13 @@ impl App {
         let default = Origin::BuiltIn(presets::DEFAULT.to_owned());
         self.state.welcome = !self.state.look.welcomed && self.state.document.origin == default;
         self.state.seek_highlight = self.state.welcome;
+        self
+    }
+
+    /// The same window in `language`, where there is one, until another is chosen in its menu; it is not remembered.
+    #[must_use]
+    pub fn in_language(mut self, language: Option<Language>) -> Self {
+        self.started_in = language.map(|language| (language, self.state.look.language));
         self
     }
 
@@ -238,7 +248,13 @@ impl App {
             ThemeChoice::Light => ThemePreference::Light,
         });
         ctx.set_zoom_factor(self.state.look.scale);
-        let wanted = self.state.look.language.unwrap_or_else(Language::of_system);
+        let chosen = self.state.look.language;
+        self.started_in = self.started_in.filter(|(_, before)| *before == chosen);
+        let wanted = self
+            .started_in
+            .map(|(language, _)| language)
+            .or(chosen)
+            .unwrap_or_else(Language::of_system);
         if wanted != language() {
             set_language(wanted);
             // What views have worked out holds text.

@@ -12,6 +12,7 @@ use crate::render::Frame;
 use crate::scene::{
     About, Choice, NormalSource, Object, ObjectKind, Scene, SceneError, nearest, presets,
 };
+use crate::text::{Message, text};
 use atomic_write_file::AtomicWriteFile;
 use std::ffi::OsStr;
 use std::fmt::Display;
@@ -61,18 +62,23 @@ impl LoadError {
         }
     }
 
-    fn unreadable(path: &Path, expected: &str, error: &io::Error) -> Self {
-        match error.kind() {
-            io::ErrorKind::NotFound => {
-                Self::file(path, format!("no such file, expected {expected}"))
+    fn unreadable(path: &Path, expected: Message, error: &io::Error) -> Self {
+        let expected = expected.text();
+        let problem = match error.kind() {
+            io::ErrorKind::NotFound => text!("document-no-such-file", expected = expected),
+            _ => {
+                let error = error.to_string();
+                text!("document-unreadable", error = error, expected = expected)
             }
-            _ => Self::file(
-                path,
-                format!("cannot be read ({error}), expected {expected}"),
-            ),
-        }
+        };
+        Self::file(path, problem)
     }
 }
+
+/// What a file was expected to be.
+const SCENE_FILE: Message = Message("document-scene-file");
+const MODEL: Message = Message("document-model");
+const PICTURE: Message = Message("document-picture");
 
 /// Opens a scene: a `.toml` file; a `.obj` model in the default scene, fitted; a `.png` with its scene inside; or a
 /// built-in scene by its name, which goes before a file of the same name without such an ending.
@@ -131,7 +137,7 @@ pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<
     let (ObjectKind::Obj, Some(path)) = (object.kind, &object.path) else {
         return Ok(None);
     };
-    let (file, total) = open(path, "an OBJ model")?;
+    let (file, total) = open(path, MODEL)?;
     let mut told = |read| progress(read, total);
     let refused = |error: ObjError| {
         let (line, problem) = (error.line(), error.to_string());
@@ -167,28 +173,27 @@ fn read_scene(source: &Path) -> Result<(Scene, Option<PathBuf>), LoadError> {
 }
 
 fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
-    let expected = "a scene file";
-    let (file, _) = open(path, expected)?;
+    let (file, _) = open(path, SCENE_FILE)?;
     let mut bytes = Vec::new();
     // One byte more than the parser accepts, so that it can object.
     let read = file
         .take(Scene::MAX_TEXT as u64 + 1)
         .read_to_end(&mut bytes);
-    read.map_err(|error| LoadError::unreadable(path, expected, &error))?;
+    read.map_err(|error| LoadError::unreadable(path, SCENE_FILE, &error))?;
     let text = std::str::from_utf8(&bytes).map_err(|error| {
         let before = bytes.get(..error.valid_up_to()).unwrap_or_default();
         let line = Some(1 + before.iter().filter(|byte| **byte == b'\n').count() as u64);
         LoadError::File {
             path: path.to_owned(),
             line,
-            problem: "not UTF-8, expected a text".to_owned(),
+            problem: text!("document-not-utf-8").to_owned(),
         }
     })?;
     Ok(Scene::parse(text, &path.to_string_lossy())?)
 }
 
 fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {
-    let (file, _) = open(path, "a picture")?;
+    let (file, _) = open(path, PICTURE)?;
     let text =
         read_scene_text(BufReader::new(file)).map_err(|error| LoadError::file(path, error))?;
     Ok(Scene::parse(&text, &path.to_string_lossy())?)
@@ -216,44 +221,34 @@ fn built_in(source: &Path) -> Result<Scene, LoadError> {
         return Ok(preset.scene());
     }
     if source.is_dir() {
-        return Err(LoadError::file(
-            source,
-            "a directory, expected a .toml, .obj or .png file",
-        ));
+        return Err(LoadError::file(source, text!("document-directory")));
     }
     if source.exists() || source.extension().is_some() || source.components().count() > 1 {
-        return Err(LoadError::file(
-            source,
-            "an unknown kind of file, expected .toml, .obj or .png",
-        ));
+        return Err(LoadError::file(source, text!("document-unknown-kind")));
     }
     let name: String = source.to_string_lossy().escape_debug().collect();
     let meant = nearest(&name, presets::ALL.iter().map(|preset| preset.name));
     let meant = meant
-        .map(|meant| format!(" (did you mean {meant}?)"))
+        .map(|meant| text!("document-did-you-mean", name = meant))
         .unwrap_or_default();
-    let expected =
-        format!("expected a .toml, .obj or .png file or a name{meant}; see `shading-lab scenes`");
     Err(LoadError::file(
         Path::new(&name),
-        format!("no built-in scene of that name, {expected}"),
+        text!("document-no-such-scene", meant = meant),
     ))
 }
 
 /// A regular file with its length in bytes.
-fn open(path: &Path, expected: &str) -> Result<(File, u64), LoadError> {
+fn open(path: &Path, expected: Message) -> Result<(File, u64), LoadError> {
     let unreadable = |error: io::Error| LoadError::unreadable(path, expected, &error);
     let metadata = fs::metadata(path).map_err(unreadable)?;
     if !metadata.is_file() {
-        let what = if metadata.is_dir() {
-            "a directory"
+        let expected = expected.text();
+        let problem = if metadata.is_dir() {
+            text!("document-directory-not-file", expected = expected)
         } else {
-            "not a regular file"
+            text!("document-not-regular", expected = expected)
         };
-        return Err(LoadError::file(
-            path,
-            format!("{what}, expected {expected}"),
-        ));
+        return Err(LoadError::file(path, problem));
     }
     Ok((File::open(path).map_err(unreadable)?, metadata.len()))
 }
@@ -264,17 +259,13 @@ const MOST_LINKS: usize = 40;
 /// Why a file could not be written. The target is then as it was before.
 #[derive(Debug, thiserror::Error)]
 pub enum SaveError {
-    #[error("{}: {what}, expected {expected}", .path.display())]
-    Target {
-        path: PathBuf,
-        what: &'static str,
-        expected: &'static str,
-    },
-    #[error("{}: cannot be written ({source})", .path.display())]
+    #[error("{}: {}", .path.display(), .problem.text())]
+    Target { path: PathBuf, problem: Message },
+    #[error("{}: {}", .path.display(), text!("document-unwritable", error = .source.to_string()))]
     Unwritable { path: PathBuf, source: io::Error },
-    #[error("{}: there is nothing to draw", .path.display())]
+    #[error("{}: {}", .path.display(), text!("document-nothing-to-draw"))]
     Nothing { path: PathBuf },
-    #[error("{}: the figure is too large", .path.display())]
+    #[error("{}: {}", .path.display(), text!("document-figure-too-large"))]
     TooLarge { path: PathBuf },
 }
 
@@ -441,31 +432,30 @@ fn behind_links(path: &Path) -> PathBuf {
 /// # Errors
 /// A folder that does not exist, a target that is a folder or is write-protected.
 pub fn check_target(path: &Path) -> Result<(), SaveError> {
-    let refused = |what, expected| {
+    let refused = |problem| {
         Err(SaveError::Target {
             path: path.to_owned(),
-            what,
-            expected,
+            problem: Message(problem),
         })
     };
     if is_stdout(path) {
         return Ok(());
     }
     let error = match fs::metadata(path) {
-        Ok(metadata) if metadata.is_dir() => return refused("a directory", "a file to write"),
+        Ok(metadata) if metadata.is_dir() => return refused("document-target-directory"),
         Ok(metadata) if metadata.permissions().readonly() => {
-            return refused("write-protected", "a file to write");
+            return refused("document-target-protected");
         }
         Ok(_) => return Ok(()),
         Err(error) => error,
     };
     let target = behind_links(path);
     if target.file_name().is_none() {
-        return refused("not the name of a file", "a file to write");
+        return refused("document-target-no-name");
     }
     match target.parent() {
         Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
-            refused("its folder does not exist", "a file in an existing folder")
+            refused("document-target-no-folder")
         }
         _ if error.kind() == io::ErrorKind::NotFound => Ok(()),
         // Links in a circle, for example, or a name that is too long.

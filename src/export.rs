@@ -5,14 +5,17 @@
 
 mod fixed;
 mod glsl;
+mod limit;
 mod sources;
 mod text;
 
 pub use fixed::{MAX_PROGRAM_TRIANGLES, opengl_c, opengl_c_snippet};
 pub use glsl::glsl_330;
+pub use limit::Limit;
 
 use crate::geometry::{Mesh, VertexMesh};
 use crate::scene::{NormalSource, Scene, ShadingMode};
+use crate::text::Message;
 use std::path::{Path, PathBuf};
 
 /// A scene as text in another language.
@@ -20,8 +23,8 @@ use std::path::{Path, PathBuf};
 pub struct Export {
     /// One or more files' worth of text, each complete.
     pub parts: Vec<Part>,
-    /// What of the scene the text does not express, a sentence each; empty where it expresses everything.
-    pub limits: Vec<String>,
+    /// What of the scene the text does not express; empty where it expresses everything.
+    pub limits: Vec<Limit>,
 }
 
 impl Export {
@@ -39,7 +42,7 @@ impl Export {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
     /// What it is, in a word or two.
-    pub title: &'static str,
+    pub title: Message,
     /// The usual ending of such a file's name, without the dot.
     pub ending: &'static str,
     pub text: String,
@@ -48,9 +51,7 @@ pub struct Part {
 /// Why a scene has no text in the language asked for.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ExportError {
-    #[error(
-        "{triangles} triangles to write out, expected at most {MAX_PROGRAM_TRIANGLES}: a coarser mesh, or c-snippet"
-    )]
+    #[error("{}", crate::text!("export-too-large", triangles = *triangles, most = MAX_PROGRAM_TRIANGLES))]
     MeshTooLarge { triangles: usize },
 }
 

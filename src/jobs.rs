@@ -6,6 +6,7 @@
 use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::Mesh;
 use crate::scene::Scene;
+use crate::text::text;
 use std::fmt::{self, Debug, Formatter};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
@@ -135,7 +136,7 @@ impl<W: Work> Job<W> {
                 Ok(over) => return Some(over),
                 Err(TryRecvError::Empty) => return latest,
                 Err(TryRecvError::Disconnected) => {
-                    return Some(News::Over(Err("It ended without a result.".to_owned())));
+                    return Some(News::Over(Err(text!("render-job-ended").to_owned())));
                 }
             }
         }

@@ -16,7 +16,7 @@ mod renderer;
 pub use node::Memory;
 pub use rays::Transmission;
 pub use renderer::{
-    Cued, Frame, Per, Plan, Renderer, Report, Stage, StageRun, Term, TooLarge, check_memory,
-    coarseness, coarser_size, srgb,
+    Cued, Frame, Per, Plan, Renderer, Report, Stage, StageRun, Term, TermName, TooLarge,
+    check_memory, coarseness, coarser_size, srgb,
 };
 pub(crate) use renderer::{Evaluation, Piece, WeightedPoint, displayed, stored_pixel};

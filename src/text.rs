@@ -3,7 +3,7 @@
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use std::cell::Cell;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -40,6 +40,13 @@ impl Language {
     /// Its tag by BCP 47, as `--language` takes it.
     pub fn tag(self) -> &'static str {
         ["en", "zh-Hant"][self as usize]
+    }
+
+    /// The language of a tag as [`Self::tag`] has it, in any case.
+    pub fn from_tag(tag: &str) -> Option<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|language| language.tag().eq_ignore_ascii_case(tag))
     }
 
     /// Its own name for itself.
@@ -92,6 +99,22 @@ pub fn in_language<T>(language: Language, work: impl FnOnce() -> T) -> T {
     }
     let _restore = Restore(OVERRIDE.replace(Some(language)));
     work()
+}
+
+/// A message without variables that is put into words where it is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Message(pub &'static str);
+
+impl Message {
+    pub fn text(self) -> &'static str {
+        message(self.0)
+    }
+}
+
+impl Serialize for Message {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.text())
+    }
 }
 
 macro_rules! files {

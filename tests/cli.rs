@@ -159,7 +159,7 @@ fn a_picture_finds_its_model_again_from_elsewhere() {
     assert!(
         folder
             .prints(&["check", "models/t.obj"])
-            .starts_with("models/t.obj: ok (Obj, 1 polygons")
+            .starts_with("models/t.obj: ok (model from a file, 1 polygon,")
     );
     fs::remove_file(folder.0.join("models/t.obj")).expect("a file");
     folder.fails(
@@ -201,7 +201,10 @@ fn what_is_wrong_with_a_file_is_named_with_its_line() {
     folder.fails(&["bench", "bad.toml"], 2, bad);
     folder.fails(&["bad.toml"], 2, bad);
     for (file, error) in [
-        ("latin.toml", "latin.toml:2: not UTF-8, expected a text"),
+        (
+            "latin.toml",
+            "latin.toml:2: not UTF-8, expected a text file",
+        ),
         (
             "model.toml",
             "model.toml:2: `object.path` is missing, expected the path of a model since `object.kind` is \"obj\"",
@@ -259,13 +262,13 @@ fn a_sound_file_is_said_to_be_so() {
     folder.write("s.toml", Scene::default().to_toml());
     assert_eq!(
         folder.prints(&["check", "s.toml"]),
-        "s.toml: ok (Sphere, 1 light, Phong shading, 768×768)\n"
+        "s.toml: ok (sphere, 1 light, Phong shading, 768×768)\n"
     );
     folder.prints(&["render", "cube", "-o", "p.png", "--size", "8x8"]);
     assert!(
         folder
             .prints(&["check", "p.png"])
-            .starts_with("p.png: ok (Cube")
+            .starts_with("p.png: ok (cube")
     );
 }
 
@@ -404,7 +407,7 @@ fn arguments_that_make_no_sense_are_refused() {
                 "--overlay",
                 "vectors=1,2,angles=3,4",
             ],
-            "two pixels",
+            "two different pixels",
         ),
         (
             &["render", "sphere", "-o", "a.png", "--vertex", "1"],
@@ -591,7 +594,7 @@ fn overlays_are_drawn_where_they_can_be() {
             "vectors=0,0",
         ],
         2,
-        &["error: --overlay 0,0: the background, expected a pixel that shows the object"],
+        &["error: --overlay 0,0: this pixel shows the background, expected one that shows the object"],
     );
     folder.fails(
         &[
@@ -766,9 +769,9 @@ fn a_probe_in_words_has_the_numbers_of_the_probe_in_json() {
 #[test]
 fn a_scene_is_written_as_code() {
     let folder = Folder::new("code");
-    let shaders = folder.prints(&["code", "sphere", "--language", "glsl"]);
+    let shaders = folder.prints(&["code", "sphere", "--target", "glsl"]);
     assert_eq!(shaders.matches("#version 330 core").count(), 2);
-    folder.prints(&["code", "sphere", "--language", "glsl", "-o", "s.glsl"]);
+    folder.prints(&["code", "sphere", "--target", "glsl", "-o", "s.glsl"]);
     let parts =
         ["s.vert", "s.frag"].map(|name| fs::read_to_string(folder.0.join(name)).expect("a shader"));
     assert!(
@@ -785,13 +788,8 @@ fn a_scene_is_written_as_code() {
         "--set",
         "material.n=200",
     ];
-    let output = folder.run(
-        &[
-            &["code", "cube", "--language", "c", "-o", "cube.c"][..],
-            &set,
-        ]
-        .concat(),
-    );
+    let output =
+        folder.run(&[&["code", "cube", "--target", "c", "-o", "cube.c"][..], &set].concat());
     assert_eq!(
         String::from_utf8_lossy(&output.stderr),
         "note: n = 200: GL_SHININESS goes up to 128.\n"
@@ -810,16 +808,16 @@ fn a_scene_is_written_as_code() {
         "--set",
         "object.rings=1024",
     ];
-    let text = "error: sphere: 2095104 triangles to write out, expected at most 1000000: a coarser mesh, or c-snippet";
+    let text = "error: sphere: 2095104 triangles to write, expected at most 1000000: use a coarser mesh, or c-snippet";
     folder.fails(
-        &[&["code", "sphere", "--language", "c"][..], &large].concat(),
+        &[&["code", "sphere", "--target", "c"][..], &large].concat(),
         2,
         &[text],
     );
     let no_folder =
         "error: no/s.vert: its folder does not exist, expected a file in an existing folder";
     folder.fails(
-        &["code", "sphere", "--language", "glsl", "-o", "no/s"],
+        &["code", "sphere", "--target", "glsl", "-o", "no/s"],
         1,
         &[no_folder],
     );
@@ -914,7 +912,7 @@ fn the_plan_of_a_frame_is_explained() {
         .iter()
         .find(|term| term["name"] == "light 1: diffuse")
         .expect("the light's term");
-    assert_eq!(muted["omitted"], "it is muted");
+    assert_eq!(muted["omitted"], "muted");
     assert!(
         told["saved"]["evaluations"]["ratio"]
             .as_f64()
@@ -1195,6 +1193,8 @@ fn a_picture_that_memory_is_too_short_for_is_a_failure() {
         let mut command = std::process::Command::new("sh");
         command
             .current_dir(&folder.0)
+            .env_remove("LANGUAGE")
+            .env("LC_ALL", "C")
             .args(["-c", &limited, "sh", "render", "cube", "-o", "a.png"])
             .args(more);
         command.output().expect("a shell")
@@ -1203,7 +1203,7 @@ fn a_picture_that_memory_is_too_short_for_is_a_failure() {
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(
         text.starts_with(
-            "error: 16384×8192 pixels need about 1488 MB of memory, which cannot be had"
+            "error: a picture of 16384×8192 pixels needs about 1488 MB of memory, which is not available"
         ),
         "{text}"
     );

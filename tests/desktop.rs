@@ -87,6 +87,8 @@ impl Desktop {
         std::fs::create_dir_all(&folder).expect("a folder for the test");
         let (screen, display) = screen();
         let program = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
+            .env_remove("LANGUAGE")
+            .env("LC_ALL", "C")
             .arg(scene)
             .current_dir(&folder)
             .env("DISPLAY", &display)

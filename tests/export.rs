@@ -4,7 +4,9 @@
 //! tests say so and are skipped.
 
 use glam::{DMat4, DVec3};
-use shading_lab::export::{Export, ExportError, export_mesh, glsl_330, opengl_c, opengl_c_snippet};
+use shading_lab::export::{
+    Export, ExportError, Limit, export_mesh, glsl_330, opengl_c, opengl_c_snippet,
+};
 use shading_lab::geometry::{VertexMesh, tessellate};
 use shading_lab::render::{Frame, Renderer};
 use shading_lab::scene::{Encoding, Scene, View, presets};
@@ -42,13 +44,13 @@ fn every_built_in_scene_is_exported_alike_each_time() {
                     part.text.is_ascii() && part.text.ends_with("}\n"),
                     "{} {}",
                     preset.name,
-                    part.title
+                    part.ending
                 );
                 assert!(
                     part.text.lines().all(|line| line == line.trim_end()),
                     "{} {}",
                     preset.name,
-                    part.title
+                    part.ending
                 );
             }
         }
@@ -101,7 +103,7 @@ fn count(export: &Export, words: &str) -> usize {
     export
         .limits
         .iter()
-        .filter(|limit| limit.contains(words))
+        .filter(|limit| limit.to_string().contains(words))
         .count()
 }
 
@@ -112,7 +114,7 @@ fn fixed_function_names_what_it_cannot_say() {
         "reflection.model=blinn",
         "material.n=100",
     ];
-    assert_eq!(program(&scene("sphere", &plain)).limits, [] as [&str; 0]);
+    assert_eq!(program(&scene("sphere", &plain)).limits, [] as [Limit; 0]);
     for (set, words) in [
         ("shading.mode=phong", "Phong shading"),
         ("shading.mode=exact", "Exact shading"),
@@ -143,7 +145,7 @@ fn fixed_function_names_what_it_cannot_say() {
         ("depth_cueing.by=vertex", "Depth cueing at vertices"),
         (
             "depth_cueing={by=\"pixel\", front=3.5, front_scale=0.9}",
-            "Depth cueing: s0 goes on",
+            "Depth cueing: s0 continues",
         ),
         (
             "depth_cueing={by=\"pixel\", front_scale=0.5, back_scale=0.5}",
@@ -192,7 +194,7 @@ fn what_fits_is_no_limit() {
     ] {
         assert_eq!(
             program(&scene("sphere", &[&plain[..], &[set]].concat())).limits,
-            [] as [&str; 0],
+            [] as [Limit; 0],
             "{set}"
         );
     }
@@ -230,7 +232,7 @@ fn shaders_name_what_they_cannot_say() {
     ] {
         assert_eq!(
             glsl_330(&scene(name, &[])).limits,
-            [] as [&str; 0],
+            [] as [Limit; 0],
             "{name}"
         );
     }
@@ -525,7 +527,7 @@ fn the_program_in_c_draws_the_same_picture() {
         let stated = export
             .limits
             .iter()
-            .all(|limit| name == "two-sided" && limit.contains("TWO_SIDE"));
+            .all(|limit| name == "two-sided" && limit.to_string().contains("TWO_SIDE"));
         assert!(stated, "{name}: {:?}", export.limits);
         compare_c(name, &scene);
     }
@@ -759,7 +761,7 @@ fn the_shaders_draw_the_same_picture() {
         ("polygons", "plane", &[POLYGONS]),
     ] {
         let scene = small(preset, set);
-        assert_eq!(glsl_330(&scene).limits, [] as [&str; 0], "{name}");
+        assert_eq!(glsl_330(&scene).limits, [] as [Limit; 0], "{name}");
         compare_glsl(&host, name, &scene);
     }
 }

@@ -96,6 +96,8 @@ fn draw(name: &str, command: &str) -> PathBuf {
     fs::create_dir_all(&folder).expect("the folder is made");
     let target = folder.join(format!("{name}.png"));
     let output = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
+        .env_remove("LANGUAGE")
+        .env("LC_ALL", "C")
         .args(command.split(' '))
         .arg(&target)
         .output()

@@ -232,6 +232,8 @@ fn a_study_that_is_cancelled_keeps_what_it_has() {
 /// Runs `study` on a built-in scene; returns its exit status and what it printed.
 fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
     let output = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
+        .env_remove("LANGUAGE")
+        .env("LC_ALL", "C")
         .arg("study")
         .args(arguments)
         .output()

@@ -5,6 +5,7 @@ use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells,
 use super::{Question, Subject, Watch};
 use crate::render::{Per, Renderer, Stage, StageRun, Term};
 use crate::scene::Scene;
+use crate::text::Message;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
@@ -165,14 +166,14 @@ impl Answer for FramePlan {
                     .filter(|term| term.omitted.is_none())
                     .map(|term| {
                         cells![
-                            term.name.as_str(),
+                            term.name.to_string(),
                             if term.per == Per::None {
                                 String::new()
                             } else {
                                 word(&term.per)
                             },
                             term.evaluations,
-                            term.note.unwrap_or_default()
+                            term.note.map_or("", Message::text)
                         ]
                     }),
             );
@@ -227,11 +228,11 @@ impl Answer for FramePlan {
             } = term;
             cells![
                 word(stage),
-                name.as_str(),
+                name.to_string(),
                 word(per),
                 *evaluations,
-                *omitted,
-                *note
+                omitted.map(Message::text),
+                note.map(Message::text)
             ]
         }));
         Some(table)
@@ -271,27 +272,26 @@ impl Answer for FramePlan {
     }
 }
 
-/// What is left out, the terms that have one reason together.
-fn by_reason(terms: &[Term]) -> Vec<(Vec<&str>, &'static str)> {
-    let mut groups: Vec<(Vec<&str>, &'static str)> = Vec::new();
+/// What is left out, the terms that have one reason together. Of several parts of one light only the first names it.
+fn by_reason(terms: &[Term]) -> Vec<(Vec<String>, &'static str)> {
+    let mut groups: Vec<(Vec<String>, Option<usize>, Message)> = Vec::new();
     for (term, reason) in terms.iter().filter_map(|term| Some((term, term.omitted?))) {
-        // Of several parts of one light only the first names it.
-        let (light, part) = term.name.split_once(": ").unwrap_or(("", &term.name));
-        match groups
-            .last_mut()
-            .filter(|(names, known)| *known == reason && names[0].split(": ").next() == Some(light))
+        let light = term.name.light();
+        let last = groups.len().saturating_sub(1);
+        // Parts of a light join only the group right before them.
+        let from = if light.is_some() { last } else { 0 };
+        match groups[from..]
+            .iter_mut()
+            .find(|(_, of, known)| (*of, *known) == (light, reason))
         {
-            Some((names, _)) if !light.is_empty() => names.push(part),
-            _ => match groups
-                .iter_mut()
-                .find(|(_, known)| *known == reason && light.is_empty())
-            {
-                Some((names, _)) => names.push(&term.name),
-                None => groups.push((vec![&term.name], reason)),
-            },
+            Some((names, ..)) => names.push(term.name.part().to_owned()),
+            None => groups.push((vec![term.name.to_string()], light, reason)),
         }
     }
     groups
+        .into_iter()
+        .map(|(names, _, reason)| (names, reason.text()))
+        .collect()
 }
 
 /// A stage's name, and what it does.

@@ -81,8 +81,6 @@ choices! {
 pub struct Analysis {
     /// The command.
     pub name: &'static str,
-    /// What it asks.
-    pub asks: &'static str,
     /// What its answer can be written as.
     pub formats: &'static [Format],
 }
@@ -94,70 +92,22 @@ impl Analysis {
     }
 }
 
-const fn analysis(name: &'static str, asks: &'static str, formats: &'static [Format]) -> Analysis {
-    Analysis {
-        name,
-        asks,
-        formats,
-    }
+const fn analysis(name: &'static str, formats: &'static [Format]) -> Analysis {
+    Analysis { name, formats }
 }
 
 /// All analyses. A new one is a line here, a module with its question and its answer, and its arguments in `cli`.
 pub const ANALYSES: [Analysis; 12] = [
-    analysis("probe", "Fill in the equation at one pixel", &[Csv, Json]),
-    analysis(
-        "curves",
-        "Plot the curves of local illumination at one pixel",
-        &[Png, Svg, Csv, Json],
-    ),
-    analysis(
-        "profile",
-        "Take the intensity along a line, its slope and what is perceived",
-        &[Png, Svg, Csv, Json],
-    ),
-    analysis(
-        "scanline",
-        "Convert one polygon to pixels, step by step",
-        &[Png, Svg, Csv, Json],
-    ),
-    analysis(
-        "normals",
-        "Show which faces a vertex normal comes from, with their weights",
-        &[Csv, Json],
-    ),
-    analysis(
-        "compare",
-        "Measure panes of one scene against the last of them",
-        &[Csv, Json],
-    ),
-    analysis(
-        "defects",
-        "Measure the five defects of interpolated shading",
-        &[Png, Svg, Csv, Json],
-    ),
-    analysis(
-        "conditions",
-        "Check when flat shading is exact: the three conditions",
-        &[Csv, Json],
-    ),
-    analysis(
-        "explain",
-        "Print a frame's plan: what is evaluated, what is left out and why",
-        &[Csv, Json],
-    ),
-    analysis(
-        "study",
-        "Measure error against run time",
-        &[Png, Svg, Csv, Json],
-    ),
-    analysis(
-        "stability",
-        "Draw the stiff and extreme cases",
-        &[Png, Csv, Json],
-    ),
-    analysis(
-        "bench",
-        "Measure the time of a frame and of its stages",
-        &[Csv, Json],
-    ),
+    analysis("probe", &[Csv, Json]),
+    analysis("curves", &[Png, Svg, Csv, Json]),
+    analysis("profile", &[Png, Svg, Csv, Json]),
+    analysis("scanline", &[Png, Svg, Csv, Json]),
+    analysis("normals", &[Csv, Json]),
+    analysis("compare", &[Csv, Json]),
+    analysis("defects", &[Png, Svg, Csv, Json]),
+    analysis("conditions", &[Csv, Json]),
+    analysis("explain", &[Csv, Json]),
+    analysis("study", &[Png, Svg, Csv, Json]),
+    analysis("stability", &[Png, Csv, Json]),
+    analysis("bench", &[Csv, Json]),
 ];

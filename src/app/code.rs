@@ -8,7 +8,7 @@ use super::focus::{named, switch_named};
 use super::state::AppState;
 use crate::analysis::Watch;
 use crate::document::save_code;
-use crate::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
+use crate::export::{Export, Limit, Part, glsl_330, opengl_c, opengl_c_snippet};
 use crate::geometry::{Mesh, tessellate};
 use crate::jobs::{Asked, Background, Work};
 use crate::scene::Scene;
@@ -224,7 +224,7 @@ pub fn code_ui(
                         .enumerate()
                         .filter(|_| written.shown.len() > 1)
                     {
-                        ui.selectable_value(&mut form.part, index, part.title);
+                        ui.selectable_value(&mut form.part, index, part.title.text());
                     }
                     let Shown { lines, hidden, .. } = shown;
                     let text = match hidden {
@@ -272,7 +272,7 @@ pub fn code_ui(
 }
 
 /// What the target cannot say, as plainly as the text itself.
-fn limits_ui(ui: &mut Ui, limits: &[String]) {
+fn limits_ui(ui: &mut Ui, limits: &[Limit]) {
     if limits.is_empty() {
         ui.label(RichText::new(text!("code-complete")).weak());
         return;
@@ -286,7 +286,7 @@ fn limits_ui(ui: &mut Ui, limits: &[String]) {
             for limit in limits {
                 ui.horizontal_top(|ui| {
                     ui.label("•");
-                    ui.add(Label::new(limit).wrap());
+                    ui.add(Label::new(limit.to_string()).wrap());
                 });
             }
         });
@@ -340,7 +340,7 @@ fn actions_ui(
         if let Some(part) = ready.and_then(|written| written.export.parts.get(form.part)) {
             if copy.clicked() {
                 ui.ctx().copy_text(part.text.clone());
-                form.message = Some(text!("copied", what = part.title));
+                form.message = Some(text!("copied", what = part.title.text()));
             }
             if save.clicked() {
                 form.path = Some(document.suggested(part.ending));
@@ -357,11 +357,12 @@ fn actions_ui(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::text::Message;
 
     #[test]
     fn a_long_text_is_cut_after_whole_lines() {
         let part = |text: &str| Part {
-            title: "C",
+            title: Message("export-c"),
             ending: "c",
             text: text.to_owned(),
         };

@@ -2,7 +2,7 @@
 
 use super::App;
 use crate::document::Loaded;
-use crate::text::text;
+use crate::text::{Language, text};
 use eframe::egui::ViewportBuilder;
 use std::path::Path;
 
@@ -15,11 +15,11 @@ const X11_LIBRARIES: [(&str, &str); 5] = [
     ("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
 ];
 
-/// Opens the window on `loaded` and returns when it is closed.
+/// Opens the window on `loaded` and returns when it is closed. `language` goes before what the window was in last time.
 ///
 /// # Errors
 /// No display, or a library that it needs is missing; in a sentence.
-pub fn run(loaded: Loaded) -> Result<(), String> {
+pub fn run(loaded: Loaded, language: Option<Language>) -> Result<(), String> {
     check_environment()?;
     let viewport = ViewportBuilder::default()
         .with_title("shading-lab")
@@ -31,7 +31,7 @@ pub fn run(loaded: Loaded) -> Result<(), String> {
         ..eframe::NativeOptions::default()
     };
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
-        let app = App::new(cc, loaded).with_welcome();
+        let app = App::new(cc, loaded).with_welcome().in_language(language);
         let folder = eframe::storage_dir("shading-lab").map(|folder| folder.join("recovery"));
         Box::new(match folder {
             Some(folder) => app.with_recovery(&folder),

@@ -1,7 +1,7 @@
 //! The analyses on the command line: a scene, arguments that become a question, and where the answer goes.
 
 use super::input::{
-    PaneArguments, SceneArguments, inside_picture, output_name, parse_choice, parse_pixel,
+    PaneArguments, SceneArguments, inside_picture, one_of, output_name, parse_choice, parse_pixel,
     parse_place, parse_size, parse_vertex, picture_name,
 };
 use super::output::{Failure, print, progress_bar};
@@ -17,6 +17,7 @@ use shading_lab::document::{check_target, json_text, save_answer, save_picture};
 use shading_lab::figure::Paper;
 use shading_lab::jobs::nanoseconds;
 use shading_lab::scene::{Choice, Interpolation, Object, Scene, ShadingMode};
+use shading_lab::text::text;
 use std::path::{Path, PathBuf};
 
 /// The arguments of one analysis.
@@ -64,19 +65,14 @@ pub struct Catalogued<A: Args> {
 /// Where the answer of an analysis goes.
 #[derive(Args)]
 struct OutputArguments {
-    /// Print one JSON object
     #[arg(long)]
     json: bool,
-    /// The table, a row each
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
-    /// The figure as .png or .svg, the table as .csv, or the JSON object
     #[arg(short, long, value_name = "FILE", value_parser = output_name())]
     output: Option<PathBuf>,
-    /// Width and height in pixels of the picture, instead of the scene's; for curves, profile and scanline of the figure
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
-    /// Draw the figure as light lines on a dark ground
     #[arg(long)]
     dark: bool,
 }
@@ -122,9 +118,12 @@ impl<A: Asks> Catalogued<A> {
                     .iter()
                     .map(|format| format!(".{}", format.word()))
                     .collect();
-                let (name, ending, expected) = (A::NAME, format.word(), endings.join(" or "));
-                Err(Failure::input(format!(
-                    "--output: {name} gives no .{ending}, expected {expected}"
+                let (name, ending, expected) = (A::NAME, format.word(), one_of(&endings));
+                Err(Failure::input(text!(
+                    "cli-no-such-output",
+                    name = name,
+                    ending = ending,
+                    expected = expected
                 )))
             }
             _ => Ok(()),
@@ -139,7 +138,7 @@ impl<A: Asks> Catalogued<A> {
             subject.scene.image.size = output.size.take().unwrap_or(subject.scene.image.size);
         }
         let question = asked.question(&mut subject.scene)?;
-        let bar = progress_bar(1000, "working");
+        let bar = progress_bar(1000, text!("cli-working"));
         let watch = |share: f32| {
             bar.set_position((1000.0 * share) as u64);
             true
@@ -147,7 +146,7 @@ impl<A: Asks> Catalogued<A> {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(asked.threads().map_or(0, usize::from))
             .build()
-            .map_err(|error| Failure::work(format!("the threads cannot be started ({error})")))?;
+            .map_err(|error| Failure::work(text!("cli-no-threads", error = error.to_string())))?;
         let answer = pool
             .install(|| question.answer(&subject, &watch))
             .map_err(Failure::input);
@@ -199,7 +198,6 @@ fn checked(pixel: Option<[u32; 2]>, scene: &Scene) -> Result<Option<[u32; 2]>, F
 
 #[derive(Args)]
 pub struct Probe {
-    /// The pixel, (0,0) top left
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
     pixel: [u32; 2],
 }
@@ -232,13 +230,10 @@ impl Asks for Compare {
 
 #[derive(Args)]
 pub struct Curves {
-    /// Which plot: attenuation, exponent, reflectance or lobe; without it all that the scene has, f and W only where they vary
     #[arg(long, value_parser = |text: &str| parse_choice(text, &PlotKind::ALL))]
     kind: Option<PlotKind>,
-    /// The pixel whose values are marked, otherwise a lit one near the middle whose vectors are well apart
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
     pixel: Option<[u32; 2]>,
-    /// The light whose attenuation and lobe are plotted, counted from 0; otherwise the first that the point faces
     #[arg(long, value_name = "I")]
     light: Option<usize>,
 }
@@ -259,7 +254,6 @@ impl Asks for Curves {
 
 #[derive(Args)]
 pub struct Defects {
-    /// The pixel whose point is followed while the picture turns; otherwise a lit one near the middle
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
     pixel: Option<[u32; 2]>,
 }
@@ -289,10 +283,8 @@ impl Asks for Conditions {
 
 #[derive(Args)]
 pub struct Normals {
-    /// The vertex, by its number from 0
     #[arg(long, value_name = "I", value_parser = parse_vertex, conflicts_with = "pixel", allow_hyphen_values = true)]
     vertex: Option<u32>,
-    /// The seen vertex next to this pixel; with neither it is the one next to the picture's middle
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
     pixel: Option<[u32; 2]>,
 }
@@ -311,19 +303,14 @@ impl Asks for Normals {
 
 #[derive(Args)]
 pub struct Scanline {
-    /// The polygon that this pixel sees, otherwise one near the middle that is lit
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true, conflicts_with = "face")]
     pixel: Option<[u32; 2]>,
-    /// The polygon by its index in the mesh
     #[arg(long, value_name = "F")]
     face: Option<u32>,
-    /// Rows of enlarged pixels, 8 to 64
     #[arg(long, value_name = "N", default_value_t = Scan::USUAL_ROWS)]
     rows: u32,
-    /// The step that is shown, counted from 0, or `last`; otherwise the pixel asked for, or one in the middle
     #[arg(long, value_name = "K|last", value_parser = |text: &str| parse_stop(text, |k| Stop::Step(k as usize)), conflicts_with = "line")]
     step: Option<Stop>,
-    /// The scan line that is shown, finished: a row of the grid, or `last`
     #[arg(long, value_name = "Y|last", value_parser = |text: &str| parse_stop(text, Stop::Line))]
     line: Option<Stop>,
 }
@@ -334,7 +321,7 @@ fn parse_stop(text: &str, stop: fn(u32) -> Stop) -> Result<Stop, String> {
         number => number
             .parse()
             .map(stop)
-            .map_err(|_| "expected a whole number from 0, or last".to_owned()),
+            .map_err(|_| text!("cli-expected-step").to_owned()),
     }
 }
 
@@ -359,7 +346,6 @@ impl Asks for Scanline {
 
 #[derive(Args)]
 pub struct Explain {
-    /// Frames for each time
     #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     frames: u32,
 }
@@ -377,13 +363,10 @@ impl Asks for Explain {
 
 #[derive(Args)]
 pub struct Bench {
-    /// Frames for each figure
     #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     frames: u32,
-    /// Threads; one for each core unless given
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Measure also how the time grows with the pixels, up to 8 million, and with the triangles, up to 4 million
     #[arg(long)]
     growth: bool,
 }
@@ -406,26 +389,18 @@ impl Asks for Bench {
 
 #[derive(Args)]
 pub struct Study {
-    /// Ways of shading between commas, all unless given: flat, flat-vertex-mean, interpolated, gouraud, phong,
-    /// phong-unnormalised; in scalar code phong-scalar, taylor (Bishop and Weimer 1986), angular (Kuijk and Blake 1989)
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = |text: &str| parse_choice(text, Method::VALUES))]
     methods: Vec<Method>,
-    /// Polygons round the axis, between commas; those along it go with them
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "8,16,32,64,128,256",
           value_parser = clap::value_parser!(u32).range(3..=i64::from(Object::MAX_DIVISIONS)))]
     segments: Vec<u32>,
-    /// Exponents of the highlight, between commas; the scene's own unless given
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     n: Vec<f64>,
-    /// How values between vertices are found, between commas: perspective, affine, scanline
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "perspective,affine",
           value_parser = |text: &str| parse_choice(text, Interpolation::VALUES))]
     interpolation: Vec<Interpolation>,
-    /// Frames timed for each setting
     #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     repeats: u32,
-    /// Threads of the engine; one for each core unless given. With 1 its times and those of the scalar code differ by the
-    /// code alone
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
@@ -462,7 +437,6 @@ impl Asks for Study {
 
 #[derive(Args)]
 pub struct Stability {
-    /// Only these cases, by name, between commas; all unless given
     #[arg(long = "case", value_name = "NAME", value_delimiter = ',', value_parser = parse_case)]
     cases: Vec<String>,
 }
@@ -472,7 +446,7 @@ fn parse_case(text: &str) -> Result<String, String> {
     let known = names.iter().find(|name| **name == text.trim());
     known
         .map(|name| (*name).to_owned())
-        .ok_or_else(|| format!("expected one of {}", names.join(", ")))
+        .ok_or_else(|| text!("cli-expected", choices = one_of(&names)))
 }
 
 impl Asks for Stability {
@@ -489,39 +463,28 @@ impl Asks for Stability {
 
 #[derive(Args)]
 pub struct Profile {
-    /// Where the line begins, in pixels from the top left; a pixel's centre is at +0.5
     #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true)]
     from: DVec2,
-    /// Where it ends
     #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true)]
     to: DVec2,
-    /// The ways of shading that are compared
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "flat,gouraud,phong,exact",
           value_parser = |text: &str| parse_choice(text, ShadingMode::VALUES))]
     modes: Vec<ShadingMode>,
-    /// The whole picture as it is perceived, in the scene's own shading
     #[arg(long, value_name = "FILE.png", value_parser = picture_name())]
     picture: Option<PathBuf>,
-    /// From the eye to the screen, millimetres
     #[arg(long, value_name = "MM", default_value_t = Viewing::default().distance)]
     viewing_distance: f64,
-    /// Pixels of the screen to a millimetre; 96 to an inch are 3.78
     #[arg(long, value_name = "PER_MM", default_value_t = Viewing::default().density)]
     density: f64,
-    /// The model of the response: lateral-inhibition or response-normalisation
     #[arg(long, default_value = "lateral-inhibition",
           value_parser = |text: &str| parse_choice(text, &ResponseModel::ALL))]
     response: ResponseModel,
-    /// Width σ of the receptive field's centre, degrees of visual angle
     #[arg(long, value_name = "DEGREES", default_value_t = Perception::default().centre)]
     centre: f64,
-    /// Width σ of its surround, greater than the centre's
     #[arg(long, value_name = "DEGREES", default_value_t = Perception::default().surround)]
     surround: f64,
-    /// Strength w of the inhibition
     #[arg(long, value_name = "W", default_value_t = Perception::default().weight)]
     weight: f64,
-    /// The response at which normalisation halves a channel's gain
     #[arg(long, value_name = "RHO", default_value_t = Perception::default().saturation)]
     saturation: f64,
 }
@@ -548,14 +511,20 @@ impl Profile {
             ("--saturation", saturation, Perception::SATURATION),
         ] {
             if !(low..=high).contains(&value) {
-                return Err(Failure::input(format!(
-                    "{argument} {value}: expected {low} to {high}"
+                return Err(Failure::input(text!(
+                    "cli-outside-range",
+                    argument = argument,
+                    value = value.to_string(),
+                    low = low.to_string(),
+                    high = high.to_string()
                 )));
             }
         }
         if surround <= centre {
-            return Err(Failure::input(format!(
-                "--surround {surround}: expected more than the centre's {centre}"
+            return Err(Failure::input(text!(
+                "cli-surround-too-small",
+                surround = surround.to_string(),
+                centre = centre.to_string()
             )));
         }
         Ok((
@@ -581,10 +550,11 @@ impl Asks for Profile {
         let (viewing, perception) = self.eye()?;
         let [_, surround] = perception.widths(viewing.pixels_per_degree());
         if self.picture.is_some() && surround > PERCEIVED_WIDTH {
-            let expected = format!("expected at most {PERCEIVED_WIDTH} for --picture");
-            return Err(Failure::input(format!(
-                "--surround {}: {surround:.0} pixels, {expected}",
-                self.surround
+            return Err(Failure::input(text!(
+                "cli-surround-too-large",
+                surround = self.surround.to_string(),
+                pixels = format!("{surround:.0}"),
+                most = PERCEIVED_WIDTH.to_string()
             )));
         }
         let mut modes: Vec<ShadingMode> = Vec::new();

@@ -10,6 +10,7 @@ use shading_lab::document::{Loaded, load_with};
 use shading_lab::scene::materials::{self, NamedMaterial};
 use shading_lab::scene::parameter::Parameter;
 use shading_lab::scene::{CompareView, Image, Pane, Scene, nearest, presets};
+use shading_lab::text::text;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -19,13 +20,10 @@ const LARGE_FILE: u64 = 4 << 20;
 /// Which scene, and what is different in it.
 #[derive(Args)]
 pub struct SceneArguments {
-    /// A .toml, .obj or .png file, or a built-in scene's name
     #[arg(value_name = "SCENE")]
     pub source: Option<PathBuf>,
-    /// Override one key of the scene, as in material.n=1005 or light.0.position=[2,2,3]
     #[arg(long, value_name = "KEY=VALUE", allow_hyphen_values = true)]
     pub set: Vec<String>,
-    /// Take a named material (see `materials`); --set can then change it further
     #[arg(long, value_name = "NAME", value_parser = parse_material)]
     pub material: Option<&'static NamedMaterial>,
 }
@@ -47,7 +45,7 @@ impl SceneArguments {
         let mut bar = None;
         let mut progress = |read: u64, total: u64| {
             if total >= LARGE_FILE {
-                bar.get_or_insert_with(|| progress_bar(total, "reading"))
+                bar.get_or_insert_with(|| progress_bar(total, text!("cli-reading")))
                     .set_position(read);
             }
         };
@@ -75,26 +73,33 @@ fn assignments(named: &NamedMaterial) -> Vec<String> {
 }
 
 fn parse_material(text: &str) -> Result<&'static NamedMaterial, String> {
-    let meant = || did_you_mean(text, materials::NAMED.iter().map(|named| named.name));
     materials::find(text).ok_or_else(|| {
-        format!(
-            "no such material, expected a name{}; see `shading-lab materials`",
-            meant()
-        )
+        let meant = did_you_mean(text, materials::NAMED.iter().map(|named| named.name));
+        text!("cli-no-material", meant = meant)
     })
 }
 
 fn did_you_mean<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> String {
     nearest(text, known)
-        .map(|meant| format!(" (did you mean {meant}?)"))
+        .map(|meant| text!("document-did-you-mean", name = meant))
         .unwrap_or_default()
+}
+
+/// `a, b or c`.
+pub fn one_of(words: &[impl AsRef<str>]) -> String {
+    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
+    match words.split_last() {
+        Some((last, others)) if !others.is_empty() => {
+            let others = others.join(text!("cli-comma"));
+            text!("cli-or", others = others, last = *last)
+        }
+        _ => words.concat(),
+    }
 }
 
 /// Which panes there are beside the scene itself.
 #[derive(Args)]
 pub struct PaneArguments {
-    /// A pane beside the scene, in place of the scene file's own: what is different in it, as in shading.mode=exact; several
-    /// settings between semicolons. The last pane is what the others are measured against, unless compare.reference names another
     #[arg(long, value_name = "KEY=VALUE[;KEY=VALUE]")]
     pub pane: Vec<String>,
 }
@@ -127,34 +132,25 @@ impl PaneArguments {
 
 /// `WxH`, in the bounds of a picture.
 pub fn parse_size(text: &str) -> Result<[u32; 2], String> {
-    let expected = || {
-        format!(
-            "expected WIDTHxHEIGHT in pixels, 1 to {} each, as in 768x512",
-            Image::MAX_SIDE
-        )
-    };
+    let expected = || text!("cli-expected-size", most = Image::MAX_SIDE);
     let size = pair(text, &['x', 'X', '×'], |side| {
         (1..=Image::MAX_SIDE).contains(side)
     })
     .ok_or_else(expected)?;
     if u64::from(size[0]) * u64::from(size[1]) > Image::MAX_PIXELS {
-        return Err(format!(
-            "expected at most {} pixels in all",
-            Image::MAX_PIXELS
-        ));
+        return Err(text!("cli-too-many-pixels", most = Image::MAX_PIXELS));
     }
     Ok(size)
 }
 
 /// `X,Y`, whole numbers from the top left.
 pub fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
-    pair(text, &[','], |_| true)
-        .ok_or_else(|| "expected X,Y in whole pixels from the top left, as in 100,80".to_owned())
+    pair(text, &[','], |_| true).ok_or_else(|| text!("cli-expected-pixel").to_owned())
 }
 
 /// `X,Y`, any numbers.
 pub fn parse_place(text: &str) -> Result<DVec2, String> {
-    let expected = || "expected X,Y in pixels from the top left, as in 100.5,80.5".to_owned();
+    let expected = || text!("cli-expected-place").to_owned();
     pair(text, &[','], |value: &f64| value.is_finite())
         .map(DVec2::from_array)
         .ok_or_else(expected)
@@ -171,7 +167,7 @@ fn pair<T: FromStr>(text: &str, separators: &[char], sound: fn(&T) -> bool) -> O
 pub fn parse_vertex(text: &str) -> Result<u32, String> {
     text.trim()
         .parse()
-        .map_err(|_| "expected the number of a vertex, counted from 0".to_owned())
+        .map_err(|_| text!("cli-expected-vertex").to_owned())
 }
 
 /// One of `choices`, by its word in files.
@@ -180,11 +176,11 @@ pub fn parse_choice<T: Serialize + Copy>(text: &str, choices: &[T]) -> Result<T,
     match words.iter().position(|word| word == text.trim()) {
         Some(index) => Ok(choices[index]),
         None => {
-            let (last, others) = words
-                .split_last()
-                .map_or(("", &[][..]), |(last, others)| (last, others));
-            let meant = did_you_mean(text, words.iter().map(String::as_str));
-            Err(format!("expected {} or {last}{meant}", others.join(", ")))
+            let (meant, words) = (
+                did_you_mean(text, words.iter().map(String::as_str)),
+                one_of(&words),
+            );
+            Err(text!("cli-expected", choices = words + &meant))
         }
     }
 }
@@ -199,8 +195,10 @@ pub fn inside_picture(
         return Ok(());
     }
     let (right, bottom) = (width - 1, height - 1);
-    Err(Failure::input(format!(
-        "{argument} {x},{y}: outside the picture, expected 0,0 to {right},{bottom}"
+    Err(Failure::input(text!(
+        "cli-outside-picture",
+        what = format!("{argument} {x},{y}"),
+        last = format!("{right},{bottom}")
     )))
 }
 
@@ -212,7 +210,7 @@ fn is_device(path: &Path) -> bool {
 /// The name of a figure or a table.
 pub fn output_name() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|path| match Format::from_path(&path) {
-        None if !is_device(&path) => Err("expected a name that ends in .json, .png, .svg or .csv"),
+        None if !is_device(&path) => Err(text!("cli-expected-output")),
         _ => Ok(path),
     })
 }
@@ -224,7 +222,7 @@ pub fn picture_name() -> impl TypedValueParser<Value = PathBuf> {
         if picture {
             Ok(path)
         } else {
-            Err("expected a name that ends in .png")
+            Err(text!("cli-expected-png"))
         }
     })
 }

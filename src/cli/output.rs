@@ -2,6 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use shading_lab::document::{LoadError, SaveError};
+use shading_lab::text::text;
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
@@ -35,7 +36,7 @@ impl Failure {
         };
         let lines: String = message
             .lines()
-            .map(|line| format!("error: {line}\n"))
+            .map(|line| text!("cli-error", message = line) + "\n")
             .collect();
         // Without stderr there is nowhere to say so.
         let _ = io::stderr().write_all(lines.as_bytes());
@@ -68,7 +69,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
         .and_then(|()| out.flush())
         .map_err(|error| match error.kind() {
             io::ErrorKind::BrokenPipe => Failure::Closed,
-            _ => Failure::work(format!("the output cannot be written ({error})")),
+            _ => Failure::work(text!("cli-output-unwritable", error = error.to_string())),
         })
 }
 

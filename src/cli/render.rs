@@ -15,6 +15,7 @@ use shading_lab::analysis::{
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::render::{Frame, Renderer, check_memory};
 use shading_lab::scene::{Choice, CompareView, Scene};
+use shading_lab::text::text;
 use std::path::PathBuf;
 use tiny_skia::PixmapMut;
 
@@ -25,37 +26,24 @@ const MAX_SAMPLES: u32 = 4096;
 pub struct Render {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The picture to write; the scene goes with it and comes back when it is opened
     #[arg(short, long, value_name = "FILE.png", value_parser = picture_name())]
     output: PathBuf,
-    /// Width and height in pixels, instead of the scene's
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
-    /// Samples per pixel
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
     samples: u32,
-    /// How the scene's panes are shown; with --pane, side by side unless this says otherwise: single (the scene alone), panes
-    /// (side by side), wipe (the first pane and the reference on either side of a line, at compare.wipe) or difference (the
-    /// first pane minus the reference, times compare.gain)
     #[arg(long, value_parser = |text: &str| parse_choice(text, CompareView::VALUES))]
     compare: Option<CompareView>,
     #[command(flatten)]
     panes: PaneArguments,
-    /// Leaves out the names and figures of panes, and the scale of a difference
     #[arg(long)]
     no_captions: bool,
-    /// Drawings over the picture: vectors, angles, construction, lights, lobe, side-view, profile, defects,
-    /// face-normals, vertex-normals; with probe=X,Y the pixel that they
-    /// explain, otherwise a lit one near the middle whose vectors are well apart
     #[arg(long, value_name = "LIST", value_parser = Overlays::parse, allow_hyphen_values = true)]
     overlay: Option<Overlays>,
-    /// Where the line of --overlay profile begins, in pixels; without a line it is level, through the probe or the middle
     #[arg(long, value_name = "X,Y", value_parser = parse_place, requires_all = ["to", "overlay"], allow_hyphen_values = true)]
     from: Option<DVec2>,
-    /// Where it ends
     #[arg(long, value_name = "X,Y", value_parser = parse_place, requires = "from", allow_hyphen_values = true)]
     to: Option<DVec2>,
-    /// The vertex whose faces --overlay vertex-normals lights up, each with its weight
     #[arg(long, value_name = "I", value_parser = parse_vertex, requires = "overlay", allow_hyphen_values = true)]
     vertex: Option<u32>,
 }
@@ -77,7 +65,10 @@ impl Render {
         check_memory(scene).map_err(Failure::work)?;
         let mut renderer = Renderer::default();
         renderer.set_model(loaded.model);
-        let bar = progress_bar(u64::from(self.samples) * which.len() as u64, "drawing");
+        let bar = progress_bar(
+            u64::from(self.samples) * which.len() as u64,
+            text!("cli-drawing"),
+        );
         let mut progress = |done: u32| {
             bar.set_position(done.into());
             true
@@ -108,14 +99,10 @@ impl Render {
     /// Refuses a line or a vertex that nothing shows, and a pixel or a line outside a picture of `sides` pixels.
     fn check(&self, overlays: &Overlays, sides: [u32; 2]) -> Result<(), Failure> {
         if self.from.is_some() && !overlays.layers.contains(&OverlayLayer::Profile) {
-            return Err(Failure::input(
-                "--from and --to without a profile, expected --overlay profile",
-            ));
+            return Err(Failure::input(text!("cli-line-without-profile")));
         }
         if self.vertex.is_some() && !overlays.layers.iter().any(|layer| layer.of_needles()) {
-            return Err(Failure::input(
-                "--vertex without normals, expected --overlay vertex-normals",
-            ));
+            return Err(Failure::input(text!("cli-vertex-without-normals")));
         }
         let size = DVec2::from_array(sides.map(f64::from));
         let outside = |p: &DVec2| p.min_element() < 0.0 || p.cmpgt(size).any();
@@ -124,8 +111,10 @@ impl Render {
                 x: right,
                 y: bottom,
             } = size;
-            return Err(Failure::input(format!(
-                "{x},{y}: outside the picture, expected 0,0 to {right},{bottom}"
+            return Err(Failure::input(text!(
+                "cli-outside-picture",
+                what = format!("{x},{y}"),
+                last = format!("{right},{bottom}")
             )));
         }
         overlays
@@ -149,9 +138,9 @@ impl Render {
         };
         if any(OverlayLayer::of_point) && probed.hit.is_none() {
             let [x, y] = probed.pixel;
-            let expected = "expected a pixel that shows the object";
-            return Err(Failure::input(format!(
-                "--overlay {x},{y}: the background, {expected}"
+            return Err(Failure::input(text!(
+                "cli-background",
+                what = format!("--overlay {x},{y}")
             )));
         }
         let options = OverlayOptions {
@@ -161,7 +150,7 @@ impl Render {
         let size = scene.image.size;
         let mut pixmap =
             PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), frame.width, frame.height)
-                .ok_or_else(|| Failure::work("the picture is too large for overlays"))?;
+                .ok_or_else(|| Failure::work(text!("cli-too-large-for-overlays")))?;
         if any(OverlayLayer::of_needles) {
             let vertex = |field: &NormalField| {
                 self.vertex
@@ -225,7 +214,7 @@ impl Overlays {
                 .map_or((piece, None), |(name, x)| (name, Some(x)));
             match name.trim() {
                 "probe" if x.is_none() => {
-                    return Err("probe without its pixel, expected probe=X,Y".to_owned());
+                    return Err(text!("cli-probe-without-pixel").to_owned());
                 }
                 "probe" => {}
                 name => list.layers.push(parse_choice(name, &OverlayLayer::ALL)?),
@@ -233,16 +222,13 @@ impl Overlays {
             if let Some(x) = x {
                 let pixel = parse_pixel(&format!("{x},{}", pieces.next().unwrap_or_default()))?;
                 if list.pixel.is_some_and(|other| other != pixel) {
-                    return Err("two pixels, expected one that all overlays explain".to_owned());
+                    return Err(text!("cli-two-pixels").to_owned());
                 }
                 list.pixel = Some(pixel);
             }
         }
         if list.layers.is_empty() {
-            return Err(
-                "a pixel alone, expected what to draw there, as in vectors,angles,probe=100,80"
-                    .to_owned(),
-            );
+            return Err(text!("cli-pixel-alone").to_owned());
         }
         Ok(list)
     }

@@ -11,15 +11,14 @@ use shading_lab::geometry::tessellate;
 use shading_lab::scene::materials::{NAMED, NamedMaterial};
 use shading_lab::scene::parameter::{Kind, Parameter};
 use shading_lab::scene::presets::{self, Preset};
-use shading_lab::scene::{Rgb, Scene};
-use shading_lab::text;
+use shading_lab::scene::{Choice, Rgb, Scene};
+use shading_lab::text::{Language, in_language, text};
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
 
 #[derive(Args)]
 pub struct List {
-    /// Print one JSON object
     #[arg(long)]
     json: bool,
 }
@@ -42,13 +41,8 @@ impl List {
     }
 
     pub fn materials(self) -> Result<(), Failure> {
-        let widest = |text: fn(&NamedMaterial) -> &'static str| {
-            NAMED.iter().map(|named| text(named).len()).max()
-        };
-        let (name, title) = (
-            widest(|named| named.name).unwrap_or(0),
-            widest(NamedMaterial::title).unwrap_or(0),
-        );
+        let name = NAMED.iter().map(|named| named.name.len()).max();
+        let name = name.unwrap_or(0);
         // Three numbers as a scene file writes them, in columns.
         let triple = |value: Rgb| {
             let [r, g, b] = value.to_array();
@@ -56,16 +50,11 @@ impl List {
         };
         let line = |named: &NamedMaterial| {
             let NamedMaterial { ka, kd, ks, n, .. } = *named;
-            let numbers = format!(
-                "ka {}  kd {}  ks {}  n {n}",
-                triple(ka),
-                triple(kd),
-                triple(ks)
-            );
+            let [ka, kd, ks] = [ka, kd, ks].map(triple);
+            let title = named.title();
             format!(
-                "{:name$}  {:title$}  {numbers}\n",
-                named.name,
-                named.title()
+                "{:name$}  ka {ka}  kd {kd}  ks {ks}  n {n:<10}  {title}\n",
+                named.name
             )
         };
         let object = |named: &NamedMaterial| {
@@ -137,13 +126,10 @@ impl List {
         object: impl Fn(&T) -> Value,
     ) -> Result<(), Failure> {
         match self.json {
-            true => print(&format!(
-                "{:#}\n",
-                text::in_language(
-                    text::Language::English,
-                    || json!({ name: all.iter().map(object).collect::<Vec<_>>() })
-                )
-            )),
+            true => print(&in_language(Language::English, || {
+                let objects: Vec<_> = all.iter().map(object).collect();
+                format!("{:#}\n", json!({ name: objects }))
+            })),
             false => print(&all.iter().map(line).collect::<String>()),
         }
     }
@@ -151,10 +137,8 @@ impl List {
 
 #[derive(Args)]
 pub struct Check {
-    /// A .toml, .obj or .png file, or a built-in scene's name
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Override one key of the scene first
     #[arg(long, value_name = "KEY=VALUE", allow_hyphen_values = true)]
     set: Vec<String>,
 }
@@ -170,17 +154,20 @@ impl Check {
         .load(earlier)?;
         let scene = &loaded.scene;
         let [width, height] = scene.image.size;
-        let polygons = loaded
-            .model
-            .map(|model| format!(", {} polygons", model.starts.len().saturating_sub(1)));
-        let lights = scene.lights.len();
-        print(&format!(
-            "{name}: ok ({:?}{}, {lights} {}, {:?} shading, {width}×{height})\n",
-            scene.object.kind,
-            polygons.unwrap_or_default(),
-            if lights == 1 { "light" } else { "lights" },
-            scene.shading.mode,
-        ))
+        let polygons = loaded.model.map_or_else(String::new, |model| {
+            let count = model.starts.len().saturating_sub(1);
+            text!("cli-check-polygons", count = count)
+        });
+        let sound = text!(
+            "cli-check-sound",
+            name = name,
+            object = scene.object.kind.label(),
+            polygons = polygons,
+            lights = scene.lights.len(),
+            mode = scene.shading.mode.label(),
+            size = format!("{width}×{height}")
+        );
+        print(&(sound + "\n"))
     }
 }
 
@@ -188,21 +175,16 @@ impl Check {
 pub struct Code {
     #[command(flatten)]
     scene: SceneArguments,
-    /// What to write it in
-    #[arg(long, value_enum, default_value_t = Language::CSnippet)]
-    language: Language,
-    /// The file to write instead of stdout; shaders go to two files of that name, ending in .vert and .frag
+    #[arg(long, value_enum, default_value_t = Target::CSnippet)]
+    target: Target,
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Language {
-    /// A whole program in C that draws the scene with fixed-function OpenGL, off screen
+enum Target {
     C,
-    /// Its camera, lights and material only
     CSnippet,
-    /// A vertex and a fragment shader, GLSL 3.30
     Glsl,
 }
 
@@ -212,11 +194,11 @@ impl Code {
             scene, model, name, ..
         } = self.scene.load(earlier)?;
         let mesh = || model.unwrap_or_else(|| Arc::new(tessellate(&scene.object)));
-        let export = match self.language {
-            Language::C => opengl_c(&scene, &mesh())
+        let export = match self.target {
+            Target::C => opengl_c(&scene, &mesh())
                 .map_err(|error| Failure::input(format!("{name}: {error}")))?,
-            Language::CSnippet => opengl_c_snippet(&scene, &mesh()),
-            Language::Glsl => glsl_330(&scene),
+            Target::CSnippet => opengl_c_snippet(&scene, &mesh()),
+            Target::Glsl => glsl_330(&scene),
         };
         match &self.output {
             None => print(&joined(&export))?,
@@ -224,7 +206,11 @@ impl Code {
         }
         for limit in &export.limits {
             // Without stderr there is nowhere to say so.
-            let _ = writeln!(io::stderr(), "note: {limit}");
+            let _ = writeln!(
+                io::stderr(),
+                "{}",
+                text!("cli-note", message = limit.to_string())
+            );
         }
         Ok(())
     }
@@ -234,10 +220,8 @@ impl Code {
 fn joined(export: &Export) -> String {
     let [part] = &export.parts[..] else {
         let titled = |part: &Part| {
-            format!(
-                "// ---- {} (.{}) ----\n{}",
-                part.title, part.ending, part.text
-            )
+            let title = in_language(Language::English, || part.title.text());
+            format!("// ---- {title} (.{}) ----\n{}", part.ending, part.text)
         };
         return export.parts.iter().map(titled).collect();
     };

@@ -3,8 +3,9 @@
 //! In: a scene and its polygons. Out: C that sets up camera, lights and material, and with it a whole program that draws
 //! the polygons off screen.
 
-use super::sources::{Emitter, Place, SCALE, emitters, flat, interpolation, surroundings};
-use super::text::{c_double, c_float, c_four, c_three, filled, head, holding, said};
+use super::limit::{Limit, holding, limit};
+use super::sources::{Emitter, Place, emitters, flat, interpolation, surroundings};
+use super::text::{c_double, c_float, c_four, c_three, filled, head, said};
 use super::{Export, ExportError, Part, export_mesh, fan};
 use crate::geometry::{Mesh, VertexMesh};
 use crate::illumination::{Index, SpecularForm, blinn_from_phong};
@@ -12,6 +13,7 @@ use crate::scene::{
     Attenuation, Backfacing, Camera, CuedBy, DepthCueing, Encoding, Framing, Light, LightKind,
     Overflow, PatternKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer,
 };
+use crate::text::Message;
 use glam::{DVec3, Vec3};
 
 /// Most triangles that are written out as C: about 100 MB of text.
@@ -43,16 +45,12 @@ const PROGRAM: [&str; 4] = [
     "    I = Ka*Od*Ia + sum over the lights of f*Ip*[Kd*Od*(N.L) + Ks*Os*(N.H)^n], where N.L > 0",
 ];
 
-/// What a program that sets up the lights has to add by itself.
-const VERTEX_CLAMP: &str = "Intensities above 1 at vertices: OpenGL clamps them before interpolating, unless the program \
-    calls glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE) (OpenGL 3.0, compatibility profile).";
-
 /// The part that is worth copying: `set_up_camera(width, height)`, `set_up_lights()` and `set_up_material()` in C99, to
 /// be called in this order with an OpenGL context current. The mesh gives the distances that the depth buffer spans.
 pub fn opengl_c_snippet(scene: &Scene, mesh: &Mesh) -> Export {
     let mesh = export_mesh(scene, mesh);
     let mut limits = limits(scene, &mesh);
-    limits.push(VERTEX_CLAMP.to_owned());
+    limits.push(limit!("export-limit-vertex-clamp"));
     let functions = functions(scene, &mesh);
     let text = format!(
         "/*\n{} */\n\n#include <GL/gl.h>\n\n{functions}",
@@ -60,7 +58,7 @@ pub fn opengl_c_snippet(scene: &Scene, mesh: &Mesh) -> Export {
     );
     Export {
         parts: vec![Part {
-            title: "C",
+            title: Message("export-c"),
             ending: "c",
             text,
         }],
@@ -88,7 +86,7 @@ pub fn opengl_c(scene: &Scene, mesh: &Mesh) -> Result<Export, ExportError> {
     let text = format!("/*\n{head} */\n\n{includes}\n{functions}\n{main}");
     Ok(Export {
         parts: vec![Part {
-            title: "C",
+            title: Message("export-c"),
             ending: "c",
             text,
         }],
@@ -106,32 +104,26 @@ fn functions(scene: &Scene, mesh: &VertexMesh) -> String {
 }
 
 /// What fixed-function OpenGL cannot say.
-fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
+fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
     let mut limits = surroundings(scene);
     let shading = match scene.shading.mode {
-        ShadingMode::Phong => Some(
-            "Phong shading: the equation is evaluated at vertices only and the intensity interpolated (Gouraud shading). \
-             A finer mesh comes nearer.",
-        ),
-        ShadingMode::Exact => Some(
-            "Exact shading: the polygons are drawn, outline included, with the equation evaluated at vertices only.",
-        ),
+        ShadingMode::Phong => Some(limit!("export-limit-phong")),
+        ShadingMode::Exact => Some(limit!("export-limit-exact")),
         ShadingMode::Flat => flat(scene),
         ShadingMode::Interpolated | ShadingMode::Gouraud => interpolation(scene, false),
     };
-    limits.extend(shading.map(str::to_owned));
+    limits.extend(shading);
     if SpecularForm::of(scene) != SpecularForm::None {
         limits.extend(specular_limits(scene));
     }
     limits.extend(holding([
         (
             scene.pattern.kind != PatternKind::None,
-            "The pattern on the surface: Od is the material's colour everywhere.",
+            limit!("export-limit-pattern"),
         ),
         (
             scene.reflection.backfacing == Backfacing::Flip,
-            "backfacing = \"flip\" turns N towards each light wherever N.L < 0; GL_LIGHT_MODEL_TWO_SIDE turns it on \
-             polygons seen from behind, whatever the light. They agree where light and eye are on the same side.",
+            limit!("export-limit-two-side"),
         ),
     ]));
     let emitters = emitters(scene);
@@ -142,53 +134,54 @@ fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
             .flat_map(|emitter| light_limits(emitter, mesh, whole)),
     );
     if emitters.len() > MOST_LIGHTS {
-        limits.push(format!(
-            "Lights beyond the eighth: {} shine, OpenGL has {MOST_LIGHTS}.",
-            emitters.len()
+        limits.push(limit!(
+            "export-limit-lights",
+            shining = emitters.len(),
+            most = MOST_LIGHTS
         ));
     }
     limits.extend(fog_limits(scene, mesh));
     limits.extend(holding([
-        (scene.display.overflow == Overflow::Scale, SCALE),
+        (
+            scene.display.overflow == Overflow::Scale,
+            limit!("export-limit-scale"),
+        ),
         (
             scene.display.overflow == Overflow::Mark,
-            "The hatching where I > 1: I is clamped.",
+            limit!("export-limit-hatching"),
         ),
         (
             scene.display.encoding == Encoding::Srgb,
-            "The sRGB encoding: stored values are 255*I.",
+            limit!("export-limit-srgb"),
         ),
     ]));
     limits
 }
 
-fn specular_limits(scene: &Scene) -> Vec<String> {
+fn specular_limits(scene: &Scene) -> Vec<Limit> {
     let n = exponent(scene);
     let mut limits = Vec::new();
     match scene.reflection.model {
         ReflectionModel::Blinn => {}
-        ReflectionModel::Phong => limits.push(format!(
-            "Phong's (R.V)^n: fixed-function lighting has Blinn's (N.H)^n (reflection.model = \"blinn\"); n = {} gives a \
-             highlight as wide as n = {} does for Phong.",
-            said(n),
-            said(scene.material.n)
+        ReflectionModel::Phong => limits.push(limit!(
+            "export-limit-phong-lobe",
+            blinn = said(n),
+            phong = said(scene.material.n)
         )),
-        ReflectionModel::CookTorrance => limits.push(format!(
-            "Cook and Torrance's microfacets: Blinn's (N.H)^n stands for them, its n = {} from the roughness.",
-            said(n)
-        )),
+        ReflectionModel::CookTorrance => {
+            limits.push(limit!("export-limit-microfacets", n = said(n)))
+        }
     }
     if n > GREATEST_EXPONENT {
-        limits.push(format!("n = {}: GL_SHININESS goes up to 128.", said(n)));
+        limits.push(limit!("export-limit-shininess", n = said(n)));
     }
     if Index::of(&scene.material).is_some() {
-        limits
-            .push("W(theta), the reflectance by angle of incidence: its value at 0 degrees multiplies Ks.".to_owned());
+        limits.push(limit!("export-limit-reflectance"));
     }
     limits
 }
 
-fn light_limits(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<String> {
+fn light_limits(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<Limit> {
     let light = emitter.light;
     let spot = light.kind == LightKind::Spot;
     let points = match &emitter.place {
@@ -203,35 +196,33 @@ fn light_limits(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<St
         (Attenuation::Quadratic, None, Place::Among(_)) => light.c1 < 1.0,
         _ => false,
     };
-    let limits = holding([
+    let index = emitter.index;
+    holding([
         (
             points > 0,
-            &format!("an area of {points} points, drawn as the one in its middle."),
+            limit!("export-limit-light-area", light = index, points = points),
         ),
         (
             spot && light.softness > 0.0,
-            "the soft edge of its cone; GL_SPOT_CUTOFF is a hard one.",
+            limit!("export-limit-light-soft", light = index),
         ),
         (
             spot && light.exponent > GREATEST_EXPONENT,
-            &format!(
-                "its exponent {}; GL_SPOT_EXPONENT goes up to 128.",
-                said(light.exponent)
+            limit!(
+                "export-limit-light-exponent",
+                light = index,
+                exponent = said(light.exponent)
             ),
         ),
         (
             light.attenuation == Attenuation::Viewer,
-            "attenuation by the distance to the viewer; that of the camera's target stands for all.",
+            limit!("export-limit-light-viewer", light = index),
         ),
         (
             unclamped,
-            "f = min(1, ...) of its attenuation; OpenGL's f exceeds 1 near the light.",
+            limit!("export-limit-light-unclamped", light = index),
         ),
-    ]);
-    limits
-        .into_iter()
-        .map(|text| format!("Light {}: {text}", emitter.index))
-        .collect()
+    ])
 }
 
 /// The camera as two matrices: from the world to the eye, and from the eye to the picture.
@@ -349,7 +340,7 @@ fn fog(cueing: &DepthCueing) -> String {
 }
 
 /// What fog does not say.
-fn fog_limits(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
+fn fog_limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
     let cueing = &scene.depth_cueing;
     let DepthCueing {
         front,
@@ -367,21 +358,15 @@ fn fog_limits(scene: &Scene, mesh: &VertexMesh) -> Vec<String> {
     });
     let flat = front_scale == back_scale;
     holding([
-        (
-            flat,
-            "Depth cueing by the same s0 everywhere: OpenGL's fog depends on the depth. There is none.",
-        ),
-        (
-            !flat && leaves,
-            "Depth cueing: s0 goes on to 1 and to 0 beyond its two depths.",
-        ),
+        (flat, limit!("export-limit-cueing-constant")),
+        (!flat && leaves, limit!("export-limit-cueing-beyond")),
         (
             !flat && cueing.by == CuedBy::Vertex,
-            "Depth cueing at vertices: OpenGL's fog is evaluated at every pixel.",
+            limit!("export-limit-cueing-vertices"),
         ),
         (
             !flat && cueing.color.max_element() > 1.0,
-            "Depth cueing: OpenGL clamps fog's colour to 1.",
+            limit!("export-limit-cueing-colour"),
         ),
     ])
 }

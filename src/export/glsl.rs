@@ -3,7 +3,8 @@
 //! Phong and exact shading evaluate the equation in the fragment shader, the other modes in the vertex shader: the text of
 //! the equation is the same.
 
-use super::sources::{Emitter, Place, SCALE, emitters, flat, interpolation, surroundings};
+use super::limit::limit;
+use super::sources::{Emitter, Place, emitters, flat, interpolation, surroundings};
 use super::text::{filled, float, head, said, vec3};
 use super::{Export, Part};
 use crate::illumination::{Index, SpecularForm};
@@ -12,6 +13,7 @@ use crate::scene::{
     NormalSource, Object, ObjectKind, Overflow, PatternKind, Projection, Scene, ShadingMode, View,
     Viewer,
 };
+use crate::text::{Language, Message, in_language};
 use glam::{DMat4, DVec3, DVec4};
 
 /// Stands for n = ∞.
@@ -38,24 +40,25 @@ const DIRECTION: &str = "    float d = max(length(to_light), 1e-9);\n    vec3 L 
 pub fn glsl_330(scene: &Scene) -> Export {
     let mut limits = surroundings(scene);
     let shading = match scene.shading.mode {
-        ShadingMode::Exact if scene.object.kind.has_surface() => Some(
-            "Exact shading: each pixel of the polygons is shaded with its interpolated N (Phong shading); the outline is \
-             theirs.",
-        ),
+        ShadingMode::Exact if scene.object.kind.has_surface() => {
+            Some(limit!("export-limit-exact-pixels"))
+        }
         ShadingMode::Exact => None,
         ShadingMode::Flat => flat(scene),
         _ => interpolation(scene, true),
     };
-    let scale = (scene.display.overflow == Overflow::Scale).then_some(SCALE);
-    limits.extend([shading, scale].into_iter().flatten().map(str::to_owned));
+    let scale = (scene.display.overflow == Overflow::Scale).then(|| limit!("export-limit-scale"));
+    limits.extend([shading, scale].into_iter().flatten());
     let equation = format!("{}\n{}\n{}", constants(scene), terms(scene), lights(scene));
     let [in_vertex, in_fragment] = if per_pixel(scene) {
         ["", equation.as_str()]
     } else {
         [equation.as_str(), ""]
     };
-    let part = |title, ending, text| {
-        let what = format!("A scene of shading-lab: the {title} of a pair.");
+    let part = |title: Message, ending, text| {
+        let what = in_language(Language::English, || {
+            format!("A scene of shading-lab: the {} of a pair.", title.text())
+        });
         let head = head(
             &[&what, &host(scene), "The equation, per channel:", EQUATION],
             &limits,
@@ -68,8 +71,16 @@ pub fn glsl_330(scene: &Scene) -> Export {
         }
     };
     let parts = vec![
-        part("vertex shader", "vert", vertex(scene, in_vertex)),
-        part("fragment shader", "frag", fragment(scene, in_fragment)),
+        part(
+            Message("export-vertex-shader"),
+            "vert",
+            vertex(scene, in_vertex),
+        ),
+        part(
+            Message("export-fragment-shader"),
+            "frag",
+            fragment(scene, in_fragment),
+        ),
     ];
     Export { parts, limits }
 }

@@ -1,6 +1,6 @@
 //! What both languages ask of a scene: the lights that shine, and what neither expresses.
 
-use super::text::holding;
+use super::limit::{Limit, holding, limit};
 use crate::illumination::{SpecularForm, area_samples, attenuation_at, direction};
 use crate::scene::{
     AmbientSource, Attenuation, FlatAt, Interpolation, Light, LightKind, PatternKind, Projection,
@@ -13,8 +13,6 @@ const PARALLEL_BEYOND: f64 = 1e9;
 
 /// Between this and its inverse, squares of lengths and products of a few of them stay within single precision.
 const GREATEST_LENGTH: f64 = 1e9;
-
-pub(super) const SCALE: &str = "The division by the picture's greatest intensity, which nothing knows before all is drawn: I is clamped.";
 
 /// A light that shines.
 pub(super) struct Emitter<'a> {
@@ -97,7 +95,7 @@ impl Emitter<'_> {
 }
 
 /// What neither the calls nor the shaders do: mostly what needs more than one surface at a time.
-pub(super) fn surroundings(scene: &Scene) -> Vec<String> {
+pub(super) fn surroundings(scene: &Scene) -> Vec<Limit> {
     let unit = scene.camera.distance();
     let measured = (1.0 / GREATEST_LENGTH..GREATEST_LENGTH).contains(&unit);
     let shining = scene
@@ -108,33 +106,24 @@ pub(super) fn surroundings(scene: &Scene) -> Vec<String> {
     holding([
         (
             scene.shading.shadows && shining,
-            "Shadows: every light reaches every point.",
+            limit!("export-limit-shadows"),
         ),
         (
             scene.transparency.kt > 0.0,
-            "Transparency (Kt): the surface is drawn opaque.",
+            limit!("export-limit-transparency"),
         ),
-        (
-            scene.ground.visible,
-            "The ground: only the object is drawn.",
-        ),
-        (
-            backdrop,
-            "The backdrop: only the background's colour is behind the object.",
-        ),
+        (scene.ground.visible, limit!("export-limit-ground")),
+        (backdrop, limit!("export-limit-backdrop")),
         (
             scene.ambient.source != AmbientSource::Constant,
-            "Light that other surfaces have scattered: Ia is constant.",
+            limit!("export-limit-bounce"),
         ),
-        (
-            !measured,
-            "Lengths of this size: OpenGL squares them in single precision. Scale the scene.",
-        ),
+        (!measured, limit!("export-limit-lengths")),
     ])
 }
 
 /// What flat shading is not.
-pub(super) fn flat(scene: &Scene) -> Option<&'static str> {
+pub(super) fn flat(scene: &Scene) -> Option<Limit> {
     // Where L and V do not vary, a polygon with one normal has one shade.
     let parallel = emitters(scene)
         .iter()
@@ -144,28 +133,19 @@ pub(super) fn flat(scene: &Scene) -> Option<&'static str> {
             || SpecularForm::of(scene) == SpecularForm::None);
     match scene.shading.flat_at {
         FlatAt::ProvokingVertex => None,
-        FlatAt::Centre if constant => Some(
-            "Flat shading with the polygon's own N: GL_FLAT takes the shade of one vertex, with that vertex's N. Vertex \
-             normals of the facets (object.normals = \"facet\") make them agree.",
-        ),
-        FlatAt::Centre => Some(
-            "Flat shading at the polygon's centre: GL_FLAT takes the shade of one vertex, here the polygon's first.",
-        ),
-        FlatAt::VertexMean => Some(
-            "Flat shading by the mean of the vertices' shades: GL_FLAT takes the shade of one, here the polygon's first.",
-        ),
+        FlatAt::Centre if constant => Some(limit!("export-limit-flat-own-normal")),
+        FlatAt::Centre => Some(limit!("export-limit-flat-centre")),
+        FlatAt::VertexMean => Some(limit!("export-limit-flat-mean")),
     }
 }
 
 /// What interpolation is not; `affine` says whether the target can interpolate in the picture.
-pub(super) fn interpolation(scene: &Scene, affine: bool) -> Option<&'static str> {
+pub(super) fn interpolation(scene: &Scene, affine: bool) -> Option<Limit> {
     match scene.shading.interpolation {
         Interpolation::Affine if !affine && scene.camera.projection == Projection::Perspective => {
-            Some("Affine interpolation: OpenGL's is perspective-correct.")
+            Some(limit!("export-limit-affine"))
         }
-        Interpolation::Scanline => Some(
-            "Interpolation along scan lines: polygons are drawn as triangles, interpolated as such.",
-        ),
+        Interpolation::Scanline => Some(limit!("export-limit-scanline")),
         _ => None,
     }
 }

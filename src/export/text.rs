@@ -1,6 +1,8 @@
 //! Numbers, comments and filled templates, as C and GLSL have them.
 
+use super::limit::Limit;
 use crate::illumination::Scalar;
+use crate::text::{Language, in_language};
 use glam::DVec3;
 
 /// A single-precision number with a point or an exponent, the shortest that reads back the same: GLSL's `float`.
@@ -73,24 +75,17 @@ pub(super) fn filled(template: &str, values: &[(&str, &str)]) -> String {
     text
 }
 
-/// The sentences whose condition holds.
-pub(super) fn holding<const N: usize>(cases: [(bool, &str); N]) -> Vec<String> {
-    cases
-        .into_iter()
-        .filter(|&(holds, _)| holds)
-        .map(|(_, text)| text.to_owned())
-        .collect()
-}
-
 /// The head of every text as a comment: what it is, and what it does not express. Each line is set off by `prefix`.
-pub(super) fn head(what: &[&str], limits: &[String], prefix: &str) -> String {
+pub(super) fn head(what: &[&str], limits: &[Limit], prefix: &str) -> String {
     let mut lines: Vec<String> = what.iter().map(|&line| line.to_owned()).collect();
     lines.push(String::new());
     if limits.is_empty() {
         lines.push("It expresses the scene completely.".to_owned());
     } else {
         lines.push("What it does not express:".to_owned());
-        lines.extend(limits.iter().map(|limit| format!("- {limit}")));
+        in_language(Language::English, || {
+            lines.extend(limits.iter().map(|limit| format!("- {limit}")));
+        });
     }
     let whole = |line: String| format!("{}\n", format!("{prefix}{line}").trim_end());
     lines

@@ -14,7 +14,7 @@ mod samples;
 mod section;
 mod shade;
 
-pub use account::Term;
+pub use account::{Term, TermName};
 pub use display::srgb;
 pub(crate) use display::stored_pixel;
 pub use frame::{Frame, Report, Stage, StageRun, coarseness, coarser_size};

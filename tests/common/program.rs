@@ -41,6 +41,8 @@ impl Folder {
         let mut command = Command::new(env!("CARGO_BIN_EXE_shading-lab"));
         command
             .current_dir(&self.0)
+            .env_remove("LANGUAGE")
+            .env("LC_ALL", "C")
             .args(arguments)
             .stdin(Stdio::null());
         command

@@ -1,0 +1,156 @@
+# Headings and other words of the help.
+cli-usage = Usage:
+cli-commands = Commands:
+cli-arguments = Arguments:
+cli-options = Options:
+cli-default = {" "}[default: { $value }]
+
+# Messages before their text.
+cli-error = error: { $message }
+cli-note = note: { $message }
+
+# Progress.
+cli-working = working
+cli-reading = reading
+cli-drawing = drawing
+
+# Lists of words: a, b or c.
+cli-comma = ,{" "}
+cli-or = { $others } or { $last }
+cli-expected = expected { $choices }
+
+# What is wrong with arguments.
+cli-wrong-value = invalid value '{ $value }' for '{ $argument }': { $reason }
+cli-missing-value = '{ $argument }' needs a value
+cli-unknown-argument = unknown argument '{ $argument }'{ $meant }; see --help
+cli-missing-arguments = missing: { $arguments }; see --help
+cli-conflict = '{ $argument }' cannot be used with '{ $other }'
+cli-no-language = expected { $first } or { $second }
+cli-no-material = no material of that name{ $meant }; see `shading-lab materials`
+cli-no-such-output = --output: { $name } does not write .{ $ending }, expected { $expected }
+cli-no-window = built without a window, expected a command: see shading-lab --help
+cli-set-without-scene = --set without a scene, expected `{ $name }` alone
+cli-scene-before-command = a scene before the command, expected it after: shading-lab COMMAND SCENE
+cli-expected-step = expected a whole number from 0, or last
+cli-expected-size = expected WIDTHxHEIGHT in pixels, 1 to { $most } each, as in 768x512
+cli-too-many-pixels = expected at most { $most } pixels in all
+cli-expected-pixel = expected X,Y in whole pixels from the top left, as in 100,80
+cli-expected-place = expected X,Y in pixels from the top left, as in 100.5,80.5
+cli-expected-vertex = expected the number of a vertex, counted from 0
+cli-expected-output = expected a name that ends in .json, .png, .svg or .csv
+cli-expected-png = expected a name that ends in .png
+cli-outside-range = { $argument } { $value }: expected { $low } to { $high }
+cli-outside-picture = { $what }: outside the picture, expected 0,0 to { $last }
+cli-background = { $what }: this pixel shows the background, expected one that shows the object
+cli-surround-too-small = --surround { $surround }: expected more than the centre's { $centre }
+cli-surround-too-large = --surround { $surround }: { $pixels } pixels wide, expected at most { $most } for --picture
+cli-line-without-profile = --from and --to without a profile, expected --overlay profile
+cli-vertex-without-normals = --vertex without normals, expected --overlay vertex-normals
+cli-probe-without-pixel = probe without a pixel, expected probe=X,Y
+cli-two-pixels = two different pixels, expected one for all overlays
+cli-pixel-alone = a pixel alone, expected what to draw there, as in vectors,angles,probe=100,80
+
+# What cannot be done.
+cli-no-threads = the threads cannot be started ({ $error })
+cli-output-unwritable = the output cannot be written ({ $error })
+cli-too-large-for-overlays = the picture is too large for overlays
+
+# What `check` says of a sound file.
+cli-check-sound =
+    { $name }: ok ({ $object }{ $polygons }, { $lights ->
+        [one] 1 light
+       *[other] { $lights } lights
+    }, { $mode } shading, { $size })
+cli-check-polygons =
+    ,{" "}{ $count ->
+        [one] 1 polygon
+       *[other] { $count } polygons
+    }
+
+# Help: a command `cli-help-NAME`, its argument `cli-help-NAME-ARGUMENT`, an argument of several commands `cli-help-shared-ARGUMENT`.
+cli-help-program = A laboratory for local illumination and polygon shading.
+    .long = Without a command it opens the window. SCENE is a scene file (.toml), a model (.obj), a picture that this program exported (.png), or the name of a built-in scene (`shading-lab scenes`).
+cli-help-shared-help = Print help
+cli-help-shared-version = Print version
+cli-help-shared-language = Language of the texts, instead of the system's
+cli-help-shared-source = A .toml, .obj or .png file, or the name of a built-in scene
+cli-help-shared-set = Override one key of the scene, as in material.n=1005 or light.0.position=[2,2,3]
+cli-help-shared-material = Use a named material (see `materials`); --set can then change it further
+cli-help-shared-json = Print one JSON object
+cli-help-shared-csv = Write the table as CSV
+cli-help-shared-output = Write the figure as .png or .svg, the table as .csv, or the JSON object
+cli-help-shared-size = Width and height of the picture in pixels, instead of the scene's; for curves, profile and scanline those of the figure
+cli-help-shared-dark = Draw the figure with light lines on a dark background
+cli-help-shared-pane = Add a pane beside the scene, instead of the scene's own panes: its settings, as in shading.mode=exact, separated by semicolons. The last pane is the reference unless compare.reference names another
+cli-help-shared-frames = Frames per measurement
+cli-help-shared-threads = Number of threads; one per core unless given
+cli-help-render = Draw a scene into a PNG file, without a window
+cli-help-render-output = The picture to write; it contains the scene, which can be opened again
+cli-help-render-size = Width and height in pixels, instead of the scene's
+cli-help-render-samples = Samples per pixel
+cli-help-render-compare = How the scene's panes are shown: single (the scene alone), panes (side by side; the default with --pane), wipe (the first pane and the reference on either side of a line at compare.wipe) or difference (the first pane minus the reference, times compare.gain)
+cli-help-render-no-captions = Leave out the names and numbers of panes, and the scale of a difference
+cli-help-render-overlay = Drawings over the picture: vectors, angles, construction, lights, lobe, side-view, profile, defects, face-normals, vertex-normals; probe=X,Y sets the pixel that they explain, otherwise a lit one near the centre
+cli-help-render-from = Start of the line of --overlay profile, in pixels; without a line it is horizontal, through the probe or the centre
+cli-help-render-to = End of that line
+cli-help-render-vertex = The vertex whose faces --overlay vertex-normals highlights, each with its weight
+cli-help-probe = Fill in the equation at one pixel
+cli-help-probe-pixel = The pixel, (0,0) at the top left
+cli-help-profile = Take the intensity along a line, its slope and what is perceived
+    .long = Slopes are per pixel; all values are linear and before rounding. Without a file it prints a row for each sample, values separated by commas.
+cli-help-profile-from = Start of the line, in pixels from the top left; a pixel's centre is at +0.5
+cli-help-profile-to = End of the line
+cli-help-profile-modes = Shading modes to compare, separated by commas
+cli-help-profile-picture = Write the whole picture as it is perceived, in the scene's own shading
+cli-help-profile-viewing-distance = Distance from the eye to the screen, millimetres
+cli-help-profile-density = Pixels of the screen per millimetre; 96 per inch are 3.78
+cli-help-profile-response = Model of the response: lateral-inhibition or response-normalisation
+cli-help-profile-centre = Width σ of the centre of the receptive field, degrees of visual angle
+cli-help-profile-surround = Width σ of the surround, greater than the centre's
+cli-help-profile-weight = Strength w of the inhibition
+cli-help-profile-saturation = Response at which normalisation halves a channel's gain
+cli-help-compare = Measure the panes of a scene against the reference among them
+    .long = Differences are those of linear intensities before encoding and rounding; where the display clamps, values above 1 count as 1. `study` also has the errors without clamping.
+cli-help-normals = Show which faces a vertex normal comes from, with their weights
+cli-help-normals-vertex = The vertex, counted from 0
+cli-help-normals-pixel = Take the visible vertex nearest to this pixel; without either, the one nearest to the centre of the picture
+cli-help-defects = Measure the five defects of interpolated shading
+cli-help-defects-pixel = The pixel whose point is followed while the picture turns; otherwise a lit one near the centre
+cli-help-conditions = Check when flat shading is exact: the three conditions
+cli-help-explain = Print a frame's plan: what is evaluated, what is left out and why
+    .long = Times are medians of whole frames, drawn alternately by the plan and with nothing left out that could be kept; shares are of the sum of the stages. For each change that `bench` makes it names the stages that run again.
+cli-help-scanline = Convert one polygon to pixels, step by step
+    .long = Active edges, P and Q with their α, and the value of each pixel. Without a file it prints the scan line of the step with its formulas filled in.
+cli-help-scanline-pixel = The polygon at this pixel, otherwise a lit one near the centre
+cli-help-scanline-face = The polygon by its index in the mesh
+cli-help-scanline-rows = Rows of enlarged pixels, 8 to 64
+cli-help-scanline-step = The step to show, counted from 0, or `last`; otherwise the pixel asked for, or one in the middle
+cli-help-scanline-line = The scan line to show, finished: a row of the grid, or `last`
+cli-help-study = Measure error against run time
+    .long = Every shading method at several tessellations against the exact picture. Errors are those of linear intensities before the display, values above 1 included; “shown” errors are of values clamped to 1 where the display clamps, as in `compare`.
+cli-help-study-methods = Shading methods, separated by commas, all unless given: flat, flat-vertex-mean, interpolated, gouraud, phong, phong-unnormalised; in scalar code phong-scalar, taylor (Bishop and Weimer 1986), angular (Kuijk and Blake 1989)
+cli-help-study-segments = Numbers of segments around the axis, separated by commas; those along it change in proportion
+cli-help-study-n = Exponents of the highlight, separated by commas; the scene's own unless given
+cli-help-study-interpolation = Interpolation between vertices, separated by commas: perspective, affine, scanline
+cli-help-study-repeats = Frames timed for each setting
+cli-help-study-threads = Number of threads; one per core unless given. With 1, times of the engine and of scalar code differ by the code alone
+cli-help-stability = Draw stiff and extreme cases
+    .long = Where a naive renderer fails, by how much, and that the engine does not. The reference computes with 106 bits. The exit status is 1 if the engine is off by more than half a code value anywhere.
+cli-help-stability-cases = Only these cases by name, separated by commas; all unless given
+cli-help-code = Write a scene as OpenGL calls or as GLSL shaders, to copy; what they cannot express is printed on stderr
+cli-help-code-target = What to write: c-snippet (camera, lights and material in C), c (a whole program in C that draws the scene off screen with fixed-function OpenGL) or glsl (a vertex and a fragment shader, GLSL 3.30)
+cli-help-code-output = The file to write instead of stdout; shaders go to two files of that name, ending in .vert and .frag
+cli-help-curves = Plot the curves of local illumination at one pixel
+    .long = f(d), the family of powers of a cosine, W(θ), and the specular lobe. Without a file it prints what the plots say in words and numbers.
+cli-help-curves-kind = Which plot: attenuation, exponent, reflectance or lobe; otherwise all that the scene has, f and W only where they vary
+cli-help-curves-pixel = The pixel whose values are marked, otherwise a lit one near the centre whose vectors are well apart
+cli-help-curves-light = The light whose attenuation and lobe are plotted, counted from 0; otherwise the first that the point faces
+cli-help-scenes = List the built-in scenes
+cli-help-materials = List the named materials of the OpenGL tradition, for --material
+cli-help-parameters = List every key of the scene file with its default, limits and meaning
+cli-help-check = Read a scene, a model or a picture, and report what is wrong with it
+cli-help-check-file = A .toml, .obj or .png file, or the name of a built-in scene
+cli-help-check-set = Override one key of the scene first
+cli-help-bench = Measure the time of a frame and of its stages
+    .long = A frame of `full` is transformed, covered, shaded and displayed anew; the tessellation is kept, as a graphics card keeps it in its buffers. A frame of `changes` differs from the one before in one thing: the position of the first light, n, ka, the eye on an orbit, or the number of segments.
+cli-help-bench-growth = Also measure how the time grows with the pixels, up to 8 million, and with the triangles, up to 4 million

@@ -10,29 +10,73 @@ use crate::scene::{
     AmbientSource, Backfacing, Encoding, LightKind, Material, ObjectKind, Overflow, PatternKind,
     Reflectance, Rgb, Scene, Viewer,
 };
-use serde::Serialize;
+use crate::text::{Message, text};
+use serde::{Serialize, Serializer};
+use std::fmt::{self, Display, Formatter};
 
 /// One term of the equation, or one step of a stage.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Term {
     pub stage: Stage,
-    pub name: String,
+    pub name: TermName,
     /// How often it is evaluated.
     pub per: Per,
     /// How many times in all.
     pub evaluations: u64,
     /// Why it is left out.
-    pub omitted: Option<&'static str>,
+    pub omitted: Option<Message>,
     /// What is left out of it, or why it is not left out where that could be expected.
-    pub note: Option<&'static str>,
+    pub note: Option<Message>,
 }
 
 impl Term {
-    fn noted(self, note: &'static str) -> Self {
+    fn noted(self, note: Message) -> Self {
         Self {
             note: self.omitted.is_none().then_some(note),
             ..self
         }
+    }
+}
+
+/// What a term is called: a step of a stage, or a part of the equation, of one light where it has a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TermName {
+    /// A letter of the equation, or a message of the catalogue.
+    word: &'static str,
+    light: Option<usize>,
+}
+
+impl TermName {
+    /// The light that it is a part of, counted from 0.
+    pub fn light(self) -> Option<usize> {
+        self.light
+    }
+
+    /// Its name among the parts of its light.
+    pub fn part(self) -> &'static str {
+        if self.word.starts_with("render-") {
+            text!(self.word)
+        } else {
+            self.word
+        }
+    }
+}
+
+impl Display for TermName {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self.light {
+            Some(light) => {
+                let (light, term) = (light + 1, self.part());
+                f.write_str(&text!("render-term-of-light", light = light, term = term))
+            }
+            None => f.write_str(self.part()),
+        }
+    }
+}
+
+impl Serialize for TermName {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 
@@ -49,17 +93,17 @@ pub struct Account<'a> {
 }
 
 /// Why no light is reflected specularly.
-fn no_specular(material: &Material) -> &'static str {
+fn no_specular(material: &Material) -> Message {
     if material.ks == Rgb::ZERO {
-        "Ks is 0"
+        Message("render-why-ks-zero")
     } else if material.ks * material.specular_color == Rgb::ZERO {
-        "Ks·Os is 0"
+        Message("render-why-ks-os-zero")
     } else {
-        "no light has a colour that Ks·Os reflects"
+        Message("render-why-no-specular-colour")
     }
 }
 
-const SURFACE: &str = "rays meet the true surface";
+const SURFACE: Message = Message("render-why-true-surface");
 
 impl Account<'_> {
     /// All terms and steps, in the order of the stages.
@@ -81,9 +125,9 @@ impl Account<'_> {
     fn term(
         &self,
         stage: Stage,
-        name: &str,
+        word: &'static str,
         (per, evaluations): (Per, u64),
-        omitted: Option<&'static str>,
+        omitted: Option<Message>,
     ) -> Term {
         let (per, evaluations) = if omitted.is_some() {
             (Per::None, 0)
@@ -92,7 +136,7 @@ impl Account<'_> {
         };
         Term {
             stage,
-            name: name.to_owned(),
+            name: TermName { word, light: None },
             per,
             evaluations,
             omitted,
@@ -110,34 +154,38 @@ impl Account<'_> {
         } = *self.report;
         let backs = self.backs;
         let surface = self.plan.true_surface.then_some(SURFACE);
-        let whole = (clipped == 0).then_some("nothing in sight crosses the near plane");
-        let culled = self.plan.cull.then_some("a closed solid hides them");
-        let none = (backs == 0).then_some("none is in the picture");
+        let whole = (clipped == 0).then_some(Message("render-why-nothing-clipped"));
+        let culled = self.plan.cull.then_some(Message("render-why-closed-solid"));
+        let none = (backs == 0).then_some(Message("render-why-no-backs"));
         let mesh = if self.scene.object.kind == ObjectKind::Obj {
-            "vertices of the model"
+            "render-term-model-vertices"
         } else {
-            "tessellation"
+            "render-term-tessellation"
         };
         let transform = |name, count, omitted| self.term(Stage::Transform, name, count, omitted);
         vec![
             self.term(Stage::Geometry, mesh, (Per::Vertex, vertices), None),
             self.term(
                 Stage::Geometry,
-                "vertex normals",
+                "render-term-vertex-normals",
                 (Per::Vertex, vertices),
                 None,
             ),
-            transform("to the picture", (Per::Vertex, vertices), surface),
-            transform("which side is seen", (Per::Face, triangles), surface),
-            transform("clipping", (Per::Face, clipped), surface.or(whole)),
+            transform("render-term-projection", (Per::Vertex, vertices), surface),
+            transform("render-term-facing", (Per::Face, triangles), surface),
             transform(
-                "triangles",
+                "render-term-clipping",
+                (Per::Face, clipped),
+                surface.or(whole),
+            ),
+            transform(
+                "render-term-triangles",
                 (Per::Face, candidates - backs.min(candidates)),
                 surface,
             )
-            .noted("those without a pixel's centre in their bounds are dropped"),
+            .noted(Message("render-why-small-triangles")),
             transform(
-                "back faces",
+                "render-term-back-faces",
                 (Per::Face, backs),
                 surface.or(culled).or(none),
             ),
@@ -146,16 +194,15 @@ impl Account<'_> {
 
     fn coverage(&self) -> Vec<Term> {
         let (surface, drawn) = (self.plan.true_surface, self.report.drawn);
-        let single = (!self.plan.depth_test).then_some("a convex solid shows one layer");
-        let rays = (!surface).then_some("polygons stand for the surface");
+        let single = (!self.plan.depth_test).then_some(Message("render-why-one-layer"));
+        let rays = (!surface).then_some(Message("render-why-polygons-drawn"));
         let hit = surface.then_some(SURFACE);
         let cover =
             |name, count, omitted| self.term(Stage::Coverage, name, (Per::Pixel, count), omitted);
         vec![
-            cover("rays to the surface", self.pixels(), rays),
-            cover("coverage", drawn, hit)
-                .noted("by scan line: only pixels inside a triangle are visited"),
-            cover("depth test", drawn, hit.or(single)),
+            cover("render-term-surface-rays", self.pixels(), rays),
+            cover("render-term-coverage", drawn, hit).noted(Message("render-why-by-scan-line")),
+            cover("render-term-depth-test", drawn, hit.or(single)),
         ]
     }
 
@@ -163,7 +210,8 @@ impl Account<'_> {
         let scene = self.scene;
         let (per, points) = self.shading_points();
         let shadows = (!self.plan.shadows).then(|| {
-            casts_shadows(scene, self.model, &self.plan.lights).unwrap_or("nothing casts a shadow")
+            casts_shadows(scene, self.model, &self.plan.lights)
+                .unwrap_or(Message("render-why-no-shadows"))
         });
         let lights = scene
             .lights
@@ -173,25 +221,29 @@ impl Account<'_> {
         let sources: u64 = lights
             .map(|(light, _)| u64::from(light.sample_count().max(1)))
             .sum();
-        let opaque = (scene.transparency.kt == 0.0).then_some("Kt is 0");
-        let plain = (!self.plan.composes).then_some("the background is plain");
-        let constant =
-            (scene.ambient.source == AmbientSource::Constant).then_some("Ia is constant");
+        let opaque = (scene.transparency.kt == 0.0).then_some(Message("render-why-opaque"));
+        let plain = (!self.plan.composes).then_some(Message("render-why-plain-background"));
+        let constant = (scene.ambient.source == AmbientSource::Constant)
+            .then_some(Message("render-why-constant-ambient"));
         let term = |name, count, omitted| self.term(Stage::Rays, name, count, omitted);
         vec![
-            term("shadows", (per, points * sources), shadows)
-                .noted("one question a source; rays that are proven free are not followed"),
-            term("transmission", (Per::Pixel, self.report.covered), opaque),
+            term("render-term-shadows", (per, points * sources), shadows)
+                .noted(Message("render-why-shadow-rays")),
             term(
-                "surroundings",
+                "render-term-transmission",
+                (Per::Pixel, self.report.covered),
+                opaque,
+            ),
+            term(
+                "render-term-surroundings",
                 (
                     Per::Pixel,
                     self.pixels() - self.report.covered.min(self.pixels()),
                 ),
                 plain,
             ),
-            term("one bounce", (Per::Pixel, self.pixels()), constant)
-                .noted("gathered at some of the pixels and carried to the others"),
+            term("render-term-bounce", (Per::Pixel, self.pixels()), constant)
+                .noted(Message("render-why-bounce-sampled")),
         ]
     }
 
@@ -199,29 +251,31 @@ impl Account<'_> {
     fn equation(&self) -> Vec<Term> {
         let (scene, kept) = (self.scene, !self.plan.leaves_out);
         let count = self.shading_points();
-        let term = |name: &str, count, omitted| self.term(self.stage(), name, count, omitted);
+        let term = |name, count, omitted| self.term(self.stage(), name, count, omitted);
         let dark = (!self.plan.lights.contains(&true)).then_some(NO_LIGHT);
         let mut equation = Equation::<f64>::new(scene);
         equation.retain_lights(|light| self.plan.lights[light]);
         let no_specular =
             (equation.form() == SpecularForm::None && !kept).then(|| no_specular(&scene.material));
         let infinite = scene.camera.viewer == Viewer::Infinite;
-        let constant = (scene.pattern.kind == PatternKind::None).then_some("one colour everywhere");
+        let constant =
+            (scene.pattern.kind == PatternKind::None).then_some(Message("render-why-no-pattern"));
         let clamped = (scene.reflection.backfacing == Backfacing::Clamp)
-            .then_some("surfaces turned away get none");
-        let unit = (self.plan.per != Per::Pixel).then_some("unit vectors by construction");
-        let short = (!self.plan.renormalise).then_some("switched off");
+            .then_some(Message("render-why-back-clamped"));
+        let unit =
+            (self.plan.per != Per::Pixel).then_some(Message("render-why-unit-by-construction"));
+        let short = (!self.plan.renormalise).then_some(Message("render-why-switched-off"));
         let mut terms = vec![
-            term("N of unit length", count, unit.or(short)),
-            term("place of the point", count, None),
+            term("render-term-normalise", count, unit.or(short)),
+            term("render-term-position", count, None),
             term(
                 "V",
                 if infinite { (Per::Frame, 1) } else { count },
                 dark.or(no_specular),
             ),
-            term("pattern", count, constant),
+            term("render-term-pattern", count, constant),
             term(
-                "ambient",
+                "render-term-ambient",
                 if constant.is_some() {
                     (Per::Frame, 1)
                 } else {
@@ -229,25 +283,32 @@ impl Account<'_> {
                 },
                 None,
             ),
-            term("turning N to the light", count, dark.or(clamped)),
+            term("render-term-flip", count, dark.or(clamped)),
         ];
         if self.plan.true_surface {
             terms[0] = terms[0]
                 .clone()
-                .noted("of unit length but for a rounding, which could turn a code value");
+                .noted(Message("render-why-unit-but-rounding"));
         }
         if constant.is_some()
             && scene.material.ka * scene.material.color * scene.ambient.color == Rgb::ZERO
         {
-            terms[4] = term("ambient", count, Some("Ka·Od·Ia is 0"));
+            terms[4] = term(
+                "render-term-ambient",
+                count,
+                Some(Message("render-why-ka-zero")),
+            );
         }
         if scene.ambient.source == AmbientSource::Bounce {
-            terms[4] = term("ambient", count, Some("one bounce takes its place"));
+            terms[4] = term(
+                "render-term-ambient",
+                count,
+                Some(Message("render-why-bounce-instead")),
+            );
         }
-        let enough = (!self.plan.double).then_some("single precision does");
-        let stiff = stiff(scene, self.model)
-            .unwrap_or("polygons are all there is of the object: shown exactly");
-        terms.push(term("double precision", count, enough).noted(stiff));
+        let enough = (!self.plan.double).then_some(Message("render-why-single-precision"));
+        let stiff = stiff(scene, self.model).unwrap_or(Message("render-why-polygons-exact"));
+        terms.push(term("render-term-double-precision", count, enough).noted(stiff));
         for light in 0..scene.lights.len() {
             terms.extend(self.light(light, &equation, no_specular));
         }
@@ -259,7 +320,7 @@ impl Account<'_> {
         &self,
         index: usize,
         equation: &Equation<f64>,
-        no_specular: Option<&'static str>,
+        no_specular: Option<Message>,
     ) -> Vec<Term> {
         let (scene, kept) = (self.scene, !self.plan.leaves_out);
         let light = &scene.lights[index];
@@ -268,13 +329,12 @@ impl Account<'_> {
         let (per, points) = self.shading_points();
         let times = sources.len() as u64;
         let each = (per, points * times);
-        let term = |what: &str, count, omitted: Option<&'static str>| {
-            self.term(
-                self.stage(),
-                &format!("light {}: {what}", index + 1),
-                count,
-                silent.or(omitted),
-            )
+        let term = |word, count, omitted: Option<Message>| Term {
+            name: TermName {
+                word,
+                light: Some(index),
+            },
+            ..self.term(self.stage(), word, count, silent.or(omitted))
         };
         let parallel = sources.iter().all(crate::illumination::Source::is_parallel);
         let attenuates = kept || sources.iter().any(crate::illumination::Source::attenuates);
@@ -285,22 +345,25 @@ impl Account<'_> {
         };
         let matt = scene.material.kd * (scene.material.color + colour) == Rgb::ZERO && !kept;
         let matt = matt.then_some(if scene.material.kd == Rgb::ZERO {
-            "Kd is 0"
+            Message("render-why-kd-zero")
         } else {
-            "Kd·Od is 0"
+            Message("render-why-kd-od-zero")
         });
-        let spot = (light.kind != LightKind::Spot).then_some("it is no spot light");
-        let law = (scene.material.reflectance == Reflectance::Constant).then_some("it is constant");
+        let spot = (light.kind != LightKind::Spot).then_some(Message("render-why-no-spotlight"));
+        let law = (scene.material.reflectance == Reflectance::Constant)
+            .then_some(Message("render-why-constant-reflectance"));
         vec![
             term("L", if parallel { (Per::Frame, times) } else { each }, None),
-            term("attenuation", each, (!attenuates).then_some("f is the same everywhere")),
-            term("cone", each, spot),
-            term("N·L", each, None).noted("evaluated also where the light is behind: its sign tells"),
-            term("diffuse", each, matt),
-            term("specular", each, no_specular).noted(
-                "skipped where N·L ≤ 0 in a whole vector of points, and the power where it changes no sum in single \
-                 precision; what is less than half a code value is kept, since it could turn one",
+            term(
+                "render-term-attenuation",
+                each,
+                (!attenuates).then_some(Message("render-why-constant-attenuation")),
             ),
+            term("render-term-cone", each, spot),
+            term("N·L", each, None).noted(Message("render-why-sign-of-n-l")),
+            term("render-term-diffuse", each, matt),
+            term("render-term-specular", each, no_specular)
+                .noted(Message("render-why-specular-skipped")),
             term("W(θ)", each, no_specular.or(law)),
         ]
     }
@@ -308,30 +371,31 @@ impl Account<'_> {
     fn interpolation(&self) -> Vec<Term> {
         let (plan, covered) = (self.plan, self.report.covered);
         let surface = plan.true_surface.then_some(SURFACE);
-        let flat = (!plan.carries).then_some("a face has one colour");
+        let flat = (!plan.carries).then_some(Message("render-why-one-colour-face"));
         let double = plan
             .pixels_in_double()
-            .then_some("each pixel is evaluated in double precision");
+            .then_some(Message("render-why-pixels-in-double"));
         let none = surface.or(flat).or(double);
-        let linear = (!plan.perspective).then_some("interpolation is linear in the picture");
+        let linear = (!plan.perspective).then_some(Message("render-why-linear-in-picture"));
         let shortened = (plan.per == Per::Pixel && plan.renormalise)
-            .then_some("N is made a unit vector all the same");
+            .then_some(Message("render-why-n-renormalised"));
         let fading = match plan.cued {
             Cued::Nowhere | Cued::AtPoints => self.shading_points(),
             Cued::AtVertices => (Per::Vertex, self.report.vertices),
             Cued::AtPixels => (Per::Pixel, covered),
         };
-        let uncued = (plan.cued == Cued::Nowhere)
-            .then(|| not_cued(self.scene, self.model).unwrap_or("switched off"));
+        let uncued = (plan.cued == Cued::Nowhere).then(|| {
+            not_cued(self.scene, self.model).unwrap_or(Message("render-why-switched-off"))
+        });
         let term = |name, count, omitted| self.term(Stage::Interpolation, name, count, omitted);
         vec![
-            term("carried to the pixels", (Per::Pixel, covered), none),
+            term("render-term-interpolated", (Per::Pixel, covered), none),
             term(
-                "division by depth",
+                "render-term-perspective",
                 (Per::Pixel, covered),
                 none.or(linear).or(shortened),
             ),
-            term("depth cueing", fading, uncued),
+            term("render-term-depth-cueing", fading, uncued),
         ]
     }
 
@@ -352,21 +416,25 @@ impl Account<'_> {
         } else {
             points
         };
-        let raw = (display.encoding == Encoding::Raw).then_some("raw: value × 255");
-        let clamped = (display.overflow == Overflow::Clamp).then_some("values above 1 are clamped");
-        let single = (!plan.whole_picture).then_some("each pixel is stored as it is shaded");
-        let mixed = (!plan.composes).then_some("the picture is the equation's alone");
-        let by_faces =
-            (per == Per::Face).then_some("once for each triangle in sight, in each band of rows");
+        let raw = (display.encoding == Encoding::Raw).then_some(Message("render-why-raw-encoding"));
+        let clamped =
+            (display.overflow == Overflow::Clamp).then_some(Message("render-why-overflow-clamped"));
+        let single = (!plan.whole_picture).then_some(Message("render-why-stored-at-once"));
+        let mixed = (!plan.composes).then_some(Message("render-why-equation-only"));
+        let by_faces = (per == Per::Face).then_some(Message("render-why-once-per-triangle"));
         let term = |name, count, omitted| self.term(Stage::Display, name, count, omitted);
         vec![
-            term("mixing", (Per::Pixel, self.pixels()), mixed),
-            term("picture kept linear", (Per::Pixel, self.pixels()), single),
-            term("overflow", (Per::Pixel, self.pixels()), clamped),
-            term("sRGB encoding", (per, count), raw).noted("by its formula: no table is needed"),
+            term("render-term-mixing", (Per::Pixel, self.pixels()), mixed),
+            term(
+                "render-term-linear-picture",
+                (Per::Pixel, self.pixels()),
+                single,
+            ),
+            term("render-term-overflow", (Per::Pixel, self.pixels()), clamped),
+            term("render-term-srgb", (per, count), raw).noted(Message("render-why-by-formula")),
             Term {
                 note: by_faces,
-                ..term("rounding to code values", (per, count), None)
+                ..term("render-term-rounding", (per, count), None)
             },
         ]
     }

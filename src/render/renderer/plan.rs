@@ -14,6 +14,7 @@ use crate::scene::{
     AmbientSource, Backfacing, Camera, CuedBy, FlatAt, Interpolation, Light, LightKind,
     NormalSource, Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode,
 };
+use crate::text::Message;
 use fearless_simd::Level;
 use glam::DVec3;
 use serde::Serialize;
@@ -213,7 +214,7 @@ impl Inputs<'_> {
 }
 
 /// Why nothing is done that lights are needed for.
-pub const NO_LIGHT: &str = "no light adds anything";
+pub const NO_LIGHT: Message = Message("render-why-no-light");
 
 /// Past this n the rounding of unit vectors in single precision is seen in the highlight.
 const STIFF_FROM: f64 = 1e7;
@@ -221,7 +222,7 @@ const STIFF_FROM: f64 = 1e7;
 const FAR_FROM: f64 = 1e4;
 
 /// Why single precision does not do for the equation, if it does not.
-pub fn stiff(scene: &Scene, model: &Model) -> Option<&'static str> {
+pub fn stiff(scene: &Scene, model: &Model) -> Option<Message> {
     let powers = matches!(
         SpecularForm::of(scene),
         SpecularForm::PhongCosine
@@ -230,10 +231,10 @@ pub fn stiff(scene: &Scene, model: &Model) -> Option<&'static str> {
             | SpecularForm::BlinnChord
     );
     if powers && scene.material.n > STIFF_FROM {
-        return Some("n is past 10⁷");
+        return Some(Message("render-why-n-too-large"));
     }
     let far = model.radius > 0.0 && scene.camera.distance() > FAR_FROM * model.radius;
-    far.then_some("the eye is over 10⁴ radii of the object away")
+    far.then_some(Message("render-why-eye-far"))
 }
 
 /// The eye may be inside the model, or so near that the near plane opens it.
@@ -243,7 +244,7 @@ fn sees_inside(camera: &Camera, model: &Model) -> bool {
 }
 
 /// Why each light adds nothing, if it does not.
-pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<&'static str>> {
+pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<Message>> {
     let (soloing, material, pattern) = (scene.soloing(), &scene.material, &scene.pattern);
     let color = if pattern.kind == PatternKind::None {
         Rgb::ZERO
@@ -253,11 +254,11 @@ pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<&'static str>> {
     // The greatest part of a light that the material takes, diffuse and specular together.
     let reflected = material.kd * color + material.ks * material.specular_color;
     let silence = |light: &Light| match light {
-        Light { mute: true, .. } => Some("it is muted"),
-        _ if !light.shines(soloing) => Some("another light is soloed"),
-        _ if light.color == Rgb::ZERO => Some("it is black"),
-        _ if light.color * reflected == Rgb::ZERO => Some("the material takes no part of it"),
-        _ => misses(scene, model, light).then_some("its cone passes the object by"),
+        Light { mute: true, .. } => Some(Message("render-why-muted")),
+        _ if !light.shines(soloing) => Some(Message("render-why-not-soloed")),
+        _ if light.color == Rgb::ZERO => Some(Message("render-why-black-light")),
+        _ if light.color * reflected == Rgb::ZERO => Some(Message("render-why-not-reflected")),
+        _ => misses(scene, model, light).then_some(Message("render-why-cone-misses")),
     };
     scene.lights.iter().map(silence).collect()
 }
@@ -290,9 +291,9 @@ fn misses(scene: &Scene, model: &Model, light: &Light) -> bool {
 }
 
 /// Why nothing lies in the shadow of the object.
-pub fn casts_shadows(scene: &Scene, model: &Model, lights: &[bool]) -> Option<&'static str> {
+pub fn casts_shadows(scene: &Scene, model: &Model, lights: &[bool]) -> Option<Message> {
     if !scene.shading.shadows {
-        return Some("switched off");
+        return Some(Message("render-why-switched-off"));
     }
     if !lights.contains(&true) {
         return Some(NO_LIGHT);
@@ -300,24 +301,24 @@ pub fn casts_shadows(scene: &Scene, model: &Model, lights: &[bool]) -> Option<&'
     // Where surfaces turned away are lit all the same, the solid stands between them and the light.
     let clamped = scene.reflection.backfacing == Backfacing::Clamp;
     let alone = model.convex && model.closed && !scene.ground.visible && clamped;
-    alone.then_some("a convex solid casts no shadow on itself")
+    alone.then_some(Message("render-why-convex-no-shadow"))
 }
 
 /// Why nothing fades with the depth.
-pub fn not_cued(scene: &Scene, model: &Model) -> Option<&'static str> {
+pub fn not_cued(scene: &Scene, model: &Model) -> Option<Message> {
     let cueing = &scene.depth_cueing;
     if cueing.by == CuedBy::Off {
-        return Some("switched off");
+        return Some(Message("render-why-switched-off"));
     }
     if cueing.front_scale == 1.0 && cueing.back_scale == 1.0 {
-        return Some("its scales are 1: nothing fades");
+        return Some(Message("render-why-cue-without-effect"));
     }
     let forward = (scene.camera.target - scene.camera.eye).normalize_or_zero();
     let middle = (model.origin - scene.camera.eye).dot(forward);
     // The ball holds the model but for a rounding.
     let farthest = middle + model.radius * (1.0 + 1e-5);
     let near = cueing.front_scale == 1.0 && farthest + middle.abs() * 1e-9 < cueing.front;
-    near.then_some("the object is nearer than where the cue begins")
+    near.then_some(Message("render-why-cue-beyond"))
 }
 
 /// Where s0 is evaluated, for an equation evaluated `per` something.

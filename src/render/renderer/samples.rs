@@ -4,6 +4,7 @@ use super::display::{Linear, display};
 use super::frame::Frame;
 use super::pipeline::Renderer;
 use crate::scene::{AmbientSource, CompareView, Overflow, Scene};
+use crate::text::text;
 use glam::DVec2;
 
 /// A picture of more pixels than this is drawn in strips of at most so many: 3840 × 2160 is drawn at once.
@@ -17,9 +18,7 @@ const BYTES_BESIDES: u64 = 1 << 28;
 
 /// A picture whose memory cannot be had.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "{width}×{height} pixels need about {megabytes} MB of memory, which cannot be had, expected a smaller picture"
-)]
+#[error("{}", text!("render-too-large", width = *width, height = *height, megabytes = *megabytes))]
 pub struct TooLarge {
     width: u32,
     height: u32,

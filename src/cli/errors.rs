@@ -1,0 +1,58 @@
+//! What is wrong with the arguments themselves, in the language chosen.
+
+use super::input::one_of;
+use clap::Error;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use shading_lab::text::text;
+use std::error::Error as _;
+
+/// A sentence for an error of the arguments; none for help and the like, and for errors that no argument of this program can
+/// cause, whose words are clap's.
+pub fn worded(error: &Error) -> Option<String> {
+    let all = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => vec![text.clone()],
+        Some(ContextValue::Strings(texts)) => texts.clone(),
+        _ => Vec::new(),
+    };
+    let arguments = all(ContextKind::InvalidArg).join(text!("cli-comma"));
+    let value = all(ContextKind::InvalidValue).concat();
+    Some(match error.kind() {
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation if value.is_empty() => {
+            text!("cli-missing-value", argument = arguments)
+        }
+        ErrorKind::ValueValidation => {
+            let reason = error.source()?.to_string();
+            text!(
+                "cli-wrong-value",
+                argument = arguments,
+                value = value,
+                reason = reason
+            )
+        }
+        ErrorKind::InvalidValue => {
+            let choices = one_of(&all(ContextKind::ValidValue));
+            let reason = text!("cli-expected", choices = choices);
+            text!(
+                "cli-wrong-value",
+                argument = arguments,
+                value = value,
+                reason = reason
+            )
+        }
+        ErrorKind::UnknownArgument => {
+            let meant = all(ContextKind::SuggestedArg).concat();
+            let meant = (!meant.is_empty()).then(|| text!("document-did-you-mean", name = meant));
+            text!(
+                "cli-unknown-argument",
+                argument = arguments,
+                meant = meant.unwrap_or_default()
+            )
+        }
+        ErrorKind::MissingRequiredArgument => text!("cli-missing-arguments", arguments = arguments),
+        ErrorKind::ArgumentConflict => {
+            let other = all(ContextKind::PriorArg).join(text!("cli-comma"));
+            text!("cli-conflict", argument = arguments, other = other)
+        }
+        _ => return None,
+    })
+}
