@@ -93,7 +93,7 @@ macro_rules! choices {
         impl<'de> serde::Deserialize<'de> for $name {
             fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 let word = String::deserialize(deserializer)?;
-                $crate::scene::Choice::from_word(&word).ok_or_else(|| serde::de::Error::custom("no such choice"))
+                $crate::scene::Choice::from_word(&word).ok_or_else(|| serde::de::Error::invalid_value(serde::de::Unexpected::Str(&word), &"choice"))
             }
         }
     };

@@ -545,7 +545,7 @@ impl Parameter {
                 .map(|option| option.word)
                 .collect::<Vec<_>>()
                 .join(", "),
-            Kind::Switch(_) => "true, false".to_owned(),
+            Kind::Switch(_) => ["true", "false"].join(", "),
             Kind::Text(_, longest) => text!("range-text", longest = longest),
             Kind::Direction(..) => text!("range-direction").to_owned(),
             Kind::Point(_) => String::new(),
