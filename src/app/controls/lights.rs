@@ -188,13 +188,9 @@ fn name_ui(
     let number = text!("lights-number", number = index + 1);
     let own = light.name.trim();
     let label = RichText::new(if own.is_empty() { &number } else { own });
-    let label = if shines {
-        label
-    } else {
-        label.strikethrough().weak()
-    };
-    let sign = (Atom::custom(IdSalt::new("sign"), vec2(SIGN, SIGN)), label);
-    let mut button = Button::selectable(chosen, sign)
+    let label = if shines { label } else { label.strikethrough() };
+    let sign = Atom::custom(IdSalt::new("sign"), vec2(SIGN, SIGN));
+    let mut button = Button::selectable(chosen, (sign, label, Atom::grow()))
         .truncate()
         .min_size(vec2(ui.available_width(), 0.0));
     // The chosen one keeps its colour, on which its letters are read.
