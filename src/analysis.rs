@@ -13,6 +13,7 @@ mod normals;
 mod overlay;
 mod perception;
 mod plan;
+mod plan_words;
 mod probe;
 mod profile;
 mod question;
@@ -44,7 +45,8 @@ pub use normals::{
 };
 pub use overlay::{Halo, OverlayLayer, OverlayOptions};
 pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture, luminance};
-pub use plan::{FramePlan, PlanQuestion, stage_words};
+pub use plan::{FramePlan, PlanQuestion};
+pub use plan_words::stage_words;
 pub use probe::{
     Angle, Arc, Arrow, ArrowHead, CHANNELS, ConstructionStep, CueTerms, FilledLine, FilledPart,
     Here, Letters, LightHandle, LightHere, LightTerms, LineValue, Overlay, Probe, ProbeHit,
@@ -60,7 +62,8 @@ pub use profile::{
 pub use question::{ANALYSES, Analysis, Format, Question, Subject, Watch, unwatched};
 pub(crate) use report::cells;
 pub use report::{
-    About, Answer, Cell, Column, Figure, Part, Report, Section, Table, as_it_is, fixed, word,
+    About, Answer, Cell, Column, Figure, Part, Report, Section, Table, as_it_is, fixed, grouped,
+    word,
 };
 pub use sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error_with};
 #[cfg(feature = "app")]
@@ -71,8 +74,8 @@ pub use scan::{
     lay_out_scan, scan, scan_in_grid, scan_room,
 };
 pub use stability::{
-    CASE_PICTURES, Case, CaseResult, Catalogue, Condition, HALF_A_CODE_VALUE, StabilityQuestion,
-    Topic, Verdict, stability, stability_cases, stability_sheet,
+    Case, CaseResult, Catalogue, Condition, HALF_A_CODE_VALUE, StabilityQuestion, Topic, Verdict,
+    case_pictures, stability, stability_cases, stability_sheet,
 };
 pub use study::{
     Fit, Method, Omission, Series, Setting, Study, StudyQuestion, StudyRow, fit_line,

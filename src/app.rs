@@ -47,6 +47,7 @@ mod start;
 mod state;
 mod study;
 mod symbol;
+mod table;
 mod terms;
 mod theme;
 mod typeset;

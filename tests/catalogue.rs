@@ -2,7 +2,7 @@
 
 use fluent_bundle::FluentResource;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
-use shading_lab::analysis::{Format, Method, Topic, Verdict};
+use shading_lab::analysis::{Format, Method, Topic, Verdict, stability_cases};
 use shading_lab::scene::Choice;
 use shading_lab::scene::parameter::Parameter;
 use shading_lab::scene::presets;
@@ -166,7 +166,14 @@ fn every_message_that_is_used_is_there_with_the_variables_it_is_given() {
 }
 
 /// Families of messages whose keys are put together from names in the code.
-const DERIVED: [&str; 5] = ["parameter-", "choice-", "scene-", "topic-", COMMAND_LINE];
+const DERIVED: [&str; 6] = [
+    "parameter-",
+    "choice-",
+    "scene-",
+    "topic-",
+    "engine-case-",
+    COMMAND_LINE,
+];
 
 /// The help of the command line; `src/cli/help.rs` has a test of its own.
 const COMMAND_LINE: &str = "cli-help-";
@@ -192,7 +199,15 @@ fn derived() -> BTreeSet<String> {
             format!("topic-{}", preset.topic),
         ]
     });
-    parameters.chain(options).chain(scenes).collect()
+    let cases = stability_cases().flat_map(|case| {
+        let name = format!("engine-case-{}", case.name);
+        ["", ".naive", ".engine"].map(|part| format!("{name}{part}"))
+    });
+    parameters
+        .chain(options)
+        .chain(scenes)
+        .chain(cases)
+        .collect()
 }
 
 #[test]

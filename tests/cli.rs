@@ -939,7 +939,7 @@ fn the_plan_of_a_frame_is_explained() {
     assert_eq!(rows.lines().count(), 1 + terms.len());
     let text = folder.prints(&["explain", "cube", "--frames", "1", "--size", "8x8"]);
     assert!(
-        text.contains("a closed solid hides them") && text.contains("work saved"),
+        text.contains("a closed solid hides them") && text.contains("Work saved"),
         "{text}"
     );
     folder.refuses(

@@ -2,6 +2,7 @@
 
 use shading_lab::analysis::{HALF_A_CODE_VALUE, Verdict, stability, stability_cases};
 use shading_lab::render::Renderer;
+use shading_lab::text::{Language, in_language};
 use std::collections::HashSet;
 use std::process::Command;
 
@@ -48,6 +49,13 @@ fn every_case_has_a_name_of_its_own_and_is_a_sound_scene() {
     assert!(names.len() >= 25);
     assert_eq!(names.iter().collect::<HashSet<_>>().len(), names.len());
     for case in stability_cases() {
+        for language in Language::ALL {
+            in_language(language, || {
+                for text in [case.title(), case.naive(), case.engine()] {
+                    assert!(!text.starts_with("engine-"), "{text} has no text");
+                }
+            });
+        }
         let scene = case.scene();
         assert!(
             scene.is_none_or(|scene| scene.validate().is_ok()),

@@ -9,10 +9,12 @@ mod growth;
 pub use growth::Growth;
 
 use super::panes_on_sheet;
+use super::plan_words::stage_words;
 use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
 use super::{Question, Subject, Watch, median_and_spread};
 use crate::render::{Memory, Renderer, Report as Drawn, Stage, coarseness, coarser_size};
 use crate::scene::{LightKind, Object, ObjectKind, Rgb, Scene};
+use crate::text::text;
 use glam::DQuat;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -125,6 +127,17 @@ pub const CHANGES: [(&str, Change); 5] = [
         (object.kind != ObjectKind::Obj).then_some(())
     }),
 ];
+
+/// What a change is of, in words.
+pub fn change_name(name: &str) -> &'static str {
+    match name {
+        "light" => text!("engine-change-light"),
+        "camera" => text!("engine-change-camera"),
+        "tessellation" => text!("engine-change-tessellation"),
+        "ka" => "Ka",
+        _ => "n",
+    }
+}
 
 /// The scene with a change of a number.
 pub fn changed(scene: &Scene, change: Change, number: u32) -> Option<Scene> {
@@ -314,25 +327,37 @@ impl Answer for Bench {
                 threads, frames, ..
             },
         ) = (self.evaluations(), self);
-        let mut report = Report::new(format!(
-            "{}, {triangles} triangles, {covered} pixels covered, {evaluations} evaluations\n\
-             {threads} threads, median of {frames} frames, ms",
-            about.heading()
-        ));
-        let mut times = Table::new([
-            Column::both("what", "", as_it_is),
-            Column::both("median_ms", "ms", fixed::<3>),
-            Column::both("dragged_ms", "while dragged", fixed::<3>),
-            Column::both("coarser", "at 1/… of the size", as_it_is),
-        ]);
-        times
-            .rows
-            .push(cells!["everything", self.full, None::<f64>, None::<u32>]);
-        times.rows.extend(
-            self.stages
-                .iter()
-                .map(|(stage, ms)| cells![word(stage), *ms, None::<f64>, None::<u32>]),
+        let counts = text!(
+            "engine-bench-counts",
+            about = about.heading(),
+            triangles = triangles,
+            covered = covered,
+            evaluations = evaluations
         );
+        let measured = text!(
+            "engine-bench-measured",
+            threads = *threads,
+            frames = *frames
+        );
+        let mut report = Report::new(format!("{counts}\n{measured}"));
+        let mut times = Table::new([
+            Column::key("what"),
+            Column::shown("", as_it_is),
+            Column::both("median_ms", "ms", fixed::<3>),
+            Column::both("dragged_ms", text!("engine-dragged"), fixed::<3>).extra(),
+            Column::both("coarser", text!("engine-coarser"), as_it_is).extra(),
+        ]);
+        times.rows.push(cells![
+            "everything",
+            text!("engine-everything"),
+            self.full,
+            None::<f64>,
+            None::<u32>
+        ]);
+        times.rows.extend(self.stages.iter().map(|(stage, ms)| {
+            let (name, _) = stage_words(*stage);
+            cells![word(stage), name, *ms, None::<f64>, None::<u32>]
+        }));
         times
             .rows
             .extend(self.changes.iter().map(|(name, changed)| {
@@ -340,20 +365,29 @@ impl Answer for Bench {
                 let coarser = dragged.map(|(coarser, _)| coarser);
                 cells![
                     format!("{name} changed"),
+                    text!("engine-changed", what = change_name(name)),
                     changed.map(|changed| changed.whole),
                     dragged.map(|(_, ms)| ms),
                     coarser
                 ]
             }));
         report.section("").push(Part::Table(times));
-        let memory = report.section("memory, bytes each");
+        let memory = report.section(text!("engine-memory"));
         let each = self.bytes_each(about.scene.image.size);
-        for (name, bytes) in ["vertex", "triangle", "pixel"].into_iter().zip(each) {
-            memory.quantity(bytes.map_or_else(|| "–".to_owned(), fixed::<1>), name);
+        let names = [
+            "engine-per-vertex",
+            "engine-per-triangle",
+            "engine-per-pixel",
+        ];
+        for (name, bytes) in names.into_iter().zip(each) {
+            memory.quantity(
+                bytes.map_or_else(|| "–".to_owned(), fixed::<1>),
+                text!(name),
+            );
         }
         memory.quantity(
             format!("{:.1} MB", self.memory.total() as f64 * 1e-6),
-            "in all",
+            text!("engine-in-all"),
         );
         if let Some(growth) = &self.growth {
             growth.describe(&mut report);

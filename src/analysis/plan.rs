@@ -1,11 +1,14 @@
 //! The plan of a frame: what is evaluated how often, what is left out and why, and the work that this saves.
 
-use super::bench::{CHANGES, StageTimes, WARM_UP, changed, median_ms};
-use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
+use super::bench::{CHANGES, StageTimes, WARM_UP, change_name, changed, median_ms};
+use super::plan_words::{per_words, stage_words};
+use super::report::{
+    About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, grouped, word,
+};
 use super::{Question, Subject, Watch};
-use crate::render::{Per, Renderer, Stage, StageRun, Term};
+use crate::render::{Renderer, Stage, StageRun, Term};
 use crate::scene::Scene;
-use crate::text::Message;
+use crate::text::{Message, text};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
@@ -137,8 +140,8 @@ impl FramePlan {
             (None, Some(run)) if run.ran => {
                 format!("■ {name}, {:.2} ms", run.nanoseconds as f64 / 1e6)
             }
-            (None, Some(_)) => format!("□ {name}, kept"),
-            (None, None) => format!("□ {name}, not needed"),
+            (None, Some(_)) => text!("engine-kept", stage = name),
+            (None, None) => text!("engine-not-needed", stage = name),
         }
     }
 }
@@ -148,67 +151,74 @@ impl Answer for FramePlan {
         let total: u64 = self.terms.iter().map(|term| term.evaluations).sum();
         let mut report = Report::new(match &self.measured {
             Some(Saved { frames, .. }) => {
-                format!("{}, median of {frames} frames drawn anew", about.heading())
+                text!(
+                    "engine-plan-measured",
+                    about = about.heading(),
+                    frames = *frames
+                )
             }
-            None => format!("{total} evaluations a frame"),
+            None => text!("engine-plan-total", count = total, number = grouped(total)),
         });
-        if self.measured.is_none() {
-            report
-                .section("")
-                .note("■ ran after the last change   □ kept from before");
-        }
         for terms in self.terms.chunk_by(|a, b| a.stage == b.stage) {
             let section = report.section(self.heading(terms[0].stage));
-            let mut table = Table::new(["", "", "", ""].map(|head| Column::shown(head, as_it_is)));
+            let mut table = Table::new(["", "", ""].map(|head| Column::shown(head, as_it_is)));
+            let done = || terms.iter().filter(|term| term.omitted.is_none());
             table.rows.extend(
-                terms
-                    .iter()
-                    .filter(|term| term.omitted.is_none())
-                    .map(|term| {
-                        cells![
-                            term.name.to_string(),
-                            if term.per == Per::None {
-                                String::new()
-                            } else {
-                                word(&term.per)
-                            },
-                            term.evaluations,
-                            term.note.map_or("", Message::text)
-                        ]
-                    }),
+                done().map(|term| {
+                    cells![term.name.to_string(), term.evaluations, per_words(term.per)]
+                }),
             );
             if !table.rows.is_empty() {
                 section.push(Part::Table(table));
             }
+            for term in done() {
+                if let Some(note) = term.note {
+                    section.note(format!("{}: {}", term.name, note.text()));
+                }
+            }
             for (names, reason) in by_reason(terms) {
-                section.note(format!("left out: {} — {reason}", names.join(", ")));
+                let names = names.join(", ");
+                section.note(text!("engine-left-out", names = names, reason = reason));
             }
         }
         let Some(saved) = &self.measured else {
             return report;
         };
         let [evaluations, time] = saved.ratios();
-        let mut table = Table::new(
-            ["", "plan", "all left in", "ratio"].map(|head| Column::shown(head, fixed::<3>)),
-        );
+        let heads = [
+            "",
+            text!("engine-by-plan"),
+            text!("engine-all-left-in"),
+            text!("engine-ratio"),
+        ];
+        let mut table = Table::new(heads.map(|head| Column::shown(head, fixed::<3>)));
         let [planned, all] = saved.evaluations;
+        let [planned_ms, all_ms] = saved.times;
+        table.rows.push(cells![
+            text!("engine-row-evaluations"),
+            planned,
+            all,
+            evaluations
+        ]);
         table
             .rows
-            .push(cells!["evaluations", planned, all, evaluations]);
-        table
-            .rows
-            .push(cells!["ms a frame", saved.times[0], saved.times[1], time]);
-        report.section("work saved").push(Part::Table(table));
+            .push(cells![text!("engine-row-time"), planned_ms, all_ms, time]);
+        report
+            .section(text!("engine-saved"))
+            .push(Part::Table(table));
         let mut table = Table::new(["", ""].map(|head| Column::shown(head, as_it_is)));
         table
             .rows
             .extend(saved.changes.iter().map(|(name, stages)| {
-                let names =
-                    |stages: &Vec<Stage>| stages.iter().map(word).collect::<Vec<_>>().join(", ");
-                cells![*name, stages.as_ref().map_or_else(|| "–".to_owned(), names)]
+                let names = |stages: &Vec<Stage>| {
+                    let names = stages.iter().map(|stage| stage_words(*stage).0);
+                    names.collect::<Vec<_>>().join(", ")
+                };
+                let names = stages.as_ref().map_or_else(|| "–".to_owned(), names);
+                cells![change_name(name), names]
             }));
         report
-            .section("what runs again after a change")
+            .section(text!("engine-runs-again"))
             .push(Part::Table(table));
         report
     }
@@ -292,21 +302,4 @@ fn by_reason(terms: &[Term]) -> Vec<(Vec<String>, &'static str)> {
         .into_iter()
         .map(|(names, _, reason)| (names, reason.text()))
         .collect()
-}
-
-/// A stage's name, and what it does.
-pub fn stage_words(stage: Stage) -> (&'static str, &'static str) {
-    match stage {
-        Stage::Geometry => ("geometry", "Tessellation and vertex normals"),
-        Stage::Transform => ("transform", "Vertices to the picture; clipping; back faces"),
-        Stage::Coverage => ("coverage", "Which polygon each pixel sees"),
-        Stage::Rays => (
-            "rays",
-            "Shadows, what is seen through the object, light from other surfaces",
-        ),
-        Stage::VertexShading => ("vertices", "The equation at vertices or faces"),
-        Stage::Interpolation => ("interpolation", "Normals or intensities to the pixels"),
-        Stage::PixelShading => ("pixels", "The equation at pixels"),
-        Stage::Display => ("display", "Intensities to stored values"),
-    }
 }

@@ -290,6 +290,8 @@ pub fn word(choice: &impl serde::Serialize) -> String {
 pub struct Table {
     pub columns: Vec<Column>,
     pub rows: Vec<Vec<Cell>>,
+    /// Whether its rows are things to choose from in the window.
+    pub to_choose: bool,
 }
 
 /// A column.
@@ -301,6 +303,8 @@ pub struct Column {
     pub head: Option<Cow<'static, str>>,
     /// How people are shown its numbers; files have all digits.
     pub show: fn(f64) -> String,
+    /// Whether people can do without it where there is little room.
+    pub extra: bool,
 }
 
 /// A column with what each row has in it.
@@ -331,6 +335,19 @@ pub fn fixed<const DECIMALS: usize>(value: f64) -> String {
     format!("{value:.DECIMALS$}")
 }
 
+/// Digits in groups of three.
+pub fn grouped(value: u64) -> String {
+    let digits = value.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push('\u{2009}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
 impl Column {
     /// A column for files.
     pub fn key(key: impl Into<Cow<'static, str>>) -> Self {
@@ -338,6 +355,7 @@ impl Column {
             key: Some(key.into()),
             head: None,
             show: as_it_is,
+            extra: false,
         }
     }
 
@@ -347,6 +365,7 @@ impl Column {
             key: None,
             head: Some(head.into()),
             show,
+            extra: false,
         }
     }
 
@@ -360,6 +379,15 @@ impl Column {
             key: Some(key.into()),
             head: Some(head.into()),
             show,
+            extra: false,
+        }
+    }
+
+    /// The same, left out where there is little room.
+    pub fn extra(self) -> Self {
+        Self {
+            extra: true,
+            ..self
         }
     }
 }
@@ -368,7 +396,7 @@ impl Table {
     pub fn new(columns: impl IntoIterator<Item = Column>) -> Self {
         Self {
             columns: columns.into_iter().collect(),
-            rows: Vec::new(),
+            ..Self::default()
         }
     }
 
@@ -381,16 +409,32 @@ impl Table {
         Self {
             columns: columns.into_iter().map(|(column, _)| column).collect(),
             rows,
+            to_choose: false,
         }
     }
 
-    /// The heads that people see, and the rows below them; and whether each column holds numbers.
-    pub fn for_people(&self) -> (Vec<&str>, Vec<Vec<String>>, Vec<bool>) {
+    /// The same, its rows to choose from.
+    pub fn to_choose(self) -> Self {
+        Self {
+            to_choose: true,
+            ..self
+        }
+    }
+
+    /// The heads that people see, and the rows below them; and whether each column holds numbers. So many of the columns that
+    /// can be done without are left out, from the right.
+    pub fn for_people(&self, left_out: usize) -> (Vec<&str>, Vec<Vec<String>>, Vec<bool>) {
+        let mut extras = self.columns.iter().filter(|column| column.extra).count();
+        let mut kept = |column: &Column| {
+            let place = extras;
+            extras -= usize::from(column.extra);
+            !column.extra || place > left_out
+        };
         let shown: Vec<(usize, &Column)> = self
             .columns
             .iter()
             .enumerate()
-            .filter(|(_, column)| column.head.is_some())
+            .filter(|(_, column)| kept(column) && column.head.is_some())
             .collect();
         let heads = shown
             .iter()
@@ -421,7 +465,7 @@ impl Table {
 
     /// The table for a terminal; nothing where no column is for people.
     pub fn text(&self) -> String {
-        let (heads, rows, numbers) = self.for_people();
+        let (heads, rows, numbers) = self.for_people(0);
         let heads: Vec<String> = heads.into_iter().map(str::to_owned).collect();
         let lines = || {
             std::iter::once(&heads)
@@ -505,5 +549,38 @@ into_cell! {
 impl<T: Into<Self>> From<Option<T>> for Cell {
     fn from(value: Option<T>) -> Self {
         value.map_or(Self::Empty, Into::into)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_are_grouped_from_the_right() {
+        assert_eq!(
+            (grouped(0), grouped(999)),
+            ("0".to_owned(), "999".to_owned())
+        );
+        assert_eq!(grouped(1_234_567), "1\u{2009}234\u{2009}567");
+    }
+
+    #[test]
+    fn columns_are_even_in_chinese_and_the_extra_ones_go_first() {
+        let column = |head: &'static str| Column::shown(head, as_it_is);
+        let mut table = Table::new([
+            column("名稱"),
+            column("RMS").extra(),
+            column("最大").extra(),
+        ]);
+        table.rows.push(cells!["精確", 1.0, 2.0]);
+        table.rows.push(cells!["Phong", 10.0, 20.0]);
+        assert_eq!(
+            table.text(),
+            "  名稱   RMS  最大\n  精確     1     2\n  Phong   10    20\n"
+        );
+        let heads = |left_out| table.for_people(left_out).0;
+        assert_eq!(heads(1), ["名稱", "RMS"]);
+        assert_eq!(heads(2), ["名稱"]);
     }
 }

@@ -4,17 +4,19 @@
 //! is no number counts as an error of the whole range.
 
 mod cases;
+mod naive;
 mod precise;
 mod reference;
 mod report;
-mod textbook;
 
 pub use report::{Catalogue, StabilityQuestion, stability_sheet};
 
 use crate::render::{Frame, Renderer};
 use crate::scene::{Scene, choices};
+use crate::text::{Message, text};
 use reference::Truth;
-use serde::Serialize;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 use std::fmt;
 
 /// Code values that the engine may be off by: what rounding to a stored pixel takes anyway.
@@ -45,11 +47,11 @@ choices! {
 pub struct Condition {
     pub value: f64,
     /// Of what in what.
-    pub of: &'static str,
+    pub of: Message,
 }
 
 impl fmt::Display for Condition {
-    /// As in “6.6·10⁵ of the angle in its cosine”.
+    /// The number, as in “6.6·10⁵”.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
         let text = format!("{:.1e}", self.value);
@@ -59,44 +61,33 @@ impl fmt::Display for Condition {
             .map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]))
             .collect();
         match (digits.trim_end_matches(".0"), power) {
-            (digits, "0") => write!(f, "{digits} {}", self.of),
-            ("1", _) => write!(f, "10{raised} {}", self.of),
-            (digits, _) => write!(f, "{digits}·10{raised} {}", self.of),
+            (digits, "0") => f.write_str(digits),
+            ("1", _) => write!(f, "10{raised}"),
+            (digits, _) => write!(f, "{digits}·10{raised}"),
         }
     }
 }
 
 /// A case of the catalogue.
-#[derive(Debug, Serialize)]
+#[derive(Debug)]
 pub struct Case {
     /// Lower case, joined by hyphens.
     pub name: &'static str,
-    pub title: &'static str,
     pub topic: Topic,
-    /// What a textbook implementation does wrong.
-    pub wrong: &'static str,
-    /// What the engine does.
-    pub robust: &'static str,
     pub condition: Option<Condition>,
     /// The scene that all three draw, and a change of it.
-    #[serde(skip)]
     make: fn() -> Scene,
-    #[serde(skip)]
     change: fn(&mut Scene),
     /// Makes the pictures where that is done in some other way.
-    #[serde(skip)]
     pictures: Option<fn(&mut Renderer) -> Pictures>,
 }
 
 /// A case of which nothing but its name is known yet.
-const fn case(name: &'static str, title: &'static str, topic: Topic) -> Case {
+const fn case(name: &'static str, topic: Topic) -> Case {
     let change: fn(&mut Scene) = |_| ();
     Case {
         name,
-        title,
         topic,
-        wrong: "",
-        robust: "",
         condition: None,
         make: Scene::default,
         change,
@@ -105,18 +96,26 @@ const fn case(name: &'static str, title: &'static str, topic: Topic) -> Case {
 }
 
 impl Case {
-    const fn textbook(mut self, wrong: &'static str) -> Self {
-        self.wrong = wrong;
-        self
+    /// What it is about, in a few words.
+    pub fn title(&self) -> &'static str {
+        text!(&format!("engine-case-{}", self.name))
     }
 
-    const fn engine(mut self, robust: &'static str) -> Self {
-        self.robust = robust;
-        self
+    /// What the naive renderer does wrong.
+    pub fn naive(&self) -> &'static str {
+        text!(&format!("engine-case-{}.naive", self.name))
+    }
+
+    /// What this engine does.
+    pub fn engine(&self) -> &'static str {
+        text!(&format!("engine-case-{}.engine", self.name))
     }
 
     const fn condition(mut self, value: f64, of: &'static str) -> Self {
-        self.condition = Some(Condition { value, of });
+        self.condition = Some(Condition {
+            value,
+            of: Message(of),
+        });
         self
     }
 
@@ -140,6 +139,19 @@ impl Case {
         let mut scene = (self.make)();
         (self.change)(&mut scene);
         self.pictures.is_none().then_some(scene)
+    }
+}
+
+impl Serialize for Case {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut case = serializer.serialize_struct("Case", 6)?;
+        case.serialize_field("name", self.name)?;
+        case.serialize_field("title", self.title())?;
+        case.serialize_field("topic", &self.topic)?;
+        case.serialize_field("wrong", self.naive())?;
+        case.serialize_field("robust", self.engine())?;
+        case.serialize_field("condition", &self.condition)?;
+        case.end()
     }
 }
 
@@ -177,7 +189,13 @@ pub struct CaseResult {
 }
 
 /// The names of the pictures of a [`CaseResult`].
-pub const CASE_PICTURES: [&str; 3] = ["textbook", "this engine", "reference"];
+pub fn case_pictures() -> [&'static str; 3] {
+    [
+        text!("engine-naive"),
+        text!("engine-this"),
+        text!("engine-reference"),
+    ]
+}
 
 /// The catalogue, by topic.
 pub fn stability_cases() -> impl Iterator<Item = &'static Case> {
@@ -190,7 +208,7 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
         Some(make) => make(renderer),
         None => {
             let scene = case.scene().unwrap_or_default();
-            let naive = textbook::draw(&scene)
+            let naive = naive::draw(&scene)
                 .into_iter()
                 .map(|color| color.map(f64::from))
                 .collect();

@@ -16,6 +16,7 @@ pub use report::{study_plot, study_point};
 pub use statistics::{Fit, fit_line, median_and_spread, order_of, pareto_front, student};
 
 use crate::scene::{Choice, FlatAt, Interpolation, Scene, ShadingMode, choices};
+use crate::text::{Message, text};
 use serde::{Deserialize, Serialize};
 
 choices! {
@@ -103,6 +104,30 @@ impl Default for StudyQuestion {
     }
 }
 
+impl StudyQuestion {
+    /// Whether two scenes differ in nothing but what a study sets itself, so that what it finds in one holds in the other.
+    pub fn same(&self, a: &Scene, b: &Scene) -> bool {
+        let plain = |scene: &Scene| {
+            let mut plain = scene.clone();
+            let n = if self.n.is_empty() {
+                scene.material.n
+            } else {
+                1.0
+            };
+            let setting = Setting {
+                method: Method::Flat,
+                segments: 8,
+                rings: 8,
+                interpolation: Some(Interpolation::Perspective),
+                n,
+            };
+            setting.apply(&mut plain);
+            plain
+        };
+        plain(a) == plain(b)
+    }
+}
+
 /// One way to draw the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Setting {
@@ -149,12 +174,12 @@ impl Setting {
 
 /// A method with the interpolation that it goes by, in words.
 fn title(method: Method, interpolation: Option<Interpolation>) -> String {
-    let how = match interpolation {
-        Some(Interpolation::Affine) => ", affine",
-        Some(Interpolation::Scanline) => ", scan line",
-        Some(Interpolation::Perspective) | None => "",
-    };
-    format!("{}{how}", method.label())
+    let method = method.label();
+    match interpolation {
+        Some(Interpolation::Affine) => text!("engine-method-affine", method = method),
+        Some(Interpolation::Scanline) => text!("engine-method-scanline", method = method),
+        Some(Interpolation::Perspective) | None => method.to_owned(),
+    }
 }
 
 /// What is not measured, and why.
@@ -162,7 +187,7 @@ fn title(method: Method, interpolation: Option<Interpolation>) -> String {
 pub struct Omission {
     pub method: Method,
     pub interpolation: Option<Interpolation>,
-    pub reason: &'static str,
+    pub reason: Message,
 }
 
 /// What was measured of one setting.

@@ -2,6 +2,7 @@
 
 use crate::analysis::Watch;
 use crate::jobs::{Background, Work};
+use crate::text::text;
 use eframe::egui::{Button, Context, ProgressBar, Ui};
 use std::time::Duration;
 
@@ -36,7 +37,11 @@ pub fn progress_ui<W: Work>(ui: &mut Ui, background: &Background<W>, tip: &str) 
         return false;
     };
     ui.horizontal(|ui| {
-        if ui.add(Button::new("Stop")).on_hover_text(tip).clicked() {
+        if ui
+            .add(Button::new(text!("report-stop")))
+            .on_hover_text(tip)
+            .clicked()
+        {
             background.stop();
         }
         ui.add(

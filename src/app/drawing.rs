@@ -6,8 +6,8 @@ use crate::analysis::Plot;
 use crate::figure::{Drawing, Paper, PlotStyle, Set, Shape, Text, can_be_filled, short};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    self, Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, Response, Sense, Stroke,
-    StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    self, Color32, CornerRadius, CursorIcon, FontId, Mesh, Painter, Pos2, Rect, Response, Sense,
+    Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use glam::DVec2;
 
@@ -15,6 +15,10 @@ use glam::DVec2;
 const LETTERS: f64 = 0.9;
 /// Height of the part of a plot that grows with its width: over straight axes, and of a half disc.
 const ASPECT: [f64; 2] = [0.55, 0.5];
+/// The same of a plot of single points with their names, and its greatest height.
+const POINTS: [f64; 2] = [0.85, 430.0];
+/// A point is meant within this many points of the screen.
+const NEAR: f32 = 16.0;
 /// Height of all that does not: of labels about the plot, and of a line of the legend; in letters.
 const LINES: [f64; 2] = [7.5, 1.4];
 
@@ -41,11 +45,17 @@ pub fn height(plot: &Plot, width: f64, letters: f64) -> f64 {
         reason = "a plot has few curves and marks"
     )]
     let lines = (plot.curves.len() + plot.marks.len()) as f64;
-    width * ASPECT[usize::from(plot.kind.is_polar())] + letters * (LINES[0] + LINES[1] * lines)
+    let grows = if plot.points.is_empty() {
+        width * ASPECT[usize::from(plot.kind.is_polar())]
+    } else {
+        (width * POINTS[0]).min(POINTS[1])
+    };
+    grows + letters * (LINES[0] + LINES[1] * lines)
 }
 
-/// A plot; under the pointer the values of all curves, in a box and as dots.
-pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) {
+/// A plot; under the pointer the values of all curves, in a box and as dots, or the nearest of its points with what is said of
+/// it. Returns the point that is clicked.
+pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) -> Option<usize> {
     // The plot in words, for those who do not see it.
     let words = || {
         let marks = plot.marks.iter().map(|mark| mark.label.as_str());
@@ -55,19 +65,15 @@ pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) {
             .collect::<Vec<_>>()
             .join("; ")
     };
-    let Some((response, painter)) = drawing_ui(ui, drawing, Sense::hover(), words) else {
-        return;
-    };
+    if !plot.points.is_empty() {
+        let (response, painter) = drawing_ui(ui, drawing, Sense::click(), words)?;
+        return points_ui(ui, plot, (drawing, style), (&response, &painter));
+    }
+    let (response, painter) = drawing_ui(ui, drawing, Sense::hover(), words)?;
     let rect = response.rect;
-    let Some(pointer) = response.hover_pos() else {
-        return;
-    };
-    let Some(x) = drawing.x_at(lines::exact(pointer) - lines::exact(rect.min)) else {
-        return;
-    };
-    let Some((_, ends)) = drawing.place([x, 0.0]) else {
-        return;
-    };
+    let pointer = response.hover_pos()?;
+    let x = drawing.x_at(lines::exact(pointer) - lines::exact(rect.min))?;
+    let (_, ends) = drawing.place([x, 0.0])?;
     let ends = ends.map(|end| lines::exact(rect.min) + end);
     lines::line(
         &painter,
@@ -94,6 +100,37 @@ pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) {
         }
     }
     boxed(ui, &painter, &lines, (rect, pointer));
+    None
+}
+
+/// What is said of the point under the pointer; returns it where it is clicked.
+fn points_ui(
+    ui: &Ui,
+    plot: &Plot,
+    (drawing, style): (&Drawing, &PlotStyle),
+    (response, painter): (&Response, &Painter),
+) -> Option<usize> {
+    let (rect, pointer) = (response.rect, response.hover_pos()?);
+    let away = |at: [f64; 2]| {
+        let (at, _) = drawing.place(at)?;
+        Some(screen(at, rect.min).distance(pointer))
+    };
+    let near = plot
+        .points
+        .iter()
+        .enumerate()
+        .filter_map(|(index, point)| Some((index, away(point.at)?)))
+        .filter(|(_, away)| *away <= NEAR);
+    let (index, _) = near.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let point = &plot.points[index];
+    ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
+    let lines: Vec<Text> = point
+        .about
+        .iter()
+        .map(|line| Text::new(line, DVec2::ZERO, style.text, style.paper.text))
+        .collect();
+    boxed(ui, painter, &lines, (rect, pointer));
+    response.clicked().then_some(index)
 }
 
 /// Lines of text in a box beside the pointer, inside `rect`.

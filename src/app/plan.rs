@@ -1,76 +1,101 @@
-//! The tab of the plan: every stage and term of the frame, how often it is evaluated, what the last change ran, and what is
+//! The view of the plan: every stage and term of the frame, how often it is evaluated, what the last change ran, and what is
 //! left out and why.
 
-use super::background::progress_ui;
 use super::engine::Engine;
 use super::look::Look;
-use super::report::{Asking, ReportView, export_ui};
+use super::report::{Asking, Offer, ReportView, export_ui};
 use super::state::AppState;
+use super::study::duration;
 use crate::analysis::{About, Answer, BenchQuestion, FramePlan};
-use eframe::egui::{Label, RichText, Ui};
+use crate::text::text;
+use eframe::egui::{RichText, Ui};
 
-/// Frames for each time that is measured.
+pub use crate::analysis::grouped;
+
+/// Frames for each time that is measured, and about how often they are: of everything, and of each change.
 const FRAMES: u32 = 30;
+const ROUNDS: f64 = 5.0;
 
 /// The report as last made, and of which picture.
 #[derive(Default)]
 pub struct PlanView {
     view: ReportView,
-    made: Option<u64>,
+    made: Option<(u64, Look)>,
     times: Asking<BenchQuestion>,
 }
 
-/// The tab.
+/// The view.
 pub fn plan_ui(ui: &mut Ui, own: &mut PlanView, state: &mut AppState, engine: &Engine) {
     let frame_plan = || FramePlan {
         terms: engine.terms().to_vec(),
         runs: engine.report().stages.clone(),
         measured: None,
     };
-    if own.made != Some(engine.revision) {
-        own.made = Some(engine.revision);
-        let report = frame_plan().report(&About {
+    let made = own.made.as_ref();
+    let same = made.is_some_and(|(revision, look)| {
+        *revision == engine.revision && *look == state.look && own.view.is_current()
+    });
+    if !same {
+        own.made = Some((engine.revision, state.look.clone()));
+        let mut report = frame_plan().report(&About {
             name: "",
             scene: &state.document.scene,
         });
+        let section = report.section(text!("engine-window"));
+        for (what, why) in not_shown(&state.look) {
+            section.note(text!(
+                "engine-left-out",
+                names = text!(what),
+                reason = text!(why)
+            ));
+        }
         own.view.set(report);
     }
-    ui.label(format!(
-        "{}, {} left out",
-        own.view.title(),
-        left_out(engine, &state.look)
-    ));
-    own.view.ui(ui);
-    ui.separator();
-    ui.label(RichText::new("window").strong());
-    for (what, why) in not_shown(&state.look) {
-        ui.add(Label::new(RichText::new(format!("left out: {what} — {why}")).weak()).wrap());
-    }
+    ui.label(text!("engine-plan-intro"));
+    ui.label(
+        RichText::new(text!(
+            "engine-plan-summary",
+            total = own.view.title(),
+            count = left_out(engine, &state.look)
+        ))
+        .strong(),
+    );
+    ui.label(RichText::new(text!("engine-plan-signs")).weak());
     export_ui(ui, state, "explain", || {
         Some((Box::new(frame_plan()), engine.drawn()?.clone()))
     });
+    ui.add_space(6.0);
+    own.view.ui(ui);
+    ui.add_space(8.0);
     ui.separator();
-    times_ui(ui, &mut own.times, state, engine.size);
+    times_ui(ui, &mut own.times, state, engine);
 }
 
 /// The times of a frame and of its stages, measured when asked for.
-fn times_ui(ui: &mut Ui, times: &mut Asking<BenchQuestion>, state: &mut AppState, size: [u32; 2]) {
+fn times_ui(ui: &mut Ui, times: &mut Asking<BenchQuestion>, state: &mut AppState, engine: &Engine) {
     times.receive();
-    if !progress_ui(ui, &times.work, "Leaves the times unknown") {
-        let tip =
-            "Draws the active picture many times. Times are best while nothing else is touched";
-        if ui.button("Measure times").on_hover_text(tip).clicked() {
-            let question = BenchQuestion {
-                frames: FRAMES,
-                growth: false,
-            };
-            times.start(ui.ctx(), &state.shown, size, question);
-        }
-    }
-    if let Some(Err(why)) = times.work.known() {
-        ui.label(why);
+    ui.label(RichText::new(text!("engine-times")).strong());
+    let seconds = engine.nanoseconds() as f64 * 1e-9 * f64::from(FRAMES) * ROUNDS;
+    let about = text!(
+        "engine-times-about",
+        frames = FRAMES,
+        time = duration(seconds)
+    );
+    let offer = Offer {
+        about: &about,
+        start: text!("engine-measure-times"),
+        problem: None,
+        stale: times.is_stale(&state.shown, |a, b| a == b),
+    };
+    if times.state_ui(ui, &offer) {
+        let question = BenchQuestion {
+            frames: FRAMES,
+            growth: false,
+        };
+        times.start(ui.ctx(), &state.shown, engine.size, question);
     }
     if times.work.answer().is_some() {
+        ui.label(RichText::new(times.view.title()).weak());
         times.view.ui(ui);
         export_ui(ui, state, "bench", || times.latest());
     }
@@ -86,42 +111,37 @@ pub fn left_out(engine: &Engine, look: &Look) -> usize {
         + not_shown(look).len()
 }
 
-/// Panels that are closed and layers over the picture that are off: none of them is computed.
+/// Panels that are closed and layers over the picture that are off: none of them is computed. The keys of their names and
+/// of the reasons.
 fn not_shown(look: &Look) -> Vec<(&'static str, &'static str)> {
     let over = &look.overlay;
-    let (closed, off, bare) = ("closed", "off", "the vectors are off");
-    let layer = |on: bool| (!on || !over.vectors).then_some(if over.vectors { off } else { bare });
+    let (closed, off) = ("engine-closed", "engine-off");
+    let layer = |on: bool| {
+        let why = if over.vectors {
+            off
+        } else {
+            "engine-no-vectors"
+        };
+        (!on || !over.vectors).then_some(why)
+    };
     [
-        ("controls", (!look.controls).then_some(closed)),
-        ("numbers", (!look.numbers).then_some(closed)),
-        ("stages", (!look.stages).then_some(closed)),
+        ("engine-controls", (!look.controls).then_some(closed)),
+        ("engine-numbers", (!look.numbers).then_some(closed)),
+        ("engine-stages", (!look.stages).then_some(closed)),
         (
-            "other tabs of the numbers",
-            look.numbers.then_some("not in sight"),
+            "engine-other-views",
+            look.numbers.then_some("engine-not-in-sight"),
         ),
-        ("vectors", (!over.vectors).then_some(off)),
-        ("angles", layer(over.angles)),
-        ("construction of R", layer(over.construction)),
-        ("side view", layer(over.side_view)),
-        ("lobe of reflection", layer(over.lobe)),
-        ("handles", (!over.handles).then_some(off)),
+        ("engine-vectors", (!over.vectors).then_some(off)),
+        ("engine-angles", layer(over.angles)),
+        ("engine-construction", layer(over.construction)),
+        ("engine-side-view", layer(over.side_view)),
+        ("engine-lobe", layer(over.lobe)),
+        ("engine-handles", (!over.handles).then_some(off)),
     ]
     .into_iter()
     .filter_map(|(what, why)| Some((what, why?)))
     .collect()
-}
-
-/// Digits in groups of three.
-pub fn grouped(value: u64) -> String {
-    let digits = value.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push('\u{2009}');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 #[cfg(test)]
@@ -137,22 +157,13 @@ mod tests {
                 .map(|(what, _)| *what)
                 .collect::<Vec<_>>()
         };
-        assert!(names(&look).contains(&"lobe of reflection") && !names(&look).contains(&"vectors"));
+        assert!(names(&look).contains(&"engine-lobe") && !names(&look).contains(&"engine-vectors"));
         look.overlay.vectors = false;
         look.numbers = false;
         assert!(
-            ["vectors", "angles", "numbers"]
+            ["engine-vectors", "engine-angles", "engine-numbers"]
                 .iter()
                 .all(|what| names(&look).contains(what))
         );
-    }
-
-    #[test]
-    fn digits_are_grouped_from_the_right() {
-        assert_eq!(
-            (grouped(0), grouped(999)),
-            ("0".to_owned(), "999".to_owned())
-        );
-        assert_eq!(grouped(1_234_567), "1\u{2009}234\u{2009}567");
     }
 }

@@ -1,27 +1,31 @@
-//! The tab of stiff and extreme cases: what the textbook's way, the engine and a reference make of each, and by how much they
+//! The view of stiff and extreme cases: what a naive renderer, the engine and a reference make of each, and by how much they
 //! differ.
 
 use super::background::wake;
 use super::engine::Engine;
-use super::report::{export_ui, words_ui};
+use super::report::{Asking, Offer, Picked, WIDE, export_ui, words_ui};
 use super::state::AppState;
 use crate::analysis::{
-    CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, stability_cases,
+    CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, case_pictures, stability_cases,
 };
-use crate::jobs::{Asked, Background};
-use crate::scene::{Choice, Scene};
+use crate::jobs::Asked;
+use crate::scene::Scene;
+use crate::text::text;
 use eframe::egui::{
-    Align, Button, ColorImage, Context, Image, Layout, ProgressBar, RichText, TextureHandle,
+    Align, Button, ColorImage, Context, Image, Label, Layout, RichText, ScrollArea, TextureHandle,
     TextureOptions, Ui, Vec2, vec2,
 };
 use std::fmt;
+use std::sync::Arc;
 
-/// The tab's state.
+/// The view's state.
 #[derive(Default)]
 pub struct StabilityView {
-    work: Background<Asked<StabilityQuestion>>,
+    asking: Asking<StabilityQuestion>,
     /// The case that is shown.
     chosen: usize,
+    /// Whether it was chosen in the frame before, so that it is to be brought into sight.
+    new: bool,
     /// The pictures of the case that is shown.
     shown: Option<[TextureHandle; 3]>,
 }
@@ -29,49 +33,70 @@ pub struct StabilityView {
 impl fmt::Debug for StabilityView {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("StabilityView")
-            .field("work", &self.work)
+            .field("work", &self.asking.work)
             .field("chosen", &self.chosen)
             .finish()
     }
 }
 
-/// Widths of the columns, points, and the height of a row.
-const NUMBER: f32 = 62.0;
-const ROW: f32 = 21.0;
+impl StabilityView {
+    fn start(&mut self, ctx: &Context) {
+        let (question, scene) = (StabilityQuestion::default(), Scene::default());
+        let asked = Asked::new(question, &scene, None, [1, 1]);
+        self.asking.work.start(asked, wake(ctx));
+    }
+
+    fn result(&self) -> Option<Arc<CaseResult>> {
+        let results = &self.asking.work.answer()?.results;
+        results.get(self.chosen).map(Arc::clone)
+    }
+
+    fn choose(&mut self, picked: Option<Picked>) {
+        if let Some(Picked::Row(row)) = picked {
+            (self.chosen, self.shown, self.new) = (row, None, true);
+        }
+    }
+}
+
 /// Between the pictures.
 const GAP: f32 = 6.0;
+/// The share of the width that the list has beside a case.
+const LIST: f32 = 0.46;
+/// Least height of the list beside a case, points.
+const LEAST_HEIGHT: f32 = 320.0;
 
-/// The tab. The catalogue is drawn once, when the tab is first seen.
+/// The view. The cases are drawn once, when it is first seen.
 pub fn stability_ui(ui: &mut Ui, view: &mut StabilityView, state: &mut AppState, _: &Engine) {
-    let ask = || {
-        Asked::new(
-            StabilityQuestion::default(),
-            &Scene::default(),
-            None,
-            [1, 1],
-        )
-    };
-    view.work.ask(wake(ui.ctx()), |_| true, ask);
-    ui.label(
-        "Scenes at the limits of floating point. A textbook's renderer fails; this one must not.",
-    );
-    ui.add_space(4.0);
-    let (known, total) = (
-        view.work.answer().map_or(0, |found| found.results.len()),
-        stability_cases().count(),
-    );
-    if view.work.progress().is_some() {
-        ui.add(
-            ProgressBar::new(known as f32 / total as f32).text(format!("{known} of {total} cases")),
-        );
-        ui.add_space(4.0);
-    } else if let Some(Err(why)) = view.work.known() {
-        ui.label(RichText::new(why).color(ui.visuals().warn_fg_color));
+    let work = &view.asking.work;
+    if work.known().is_none() && work.progress().is_none() {
+        view.start(ui.ctx());
     }
-    let opened = table_ui(ui, view);
-    export_ui(ui, state, "stability", || {
-        Some((Box::new(view.work.answer()?.clone()), Scene::default()))
-    });
+    view.asking.receive();
+    ui.label(text!("engine-stability-intro"));
+    ui.add_space(4.0);
+    let complete = view
+        .asking
+        .work
+        .answer()
+        .is_some_and(|found| found.results.len() == stability_cases().count());
+    if !complete {
+        let offer = Offer {
+            about: "",
+            start: text!("engine-draw-cases"),
+            problem: None,
+            stale: false,
+        };
+        if view.asking.state_ui(ui, &offer) {
+            view.start(ui.ctx());
+        }
+    }
+    export_ui(ui, state, "stability", || view.asking.latest());
+    ui.add_space(6.0);
+    let opened = if ui.available_width() >= WIDE {
+        beside_ui(ui, view)
+    } else {
+        below_ui(ui, view)
+    };
     if let Some(mut scene) = opened {
         // The window has its own size, and the picture is looked at in it.
         scene.image.size = state.document.scene.image.size;
@@ -79,135 +104,135 @@ pub fn stability_ui(ui: &mut Ui, view: &mut StabilityView, state: &mut AppState,
     }
 }
 
-/// A case with its pictures; returns whether it is asked for as a scene.
-fn case_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) -> bool {
-    ui.add_space(4.0);
-    ui.label(RichText::new(result.case.title).strong().size(16.0));
-    ui.add_space(2.0);
-    let side = ((ui.available_width() - 2.0 * GAP) / 3.0).max(40.0);
-    let errors = [Some(result.naive_error), Some(result.robust_error), None];
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = GAP;
-        for (picture, name) in pictures.iter().zip(CASE_PICTURES) {
-            let words = format!("{}: {name}", result.case.title);
-            ui.add(
-                Image::new(picture)
-                    .fit_to_exact_size(vec2(side, side))
-                    .alt_text(words),
-            );
-        }
-    });
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = GAP;
-        for (name, error) in CASE_PICTURES.into_iter().zip(errors) {
-            cell_ui(
-                ui,
-                vec2(side, 40.0),
-                Layout::top_down(Align::Center),
-                |ui| {
-                    ui.spacing_mut().item_spacing.y = 0.0;
-                    ui.label(name);
-                    ui.label(match error {
-                        Some(error) => error_text(ui, "off by ", error),
-                        None => RichText::new("106 bits").weak(),
-                    });
-                },
-            );
-        }
-    });
-    let mut section = Section::default();
-    result.describe(&mut section);
-    section.parts.iter().for_each(|part| words_ui(ui, part));
-    let tip = "The case becomes the scene in the window. Undo leads back";
-    let open = Button::new("Open as the scene");
-    result.scene.is_some() && ui.add(open).on_hover_text(tip).clicked()
+/// The list at the left, the case that is chosen at the right; returns the scene that is asked for.
+fn beside_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
+    let height = (ui.clip_rect().bottom() - ui.cursor().top()).max(LEAST_HEIGHT);
+    let whole = ui.available_width();
+    let size = |share: f32| vec2(share * whole - GAP, height);
+    ui.horizontal_top(|ui| {
+        ui.allocate_ui_with_layout(size(LIST), Layout::top_down(Align::Min), |ui| {
+            ScrollArea::vertical()
+                .id_salt("cases")
+                .auto_shrink(false)
+                .show(ui, |ui| {
+                    ui.label(RichText::new(text!("engine-stability-title")).weak());
+                    let sections = view.asking.view.sections();
+                    let mut picked = None;
+                    for section in sections {
+                        picked = section_ui(ui, view, section).or(picked);
+                    }
+                    view.choose(picked);
+                });
+        });
+        ui.add_space(GAP);
+        ui.allocate_ui_with_layout(size(1.0 - LIST), Layout::top_down(Align::Min), |ui| {
+            ScrollArea::vertical()
+                .id_salt("case")
+                .auto_shrink(false)
+                .show(ui, |ui| case_ui(ui, view))
+                .inner
+        })
+        .inner
+    })
+    .inner
 }
 
-/// The cases by topic, the chosen one with all that is known of it below its row; returns the scene that is asked for.
-fn table_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
-    ui.label(RichText::new("Greatest errors in code values, of 255").weak());
-    let (mut chosen, mut opened) = (view.chosen, None);
-    let mut shown = view.shown.take();
-    let results = view.work.answer().map_or(&[][..], |found| &found.results);
-    let mut index = 0;
-    for results in results.chunk_by(|a, b| a.case.topic == b.case.topic) {
-        let heads = if index == 0 {
-            ["textbook", "engine"]
-        } else {
-            [""; 2]
-        };
-        let title = RichText::new(results[0].case.topic.label()).strong();
-        row_ui(ui, heads.map(|head| RichText::new(head).weak()), |ui| {
-            _ = ui.label(title);
-        });
-        for result in results {
-            let (case, open) = (result.case, index == view.chosen);
-            let errors = [result.naive_error, result.robust_error]
-                .map(|error| error_text(ui, "", error).monospace());
-            row_ui(ui, errors, |ui| {
-                let row = ui
-                    .add(Button::selectable(open, case.title).truncate())
-                    .on_hover_text(case.title);
-                if row.clicked() {
-                    chosen = index;
-                }
-                if open && shown.is_none() && index > 0 {
-                    row.scroll_to_me(Some(Align::Min));
-                }
-            });
-            if open {
-                let pictures = shown.get_or_insert_with(|| textures(ui.ctx(), result));
-                if case_ui(ui, result, pictures) {
-                    opened.clone_from(&result.scene);
-                }
-                ui.add_space(8.0);
-            }
-            index += 1;
+/// The list, with the case that is chosen below its topic.
+fn below_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
+    ui.label(RichText::new(text!("engine-stability-title")).weak());
+    let (mut opened, mut picked) = (None, None);
+    for section in view.asking.view.sections() {
+        picked = section_ui(ui, view, section).or(picked);
+        let rows = |section| view.asking.view.rows_before(section);
+        if (rows(section)..rows(section + 1)).contains(&view.chosen) {
+            opened = case_ui(ui, view);
+            ui.add_space(8.0);
         }
     }
-    view.shown = shown.filter(|_| chosen == view.chosen);
-    view.chosen = chosen;
+    view.choose(picked);
     opened
 }
 
-/// A row: what it is about, then its numbers.
-fn row_ui(ui: &mut Ui, numbers: [RichText; 2], name: impl FnOnce(&mut Ui)) {
-    let width = (ui.available_width() - 2.0 * (NUMBER + 4.0)).max(120.0);
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing = vec2(4.0, 1.0);
-        cell_ui(
-            ui,
-            vec2(width, ROW),
-            Layout::left_to_right(Align::Center),
-            name,
-        );
-        for number in numbers {
-            cell_ui(
-                ui,
-                vec2(NUMBER, ROW),
-                Layout::right_to_left(Align::Center),
-                |ui| _ = ui.label(number),
-            );
+/// The cases of a topic.
+fn section_ui(ui: &mut Ui, view: &mut StabilityView, section: usize) -> Option<Picked> {
+    let chosen = Some(view.chosen);
+    let picked = view
+        .asking
+        .view
+        .sections_ui(ui, section..section + 1, chosen);
+    ui.add_space(8.0);
+    picked
+}
+
+/// The case that is chosen, with its pictures; returns it as a scene where that is asked for.
+fn case_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
+    let result = view.result()?;
+    let pictures = view
+        .shown
+        .get_or_insert_with(|| textures(ui.ctx(), &result))
+        .clone();
+    let title = Label::new(RichText::new(result.case.title()).strong().size(16.0)).wrap();
+    let title = ui.add(title);
+    if std::mem::take(&mut view.new) && !ui.clip_rect().contains_rect(title.rect) {
+        title.scroll_to_me(Some(Align::Center));
+    }
+    ui.add_space(2.0);
+    pictures_ui(ui, &result, &pictures);
+    let mut section = Section::default();
+    result.describe(&mut section);
+    section.parts.iter().for_each(|part| words_ui(ui, part));
+    let open = Button::new(text!("engine-open-case"));
+    let asked = result.scene.is_some()
+        && ui
+            .add(open)
+            .on_hover_text(text!("engine-open-case.tip"))
+            .clicked();
+    result.scene.clone().filter(|_| asked)
+}
+
+/// The three pictures, each with its name and its error below.
+fn pictures_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) {
+    let side = ((ui.available_width() - 2.0 * GAP) / 3.0).clamp(40.0, 258.0);
+    let errors = [Some(result.naive_error), Some(result.robust_error), None];
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = GAP;
+        for ((picture, name), error) in pictures.iter().zip(case_pictures()).zip(errors) {
+            let words = text!("engine-picture", case = result.case.title(), name = name);
+            cell_ui(ui, side, |ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                ui.add(
+                    Image::new(picture)
+                        .fit_to_exact_size(Vec2::splat(side))
+                        .alt_text(words),
+                );
+                ui.add(Label::new(name).wrap());
+                ui.label(match error {
+                    Some(error) => error_text(ui, error),
+                    None => RichText::new(text!("engine-bits")).weak(),
+                });
+            });
         }
     });
+    ui.add_space(4.0);
 }
 
 /// A cell of a width of its own, whatever is in it.
-fn cell_ui(ui: &mut Ui, size: Vec2, layout: Layout, content: impl FnOnce(&mut Ui)) {
-    ui.allocate_ui_with_layout(size, layout, |ui| {
-        ui.set_min_width(size.x);
+fn cell_ui(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui)) {
+    ui.allocate_ui_with_layout(vec2(width, 0.0), Layout::top_down(Align::Center), |ui| {
+        ui.set_width(width);
         content(ui);
     });
 }
 
 /// An error in code values, in the colour of a warning where it is seen.
-fn error_text(ui: &Ui, before: &str, error: f64) -> RichText {
+fn error_text(ui: &Ui, error: f64) -> RichText {
     let decimals = if error >= 10.0 { 0 } else { 2 };
-    let text = RichText::new(format!("{before}{error:.decimals$}"));
+    let error_in_digits = format!("{error:.decimals$}");
+    let text = RichText::new(text!("engine-off-by", error = error_in_digits));
     if error > HALF_A_CODE_VALUE {
         text.color(ui.visuals().warn_fg_color)
     } else {
-        text
+        text.weak()
     }
 }
 

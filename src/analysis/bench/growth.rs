@@ -10,6 +10,7 @@ use crate::analysis::{Fit, Subject, order_of};
 use crate::geometry::{divisions_for, triangles};
 use crate::render::Renderer;
 use crate::scene::{Image, ObjectKind, Scene};
+use crate::text::text;
 use serde::Serialize;
 
 /// Pixels of the pictures, about, drawn with [`FEW_TRIANGLES`]: each has twice as many as the one before.
@@ -210,8 +211,8 @@ impl Growth {
     /// The tables, with the exponents below.
     pub fn describe(&self, report: &mut Report) {
         let series = [
-            ("pixels", Some(&self.pixels)),
-            ("triangles", self.triangles.as_ref()),
+            ("engine-growth-pixels", Some(&self.pixels)),
+            ("engine-growth-triangles", self.triangles.as_ref()),
         ];
         for (name, series) in series
             .into_iter()
@@ -220,36 +221,48 @@ impl Growth {
             let table = Table::of(
                 &series.rows,
                 [
-                    (Column::shown("pixels", as_it_is), |row| row.pixels.into()),
-                    (Column::shown("triangles", as_it_is), |row| {
+                    (Column::shown(text!("engine-pixels"), as_it_is), |row| {
+                        row.pixels.into()
+                    }),
+                    (Column::shown(text!("engine-triangles"), as_it_is), |row| {
                         row.triangles.into()
                     }),
-                    (Column::shown("frames", as_it_is), |row| row.frames.into()),
-                    (Column::shown("median, ms", fixed::<3>), |row| {
-                        row.median_ms.into()
+                    (Column::shown(text!("engine-frames"), as_it_is), |row| {
+                        row.frames.into()
                     }),
-                    (Column::shown("fastest, ms", fixed::<3>), |row| {
-                        row.fastest_ms.into()
-                    }),
+                    (
+                        Column::shown(text!("engine-median-ms"), fixed::<3>),
+                        |row| row.median_ms.into(),
+                    ),
+                    (
+                        Column::shown(text!("engine-fastest-ms"), fixed::<3>),
+                        |row| row.fastest_ms.into(),
+                    ),
                 ],
             );
-            let section = report.section(format!("growth with the {name}"));
+            let section = report.section(text!(name));
             section.push(Part::Table(table));
             let fits = [
-                ("all", series.order),
-                ("upper half", series.order_upper),
-                ("fastest frames", series.order_fastest),
+                ("engine-fit-all", series.order),
+                ("engine-fit-upper", series.order_upper),
+                ("engine-fit-fastest", series.order_fastest),
             ];
             for (which, fit) in fits {
                 let exponent = |fit: Fit| {
-                    format!(
-                        "{:.3} ± {:.3} (95 %, {} points)",
-                        fit.slope, fit.confidence, fit.points
+                    let (slope, spread) = (
+                        format!("{:.3}", fit.slope),
+                        format!("{:.3}", fit.confidence),
+                    );
+                    text!(
+                        "engine-fit",
+                        slope = slope,
+                        spread = spread,
+                        count = fit.points
                     )
                 };
                 section.quantity(
-                    fit.map_or_else(|| "too few".to_owned(), exponent),
-                    format!("exponent, {which}"),
+                    fit.map_or_else(|| text!("engine-fit-too-few").to_owned(), exponent),
+                    text!(which),
                 );
             }
         }

@@ -1,4 +1,5 @@
-//! The catalogue: stiff and extreme cases, each a scene that the textbook's way, the engine and the reference all draw.
+//! The catalogue: stiff and extreme cases, each a scene that the naive renderer, the engine and the reference all draw.
+//! What they are called and what goes wrong in them is in the catalogue of text, by their names.
 
 use super::precise::{Precise, precise};
 use super::reference::Truth;
@@ -17,60 +18,37 @@ pub const SIDE: u32 = 129;
 
 /// All cases, by topic.
 pub const CASES: &[Case] = &[
-    case("exponent-0", "n = 0", Highlight)
-        .textbook(
-            "Takes the power only where R·V is above 0, so that 0⁰ becomes 0: the highlight, which n = 0 spreads \
-             over all that is lit, ends at a line.",
-        )
-        .engine("max(R·V, 0)⁰ is 1 by definition: the value at a cosine of 0 is a constant of its own.")
-        .draws(square)
-        .with(|scene| {
-            scene.material.n = 0.0;
-            scene.lights = vec![lamp(0.3, 0.1, 0.1)];
-        }),
-    case("exponent-1e4", "n = 10⁴ on the lobe's axis", Highlight)
-        .textbook(
-            "Takes the power of R·V, which near 1 has only the digits that single precision has there: steps of \
-             6·10⁻⁸, times n.",
-        )
-        .engine("From the chord, 1 − R·V = |R − V|²/2, whose digits are all there: exp(n·ln(1 − t)).")
-        .condition(1e4, "of the power in R·V")
+    case("exponent-0", Highlight).draws(square).with(|scene| {
+        scene.material.n = 0.0;
+        scene.lights = vec![lamp(0.3, 0.1, 0.1)];
+    }),
+    case("exponent-1e4", Highlight)
+        .condition(1e4, "engine-condition-power")
         .draws(|| lobe(1e4)),
-    case("exponent-1e6", "n = 10⁶ on the lobe's axis", Highlight)
-        .textbook("R·V takes a handful of values over the whole highlight: it comes in rings with hard edges.")
-        .engine("The chord's form.")
-        .condition(1e6, "of the power in R·V")
+    case("exponent-1e6", Highlight)
+        .condition(1e6, "engine-condition-power")
         .draws(|| lobe(1e6)),
-    case("exponent-1e9", "n = 10⁹ on the lobe's axis", Highlight)
-        .textbook("All or nothing: R·V is 1, or so far below that the power vanishes.")
-        .engine(
-            "Past n = 10⁷ the rounding of unit vectors alone would be seen: pixels are evaluated in double \
-             precision.",
-        )
-        .condition(1e9, "of the power in R·V")
+    case("exponent-1e9", Highlight)
+        .condition(1e9, "engine-condition-power")
         .draws(|| lobe(1e9)),
-    case("exponent-1e12", "n = 10¹² on the lobe's axis", Highlight)
-        .textbook("All or nothing; and the rays of neighbouring pixels hardly differ in single precision.")
-        .engine("Double precision, and the chord's form there too.")
-        .condition(1e12, "of the power in R·V")
+    case("exponent-1e12", Highlight)
+        .condition(1e12, "engine-condition-power")
         .draws(|| lobe(1e12)),
-    case("exponent-infinite", "n = ∞, the viewer exactly in the mirrored ray", Highlight)
-        .textbook("0.99999994^∞ is 0 and 1.0000001^∞ is infinite: a mirror shows nothing, or too much.")
-        .engine("A chord that is nothing but rounding counts as none.")
+    case("exponent-infinite", Highlight)
         .draws(square)
         .with(|scene| {
-            (scene.camera.eye, scene.camera.viewer) = (DVec3::new(-1.1, 0.9, 2.3), Viewer::Infinite);
+            (scene.camera.eye, scene.camera.viewer) =
+                (DVec3::new(-1.1, 0.9, 2.3), Viewer::Infinite);
             let direction = DVec3::new(-1.1, 0.9, -2.3);
-            scene.lights = vec![Light { kind: LightKind::Directional, direction, ..Light::default() }];
+            scene.lights = vec![Light {
+                kind: LightKind::Directional,
+                direction,
+                ..Light::default()
+            }];
             scene.material.n = f64::INFINITY;
         }),
-    case("microfacets", "Microfacets with a slope of m = 0.001", Highlight)
-        .textbook(
-            "The angle between N and H by acos of a cosine: steps near 0, and no number where the cosine is rounded \
-             above 1.",
-        )
-        .engine("1 − N·H from the chord, and tan² from that.")
-        .condition(1e6, "of Beckmann's D in N·H: 1/m²")
+    case("microfacets", Highlight)
+        .condition(1e6, "engine-condition-beckmann")
         .draws(|| lobe(1e6))
         .with(|scene| {
             scene.reflection.model = ReflectionModel::CookTorrance;
@@ -78,133 +56,85 @@ pub const CASES: &[Case] = &[
             // The peak is as 1/m².
             scene.lights[0].color = Rgb::splat(5e-6);
         }),
-    case("light-in-the-plane", "N·L = 0: the light in the surface's plane", Cosines)
-        .textbook(
-            "N·L is rounding, above 0 here and below 0 there, or the highlight is added without asking for N·L at \
-             all.",
-        )
-        .engine("A light no higher over the tangent plane than the rounding of its place lights nothing.")
-        .draws(|| {
-            // In the plane x + y + z = 0, all coordinates exact.
-            let at = |s: f64, t: f64| [s + 0.5 * t, 0.5 * t - s, -t];
-            let corners = [at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0)];
-            let mut scene = polygons(&corners, &[&[0, 1, 2, 3]]);
-            let light = DVec3::from_array(at(0.25, 3.0));
-            (scene.camera.eye, scene.camera.up) = (DVec3::from_array(at(0.0, -3.0)) + 0.75, DVec3::ONE);
-            (scene.material.n, scene.material.ks) = (6.0, Rgb::splat(0.8));
-            scene.lights = vec![Light { position: light, ..Light::default() }];
-            scene
-        }),
-    case("light-inside", "N·L < 0: a light inside the solid", Cosines)
-        .textbook("Adds the highlight wherever R·V is above 0: it shines through the solid.")
-        .engine("Only what faces the light is lit, diffusely or specularly.")
-        .draws(sphere)
-        .with(|scene| {
-            (scene.material.n, scene.material.ks) = (5.0, Rgb::splat(0.6));
-            scene.lights = vec![lamp(0.88, 0.3, 0.12)];
-        }),
-    case("opposed-normals", "Opposed vertex normals: the normal between them is zero", Vectors)
-        .textbook("Divides by the length of a vector that is zero: no number, in a whole column.")
-        .engine(
-            "A normal shorter than its own rounding error is not lengthened to 1: it has no direction and no light.",
-        )
+    case("light-in-the-plane", Cosines).draws(|| {
+        // In the plane x + y + z = 0, all coordinates exact.
+        let at = |s: f64, t: f64| [s + 0.5 * t, 0.5 * t - s, -t];
+        let corners = [at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0)];
+        let mut scene = polygons(&corners, &[&[0, 1, 2, 3]]);
+        let light = DVec3::from_array(at(0.25, 3.0));
+        (scene.camera.eye, scene.camera.up) = (DVec3::from_array(at(0.0, -3.0)) + 0.75, DVec3::ONE);
+        (scene.material.n, scene.material.ks) = (6.0, Rgb::splat(0.8));
+        scene.lights = vec![Light {
+            position: light,
+            ..Light::default()
+        }];
+        scene
+    }),
+    case("light-inside", Cosines).draws(sphere).with(|scene| {
+        (scene.material.n, scene.material.ks) = (5.0, Rgb::splat(0.6));
+        scene.lights = vec![lamp(0.88, 0.3, 0.12)];
+    }),
+    case("opposed-normals", Vectors)
         .draws(|| with_normals(|x, _| DVec3::new(x, 0.0, 0.0)))
         .with(|scene| scene.lights = vec![lamp(2.0, 0.0, 1.0)]),
-    case("huge-normals", "Normals of length 10²⁵", Vectors)
-        .textbook("The square of the length overflows, and what is divided by infinity is zero: no light at all.")
-        .engine(
-            "Given normals are made unit vectors in double precision, where no accepted length overflows when \
-             squared.",
-        )
-        .draws(|| with_normals(|x, y| DVec3::new(x, y, 1.2) * 1e25)),
-    case("denormal-normals", "Normals of length 10⁻³⁰", Vectors)
-        .textbook("The square of the length underflows to 0, and what is divided by that is infinite.")
-        .engine("Double precision likewise; shorter ones are refused.")
-        .draws(|| with_normals(|x, y| DVec3::new(x, y, 1.2) * 1e-30)),
-    case("light-on-the-surface", "A light on the surface, where a pixel looks", Lights)
-        .textbook("L is the zero vector divided by its length: no number.")
-        .engine("Lengths are lifted to a shortest one before they divide; a zero vector stays zero and has no N·L.")
+    case("huge-normals", Vectors).draws(|| with_normals(|x, y| DVec3::new(x, y, 1.2) * 1e25)),
+    case("denormal-normals", Vectors).draws(|| with_normals(|x, y| DVec3::new(x, y, 1.2) * 1e-30)),
+    case("light-on-the-surface", Lights)
         .draws(square)
         .with(|scene| {
-            scene.lights = vec![lamp(0.0, 0.0, 0.0), Light { color: Rgb::splat(0.5), ..lamp(1.0, 2.0, 3.0) }];
+            scene.lights = vec![
+                lamp(0.0, 0.0, 0.0),
+                Light {
+                    color: Rgb::splat(0.5),
+                    ..lamp(1.0, 2.0, 3.0)
+                },
+            ];
         }),
-    case("attenuation-0", "f = 1/d² as d → 0", Lights)
-        .textbook("f is infinite and N·L zero, and their product no number; a rounding away it is white.")
-        .engine("d is lifted to a shortest length; what lies in the light's own plane is not lit, however near.")
-        .condition(2.0, "of f in d, relative to f; its slope is without bound")
+    case("attenuation-0", Lights)
+        .condition(2.0, "engine-condition-attenuation")
         .draws(corner)
         .with(|scene| {
             let color = Rgb::splat(0.3);
-            scene.lights = vec![Light { color, attenuation: Attenuation::InverseSquare, ..lamp(0.0, 0.0, 0.0) }];
+            scene.lights = vec![Light {
+                color,
+                attenuation: Attenuation::InverseSquare,
+                ..lamp(0.0, 0.0, 0.0)
+            }];
         }),
-    case("light-at-1e30", "A point light at 10³⁰", Lights)
-        .textbook("The square of the distance overflows: L is zero, and the object dark.")
-        .engine(
-            "A light farther than 10⁹ camera distances shines in parallel; its direction is found in double \
-             precision.",
-        )
+    case("light-at-1e30", Lights)
         .draws(square)
         .with(|scene| scene.lights = vec![lamp(0.5e30, 0.25e30, 1e30)]),
-    case("narrow-cone", "A spot light's cone of 0.1°", Lights)
-        .textbook(
-            "Compares cosines, which are 1 − 1.5·10⁻⁶ at the edge: 26 steps of single precision from the axis to it.",
-        )
-        .engine("Compares 1 − cos, half the square of the chord.")
-        .condition(6.6e5, "of the angle in its cosine: 2/θ²")
+    case("narrow-cone", Lights)
+        .condition(6.6e5, "engine-condition-cone")
         .draws(square)
         .with(|scene| {
             scene.camera.eye = DVec3::new(0.0, 0.0, 0.02);
             let (position, direction) = (DVec3::new(0.25, 0.5, 3.0), DVec3::new(-0.25, -0.5, -3.0));
             let (kind, cone, exponent) = (LightKind::Spot, 0.1, 0.0);
-            scene.lights = vec![Light { kind, cone, exponent, position, direction, ..Light::default() }];
+            scene.lights = vec![Light {
+                kind,
+                cone,
+                exponent,
+                position,
+                direction,
+                ..Light::default()
+            }];
         }),
-    case("a-million-lights", "The light of a million lamps", Lights)
-        .textbook("The intensity times 255 is cast to a byte: of a value past 255 the lowest 8 bits remain.")
-        .engine("Clamped before it is stored.")
+    case("a-million-lights", Lights)
         .draws(near)
         .with(|scene| scene.lights[0].color = Rgb::splat(1e6)),
-    case("overflow", "An intensity past the end of single precision", Lights)
-        .textbook("Infinity, and infinity times the 0 of a channel that the surface does not reflect: no number.")
-        .engine(
-            "The coefficients of light and surface are multiplied in double precision and rounded into the range of \
-             single; a channel that is 0 stays 0.",
-        )
-        .draws(near)
-        .with(|scene| {
-            scene.material.color = Rgb::new(1.0, 0.0, 0.0);
-            (scene.material.kd, scene.material.ks) = (Rgb::splat(1e6), Rgb::ZERO);
-            scene.lights[0].color = Rgb::splat(1e30);
-            scene.lights[0].attenuation = Attenuation::InverseSquare;
-            scene.lights[0].position = DVec3::new(0.3, 0.2, 0.002);
-        }),
-    case("eye-on-the-surface", "The viewer on the surface", Geometry)
-        .textbook(
-            "The floor is a line in the picture, an area of 0 that weights are divided by; its corners behind the \
-             eye are projected before it.",
-        )
-        .engine(
-            "What is nearer than the near plane is clipped before anything is divided by a depth, and what has no \
-             area in the picture covers no pixel.",
-        )
-        .draws(|| room(0.0, 6.0)),
-    case("behind-the-eye", "A polygon that reaches behind the eye", Geometry)
-        .textbook("Divides by w below 0: corners behind the eye appear upside down in front of it.")
-        .engine("Clipped at the near plane, in double precision.")
-        .draws(|| room(-0.7, 6.0)),
-    case("w-0", "Vertices at w = 0, in the plane of the eye", Geometry)
-        .textbook("Divides by 0: the corners are at infinity, the weights no numbers.")
-        .engine("Clipped likewise.")
-        .draws(|| room(-0.7, 2.0)),
-    case("slivers", "Slivers: triangles 10⁻⁸ wide", Geometry)
-        .textbook(
-            "In single precision they have hardly an area: their normals point anywhere, and spread through the \
-             averages at vertices to polygons that are sound.",
-        )
-        .engine(
-            "What has no area beyond the rounding of its corners has no normal and no weight in any average. \
-             Polygons without any area in a scene are refused.",
-        )
-        .condition(1e8, "of the normal in the corners: length over width")
+    case("overflow", Lights).draws(near).with(|scene| {
+        scene.material.color = Rgb::new(1.0, 0.0, 0.0);
+        (scene.material.kd, scene.material.ks) = (Rgb::splat(1e6), Rgb::ZERO);
+        scene.lights[0].color = Rgb::splat(1e30);
+        scene.lights[0].attenuation = Attenuation::InverseSquare;
+        scene.lights[0].position = DVec3::new(0.3, 0.2, 0.002);
+    }),
+    case("eye-on-the-surface", Geometry).draws(|| room(0.0, 6.0)),
+    case("behind-the-eye", Geometry).draws(|| room(-0.7, 6.0)),
+    case("w-0", Geometry).draws(|| room(-0.7, 2.0)),
+    case("slivers", Geometry)
+        .condition(1e8, "engine-condition-sliver")
         .draws(|| {
             // In the planes of the polygons beside them.
             let (width, slope) = (1e-8, 0.25);
@@ -219,75 +149,55 @@ pub const CASES: &[Case] = &[
                 tip(-1.0),
                 tip(1.0),
             ];
-            polygons(&corners, &[&[0, 1, 4, 5], &[1, 2, 3, 4], &[0, 5, 6], &[3, 2, 7]])
+            polygons(
+                &corners,
+                &[&[0, 1, 4, 5], &[1, 2, 3, 4], &[0, 5, 6], &[3, 2, 7]],
+            )
         }),
-    case("scale-1e-15", "Coordinates of 10⁻¹⁵", Geometry)
-        .textbook("The square of a cross product of edges underflows: normals are no numbers.")
-        .engine("Normals are found in double precision, and lengths measured in distances from the eye to its target.")
-        .draws(|| scaled(1e-15)),
-    case("scale-1e15", "Coordinates of 10¹⁵", Geometry)
-        .textbook("The same square overflows: normals are zero.")
-        .engine("The same measure.")
-        .draws(|| scaled(1e15)),
-    case("far-from-the-origin", "A mesh 10⁷ from the origin", Geometry)
-        .textbook("Places are rounded to whole units, and the matrix adds what should cancel.")
-        .engine(
-            "Differences from the eye and from the mesh's own middle are taken in double precision; only they are \
-             rounded.",
-        )
-        .condition(1e7, "of a difference of coordinates in them")
+    case("scale-1e-15", Geometry).draws(|| scaled(1e-15)),
+    case("scale-1e15", Geometry).draws(|| scaled(1e15)),
+    case("far-from-the-origin", Geometry)
+        .condition(1e7, "engine-condition-difference")
         .draws(pyramid)
         .with(|scene| {
             let offset = DVec3::new(1.1e7, -0.7e7, 1.3e7);
             moved(scene, |v| v + offset);
         }),
-    case("telephoto", "A sphere seen from 10⁵ radii away", Geometry)
-        .textbook(
-            "The discriminant b² − 4ac is the difference of two numbers near 10²⁰, of which single precision has \
-             seven digits.",
-        )
-        .engine(
-            "The surface is met in double precision, and where the eye is 10⁴ radii away pixels are evaluated in it \
-             too.",
-        )
-        .condition(1e10, "of the discriminant: (distance/radius)²")
+    case("telephoto", Geometry)
+        .condition(1e10, "engine-condition-discriminant")
         .draws(sphere)
         .with(|scene| {
             scene.camera.eye = DVec3::new(0.3, 0.4, 1.0) * 1e5;
             scene.camera.fov_y = 1.3e-3;
         }),
-    case("depth-fighting", "Two surfaces 10⁻⁵ of their distance apart", Geometry)
-        .textbook(
-            "Keeps z/w in single precision, most of whose range is spent next to the near plane: which surface is in \
-             front changes from pixel to pixel.",
-        )
-        .engine("Keeps 1/depth in camera distances, whose digits are spread over the object's depths.")
-        .condition(1e5, "of the difference of depths in them")
+    case("depth-fighting", Geometry)
+        .condition(1e5, "engine-condition-depths")
         .draws(|| {
             let gap = 4e-5;
             let at = |x: f64, y: f64, z: f64| [x, y, 0.3 * x + z];
-            let one = |z: f64| [at(-1.0, -1.0, z), at(1.0, -1.0, z), at(1.0, 1.0, z), at(-1.0, 1.0, z)];
-            let mut scene = polygons(&[one(0.0), one(gap)].concat(), &[&[0, 1, 2, 3], &[4, 5, 6, 7]]);
+            let one = |z: f64| {
+                [
+                    at(-1.0, -1.0, z),
+                    at(1.0, -1.0, z),
+                    at(1.0, 1.0, z),
+                    at(-1.0, 1.0, z),
+                ]
+            };
+            let mut scene = polygons(
+                &[one(0.0), one(gap)].concat(),
+                &[&[0, 1, 2, 3], &[4, 5, 6, 7]],
+            );
             let (behind, before) = (DVec3::new(0.9, 0.0, 0.2), DVec3::new(-0.3, 0.0, 1.0));
-            scene.object.vertex_normals = (0..8).map(|v| if v < 4 { behind } else { before }).collect();
+            scene.object.vertex_normals = (0..8)
+                .map(|v| if v < 4 { behind } else { before })
+                .collect();
             scene.object.normals = NormalSource::File;
             scene.lights = vec![lamp(-2.0, 2.0, 3.0)];
             scene
         }),
-    case("span-of-length-0", "A scan line through a corner, and along an edge", Geometry)
-        .textbook(
-            "At a corner P and Q coincide, and the place between them is 0/0; along a level edge α is. Those pixels \
-             are no numbers.",
-        )
-        .engine(
-            "An edge holds its upper end and not its lower one, a span its left end and not its right one: one of \
-             length 0 covers no pixel.",
-        )
-        .pictures(scan_lines),
-    case("critical-angle", "The critical angle, 4·10⁻⁶ radians of it", Geometry)
-        .textbook("1 − sin²θ₂ from a cosine has two or three digits left; past the angle its root is no number.")
-        .engine("sin² from the cross product, in double precision; where the rest is below 0 nothing is transmitted.")
-        .condition(5e5, "of cos θ₂ in θ₁: 1/(2δ)")
+    case("span-of-length-0", Geometry).pictures(scan_lines),
+    case("critical-angle", Geometry)
+        .condition(5e5, "engine-condition-refraction")
         .pictures(critical),
 ];
 

@@ -1,13 +1,14 @@
 //! The catalogue of cases: how it is asked for, and what it says.
 
-use super::{CASE_PICTURES, CaseResult, HALF_A_CODE_VALUE, Verdict, stability, stability_cases};
+use super::{CaseResult, HALF_A_CODE_VALUE, Verdict, case_pictures, stability, stability_cases};
 use crate::analysis::report::{
-    About, Answer, Column, Figure, Part, Report, Section, Table, as_it_is, fixed,
+    About, Answer, Column, Figure, Part, Report, Section, Table, as_it_is,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Drawing, Paper, Text};
 use crate::render::Frame;
 use crate::scene::Choice;
+use crate::text::text;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -48,78 +49,101 @@ impl Question for StabilityQuestion {
 impl CaseResult {
     /// What is said of the case.
     pub fn describe(&self, section: &mut Section) {
+        let (naive, engine) = (self.case.naive(), self.case.engine());
+        section.line(text!("engine-says-naive", text = naive));
+        section.line(text!("engine-says-engine", text = engine));
+        section.note(text!(
+            "engine-errors",
+            error = error(self.naive_error),
+            engine = error(self.robust_error)
+        ));
         let lost = self.naive_not_finite;
         if lost > 0 {
-            let pixels = if lost == 1 {
-                "1 pixel is"
-            } else {
-                &format!("{lost} pixels are")
-            };
-            section.note(format!("{pixels} infinite or no number, in magenta."));
+            section.note(text!("engine-lost", count = lost));
         }
-        section.line(format!("The textbook: {}", self.case.wrong));
-        section.line(format!("This engine: {}", self.case.robust));
         if let Some(condition) = self.case.condition {
-            section.note(format!("Condition number {condition}."));
+            let (number, of) = (condition.to_string(), condition.of.text());
+            section.note(text!("engine-condition-number", number = number, of = of));
         }
     }
 }
 
+/// An error in code values: two decimals, as far as rounding to a stored pixel leaves any meaning.
+fn error(value: f64) -> String {
+    format!("{value:.2}")
+}
+
+/// A row for each case.
+fn rows(results: &[Arc<CaseResult>]) -> Table {
+    let condition = |value: f64| format!("{value:.0e}");
+    Table::of(
+        results,
+        [
+            (Column::shown(text!("engine-case"), as_it_is), |result| {
+                result.case.title().into()
+            }),
+            (Column::key("name"), |result| result.case.name.into()),
+            (Column::key("topic"), |result| {
+                result.case.topic.label().into()
+            }),
+            (
+                Column::both("condition", text!("engine-condition"), condition).extra(),
+                |result| result.case.condition.map(|c| c.value).into(),
+            ),
+            (
+                Column::both("naive_error", text!("engine-naive-short"), error),
+                |result| result.naive_error.into(),
+            ),
+            (
+                Column::both("robust_error", text!("engine-this-short"), error),
+                |result| result.robust_error.into(),
+            ),
+            (Column::key("verdict"), |result| {
+                result.verdict.label().into()
+            }),
+            (Column::key("pixels"), |result| result.pixels.into()),
+            (
+                Column::both("naive_off", text!("engine-pixels-off"), as_it_is).extra(),
+                |result| result.naive_off.into(),
+            ),
+            (
+                Column::both("naive_not_finite", text!("engine-not-finite"), as_it_is).extra(),
+                |result| result.naive_not_finite.into(),
+            ),
+        ],
+    )
+}
+
 impl Answer for Catalogue {
     fn report(&self, _: &About<'_>) -> Report {
-        let mut report =
-            Report::new("Greatest errors in code values against a reference of 106 bits");
-        let condition = |value: f64| format!("{value:.1e}");
-        let table = Table::of(
-            &self.results,
-            [
-                (Column::both("name", "case", as_it_is), |result| {
-                    result.case.name.into()
-                }),
-                (Column::key("topic"), |result| {
-                    result.case.topic.label().into()
-                }),
-                (
-                    Column::both("condition", "condition", condition),
-                    |result| result.case.condition.map(|c| c.value).into(),
-                ),
-                (
-                    Column::both("naive_error", "textbook", fixed::<3>),
-                    |result| result.naive_error.into(),
-                ),
-                (
-                    Column::both("robust_error", "this engine", fixed::<4>),
-                    |result| result.robust_error.into(),
-                ),
-                (Column::both("verdict", "verdict", as_it_is), |result| {
-                    result.verdict.label().into()
-                }),
-                (Column::key("pixels"), |result| result.pixels.into()),
-                (
-                    Column::both("naive_off", "pixels off", as_it_is),
-                    |result| result.naive_off.into(),
-                ),
-                (
-                    Column::both("naive_not_finite", "not finite", as_it_is),
-                    |result| result.naive_not_finite.into(),
-                ),
-            ],
-        );
-        report.section("").push(Part::Table(table));
+        let mut report = Report::new(text!("engine-stability-title"));
+        for results in self.results.chunk_by(|a, b| a.case.topic == b.case.topic) {
+            let section = report.section(results[0].case.topic.label());
+            section.push(Part::Table(rows(results).to_choose()));
+        }
         if let [result] = &self.results[..] {
-            result.describe(report.section(result.case.title));
+            result.describe(report.section(result.case.title()));
         }
         let failed = self
             .results
             .iter()
             .filter(|result| result.verdict == Verdict::Fails)
             .count();
-        report.failure =
-            (failed > 0).then(|| format!("{failed} of {} cases fail", self.results.len()));
+        report.failure = (failed > 0).then(|| {
+            text!(
+                "engine-stability-failed",
+                count = failed,
+                all = self.results.len()
+            )
+        });
         report
     }
 
-    /// Each case as the textbook, the engine and the reference draw it.
+    fn table(&self) -> Option<Table> {
+        Some(rows(&self.results))
+    }
+
+    /// Each case as the naive renderer, the engine and the reference draw it.
     fn figure(&self, _: &About<'_>, _: Option<[u32; 2]>, _: Paper) -> Option<Figure> {
         let results: Vec<CaseResult> = self
             .results
@@ -192,7 +216,7 @@ pub fn stability_sheet(results: &[CaseResult]) -> Option<Frame> {
             .push(Text::new(text, DVec2::new(x.into(), y.into()), em, colour));
     };
     for (result, [x, y]) in results.iter().zip(&places) {
-        letter(result.case.title, EM, [*x, y + HEAD - 12], WORDS);
+        letter(result.case.title(), EM, [*x, y + HEAD - 12], WORDS);
         for ((words, colour), step) in captions(result).into_iter().zip(0..) {
             letter(
                 &words,
@@ -215,13 +239,17 @@ fn captions(result: &CaseResult) -> [(String, [u8; 3]); 3] {
         } else {
             WEAK
         };
-        (format!("{name}: off by {error:.decimals$}"), colour)
+        let error = format!("{error:.decimals$}");
+        (text!("engine-caption", name = name, error = error), colour)
     };
-    let [textbook, engine, reference] = CASE_PICTURES;
+    let [naive, engine, reference] = case_pictures();
     let lost = result.naive_not_finite;
-    let (words, colour) = of(textbook, result.naive_error);
+    let (words, colour) = of(naive, result.naive_error);
     let naive = if lost > 0 {
-        (format!("{words}, {lost} lost"), WRONG)
+        (
+            text!("engine-caption-lost", caption = words, count = lost),
+            WRONG,
+        )
     } else {
         (words, colour)
     };

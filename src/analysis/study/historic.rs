@@ -19,6 +19,7 @@ use crate::scene::{
     AmbientSource, Backfacing, CuedBy, Interpolation, PatternKind, Projection, Reflectance,
     ReflectionModel, Rgb, Scene, View,
 };
+use crate::text::Message;
 use glam::{DVec2, DVec3};
 use std::ops::{Add, Mul, Sub};
 
@@ -32,7 +33,7 @@ const NEAR: f64 = 1e-3;
 const SAME: f64 = 1e-6;
 
 /// Why the scalar code cannot draw a scene by `method`.
-pub fn cannot_draw(method: Method, scene: &Scene) -> Option<&'static str> {
+pub fn cannot_draw(method: Method, scene: &Scene) -> Option<Message> {
     let rays = scene.shading.shadows
         || scene.ground.visible
         || scene.backdrop.pattern != PatternKind::None
@@ -42,12 +43,12 @@ pub fn cannot_draw(method: Method, scene: &Scene) -> Option<&'static str> {
     let two_cosines = scene.reflection.model != ReflectionModel::CookTorrance
         && scene.material.reflectance == Reflectance::Constant;
     match method {
-        _ if rays => Some("the scalar code follows no rays"),
-        _ if scene.depth_cueing.by != CuedBy::Off => Some("the scalar code knows no depth cueing"),
-        _ if angular => Some("equal angles are equal steps in the picture"),
-        Method::Taylor if !two_cosines => Some("the highlight has no single cosine to expand"),
+        _ if rays => Some(Message("engine-cannot-rays")),
+        _ if scene.depth_cueing.by != CuedBy::Off => Some(Message("engine-cannot-depth-cueing")),
+        _ if angular => Some(Message("engine-cannot-perspective")),
+        Method::Taylor if !two_cosines => Some(Message("engine-cannot-cosine")),
         Method::Taylor if scene.pattern.kind != PatternKind::None => {
-            Some("a pattern has no expansion")
+            Some(Message("engine-cannot-pattern"))
         }
         _ => None,
     }

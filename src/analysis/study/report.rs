@@ -4,11 +4,10 @@ use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study,
 use crate::analysis::report::{
     About, Answer, Column, Figure, Part, Report, Table, as_it_is, fixed,
 };
-use crate::analysis::{
-    Axis, Curve, Dash, Ink, Plot, PlotKind, Point, Question, Subject, Watch, word,
-};
+use crate::analysis::{Axis, Curve, Dash, Ink, Plot, PlotKind, Point, Question, Subject, Watch};
 use crate::figure::{Paper, PlotStyle, lay_out};
 use crate::scene::{Choice, Interpolation, ShadingMode};
+use crate::text::text;
 use glam::DVec2;
 use serde_json::{Map, Value, json};
 
@@ -33,51 +32,50 @@ impl Question for StudyQuestion {
         );
         match (found.rows.is_empty(), found.omitted.first()) {
             (false, _) => Ok(found),
-            (true, Some(omitted)) => {
-                let (method, why) = (omitted.method.word(), omitted.reason);
-                Err(format!(
-                    "nothing to measure: {method} cannot draw this scene, {why}"
-                ))
-            }
-            (true, None) => {
-                Err("nothing to measure: the shape takes none of these --segments".to_owned())
-            }
+            (true, Some(omitted)) => Err(text!(
+                "engine-study-impossible",
+                method = omitted.method.label(),
+                reason = omitted.reason.text()
+            )),
+            (true, None) => Err(text!("engine-study-no-segments").to_owned()),
         }
     }
 }
 
 impl Answer for Study {
     fn report(&self, about: &About<'_>) -> Report {
-        let mut report = Report::new(format!("{}, {} threads", about.heading(), self.threads));
+        let mut report = Report::new(text!(
+            "engine-study-title",
+            about = about.heading(),
+            threads = self.threads
+        ));
         let section = report.section("");
         section
             .parts
             .extend(study_plot(self).map(|plot| Part::Plot(plot.into())));
-        section.note(
-            "Errors inside (N·V ≥ 0.2) against the exact picture in code values, 1/255 of linear intensity, before the \
-             display: values above 1 count in full; “shown” with them clamped to 1 where the display clamps, as compare has \
-             it. Times in ms. * on the front of Pareto: nothing else is both faster and nearer.",
-        );
-        section.push(Part::Table(rows(self)));
+        section.push(Part::Table(rows(self).to_choose()));
+        section.note(text!("engine-study-note"));
         if self.series.iter().any(|series| series.order.is_some()) {
-            let section = report.section("Order of convergence");
-            section.note("The error goes as the spacing of the vertices to this power; ± 95 % by Student's t.");
+            let section = report.section(text!("engine-order"));
             section.push(Part::Table(orders(self)));
+            section.note(text!("engine-order-note"));
         }
-        let section = report.section("");
+        let scalar = self.rows.iter().any(|row| row.scalar);
+        if self.omitted.is_empty() && !scalar {
+            return report;
+        }
+        let section = report.section(text!("engine-study-remarks"));
         for omitted in &self.omitted {
-            let how = omitted
-                .interpolation
-                .map_or_else(String::new, |how| format!(" ({})", word(&how)));
-            section.note(format!(
-                "Not measured: {}{how}: {}.",
-                omitted.method.label(),
-                omitted.reason
+            let (method, reason) = (title(omitted.method, omitted.interpolation), omitted.reason);
+            let reason = reason.text();
+            section.note(text!(
+                "engine-study-omitted",
+                method = method,
+                reason = reason
             ));
         }
-        if self.rows.iter().any(|row| row.scalar) {
-            section
-                .note("The scalar methods run in one thread: compare their times with each other.");
+        if scalar {
+            section.note(text!("engine-study-scalar"));
         }
         report
     }
@@ -154,40 +152,48 @@ fn rows(study: &Study) -> Table {
                     .map_or("none", Choice::word)
                     .into()
             }),
-            (Column::both("n", "n", as_it_is), |row| row.setting.n.into()),
+            (Column::both("n", "n", as_it_is).extra(), |row| {
+                row.setting.n.into()
+            }),
             (Column::key("spacing"), |row| row.spacing.into()),
-            (Column::both("error_rms", "RMS", codes), |row| {
-                row.error_rms.into()
-            }),
-            (Column::both("error_max", "greatest", codes), |row| {
-                row.error_max.into()
-            }),
-            (Column::both("error_p99", "99 %", codes), |row| {
+            (
+                Column::both("error_rms", text!("engine-rms"), codes),
+                |row| row.error_rms.into(),
+            ),
+            (
+                Column::both("error_max", text!("engine-greatest"), codes).extra(),
+                |row| row.error_max.into(),
+            ),
+            (Column::both("error_p99", "99 %", codes).extra(), |row| {
                 row.error_p99.into()
             }),
             (Column::key("interior_pixels"), |row| {
                 row.interior_pixels.into()
             }),
-            (Column::both("outline_pixels", "outline", as_it_is), |row| {
-                row.outline_pixels.into()
-            }),
+            (
+                Column::both("outline_pixels", text!("engine-outline"), as_it_is).extra(),
+                |row| row.outline_pixels.into(),
+            ),
             (Column::key("outline_rms"), |row| row.outline_rms.into()),
-            (Column::both("time_ms", "time", fixed::<3>), |row| {
-                row.time_ms.into()
-            }),
-            (Column::both("spread_ms", "IQR", fixed::<3>), |row| {
-                row.spread_ms.into()
-            }),
+            (
+                Column::both("time_ms", text!("engine-time-ms"), fixed::<3>),
+                |row| row.time_ms.into(),
+            ),
+            (
+                Column::both("spread_ms", text!("engine-spread"), fixed::<3>).extra(),
+                |row| row.spread_ms.into(),
+            ),
             (Column::key("samples"), |row| row.samples.into()),
             (
-                Column::both("evaluations", "evaluations", as_it_is),
+                Column::both("evaluations", text!("engine-evaluations"), as_it_is).extra(),
                 |row| row.evaluations.into(),
             ),
             (Column::key("pareto"), |row| row.pareto.to_string().into()),
             (Column::key("scalar"), |row| row.scalar.to_string().into()),
-            (Column::both("error_rms_shown", "shown", codes), |row| {
-                row.error_rms_shown.into()
-            }),
+            (
+                Column::both("error_rms_shown", text!("engine-rms-shown"), codes).extra(),
+                |row| row.error_rms_shown.into(),
+            ),
             (Column::key("error_max_shown"), |row| {
                 row.error_max_shown.into()
             }),
@@ -209,12 +215,14 @@ fn orders(study: &Study) -> Table {
                 title(series.method, series.interpolation).into()
             }),
             (Column::shown("n", as_it_is), |series| series.n.into()),
-            (Column::shown("of the greatest error", as_it_is), |series| {
-                text(series.order).into()
-            }),
-            (Column::shown("of the RMS", as_it_is), |series| {
-                text(series.order_rms).into()
-            }),
+            (
+                Column::shown(text!("engine-order-greatest"), as_it_is),
+                |series| text(series.order).into(),
+            ),
+            (
+                Column::shown(text!("engine-order-rms"), as_it_is),
+                |series| text(series.order_rms).into(),
+            ),
         ],
     )
 }
@@ -241,7 +249,7 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
     let mut curves = vec![Curve {
         dash,
         emphasised: false,
-        ..Curve::new("front of Pareto", front, Ink::Reference)
+        ..Curve::new(text!("engine-front"), front, Ink::Reference)
     }];
     let mut points = Vec::new();
     for series in known.chunk_by(|a, b| a.0.setting.is_like(&b.0.setting)) {
@@ -278,6 +286,7 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
                 ink,
                 hollow: row.scalar,
                 strong,
+                about: about_row(row),
             }
         }));
     }
@@ -289,14 +298,12 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
         let margin = ((high - low) * MARGIN).max(0.5 * (LEAST - (high - low)));
         Axis::decades(name, low - margin, high + margin)
     };
-    let note = "Root mean square of the error inside (N·V ≥ 0.2) against the exact picture, linear intensity; numbers are \
-                segments. Rings: scalar code in one thread, not to be compared with the engine's times.";
     Some(Plot {
         kind: PlotKind::Study,
-        title: "Error against run time".to_owned(),
-        note: note.to_owned(),
-        x: axis("time of a frame, ms", 0),
-        y: axis("RMS error", 1),
+        title: text!("engine-study-plot").to_owned(),
+        note: text!("engine-study-plot.note").to_owned(),
+        x: axis(text!("engine-axis-time"), 0),
+        y: axis(text!("engine-axis-error"), 1),
         curves,
         legend: vec![],
         marks: vec![],
@@ -304,6 +311,30 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
         borders: vec![],
         points,
     })
+}
+
+/// What the window says of a row.
+fn about_row(row: &StudyRow) -> Vec<String> {
+    let setting = &row.setting;
+    vec![
+        format!("{}, n = {}", setting.title(), setting.n),
+        text!(
+            "engine-study-point-error",
+            rms = codes(row.error_rms),
+            greatest = codes(row.error_max)
+        ),
+        text!(
+            "engine-study-point-time",
+            time = format!("{:.3}", row.time_ms),
+            spread = format!("{:.3}", row.spread_ms)
+        ),
+        text!(if row.scalar {
+            "engine-study-point-historic"
+        } else {
+            "engine-study-point-show"
+        })
+        .to_owned(),
+    ]
 }
 
 /// Where a row stands in the plot: the logarithms to the base 10 of its time in milliseconds and of its error.

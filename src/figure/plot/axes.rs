@@ -55,15 +55,19 @@ fn decades(axis: &Axis, room: f64) -> Vec<(f64, String)> {
         exponents.flat_map(|exponent| mantissas.iter().map(move |mantissa| (exponent, *mantissa)));
     let value = |(exponent, mantissa): (i32, u8)| f64::from(exponent) + f64::from(mantissa).log10();
     let inside = |tick: &(i32, u8)| (axis.low - 1e-9..=axis.high + 1e-9).contains(&value(*tick));
+    // Where decades stand alone, all are written alike.
+    let alone = mantissas.len() == 1 && (axis.low < -1.5 || axis.high > 3.5);
     all.filter(inside)
-        .map(|tick| (value(tick), power(tick)))
+        .map(|tick| (value(tick), power(tick, alone)))
         .collect()
 }
 
-/// A mantissa times a power of ten, in figures as long as these are short.
-fn power((exponent, mantissa): (i32, u8)) -> String {
+/// A mantissa times a power of ten: in figures as long as these are short, or as a power.
+fn power((exponent, mantissa): (i32, u8), alone: bool) -> String {
     match exponent {
-        -3..0 => format!(
+        0 | 1 if alone => 10u32.pow(exponent.unsigned_abs()).to_string(),
+        _ if alone => format!("10{}", raised(exponent)),
+        -2..0 => format!(
             "{:.*}",
             exponent.unsigned_abs() as usize,
             f64::from(mantissa) * 10f64.powi(exponent)

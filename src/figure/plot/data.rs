@@ -209,6 +209,9 @@ pub struct Point {
     pub hollow: bool,
     /// Named before the others.
     pub strong: bool,
+    /// What the window says of it, a few lines.
+    #[serde(skip)]
+    pub about: Vec<String>,
 }
 
 /// A value of x, a line across the plot.

@@ -118,18 +118,61 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// `text` in lines no wider than `width`, broken at spaces.
+/// `text` in lines no wider than `width`, broken at spaces, and between Chinese characters but for punctuation.
 fn wrapped(text: &str, width: f64, size: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ').filter(|word| !word.is_empty()) {
-        let longer = lines.last().map(|line| format!("{line} {word}"));
+    for piece in pieces(text) {
+        let longer = lines.last().map(|line| format!("{line}{piece}"));
         match (
-            longer.filter(|longer| width_of(longer, size) <= width),
+            longer.filter(|longer| width_of(longer.trim_end(), size) <= width),
             lines.last_mut(),
         ) {
             (Some(longer), Some(line)) => *line = longer,
-            _ => lines.push(word.to_owned()),
+            _ => lines.push(piece.to_owned()),
         }
     }
     lines
+        .iter()
+        .map(|line| line.trim_end().to_owned())
+        .collect()
+}
+
+/// The pieces of a text that stay in one line: words with the space after them, and Chinese characters.
+fn pieces(text: &str) -> Vec<&str> {
+    let chinese = |c: char| ('\u{2E80}'..='\u{9FFF}').contains(&c);
+    let ends = |c: char| "，。；：、）」』？！".contains(c);
+    let opens = |c: char| "（「『".contains(c);
+    let mut cuts = vec![0];
+    let characters: Vec<(usize, char)> = text.char_indices().collect();
+    for pair in characters.windows(2) {
+        let ((_, before), (at, after)) = (pair[0], pair[1]);
+        let between = (chinese(before) || ends(before) || chinese(after)) && after != ' ';
+        if before == ' ' || (between && !ends(after) && !opens(before)) {
+            cuts.push(at);
+        }
+    }
+    cuts.push(text.len());
+    cuts.windows(2)
+        .map(|cut| &text[cut[0]..cut[1]])
+        .filter(|piece| !piece.is_empty())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_is_broken_at_spaces_and_between_chinese_characters() {
+        assert_eq!(pieces("a word, 2 more"), ["a ", "word, ", "2 ", "more"]);
+        assert_eq!(
+            pieces("越好。RMS 是（均方根）"),
+            ["越", "好。", "RMS ", "是", "（均", "方", "根）"]
+        );
+        let lines = wrapped("one two three four", 5.0 * 14.0, 14.0);
+        assert!(
+            lines.len() > 1 && lines.join(" ") == "one two three four",
+            "{lines:?}"
+        );
+    }
 }
