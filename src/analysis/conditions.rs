@@ -45,8 +45,11 @@ pub struct Conditions {
     pub error: ErrorFigures,
 }
 
-/// A condition: the key of its sentence, and whether it holds.
-pub const CONDITIONS: [(&str, fn(&Conditions) -> bool); 3] = [
+/// Whether a condition holds.
+type Holds = fn(&Conditions) -> bool;
+
+/// The conditions: the key of each one's sentence, and whether it holds.
+pub const CONDITIONS: [(&str, Holds); 3] = [
     ("picture-condition-light", |found| {
         found.light.degrees < ROUNDING
     }),

@@ -539,9 +539,12 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
     }
 }
 
-/// The substances that are plotted beside the present one: their keys, indices of refraction and dashes, and where each
-/// curve carries its name: an angle in degrees, and how far above the curve.
-const SUBSTANCES: [(Reflectance, &str, Option<Index>, Dash, [f64; 2]); 4] = [
+/// A substance: its reflectance, key, index of refraction and dash, and where its curve carries its name: an angle in degrees,
+/// and how far above the curve.
+type Substance = (Reflectance, &'static str, Option<Index>, Dash, [f64; 2]);
+
+/// The substances that are plotted beside the present one.
+const SUBSTANCES: [Substance; 4] = [
     (
         Reflectance::Constant,
         "constant",

@@ -223,7 +223,7 @@ impl Section {
                     text += &format!(
                         "  {}{value}  {name}\n",
                         " ".repeat(10_usize.saturating_sub(columns_of(value)))
-                    )
+                    );
                 }
                 Part::Table(table) => text += &table.text(),
                 Part::Plot(plot) => text += &plot_text(plot),
