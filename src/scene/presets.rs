@@ -2,7 +2,7 @@
 //! about them is in the catalogue: `scene-NAME` with its `.sentence`, and `topic-TOPIC`.
 
 use super::{About, Scene};
-use crate::text::text;
+use crate::text::{Language, in_language, text};
 use std::sync::LazyLock;
 
 /// A scene that comes with the program.
@@ -18,10 +18,10 @@ pub struct Preset {
 }
 
 impl Preset {
-    /// The scene with what it is about in the language of the moment.
+    /// The scene with what it is about in English, as scene files have it whatever the language.
     pub fn scene(&self) -> Scene {
         Scene {
-            about: self.about(),
+            about: in_language(Language::English, || self.about()),
             ..self.scene.clone()
         }
     }
