@@ -459,7 +459,7 @@ fn a_vertex_normal_is_told_with_the_faces_that_it_comes_from() {
         (4, Some("face,share,weight,angle,nx,ny,nz"))
     );
     let exact = folder.prints(&["normals", "cube", "--set", "object.normals=exact"]);
-    assert!(exact.contains("the true surface's"), "{exact}");
+    assert!(exact.contains("the true surface’s"), "{exact}");
     let outside = ["error: --vertex 8: no such vertex, expected 0 to 7"];
     folder.fails(&normals(&["--vertex", "8"]), 2, &outside);
     folder.fails(

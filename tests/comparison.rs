@@ -249,6 +249,7 @@ fn panes_stand_where_they_are_seen_largest() {
     assert_eq!(sizes(1, [640, 480]), [[640, 480]]);
     assert_eq!(sizes(2, [802, 400]), [[400, 400]; 2]);
     assert_eq!(sizes(2, [400, 802]), [[400, 400]; 2]);
+    assert_eq!(sizes(2, [602, 602]), [[602, 300]; 2]);
     assert_eq!(sizes(4, [802, 602]), [[400, 300]; 4]);
     assert_eq!(sizes(3, [1204, 400]), [[400, 400]; 3]);
     let four = pane_areas(4, [802, 602]);

@@ -62,8 +62,8 @@ pub fn compare_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: 
         return;
     }
     ui.columns(2, |columns| {
-        views_ui(&mut columns[0], typed, state, engine);
-        figures_ui(&mut columns[1], state, engine);
+        columns[0].vertical(|ui| views_ui(ui, typed, state, engine));
+        columns[1].vertical(|ui| figures_ui(ui, state, engine));
     });
 }
 

@@ -78,7 +78,7 @@ pub fn defects_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, eng
     ui.columns(columns, |columns| {
         let count = columns.len();
         for (place, (index, defect)) in order.into_iter().enumerate() {
-            card_ui(&mut columns[place % count], view, state, index, defect);
+            columns[place % count].vertical(|ui| card_ui(ui, view, state, index, defect));
         }
     });
     ui.separator();

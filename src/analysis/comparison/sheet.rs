@@ -65,7 +65,8 @@ pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
         let ([seen, area], [other, beside]) = (worth(*a), worth(*b));
         seen.total_cmp(&other).then(area.total_cmp(&beside))
     };
-    let columns = (1..=count).max_by(order).unwrap_or(1);
+    // Of equal ones the fewest columns: a pane that is wider than high cuts nothing off.
+    let columns = (1..=count).rev().max_by(order).unwrap_or(1);
     let [width, height] = cell(columns);
     let place = |index: u32| {
         let row = index / columns;
