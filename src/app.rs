@@ -27,6 +27,7 @@ mod letter;
 mod lines;
 mod look;
 mod material;
+mod menu;
 mod orbit;
 mod palette;
 mod panes;
@@ -248,7 +249,10 @@ impl App {
             ThemeChoice::Dark => ThemePreference::Dark,
             ThemeChoice::Light => ThemePreference::Light,
         });
-        ctx.set_zoom_factor(self.state.look.scale);
+        // In points of the screen, rounded: what is shown must not depend on the last digit.
+        let size = (ctx.content_rect().size() * ctx.zoom_factor()).round();
+        ctx.set_zoom_factor(self.state.look.zoom(size.y));
+        theme::touch(ctx, size.x < theme::NARROW);
         let chosen = self.state.look.language;
         self.started_in = self.started_in.filter(|(_, before)| *before == chosen);
         let wanted = self
@@ -317,6 +321,9 @@ impl App {
                 self.state.picture_alone = !self.state.picture_alone;
                 ctx.send_viewport_cmd(ViewportCommand::Fullscreen(self.state.picture_alone));
             }
+            Action::ResetRow => focus::ask_reset(ctx),
+            Action::TakeProbe => focus::take(ctx, focus::picture_id()),
+            Action::Menus => focus::take_first(ctx),
             Action::Quit if self.may_close() => self.close(ctx),
             Action::CloseUnsaved => self.close(ctx),
             Action::Restore => {
@@ -398,7 +405,7 @@ impl eframe::App for App {
         for file in ctx.input(|input| input.raw.dropped_files.clone()) {
             self.state.ask(Action::OpenFile(file.path().to_path_buf()));
         }
-        focus::listen(&ctx);
+        focus::listen(&ctx, self.in_front);
         if !self.in_front {
             commands::listen(&ctx, &mut self.state);
         }

@@ -212,7 +212,7 @@ fn code_is_saved_and_a_path_that_cannot_be_written_is_named() {
     std::fs::create_dir_all(&folder).expect("a folder for the test");
     let mut harness = window("sphere");
     press(&mut harness, "Edit");
-    press(&mut harness, "Code… Ctrl + U");
+    press(&mut harness, "Code…");
     tab(&mut harness, "GLSL 330");
     assert!(wait(&mut harness, |harness| !code(harness).is_empty()));
     let save_to = |harness: &mut Harness<'_, App>, path: &Path| {

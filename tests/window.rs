@@ -8,7 +8,9 @@ use eframe::egui::{Key, Modifiers, Shape, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DVec2, DVec3};
-use hands::{choose, drag, enter, open_view, picture, press, scene, undo, unfold, wait, window};
+use hands::{
+    choose, drag, enter, folded, open_view, picture, press, scene, undo, unfold, wait, window,
+};
 use serde::Serialize;
 use shading_lab::analysis::NormalField;
 use shading_lab::app::{App, Look, NumbersTab, ProfileLook};
@@ -453,7 +455,7 @@ fn microfacets_have_a_roughness_instead_of_n() {
 fn another_model_with_an_equally_wide_highlight_is_one_step() {
     let mut harness = window("sphere");
     let before = scene(&harness).clone();
-    press(&mut harness, "Match with Blinn's n");
+    press(&mut harness, "Equivalent exponent for Blinn");
     assert_eq!(scene(&harness).reflection.model, ReflectionModel::Blinn);
     assert!(
         (scene(&harness).material.n / before.material.n - 4.0).abs() < 0.1,
@@ -462,7 +464,7 @@ fn another_model_with_an_equally_wide_highlight_is_one_step() {
     );
     undo(&mut harness);
     assert_eq!(*scene(&harness), before);
-    press(&mut harness, "Match with a roughness");
+    press(&mut harness, "Equivalent roughness");
     assert_eq!(
         scene(&harness).reflection.model,
         ReflectionModel::CookTorrance
@@ -503,7 +505,7 @@ fn a_pattern_and_a_highlight_colour_change_the_picture() {
 
 #[test]
 fn transparency_and_surroundings_unfold() {
-    let mut harness = window("sphere");
+    let mut harness = folded("sphere");
     assert!(
         harness
             .query_by_role_and_label(Role::SpinButton, "Kt transparency")

@@ -27,6 +27,12 @@ pub enum Action {
     Undo,
     Redo,
     ResetCamera,
+    /// Takes the value of the row that has the focus back to what it was as opened.
+    ResetRow,
+    /// Gives the picture the focus, where the arrows move the probe.
+    TakeProbe,
+    /// Gives the menus the focus.
+    Menus,
     Shade {
         mode: ShadingMode,
         renormalise: bool,

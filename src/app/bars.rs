@@ -2,12 +2,13 @@
 //! what was left out.
 
 use super::action::Action;
-use super::commands::SECTIONS;
+use super::commands::{MENUS, SECTIONS};
 use super::compare::VIEWS;
 use super::engine::Engine;
 use super::equation;
-use super::focus::named;
+use super::focus::{named, one_stop};
 use super::look::NumbersTab;
+use super::menu::commands_ui;
 use super::plan::{grouped, left_out};
 use super::state::AppState;
 use super::terms;
@@ -31,9 +32,11 @@ pub fn menus_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
             ui.menu_button(text!("menu"), |ui| each_menu_ui(ui, state));
             mode_list_ui(ui, state);
         } else {
-            each_menu_ui(ui, state);
+            let menus = ui.horizontal(|ui| each_menu_ui(ui, state));
+            one_stop(ui.ctx(), menus.response.rect);
             ui.separator();
-            modes_ui(ui, state);
+            let modes = ui.horizontal(|ui| modes_ui(ui, state));
+            one_stop(ui.ctx(), modes.response.rect);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let name = if low {
@@ -54,57 +57,56 @@ pub fn menus_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
 }
 
 fn each_menu_ui(ui: &mut Ui, state: &mut AppState) {
-    for (menu, name) in [
-        ("File", text!("menu-file")),
-        ("Edit", text!("menu-edit")),
-        ("View", text!("menu-view")),
-        ("Compare", text!("menu-compare")),
-        ("Help", text!("menu-help")),
-    ] {
-        ui.menu_button(name, |ui| {
-            ui.set_min_width(260.0);
-            if menu == "Compare" {
-                for (view, name, tip) in VIEWS {
-                    let present = state.document.scene.compare.view == view;
-                    if ui
-                        .radio(present, text!(name))
-                        .on_hover_text(text!(tip))
-                        .clicked()
-                    {
-                        state.ask(Action::Compare(view));
-                        ui.close();
-                    }
-                }
-                ui.separator();
-            }
-            items_ui(ui, state, menu);
-            if menu == "File" {
-                ui.separator();
-                ui.add_enabled_ui(!state.look.recent.is_empty(), |ui| {
-                    ui.menu_button(text!("recent"), |ui| recent_ui(ui, state));
-                });
-            }
-            if menu == "View" {
-                ui.separator();
-                let themes = [
-                    (text!("theme-system"), ThemeChoice::System),
-                    (text!("theme-dark"), ThemeChoice::Dark),
-                    (text!("theme-light"), ThemeChoice::Light),
-                ];
-                for (text, theme) in themes {
-                    ui.radio_value(&mut state.look.theme, theme, text);
-                }
-                ui.separator();
-                ui.menu_button(text!("language"), |ui| {
-                    ui.radio_value(&mut state.look.language, None, text!("language-system"));
-                    for language in Language::ALL {
-                        let chosen = Some(language);
-                        ui.radio_value(&mut state.look.language, chosen, language.name());
-                    }
-                });
-            }
+    for section in MENUS
+        .iter()
+        .filter_map(|menu| SECTIONS.iter().find(|section| section.key == *menu))
+    {
+        ui.menu_button(section.title(), |ui| menu_ui(ui, state, section.key));
+    }
+}
+
+/// The items of a menu.
+fn menu_ui(ui: &mut Ui, state: &mut AppState, menu: &str) {
+    commands_ui(ui, state, menu);
+    if menu == "file" {
+        ui.separator();
+        ui.add_enabled_ui(!state.look.recent.is_empty(), |ui| {
+            ui.menu_button(text!("recent"), |ui| recent_ui(ui, state));
         });
     }
+    if menu != "view" {
+        return;
+    }
+    ui.separator();
+    ui.menu_button(text!("controls-group-compare"), |ui| {
+        for (view, name, tip) in VIEWS {
+            let present = state.document.scene.compare.view == view;
+            let radio = ui.radio(present, text!(name));
+            if radio.on_hover_text(text!(tip)).clicked() {
+                state.ask(Action::Compare(view));
+                ui.close();
+            }
+        }
+        ui.separator();
+        commands_ui(ui, state, "compare");
+    });
+    ui.menu_button(text!("controls-theme"), |ui| {
+        let themes = [
+            (text!("theme-system"), ThemeChoice::System),
+            (text!("theme-dark"), ThemeChoice::Dark),
+            (text!("theme-light"), ThemeChoice::Light),
+        ];
+        for (text, theme) in themes {
+            ui.radio_value(&mut state.look.theme, theme, text);
+        }
+    });
+    ui.menu_button(text!("language"), |ui| {
+        ui.radio_value(&mut state.look.language, None, text!("language-system"));
+        for language in Language::ALL {
+            let chosen = Some(language);
+            ui.radio_value(&mut state.look.language, chosen, language.name());
+        }
+    });
 }
 
 /// The equation, and a switch for each of its terms.
@@ -124,6 +126,7 @@ pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
         equation::equation_ui(ui, state);
         ui.horizontal_wrapped(|ui| terms::switches_ui(ui, state, false));
     }
+    one_stop(ui.ctx(), ui.min_rect());
     ui.add_space(3.0);
 }
 
@@ -183,38 +186,6 @@ fn recent_ui(ui: &mut Ui, state: &mut AppState) {
     if ui.button(text!("recent-clear")).clicked() {
         state.look.recent.clear();
         ui.close();
-    }
-}
-
-/// The commands of a menu.
-fn items_ui(ui: &mut Ui, state: &mut AppState, menu: &str) {
-    let Some(section) = SECTIONS.iter().find(|section| section.title == menu) else {
-        return;
-    };
-    for command in &section.commands {
-        let Some(action) = command.actions.first().filter(|_| !command.name.is_empty()) else {
-            if command.keys.is_empty() {
-                ui.separator();
-            }
-            continue;
-        };
-        if let Action::Show(switch) = action {
-            ui.checkbox(switch(&mut state.look), command.name);
-            continue;
-        }
-        // What would be undone and redone is named.
-        let change = match action {
-            Action::Undo => Some(state.history.undoable()),
-            Action::Redo => Some(state.history.redoable()),
-            _ => None,
-        };
-        let idle = change == Some(None);
-        let text = format!("{} {}", command.name, change.flatten().unwrap_or_default());
-        let button = Button::new(text.trim_end()).shortcut_text(command.keys);
-        if ui.add_enabled(!idle, button).clicked() {
-            state.ask(action.clone());
-            ui.close();
-        }
     }
 }
 

@@ -9,29 +9,61 @@ use super::scan::ScanView;
 use super::state::AppState;
 use super::views::after;
 use crate::analysis::ScanLevel;
-use crate::scene::{Choice, Light, Scene, ShadingMode};
+use crate::scene::{Light, Scene, ShadingMode};
+use crate::text;
 use eframe::egui::{Context, Event, Key, Modifiers};
 use std::sync::LazyLock;
 
-/// Commands that belong together. "File", "Edit", "View", "Compare" and "Help" are menus as well.
+/// The sections that are menus, in the order of the bar; "compare" is a menu inside "view".
+pub const MENUS: [&str; 5] = ["file", "edit", "view", "scene", "help"];
+
+/// Commands that belong together: a menu, or a part of Help, or both.
 pub struct Section {
-    pub title: &'static str,
+    /// Its name in the catalogue, `controls-group-KEY`.
+    pub key: &'static str,
     pub commands: Vec<Command>,
 }
 
-/// A command, or several that are alike. One without a name or keys is a line between the items of a menu.
+/// A command, or several that are alike.
+#[derive(Default)]
 pub struct Command {
-    /// As it is called in its menu; empty where it stands in none.
-    pub name: &'static str,
-    /// As shown in Help and in the menus: what is held, then each key, separated by spaces.
-    pub keys: &'static str,
-    /// As explained in Help; empty where it does not stand there.
-    pub does: &'static str,
+    /// Its name in the catalogue, `controls-command-KEY`: what its menu calls it, and as `.does` what Help says. Empty for a
+    /// line between the items of a menu, and for other keys of a command.
+    key: &'static str,
+    /// What is held, then each key, separated by spaces.
+    keys: &'static str,
+    /// Whether it is an item of its menu.
+    pub in_menu: bool,
     /// What each key asks for; none for gestures. A menu asks for the first.
     pub actions: Vec<Action>,
 }
 
 impl Command {
+    /// As it is called in its menu.
+    pub fn name(&self) -> &'static str {
+        text!(&format!("controls-command-{}", self.key))
+    }
+
+    /// As explained in Help; none where it does not stand there.
+    pub fn does(&self) -> Option<&'static str> {
+        let stands = !self.key.is_empty() && (self.actions.is_empty() || !self.keys.is_empty());
+        stands.then(|| text!(&format!("controls-command-{}.does", self.key)))
+    }
+
+    /// The keys, or the gesture, as shown in Help and in the menus.
+    pub fn keys(&self) -> &'static str {
+        if self.keys.is_empty() && self.actions.is_empty() {
+            text!(&format!("controls-command-{}.gesture", self.key))
+        } else {
+            self.keys
+        }
+    }
+
+    /// Whether it is a line between the items of a menu.
+    pub fn is_line(&self) -> bool {
+        self.key.is_empty() && self.actions.is_empty()
+    }
+
     /// The keys, with what each asks for.
     fn bindings(&self) -> impl Iterator<Item = (Modifiers, Key, &Action)> {
         let (command, keys) = held("Ctrl + ", self.keys);
@@ -65,38 +97,56 @@ fn key(name: &str) -> Option<Key> {
 }
 
 impl Section {
-    fn new(title: &'static str) -> Self {
+    fn new(key: &'static str) -> Self {
         Self {
-            title,
+            key,
             commands: vec![],
         }
     }
 
-    /// A command with keys, named where it stands in a menu.
-    fn row(
-        mut self,
-        name: &'static str,
-        keys: &'static str,
-        does: &'static str,
-        actions: impl IntoIterator<Item = Action>,
-    ) -> Self {
-        self.commands.push(Command {
-            name,
-            keys,
-            does,
-            actions: actions.into_iter().collect(),
-        });
+    /// As the menu and Help call it.
+    pub fn title(&self) -> &'static str {
+        text!(&format!("controls-group-{}", self.key))
+    }
+
+    fn with(mut self, command: Command) -> Self {
+        self.commands.push(command);
         self
     }
 
-    /// An item of a menu without a key.
-    fn item(self, name: &'static str, action: Action) -> Self {
-        self.row(name, "", "", [action])
+    /// An item of the menu; without keys it does not stand in Help.
+    fn item(self, key: &'static str, keys: &'static str, action: Action) -> Self {
+        self.with(Command {
+            key,
+            keys,
+            in_menu: true,
+            actions: vec![action],
+        })
+    }
+
+    /// Keys that stand in Help alone.
+    fn keys(
+        self,
+        key: &'static str,
+        keys: &'static str,
+        actions: impl IntoIterator<Item = Action>,
+    ) -> Self {
+        self.with(Command {
+            key,
+            keys,
+            actions: actions.into_iter().collect(),
+            ..Command::default()
+        })
+    }
+
+    /// A gesture.
+    fn gesture(self, key: &'static str) -> Self {
+        self.keys(key, "", [])
     }
 
     /// A line between the items of a menu.
     fn line(self) -> Self {
-        self.row("", "", "", [])
+        self.with(Command::default())
     }
 }
 
@@ -117,270 +167,149 @@ fn walk(level: ScanLevel) -> [Action; 2] {
 
 /// Every command. Sections that are menus have them in the order of their items.
 pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
-    let shade = |mode, renormalise| Action::Shade { mode, renormalise };
-    let modes = ShadingMode::VALUES.iter().map(|mode| shade(*mode, true));
-    let stride = ARROWS.map(|way| Action::MoveProbe(way.map(|pixels| 10 * pixels)));
-    let orbit = WAYS.map(|way| Action::Orbit(way.map(|part| TURN * part)));
-    let pan = WAYS.map(|way| Action::Pan(way.map(|part| SHIFTED * part)));
-    let (show, change) = (Action::Show, Action::ChangeLook);
-    let sizes = [Look::larger, Look::smaller, |look: &mut Look| {
-        look.scale = 1.0;
-    }]
-    .map(change);
-    let follows =
-        "turns the camera; a light, its arrow, its cone, a vertex or the probe follows the pointer";
-    let normals = "the normals of polygons and vertices; a click keeps a vertex's faces lit";
     vec![
-        Section::new("Shading")
-            .row(
-                "",
-                "1 2 3 4 5",
-                "flat, interpolated, Gouraud, Phong, exact",
-                modes,
-            )
-            .row(
-                "",
-                "6",
-                "Phong, not renormalised",
-                [shade(ShadingMode::Phong, false)],
-            ),
-        Section::new("Compare")
-            .row(
-                "Next view",
-                "K",
-                "one picture, panes, wipe, difference, in turn",
-                [Action::NextView],
-            )
-            .row(
-                "Next pane",
-                "N",
-                "the next pane: its settings are in the controls",
-                [Action::NextPane],
-            )
-            .line()
-            .item("All shading modes", Action::AllModes)
-            .item("Panes and figures…", Action::Tab(NumbersTab::Compare))
-            .item("The five defects…", Action::Tab(NumbersTab::Defects)),
-        Section::new("Probe")
-            .row(
-                "",
-                "← → ↑ ↓",
-                "moves the probe by a pixel",
-                ARROWS.map(Action::MoveProbe),
-            )
-            .row(
-                "",
-                "Shift + ← → ↑ ↓",
-                "moves the probe by ten pixels",
-                stride,
-            )
-            .row("", "Double click", "puts the probe there", []),
-        Section::new("Camera")
-            .row(
-                "",
-                "A D W S",
-                "turns the camera left, right, up, down",
-                orbit,
-            )
-            .row(
-                "",
-                "Shift + A D W S",
-                "shifts the camera left, right, up, down",
-                pan,
-            )
-            .row(
-                "",
-                "+ −",
-                "nearer, farther",
-                [NEARER, 1.0 / NEARER].map(Action::Zoom),
-            )
-            .row("", "Drag", follows, [])
-            .row(
-                "",
-                "Shift or middle drag",
-                "shifts the camera; a light or a vertex moves in depth",
-                [],
-            )
-            .row(
-                "",
-                "Wheel",
-                "nearer, farther; over a light, moves it in depth",
-                [],
-            ),
-        Section::new("View")
-            .row(
-                "Controls",
-                "F4",
-                "the panel of controls",
-                [show(|look| &mut look.controls)],
-            )
-            .row(
-                "Numbers",
-                "F5",
-                "the panel of numbers",
-                [show(|look| &mut look.numbers)],
-            )
-            .row(
-                "Stages",
-                "F6",
-                "the bar of stages",
-                [show(|look| &mut look.stages)],
-            )
-            .row(
-                "Vectors",
-                "V",
-                "the vectors at the probe",
-                [show(|look| &mut look.overlay.vectors)],
-            )
-            .item("Angles", show(|look| &mut look.overlay.angles))
-            .item(
-                "Construction of R",
-                show(|look| &mut look.overlay.construction),
-            )
-            .item("Side view", show(|look| &mut look.overlay.side_view))
-            .row(
-                "Lobe of reflection",
-                "B",
-                "the lobe of reflection at the probe",
-                [show(|look| &mut look.overlay.lobe)],
-            )
-            .item("H always", show(|look| &mut look.overlay.half_vector))
-            .row(
-                "Lights' handles",
-                "L",
-                "the handles of lights and vertices",
-                [show(|look| &mut look.overlay.handles)],
-            )
-            .item("Face normals", show(|look| &mut look.overlay.face_normals))
-            .item(
-                "Vertex normals",
-                show(|look| &mut look.overlay.vertex_normals),
-            )
-            .row("", "M", normals, [change(Look::switch_normals)])
-            .item("RGB values", show(|look| &mut look.channels))
-            .item("Smooth edges", show(|look| &mut look.smooth_edges))
-            .row(
-                "Next tab of the numbers",
-                "C",
-                "the next tab of the panel of numbers",
-                [change(next_tab)],
-            )
-            .line()
-            .row(
-                "Picture alone",
-                "F11",
-                "the picture alone, on the whole screen",
-                [Action::PictureAlone],
-            )
-            .row(
-                "Projector size",
-                "F9",
-                "projector size and back",
-                [change(Look::projector)],
-            )
-            .item("Larger", change(Look::larger))
-            .item("Smaller", change(Look::smaller))
-            .row("", "Ctrl + + − 0", "larger, smaller, ordinary size", sizes),
-        Section::new("Scan line, while its tab is shown")
-            .row(
-                "",
-                ", .",
-                "a pixel back, a pixel forwards",
-                walk(ScanLevel::Pixel),
-            )
-            .row(
-                "",
-                "[ ]",
-                "an edge back, an edge forwards",
-                walk(ScanLevel::Edge),
-            )
-            .row(
-                "",
-                "PageUp PageDown",
-                "a line back, a line forwards",
-                walk(ScanLevel::Line),
-            )
-            .row(
-                "",
-                "Home End",
-                "the first step, the last",
-                [Walk::First, Walk::Last].map(Action::Scan),
-            )
-            .row("", "Space", "plays and pauses", [Action::Scan(Walk::Play)]),
-        Section::new("File")
-            .row(
-                "Open…",
-                "Ctrl + O",
-                "opens a scene, model or picture",
-                [Action::Open],
-            )
-            .row(
-                "Scenes…",
-                "F2",
-                "opens the gallery of scenes",
-                [Action::Scenes],
-            )
-            .line()
-            .row("Save scene", "Ctrl + S", "saves the scene", [Action::Save])
-            .row(
-                "Save scene as…",
-                "Ctrl + Shift + S",
-                "saves the scene under another name",
-                [Action::SaveAs],
-            )
-            .row(
-                "Export picture…",
-                "Ctrl + E",
-                "exports the picture",
-                [Action::Export],
-            )
-            .line()
-            .row("Quit", "Ctrl + Q", "closes the window", [Action::Quit]),
-        Section::new("Edit")
-            .row("Undo", "Ctrl + Z", "undoes", [Action::Undo])
-            .row(
-                "Redo",
-                "Ctrl + Shift + Z",
-                "redoes; also Ctrl + Y",
-                [Action::Redo],
-            )
-            .row("", "Ctrl + Y", "", [Action::Redo])
-            .line()
-            .row(
-                "Copy picture",
-                "Ctrl + C",
-                "copies the picture",
-                [Action::CopyPicture],
-            )
-            .row(
-                "Code…",
-                "Ctrl + U",
-                "shows the scene as OpenGL calls and shaders",
-                [Action::Code],
-            )
-            .row(
-                "Reset camera",
-                "0",
-                "resets the camera",
-                [Action::ResetCamera],
-            )
-            .row(
-                "",
-                "Tab",
-                "goes to the next field, with Shift to the one before",
-                [],
-            ),
-        Section::new("Help")
-            .row("Keys and gestures", "F1", "this table", [Action::Keys])
-            .item("About", Action::About)
-            .row(
-                "",
-                "Esc",
-                "leaves a dialog, a field or the picture alone",
-                [],
-            ),
+        file(),
+        edit(),
+        view(),
+        compare(),
+        scene(),
+        probe(),
+        camera(),
+        scan(),
+        help(),
     ]
 });
+
+fn file() -> Section {
+    Section::new("file")
+        .item("open", "Ctrl + O", Action::Open)
+        .item("scenes", "F2", Action::Scenes)
+        .line()
+        .item("save", "Ctrl + S", Action::Save)
+        .item("save-as", "Ctrl + Shift + S", Action::SaveAs)
+        .item("export", "Ctrl + E", Action::Export)
+        .line()
+        .item("quit", "Ctrl + Q", Action::Quit)
+}
+
+fn edit() -> Section {
+    Section::new("edit")
+        .item("undo", "Ctrl + Z", Action::Undo)
+        .item("redo", "Ctrl + Shift + Z", Action::Redo)
+        .keys("", "Ctrl + Y", [Action::Redo])
+        .line()
+        .item("copy", "Ctrl + C", Action::CopyPicture)
+        .item("code", "Ctrl + U", Action::Code)
+        .keys("reset-row", "Ctrl + R", [Action::ResetRow])
+        .keys("next-field", "Tab", [])
+        .keys("leave", "Esc", [])
+}
+
+fn view() -> Section {
+    let (show, change) = (Action::Show, Action::ChangeLook);
+    Section::new("view")
+        .item("controls", "F4", show(|look| &mut look.controls))
+        .item("numbers", "F5", show(|look| &mut look.numbers))
+        .item("stages", "F6", show(|look| &mut look.stages))
+        .item("next-tab", "C", change(next_tab))
+        .line()
+        .item("vectors", "V", show(|look| &mut look.overlay.vectors))
+        .item("angles", "", show(|look| &mut look.overlay.angles))
+        .item(
+            "construction",
+            "",
+            show(|look| &mut look.overlay.construction),
+        )
+        .item("side-view", "", show(|look| &mut look.overlay.side_view))
+        .item("lobe", "B", show(|look| &mut look.overlay.lobe))
+        .item(
+            "half-vector",
+            "",
+            show(|look| &mut look.overlay.half_vector),
+        )
+        .item("handles", "L", show(|look| &mut look.overlay.handles))
+        .item("normals", "M", change(Look::switch_normals))
+        .item(
+            "face-normals",
+            "",
+            show(|look| &mut look.overlay.face_normals),
+        )
+        .item(
+            "vertex-normals",
+            "",
+            show(|look| &mut look.overlay.vertex_normals),
+        )
+        .item("channels", "", show(|look| &mut look.channels))
+        .item("smooth-edges", "", show(|look| &mut look.smooth_edges))
+        .line()
+        .item("picture-alone", "F11", Action::PictureAlone)
+        .item("projector", "F9", change(Look::projector))
+        .item("larger", "Ctrl + +", change(Look::larger))
+        .item("smaller", "Ctrl + −", change(Look::smaller))
+        .item("ordinary-size", "Ctrl + 0", change(Look::ordinary_size))
+}
+
+fn compare() -> Section {
+    Section::new("compare")
+        .item("next-view", "K", Action::NextView)
+        .item("next-pane", "N", Action::NextPane)
+        .line()
+        .item("all-modes", "", Action::AllModes)
+        .item("panes", "", Action::Tab(NumbersTab::Compare))
+        .item("defects", "", Action::Tab(NumbersTab::Defects))
+}
+
+fn scene() -> Section {
+    let shade = |mode, renormalise| Action::Shade { mode, renormalise };
+    Section::new("scene")
+        .item("flat", "1", shade(ShadingMode::Flat, true))
+        .item("interpolated", "2", shade(ShadingMode::Interpolated, true))
+        .item("gouraud", "3", shade(ShadingMode::Gouraud, true))
+        .item("phong", "4", shade(ShadingMode::Phong, true))
+        .item("exact", "5", shade(ShadingMode::Exact, true))
+        .item("unnormalised", "6", shade(ShadingMode::Phong, false))
+        .line()
+        .item("add-light", "", Action::AddLight(Light::default()))
+        .item("reset-camera", "0", Action::ResetCamera)
+}
+
+fn probe() -> Section {
+    let stride = ARROWS.map(|way| Action::MoveProbe(way.map(|pixels| 10 * pixels)));
+    Section::new("probe")
+        .keys("take-probe", "F3", [Action::TakeProbe])
+        .keys("probe-pixel", "← → ↑ ↓", ARROWS.map(Action::MoveProbe))
+        .keys("probe-stride", "Shift + ← → ↑ ↓", stride)
+        .gesture("probe-here")
+}
+
+fn camera() -> Section {
+    let orbit = WAYS.map(|way| Action::Orbit(way.map(|part| TURN * part)));
+    let pan = WAYS.map(|way| Action::Pan(way.map(|part| SHIFTED * part)));
+    Section::new("camera")
+        .keys("orbit", "A D W S", orbit)
+        .keys("pan", "Shift + A D W S", pan)
+        .keys("zoom", "+ −", [NEARER, 1.0 / NEARER].map(Action::Zoom))
+        .gesture("drag")
+        .gesture("deep-drag")
+        .gesture("wheel")
+}
+
+fn scan() -> Section {
+    let ends = [Walk::First, Walk::Last].map(Action::Scan);
+    Section::new("scan")
+        .keys("scan-pixel", ", .", walk(ScanLevel::Pixel))
+        .keys("scan-edge", "[ ]", walk(ScanLevel::Edge))
+        .keys("scan-line", "PageUp PageDown", walk(ScanLevel::Line))
+        .keys("scan-ends", "Home End", ends)
+        .keys("scan-play", "Space", [Action::Scan(Walk::Play)])
+}
+
+fn help() -> Section {
+    Section::new("help")
+        .item("keys", "F1", Action::Keys)
+        .keys("menus", "F10", [Action::Menus])
+        .item("about", "", Action::About)
+}
 
 /// The next tab of the numbers; the curves where the panel is closed.
 fn next_tab(look: &mut Look) {
@@ -446,7 +375,7 @@ fn find(key: Key, modifiers: Modifiers) -> Option<Action> {
 fn allowed(key: Key, modifiers: Modifiers, free: bool, editing: bool) -> bool {
     let function = matches!(
         key,
-        Key::F1 | Key::F2 | Key::F4 | Key::F5 | Key::F6 | Key::F9 | Key::F11
+        Key::F1 | Key::F2 | Key::F3 | Key::F4 | Key::F5 | Key::F6 | Key::F9 | Key::F10 | Key::F11
     );
     let field_wants = editing && matches!(key, Key::Z | Key::Y | Key::C | Key::U);
     function || (modifiers.command && !field_wants) || free
@@ -515,7 +444,7 @@ impl AppState {
     fn add_light(&mut self, light: Light, size: [u32; 2]) {
         let scene = &mut self.shown.scene;
         if scene.lights.len() >= Scene::MAX_LIGHTS {
-            self.notice = Some(format!("a scene has at most {} lights", Scene::MAX_LIGHTS));
+            self.notice = Some(text!("controls-most-lights", most = Scene::MAX_LIGHTS));
             return;
         }
         let light = handles::apart(light, scene, size);
@@ -527,6 +456,39 @@ impl AppState {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::text::{Language, has, in_language};
+
+    #[test]
+    fn every_command_is_called_something_in_every_language() {
+        for (language, section) in Language::ALL
+            .into_iter()
+            .flat_map(|language| SECTIONS.iter().map(move |section| (language, section)))
+        {
+            let named = |key: &str| in_language(language, || assert!(has(key), "{key}"));
+            named(&format!("controls-group-{}", section.key));
+            for command in section
+                .commands
+                .iter()
+                .filter(|command| !command.key.is_empty())
+            {
+                let key = format!("controls-command-{}", command.key);
+                if command.in_menu {
+                    named(&key);
+                }
+                if command.does().is_some() {
+                    named(&format!("{key}.does"));
+                }
+                if command.actions.is_empty() && command.keys.is_empty() {
+                    named(&format!("{key}.gesture"));
+                }
+            }
+        }
+        assert!(
+            MENUS
+                .iter()
+                .all(|menu| SECTIONS.iter().any(|section| section.key == *menu))
+        );
+    }
 
     #[test]
     fn every_action_has_a_key_and_no_key_is_given_twice() {

@@ -13,11 +13,19 @@ use super::state::AppState;
 use super::symbol::Symbol;
 use crate::scene::parameter::{Parameter, Slider};
 use crate::scene::{
-    AmbientSource, Choice, CuedBy, DepthCueing, GREATEST_LENGTH, PatternKind, Reflectance,
-    ReflectionModel, Rgb, Scene, ShadingMode, camera, material, shading, surroundings,
+    AmbientSource, Camera, Choice, CuedBy, DepthCueing, Display, GREATEST_LENGTH, Light, Object,
+    ObjectKind, PatternKind, Reflectance, ReflectionModel, Rgb, Scene, Shading, ShadingMode,
+    camera, material, shading, surroundings,
 };
+use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, CollapsingHeader, RichText, ScrollArea, Ui};
+
+/// Width of a column of sections, points; a wide panel has several.
+const COLUMN: f32 = 320.0;
+const MOST_COLUMNS: usize = 3;
+/// A field of view that distorts, degrees.
+const WIDE: f64 = 60.0;
 
 /// What a section shows.
 enum Item {
@@ -31,13 +39,50 @@ enum Item {
 
 use Item::{Own, Rows, Used, While};
 
-/// The parts of the panel that fold: the title, the symbols that a part holds which begins folded (it opens when one of them is
-/// clicked in the equation), and what it shows.
-static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
-    (
-        "Material",
-        &[],
-        &[
+/// A part of the panel that folds.
+struct Section {
+    /// The key of its title.
+    title: &'static str,
+    /// Whether a scene is about it.
+    about: fn(&Scene) -> bool,
+    /// When else it is open.
+    open: Open,
+    /// The symbols of the equation that open it.
+    symbols: &'static [Symbol],
+    items: &'static [Item],
+}
+
+/// When a section is open when a scene is opened.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Open {
+    Always,
+    /// Where no special section is open, or the scene is about it.
+    Usually,
+    /// Where the scene is about it.
+    WhenAbout,
+    /// The same; it folds those that are open usually.
+    Special,
+}
+
+/// The sections in the order of the equation.
+static SECTIONS: [Section; 8] = [
+    Section {
+        title: "controls-material",
+        about: |_| true,
+        open: Open::Always,
+        symbols: &[
+            Symbol::Ka,
+            Symbol::Kd,
+            Symbol::Ks,
+            Symbol::Exponent,
+            Symbol::Od,
+            Symbol::Os,
+            Symbol::Facets,
+            Symbol::Masking,
+            Symbol::Reflectance,
+            Symbol::Reflected,
+        ],
+        items: &[
             Own(|ui, state, _| {
                 gallery_ui(
                     ui,
@@ -49,6 +94,8 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
             Rows(&[&material::KA, &material::KD, &material::KS]),
             While(has_facets, &[&material::ROUGHNESS]),
             While(|scene| !has_facets(scene), &[&material::N]),
+            Rows(&[&material::MODEL]),
+            While(has_facets, &[&material::DISTRIBUTION]),
             Own(|ui, state, _| matching_ui(ui, &mut state.lit, &mut state.shown.scene)),
             Rows(&[
                 &material::COLOR,
@@ -59,8 +106,6 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
                 |scene| scene.pattern.kind != PatternKind::None,
                 &[&material::PATTERN_COLOR, &material::PATTERN_SCALE],
             ),
-            Rows(&[&material::MODEL]),
-            While(has_facets, &[&material::DISTRIBUTION]),
             Rows(&[&material::REFLECTANCE]),
             While(
                 |scene| scene.material.reflectance == Reflectance::Custom,
@@ -68,28 +113,59 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
             ),
             Rows(&[&material::BACKFACING]),
         ],
-    ),
-    (
-        "Transparency",
-        &[Symbol::Kt, Symbol::Transmitted],
-        &[Rows(&[
-            &material::KT,
-            &material::TRANSPARENCY_IOR,
-            &material::THROUGH,
-        ])],
-    ),
-    (
-        "Lights",
-        &[],
-        &[
+    },
+    Section {
+        title: "controls-lights",
+        about: special_lights,
+        open: Open::Usually,
+        symbols: &[
+            Symbol::Ia,
+            Symbol::Lights,
+            Symbol::Attenuation,
+            Symbol::Ip,
+            Symbol::Light,
+        ],
+        items: &[
             Rows(&[&material::AMBIENT_COLOR]),
             Own(|ui, state, _| lights::lights_ui(ui, state)),
         ],
-    ),
-    (
-        "Surroundings",
-        &[Symbol::Shadows, Symbol::Bounce],
-        &[
+    },
+    Section {
+        title: "controls-shading",
+        about: special_shading,
+        open: Open::Usually,
+        symbols: &[],
+        items: &[
+            Rows(&[&shading::MODE]),
+            Own(mode_ui),
+            Used(&[
+                &shading::FLAT_AT,
+                &shading::INTERPOLATION,
+                &shading::RENORMALISE,
+            ]),
+        ],
+    },
+    Section {
+        title: "controls-object",
+        about: special_object,
+        open: Open::WhenAbout,
+        symbols: &[Symbol::Normal],
+        items: &[Own(object::object_ui)],
+    },
+    Section {
+        title: "controls-surroundings",
+        about: |scene| {
+            let Scene {
+                shading,
+                ambient,
+                ground,
+                ..
+            } = scene;
+            shading.shadows || ground.visible || ambient.source != AmbientSource::Constant
+        },
+        open: Open::Special,
+        symbols: &[Symbol::Shadows, Symbol::Bounce],
+        items: &[
             Rows(&[&shading::SHADOWS, &material::AMBIENT_SOURCE]),
             Own(fit_ui),
             Rows(&[&surroundings::GROUND_VISIBLE]),
@@ -109,43 +185,49 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
                 &surroundings::BACKDROP_DISTANCE,
             ]),
         ],
-    ),
-    (
-        "Shading",
-        &[],
-        &[
-            Own(mode_ui),
-            Used(&[
-                &shading::FLAT_AT,
-                &shading::INTERPOLATION,
-                &shading::RENORMALISE,
-            ]),
-        ],
-    ),
-    ("Object", &[], &[Own(object::object_ui)]),
-    (
-        "Camera",
-        &[],
-        &[
+    },
+    Section {
+        title: "controls-transparency",
+        about: |scene| scene.transparency.kt > 0.0,
+        open: Open::Special,
+        symbols: &[Symbol::Kt, Symbol::Transmitted],
+        items: &[Rows(&[
+            &material::KT,
+            &material::TRANSPARENCY_IOR,
+            &material::THROUGH,
+        ])],
+    },
+    Section {
+        title: "controls-camera",
+        about: special_camera,
+        open: Open::Special,
+        symbols: &[Symbol::Viewer],
+        items: &[
             Rows(&[&camera::VIEWER, &camera::PROJECTION]),
             Used(&[&camera::FOV_Y, &camera::HEIGHT]),
             Rows(&[&camera::FRAMING]),
             Rows(&[&camera::ROLL, &camera::EYE, &camera::TARGET]),
             Own(|ui, state, _| {
-                if ui
-                    .button("Reset camera")
-                    .on_hover_text("As the scene was opened (key 0)")
+                let button = ui.button(text!("controls-reset-camera"));
+                if button
+                    .on_hover_text(text!("controls-reset-camera.tip"))
                     .clicked()
                 {
                     state.ask(Action::ResetCamera);
                 }
             }),
         ],
-    ),
-    (
-        "Display",
-        &[],
-        &[
+    },
+    Section {
+        title: "controls-display",
+        about: |scene| {
+            let Display { overflow, encoding } = Display::default();
+            let cued = scene.depth_cueing.by != CuedBy::Off;
+            cued || scene.display.overflow != overflow || scene.display.encoding != encoding
+        },
+        open: Open::Special,
+        symbols: &[Symbol::Intensity, Symbol::Depth],
+        items: &[
             Rows(&[&camera::OVERFLOW]),
             Own(overflow_ui),
             Rows(&[
@@ -160,34 +242,110 @@ static SECTIONS: [(&str, &[Symbol], &[Item]); 8] = [
                 &surroundings::CUE_COLOR,
             ]),
         ],
-    ),
+    },
 ];
+
+fn special_lights(scene: &Scene) -> bool {
+    let usual = Light::default();
+    scene.lights.iter().any(|light| {
+        light.kind != usual.kind
+            || light.attenuation != usual.attenuation
+            || light.mute
+            || light.solo
+    })
+}
+
+fn special_shading(scene: &Scene) -> bool {
+    let Shading { mode, shadows, .. } = scene.shading;
+    let usual = Shading::default();
+    scene.shading
+        != Shading {
+            mode,
+            shadows,
+            ..usual
+        }
+}
+
+fn special_object(scene: &Scene) -> bool {
+    let (object, usual) = (&scene.object, Object::default());
+    object.kind == ObjectKind::Polygons
+        || object.segments < usual.segments
+        || object.weighting != usual.weighting
+}
+
+fn special_camera(scene: &Scene) -> bool {
+    let (camera, usual) = (&scene.camera, Camera::default());
+    camera.viewer != usual.viewer
+        || camera.projection != usual.projection
+        || camera.roll != usual.roll
+        || camera.fov_y > WIDE
+}
+
+/// Which sections are open in `scene` when it is opened: those that it is about.
+fn open_in(scene: &Scene) -> [bool; SECTIONS.len()] {
+    let is_special = |section: &Section| section.open == Open::Special && (section.about)(scene);
+    let special = SECTIONS.iter().any(is_special);
+    SECTIONS.each_ref().map(|section| match section.open {
+        Open::Always => true,
+        Open::Usually => !special || (section.about)(scene),
+        Open::WhenAbout | Open::Special => (section.about)(scene),
+    })
+}
 
 fn has_facets(scene: &Scene) -> bool {
     scene.reflection.model == ReflectionModel::CookTorrance
 }
 
-/// The controls of what the equation's symbols stand for.
+/// The controls of what the symbols of the equation stand for. A scene that has just been opened is shown from the top, with the
+/// sections open that it is about.
 pub fn controls_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        for (title, folded_with, items) in &SECTIONS {
-            // A symbol that was clicked may live in a folded section.
-            let sought = |symbol: &Symbol| folded_with.is_empty() || folded_with.contains(symbol);
-            let open = state.lit.seek.filter(sought).map(|_| true);
-            let header = CollapsingHeader::new(RichText::new(*title).strong()).id_salt(title);
-            header
-                .default_open(folded_with.is_empty())
-                .open(open)
-                .show_unindented(ui, |ui| {
-                    ui.add_space(1.0);
-                    items
-                        .iter()
-                        .for_each(|item| item_ui(ui, state, engine, item));
-                    ui.add_space(6.0);
-                });
-        }
+    let opened = std::mem::take(&mut state.just_opened);
+    let opens = open_in(&state.lit.opened);
+    let mut area = ScrollArea::vertical().auto_shrink(false);
+    if opened {
+        area = area.vertical_scroll_offset(0.0);
+    }
+    area.show(ui, |ui| {
+        let columns = ((ui.available_width() / COLUMN) as usize).clamp(1, MOST_COLUMNS);
+        ui.columns(columns, |columns| {
+            let count = columns.len();
+            for (place, section) in SECTIONS.iter().enumerate() {
+                let ui = &mut columns[place * count / SECTIONS.len()];
+                section_ui(ui, state, engine, section, (opens[place], opened));
+            }
+        });
         ui.add_space(12.0);
     });
+}
+
+/// A section, which begins open or folded, and does so anew in another scene.
+fn section_ui(
+    ui: &mut Ui,
+    state: &mut AppState,
+    engine: &Engine,
+    section: &Section,
+    (opens, anew): (bool, bool),
+) {
+    let sought = state
+        .lit
+        .seek
+        .is_some_and(|symbol| section.symbols.contains(&symbol));
+    let title = RichText::new(text!(section.title)).strong();
+    let header = CollapsingHeader::new(title).id_salt(section.title);
+    let open = if sought {
+        Some(true)
+    } else {
+        anew.then_some(opens)
+    };
+    header
+        .default_open(opens)
+        .open(open)
+        .show_unindented(ui, |ui| {
+            ui.add_space(2.0);
+            let items = section.items.iter();
+            items.for_each(|item| item_ui(ui, state, engine, item));
+            ui.add_space(8.0);
+        });
 }
 
 fn item_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, item: &Item) {
@@ -218,7 +376,7 @@ fn mode_ui(ui: &mut Ui, state: &mut AppState, _: &Engine) {
         shading, object, ..
     } = &state.shown.scene;
     let what = if shading.mode == ShadingMode::Exact && !object.kind.has_surface() {
-        "There is no surface beyond these polygons: here Phong shading, evaluated in double precision"
+        text!("controls-exact-without-surface")
     } else {
         shading.mode.help()
     };
@@ -227,11 +385,12 @@ fn mode_ui(ui: &mut Ui, state: &mut AppState, _: &Engine) {
 
 /// How many pixels the overflow policy is about.
 fn overflow_ui(ui: &mut Ui, _: &mut AppState, engine: &Engine) {
-    let text = match engine.report().overflowing {
-        0 => "No pixel is above 1".to_owned(),
-        1 => "1 pixel is above 1".to_owned(),
-        many => format!("{} pixels are above 1", grouped(many)),
-    };
+    let count = engine.report().overflowing;
+    let text = text!(
+        "controls-overflowing",
+        count = count,
+        number = grouped(count)
+    );
     ui.label(RichText::new(text).weak());
 }
 
@@ -241,16 +400,17 @@ fn fit_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     if ambient.source == AmbientSource::Constant {
         return;
     }
+    if ambient.source == AmbientSource::Split {
+        ui.label(RichText::new(text!("controls-halves")).weak());
+    }
     let fit = engine.report().ambient_fit;
     let about = About {
         letter: "Ia",
-        label: "fits best",
-        name: "Best ambient light",
-        tip: "The constant Ia whose ambient term differs least from the light that other surfaces really throw here: least squares over the picture. Red, green, blue.",
+        label: text!("controls-fit.label"),
+        name: text!("controls-fit"),
+        tip: text!("controls-fit.tip"),
         symbol: Some(Symbol::Ia),
-        idle: fit
-            .is_none()
-            .then_some("Ka is 0 where light is scattered: no constant makes a difference"),
+        idle: fit.is_none().then(|| text!("controls-fit.idle")),
         ..About::default()
     };
     row(ui, &mut state.lit, &about, false, |ui| {
@@ -260,11 +420,14 @@ fn fit_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         let [r, g, b] = fit.to_array().map(|channel| format!("{channel:.3}"));
         let taken = (ambient.color - fit).abs().max_element() < 5e-4;
         let button = named(
-            ui.add_enabled(!taken, Button::new("take")),
+            ui.add_enabled(!taken, Button::new(text!("controls-fit-take.label"))),
             Role::Button,
-            "Take the best ambient light",
+            text!("controls-fit-take"),
         );
-        if button.on_hover_text("Makes it the constant Ia").clicked() {
+        if button
+            .on_hover_text(text!("controls-fit-take.tip"))
+            .clicked()
+        {
             ambient.color = (fit * 1e3).round() / 1e3;
         }
         ui.label(RichText::new(format!("{r} {g} {b}")).monospace());
@@ -279,7 +442,7 @@ fn depths_ui(ui: &mut Ui, state: &mut AppState, _: &Engine) {
         return;
     }
     if scene.depth_cueing.by == CuedBy::Vertex && scene.shading.mode == ShadingMode::Exact {
-        ui.label(RichText::new("Exact shading has no vertices: each pixel's depth").weak());
+        ui.label(RichText::new(text!("controls-depth-exact")).weak());
     }
     let (before, reach) = (scene.depth_cueing.front, 2.0 * scene.camera.distance());
     for row in [&surroundings::FRONT, &surroundings::BACK] {

@@ -291,15 +291,12 @@ fn keys_ui(ui: &mut Ui) -> Choice {
                 .striped(true)
                 .show(ui, |ui| {
                     for section in &*SECTIONS {
-                        ui.label(RichText::new(section.title).strong());
+                        ui.label(RichText::new(section.title()).strong());
                         ui.end_row();
-                        for command in section
-                            .commands
-                            .iter()
-                            .filter(|command| !command.does.is_empty())
-                        {
-                            ui.label(RichText::new(command.keys).monospace());
-                            ui.label(command.does);
+                        for command in &section.commands {
+                            let Some(does) = command.does() else { continue };
+                            ui.label(RichText::new(command.keys()).monospace());
+                            ui.label(does);
                             ui.end_row();
                         }
                     }

@@ -1,21 +1,42 @@
-//! The keyboard's focus: Tab goes from field to field, and a ring shows what has it. Names for screen readers.
+//! The keyboard's focus: Tab goes from stop to stop, and a ring shows what has it. Names for screen readers.
+//!
+//! Every widget of the panels is a stop of Tab in the order in which it is shown, but for those that stand [`aside`], such as a
+//! slider beside its field, and for a group ([`one_stop`]), which is one stop: the arrows go on from there.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Context, FocusDirection, Id, InputState, Key, Modifiers, Response, Stroke, StrokeKind,
-    WidgetInfo,
+    Context, FocusDirection, Id, Key, LayerId, Modifiers, Rect, Response, Stroke, StrokeKind, Ui,
+    WidgetInfo, WidgetRect,
 };
 
 /// Width of the ring, and its distance from what it surrounds; points.
 const RING: [f32; 2] = [2.0, 2.0];
 
-/// The fields in the order in which they are shown.
+/// Frames for which the toolkit counts a field among those that have just lost the focus.
+const ESCAPE: u8 = 2;
+
+/// What Tab passes over in a frame.
 #[derive(Clone, Debug, Default)]
-struct Fields {
-    /// All of the last frame.
-    last: Vec<Id>,
-    /// Those of this frame so far.
-    now: Vec<Id>,
+struct Passed {
+    /// Widgets beside a stop.
+    aside: Vec<Id>,
+    /// The rectangles of groups.
+    groups: Vec<Rect>,
+}
+
+/// What is kept from one frame to the next.
+#[derive(Clone, Debug, Default)]
+struct Kept {
+    last: Passed,
+    now: Passed,
+    /// Whether the focus was last moved by a key, which is when the picture has its ring.
+    by_key: bool,
+    /// Whether a key moved it in this frame.
+    moved: bool,
+    /// Frames since Escape was pressed, while a field that it left may still take its text over.
+    escaped: Option<u8>,
+    /// Whether the row with the focus is to be reset.
+    reset: bool,
 }
 
 /// The identity of the picture.
@@ -23,8 +44,8 @@ pub fn picture_id() -> Id {
     Id::unique("the picture")
 }
 
-fn id() -> Id {
-    Id::unique("fields")
+fn kept<R>(ctx: &Context, change: impl FnOnce(&mut Kept) -> R) -> R {
+    ctx.data_mut(|data| change(data.get_temp_mut_or_default(Id::unique("focus"))))
 }
 
 /// Gives a widget its name for screen readers.
@@ -39,61 +60,189 @@ pub fn switch_named(response: Response, role: Role, on: bool, name: &str) -> Res
     response
 }
 
-/// Adds a field to those that Tab goes through.
-pub fn register(field: &Response) {
-    if field.enabled() {
-        field.ctx.data_mut(|data| {
-            data.get_temp_mut_or_default::<Fields>(id())
-                .now
-                .push(field.id);
-        });
+/// Takes a widget that stands beside a stop of Tab out of its way.
+pub fn aside(response: &Response) {
+    kept(&response.ctx, |kept| kept.now.aside.push(response.id));
+}
+
+/// Makes all widgets within `rect` one stop of Tab, the first of them.
+pub fn one_stop(ctx: &Context, rect: Rect) {
+    kept(ctx, |kept| kept.now.groups.push(rect));
+}
+
+/// The widgets of the panels in the order in which they were shown, and whether each is a stop.
+fn stops(ctx: &Context, passed: &Passed) -> Vec<(Id, bool)> {
+    let mut entered = vec![false; passed.groups.len()];
+    let mut is_stop = |widget: &WidgetRect| {
+        let centre = widget.rect.center();
+        let mut groups = passed.groups.iter().zip(&mut entered);
+        let group = groups.find(|(group, _)| group.contains(centre));
+        !passed.aside.contains(&widget.id)
+            && group.is_none_or(|(_, entered)| !std::mem::replace(entered, true))
+    };
+    ctx.viewport(|viewport| {
+        let all = viewport.prev_pass.widgets.get_layer(LayerId::background());
+        all.filter(|widget| widget.enabled && widget.sense.is_focusable())
+            .map(|widget| (widget.id, is_stop(widget)))
+            .collect()
+    })
+}
+
+/// The stop after what has the focus, or before it; from the last one to the first.
+fn next(stops: &[(Id, bool)], focused: Option<Id>, back: bool) -> Option<Id> {
+    let count = stops.len();
+    let place = focused.and_then(|focused| stops.iter().position(|(id, _)| *id == focused));
+    let step = |steps: usize| match (place, back) {
+        (Some(place), false) => (place + steps) % count,
+        (Some(place), true) => (place + count - steps) % count,
+        (None, false) => steps - 1,
+        (None, true) => count - steps,
+    };
+    let (id, _) = (1..=count)
+        .map(|steps| stops[step(steps)])
+        .find(|(_, is_stop)| *is_stop)?;
+    Some(id)
+}
+
+/// At the beginning of a frame: Tab goes to the next stop, with Shift to the one before. In what stands `in_front` of the
+/// panels the toolkit's own order holds.
+pub fn listen(ctx: &Context, in_front: bool) {
+    let (pointed, escape) =
+        ctx.input(|input| (input.pointer.any_pressed(), input.key_pressed(Key::Escape)));
+    let passed = kept(ctx, |kept| {
+        kept.last = std::mem::take(&mut kept.now);
+        (kept.moved, kept.by_key) = (false, kept.by_key && !pointed);
+        kept.escaped = match kept.escaped {
+            _ if escape => Some(0),
+            Some(frames) if frames < ESCAPE => Some(frames + 1),
+            _ => None,
+        };
+        kept.last.clone()
+    });
+    if in_front || !ctx.input(|input| input.key_pressed(Key::Tab)) {
+        return;
+    }
+    let focused = ctx.memory(|memory| memory.focused());
+    let response = focused.and_then(|id| ctx.read_response(id));
+    if response.is_some_and(|response| response.layer_id != LayerId::background()) {
+        return;
+    }
+    let back = ctx.input(|input| input.modifiers.shift);
+    let held = if back {
+        Modifiers::SHIFT
+    } else {
+        Modifiers::NONE
+    };
+    if !ctx.input_mut(|input| input.consume_key(held, Key::Tab)) {
+        return;
+    }
+    if let Some(next) = next(&stops(ctx, &passed), focused, back) {
+        take(ctx, next);
     }
 }
 
-/// At the beginning of a frame: Tab in a field goes to the next one, with Shift to the one before, whatever lies between.
-pub fn listen(ctx: &Context) {
-    let fields = ctx.data_mut(|data| {
-        let fields = data.get_temp_mut_or_default::<Fields>(id());
-        fields.last = std::mem::take(&mut fields.now);
-        fields.last.clone()
+/// Gives a widget the focus by key.
+pub fn take(ctx: &Context, id: Id) {
+    ctx.memory_mut(|memory| {
+        memory.request_focus(id);
+        memory.move_focus(FocusDirection::None);
     });
-    let place = ctx
-        .memory(|memory| memory.focused())
-        .and_then(|focused| fields.iter().position(|id| *id == focused));
-    let Some(place) = place else { return };
-    let next = if ctx.input(|input| input.modifiers.shift) {
-        place.checked_sub(1)
-    } else {
-        place.checked_add(1)
-    };
-    // Past the last field and before the first the toolkit's own order goes on.
-    let Some(next) = next.and_then(|next| fields.get(next)) else {
+    kept(ctx, |kept| (kept.moved, kept.by_key) = (true, true));
+}
+
+/// Gives the first stop of the window the focus: the menus.
+pub fn take_first(ctx: &Context) {
+    let passed = kept(ctx, |kept| kept.last.clone());
+    if let Some(first) = next(&stops(ctx, &passed), None, false) {
+        take(ctx, first);
+    }
+}
+
+/// Whether a field has just been left by Escape: what was typed is dropped.
+pub fn escaped(ctx: &Context) -> bool {
+    kept(ctx, |kept| kept.escaped.is_some())
+}
+
+/// Asks the row that has the focus to reset its value, in the next frame.
+pub fn ask_reset(ctx: &Context) {
+    kept(ctx, |kept| kept.reset = true);
+}
+
+/// What becomes of a row by the keyboard.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ByKey {
+    /// The focus has come to it and it must be in sight.
+    pub arrived: bool,
+    /// It is to be reset.
+    pub reset: bool,
+}
+
+/// What the keyboard does with the row in `rect`.
+pub fn by_key(ui: &Ui, rect: Rect) -> ByKey {
+    let ctx = ui.ctx();
+    let (arrived, reset) = kept(ctx, |kept| (kept.moved, kept.reset));
+    if !arrived && !reset {
+        return ByKey::default();
+    }
+    let focused = ctx.memory(|memory| memory.focused());
+    let inside = focused
+        .and_then(|id| ctx.read_response(id))
+        .is_some_and(|response| {
+            response.layer_id == ui.layer_id() && rect.contains(response.rect.center())
+        });
+    if inside {
+        kept(ctx, |kept| kept.reset = false);
+    }
+    ByKey {
+        arrived: arrived && inside,
+        reset: reset && inside,
+    }
+}
+
+/// At the end of a frame: a ring round what has the focus, for the picture only where a key gave it.
+pub fn show(ctx: &Context) {
+    let by_key = kept(ctx, |kept| kept.by_key);
+    let Some(id) = ctx.memory(|memory| memory.focused()) else {
         return;
     };
-    let tab = |input: &mut InputState| {
-        [Modifiers::NONE, Modifiers::SHIFT].map(|held| input.consume_key(held, Key::Tab))
-    };
-    if ctx.input_mut(tab).contains(&true) {
-        ctx.memory_mut(|memory| {
-            memory.request_focus(*next);
-            memory.move_focus(FocusDirection::None);
-        });
-    }
-}
-
-/// At the end of a frame: a ring round what has the focus; the picture does without.
-pub fn show(ctx: &Context) {
-    let focused = ctx
-        .memory(|memory| memory.focused())
-        .filter(|focused| *focused != picture_id());
-    let Some(response) = focused.and_then(|id| ctx.read_response(id)) else {
+    let by_pointer = id == picture_id() && !by_key;
+    let Some(response) = ctx.read_response(id).filter(|_| !by_pointer) else {
         return;
     };
     let [width, gap] = RING;
     let painter = ctx.layer_painter(response.layer_id);
-    let stroke = Stroke::new(width, ctx.global_style().visuals.strong_text_color());
+    let stroke = Stroke::new(width, ctx.global_style().visuals.hyperlink_color);
     let rect = response.interact_rect;
     if rect.is_positive() {
-        painter.rect_stroke(rect.expand(gap), 4.0, stroke, StrokeKind::Middle);
+        painter.rect_stroke(rect.expand(gap), 6.0, stroke, StrokeKind::Middle);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tab_goes_round_the_stops_and_passes_over_the_rest() {
+        let id = |number: u32| Id::unique(("widget", number));
+        let stops = [(id(0), true), (id(1), false), (id(2), true), (id(3), false)];
+        for (focused, back, expected) in [
+            (None, false, 0),
+            (None, true, 2),
+            (Some(0), false, 2),
+            (Some(1), false, 2),
+            (Some(3), false, 0),
+            (Some(3), true, 2),
+            (Some(0), true, 2),
+            (Some(9), false, 0),
+        ] {
+            assert_eq!(
+                next(&stops, focused.map(id), back),
+                Some(id(expected)),
+                "{focused:?} {back}"
+            );
+        }
+        assert_eq!(next(&[(id(1), false)], None, false), None);
+        assert_eq!(next(&[], Some(id(1)), true), None);
     }
 }

@@ -1,7 +1,7 @@
 //! How the window looks: what is written to disk between two sessions.
 
 use super::profile::look::ProfileLook;
-use super::theme::{PROJECTOR_TEXT, SCALES, TEXT, ThemeChoice};
+use super::theme::{PROJECTOR_LINES, SCALES, TEXT, ThemeChoice};
 use crate::text::Language;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -13,6 +13,8 @@ pub struct Look {
     pub theme: ThemeChoice,
     /// Size of the interface; 1 is 14-point text.
     pub scale: f32,
+    /// Whether the interface is large enough for a room: it grows with the window, see [`Look::zoom`].
+    pub projector: bool,
     /// Whether the panel of controls is open.
     pub controls: bool,
     /// Whether the panel of numbers is open.
@@ -86,11 +88,23 @@ impl Look {
             .unwrap_or(self.scale);
     }
 
-    /// The size of text for a room, and back. It leaves no room for the picture between two panels; F5 brings the numbers back.
+    /// The ordinary size of the interface.
+    pub fn ordinary_size(&mut self) {
+        (self.scale, self.projector) = (1.0, false);
+    }
+
+    /// The size of text for a room, and back.
     pub fn projector(&mut self) {
-        let large = PROJECTOR_TEXT / TEXT;
-        let enter = self.scale < large - 0.01;
-        (self.scale, self.numbers) = (if enter { large } else { 1.0 }, !enter);
+        (self.scale, self.projector) = (1.0, !self.projector);
+    }
+
+    /// The scale of the interface in a window so many points of the screen high.
+    pub fn zoom(&self, height: f32) -> f32 {
+        if self.projector {
+            self.scale.max(1.0) * (height / (PROJECTOR_LINES * TEXT)).max(1.0)
+        } else {
+            self.scale
+        }
     }
 }
 
@@ -99,6 +113,7 @@ impl Default for Look {
         Self {
             theme: ThemeChoice::System,
             scale: 1.0,
+            projector: false,
             controls: true,
             numbers: true,
             stages: true,

@@ -15,10 +15,11 @@ use crate::scene::{
     Ambient, Camera, Distribution, Image, Light, Material, Object, ObjectKind, Reflection,
     ReflectionModel, Rgb, Scene, Shading, ShadingMode,
 };
+use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Button, Color32, ColorImage, Context, Grid, Popup, PopupCloseBehavior, Rect, Sense,
-    StrokeKind, TextStyle, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
+    Align2, Button, Color32, ColorImage, Context, Grid, Popup, PopupCloseBehavior, Rect, RichText,
+    Sense, StrokeKind, TextStyle, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
 };
 use glam::DVec3;
 
@@ -130,25 +131,30 @@ fn picture(renderer: &mut Renderer, named: &NamedMaterial, side: u32) -> ColorIm
     ColorImage::new([side as usize, side as usize], pixels.collect())
 }
 
-/// What each column holds.
-const KINDS: [&str; 4] = ["Stones", "Metals", "Plastics", "Rubbers"];
+/// The keys of what each column holds.
+const KINDS: [&str; 4] = [
+    "controls-stones",
+    "controls-metals",
+    "controls-plastics",
+    "controls-rubbers",
+];
 
 /// A button that says which of the named materials this is, and opens all of them.
 pub fn gallery_ui(ui: &mut Ui, lit: &mut Lit, gallery: &mut Gallery, material: &mut Material) {
     let present = recognise(material);
-    let tip =
-        "The 24 named materials of OpenGL's teapots (Kilgard 1994): Ka, Kd, Ks and n as published.";
+    let [name, tip] = [text!("controls-materials"), text!("controls-materials.tip")];
     let about = About {
-        label: "Material",
-        name: "Materials",
+        label: text!("controls-materials.label"),
+        name,
         tip,
         ..About::default()
     };
     let opened = lit.opened.material.clone();
     value_row(ui, lit, &about, opened, material, |ui, material| {
         let button =
-            Button::new(present.map_or("choose…", NamedMaterial::title)).min_size(vec2(92.0, 0.0));
-        let response = named(ui.add(button), Role::Button, "Materials").on_hover_text(tip);
+            Button::new(present.map_or(text!("controls-materials.none"), NamedMaterial::title))
+                .min_size(vec2(92.0, 0.0));
+        let response = named(ui.add(button), Role::Button, name).on_hover_text(tip);
         let popup = Popup::menu(&response).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         popup.show(|ui| {
             gallery.prepare(ui.ctx());
@@ -157,7 +163,7 @@ pub fn gallery_ui(ui: &mut Ui, lit: &mut Lit, gallery: &mut Gallery, material: &
                 .spacing([6.0, 6.0])
                 .show(ui, |ui| {
                     for kind in KINDS {
-                        ui.label(kind);
+                        ui.label(RichText::new(text!(kind)).weak());
                     }
                     ui.end_row();
                     for place in 0..OF_A_KIND {
@@ -192,7 +198,7 @@ fn material_ui(
     if present || response.hovered() || response.has_focus() {
         ui.painter().rect(
             rect,
-            5.0,
+            6.0,
             visuals.weak_bg_fill,
             visuals.bg_stroke,
             StrokeKind::Inside,
@@ -288,9 +294,9 @@ pub fn matching_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
         return;
     }
     let about = About {
-        label: "Equivalent",
-        name: "Matching highlights",
-        tip: "The exponent or roughness of the other models that gives an equally wide highlight, to half its height in the plane of incidence. A click sets model and number together.",
+        label: text!("controls-matching.label"),
+        name: text!("controls-matching"),
+        tip: text!("controls-matching.tip"),
         symbol: Some(Symbol::Reflected),
         idle: no_highlight(scene, 0),
         ..About::default()
@@ -298,26 +304,25 @@ pub fn matching_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
     row(ui, lit, &about, false, |ui| {
         ui.spacing_mut().button_padding.x = 6.0;
         for (model, number) in found {
-            let who = if model == ReflectionModel::Phong {
-                "Phong"
-            } else {
-                "Blinn"
-            };
             let (text, name, tip) = if model == ReflectionModel::CookTorrance {
-                let tip = "Takes Cook and Torrance's model with Beckmann's m that makes its highlight as narrow";
+                let [name, tip] = [
+                    text!("controls-match-roughness"),
+                    text!("controls-match-roughness.tip"),
+                ];
                 (
                     format!("m {}", display(number, 3)),
-                    "Match with a roughness".to_owned(),
+                    name.to_owned(),
                     tip.to_owned(),
                 )
             } else {
-                let tip =
-                    format!("Takes {who}'s model with the n that makes its highlight as wide");
-                (
-                    format!("{who} n {}", display(number, 2)),
-                    format!("Match with {who}'s n"),
-                    tip,
-                )
+                let who = if model == ReflectionModel::Phong {
+                    "Phong"
+                } else {
+                    "Blinn"
+                };
+                let name = text!("controls-match-exponent", model = who);
+                let tip = text!("controls-match-exponent.tip", model = who);
+                (format!("{who} n {}", display(number, 2)), name, tip)
             };
             if named(ui.button(text), Role::Button, &name)
                 .on_hover_text(tip)

@@ -17,9 +17,10 @@ pub fn vector(vector: Vector) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// A vector's colour as text on a panel.
+/// A vector's colour as text on a panel, a window, a row of a table or a control.
 pub fn vector_text(visuals: &Visuals, letter: Vector) -> Color32 {
-    readable(vector(letter), visuals.panel_fill)
+    // A control is nearest to text in lightness, in both themes.
+    readable(vector(letter), visuals.widgets.inactive.bg_fill)
 }
 
 /// A part of the equation as text on a panel.
@@ -51,19 +52,74 @@ mod tests {
         palette::contrast(rgb(a), rgb(b))
     }
 
+    /// `colour` as it is painted over `background` with so much of it left.
+    fn over(colour: Color32, background: Color32, share: f32) -> Color32 {
+        let mix =
+            |a: u8, b: u8| (f32::from(a) * share + f32::from(b) * (1.0 - share)).round() as u8;
+        let ([r, g, b], [x, y, z]) = (rgb(colour), rgb(background));
+        Color32::from_rgb(mix(r, x), mix(g, y), mix(b, z))
+    }
+
     #[test]
-    fn every_letter_is_readable_in_both_themes() {
+    fn every_text_is_readable_wherever_it_stands_in_both_themes() {
         for visuals in [theme::dark_visuals(), theme::light_visuals()] {
-            for letter in Vector::ALL {
-                let ratio = contrast(vector_text(&visuals, letter), visuals.panel_fill);
+            let widgets = &visuals.widgets;
+            let surfaces = [
+                ("a panel", visuals.panel_fill),
+                ("a window", visuals.window_fill),
+                ("a well", visuals.extreme_bg_color),
+                ("a row of a table", visuals.faint_bg_color),
+                ("a control", widgets.inactive.bg_fill),
+            ];
+            let under_pointer = [("a control under the pointer", widgets.hovered.bg_fill)];
+            let texts = [
+                ("text", visuals.text_color()),
+                ("weak text", visuals.weak_text_color()),
+                ("strong text", visuals.strong_text_color()),
+                ("a link", visuals.hyperlink_color),
+                ("a warning", visuals.warn_fg_color),
+                ("an error", visuals.error_fg_color),
+            ];
+            let on_all = texts.iter().flat_map(|text| {
+                surfaces
+                    .iter()
+                    .chain(&under_pointer)
+                    .map(move |surface| (*text, *surface))
+            });
+            let letters = Vector::ALL.into_iter().flat_map(|letter| {
+                let text = (letter.letter(), vector_text(&visuals, letter));
+                surfaces.iter().map(move |surface| (text, *surface))
+            });
+            let selection = visuals.selection;
+            let own = [
+                (
+                    ("what is chosen", selection.stroke.color),
+                    ("its fill", selection.bg_fill),
+                ),
+                (
+                    ("text", widgets.active.fg_stroke.color),
+                    ("a pressed control", widgets.active.bg_fill),
+                ),
+            ];
+            let disabled = surfaces.map(|surface| {
+                let text = over(visuals.text_color(), surface.1, visuals.disabled_alpha);
+                (("what is disabled", text), surface)
+            });
+            for ((text, colour), (surface, background)) in
+                on_all.chain(letters).chain(own).chain(disabled)
+            {
+                let ratio = contrast(colour, background);
                 assert!(
                     ratio >= READABLE,
-                    "{} has contrast {ratio}",
-                    letter.letter()
+                    "{text} on {surface} has contrast {ratio:.2}, dark {}",
+                    visuals.dark_mode
                 );
             }
             assert!(contrast(visuals.text_color(), visuals.panel_fill) >= 7.0);
-            assert!(contrast(visuals.weak_text_color(), visuals.panel_fill) >= READABLE);
+            // What shows where the focus is, and what is chosen, stands out from the panel (WCAG 2.2, 1.4.11).
+            for colour in [visuals.hyperlink_color, selection.bg_fill] {
+                assert!(contrast(colour, visuals.panel_fill) >= 3.0, "{colour:?}");
+            }
         }
     }
 }

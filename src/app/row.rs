@@ -4,6 +4,7 @@
 //! Every control is reachable by keyboard and has an accessible name; its label carries the symbol of the equation in
 //! the symbol's colour, and pointing at either lights up the other.
 
+mod expression;
 mod layout;
 mod number;
 mod widgets;
@@ -19,7 +20,9 @@ use crate::figure::palette::Vector;
 use crate::scene::parameter::{Access, Kind, Limits, Parameter, Slider, Unit, defaults};
 use crate::scene::{ChoiceOption, Rgb, Scene};
 use eframe::egui::{Color32, Ui};
-use number::{CHANNELS, channels_row, coefficient_slider, fields, slider_and_field, whole_slider};
+use number::{
+    CHANNELS, SIDES, channels_row, coefficient_slider, fields, slider_and_field, whole_slider,
+};
 use widgets::{choice, swatch_button, text, toggle};
 
 /// A row for a parameter of the scene.
@@ -103,7 +106,7 @@ pub fn parameter_with(
             }
         }
         Kind::Pair(at, ..) => row.edit(at, |ui, value, _| {
-            fields(ui, name, ["width", "height"], &range, value);
+            fields(ui, name, SIDES, &range, value);
         }),
         Kind::Channels(at, ..) => {
             row.edit(at, |ui, value, _| {

@@ -39,6 +39,8 @@ pub struct AppState {
     pub saved: Document,
     /// The scene as opened, or as saved in a new file: what resetting returns to.
     pub opened: Scene,
+    /// Whether another scene has been opened since the controls were last shown.
+    pub just_opened: bool,
     pub probe: ProbePoint,
     /// Whether the probe is to be put beside the highlight, once the picture is drawn.
     pub seek_highlight: bool,
@@ -107,6 +109,7 @@ impl AppState {
         self.document = document;
         self.saved = self.document.clone();
         self.opened = self.document.scene.clone();
+        self.just_opened = true;
         self.look.profile.begin();
         self.begin();
         self.light = 0;

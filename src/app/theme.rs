@@ -10,20 +10,18 @@ use serde::{Deserialize, Serialize};
 
 /// Size of ordinary text, in points.
 pub const TEXT: f32 = 14.0;
-/// Size of text for a room, in points.
-pub const PROJECTOR_TEXT: f32 = 20.0;
-/// The steps by which the interface grows and shrinks; their middle is the size that the type was chosen for.
-pub const SCALES: [f32; 9] = [
-    0.8,
-    0.9,
-    1.0,
-    1.1,
-    1.25,
-    PROJECTOR_TEXT / TEXT,
-    1.75,
-    2.0,
-    2.5,
-];
+/// Lines of ordinary text as high as the window at projector size: 28 to the screen are read from the back of a room.
+pub const PROJECTOR_LINES: f32 = 28.0;
+/// The steps by which the interface grows and shrinks; 1 is the size that the type was chosen for.
+pub const SCALES: [f32; 9] = [0.8, 0.9, 1.0, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5];
+
+/// A screen narrower than this, in points, is held in the hand.
+pub const NARROW: f32 = 600.0;
+
+/// Height of a control for a pointer and for a finger, points.
+const CONTROL: [f32; 2] = [24.0, 44.0];
+/// Radius of corners, points.
+const RADIUS: u8 = 6;
 
 /// Which theme is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -43,6 +41,14 @@ pub fn install(ctx: &Context) {
     ctx.set_style_of(Theme::Light, style(light_visuals()));
     // The window has its own commands for this, which remember the size.
     ctx.options_mut(|options| options.zoom_with_keyboard = false);
+}
+
+/// Makes controls high enough for a finger, or for a pointer.
+pub fn touch(ctx: &Context, on: bool) {
+    let height = CONTROL[usize::from(on)];
+    if ctx.global_style().spacing.interact_size.y.to_bits() != height.to_bits() {
+        ctx.all_styles_mut(|style| style.spacing.interact_size.y = height);
+    }
 }
 
 /// The usual fonts, with the monospaced one behind the proportional one: it has the arrows and the squares. Behind both, the
@@ -81,83 +87,94 @@ fn style(visuals: Visuals) -> Style {
         };
     }
     style.drag_value_text_style = TextStyle::Monospace;
-    style.spacing.item_spacing = vec2(8.0, 5.0);
-    style.spacing.button_padding = vec2(9.0, 4.0);
-    style.spacing.interact_size = vec2(40.0, 24.0);
+    style.spacing.item_spacing = vec2(8.0, 4.0);
+    style.spacing.button_padding = vec2(8.0, 4.0);
+    style.spacing.interact_size = vec2(40.0, CONTROL[0]);
     style.spacing.menu_margin = Margin::same(8);
     style.spacing.window_margin = Margin::same(16);
-    style.spacing.icon_width = 18.0;
-    style.spacing.icon_width_inner = 10.0;
+    style.spacing.icon_width = 16.0;
+    style.spacing.icon_width_inner = 8.0;
+    style.spacing.icon_spacing = 8.0;
     style.spacing.combo_width = 40.0;
     style.spacing.slider_rail_height = 4.0;
-    style.spacing.tooltip_width = 340.0;
-    style.spacing.scroll.floating_allocated_width = 6.0;
+    style.spacing.tooltip_width = 320.0;
+    style.spacing.scroll.floating_allocated_width = 8.0;
     style.interaction.tooltip_delay = 0.4;
     style.interaction.selectable_labels = false;
     style
 }
 
+/// The colours of a theme, as 0xRR_GG_BB.
+struct Colours {
+    /// Fields and plots, panels, windows, every other row of a table, and lines.
+    layers: [u32; 5],
+    /// Controls at rest, hovered and pressed.
+    controls: [u32; 3],
+    /// Weak, ordinary and strong text.
+    texts: [u32; 3],
+    /// What is chosen, text on it, and the accent as text: links and the ring of the focus.
+    accents: [u32; 3],
+    warning: u32,
+    error: u32,
+    /// How much of a control is left that is disabled.
+    disabled: f32,
+    /// Alpha of shadows.
+    shadow: u8,
+}
+
 /// Light text on dark panels, for a dark room.
 pub fn dark_visuals() -> Visuals {
-    let layers = [0x10_11_14, 0x1a_1c_20, 0x20_22_27, 0x30_33_3a];
-    let controls = [0x2b_2e_35, 0x37_3b_44, 0x44_49_54];
-    let texts = [0x98_9f_aa, 0xd8_dc_e2, 0xf6_f7_f9];
-    visuals(
-        Visuals::dark(),
-        layers,
-        controls,
-        texts,
-        [0x4a_60_84, 0xf6_f8_fc],
-        110,
-    )
+    let colours = Colours {
+        layers: [0x13_15_19, 0x1b_1d_22, 0x22_25_2b, 0x22_25_2a, 0x34_38_41],
+        controls: [0x2c_30_38, 0x37_3c_46, 0x43_49_55],
+        texts: [0xad_b4_c0, 0xdd_e1_e7, 0xf7_f8_fa],
+        accents: [0x4f_6a_9e, 0xfb_fc_ff, 0x9f_bc_f0],
+        warning: 0xf0_b8_60,
+        error: 0xff_9a_90,
+        disabled: 0.66,
+        shadow: 110,
+    };
+    visuals(Visuals::dark(), &colours)
 }
 
 /// Dark text on light panels, for a bright room.
 pub fn light_visuals() -> Visuals {
-    let layers = [0xff_ff_ff, 0xf6_f7_f9, 0xfc_fd_fe, 0xd4_d8_df];
-    let controls = [0xe4_e7_ec, 0xd8_dd_e5, 0xc9_d0_db];
-    let texts = [0x5c_64_70, 0x24_28_2f, 0x0a_0c_10];
-    visuals(
-        Visuals::light(),
-        layers,
-        controls,
-        texts,
-        [0x42_5c_8a, 0xff_ff_ff],
-        40,
-    )
+    let colours = Colours {
+        layers: [0xff_ff_ff, 0xf5_f6_f8, 0xfc_fc_fd, 0xec_ee_f2, 0xd3_d8_e0],
+        controls: [0xe3_e6_eb, 0xd9_dd_e5, 0xcb_d1_dc],
+        texts: [0x52_5a_66, 0x23_27_2e, 0x0a_0c_10],
+        accents: [0x3d_5c_96, 0xff_ff_ff, 0x28_4f_9e],
+        warning: 0x70_44_00,
+        error: 0xa3_1d_16,
+        disabled: 0.72,
+        shadow: 40,
+    };
+    visuals(Visuals::light(), &colours)
 }
 
-/// The look of widgets in colours given as 0xRR_GG_BB: wells, panels, windows and lines; controls at rest, hovered and pressed;
-/// weak, ordinary and strong text; the accent and text on it. `shadow` is the alpha of shadows.
-fn visuals(
-    base: Visuals,
-    layers: [u32; 4],
-    controls: [u32; 3],
-    texts: [u32; 3],
-    accents: [u32; 2],
-    shadow: u8,
-) -> Visuals {
+/// The look of widgets in the colours of a theme.
+fn visuals(base: Visuals, colours: &Colours) -> Visuals {
     let rgb = |colour: u32| {
         let [_, r, g, b] = colour.to_be_bytes();
         Color32::from_rgb(r, g, b)
     };
-    let [well, panel, window, line] = layers.map(rgb);
-    let [control, hovered, pressed] = controls.map(rgb);
-    let [weak, text, strong] = texts.map(rgb);
-    let [accent, on_accent] = accents.map(rgb);
+    let [well, panel, window, faint, line] = colours.layers.map(rgb);
+    let [control, hovered, pressed] = colours.controls.map(rgb);
+    let [weak, text, strong] = colours.texts.map(rgb);
+    let [chosen, on_chosen, accent] = colours.accents.map(rgb);
     let widget = |fill: Color32, text: Color32, stroke: Stroke| WidgetVisuals {
         bg_fill: fill,
         weak_bg_fill: fill,
         bg_stroke: stroke,
         fg_stroke: Stroke::new(1.0, text),
-        corner_radius: CornerRadius::same(5),
+        corner_radius: CornerRadius::same(RADIUS),
         expansion: 0.0,
     };
     let shadow = Shadow {
         offset: [0, 4],
         blur: 16,
         spread: 0,
-        color: Color32::from_black_alpha(shadow),
+        color: Color32::from_black_alpha(colours.shadow),
     };
     Visuals {
         widgets: Widgets {
@@ -168,19 +185,22 @@ fn visuals(
             open: widget(hovered, strong, Stroke::NONE),
         },
         selection: Selection {
-            bg_fill: accent,
-            stroke: Stroke::new(1.0, on_accent),
+            bg_fill: chosen,
+            stroke: Stroke::new(1.0, on_chosen),
         },
         weak_text_color: Some(weak),
+        warn_fg_color: rgb(colours.warning),
+        error_fg_color: rgb(colours.error),
+        disabled_alpha: colours.disabled,
         hyperlink_color: accent,
-        faint_bg_color: control,
+        faint_bg_color: faint,
         extreme_bg_color: well,
         code_bg_color: control,
         window_fill: window,
         panel_fill: panel,
         window_stroke: Stroke::new(1.0, line),
-        window_corner_radius: CornerRadius::same(8),
-        menu_corner_radius: CornerRadius::same(8),
+        window_corner_radius: CornerRadius::same(RADIUS),
+        menu_corner_radius: CornerRadius::same(RADIUS),
         window_shadow: shadow,
         popup_shadow: shadow,
         slider_trailing_fill: true,

@@ -4,7 +4,7 @@ use super::compare::compare_ui;
 use super::curves::curves_ui;
 use super::defects::defects_ui;
 use super::engine::Engine;
-use super::focus::switch_named;
+use super::focus::{one_stop, switch_named};
 use super::look::NumbersTab;
 use super::plan::plan_ui;
 use super::point::point_ui;
@@ -223,6 +223,7 @@ pub fn rail_ui(ui: &mut Ui, state: &mut AppState, narrow: bool, size: Vec2) {
             state.look.controls &= !narrow;
         }
     }
+    one_stop(ui.ctx(), ui.min_rect());
 }
 
 /// A sign over its name; whether it was clicked.

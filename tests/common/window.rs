@@ -4,7 +4,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, TexturesDelta};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, TestRenderer};
 use shading_lab::app::App;
 use shading_lab::document::{Loaded, load};
@@ -15,9 +15,15 @@ pub fn window(scene: &str) -> Harness<'static, App> {
     window_with(scene, |app| app)
 }
 
-/// A window on a file or a built-in scene that is set up before its first frame.
+/// A window whose controls are all in reach, on a file or a built-in scene that is set up before its first frame.
 pub fn window_with(scene: &str, set_up: impl FnOnce(App) -> App) -> Harness<'static, App> {
     opened(load(Path::new(scene)).expect("a scene"), Nowhere, set_up)
+}
+
+/// A window with its sections folded as the scene has them.
+pub fn folded(scene: &str) -> Harness<'static, App> {
+    let loaded = load(Path::new(scene)).expect("a scene");
+    built(loaded, Nowhere, |app| app)
 }
 
 /// A window whose textures go to `card`.
@@ -35,6 +41,16 @@ pub fn window_of(loaded: Loaded) -> Harness<'static, App> {
 }
 
 fn opened(
+    loaded: Loaded,
+    card: impl TestRenderer + 'static,
+    set_up: impl FnOnce(App) -> App,
+) -> Harness<'static, App> {
+    let mut harness = built(loaded, card, set_up);
+    unfold_all(&mut harness);
+    harness
+}
+
+fn built(
     loaded: Loaded,
     card: impl TestRenderer + 'static,
     set_up: impl FnOnce(App) -> App,
@@ -103,12 +119,35 @@ pub fn press(harness: &mut Harness<'_, App>, name: &str) {
     harness.run();
 }
 
-/// Opens a section of the panel.
+/// Opens a section of the panel of controls.
 pub fn unfold(harness: &mut Harness<'_, App>, title: &str) {
-    harness
-        .get_by_role_and_label(Role::DisclosureTriangle, title)
-        .click_accesskit();
-    harness.run();
+    let section = harness.get_by_role_and_label(Role::DisclosureTriangle, title);
+    if section.accesskit_node().data().is_expanded() != Some(true) {
+        section.click_accesskit();
+        harness.run();
+    }
+}
+
+/// The sections of the panel of controls.
+pub const TITLES: [&str; 8] = [
+    "Material",
+    "Lights",
+    "Shading",
+    "Object",
+    "Surroundings",
+    "Transparency",
+    "Camera",
+    "Display",
+];
+
+/// Opens every section of the panel of controls, whatever the scene is about.
+pub fn unfold_all(harness: &mut Harness<'_, App>) {
+    for title in TITLES {
+        let section = harness.query_by_role_and_label(Role::DisclosureTriangle, title);
+        if section.is_some() {
+            unfold(harness, title);
+        }
+    }
 }
 
 /// Types a number into a field by its name.

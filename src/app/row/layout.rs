@@ -1,15 +1,17 @@
 //! The layout of a row: label, control and the button that resets it.
 
-use crate::app::focus::named;
+use crate::app::focus::{self, named};
 use crate::app::symbol::{Lit, Symbol};
+use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Button, Color32, Label, Layout, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2,
     pos2, vec2,
 };
 
-/// Width of the labels of a panel's rows, points.
-const LABEL: f32 = 104.0;
+/// Least and greatest width of the labels of a panel's rows, points, and the share of the row's width between.
+const LABEL: [f32; 2] = [104.0, 152.0];
+const LABEL_SHARE: f32 = 0.36;
 /// Width kept for the reset button, points.
 const RESET: f32 = 24.0;
 /// Width of a number's field, points.
@@ -69,6 +71,8 @@ pub fn row(
     control: impl FnOnce(&mut Ui),
 ) -> bool {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    let [least, greatest] = LABEL;
+    let label_width = (LABEL_SHARE * size.x).clamp(least, greatest);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
     if about.symbol.is_some() && ui.rect_contains_pointer(rect) {
         lit.next = about.symbol;
@@ -76,16 +80,16 @@ pub fn row(
     if about.symbol.is_some() && lit.now == about.symbol {
         let fill = ui.visuals().widgets.hovered.bg_fill.gamma_multiply(0.55);
         ui.painter()
-            .rect_filled(rect.expand2(vec2(6.0, 1.0)), 5.0, fill);
+            .rect_filled(rect.expand2(vec2(4.0, 2.0)), 6.0, fill);
     }
     let reset_here = label(
         ui,
         about,
         changed,
-        Rect::from_min_size(rect.min, vec2(LABEL, size.y)),
+        Rect::from_min_size(rect.min, vec2(label_width, size.y)),
     );
     let inner = Rect::from_min_max(
-        pos2(rect.min.x + LABEL, rect.min.y),
+        pos2(rect.min.x + label_width, rect.min.y),
         pos2(rect.max.x - RESET, rect.max.y),
     );
     let mut child = part(
@@ -111,8 +115,13 @@ pub fn row(
         lit.next = Some(symbol);
         lit.seek = None;
     }
+    let by_key = focus::by_key(ui, rect);
+    if by_key.arrived {
+        ui.scroll_to_rect(rect, None);
+    }
     let reset_rect = Rect::from_min_max(pos2(rect.max.x - RESET, rect.min.y), rect.max);
-    (changed && reset(ui, about, reset_rect)) || reset_here
+    let by_pointer = changed && reset(ui, about, reset_rect);
+    by_pointer || reset_here || by_key.reset
 }
 
 /// A part of a row, laid out in `rect`, whose widgets keep their identity whatever rows come and go.
@@ -152,7 +161,7 @@ fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
             |ui| {
                 ui.add(
                     Label::new(RichText::new(about.letter).color(tint).strong())
-                        .sense(Sense::click()),
+                        .sense(Sense::CLICK),
                 )
             },
         );
@@ -169,7 +178,7 @@ fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
             child.visuals().text_color()
         };
         let text = RichText::new(about.label).color(colour);
-        let words = child.add(Label::new(text).truncate().sense(Sense::click()));
+        let words = child.add(Label::new(text).truncate().sense(Sense::CLICK));
         response = Some(response.map_or(words.clone(), |letter| letter | words));
     }
     response.is_some_and(|response| {
@@ -192,8 +201,7 @@ fn reset(ui: &mut Ui, about: &About<'_>, rect: Rect) -> bool {
     let button = Button::new(RichText::new("↺").color(weak))
         .frame(false)
         .sense(Sense::CLICK);
-    let response = child
-        .add(button)
-        .on_hover_text("Back to the value as opened");
-    named(response, Role::Button, &format!("Reset {}", about.name())).clicked()
+    let response = child.add(button).on_hover_text(text!("controls-reset-tip"));
+    let name = text!("controls-reset", name = about.name());
+    named(response, Role::Button, &name).clicked()
 }

@@ -1,14 +1,25 @@
 //! Rows with a slider and a field for a number, and rows of several fields.
 
+use super::expression::evaluate;
 use super::layout::{About, FIELD, row, value_row};
-use crate::app::focus::{self, switch_named};
+use crate::app::focus::{aside, escaped, switch_named};
 use crate::app::symbol::Lit;
 use crate::scene::Rgb;
+use crate::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Button, DragValue, Response, Slider, SliderClamping, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    Button, DragValue, Response, Slider, SliderClamping, Stroke, StrokeKind, Tooltip, Ui,
+    WidgetInfo, vec2,
+};
+use std::cell::RefCell;
 use std::ops::RangeInclusive;
 
-pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+/// The keys of the channels' names.
+pub const CHANNELS: [&str; 3] = ["controls-red", "controls-green", "controls-blue"];
+/// The keys of the axes' names.
+pub const AXES: [&str; 3] = ["controls-x", "controls-y", "controls-z"];
+/// The keys of the names of two lengths.
+pub const SIDES: [&str; 2] = ["controls-width", "controls-height"];
 /// Width of the switch that makes a number infinite, points.
 const INFINITY_SWITCH: f32 = 26.0;
 
@@ -106,7 +117,7 @@ pub fn coefficient_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut Rgb) {
 
 /// A field for each channel of a coefficient, below its slider.
 pub fn channels_row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, value: &mut Rgb) {
-    let name = format!("{} per channel", about.name());
+    let name = text!("controls-per-channel", name = about.name());
     let channels = About {
         letter: "",
         label: "",
@@ -124,7 +135,7 @@ pub fn channels_row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, value: &mut R
     });
 }
 
-/// Numbers side by side.
+/// Numbers side by side; `parts` are the keys of their names.
 pub fn fields<const N: usize>(
     ui: &mut Ui,
     name: &str,
@@ -135,7 +146,7 @@ pub fn fields<const N: usize>(
     let gaps = (N - 1) as f32 * ui.spacing().item_spacing.x;
     let width = (ui.available_width() - gaps).max(0.0) / N as f32;
     for (part, value) in parts.into_iter().zip(values) {
-        field(ui, &format!("{name} {part}"), value, range, width);
+        field(ui, &format!("{name} {}", text!(part)), value, range, width);
     }
 }
 
@@ -169,14 +180,24 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     }
     let (enabled, shown) = (ui.is_enabled(), *value);
     response.widget_info(|| WidgetInfo::slider(enabled, shown, name));
+    aside(&response);
     response.on_hover_text(tip);
     field(ui, name, value, range, FIELD).on_hover_text(tip);
     if reaches_infinity {
         let on = *value == f64::INFINITY;
         ui.spacing_mut().button_padding.x = 4.0;
         let button = ui.add(Button::selectable(on, "∞").min_size(vec2(INFINITY_SWITCH, 0.0)));
-        let button = switch_named(button, Role::Button, on, &format!("{name} infinite"));
-        if button.on_hover_text("Infinity: a mirror").clicked() {
+        let button = switch_named(
+            button,
+            Role::Button,
+            on,
+            &text!("controls-infinite", name = name),
+        );
+        aside(&button);
+        if button
+            .on_hover_text(text!("controls-infinite-tip"))
+            .clicked()
+        {
             let finite = if spec.default.is_finite() {
                 spec.default
             } else {
@@ -187,7 +208,8 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     }
 }
 
-/// A field for one number, which takes its limits, `inf` and `∞`.
+/// A field for one number, or for arithmetic that gives one. A text that is no number leaves the value as it was, and the
+/// field says so until it is edited again.
 pub fn field(
     ui: &mut Ui,
     name: &str,
@@ -207,6 +229,18 @@ pub fn field(
     } else {
         range.limits.clone()
     };
+    let refused = RefCell::new(None);
+    let dropped = escaped(ui.ctx());
+    let parse = |text: &str| {
+        if dropped {
+            return None;
+        }
+        let number = evaluate(text);
+        if number.is_none() && !text.trim().is_empty() {
+            refused.replace(Some(text.trim().to_owned()));
+        }
+        number
+    };
     let widget = DragValue::new(value)
         .range(allowed)
         .clamp_existing_to_range(false)
@@ -216,7 +250,6 @@ pub fn field(
         .custom_formatter(move |value, _| display(value, decimals))
         .custom_parser(parse);
     let response = ui.add_sized(size, widget);
-    focus::register(&response);
     // A screen reader's number comes past the widget's own allowed, and may be none.
     if value.is_nan() {
         *value = before;
@@ -229,7 +262,47 @@ pub fn field(
         label: Some(name.to_owned()),
         ..WidgetInfo::drag_value(enabled, shown)
     });
+    let edited = response.has_focus() || response.dragged() || shown.to_bits() != before.to_bits();
+    wrong(&response, refused.into_inner(), edited);
     response
+}
+
+/// Shows a field whose text was `refused` in a red frame with the reason, until it is `edited`.
+fn wrong(response: &Response, refused: Option<String>, edited: bool) {
+    let id = response.id.with("refused");
+    let ctx = &response.ctx;
+    if let Some(text) = refused {
+        ctx.data_mut(|data| data.insert_temp(id, text));
+    } else if edited {
+        ctx.data_mut(|data| data.remove_temp::<String>(id));
+    }
+    let Some(text) = ctx.data(|data| data.get_temp::<String>(id)) else {
+        return;
+    };
+    let visuals = &ctx.global_style().visuals;
+    let stroke = Stroke::new(2.0, visuals.error_fg_color);
+    let rect = response.rect.expand(1.0);
+    ctx.layer_painter(response.layer_id)
+        .with_clip_rect(response.interact_rect.expand(3.0))
+        .rect_stroke(rect, 6.0, stroke, StrokeKind::Middle);
+    let mut tip = Tooltip::always_open(ctx.clone(), response.layer_id, id, response.rect);
+    tip.popup = tip.popup.width(220.0);
+    tip.show(|ui| {
+        ui.colored_label(
+            ui.visuals().error_fg_color,
+            text!("controls-field-wrong", text = shortened(&text)),
+        );
+        ui.label(text!("controls-field-accepts"));
+    });
+}
+
+/// No more of a text than fits beside a reason.
+fn shortened(text: &str) -> String {
+    const MOST: usize = 24;
+    if text.chars().count() <= MOST {
+        return text.to_owned();
+    }
+    text.chars().take(MOST).chain(['…']).collect()
 }
 
 /// A number as fields show it: no more digits than mean something.
@@ -261,18 +334,6 @@ pub fn display(value: f64, decimals: usize) -> String {
     }
 }
 
-fn parse(text: &str) -> Option<f64> {
-    let text = text
-        .trim()
-        .replace(['\u{2009}', ' ', '°'], "")
-        .replace('−', "-")
-        .replace(',', ".");
-    match text.as_str() {
-        "∞" => Some(f64::INFINITY),
-        _ => text.parse().ok().filter(|value: &f64| !value.is_nan()),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -292,11 +353,7 @@ mod tests {
     #[test]
     fn what_is_shown_can_be_typed() {
         for value in [0.1, 32.0, 1005.0, f64::INFINITY, 1e9, -2.5] {
-            assert_eq!(parse(&display(value, 3)), Some(value));
+            assert_eq!(evaluate(&display(value, 3)), Some(value));
         }
-        assert_eq!(parse("0,5"), Some(0.5));
-        assert_eq!(parse("−3"), Some(-3.0));
-        assert_eq!(parse("nan"), None);
-        assert_eq!(parse("x"), None);
     }
 }

@@ -1,9 +1,10 @@
 //! Controls of rows for colours, points, choices, switches and words.
 
 use super::layout::About;
-use super::number::{CHANNELS, SliderRange, fields};
-use crate::app::focus::{self, named, switch_named};
+use super::number::{AXES, CHANNELS, SliderRange, fields};
+use crate::app::focus::{aside, named, switch_named};
 use crate::scene::{ChoiceOption, Rgb};
+use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Button, Color32, ComboBox, Label, Popup, PopupCloseBehavior, RichText, Sense, Slider,
@@ -11,18 +12,18 @@ use eframe::egui::{
 };
 use glam::DVec3;
 
-/// Colours worth a click.
+/// Colours worth a click, by the keys of their names.
 const CHIPS: [(&str, Rgb); 10] = [
-    ("White", Rgb::new(1.0, 1.0, 1.0)),
-    ("Grey", Rgb::new(0.5, 0.5, 0.5)),
-    ("Black", Rgb::new(0.0, 0.0, 0.0)),
-    ("Warm white", Rgb::new(1.0, 0.85, 0.65)),
-    ("Cool white", Rgb::new(0.75, 0.87, 1.0)),
-    ("Red", Rgb::new(0.9, 0.3, 0.2)),
-    ("Yellow", Rgb::new(0.9, 0.75, 0.2)),
-    ("Green", Rgb::new(0.3, 0.7, 0.35)),
-    ("Blue", Rgb::new(0.25, 0.45, 0.9)),
-    ("Violet", Rgb::new(0.65, 0.35, 0.8)),
+    ("controls-chip-white", Rgb::new(1.0, 1.0, 1.0)),
+    ("controls-chip-grey", Rgb::new(0.5, 0.5, 0.5)),
+    ("controls-chip-black", Rgb::new(0.0, 0.0, 0.0)),
+    ("controls-chip-warm-white", Rgb::new(1.0, 0.85, 0.65)),
+    ("controls-chip-cool-white", Rgb::new(0.75, 0.87, 1.0)),
+    ("controls-chip-red", Rgb::new(0.9, 0.3, 0.2)),
+    ("controls-chip-yellow", Rgb::new(0.9, 0.75, 0.2)),
+    ("controls-chip-green", Rgb::new(0.3, 0.7, 0.35)),
+    ("controls-chip-blue", Rgb::new(0.25, 0.45, 0.9)),
+    ("controls-chip-violet", Rgb::new(0.65, 0.35, 0.8)),
 ];
 
 /// A linear colour as the textbooks' display shows it.
@@ -43,8 +44,13 @@ pub fn swatch_button(ui: &mut Ui, name: &str, value: &mut Rgb) {
     };
     ui.painter()
         .rect(rect, 4.0, swatch(*value), stroke, StrokeKind::Inside);
-    let response =
-        named(response, Role::Button, &format!("{name} colour")).on_hover_text("Choose a colour");
+    let response = named(
+        response,
+        Role::Button,
+        &text!("controls-swatch", name = name),
+    )
+    .on_hover_text(text!("controls-swatch-tip"));
+    aside(&response);
     Popup::menu(&response)
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
         .show(|ui| picker(ui, name, value));
@@ -52,7 +58,11 @@ pub fn swatch_button(ui: &mut Ui, name: &str, value: &mut Rgb) {
 
 fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
     ui.spacing_mut().slider_width = 170.0;
-    for (channel, part) in CHANNELS.into_iter().zip(value.as_mut()) {
+    for (channel, part) in CHANNELS
+        .map(|key| text!(key))
+        .into_iter()
+        .zip(value.as_mut())
+    {
         ui.horizontal(|ui| {
             ui.add_sized(vec2(44.0, 20.0), Label::new(channel));
             let slider = Slider::new(part, 0.0..=1.0)
@@ -61,7 +71,11 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
             let response = ui.add(slider);
             let shown = *part;
             response.widget_info(|| {
-                WidgetInfo::slider(true, shown, format!("{name} {channel} slider"))
+                WidgetInfo::slider(
+                    true,
+                    shown,
+                    text!("controls-channel-slider", name = name, channel = channel),
+                )
             });
             ui.label(RichText::new(format!("{shown:.2}")).monospace());
         });
@@ -78,6 +92,7 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
                 ui.visuals().window_stroke,
                 StrokeKind::Inside,
             );
+            let label = text!(label);
             if named(response, Role::Button, label)
                 .on_hover_text(label)
                 .clicked()
@@ -95,7 +110,7 @@ pub fn axes(ui: &mut Ui, name: &str, value: &mut DVec3) {
         decimals: 2,
         ..SliderRange::linear(-5.0..=5.0)
     };
-    fields(ui, name, ["x", "y", "z"], &range, value.as_mut());
+    fields(ui, name, AXES, &range, value.as_mut());
 }
 
 /// One of several options, each with its place, from a list that opens.
@@ -129,10 +144,15 @@ pub fn choice(
 
 /// On or off.
 pub fn toggle(ui: &mut Ui, name: &str, value: &mut bool) {
-    for (state, label) in [(true, "on"), (false, "off")] {
-        let on = *value == state;
-        let button = ui.add(Button::selectable(on, label).min_size(vec2(44.0, 0.0)));
-        if switch_named(button, Role::Button, on, &format!("{name} {label}")).clicked() {
+    let [on, off] = [text!("controls-on"), text!("controls-off")];
+    for (state, label) in [(true, on), (false, off)] {
+        let chosen = *value == state;
+        let button = ui.add(Button::selectable(chosen, label).min_size(vec2(44.0, 0.0)));
+        // The other way is one stop: the one that is not chosen yet.
+        if chosen {
+            aside(&button);
+        }
+        if switch_named(button, Role::Button, chosen, &format!("{name} {label}")).clicked() {
             *value = state;
         }
     }
@@ -142,10 +162,9 @@ pub fn toggle(ui: &mut Ui, name: &str, value: &mut bool) {
 pub fn text(ui: &mut Ui, about: &About<'_>, longest: usize, value: &mut String) {
     let field = TextEdit::singleline(value)
         .char_limit(longest)
-        .hint_text("no name")
+        .hint_text(text!("controls-no-name"))
         .desired_width(ui.available_width());
     let response = ui.add(field);
-    focus::register(&response);
     let (enabled, shown) = (ui.is_enabled(), value.clone());
     response.widget_info(|| WidgetInfo {
         current_text_value: Some(shown.clone()),
