@@ -22,6 +22,7 @@ mod files;
 mod filled;
 mod focus;
 mod handles;
+mod heading;
 mod layout;
 mod letter;
 mod lines;

@@ -28,6 +28,7 @@ pub use report::{Mix, ScanQuestion, ScanStop, Stop};
 use crate::figure::lowered;
 use crate::render::Renderer;
 use crate::scene::{Rgb, Scene, ShadingMode};
+use crate::text::text;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 use std::ops::RangeInclusive;
@@ -218,20 +219,30 @@ pub struct ScanPoint<'a> {
 /// Why a polygon cannot be scanned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum ScanError {
-    #[error("no face {face} in the object, expected 0 to {last}", last = .count.saturating_sub(1))]
+    #[error("{}", no_face(*.face, *.count))]
     NoFace { face: u32, count: usize },
-    #[error("the object has no polygons")]
+    #[error("{}", text!("line-scan-error-empty"))]
     Empty,
-    #[error("{rows} rows, expected {low} to {high}", low = Scan::ROWS.start(), high = Scan::ROWS.end())]
+    #[error("{}", wrong_rows(*.rows))]
     Rows { rows: u32 },
-    #[error(
-        "face {face} reaches behind the eye and is cut before it is drawn, expected one that is wholly in front of it"
-    )]
+    #[error("{}", of_face("line-scan-error-behind", *.face))]
     BehindTheEye { face: u32 },
-    #[error(
-        "face {face} is seen edge-on: no pixel's centre lies inside, expected one that is turned to the viewer"
-    )]
+    #[error("{}", of_face("line-scan-error-edge-on", *.face))]
     EdgeOn { face: u32 },
+}
+
+fn no_face(face: u32, count: usize) -> String {
+    let last = count.saturating_sub(1);
+    text!("line-scan-error-no-face", face = face, last = last)
+}
+
+fn wrong_rows(rows: u32) -> String {
+    let (low, high) = (*Scan::ROWS.start(), *Scan::ROWS.end());
+    text!("line-scan-error-rows", rows = rows, low = low, high = high)
+}
+
+fn of_face(key: &str, face: u32) -> String {
+    text!(key, face = face)
 }
 
 impl Scan {

@@ -7,6 +7,7 @@ pub use view::ScanView;
 use super::action::{Action, Walk};
 use super::drawing::{colour_of, drawing_ui, plot_style};
 use super::engine::Engine;
+use super::heading::heading_ui;
 use super::letter::lettered;
 use super::lines::{line, outline};
 use super::look::NumbersTab;
@@ -21,11 +22,12 @@ use super::typeset::{self, Piece, run_ui};
 use crate::analysis::{Carried, Mix, Scan, ScanLevel, ScanStop};
 use crate::figure::palette::{ALPHA, Vector};
 use crate::figure::{PlotStyle, Set};
+use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align, Button, Color32, CornerRadius, FontId, Id, Label, Layout, Painter, RichText, Sense,
-    Slider, Stroke, StrokeKind, TextStyle, Ui, Visuals, WidgetInfo, vec2,
+    Align, Button, Color32, FontId, Id, Label, Layout, Painter, RichText, Sense, Slider, Stroke,
+    Ui, Visuals, WidgetInfo, vec2,
 };
 use glam::DVec2;
 use std::sync::Arc;
@@ -34,46 +36,42 @@ use std::sync::Arc;
 const DRAWN_LETTERS: f64 = 1.05;
 /// The drawing takes at most this part of the panel's height: the formula below it is to be in sight.
 const TALLEST: f32 = 0.46;
-/// Height of a button, width of an arrow's button, and the space between the three groups; points.
+/// Height of a button, width of an arrow's button, the space between parts, and that between two buttons; points.
 const HEIGHT: f32 = 28.0;
 const ARROW: f32 = 28.0;
 const GROUPS: f32 = 8.0;
-/// Size of the formula's letters, and of those of its components; side of the swatch. Points.
+const GAP: f32 = 3.0;
+/// Size of the formula's letters, and of those of its components. Points.
 const FORMULA: f32 = 17.0;
 const COMPONENT: f32 = 14.0;
-const SWATCH: f32 = 34.0;
+/// From this width on the drawing stands beside the rest, which has this part of the width; its least height. Points.
+const WIDE: f32 = 620.0;
+const DRAWN: f32 = 0.42;
+const LEAST_DRAWING: f32 = 160.0;
+/// Greatest width of the controls, and least width of a formula. Points.
+const TRANSPORT: f32 = 480.0;
+const CARD: f32 = 270.0;
 
-/// The scan line's tab.
+/// The scan line's view.
 pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &Engine) {
     view.update(engine, state.document.model.as_ref());
     view.play(ui.ctx());
-    let style = PlotStyle {
-        text: DRAWN_LETTERS * f64::from(TEXT),
-        ..plot_style(ui)
-    };
-    let width = ui.available_width();
-    // In a window that is all but closed, nothing is in sight.
-    let tallest = TALLEST * ui.clip_rect().height().max(0.0);
-    view.lay_out([width, tallest.min(width)], style);
     match view.scan() {
         Some(Ok(scan)) => {
-            let (scan, step) = (Arc::clone(scan), view.step());
-            if let Some(drawing) = &view.drawing {
-                let words = || {
-                    format!(
-                        "Face {}, {} corners, enlarged; {}",
-                        scan.face,
-                        scan.corners.len(),
-                        scan.caption(step)
-                    )
-                };
-                drawing_ui(ui, drawing, Sense::hover(), words);
+            let scan = Arc::clone(scan);
+            if ui.available_width() >= WIDE {
+                wide_ui(ui, view, state, &scan);
+            } else {
+                // In a window that is all but closed, nothing is in sight.
+                let tallest = TALLEST * ui.clip_rect().height().max(0.0);
+                drawing_of(ui, view, &scan, tallest);
+                ui.add_space(4.0);
+                transport_ui(ui, view, state, scan.last());
+                ui.add_space(6.0);
+                let found = scan.found(view.step());
+                formula_ui(ui, &scan, view.step(), found.last(), state);
+                tables_ui(ui, &scan, view.step());
             }
-            ui.add_space(4.0);
-            transport_ui(ui, view, state, scan.last());
-            ui.add_space(6.0);
-            formula_ui(ui, &scan, view.step(), state);
-            tables_ui(ui, &scan, view.step());
             export_ui(ui, state, "scanline", || {
                 let answer = ScanStop {
                     step: view.step(),
@@ -82,24 +80,77 @@ pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &
                 Some((Box::new(answer), engine.drawn()?.clone()))
             });
         }
-        Some(Err(why)) => _ = ui.label(format!("It cannot be scanned: {why}.")),
-        None => {
-            _ = ui.label(
-                "The probe sees the background. Double-click the object, or drag the ring onto it.",
-            );
-        }
+        Some(Err(why)) => _ = ui.label(text!("line-scan-refused", why = why.as_str())),
+        None => _ = ui.label(text!("line-scan-background")),
     }
     ui.add_space(8.0);
     settings_ui(ui, view, state);
+}
+
+/// The drawing at the left; the controls, P, Q and the pixel side by side, and the tables at the right.
+fn wide_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, scan: &Scan) {
+    let width = ui.available_width();
+    let tallest = (ui.clip_rect().height() - 2.0 * GROUPS).max(LEAST_DRAWING);
+    let drawn = (DRAWN * width).min(1.25 * tallest);
+    ui.horizontal_top(|ui| {
+        ui.allocate_ui_with_layout(vec2(drawn, tallest), Layout::top_down(Align::Min), |ui| {
+            ui.set_width(drawn);
+            drawing_of(ui, view, scan, tallest);
+        });
+        ui.add_space(2.0 * GROUPS);
+        ui.vertical(|ui| {
+            ui.allocate_ui_with_layout(
+                vec2(ui.available_width().min(TRANSPORT), 0.0),
+                Layout::top_down(Align::Min),
+                |ui| transport_ui(ui, view, state, scan.last()),
+            );
+            ui.add_space(6.0);
+            let (step, found) = (view.step(), scan.found(view.step()));
+            if found.is_empty() {
+                formula_ui(ui, scan, step, None, state);
+            } else {
+                let count = ((ui.available_width() / CARD) as usize).clamp(1, found.len());
+                ui.columns(count, |columns| {
+                    let last = found.iter().skip(found.len() - count);
+                    for (ui, mix) in columns.iter_mut().zip(last) {
+                        formula_ui(ui, scan, step, Some(mix), state);
+                    }
+                });
+            }
+            tables_ui(ui, scan, step);
+        });
+    });
+}
+
+/// The enlarged polygon in the width that there is.
+fn drawing_of(ui: &mut Ui, view: &mut ScanView, scan: &Scan, tallest: f32) {
+    let style = PlotStyle {
+        text: DRAWN_LETTERS * f64::from(TEXT),
+        ..plot_style(ui)
+    };
+    let width = ui.available_width();
+    view.lay_out([width, tallest.min(width)], style);
+    let step = view.step();
+    if let Some(drawing) = &view.drawing {
+        let words = || {
+            text!(
+                "line-scan-drawing",
+                face = scan.face,
+                corners = scan.corners.len(),
+                caption = scan.caption(step)
+            )
+        };
+        drawing_ui(ui, drawing, Sense::hover(), words);
+    }
 }
 
 fn settings_ui(ui: &mut Ui, scan: &mut ScanView, state: &mut AppState) {
     let lit = &mut state.lit;
     let usual = ScanView::default();
     let about = About {
-        label: "speed",
-        name: "Scan speed",
-        tip: "Steps a second while it plays.",
+        label: text!("line-scan-speed"),
+        name: text!("line-scan-speed.name"),
+        tip: text!("line-scan-speed.tip"),
         ..About::default()
     };
     let range = SliderRange {
@@ -118,9 +169,9 @@ fn settings_ui(ui: &mut Ui, scan: &mut ScanView, state: &mut AppState) {
         &mut scan.speed,
     );
     let about = About {
-        label: "rows",
-        name: "Scan rows",
-        tip: "Rows of enlarged pixels.",
+        label: text!("line-scan-rows"),
+        name: text!("line-scan-rows.name"),
+        tip: text!("line-scan-rows.tip"),
         ..About::default()
     };
     let span = f64::from(*Scan::ROWS.start())..=f64::from(*Scan::ROWS.end());
@@ -149,22 +200,22 @@ fn transport_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, last: us
             ui,
             state,
             "|◀",
-            "First step",
-            "To the beginning (Home)",
+            text!("line-scan-first"),
+            text!("line-scan-first.tip"),
             ARROW,
             Walk::First,
         );
-        let (text, name) = if view.is_playing() {
-            ("■ Pause", "Pause")
+        let (sign, name) = if view.is_playing() {
+            ("■", text!("line-scan-pause"))
         } else {
-            ("▶ Play", "Play")
+            ("▶", text!("line-scan-play"))
         };
         walk_ui(
             ui,
             state,
-            text,
+            &format!("{sign} {name}"),
             name,
-            "Plays step by step, or pauses (Space)",
+            text!("line-scan-play.tip"),
             84.0,
             Walk::Play,
         );
@@ -172,64 +223,69 @@ fn transport_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, last: us
             ui,
             state,
             "▶|",
-            "Last step",
-            "To the end (End)",
+            text!("line-scan-last"),
+            text!("line-scan-last.tip"),
             ARROW,
             Walk::Last,
         );
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.label(RichText::new(format!("step {} of {last}", view.step())).weak());
+            let words = text!("line-scan-step-of", step = view.step(), last = last);
+            ui.label(RichText::new(words).weak());
         });
     });
     let mut step = view.step();
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = ui.add(Slider::new(&mut step, 0..=last).show_value(false));
     let (enabled, value) = (ui.is_enabled(), step);
-    slider.widget_info(|| WidgetInfo::slider(enabled, value as f64, "Scan step"));
+    slider.widget_info(|| WidgetInfo::slider(enabled, value as f64, text!("line-scan-step")));
     if slider.changed() {
         view.go_to(step);
     }
-    // ◀ pixel ▶  ◀ edge ▶  ◀ line ▶
-    let middle = ((ui.available_width() - 2.0 * GROUPS) / 3.0 - 2.0 * ARROW).max(0.0);
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 0.0;
-        let levels = [
-            (ScanLevel::Pixel, "pixel", "Pixel", ", ."),
-            (ScanLevel::Edge, "edge", "Edge", "[ ]"),
-            (ScanLevel::Line, "line", "Line", "Page up, Page down"),
-        ];
-        for (index, (level, word, name, keys)) in levels.into_iter().enumerate() {
-            if index > 0 {
-                ui.add_space(GROUPS);
-            }
-            let tip = |way: &str| format!("A {word} {way} ({keys})").replace("A e", "An e");
-            walk_ui(
-                ui,
-                state,
-                "◀",
-                &format!("{name} back"),
-                &tip("back"),
-                ARROW,
-                Walk::Back(level),
-            );
-            ui.allocate_ui_with_layout(
-                vec2(middle, HEIGHT),
-                Layout::top_down(Align::Center),
-                |ui| {
-                    ui.set_min_size(vec2(middle, HEIGHT));
-                    ui.add_space(0.5 * (HEIGHT - ui.text_style_height(&TextStyle::Body)));
-                    ui.label(word);
-                },
-            );
-            walk_ui(
-                ui,
-                state,
-                "▶",
-                &format!("{name} forward"),
-                &tip("forwards"),
-                ARROW,
-                Walk::Forward(level),
-            );
+    //  pixel    edge     line
+    //  ◀  ▶    ◀  ▶    ◀  ▶
+    let levels = [
+        (
+            ScanLevel::Pixel,
+            text!("line-scan-level-pixel"),
+            [
+                text!("line-scan-pixel-back"),
+                text!("line-scan-pixel-forward"),
+            ],
+            [",", "."],
+        ),
+        (
+            ScanLevel::Edge,
+            text!("line-scan-level-edge"),
+            [
+                text!("line-scan-edge-back"),
+                text!("line-scan-edge-forward"),
+            ],
+            ["[", "]"],
+        ),
+        (
+            ScanLevel::Line,
+            text!("line-scan-level-line"),
+            [
+                text!("line-scan-line-back"),
+                text!("line-scan-line-forward"),
+            ],
+            ["Page up", "Page down"],
+        ),
+    ];
+    ui.columns(levels.len(), |columns| {
+        for (ui, (level, word, names, keys)) in columns.iter_mut().zip(levels) {
+            ui.spacing_mut().item_spacing = vec2(GAP, 1.0);
+            ui.vertical_centered(|ui| ui.label(RichText::new(word).weak()));
+            let width = 0.5 * (ui.available_width() - GAP);
+            let walks = [("◀", Walk::Back(level)), ("▶", Walk::Forward(level))];
+            ui.horizontal(|ui| {
+                for ((sign, walk), (name, key)) in
+                    walks.into_iter().zip(names.into_iter().zip(keys))
+                {
+                    let tip = format!("{name} ({key})");
+                    walk_ui(ui, state, sign, name, &tip, width, walk);
+                }
+            });
         }
     });
 }
@@ -251,41 +307,43 @@ fn walk_ui(
     }
 }
 
-/// What was found last: its colour, its name and where it lies, then its formula, filled in with its numbers.
-fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, state: &mut AppState) {
+/// What was found: its colour, its name and where it lies, what it is, then its formulas, filled in with its numbers.
+fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>, state: &mut AppState) {
     let line = scan.at(step).line;
-    let Some(mix) = scan.found(step).pop() else {
+    let Some(mix) = mix else {
         heading_ui(
             ui,
             None,
-            &format!("Scan line {}", line.y),
-            &format!("crosses {}", scan.active_edges(line)),
+            &text!("line-scan-line", y = line.y),
+            &text!("line-scan-active-edges", edges = scan.active_edges(line)),
         );
         ui.add_space(6.0);
         return;
     };
     let place = match mix.pixel.map(|pixel| pixel.stored) {
-        Some([r, g, b]) => format!("stored {r}, {g}, {b}"),
-        None => format!("scan line {}, x = {:.2}", line.y, mix.x),
+        Some([r, g, b]) => text!("line-scan-stored", r = r, g = g, b = b),
+        None => text!("line-scan-place", y = line.y, x = format!("{:.2}", mix.x)),
     };
     heading_ui(ui, mix.stored, &mix.name, &place);
-    let plain = ui.visuals().text_color();
+    let (plain, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
+    lettered_ui(ui, &mix.definition(), weak);
+    lettered_ui(ui, &mix.alpha_formula(), plain);
+    lettered_ui(ui, &mix.alpha_text(), plain);
+    ui.add_space(3.0);
     if scan.carried == Carried::Constant {
-        ui.label("I is the polygon's own: nothing is interpolated.");
-        lettered_ui(ui, &mix.alpha_text(), plain);
+        ui.label(text!("line-scan-not-interpolated"));
     } else {
         let place = typeset::Place {
-            id: Id::unique("scan formula"),
-            name: "in the scan line",
+            id: Id::unique(("scan formula", mix.of)),
+            name: text!("line-scan-formula"),
         };
         run_ui(
             ui,
             state,
-            &pieces(&mix, scan.carried, ui.visuals()),
+            &pieces(mix, scan.carried, ui.visuals()),
             FORMULA,
             place,
         );
-        lettered_ui(ui, &mix.alpha_text(), plain);
         for (index, name) in scan.carried.components().into_iter().enumerate() {
             component_ui(ui, name, &mix.row(index));
         }
@@ -298,33 +356,6 @@ fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, state: &mut AppState) {
         ui.label(words);
     }
     ui.add_space(6.0);
-}
-
-fn heading_ui(ui: &mut Ui, swatch: Option<[u8; 3]>, heading: &str, weak: &str) {
-    ui.horizontal(|ui| {
-        let (rect, response) = ui.allocate_exact_size(vec2(SWATCH, SWATCH), Sense::hover());
-        let round = CornerRadius::same(5);
-        if let Some([r, g, b]) = swatch {
-            ui.painter()
-                .rect_filled(rect, round, Color32::from_rgb(r, g, b));
-            response.widget_info(|| {
-                WidgetInfo::labeled(Role::Image, true, format!("colour {r}, {g}, {b}"))
-            });
-        } else {
-            let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
-            ui.painter()
-                .rect_stroke(rect, round, stroke, StrokeKind::Inside);
-        }
-        ui.vertical(|ui| {
-            ui.spacing_mut().item_spacing.y = 1.0;
-            let (strong, faint) = (
-                ui.visuals().strong_text_color(),
-                ui.visuals().weak_text_color(),
-            );
-            lettered_ui(ui, heading, strong);
-            lettered_ui(ui, weak, faint);
-        });
-    });
 }
 
 /// `I` with P below the line `= (1−α)·I…`
@@ -390,7 +421,7 @@ fn tables_ui(ui: &mut Ui, scan: &Scan, step: usize) {
         }
         ui.add_space(8.0);
     }
-    ui.label(RichText::new("Edge table").strong());
+    ui.label(RichText::new(text!("line-scan-edge-table")).strong());
     table_ui(ui, "scan edges", &scan.edge_table(step), false);
 }
 

@@ -58,3 +58,73 @@ line-edges-crowded = { $count ->
     [one] { $count } polygon edge
    *[other] { $count } polygon edges, too close to draw
 }
+
+# The scan line
+line-scan-error-no-face = no face { $face } in the object, expected 0 to { $last }
+line-scan-error-empty = the object has no polygons
+line-scan-error-rows = { $rows } rows, expected { $low } to { $high }
+line-scan-error-behind = face { $face } reaches behind the viewer and is clipped before it is drawn, expected one that lies wholly in front
+line-scan-error-edge-on = face { $face } is seen edge-on and covers no pixel centre, expected one that is turned towards the viewer
+line-scan-error-background = pixel { $x },{ $y } shows the background, expected one that shows the object
+line-scan-error-step = --step { $step }: no such step, expected 0 to { $last } or last
+line-scan-error-line = --line { $y }: not a scan line of the polygon, expected { $first } to { $last } or last
+line-scan-refused = This polygon cannot be scanned: { $why }.
+line-scan-background = The probe is on the background. Double-click the object, or drag the ring onto it.
+line-scan-figure-title = Scan conversion: { $mode } shading, face { $face }
+line-scan-alternative = Scan conversion: { $caption }
+line-scan-report-title = face { $face }, { $corners } corners, { $mode } shading: { $what }
+line-scan-report-line = scan line { $y }, pixel centres at y = { $at }
+line-scan-constant = one intensity for the whole polygon
+line-scan-intensities = the intensities at the corners are interpolated
+line-scan-normals = the normals at the corners are interpolated
+line-scan-drawing = Face { $face }, { $corners } corners, enlarged; { $caption }
+line-scan-at = Scan line { $y }: { $what }
+line-scan-crosses = Scan line { $y }: active edges { $edges }
+line-scan-line = Scan line { $y }
+line-scan-active-edges = crosses the edges { $edges }
+line-scan-place = scan line { $y }, x = { $x }
+line-scan-stored = stored { $r }, { $g }, { $b }
+line-scan-difference = difference { $values }
+line-scan-on-edge = { $letter } on edge { $edge }
+line-scan-pixel = Pixel ({ $x }, { $y })
+line-scan-p = P is where the scan line enters the polygon. α says how far down its edge P lies: 0 at { $from }, 1 at { $to }.
+line-scan-q = Q is where the scan line leaves the polygon. α says how far down its edge Q lies: 0 at { $from }, 1 at { $to }.
+line-scan-pixel-alpha = α says how far from P to Q the pixel's centre lies: 0 at P, 1 at Q.
+line-scan-not-interpolated = I is the intensity of the whole polygon. Nothing is interpolated.
+line-scan-renormalised = |N| = { $length }; N is made a unit vector before the equation
+line-scan-not-renormalised = |N| = { $length }; N enters the equation with this length
+line-scan-affine = Barycentric, affine
+line-scan-perspective = Barycentric, perspective-correct
+line-scan-formula = in the scan line
+line-scan-row-pixel = pixel
+line-scan-row-barycentric = barycentric
+line-scan-row-difference = difference
+line-scan-edge-table = Edge table
+line-scan-edge = edge
+line-scan-active = active
+line-scan-edge-row = { $edge }  y { $top } to { $bottom }, dx/dy { $slope }
+line-scan-speed = Speed
+    .name = Scan speed
+    .tip = Steps per second while it plays.
+line-scan-rows = Rows
+    .name = Scan rows
+    .tip = Rows of enlarged pixels.
+line-scan-first = First step
+    .tip = To the first step (Home)
+line-scan-last = Last step
+    .tip = To the last step (End)
+line-scan-play = Play
+    .tip = Plays step by step, or pauses (Space)
+line-scan-pause = Pause
+line-scan-step-of = step { $step } of { $last }
+line-scan-step = Scan step
+line-scan-level-pixel = pixel
+line-scan-level-edge = edge
+line-scan-level-line = line
+line-scan-pixel-back = Pixel back
+line-scan-pixel-forward = Pixel forward
+line-scan-edge-back = Edge back
+line-scan-edge-forward = Edge forward
+line-scan-line-back = Line back
+line-scan-line-forward = Line forward
+line-colour = colour { $r }, { $g }, { $b }

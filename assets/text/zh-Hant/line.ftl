@@ -57,3 +57,73 @@ line-axis-added = 感知 − 實際（線性亮度）
 line-edges-crowded = { $count ->
    *[other] { $count } 條多邊形邊，太密而未畫出
 }
+
+# The scan line
+line-scan-error-no-face = 物體沒有第 { $face } 面，應介於 0 與 { $last } 之間
+line-scan-error-empty = 物體沒有多邊形
+line-scan-error-rows = { $rows } 列，應介於 { $low } 與 { $high } 之間
+line-scan-error-behind = 第 { $face } 面延伸到觀察者後方，繪製前會被裁切；應選完全在前方的面
+line-scan-error-edge-on = 第 { $face } 面側對觀察者，沒有涵蓋任何像素中心；應選面向觀察者的面
+line-scan-error-background = 像素 { $x },{ $y } 是背景，應選看得見物體的像素
+line-scan-error-step = --step { $step }：沒有這一步，應為 0 到 { $last }，或 last
+line-scan-error-line = --line { $y }：不是這個多邊形的掃描線，應為 { $first } 到 { $last }，或 last
+line-scan-refused = 無法掃描這個多邊形：{ $why }。
+line-scan-background = 探測點在背景上。請在物體上按兩下，或把圓環拖到物體上。
+line-scan-figure-title = 掃描轉換：{ $mode } 著色，第 { $face } 面
+line-scan-alternative = 掃描轉換：{ $caption }
+line-scan-report-title = 第 { $face } 面，{ $corners } 個頂點，{ $mode } 著色：{ $what }
+line-scan-report-line = 掃描線 { $y }，像素中心在 y = { $at }
+line-scan-constant = 整個多邊形只有一個亮度
+line-scan-intensities = 內插頂點的亮度
+line-scan-normals = 內插頂點的法向量
+line-scan-drawing = 第 { $face } 面，{ $corners } 個頂點，放大；{ $caption }
+line-scan-at = 掃描線 { $y }：{ $what }
+line-scan-crosses = 掃描線 { $y }：作用中的邊 { $edges }
+line-scan-line = 掃描線（scan line）{ $y }
+line-scan-active-edges = 與邊 { $edges } 相交
+line-scan-place = 掃描線 { $y }，x = { $x }
+line-scan-stored = 儲存值 { $r }, { $g }, { $b }
+line-scan-difference = 差 { $values }
+line-scan-on-edge = 邊 { $edge } 上的 { $letter }
+line-scan-pixel = 像素 ({ $x }, { $y })
+line-scan-p = P 是掃描線進入多邊形之處。α 表示 P 在邊上往下多遠：在 { $from } 為 0，在 { $to } 為 1。
+line-scan-q = Q 是掃描線離開多邊形之處。α 表示 Q 在邊上往下多遠：在 { $from } 為 0，在 { $to } 為 1。
+line-scan-pixel-alpha = α 表示像素中心從 P 到 Q 走了多遠：在 P 為 0，在 Q 為 1。
+line-scan-not-interpolated = I 是整個多邊形的亮度，不做內插。
+line-scan-renormalised = |N| = { $length }；代入方程式前先化為單位向量
+line-scan-not-renormalised = |N| = { $length }；以此長度代入方程式
+line-scan-affine = 重心座標（barycentric），仿射
+line-scan-perspective = 重心座標（barycentric），透視校正
+line-scan-formula = 在掃描線上
+line-scan-row-pixel = 像素
+line-scan-row-barycentric = 重心座標
+line-scan-row-difference = 差
+line-scan-edge-table = 邊表（edge table）
+line-scan-edge = 邊
+line-scan-active = 作用中
+line-scan-edge-row = { $edge }  y { $top } 至 { $bottom }，dx/dy { $slope }
+line-scan-speed = 速度
+    .name = 掃描速度
+    .tip = 播放時每秒的步數。
+line-scan-rows = 列數
+    .name = 掃描列數
+    .tip = 放大像素的列數。
+line-scan-first = 第一步
+    .tip = 到第一步（Home）
+line-scan-last = 最後一步
+    .tip = 到最後一步（End）
+line-scan-play = 播放
+    .tip = 逐步播放或暫停（空白鍵）
+line-scan-pause = 暫停
+line-scan-step-of = 第 { $step } 步，共 { $last } 步
+line-scan-step = 掃描步驟
+line-scan-level-pixel = 像素
+line-scan-level-edge = 邊
+line-scan-level-line = 掃描線
+line-scan-pixel-back = 上一個像素
+line-scan-pixel-forward = 下一個像素
+line-scan-edge-back = 上一條邊
+line-scan-edge-forward = 下一條邊
+line-scan-line-back = 上一條掃描線
+line-scan-line-forward = 下一條掃描線
+line-colour = 顏色 { $r }, { $g }, { $b }

@@ -6,7 +6,8 @@
 use super::{Crossing, Scan, ScanLevel, ScanPoint, corner_name};
 use crate::figure::palette::{ALPHA, Rgb8, readable};
 use crate::figure::{Area, Drawing, Paper, PlotStyle, Shape, Text};
-use crate::scene::ShadingMode;
+use crate::scene::{Choice, ShadingMode};
+use crate::text::text;
 use glam::DVec2;
 
 /// Room for letters about the outermost corners, in ems: for α at the sides, for the corners' names above and below.
@@ -100,14 +101,13 @@ fn draw_column(
         max: room.max - em,
     };
     let mode = match scan.mode {
-        ShadingMode::Flat => "flat",
-        ShadingMode::Interpolated => "interpolated",
-        ShadingMode::Gouraud => "Gouraud",
-        ShadingMode::Phong | ShadingMode::Exact => "Phong",
+        ShadingMode::Exact => ShadingMode::Phong,
+        mode => mode,
     };
-    let title = format!(
-        "The scan line in slow motion: {mode} shading, face {}",
-        scan.face
+    let title = text!(
+        "line-scan-figure-title",
+        mode = mode.label(),
+        face = scan.face
     );
     rest.min.y += 1.2 * em;
     drawing
@@ -168,20 +168,21 @@ fn draw_column(
             .take(MOST_LETTERS)
             .map(|(index, edge)| {
                 let mark = if point.line.active.contains(&index) {
-                    "active"
+                    text!("line-scan-active")
                 } else {
                     ""
                 };
-                let (name, slope) = (
-                    scan.edge_name(index),
-                    format!("{:.2}", edge.dx_dy).replace('-', "−"),
+                let slope = format!("{:.2}", edge.dx_dy).replace('-', "−");
+                let row = text!(
+                    "line-scan-edge-row",
+                    edge = scan.edge_name(index),
+                    top = format!("{:.2}", edge.y_top),
+                    bottom = format!("{:.2}", edge.y_bottom),
+                    slope = slope
                 );
-                format!(
-                    "{name}  y {:.2} to {:.2}, dx/dy {slope}  {mark}",
-                    edge.y_top, edge.y_bottom
-                )
+                format!("{row}  {mark}")
             });
-        block(None, "Edge table", lines.collect());
+        block(None, text!("line-scan-edge-table"), lines.collect());
     }
     for mix in scan.found(step) {
         block(mix.stored, &mix.name, mix.lines(scan));

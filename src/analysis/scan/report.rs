@@ -8,6 +8,7 @@ use crate::analysis::report::{About, Answer, Column, Figure, Part, Report, Table
 use crate::analysis::{Question, Subject, Watch, clearest_pixel};
 use crate::figure::{Paper, PlotStyle};
 use crate::scene::Choice;
+use crate::text::text;
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -61,11 +62,7 @@ impl Question for ScanQuestion {
                     .pixel
                     .unwrap_or_else(|| clearest_pixel(&mut renderer, scene).pixel);
                 let seen = face_at(&mut renderer, scene, x, y);
-                let expected = || {
-                    format!(
-                        "pixel {x},{y} shows the background, expected one that shows the object"
-                    )
-                };
+                let expected = || text!("line-scan-error-background", x = x, y = y);
                 (
                     seen.ok_or_else(expected)?,
                     Some(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5)),
@@ -79,18 +76,12 @@ impl Question for ScanQuestion {
             Stop::Last => last,
             Stop::Step(step) if step <= last => step,
             Stop::Step(step) => {
-                return Err(format!(
-                    "--step {step}: no such step, expected 0 to {last} or last"
-                ));
+                return Err(text!("line-scan-error-step", step = step, last = last));
             }
             Stop::Line(y) => {
                 let [first, end] = [scan.lines.first(), scan.lines.last()]
                     .map(|line| line.map_or(0, |line| line.y));
-                let expected = || {
-                    format!(
-                        "--line {y}: not a scan line of the polygon, expected {first} to {end} or last"
-                    )
-                };
+                let expected = || text!("line-scan-error-line", y = y, first = first, last = end);
                 scan.steps_of_line(y)
                     .map(|[_, end]| end)
                     .ok_or_else(expected)?
@@ -108,22 +99,20 @@ impl Answer for ScanStop {
     fn report(&self, _: &About<'_>) -> Report {
         let scan = &self.scan;
         let line = scan.at(self.step).line;
-        let what = match scan.carried {
-            Carried::Constant => "one intensity for the whole polygon",
-            Carried::Intensity => "the corners' intensities are interpolated",
-            Carried::Normal => "the corners' normals are interpolated",
-        };
-        let (face, corners, mode) = (scan.face, scan.corners.len(), scan.mode.word());
-        let mut report = Report::new(format!(
-            "face {face}, {corners} corners, {mode} shading, {what}"
+        let mut report = Report::new(text!(
+            "line-scan-report-title",
+            face = scan.face,
+            corners = scan.corners.len(),
+            mode = scan.mode.label(),
+            what = scan.carried.words()
         ));
         report
-            .section("Edge table")
+            .section(text!("line-scan-edge-table"))
             .push(Part::Table(scan.edge_table(self.step)));
-        report.section(format!(
-            "scan line {}, centres at y = {}",
-            line.y,
-            line.at()
+        report.section(text!(
+            "line-scan-report-line",
+            y = line.y,
+            at = line.at().to_string()
         ));
         let [first, last] = scan.steps_of_line(line.y).unwrap_or_default();
         for mix in (first..=last).filter_map(|step| scan.found(step).pop()) {
@@ -187,9 +176,9 @@ impl Answer for ScanStop {
                 titled: true,
             },
         );
-        let title = format!(
-            "The scan line in slow motion: {}",
-            self.scan.caption(self.step)
+        let title = text!(
+            "line-scan-alternative",
+            caption = self.scan.caption(self.step)
         );
         Some(Figure::Drawing { drawing, title })
     }
@@ -217,6 +206,25 @@ pub struct Mix<'a> {
 }
 
 impl Mix<'_> {
+    /// What it is, and what α says there.
+    pub fn definition(&self) -> String {
+        let [from, to] = &self.ends;
+        match self.of {
+            "P" => text!("line-scan-p", from = from.as_str(), to = to.as_str()),
+            "Q" => text!("line-scan-q", from = from.as_str(), to = to.as_str()),
+            _ => text!("line-scan-pixel-alpha").to_owned(),
+        }
+    }
+
+    /// `α = (y − y₁) / (y₂ − y₁)`: y on an edge, x on the scan line.
+    pub fn alpha_formula(&self) -> String {
+        if self.of.is_empty() {
+            return "α = (x − x(P)) / (x(Q) − x(P))".to_owned();
+        }
+        let [from, to] = &self.ends;
+        format!("α = (y − y({from})) / (y({to}) − y({from}))")
+    }
+
     /// `α = (7.50 − 2.00) / (14.00 − 2.00) = 0.458`.
     pub fn alpha_text(&self) -> String {
         let [from, here, to] = self.places.map(|place| number(place, 2));
@@ -271,17 +279,26 @@ impl Mix<'_> {
         lines.extend(scan.intensity_words(pixel));
         lines.push(format!("{}:", scan.compared.name()));
         lines.push(format!("I = {}", triple(pixel.barycentric)));
-        lines.push(format!(
-            "difference {}",
-            triple(pixel.intensity - pixel.barycentric)
+        lines.push(text!(
+            "line-scan-difference",
+            values = triple(pixel.intensity - pixel.barycentric)
         ));
         let [r, g, b] = pixel.stored;
-        lines.push(format!("stored {r}, {g}, {b}"));
+        lines.push(text!("line-scan-stored", r = r, g = g, b = b));
         lines
     }
 }
 
 impl Carried {
+    /// What is interpolated, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Constant => text!("line-scan-constant"),
+            Self::Intensity => text!("line-scan-intensities"),
+            Self::Normal => text!("line-scan-normals"),
+        }
+    }
+
     /// The letter of what is carried.
     pub const fn letter(self) -> &'static str {
         if matches!(self, Self::Normal) {
@@ -303,10 +320,10 @@ impl Carried {
 
 impl Rule {
     /// In words.
-    pub const fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
-            Self::Affine => "barycentric, affine",
-            Self::Perspective => "barycentric, perspective-correct",
+            Self::Affine => text!("line-scan-affine"),
+            Self::Perspective => text!("line-scan-perspective"),
         }
     }
 }
@@ -336,7 +353,7 @@ impl Scan {
         if let (Some(ScanSpan { p, q, .. }), Some(pixel)) = (point.span, point.pixel) {
             let x = f64::from(pixel.x) + 0.5;
             found.push(Mix {
-                name: format!("Pixel ({}, {})", pixel.x, point.line.y),
+                name: text!("line-scan-pixel", x = pixel.x, y = point.line.y),
                 of: "",
                 ends: ["P".to_owned(), "Q".to_owned()],
                 places: [p.x, x, q.x],
@@ -354,7 +371,11 @@ impl Scan {
     fn crossing_mix(&self, line: &ScanLine, crossing: &Crossing, of: &'static str) -> Mix<'_> {
         let edge = &self.edges[crossing.edge];
         Mix {
-            name: format!("{of} on {}", self.edge_name(crossing.edge)),
+            name: text!(
+                "line-scan-on-edge",
+                letter = of,
+                edge = self.edge_name(crossing.edge)
+            ),
             of,
             ends: edge.corners.map(corner_name),
             places: [edge.y_top, line.at(), edge.y_bottom],
@@ -371,14 +392,12 @@ impl Scan {
     pub fn caption(&self, step: usize) -> String {
         let line = self.at(step).line;
         match self.found(step).pop() {
-            Some(Mix {
-                pixel: Some(pixel), ..
-            }) => format!("pixel ({}, {})", pixel.x, line.y),
-            Some(mix) => format!("scan line {}: {}", line.y, mix.name),
-            None => format!(
-                "scan line {}: active edges {}",
-                line.y,
-                self.active_edges(line)
+            Some(mix) if mix.pixel.is_some() => mix.name,
+            Some(mix) => text!("line-scan-at", y = line.y, what = mix.name),
+            None => text!(
+                "line-scan-crosses",
+                y = line.y,
+                edges = self.active_edges(line)
             ),
         }
     }
@@ -388,14 +407,13 @@ impl Scan {
         if self.carried != Carried::Normal {
             return Vec::new();
         }
-        let unit = if self.renormalise {
-            "made 1 before"
-        } else {
-            "left so for"
-        };
         let length = number(pixel.value.length(), 4);
         vec![
-            format!("|N| = {length}, {unit} the equation"),
+            if self.renormalise {
+                text!("line-scan-renormalised", length = length)
+            } else {
+                text!("line-scan-not-renormalised", length = length)
+            },
             format!("I = {}", triple(pixel.intensity)),
         ]
     }
@@ -413,7 +431,7 @@ impl Scan {
         for mix in self.found(step) {
             row(
                 if mix.pixel.is_some() {
-                    "pixel"
+                    text!("line-scan-row-pixel")
                 } else {
                     &mix.name
                 },
@@ -424,8 +442,12 @@ impl Scan {
             if self.carried == Carried::Normal {
                 row("I (r, g, b)", None, pixel.intensity);
             }
-            row("barycentric", None, pixel.barycentric);
-            row("difference", None, pixel.intensity - pixel.barycentric);
+            row(text!("line-scan-row-barycentric"), None, pixel.barycentric);
+            row(
+                text!("line-scan-row-difference"),
+                None,
+                pixel.intensity - pixel.barycentric,
+            );
         }
         table
     }
@@ -433,7 +455,14 @@ impl Scan {
     /// The edges, those that are active at a step marked.
     pub fn edge_table(&self, step: usize) -> Table {
         let active = &self.at(step).line.active;
-        let columns = ["edge", "y_top", "y_bottom", "x_top", "dx/dy", ""];
+        let columns = [
+            text!("line-scan-edge"),
+            "y_top",
+            "y_bottom",
+            "x_top",
+            "dx/dy",
+            "",
+        ];
         let mut table = Table::new(columns.map(|head| Column::shown(head, fixed::<3>)));
         let many = self.edges.len() > MOST_EDGES;
         for (index, edge) in self
@@ -443,7 +472,7 @@ impl Scan {
             .filter(|(index, _)| !many || active.contains(index))
         {
             let mark = if active.contains(&index) {
-                "active"
+                text!("line-scan-active")
             } else {
                 ""
             };

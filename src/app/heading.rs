@@ -1,0 +1,35 @@
+//! What a pixel or a place is, beside its colour: the heading of the point and of the scan line.
+
+use super::letter::lettered;
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Color32, CornerRadius, Label, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
+
+/// Side of the colour's square, points.
+const SWATCH: f32 = 34.0;
+
+/// A stored colour as a square, empty where there is none, with a heading and a second line beside it.
+pub fn heading_ui(ui: &mut Ui, stored: Option<[u8; 3]>, heading: &str, weak: &str) {
+    ui.horizontal(|ui| {
+        let (rect, response) = ui.allocate_exact_size(vec2(SWATCH, SWATCH), Sense::hover());
+        let round = CornerRadius::same(5);
+        if let Some([r, g, b]) = stored {
+            let painter = ui.painter();
+            painter.rect_filled(rect, round, Color32::from_rgb(r, g, b));
+            let name = text!("line-colour", r = r, g = g, b = b);
+            response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
+        } else {
+            let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
+            ui.painter()
+                .rect_stroke(rect, round, stroke, StrokeKind::Inside);
+        }
+        ui.vertical(|ui| {
+            ui.spacing_mut().item_spacing.y = 1.0;
+            let visuals = ui.visuals();
+            let colours = [visuals.strong_text_color(), visuals.weak_text_color()];
+            for (line, colour) in [heading, weak].into_iter().zip(colours) {
+                ui.add(Label::new(lettered(line, colour)).wrap());
+            }
+        });
+    });
+}
