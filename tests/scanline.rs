@@ -189,7 +189,7 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
         mix.alpha_text(),
         mix.row(0),
         format!("stored {r}, {g}, {b}"),
-        format!("{:.4}", span.q.value.x),
+        format!("{:.3}", span.q.value.x),
     ] {
         assert!(has(&harness, &text), "{text}");
     }

@@ -1,15 +1,14 @@
-//! What a pixel or a place is, beside its colour: the heading of the point and of the scan line.
+//! A stored colour with what has it: the heading of the point and of the scan line.
 
-use super::letter::lettered;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Color32, CornerRadius, Label, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
+use eframe::egui::{Color32, CornerRadius, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
 
 /// Side of the colour's square, points.
-const SWATCH: f32 = 34.0;
+const SWATCH: f32 = 36.0;
 
-/// A stored colour as a square, empty where there is none, with a heading and a second line beside it.
-pub fn heading_ui(ui: &mut Ui, stored: Option<[u8; 3]>, heading: &str, weak: &str) {
+/// A stored colour as a square, empty where there is none, with lines of text beside it.
+pub fn heading_ui(ui: &mut Ui, stored: Option<[u8; 3]>, lines: impl FnOnce(&mut Ui)) {
     ui.horizontal(|ui| {
         let (rect, response) = ui.allocate_exact_size(vec2(SWATCH, SWATCH), Sense::hover());
         let round = CornerRadius::same(5);
@@ -25,11 +24,7 @@ pub fn heading_ui(ui: &mut Ui, stored: Option<[u8; 3]>, heading: &str, weak: &st
         }
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 1.0;
-            let visuals = ui.visuals();
-            let colours = [visuals.strong_text_color(), visuals.weak_text_color()];
-            for (line, colour) in [heading, weak].into_iter().zip(colours) {
-                ui.add(Label::new(lettered(line, colour)).wrap());
-            }
+            lines(ui);
         });
     });
 }

@@ -4,6 +4,7 @@ use super::curves::{CurvesView, curves_ui};
 use super::drawing::{drawing_ui, plot_style};
 use super::engine::Engine;
 use super::filled::{filled_ui, formula_ui};
+use super::heading::heading_ui;
 use super::letter::set;
 use super::palette::vector_text;
 use super::report::export_ui;
@@ -18,8 +19,8 @@ use crate::figure::{Drawing, PlotStyle};
 use crate::text::{Language, language, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, CollapsingHeader, Color32, CornerRadius, FontId, Grid, Label, Layout, RichText,
-    Sense, Ui, WidgetInfo, WidgetText, vec2,
+    Align, Button, CollapsingHeader, FontId, Grid, Label, Layout, RichText, Sense, Ui, WidgetInfo,
+    WidgetText, vec2,
 };
 
 /// Height of a table's rows, points.
@@ -103,24 +104,18 @@ fn sum_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, here: Here<'_>, pr
 fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
     let [x, y] = probe.pixel;
     let [r, g, b] = hit.stored;
-    ui.horizontal(|ui| {
-        let (rect, _) = ui.allocate_exact_size(vec2(40.0, 40.0), Sense::hover());
-        ui.painter()
-            .rect_filled(rect, CornerRadius::same(5), Color32::from_rgb(r, g, b));
-        ui.vertical(|ui| {
-            ui.spacing_mut().item_spacing.y = 1.0;
-            ui.horizontal(|ui| {
-                ui.label(RichText::new(text!("point-pixel", x = x, y = y)).strong());
-                ui.label(RichText::new(format!("{r:>3} {g:>3} {b:>3}")).monospace())
-                    .on_hover_text(text!("point-stored-tip"));
-            });
-            let depth = format!("{:.3}", hit.depth);
-            let place = match hit.face {
-                Some(face) => text!("point-place-face", face = face.to_string(), depth = depth),
-                None => text!("point-place-surface", depth = depth),
-            };
-            ui.label(RichText::new(place).weak());
+    heading_ui(ui, Some(hit.stored), |ui| {
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(text!("point-pixel", x = x, y = y)).strong());
+            ui.label(RichText::new(format!("{r:>3} {g:>3} {b:>3}")).monospace())
+                .on_hover_text(text!("point-stored-tip"));
         });
+        let depth = format!("{:.3}", hit.depth);
+        let place = match hit.face {
+            Some(face) => text!("point-place-face", face = face.to_string(), depth = depth),
+            None => text!("point-place-surface", depth = depth),
+        };
+        ui.label(RichText::new(place).weak());
     });
 }
 

@@ -48,8 +48,9 @@ const COMPONENT: f32 = 14.0;
 const WIDE: f32 = 620.0;
 const DRAWN: f32 = 0.42;
 const LEAST_DRAWING: f32 = 160.0;
-/// Greatest width of the controls, and least width of a formula. Points.
+/// Greatest widths of the controls and of the tables, and least width of a formula. Points.
 const TRANSPORT: f32 = 480.0;
+const TABLES: f32 = 340.0;
 const CARD: f32 = 270.0;
 
 /// The scan line's view.
@@ -113,10 +114,14 @@ fn wide_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, scan: &Scan) 
                 ui.columns(count, |columns| {
                     let last = found.iter().skip(found.len() - count);
                     for (ui, mix) in columns.iter_mut().zip(last) {
-                        formula_ui(ui, scan, step, Some(mix), state);
+                        ui.with_layout(Layout::top_down(Align::Min), |ui| {
+                            formula_ui(ui, scan, step, Some(mix), state);
+                        });
                     }
                 });
             }
+            // The last column of numbers takes what width there is.
+            ui.set_max_width(ui.available_width().min(TABLES));
             tables_ui(ui, scan, step);
         });
     });
@@ -311,12 +316,10 @@ fn walk_ui(
 fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>, state: &mut AppState) {
     let line = scan.at(step).line;
     let Some(mix) = mix else {
-        heading_ui(
-            ui,
-            None,
-            &text!("line-scan-line", y = line.y),
-            &text!("line-scan-active-edges", edges = scan.active_edges(line)),
-        );
+        let edges = text!("line-scan-active-edges", edges = scan.active_edges(line));
+        heading_ui(ui, None, |ui| {
+            lines_ui(ui, &text!("line-scan-line", y = line.y), &edges);
+        });
         ui.add_space(6.0);
         return;
     };
@@ -324,7 +327,7 @@ fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>, stat
         Some([r, g, b]) => text!("line-scan-stored", r = r, g = g, b = b),
         None => text!("line-scan-place", y = line.y, x = format!("{:.2}", mix.x)),
     };
-    heading_ui(ui, mix.stored, &mix.name, &place);
+    heading_ui(ui, mix.stored, |ui| lines_ui(ui, &mix.name, &place));
     let (plain, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
     lettered_ui(ui, &mix.definition(), weak);
     lettered_ui(ui, &mix.alpha_formula(), plain);
@@ -389,6 +392,14 @@ fn pieces(mix: &Mix<'_>, carried: Carried, visuals: &Visuals) -> Vec<Piece> {
     ]
 }
 
+/// A heading and what stands below it.
+fn lines_ui(ui: &mut Ui, heading: &str, below: &str) {
+    let visuals = ui.visuals();
+    let (strong, weak) = (visuals.strong_text_color(), visuals.weak_text_color());
+    lettered_ui(ui, heading, strong);
+    lettered_ui(ui, below, weak);
+}
+
 fn lettered_ui(ui: &mut Ui, text: &str, colour: Color32) {
     ui.add(Label::new(lettered(text, colour)).wrap());
 }
@@ -421,7 +432,7 @@ fn tables_ui(ui: &mut Ui, scan: &Scan, step: usize) {
         }
         ui.add_space(8.0);
     }
-    ui.label(RichText::new(text!("line-scan-edge-table")).strong());
+    ui.label(RichText::new(text!("line-scan-edge-table-active")).strong());
     table_ui(ui, "scan edges", &scan.edge_table(step), false);
 }
 

@@ -4,7 +4,9 @@ use super::{
     Carried, Crossing, Rule, Scan, ScanLine, ScanPixel, ScanSpan, corner_name, face_at,
     lay_out_scan, scan,
 };
-use crate::analysis::report::{About, Answer, Column, Figure, Part, Report, Table, cells, fixed};
+use crate::analysis::report::{
+    About, Answer, Column, Figure, Part, Report, Table, as_it_is, cells,
+};
 use crate::analysis::{Question, Subject, Watch, clearest_pixel};
 use crate::figure::{Paper, PlotStyle};
 use crate::scene::Choice;
@@ -107,7 +109,7 @@ impl Answer for ScanStop {
             what = scan.carried.words()
         ));
         report
-            .section(text!("line-scan-edge-table"))
+            .section(text!("line-scan-edge-table-active"))
             .push(Part::Table(scan.edge_table(self.step)));
         report.section(text!(
             "line-scan-report-line",
@@ -421,8 +423,10 @@ impl Scan {
     /// What has been found up to a step, with what barycentric interpolation gives the pixel.
     pub fn found_table(&self, step: usize) -> Table {
         let [a, b, c] = self.carried.components();
-        let show = |value: f64| number(value, 4);
-        let mut table = Table::new(["", "α", a, b, c].map(|head| Column::shown(head, show)));
+        let value = |head| Column::shown(head, |value| number(value, 3));
+        let alpha = Column::shown("α", |value| number(value, 2));
+        let name = Column::shown("", as_it_is);
+        let mut table = Table::new([name, alpha, value(a), value(b), value(c)]);
         let mut row = |name: &str, alpha: Option<f64>, value: DVec3| {
             table
                 .rows
@@ -433,7 +437,7 @@ impl Scan {
                 if mix.pixel.is_some() {
                     text!("line-scan-row-pixel")
                 } else {
-                    &mix.name
+                    mix.of
                 },
                 Some(mix.alpha),
                 mix.value,
@@ -456,14 +460,14 @@ impl Scan {
     pub fn edge_table(&self, step: usize) -> Table {
         let active = &self.at(step).line.active;
         let columns = [
-            text!("line-scan-edge"),
-            "y_top",
-            "y_bottom",
-            "x_top",
-            "dx/dy",
             "",
+            text!("line-scan-edge"),
+            text!("line-scan-y-from"),
+            text!("line-scan-y-to"),
+            text!("line-scan-x-from"),
+            "dx/dy",
         ];
-        let mut table = Table::new(columns.map(|head| Column::shown(head, fixed::<3>)));
+        let mut table = Table::new(columns.map(|head| Column::shown(head, |v| number(v, 2))));
         let many = self.edges.len() > MOST_EDGES;
         for (index, edge) in self
             .edges
@@ -471,18 +475,14 @@ impl Scan {
             .enumerate()
             .filter(|(index, _)| !many || active.contains(index))
         {
-            let mark = if active.contains(&index) {
-                text!("line-scan-active")
-            } else {
-                ""
-            };
+            let mark = if active.contains(&index) { "●" } else { "" };
             table.rows.push(cells![
+                mark,
                 self.edge_name(index),
                 edge.y_top,
                 edge.y_bottom,
                 edge.x_top,
-                edge.dx_dy,
-                mark
+                edge.dx_dy
             ]);
         }
         table
