@@ -227,7 +227,7 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
             .ready()
             .is_none()
     );
-    assert!(has(&harness, "The probe sees the background"));
+    assert!(has(&harness, "The probe is on the background"));
 }
 
 #[test]

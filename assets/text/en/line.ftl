@@ -91,8 +91,8 @@ line-scan-p = P is where the scan line enters the polygon. α says how far down 
 line-scan-q = Q is where the scan line leaves the polygon. α says how far down its edge Q lies: 0 at { $from }, 1 at { $to }.
 line-scan-pixel-alpha = α says how far from P to Q the pixel's centre lies: 0 at P, 1 at Q.
 line-scan-not-interpolated = I is the intensity of the whole polygon. Nothing is interpolated.
-line-scan-renormalised = |N| = { $length }; N is made a unit vector before the equation
-line-scan-not-renormalised = |N| = { $length }; N enters the equation with this length
+line-scan-renormalised = |N| = { $length }; N is renormalised
+line-scan-not-renormalised = |N| = { $length }; N is not renormalised
 line-scan-affine = Barycentric, affine
 line-scan-perspective = Barycentric, perspective-correct
 line-scan-formula = in the scan line

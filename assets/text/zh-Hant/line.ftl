@@ -90,8 +90,8 @@ line-scan-p = P 是掃描線進入多邊形之處。α 表示 P 在邊上往下�
 line-scan-q = Q 是掃描線離開多邊形之處。α 表示 Q 在邊上往下多遠：在 { $from } 為 0，在 { $to } 為 1。
 line-scan-pixel-alpha = α 表示像素中心從 P 到 Q 走了多遠：在 P 為 0，在 Q 為 1。
 line-scan-not-interpolated = I 是整個多邊形的亮度，不做內插。
-line-scan-renormalised = |N| = { $length }；代入方程式前先化為單位向量
-line-scan-not-renormalised = |N| = { $length }；以此長度代入方程式
+line-scan-renormalised = |N| = { $length }；N 重新正規化
+line-scan-not-renormalised = |N| = { $length }；N 不重新正規化
 line-scan-affine = 重心座標（barycentric），仿射
 line-scan-perspective = 重心座標（barycentric），透視校正
 line-scan-formula = 在掃描線上
