@@ -308,7 +308,7 @@ fn a_profile_along_no_line_is_refused() {
         "--viewing-distance",
         "5000",
     ];
-    let error = "error: --surround 2: 660 pixels, expected at most 256 for --picture";
+    let error = "error: --surround 2: 660 pixels wide, expected at most 256 for --picture";
     folder.fails(&with("0,0", "5,5", &wide), 2, &[error]);
     folder.refuses(&with("0,0", "x,5", &[]), "expected X,Y in pixels");
     folder.refuses(&with("0,0", "inf,5", &[]), "expected X,Y in pixels");
