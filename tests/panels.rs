@@ -8,7 +8,7 @@ use eframe::egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Sh
 use egui_kittest::Harness;
 use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
 use glam::{DVec3, Vec3Swizzles};
-use hands::{choose, drag, enter, open_view, press, scene, undo, wait, window, window_of};
+use hands::{choose, drag, enter, folded, open_view, press, scene, undo, wait, window, window_of};
 use shading_lab::analysis::{ANALYSES, ProbeHit, pane_areas, probe};
 use shading_lab::app::{App, Look, NumbersTab, Profiles};
 use shading_lab::document::load;
@@ -386,7 +386,7 @@ fn the_mixture_with_transmitted_light_is_filled_in_where_there_is_any() {
     );
     for opaque in ["sphere", "gold"] {
         assert!(
-            window(opaque)
+            folded(opaque)
                 .query_by_label_contains("transparency")
                 .is_none(),
             "{opaque}"
