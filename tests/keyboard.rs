@@ -215,3 +215,21 @@ fn sections_open_where_the_scene_is_about_them() {
         assert_eq!(open(&folded(name)), expected, "{name}");
     }
 }
+
+#[test]
+fn projector_size_follows_the_windows_height() {
+    let mut harness = folded("sphere");
+    for height in [800.0, 768.0, 1080.0] {
+        harness.set_size(eframe::egui::vec2(1280.0, height));
+        key(&mut harness, Key::F9);
+        let text = harness.ctx.zoom_factor() * 14.0;
+        assert!(
+            text >= height / 28.0 - 0.1,
+            "{text} of {height} points: ordinary text is a 28th of the height"
+        );
+        let look = &harness.state().state().look;
+        assert!(look.projector && !look.controls && !look.numbers);
+        key(&mut harness, Key::F9);
+        assert_eq!(harness.ctx.zoom_factor(), 1.0);
+    }
+}

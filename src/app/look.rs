@@ -93,9 +93,10 @@ impl Look {
         (self.scale, self.projector) = (1.0, false);
     }
 
-    /// The size of text for a room, and back.
+    /// The size of text for a room, and back. The panels fold, so that the picture is seen.
     pub fn projector(&mut self) {
         (self.scale, self.projector) = (1.0, !self.projector);
+        (self.controls, self.numbers) = (!self.projector, !self.projector);
     }
 
     /// The scale of the interface in a window so many points of the screen high.

@@ -12,6 +12,8 @@ use eframe::egui::{
 /// Least and greatest width of the labels of a panel's rows, points, and the share of the row's width between.
 const LABEL: [f32; 2] = [104.0, 152.0];
 const LABEL_SHARE: f32 = 0.36;
+/// Width of the letter in front of a label, points.
+const LETTER: f32 = 24.0;
 /// Width kept for the reset button, points.
 const RESET: f32 = 24.0;
 /// Width of a number's field, points.
@@ -156,7 +158,7 @@ fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
             .tint
             .unwrap_or_else(|| child.visuals().strong_text_color());
         let letter = child.allocate_ui_with_layout(
-            vec2(28.0, rect.height()),
+            vec2(LETTER, rect.height()),
             Layout::left_to_right(Align::Center),
             |ui| {
                 ui.add(
@@ -167,7 +169,7 @@ fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
         );
         child.advance_cursor_after_rect(Rect::from_min_size(
             letter.response.rect.min,
-            Vec2::new(28.0, rect.height()),
+            Vec2::new(LETTER, rect.height()),
         ));
         response = Some(letter.inner);
     }

@@ -143,8 +143,13 @@ pub fn fields<const N: usize>(
     range: &SliderRange,
     values: &mut [f64; N],
 ) {
-    let gaps = (N - 1) as f32 * ui.spacing().item_spacing.x;
+    // Four digits have room beside each other, also in a narrow panel.
+    let spacing = ui.spacing_mut();
+    spacing.item_spacing.x = 4.0;
+    spacing.button_padding.x = 2.0;
+    let gaps = (N - 1) as f32 * spacing.item_spacing.x;
     let width = (ui.available_width() - gaps).max(0.0) / N as f32;
+    ui.spacing_mut().interact_size.x = width;
     for (part, value) in parts.into_iter().zip(values) {
         field(ui, &format!("{name} {}", text!(part)), value, range, width);
     }
@@ -267,13 +272,14 @@ pub fn field(
     response
 }
 
-/// Shows a field whose text was `refused` in a red frame with the reason, until it is `edited`.
+/// Shows a field whose text was `refused` in a red frame with the reason, until it is `edited` or something else is clicked.
 fn wrong(response: &Response, refused: Option<String>, edited: bool) {
     let id = response.id.with("refused");
     let ctx = &response.ctx;
+    let elsewhere = ctx.input(|input| input.pointer.any_pressed());
     if let Some(text) = refused {
         ctx.data_mut(|data| data.insert_temp(id, text));
-    } else if edited {
+    } else if edited || elsewhere {
         ctx.data_mut(|data| data.remove_temp::<String>(id));
     }
     let Some(text) = ctx.data(|data| data.get_temp::<String>(id)) else {
