@@ -224,7 +224,7 @@ fn projector_size_follows_the_windows_height() {
         key(&mut harness, Key::F9);
         let text = harness.ctx.zoom_factor() * 14.0;
         assert!(
-            text >= height / 28.0 - 0.1,
+            (text - height / 28.0).abs() < 0.1,
             "{text} of {height} points: ordinary text is a 28th of the height"
         );
         let look = &harness.state().state().look;

@@ -166,7 +166,7 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             if projector {
                 look.projector();
             }
-            let scale = look.scale;
+            let scale = look.zoom(size[1]);
             let points = size.map(|side| side / scale);
             let mut harness = opened("three-lights", points, look);
             let mut check = |harness: &Harness<'_, App>, what: &str, typed: bool| {
