@@ -13,7 +13,7 @@ use crate::scene::Image;
 use crate::text::{has, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Context, DragValue, Grid, Id, Key, Modal, ProgressBar, RichText, ScrollArea, Ui,
+    Context, DragValue, Grid, Id, Key, Label, Modal, ProgressBar, RichText, ScrollArea, Ui,
 };
 use std::path::{Path, PathBuf};
 
@@ -285,10 +285,12 @@ fn keys_ui(ui: &mut Ui) -> Choice {
         .max_height(440.0)
         .auto_shrink([false, true])
         .show(ui, |ui| {
+            // Where there is no room for two columns, what a key does stands below it.
+            let narrow = ui.available_width() < 480.0;
             Grid::new("keys")
-                .num_columns(2)
+                .num_columns(if narrow { 1 } else { 2 })
                 .spacing([24.0, 6.0])
-                .striped(true)
+                .striped(!narrow)
                 .show(ui, |ui| {
                     for section in &*SECTIONS {
                         ui.label(RichText::new(section.title()).strong());
@@ -296,7 +298,10 @@ fn keys_ui(ui: &mut Ui) -> Choice {
                         for command in &section.commands {
                             let Some(does) = command.does() else { continue };
                             ui.label(RichText::new(command.keys()).monospace());
-                            ui.label(does);
+                            if narrow {
+                                ui.end_row();
+                            }
+                            ui.add(Label::new(does).wrap());
                             ui.end_row();
                         }
                     }
