@@ -202,8 +202,9 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
                 Margins::side_top_panel(ui.style())
                     .inner_margin(Margin::symmetric(8, 2))
                     .show(ui, |ui| {
-                        ui.set_min_size(vec2(width - 16.0, room.height() - 4.0));
-                        ui.set_max_size(vec2(width - 16.0, room.height() - 4.0));
+                        let size = vec2(width - 16.0, room.height() - 4.0).max(Vec2::ZERO);
+                        ui.set_min_size(size);
+                        ui.set_max_size(size);
                         show(ui);
                     });
             });

@@ -10,12 +10,12 @@ use eframe::egui::{
 };
 
 /// Least and greatest width of the labels of a panel's rows, points, and the share of the row's width between.
-const LABEL: [f32; 2] = [104.0, 152.0];
+const LABEL: [f32; 2] = [96.0, 152.0];
 const LABEL_SHARE: f32 = 0.36;
 /// Width of the letter in front of a label, points.
 const LETTER: f32 = 24.0;
 /// Width kept for the reset button, points.
-const RESET: f32 = 24.0;
+const RESET: f32 = 20.0;
 /// Width of a number's field, points.
 pub const FIELD: f32 = 66.0;
 
