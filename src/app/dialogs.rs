@@ -22,7 +22,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
     let browsing = state.dialog.is_some();
     if let Some((what, fraction)) = files.progress() {
         let shown = Modal::new(Id::unique("progress")).show(ctx, |ui| {
-            ui.set_width(420_f32.min(ctx.content_rect().width() - 48.0));
+            ui.set_width(420_f32.min(ctx.content_rect().width() - 48.0).max(0.0));
             ui.label(what);
             ui.add(ProgressBar::new(fraction).show_percentage());
             ui.add_space(6.0);
@@ -46,7 +46,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
             Dialog::Code(_) => code::width(ui),
             _ => 480.0,
         };
-        ui.set_width(width.min(ctx.content_rect().width() - 48.0));
+        ui.set_width(width.min(ctx.content_rect().width() - 48.0).max(0.0));
         contents_ui(ui, &mut dialog, state)
     });
     let leave = shown.should_close();

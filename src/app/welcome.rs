@@ -17,7 +17,7 @@ pub fn welcome_ui(ctx: &Context, state: &mut AppState, picture: Rect) {
         .fixed_pos(picture.center_bottom() - vec2(0.0, 16.0))
         .show(ctx, |ui| {
             Frame::window(ui.style()).show(ui, |ui| {
-                ui.set_width(width - 32.0);
+                ui.set_width((width - 32.0).max(0.0));
                 card_ui(ui, state);
             });
         });
