@@ -191,7 +191,7 @@ impl Desktop {
 
 /// Pixels of the area between the panels that are clearly red, as the sphere is.
 fn red(screen: &[[u8; 3]]) -> usize {
-    let inside = |i: usize| (345..950).contains(&(i % 1280)) && (45..755).contains(&(i / 1280));
+    let inside = |i: usize| (300..965).contains(&(i % 1280)) && (150..755).contains(&(i / 1280));
     screen
         .iter()
         .enumerate()
@@ -201,7 +201,7 @@ fn red(screen: &[[u8; 3]]) -> usize {
 
 /// The sum of the red channel over the picture's area, in millions.
 fn light(screen: &[[u8; 3]]) -> f64 {
-    let inside = |i: usize| (345..950).contains(&(i % 1280)) && (45..755).contains(&(i / 1280));
+    let inside = |i: usize| (300..965).contains(&(i % 1280)) && (150..755).contains(&(i / 1280));
     let red = |(i, pixel): (usize, &[u8; 3])| if inside(i) { u64::from(pixel[0]) } else { 0 };
     screen.iter().enumerate().map(red).sum::<u64>() as f64 / 1e6
 }
@@ -224,10 +224,10 @@ fn the_window_draws_takes_a_drag_exports_and_rests() {
 
     // The slider of Kd, below the material and Ka in the panel at the left.
     let hand: [&[&str]; 5] = [
-        &["mousemove", "198", "197"],
+        &["mousemove", "157", "184"],
         &["mousedown", "1"],
-        &["mousemove", "175", "197"],
-        &["mousemove", "140", "197"],
+        &["mousemove", "140", "184"],
+        &["mousemove", "122", "184"],
         &["mouseup", "1"],
     ];
     for motion in hand {

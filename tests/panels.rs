@@ -173,7 +173,7 @@ fn the_scene_is_shown_as_code_in_three_ways() {
     assert_eq!(code(&harness), glsl_330(&scene).parts[1].text);
     assert!(
         harness
-            .query_by_label("It expresses the scene completely.")
+            .query_by_label("The code expresses the whole scene.")
             .is_some()
     );
 

@@ -9,7 +9,8 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DVec2, DVec3};
 use hands::{
-    choose, drag, enter, folded, open_view, picture, press, scene, undo, unfold, wait, window,
+    choose, drag, enter, folded, open_view, picture, picture_place, press, scene, undo, unfold,
+    wait, window,
 };
 use serde::Serialize;
 use shading_lab::analysis::NormalField;
@@ -759,8 +760,8 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     }
     assert_eq!(scene(&harness).compare.view, CompareView::Single);
     let lit = |harness: &Harness<'_, App>| harness.state().state().pointed.lit;
-    let centre = harness.get_by_role(Role::Image).rect().center();
-    let (rect, before) = (harness.get_by_role(Role::Image).rect(), picture(&harness));
+    let (rect, before) = (picture_place(&harness), picture(&harness));
+    let centre = rect.center();
     let at = |harness: &Harness<'_, App>, point: DVec3| {
         let size = [rect.width() as u32, rect.height() as u32];
         let (pixel, _) = View::new(&scene(harness).camera, size)

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "each test takes what it needs of it")]
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Pos2, TexturesDelta};
+use eframe::egui::{Key, Modifiers, Pos2, Rect, TexturesDelta};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, TestRenderer};
 use shading_lab::app::App;
@@ -109,6 +109,16 @@ pub fn open_view(harness: &mut Harness<'_, App>, name: &str) {
         .get_by_role_and_label(Role::Tab, name)
         .click_accesskit();
     harness.run();
+}
+
+/// Where the picture is.
+pub fn picture_place(harness: &Harness<'_, App>) -> Rect {
+    let mut images = harness.query_all_by_role(Role::Image);
+    let is_picture = |node: &egui_kittest::Node<'_>| {
+        let label = node.accesskit_node().label().unwrap_or_default();
+        label.starts_with("Picture")
+    };
+    images.find(is_picture).expect("a picture").rect()
 }
 
 /// Clicks a button by its name.

@@ -6,7 +6,7 @@ problem-expected = expected { $known }
 problem-expected-one-of = expected one of { $known }
 problem-did-you-mean = { $expected } (did you mean { $meant }?)
 problem-version = `version` is { $found }, expected { $version }: shading-lab { $program } reads version { $version }; a later version needs a later shading-lab
-problem-more = { $count } more problems
+problem-more = { $count } more problems, expected none
 problem-too-long = longer than { $limit } MiB, expected a scene
 problem-toml = { $message }
 problem-no-equals = no `=` after a key, expected KEY=VALUE, for example material.n=50

@@ -6,7 +6,7 @@ problem-expected = 應為 { $known }
 problem-expected-one-of = 應為下列之一：{ $known }
 problem-did-you-mean = { $expected }（是否想輸入 { $meant }？）
 problem-version = `version` 是 { $found }，應為 { $version }：shading-lab { $program } 讀取第 { $version } 版，較新的版本需要較新的 shading-lab
-problem-more = 另有 { $count } 個問題
+problem-more = 另有 { $count } 個問題，應該沒有
 problem-too-long = 超過 { $limit } MiB，應為場景
 problem-toml = TOML 語法錯誤：{ $message }
 problem-no-equals = 鍵之後沒有 `=`，應為 KEY=VALUE，例如 material.n=50
