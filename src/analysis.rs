@@ -48,11 +48,11 @@ pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture
 pub use plan::{FramePlan, PlanQuestion};
 pub use plan_words::stage_words;
 pub use probe::{
-    Angle, Arc, Arrow, ArrowHead, CHANNELS, ConstructionStep, CueTerms, FilledLine, FilledPart,
-    Here, Letters, LightHandle, LightHere, LightTerms, LineValue, Overlay, Probe, ProbeHit,
+    Angle, Arc, Arrow, ArrowHead, ConstructionStep, CueTerms, FilledLine, FilledPart, Here,
+    Letters, LightHandle, LightHere, LightTerms, LineValue, Overlay, Probe, ProbeHit,
     ProbeQuestion, Probed, Product, Share, TermColumn, Tone, VectorsShown, WorkedStep, ZeroCause,
-    ZeroCauses, clearest_pixel, digits, digits_below, draw_overlay, draw_vectors, equation_letters,
-    percent, pixel_beside_highlight, plain_formula, probe, specular_vector,
+    ZeroCauses, channels, clearest_pixel, digits, digits_below, draw_overlay, draw_vectors,
+    equation_letters, percent, pixel_beside_highlight, plain_formula, probe, specular_vector,
 };
 pub use profile::{
     Abscissa, Border, Compared, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError,

@@ -347,7 +347,7 @@ fn a_silent_light_is_named_with_the_reason() {
     press(&mut harness, "Solo light 2");
     assert_eq!(
         (says(&harness, "1"), says(&harness, "3")),
-        ("muted".into(), "another is soloed".into())
+        ("muted".into(), "not soloed".into())
     );
     let [r, g, b] =
         (probed(&harness).lights[1].diffuse + probed(&harness).lights[1].specular).to_array();
@@ -365,7 +365,11 @@ fn a_light_that_nothing_reflects_is_not_said_to_be_in_shadow() {
     }
     let line = line_of(&harness, "light 1 at the probe: ");
     assert!(!line.contains("shadow"), "{line}");
-    assert!(harness.query_by_label_contains("stands before").is_none());
+    assert!(
+        harness
+            .query_by_label_contains("blocks the light")
+            .is_none()
+    );
     assert_eq!(line, "not reflected");
 }
 

@@ -16,12 +16,13 @@ pub use overlay::{
     Angle, Arc, Arrow, ArrowHead, LightHandle, Overlay, VectorsShown, draw_overlay, draw_vectors,
 };
 pub use products::{Here, LightHere, Product, TermColumn};
-pub use report::{CHANNELS, ProbeQuestion, Probed};
+pub use report::{ProbeQuestion, Probed, channels};
 pub use zero::{ZeroCause, ZeroCauses};
 
 use crate::illumination::Equation;
 use crate::render::{Evaluation, Renderer, Transmission};
 use crate::scene::{LightKind, ReflectionModel, Rgb, Scene};
+use crate::text;
 use glam::DVec3;
 use serde::{Serialize, Serializer};
 use std::ops::RangeInclusive;
@@ -158,7 +159,7 @@ impl LightTerms {
         Some(if diffuse == specular {
             diffuse
         } else {
-            format!("{diffuse}, and {specular}")
+            text!("point-zero-both", diffuse = diffuse, specular = specular)
         })
     }
 
@@ -171,7 +172,7 @@ impl LightTerms {
             self.diffuse_zero
                 .short()
                 .filter(|_| one)
-                .unwrap_or("adds nothing"),
+                .unwrap_or(text!("point-zero-nothing")),
         )
     }
 }

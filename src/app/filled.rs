@@ -5,9 +5,10 @@ use super::palette::tone_text as colour;
 use super::state::AppState;
 use super::typeset::{Piece, Place, Run, formula, run_ui, spoken};
 use crate::analysis::{
-    CHANNELS, FilledLine, FilledPart, Here, LineValue, Product, Share, digits, digits_below,
+    FilledLine, FilledPart, Here, LineValue, Product, Share, channels, digits, digits_below,
     percent,
 };
+use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::{CollapsingState, paint_default_icon};
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
@@ -34,8 +35,6 @@ const FLAT_INDENT: f32 = 14.0;
 const GAP: f32 = 1.5;
 /// Formulas shrink no further than this to fit a narrow panel.
 const LEAST_SCALE: f32 = 0.7;
-/// What symbols are called behind their names.
-const AT_PROBE: &str = "at the probe";
 
 /// Height of a line of numbers, and of the letters above them, points.
 const ROW: f32 = 20.0;
@@ -80,12 +79,7 @@ fn part_ui(ui: &mut Ui, state: &mut AppState, part: &FilledPart, values: &Values
     match part {
         FilledPart::Note(text) => _ = ui.label(RichText::new(text).weak()),
         FilledPart::Evaluated(over) => {
-            ui.label(
-                RichText::new(format!(
-                    "Evaluated at {over}; a bar over letters marks the mean."
-                ))
-                .weak(),
-            );
+            ui.label(RichText::new(text!("point-evaluated-mean", over = &over[..])).weak());
         }
         FilledPart::Formula(formula) => formula_ui(ui, state, formula, values, id),
         FilledPart::Heading { name, tone, share } => {
@@ -115,7 +109,14 @@ fn part_ui(ui: &mut Ui, state: &mut AppState, part: &FilledPart, values: &Values
                 heads,
                 colour,
             }
-            .ui(ui, state, Place { id, name: AT_PROBE });
+            .ui(
+                ui,
+                state,
+                Place {
+                    id,
+                    name: text!("point-at-probe"),
+                },
+            );
         }
         FilledPart::Line(line) => flat_ui(ui, state, line),
         FilledPart::Rule => {
@@ -133,7 +134,9 @@ fn part_ui(ui: &mut Ui, state: &mut AppState, part: &FilledPart, values: &Values
 /// What a letter is at the pixel, in a line of its own; nothing where it is not known.
 fn here_words(values: &Values, letter: &str) -> String {
     let value = values.iter().find(|(name, _)| *name == letter);
-    value.map_or_else(String::new, |(_, value)| format!("Here {value}.\n"))
+    value.map_or_else(String::new, |(_, value)| {
+        text!("point-here", values = &value[..]) + "\n"
+    })
 }
 
 /// A typeset formula that shrinks to fit the panel.
@@ -146,7 +149,16 @@ pub fn formula_ui(ui: &mut Ui, state: &mut AppState, text: &str, values: &Values
         ui.spacing_mut().item_spacing.y = 0.0;
         let width = Run::new(ui, &pieces, FORMULA).width();
         let size = FORMULA * (ui.available_width() / width).clamp(LEAST_SCALE, 1.0);
-        let run = run_ui(ui, state, &pieces, size, Place { id, name: AT_PROBE });
+        let run = run_ui(
+            ui,
+            state,
+            &pieces,
+            size,
+            Place {
+                id,
+                name: text!("point-at-probe"),
+            },
+        );
         run.widget_info(|| WidgetInfo::labeled(Role::Label, true, spoken(&pieces)));
     });
 }
@@ -155,10 +167,10 @@ pub fn formula_ui(ui: &mut Ui, state: &mut AppState, text: &str, values: &Values
 fn channels_ui(ui: &mut Ui) {
     let weak = ui.visuals().weak_text_color();
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), LINE - 4.0), Sense::hover());
-    for (index, channel) in CHANNELS.iter().enumerate() {
+    for (index, channel) in channels().into_iter().enumerate() {
         let galley =
             ui.painter()
-                .layout_no_wrap((*channel).to_owned(), FontId::proportional(TEXT), weak);
+                .layout_no_wrap(channel.to_owned(), FontId::proportional(TEXT), weak);
         paint_right(ui, galley, channel_edge(rect, index), rect, weak);
     }
 }
@@ -181,7 +193,7 @@ fn flat_ui(ui: &mut Ui, state: &mut AppState, line: &FilledLine) {
         });
         let place = Place {
             id: ui.scope_id().with(("line", &line.name)),
-            name: AT_PROBE,
+            name: text!("point-at-probe"),
         };
         let left = pos2(rect.min.x + FLAT_INDENT, rect.center().y);
         Run::new(ui, &letters, LETTERS).paint(ui, state, left, place);
@@ -207,7 +219,11 @@ fn fold_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, line: &FilledLine,
     if unfolds {
         fold.toggle(ui);
     }
-    let name = format!("{} at the probe: {}", line.name, line.value.words());
+    let name = text!(
+        "point-line-at-probe",
+        name = &line.name[..],
+        value = line.value.words()
+    );
     response.widget_info(|| WidgetInfo::labeled(Role::DisclosureTriangle, ui.is_enabled(), &name));
     ui.ctx()
         .accesskit_node_builder(id, |node| node.set_expanded(fold.is_open()));
@@ -373,7 +389,7 @@ fn share_ui(ui: &Ui, share: &Share, place: Rect, whole: f64) {
         ui.painter()
             .rect_stroke(place, CornerRadius::same(3), stroke, StrokeKind::Inside);
     }
-    response.on_hover_text(format!("{text} of the pixel's luminance (Rec. 709)"));
+    response.on_hover_text(text!("point-share-tip", share = text));
 }
 
 /// A term with the letters of its columns.
@@ -483,10 +499,11 @@ impl Table<'_> {
         let line = |channel: usize| rect.min.y + HEAD + ROW * (channel as f32 + 0.5);
         let text =
             |ui: &Ui, text: &str, font| ui.painter().layout_no_wrap(text.to_owned(), font, weak);
-        for (channel, name) in CHANNELS.iter().enumerate() {
+        for (channel, name) in channels().into_iter().enumerate() {
+            let first = name.chars().next().map_or_else(String::new, String::from);
             place_at(
                 ui,
-                text(ui, &name[..1], FontId::proportional(TEXT)),
+                text(ui, &first, FontId::proportional(TEXT)),
                 rect.min.x,
                 line(channel),
                 weak,
@@ -545,7 +562,7 @@ impl Table<'_> {
             .iter()
             .map(|column| digits_below(column.values))
             .collect();
-        for (channel, name) in CHANNELS.iter().enumerate() {
+        for (channel, name) in channels().into_iter().enumerate() {
             let mut text = format!("{} {name}: ", self.name);
             for (index, numbers) in columns.iter().enumerate() {
                 let sign = if index == 0 {

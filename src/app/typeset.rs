@@ -5,6 +5,7 @@ use super::palette::vector_text;
 use super::state::AppState;
 use super::symbol::Symbol;
 use crate::figure::palette::Vector;
+use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
@@ -17,8 +18,8 @@ use std::sync::Arc;
 /// How far above the middle of a run the top of raised letters lies, in heights of the run.
 const RAISED: f32 = 0.42;
 
-/// The letters of formulas: their names there, how they are written, their symbols, and what they stand for where it is
-/// not what their symbol does.
+/// The letters of formulas: their names there, how they are written, their symbols, and the key of what they stand for where it
+/// is not what their symbol does.
 const LETTERS: [(&str, &str, &str, Symbol, &str); 27] = [
     ("I", "I", "", Symbol::Intensity, ""),
     (
@@ -26,39 +27,21 @@ const LETTERS: [(&str, &str, &str, Symbol, &str); 27] = [
         "I",
         "refl",
         Symbol::Intensity,
-        "Irefl: the reflected light, what the terms add up to",
+        "point-letter-irefl",
     ),
     ("Ka", "K", "a", Symbol::Ka, ""),
     ("Od", "O", "d", Symbol::Od, ""),
     ("Ia", "I", "a", Symbol::Ia, ""),
     ("Σ", "Σ ", "", Symbol::Lights, ""),
     ("f", "f ", "", Symbol::Attenuation, ""),
-    (
-        "spot",
-        "s ",
-        "",
-        Symbol::Light,
-        "s: the part of its light that the spot sends this way, 0 to 1",
-    ),
-    (
-        "lit",
-        "lit ",
-        "",
-        Symbol::Shadows,
-        "lit: the part of the light that nothing keeps away, 0 to 1",
-    ),
+    ("spot", "s ", "", Symbol::Light, "point-letter-s"),
+    ("lit", "lit ", "", Symbol::Shadows, "point-letter-lit"),
     ("Ip", "I", "p", Symbol::Ip, ""),
     ("Kd", "K", "d", Symbol::Kd, ""),
     ("Ks", "K", "s", Symbol::Ks, ""),
     ("Os", "O", "s", Symbol::Os, ""),
     ("W", "W", "", Symbol::Reflectance, ""),
-    (
-        "S",
-        "S",
-        "",
-        Symbol::Facets,
-        "S: the microfacets that mirror the light to the viewer, π·D·G/(4·(N·V))",
-    ),
+    ("S", "S", "", Symbol::Facets, "point-letter-facets"),
     ("D", "D ", "", Symbol::Facets, ""),
     ("G", "G", "", Symbol::Masking, ""),
     ("N", "N", "", Symbol::Normal, ""),
@@ -70,13 +53,7 @@ const LETTERS: [(&str, &str, &str, Symbol, &str); 27] = [
     ("It", "I", "t", Symbol::Transmitted, ""),
     ("Itrans", "I", "trans", Symbol::Transmitted, ""),
     ("s0", "s", "0", Symbol::Depth, ""),
-    (
-        "Idc",
-        "I",
-        "dc",
-        Symbol::Depth,
-        "Idc: what intensities fade into",
-    ),
+    ("Idc", "I", "dc", Symbol::Depth, "point-letter-idc"),
 ];
 
 /// The pieces of a formula whose letters stand in braces, as [`Here::filled`](crate::analysis::Here::filled) has them.
@@ -109,8 +86,12 @@ pub fn formula(
                 .into_iter()
                 .find(|vector| vector.letter() == name);
             let colour = vector.map_or(colour, |vector| vector_text(visuals, vector));
-            let own = format!("{}; {}", symbol.meaning(), symbol.unit());
-            let (meaning, here) = (if meaning.is_empty() { &own } else { meaning }, here(name));
+            let meaning = if meaning.is_empty() {
+                format!("{}; {}", symbol.meaning(), symbol.unit())
+            } else {
+                text!(meaning).to_owned()
+            };
+            let here = here(name);
             let tip = (!here.is_empty()).then(|| format!("{meaning}.\n{here}"));
             let high = Cow::Borrowed(if letter.is_none() { "n" } else { "" });
             pieces.push(Piece {

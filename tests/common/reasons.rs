@@ -268,6 +268,32 @@ impl<'a> Judge<'a> {
         })
     }
 
+    #[allow(dead_code, reason = "each test takes what it needs of it")]
+    /// Whether something stands before the light of a point with its normal, whatever the point is lifted by.
+    pub fn is_clearly_blocked(&self, light: &Light, (p, n): (DVec3, DVec3)) -> bool {
+        let (way, end) = match light.kind {
+            LightKind::Directional => (-light.direction, f64::INFINITY),
+            _ => (light.position - p, 1.0 - 1e-3),
+        };
+        let side = n * n.dot(way).signum();
+        [1e-4, 1e-3, 1e-2, 5e-2, 1e-1, 2e-1]
+            .into_iter()
+            .all(|lift| {
+                let start = p + side * (lift * self.vertices.radius());
+                match &self.surface {
+                    Some(surface) => {
+                        let ray = Ray {
+                            origin: start,
+                            direction: way,
+                        };
+                        surface.intersect(&ray, 0.0).is_some_and(|hit| hit.t <= end)
+                    }
+                    None => (0..self.vertices.face_count())
+                        .any(|face| self.is_met(face, start, way, end)),
+                }
+            })
+    }
+
     fn is_met(&self, face: usize, start: DVec3, way: DVec3, end: f64) -> bool {
         let at = |v: &u32| {
             (

@@ -77,3 +77,117 @@ point-error-no-such-light = --light { $light }: no such light in the scene, expe
 point-error-no-light = the scene has no light, expected one
 point-error-background = pixel { $x },{ $y } shows the background, expected one that shows the object
 point-error-behind = light { $light } is behind the surface at pixel { $x },{ $y }, expected one in front of it
+
+# The terms and their numbers
+point-channels = { $red } red, { $green } green, { $blue } blue
+point-ambient = ambient
+point-specular = specular
+point-bounce = one bounce
+point-bounce-note = Light from one bounce off other surfaces replaces the constant, which would be:
+point-transparency = transparency
+point-transmitted = transmitted
+point-depth-cueing = depth cueing
+point-seen = displayed
+point-light = light { $number }
+point-sum = sum
+point-sum-reflected = I reflected
+point-sum-before-cueing = I before depth cueing
+point-sum-cued = I with depth cueing
+point-clamped = clamped to 1
+point-scaled = scaled
+point-stored = stored
+point-hatched = A value is above 1: the pixel is hatched in black and white.
+point-divided = Divided by { $divisor }, the greatest value of the picture:
+point-refractions = { $refractions ->
+    [one] 1 refraction
+   *[other] { $refractions } refractions
+}
+point-refractions-and-totals = { $refractions ->
+    [one] 1 refraction
+   *[other] { $refractions } refractions
+}, { $totals ->
+    [one] 1 total reflection
+   *[other] { $totals } total reflections
+}
+point-snell-in = Snell’s law: sin { $v } = { $eta } · sin { $t }, the angles of V and T to the normal
+point-snell-out = Snell’s law: { $eta } · sin { $v } = sin { $t }, the angles of V and T to the normal
+point-snell-total = V is { $v } from the normal and η = { $eta }: total reflection, no T
+point-cue-at-points = Depth cueing is applied where the equation is evaluated. The mean s0 is { $s0 }.
+point-cue-interpolated = s0 = { $s0 }, interpolated between the vertices. The depth of the pixel itself gives { $own }.
+point-cue-at-pixel = s0 goes from { $front_scale } at depth { $front } to { $back_scale } at depth { $back }. Here s0 = { $s0 }.
+point-cue-left = { $percent } % remains at depth { $depth }
+point-what-position = position
+point-what-n = normal
+point-what-v = to the viewer
+point-what-l = to the light
+point-what-r = L mirrored at N
+point-what-h = halfway between L and V
+point-what-t = transmitted
+point-over-centre = the polygon’s centre
+point-over-first-vertex = the polygon’s first vertex
+point-over-vertices = the polygon’s vertices
+point-over-samples = { $count } points of the light
+point-and = { " and " }
+point-evaluated = Evaluated at { $over }
+point-evaluated-mean = Evaluated at { $over }. A bar over letters marks the mean.
+point-light-adds-nothing = It adds nothing: { $why }.
+point-term-adds-nothing = { $term } adds nothing: { $why }.
+point-spot-part = , the spot’s factor
+point-law-clamped = , clamped to 1 (d = { $d })
+point-points-away = : { $vector } points away
+point-by-viewer = by the distance to the viewer, { $d } world units
+point-by-light = by the distance to the light, { $d } world units
+point-here = Here { $values }.
+point-here-mean = Here { $values }, the mean of all evaluations.
+point-here-product = The product of the column is { $values } here.
+point-here-product-mean = The mean product of the column is { $values } here.
+point-angle = { $letter }, { $a } to { $b }
+point-light-row = light
+point-in-light = in light
+point-part-in-shadow = { $percent } % in shadow
+point-at-probe = at the probe
+point-line-at-probe = { $name } at the probe: { $value }
+point-share-tip = { $share } of the pixel’s luminance (Rec. 709)
+point-letter-irefl = Irefl: the reflected light, the sum of the terms
+point-letter-s = s: the spot’s factor in this direction, 0 to 1
+point-letter-lit = lit: the part of the light that is not in shadow, 0 to 1
+point-letter-facets = S: the microfacets that reflect the light to the viewer, π·D·G/(4·(N·V))
+point-letter-idc = Idc: the colour that intensities fade into
+
+# Why a light adds nothing: in a word or two, and in a clause. C is the name of a coefficient.
+point-zero-muted = muted
+    .why = it is muted
+point-zero-not-soloed = not soloed
+    .why = another light is soloed
+point-zero-black = Ip is 0
+    .why = its Ip is 0
+point-zero-not-reflected = not reflected
+    .why = { $c } is 0
+    .channel = Ip and { $c } have no channel in common
+point-zero-behind = behind the surface
+    .why = the light is behind the surface, N·L ≤ 0
+point-zero-outside-cone = outside the cone
+    .why = the point is outside the light’s cone
+point-zero-in-shadow = in shadow
+    .why = something blocks the light
+point-zero-not-to-viewer = away from the viewer
+    .why = the highlight points away from the viewer
+point-zero-too-faint = too faint
+    .why = it is so faint that it rounds to 0
+point-zero-nothing = adds nothing
+point-zero-both = { $diffuse }, and { $specular }
+point-zero-in-part = in part { $clause }
+# Between two clauses.
+point-clause-gap = { "; " }
+
+# The report in words
+point-report-background = pixel ({ $x }, { $y }) shows the background
+point-report-face = pixel ({ $x }, { $y }), face { $face }, depth { $depth }
+point-report-surface = pixel ({ $x }, { $y }), depth { $depth }
+point-report-places = Evaluated at { $places }. The vectors are those at the pixel’s centre.
+point-report-sampling = over the whole picture { $rms } (rms), { $greatest } (greatest) from { $samples } samples
+point-report-stored = sum and stored value
+point-report-fit = The constant Ia that fits the bounce in this picture best: { $r } { $g } { $b }
+point-report-light = light { $index }{ $name }, { $kind }, { $law }
+point-report-share = { $name }, { $share } of the pixel’s luminance
+point-mean-of = mean of { $formula }

@@ -77,3 +77,108 @@ point-error-no-such-light = --light { $light }：場景中沒有此光源，應�
 point-error-no-light = 場景中沒有光源，至少需要一個
 point-error-background = 像素 { $x },{ $y } 顯示背景，請指定顯示物體的像素
 point-error-behind = 光源 { $light } 在像素 { $x },{ $y } 處位於表面背後，請指定位於正面的光源
+
+# 各項與其數值
+point-channels = 紅 { $red }，綠 { $green }，藍 { $blue }
+point-ambient = 環境光
+point-specular = 鏡面反射
+point-bounce = 一次反射光
+point-bounce-note = 其他表面反射一次的光取代了常數項；常數項原為：
+point-transparency = 透明度
+point-transmitted = 穿透
+point-depth-cueing = 深度提示
+point-seen = 顯示
+point-light = 光源 { $number }
+point-sum = 總和
+point-sum-reflected = 反射的 I
+point-sum-before-cueing = 深度提示前的 I
+point-sum-cued = 深度提示後的 I
+point-clamped = 截至 1
+point-scaled = 縮放後
+point-stored = 儲存值
+point-hatched = 有值大於 1：像素以黑白斜線標示。
+point-divided = 除以整張圖片的最大值 { $divisor }：
+point-refractions = { $refractions } 次折射
+point-refractions-and-totals = { $refractions } 次折射，{ $totals } 次全反射
+point-snell-in = 司乃耳定律（Snell’s law）：sin { $v } = { $eta } · sin { $t }，即 V、T 與法向量的夾角
+point-snell-out = 司乃耳定律（Snell’s law）：{ $eta } · sin { $v } = sin { $t }，即 V、T 與法向量的夾角
+point-snell-total = V 與法向量夾 { $v }，η = { $eta }：全反射，沒有 T
+point-cue-at-points = 深度提示在方程式求值處套用；s0 的平均為 { $s0 }。
+point-cue-interpolated = s0 = { $s0 }，由頂點內插而得；像素本身的深度則得 { $own }。
+point-cue-at-pixel = s0 從深度 { $front } 的 { $front_scale } 到深度 { $back } 的 { $back_scale }；此處 s0 = { $s0 }。
+point-cue-left = 深度 { $depth } 處剩 { $percent } %
+point-what-position = 位置
+point-what-n = 法向量
+point-what-v = 朝觀察者
+point-what-l = 朝光源
+point-what-r = L 對 N 的反射
+point-what-h = L 與 V 的中間方向
+point-what-t = 穿透方向
+point-over-centre = 多邊形中心
+point-over-first-vertex = 多邊形的第一個頂點
+point-over-vertices = 多邊形的各頂點
+point-over-samples = 光源的 { $count } 個點
+point-and = 與
+point-evaluated = 在{ $over }求值
+point-evaluated-mean = 在{ $over }求值。字母上的橫線表示平均。
+point-light-adds-nothing = 沒有貢獻：{ $why }。
+point-term-adds-nothing = { $term }沒有貢獻：{ $why }。
+point-spot-part = ，聚光燈的係數
+point-law-clamped = ，截至 1（d = { $d }）
+point-points-away = ：{ $vector } 朝向另一側
+point-by-viewer = 由與觀察者的距離決定，{ $d } 世界單位
+point-by-light = 由與光源的距離決定，{ $d } 世界單位
+point-here = 此處為 { $values }。
+point-here-mean = 此處為 { $values }，即所有求值的平均。
+point-here-product = 此欄的乘積在此處為 { $values }。
+point-here-product-mean = 此欄乘積的平均在此處為 { $values }。
+point-angle = { $letter }，{ $a } 與 { $b }
+point-light-row = 光源
+point-in-light = 受光
+point-part-in-shadow = { $percent } % 在陰影中
+point-at-probe = （探測點）
+point-line-at-probe = 探測點的{ $name }：{ $value }
+point-share-tip = { $share }，占像素的亮度（Rec. 709）
+point-letter-irefl = Irefl：反射光，即各項之和
+point-letter-s = s：聚光燈在此方向的係數，0 到 1
+point-letter-lit = lit：光未被遮住的部分，0 到 1
+point-letter-facets = S：將光反射向觀察者的微平面，π·D·G/(4·(N·V))
+point-letter-idc = Idc：亮度淡入的顏色
+
+# 光源沒有貢獻的原因：簡短說法與完整說法。C 是係數的名稱。
+point-zero-muted = 已靜音
+    .why = 此光源已靜音
+point-zero-not-soloed = 非獨奏
+    .why = 另一光源設為獨奏
+point-zero-black = Ip 為 0
+    .why = 它的 Ip 為 0
+point-zero-not-reflected = 不反射
+    .why = { $c } 為 0
+    .channel = Ip 與 { $c } 沒有共同的色版
+point-zero-behind = 在表面背後
+    .why = 光源在表面背後，N·L ≤ 0
+point-zero-outside-cone = 在光錐外
+    .why = 此點在聚光燈的光錐外
+point-zero-in-shadow = 在陰影中
+    .why = 光被遮住
+point-zero-not-to-viewer = 未朝觀察者
+    .why = 高光未朝向觀察者
+point-zero-too-faint = 太弱
+    .why = 弱到捨入為 0
+point-zero-nothing = 沒有貢獻
+point-zero-both = { $diffuse }，且 { $specular }
+point-zero-in-part = 部分因為{ $clause }
+# 兩個子句之間。
+point-clause-gap = ；
+
+# 文字報告
+point-report-background = 像素 ({ $x }, { $y }) 顯示背景
+point-report-face = 像素 ({ $x }, { $y })，面 { $face }，深度 { $depth }
+point-report-surface = 像素 ({ $x }, { $y })，深度 { $depth }
+point-report-places = 在{ $places }求值。向量則為像素中心處的向量。
+point-report-sampling = 整張圖片與 { $samples } 個取樣相比：{ $rms }（均方根），{ $greatest }（最大）
+point-report-stored = 總和與儲存值
+point-report-fit = 最符合此圖片一次反射光的常數 Ia：{ $r } { $g } { $b }
+point-report-light = 光源 { $index }{ $name }，{ $kind }，{ $law }
+point-report-share = { $name }，占像素亮度的 { $share }
+point-mean-of = { $formula } 的平均

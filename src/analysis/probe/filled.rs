@@ -15,6 +15,7 @@ use crate::scene::{
     Attenuation, CuedBy, DepthCueing, Encoding, FlatAt, LightKind, Overflow, Reflectance,
     ReflectionModel, Rgb, ShadingMode, Through,
 };
+use crate::text;
 use glam::DVec3;
 
 /// A normal whose length differs from 1 by more than this has not been made a unit vector.
@@ -79,7 +80,7 @@ impl LineValue {
     /// In a phrase.
     pub fn words(&self) -> String {
         match self {
-            Self::Channels([red, green, blue]) => format!("{red} red, {green} green, {blue} blue"),
+            Self::Channels([red, green, blue]) => in_channels([red, green, blue]),
             Self::Words(words) => words.clone(),
         }
     }
@@ -126,16 +127,16 @@ impl Here<'_> {
         };
         if let Some(through) = self.through_line() {
             parts.extend([
-                sum("I reflected", "{Irefl}", self.hit.reflected),
+                sum(text!("point-sum-reflected"), "{Irefl}", self.hit.reflected),
                 FilledPart::Line(through),
             ]);
         }
         if let Some(fading) = self.fading_line() {
             parts.extend([
-                sum("I before it fades", "{I}", self.hit.intensity),
+                sum(text!("point-sum-before-cueing"), "{I}", self.hit.intensity),
                 FilledPart::Line(fading),
             ]);
-            parts.push(sum("I with depth cueing", "seen", self.hit.sum));
+            parts.push(sum(text!("point-sum-cued"), "", self.hit.sum));
         } else {
             parts.push(sum("I", "{I}", self.hit.sum));
         }
@@ -145,11 +146,11 @@ impl Here<'_> {
 
     fn ambient_line(self) -> FilledLine {
         let (name, value) = if self.hit.bounced {
-            ("one bounce", Tone::Weak)
+            (text!("point-bounce"), Tone::Weak)
         } else {
-            ("ambient", Tone::Strong)
+            (text!("point-ambient"), Tone::Strong)
         };
-        let note = "Light that other surfaces scatter once stands in place of the constant, which would be:";
+        let note = text!("point-bounce-note");
         let mut parts = Vec::from_iter(self.hit.bounced.then(|| FilledPart::Note(note.into())));
         let (name, product) = (name.to_owned(), self.ambient());
         parts.push(FilledPart::Product {
@@ -167,25 +168,27 @@ impl Here<'_> {
     /// What comes through the surface, mixed with what it reflects; nothing where it is opaque.
     fn through_line(self) -> Option<FilledLine> {
         let (product, through) = (self.mixture()?, self.hit.transmission?);
-        let counted =
-            |count: u32, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
-        let refracted = counted(through.refractions, "refraction");
+        let refractions = through.refractions;
         let words = match through.total_reflections {
-            0 => refracted,
-            totals => format!("{refracted}, {}", counted(totals, "total reflection")),
+            0 => text!("point-refractions", refractions = refractions),
+            totals => text!(
+                "point-refractions-and-totals",
+                refractions = refractions,
+                totals = totals
+            ),
         };
         // Snell's law with this pixel's angles: that of V to N and that of T to −N.
         let (normal, view, eta) = (self.hit.normal, self.hit.view, self.scene.transparency.ior);
         let angle = to_line(normal, view).to_degrees();
         let leaves = view.dot(normal) < 0.0 && self.scene.transparency.through == Through::Solid;
-        let snell = match through.t.map(|t| to_line(normal, t).to_degrees()) {
-            Some(bent) if leaves => {
-                format!("Snell: {eta:.3} · sin {angle:.2}° = sin {bent:.2}°, of T")
-            }
-            Some(bent) => format!("Snell: sin {angle:.2}° = {eta:.3} · sin {bent:.2}°, of T"),
-            None => format!("V at {angle:.2}° to N, η = {eta:.3}: total reflection, no T"),
+        let degrees = |angle: f64| format!("{angle:.2}°");
+        let (v, eta) = (degrees(angle), format!("{eta:.3}"));
+        let snell = match through.t.map(|t| degrees(to_line(normal, t).to_degrees())) {
+            Some(t) if leaves => text!("point-snell-out", v = v, t = t, eta = eta),
+            Some(t) => text!("point-snell-in", v = v, t = t, eta = eta),
+            None => text!("point-snell-total", v = v, eta = eta),
         };
-        let (name, tone) = ("transparency".to_owned(), Tone::Of(Vector::T));
+        let (name, tone) = (text!("point-transparency").to_owned(), Tone::Of(Vector::T));
         let table = FilledPart::Product {
             name: name.clone(),
             product,
@@ -210,28 +213,35 @@ impl Here<'_> {
             back_scale,
             ..
         } = cueing;
+        let number = |value: f64, decimals| fixed(value, decimals);
+        let scale = number(s0, 3);
         let found = if self.fades_at_points() {
-            format!(
-                "Intensities fade where the equation is evaluated; the mean of their s0 is {s0:.3}."
-            )
+            text!("point-cue-at-points", s0 = scale)
         } else if cueing.by == CuedBy::Vertex && self.scene.shading.mode != ShadingMode::Exact {
-            let own = cueing.scale_at(self.hit.depth);
-            format!(
-                "s0 = {s0:.3}, interpolated between the vertices; by the pixel's own depth {own:.3}."
-            )
+            let own = number(cueing.scale_at(self.hit.depth), 3);
+            text!("point-cue-interpolated", s0 = scale, own = own)
         } else {
-            format!(
-                "s0 is {front_scale:.2} at {front:.2} and {back_scale:.2} at {back:.2}: here {s0:.3}."
+            text!(
+                "point-cue-at-pixel",
+                s0 = scale,
+                front = number(*front, 2),
+                back = number(*back, 2),
+                front_scale = number(*front_scale, 2),
+                back_scale = number(*back_scale, 2)
             )
         };
-        let name = "depth cueing".to_owned();
+        let name = text!("point-depth-cueing").to_owned();
         let table = FilledPart::Product {
             name: name.clone(),
             product,
             letters: Tone::Plain,
             value: Tone::Strong,
         };
-        let words = format!("{:.1} % left at depth {:.3}", 100.0 * s0, self.hit.depth);
+        let words = text!(
+            "point-cue-left",
+            percent = format!("{:.1}", 100.0 * s0),
+            depth = format!("{:.3}", self.hit.depth)
+        );
         let parts = vec![FilledPart::Note(found), table];
         Some(FilledLine {
             parts,
@@ -249,23 +259,22 @@ impl Here<'_> {
             Overflow::Clamp if hit.sum.max_element() > 1.0 => {
                 shown = shown.map(|sum| sum.min(Rgb::ONE));
                 parts.push(step(
-                    "clamped to 1",
+                    text!("point-clamped"),
                     LineValue::sum(shown.unwrap_or_default()),
                 ));
             }
             Overflow::Mark if hit.sum.max_element() > 1.0 => {
                 shown = None;
-                parts.push(FilledPart::Note(
-                    "Above 1: hatched in black and white.".into(),
-                ));
+                parts.push(FilledPart::Note(text!("point-hatched").into()));
             }
             Overflow::Scale if hit.divisor > 1.0 => {
                 shown = shown.map(|sum| sum / hit.divisor);
-                let note = format!(
-                    "Divided by {:.3}, the picture's greatest value:",
-                    hit.divisor
+                let divisor = format!("{:.3}", hit.divisor);
+                let note = text!("point-divided", divisor = divisor);
+                let scaled = step(
+                    text!("point-scaled"),
+                    LineValue::sum(shown.unwrap_or_default()),
                 );
-                let scaled = step("scaled", LineValue::sum(shown.unwrap_or_default()));
                 parts.extend([FilledPart::Note(note), scaled]);
             }
             Overflow::Clamp | Overflow::Mark | Overflow::Scale => {}
@@ -281,7 +290,12 @@ impl Here<'_> {
             parts.push(step("× 255", LineValue::Channels(codes)));
         }
         let stored = LineValue::Channels(hit.stored.map(|code| code.to_string()));
-        parts.push(FilledPart::Line(line("=", "stored", stored, Tone::Strong)));
+        parts.push(FilledPart::Line(line(
+            "=",
+            text!("point-stored"),
+            stored,
+            Tone::Strong,
+        )));
         parts
     }
 
@@ -299,7 +313,8 @@ impl Here<'_> {
                 1.0
             };
         let part = |name: &str, number: &str, tone, weight: f64| {
-            let short = format!("{}{}", &name[..1], number.trim());
+            let first = name.chars().next().unwrap_or_default();
+            let short = format!("{first}{}", number.trim());
             Share {
                 name: format!("{name}{number}"),
                 short,
@@ -310,9 +325,9 @@ impl Here<'_> {
         let term = |name, number: &str, tone, value| {
             part(name, number, tone, (opaque * luminance(value)).max(0.0))
         };
-        let mut parts = vec![term("ambient", "", Tone::Plain, hit.ambient)];
+        let mut parts = vec![term(text!("point-ambient"), "", Tone::Plain, hit.ambient)];
         if hit.bounced {
-            "one bounce".clone_into(&mut parts[0].name);
+            text!("point-bounce").clone_into(&mut parts[0].name);
         }
         for (index, light) in hit.lights.iter().enumerate() {
             let number = if hit.lights.len() > 1 {
@@ -320,9 +335,14 @@ impl Here<'_> {
             } else {
                 String::new()
             };
-            parts.push(term("diffuse", &number, Tone::Of(Vector::L), light.diffuse));
             parts.push(term(
-                "specular",
+                text!("point-diffuse"),
+                &number,
+                Tone::Of(Vector::L),
+                light.diffuse,
+            ));
+            parts.push(term(
+                text!("point-specular"),
                 &number,
                 Tone::Of(specular_vector(self.scene.reflection.model)),
                 light.specular,
@@ -331,11 +351,17 @@ impl Here<'_> {
         let through = hit
             .transmission
             .map(|through| left * kt * luminance(through.seen));
-        parts.extend(through.map(|weight| part("through", "", Tone::Of(Vector::T), weight)));
         parts.extend(
-            hit.cue
-                .map(|cue| part("fog", "", Tone::Weak, luminance(cue.veil))),
+            through.map(|weight| part(text!("point-transmitted"), "", Tone::Of(Vector::T), weight)),
         );
+        parts.extend(hit.cue.map(|cue| {
+            part(
+                text!("point-depth-cueing"),
+                "",
+                Tone::Weak,
+                luminance(cue.veil),
+            )
+        }));
         parts
     }
 
@@ -343,12 +369,12 @@ impl Here<'_> {
     pub fn vectors(self) -> Vec<(Option<Vector>, &'static str, DVec3)> {
         let hit = self.hit;
         let mut rows = vec![
-            (None, "position", hit.position),
-            (Some(Vector::N), "normal", hit.normal),
-            (Some(Vector::V), "to the viewer", hit.view),
+            (None, text!("point-what-position"), hit.position),
+            (Some(Vector::N), text!("point-what-n"), hit.normal),
+            (Some(Vector::V), text!("point-what-v"), hit.view),
         ];
         let t = hit.transmission.and_then(|through| through.t);
-        rows.extend(t.map(|t| (Some(Vector::T), "transmitted", t)));
+        rows.extend(t.map(|t| (Some(Vector::T), text!("point-what-t"), t)));
         rows
     }
 
@@ -356,9 +382,9 @@ impl Here<'_> {
     pub fn places(self) -> Option<&'static str> {
         match (self.scene.shading.mode, self.scene.shading.flat_at) {
             (ShadingMode::Phong | ShadingMode::Exact, _) => None,
-            (ShadingMode::Flat, FlatAt::Centre) => Some("the polygon's centre"),
-            (ShadingMode::Flat, FlatAt::ProvokingVertex) => Some("the polygon's first vertex"),
-            _ => Some("the polygon's vertices"),
+            (ShadingMode::Flat, FlatAt::Centre) => Some(text!("point-over-centre")),
+            (ShadingMode::Flat, FlatAt::ProvokingVertex) => Some(text!("point-over-first-vertex")),
+            _ => Some(text!("point-over-vertices")),
         }
     }
 }
@@ -369,7 +395,7 @@ impl LightHere<'_> {
         let (terms, name) = (self.terms, self.source.name.trim());
         let number = self.index + 1;
         let name = if name.is_empty() {
-            format!("light {number}")
+            text!("point-light", number = number)
         } else {
             format!("{number} {name}")
         };
@@ -383,7 +409,10 @@ impl LightHere<'_> {
         };
         let value = silent.unwrap_or_else(|| LineValue::sum(terms.diffuse + terms.specular));
         let parts = match terms.why_nothing() {
-            Some(why) => vec![FilledPart::Note(format!("It adds nothing: {why}."))],
+            Some(why) => vec![FilledPart::Note(text!(
+                "point-light-adds-nothing",
+                why = why
+            ))],
             None => self.parts(shares),
         };
         FilledLine {
@@ -402,25 +431,25 @@ impl LightHere<'_> {
                 self.attenuates()
                     .then(|| FilledPart::Formula(self.attenuation_formula())),
             );
-            let spot = || format!("{{spot}}{}, the spot's part", result(terms.spot));
+            let spot = || format!("{{spot}}{}{}", result(terms.spot), text!("point-spot-part"));
             parts
                 .extend((self.source.kind == LightKind::Spot).then(|| FilledPart::Formula(spot())));
         } else {
-            let points = format!("{} points of the light", self.source.samples);
+            let points = text!("point-over-samples", count = self.source.samples);
             let points = (self.source.kind == LightKind::Area).then_some(points.as_str());
             let over: Vec<&str> = points.into_iter().chain(self.here.places()).collect();
-            parts.push(FilledPart::Evaluated(over.join(" and ")));
+            parts.push(FilledPart::Evaluated(over.join(text!("point-and"))));
         }
         let told_by_cosine = terms.specular_zero == ZeroCause::MissesViewer.into();
         let diffuse = (
-            "diffuse",
+            text!("point-diffuse"),
             Tone::Of(Vector::L),
             terms.why_no_diffuse(),
             self.facing_formula(),
             self.diffuse(),
         );
         let specular = (
-            "specular",
+            text!("point-specular"),
             Tone::Of(specular_vector(self.here.scene.reflection.model)),
             terms.why_no_specular(),
             self.lobe_formula(),
@@ -439,7 +468,9 @@ impl LightHere<'_> {
                 (one && (zero.is_none() || told_by_cosine)).then_some(FilledPart::Formula(formula)),
             );
             parts.push(match zero {
-                Some(why) => FilledPart::Note(format!("{name} adds nothing: {why}.")),
+                Some(why) => {
+                    FilledPart::Note(text!("point-term-adds-nothing", term = name, why = why))
+                }
                 None => {
                     let name = format!("{name} {}", self.index + 1);
                     FilledPart::Product {
@@ -462,18 +493,13 @@ impl LightHere<'_> {
             .collect();
         values.push(("n", exponent(self.here.scene.material.n)));
         if self.attenuates() {
-            let what = if self.source.attenuation == Attenuation::Viewer {
-                "viewer"
+            let d = fixed(self.distance(), 4);
+            let by = if self.source.attenuation == Attenuation::Viewer {
+                text!("point-by-viewer", d = d)
             } else {
-                "light"
+                text!("point-by-light", d = d)
             };
-            values.push((
-                "f",
-                format!(
-                    "by the distance to the {what}, {:.4} world units",
-                    self.distance()
-                ),
-            ));
+            values.push(("f", by));
         }
         values
     }
@@ -482,58 +508,58 @@ impl LightHere<'_> {
     pub fn vectors(self) -> [(Option<Vector>, &'static str, DVec3); 3] {
         let LightTerms { l, r, h, .. } = *self.terms;
         [
-            (Some(Vector::L), "to the light", l),
-            (Some(Vector::R), "L mirrored", r),
-            (Some(Vector::H), "half-way", h),
+            (Some(Vector::L), text!("point-what-l"), l),
+            (Some(Vector::R), text!("point-what-r"), r),
+            (Some(Vector::H), text!("point-what-h"), h),
         ]
     }
 
     /// The angles and the factors that come from them: names and values.
-    pub fn angles(self) -> Vec<(&'static str, String)> {
+    pub fn angles(self) -> Vec<(String, String)> {
         let (scene, hit, terms) = (self.here.scene, self.here.hit, self.terms);
         let (material, phong) = (
             &scene.material,
             scene.reflection.model == ReflectionModel::Phong,
         );
         let degrees = |angle: f64| format!("{:.2}°", angle.to_degrees());
-        let mut rows = vec![
-            ("θ, N to L", degrees(terms.theta)),
-            (
-                if phong { "φ, R to V" } else { "φ, N to H" },
-                degrees(terms.phi),
-            ),
-            ("N·L", fixed(terms.n_dot_l, 4)),
-            ("f", digits(terms.attenuation)),
-        ];
-        if scene.reflection.model == ReflectionModel::CookTorrance {
-            rows.push(("m", short(material.roughness)));
+        let between =
+            |letter: &str, a: &str, b: &str| text!("point-angle", letter = letter, a = a, b = b);
+        let mut rows = vec![(between("θ", "N", "L"), degrees(terms.theta))];
+        if phong {
+            let alpha = self.facing_normal().angle_between(terms.h);
+            rows.push((between("φ", "R", "V"), degrees(terms.phi)));
+            rows.push((between("α", "N", "H"), degrees(alpha)));
         } else {
-            rows.push(("n", exponent(material.n)));
+            rows.push((between("φ", "N", "H"), degrees(terms.phi)));
+        }
+        rows.push(("N·L".into(), fixed(terms.n_dot_l, 4)));
+        rows.push(("f".into(), digits(terms.attenuation)));
+        if scene.reflection.model == ReflectionModel::CookTorrance {
+            rows.push(("m".into(), short(material.roughness)));
+        } else {
+            rows.push(("n".into(), exponent(material.n)));
         }
         if self.source.kind == LightKind::Spot {
-            rows.push(("s", digits(terms.spot)));
+            rows.push(("s".into(), digits(terms.spot)));
         }
         if material.reflectance != Reflectance::Constant {
-            rows.push((
-                if phong { "W, L to N" } else { "W, L to H" },
-                degrees(terms.incidence),
-            ));
+            let other = if phong { "N" } else { "H" };
+            rows.push((between("W(θ)", "L", other), degrees(terms.incidence)));
         }
         if let Some(t) = hit.transmission.and_then(|through| through.t) {
-            rows.push(("θt, T to −N", degrees(to_line(hit.normal, t))));
+            rows.push((between("θt", "T", "−N"), degrees(to_line(hit.normal, t))));
         }
+        let light = || text!("point-light-row").to_owned();
         let hidden = 100.0 * (1.0 - terms.reached);
         if let Some(why) = terms.why_nothing_in_short() {
-            rows.push(("light", why.to_owned()));
+            rows.push((light(), why.to_owned()));
         } else if scene.shading.shadows {
-            rows.push((
-                "light",
-                if hidden > 0.0 {
-                    format!("{hidden:.1} % in shadow")
-                } else {
-                    "in light".into()
-                },
-            ));
+            let state = if hidden > 0.0 {
+                text!("point-part-in-shadow", percent = format!("{hidden:.1}"))
+            } else {
+                text!("point-in-light").to_owned()
+            };
+            rows.push((light(), state));
         }
         rows
     }
@@ -561,7 +587,9 @@ impl LightHere<'_> {
                 let [c1, c2, c3] = [light.c1, light.c2, light.c3].map(short);
                 format!(" = 1/({c1} + {c2}·{d:.2} + {c3}·{d:.2}²)")
             }
-            Attenuation::Quadratic | Attenuation::None => format!(", at most 1 (d = {d:.2})"),
+            Attenuation::Quadratic | Attenuation::None => {
+                text!("point-law-clamped", d = format!("{d:.2}"))
+            }
         };
         format!("{{f}}{formula}{}", result(self.terms.attenuation))
     }
@@ -603,7 +631,10 @@ impl LightHere<'_> {
             } else {
                 "H"
             };
-            return format!("{letters} = 0: {vector} points away");
+            return format!(
+                "{letters} = 0{}",
+                text!("point-points-away", vector = vector)
+            );
         }
         // Neither the cosine of a small φ nor a high power of it can be read from four digits; the angle can.
         let power = if (self.here.hit.normal.length() - 1.0).abs() > UNIT {
@@ -625,10 +656,10 @@ impl TermColumn {
     pub fn words(&self) -> String {
         let values = triple(self.values);
         match (self.factors.len() == 1, self.mean) {
-            (true, false) => format!("Here {values}."),
-            (true, true) => format!("Here {values}, the mean of all evaluations."),
-            (false, false) => format!("The column's product is {values} here."),
-            (false, true) => format!("The mean of the column's product is {values} here."),
+            (true, false) => text!("point-here", values = values),
+            (true, true) => text!("point-here-mean", values = values),
+            (false, false) => text!("point-here-product", values = values),
+            (false, true) => text!("point-here-product-mean", values = values),
         }
     }
 }
@@ -700,8 +731,12 @@ fn triple(values: Rgb) -> String {
     if red == green && green == blue {
         red
     } else {
-        format!("{red} red, {green} green, {blue} blue")
+        in_channels([&red, &green, &blue])
     }
+}
+
+fn in_channels([red, green, blue]: [&str; 3]) -> String {
+    text!("point-channels", red = red, green = green, blue = blue)
 }
 
 /// Decimals behind the point of a number, `most` for one below 10.

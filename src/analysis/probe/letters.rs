@@ -81,7 +81,13 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
         parts.push(vec![letters(" ) + {Kt}{It}", sky, false)]);
     }
     if scene.depth_cueing.by != CuedBy::Off {
-        parts.push(vec![plain("   seen: {s0} I + (1 − {s0}) {Idc}", false)]);
+        parts.push(vec![plain(
+            &format!(
+                "   {}: {{s0}} I + (1 − {{s0}}) {{Idc}}",
+                text!("point-seen")
+            ),
+            false,
+        )]);
     }
     parts
 }

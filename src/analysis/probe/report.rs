@@ -1,15 +1,16 @@
 //! What the probe says, and how it is asked.
 
-use super::filled::FilledPart;
+use super::filled::{FilledPart, digits, fixed};
 use super::letters::{attenuation_law, equation_letters, plain_formula};
 use super::products::{Here, LightHere, Product};
 use super::{CueTerms, Probe, ProbeHit, probe};
 use crate::analysis::report::{About, Answer, Cell, Column, Report, Section, Table};
 use crate::analysis::{
     Part, Question, REFERENCE_SAMPLES, SamplingError, Subject, Watch, cells, sampling_error_with,
-    word,
 };
 use crate::figure::palette::Vector;
+use crate::scene::Choice;
+use crate::text;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -48,22 +49,31 @@ impl Question for ProbeQuestion {
 }
 
 /// The channels of a colour.
-pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+pub fn channels() -> [&'static str; 3] {
+    [
+        text!("point-red"),
+        text!("point-green"),
+        text!("point-blue"),
+    ]
+}
 
 impl Answer for Probed {
     fn report(&self, about: &About<'_>) -> Report {
         let (scene, [x, y]) = (about.scene, self.probe.pixel);
         let Some(hit) = &self.probe.hit else {
-            return Report::new(format!("pixel ({x}, {y}) shows the background"));
+            return Report::new(text!("point-report-background", x = x, y = y));
         };
-        let face = hit
-            .face
-            .map(|face| format!(", face {face}"))
-            .unwrap_or_default();
-        let mut report = Report::new(format!(
-            "pixel ({x}, {y}){face}, depth {}",
-            number(hit.depth)
-        ));
+        let depth = number(hit.depth);
+        let mut report = Report::new(match hit.face {
+            Some(face) => text!(
+                "point-report-face",
+                x = x,
+                y = y,
+                face = face.to_string(),
+                depth = depth
+            ),
+            None => text!("point-report-surface", x = x, y = y, depth = depth),
+        });
         let here = Here { scene, hit };
         vectors(report.section(""), &here.vectors());
         let letters: String = equation_letters(scene)
@@ -73,9 +83,7 @@ impl Answer for Probed {
             .collect();
         let section = report.section("").line(plain_formula(&letters));
         if let Some(places) = here.places() {
-            section.note(format!(
-                "evaluated at {places}; the vectors are those at the pixel"
-            ));
+            section.note(text!("point-report-places", places = places));
         }
         let mut flat = Section::default();
         for part in here.filled() {
@@ -96,10 +104,13 @@ impl Answer for Probed {
                         .and_then(|index| self.sampling.get(index).copied().flatten());
                     if let Some(SamplingError { rms, greatest }) = sampling {
                         let [rms, greatest] = [rms, greatest].map(number);
-                        let errors = format!("{rms} (rms), {greatest} (greatest)");
-                        section.note(format!(
-                            "  over the picture {errors} from {REFERENCE_SAMPLES} samples"
-                        ));
+                        let note = text!(
+                            "point-report-sampling",
+                            rms = rms,
+                            greatest = greatest,
+                            samples = REFERENCE_SAMPLES.to_string()
+                        );
+                        section.note(format!("  {note}"));
                     }
                 }
                 part => say(&mut flat, part),
@@ -107,13 +118,11 @@ impl Answer for Probed {
         }
         report.sections.push(flat);
         report
-            .section("sum, and stored")
+            .section(text!("point-report-stored"))
             .push(Part::Table(stored(hit)));
         if let Some(fit) = self.probe.ambient_fit {
             let [r, g, b] = fit.to_array().map(number);
-            let note = format!(
-                "the constant Ia that stands best for the bounce in this picture: {r} {g} {b}"
-            );
+            let note = text!("point-report-fit", r = r, g = g, b = b);
             report.section("").note(note);
         }
         report
@@ -153,11 +162,12 @@ fn light_title(light: LightHere<'_>) -> String {
     } else {
         format!(" “{}”", source.name)
     };
-    format!(
-        "light {}{name}, {}, {}",
-        light.index,
-        word(&source.kind),
-        attenuation_law(source)
+    text!(
+        "point-report-light",
+        index = light.index,
+        name = name,
+        kind = source.kind.label(),
+        law = attenuation_law(source)
     )
 }
 
@@ -168,17 +178,23 @@ fn light_rows(section: &mut Section, light: LightHere<'_>) {
         for (name, value) in light.angles() {
             section.quantity(value, name);
         }
+        for worked in light.construction() {
+            let formula = plain_formula(worked.formula);
+            section.line(format!("  {formula} = {}", worked.numbers.join(" = ")));
+        }
     }
 }
 
 fn say(section: &mut Section, part: FilledPart) {
     match part {
         FilledPart::Note(text) => _ = section.note(text),
-        FilledPart::Evaluated(over) => _ = section.note(format!("evaluated at {over}")),
+        FilledPart::Evaluated(over) => _ = section.note(text!("point-evaluated", over = over)),
         FilledPart::Formula(formula) => _ = section.line(format!("  {}", plain_formula(&formula))),
         FilledPart::Heading { name, share, .. } => {
-            let share = share.map(|share| format!(", {share} of the pixel's luminance"));
-            section.line(format!("{name}{}", share.unwrap_or_default()));
+            section.line(match share {
+                Some(share) => text!("point-report-share", name = name, share = share),
+                None => name.to_owned(),
+            });
         }
         FilledPart::Product { product, .. } => {
             _ = section.push(Part::Table(product_table(&product)));
@@ -204,15 +220,17 @@ fn product_table(product: &Product) -> Table {
             (_, true) => "+ ",
             (_, false) => "· ",
         };
-        let mean = if column.mean { "mean of " } else { "" };
-        columns.push(Column::shown(
-            format!("{sign}{mean}{}", plain_formula(&column.formula())),
-            number,
-        ));
+        let formula = plain_formula(&column.formula());
+        let formula = if column.mean {
+            text!("point-mean-of", formula = formula)
+        } else {
+            formula
+        };
+        columns.push(Column::shown(format!("{sign}{formula}"), number));
     }
     columns.push(Column::shown("=", number));
     let mut table = Table::new(columns);
-    for (c, name) in CHANNELS.into_iter().enumerate() {
+    for (c, name) in channels().into_iter().enumerate() {
         let factors = product
             .columns
             .iter()
@@ -229,14 +247,17 @@ fn product_table(product: &Product) -> Table {
 
 fn stored(hit: &ProbeHit) -> Table {
     let mut columns = vec![Column::both("channel", "", number), Column::key("ambient")];
-    columns.extend(["sum", "stored"].map(|key| Column::both(key, key, number)));
+    columns.extend([
+        Column::both("sum", text!("point-sum"), number),
+        Column::both("stored", text!("point-stored"), number),
+    ]);
     for index in 0..hit.lights.len() {
         columns.extend(
             ["diffuse", "specular"].map(|term| Column::key(format!("light{index}_{term}"))),
         );
     }
     let mut table = Table::new(columns);
-    for (c, name) in CHANNELS.into_iter().enumerate() {
+    for (c, name) in channels().into_iter().enumerate() {
         let mut row = cells![name, hit.ambient[c], hit.sum[c], u32::from(hit.stored[c])];
         row.extend(
             hit.lights
@@ -263,8 +284,8 @@ fn vectors(section: &mut Section, rows: &[(Option<Vector>, &str, DVec3)]) {
 fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 || (1e-3..1e5).contains(&size) || !size.is_finite() {
-        format!("{value:.4}")
+        fixed(value, 4)
     } else {
-        format!("{value:.2e}")
+        digits(value)
     }
 }

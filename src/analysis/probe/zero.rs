@@ -3,6 +3,7 @@
 use crate::illumination::{Equation, V3};
 use crate::render::Evaluation;
 use crate::scene::{Backfacing, PatternKind, ReflectionModel, Rgb, Scene};
+use crate::text;
 use glam::DVec3;
 use serde::{Serialize, Serializer};
 
@@ -28,47 +29,52 @@ pub enum ZeroCause {
     TooFaint,
 }
 
-/// Every cause in its order, in a word or two and in a clause; `C` stands for the term's coefficient.
-const CAUSES: [(ZeroCause, &str, &str); 10] = [
-    (ZeroCause::Muted, "muted", "it is muted"),
-    (
-        ZeroCause::NotSoloed,
-        "another is soloed",
-        "another light is soloed",
-    ),
-    (ZeroCause::Black, "black", "its Ip is 0"),
-    (ZeroCause::Coefficient, "not reflected", "C is 0"),
-    (
-        ZeroCause::NoChannel,
-        "not reflected",
-        "Ip and C have no channel in common",
-    ),
-    (
-        ZeroCause::FacesAway,
-        "behind the surface",
-        "the light is behind the surface, N·L ≤ 0",
-    ),
-    (
-        ZeroCause::OutsideCone,
-        "outside its cone",
-        "the point lies outside the light's cone",
-    ),
-    (
-        ZeroCause::InShadow,
-        "in shadow",
-        "something stands before the light",
-    ),
-    (
-        ZeroCause::MissesViewer,
-        "not to the viewer",
-        "the highlight points away from the viewer",
-    ),
-    (
-        ZeroCause::TooFaint,
-        "too faint",
-        "it is too faint to differ from 0",
-    ),
+/// Every cause in its order.
+const CAUSES: [ZeroCause; 10] = [
+    ZeroCause::Muted,
+    ZeroCause::NotSoloed,
+    ZeroCause::Black,
+    ZeroCause::Coefficient,
+    ZeroCause::NoChannel,
+    ZeroCause::FacesAway,
+    ZeroCause::OutsideCone,
+    ZeroCause::InShadow,
+    ZeroCause::MissesViewer,
+    ZeroCause::TooFaint,
 ];
+
+impl ZeroCause {
+    /// In a word or two.
+    fn short(self) -> &'static str {
+        match self {
+            Self::Muted => text!("point-zero-muted"),
+            Self::NotSoloed => text!("point-zero-not-soloed"),
+            Self::Black => text!("point-zero-black"),
+            Self::Coefficient | Self::NoChannel => text!("point-zero-not-reflected"),
+            Self::FacesAway => text!("point-zero-behind"),
+            Self::OutsideCone => text!("point-zero-outside-cone"),
+            Self::InShadow => text!("point-zero-in-shadow"),
+            Self::MissesViewer => text!("point-zero-not-to-viewer"),
+            Self::TooFaint => text!("point-zero-too-faint"),
+        }
+    }
+
+    /// In a clause, for a term whose coefficient is called `c`.
+    fn clause(self, c: &str) -> String {
+        match self {
+            Self::Muted => text!("point-zero-muted.why").to_owned(),
+            Self::NotSoloed => text!("point-zero-not-soloed.why").to_owned(),
+            Self::Black => text!("point-zero-black.why").to_owned(),
+            Self::Coefficient => text!("point-zero-not-reflected.why", c = c),
+            Self::NoChannel => text!("point-zero-not-reflected.channel", c = c),
+            Self::FacesAway => text!("point-zero-behind.why").to_owned(),
+            Self::OutsideCone => text!("point-zero-outside-cone.why").to_owned(),
+            Self::InShadow => text!("point-zero-in-shadow.why").to_owned(),
+            Self::MissesViewer => text!("point-zero-not-to-viewer.why").to_owned(),
+            Self::TooFaint => text!("point-zero-too-faint.why").to_owned(),
+        }
+    }
+}
 
 /// Causes in their order: none where a term adds something, one that holds at all places where the equation is evaluated
 /// and for all points of the light, or several that hold at some each.
@@ -80,7 +86,8 @@ impl ZeroCauses {
     const ALL: Self = Self(u16::MAX);
 
     pub fn iter(self) -> impl Iterator<Item = ZeroCause> {
-        self.described().map(|(cause, ..)| cause)
+        let holds = move |cause: &ZeroCause| self.0 & Self::from(*cause).0 != 0;
+        CAUSES.into_iter().filter(holds)
     }
 
     pub fn is_empty(self) -> bool {
@@ -98,27 +105,23 @@ impl ZeroCauses {
         }
     }
 
-    fn described(self) -> impl Iterator<Item = (ZeroCause, &'static str, &'static str)> {
-        CAUSES
-            .into_iter()
-            .filter(move |(cause, ..)| self.0 & Self::from(*cause).0 != 0)
-    }
-
     /// The first in a word or two.
     pub(super) fn short(self) -> Option<&'static str> {
-        self.described().map(|(_, short, _)| short).next()
+        self.iter().map(ZeroCause::short).next()
     }
 
     /// In a clause, for a term whose coefficient is called `coefficient`; nothing where there are none.
     pub(super) fn clauses(self, coefficient: &str) -> Option<String> {
-        let clauses: Vec<_> = self
-            .described()
-            .map(|(.., clause)| clause.replace('C', coefficient))
-            .collect();
+        let clauses: Vec<_> = self.iter().map(|cause| cause.clause(coefficient)).collect();
         match &clauses[..] {
             [] => None,
             [clause] => Some(clause.clone()),
-            _ => Some(format!("in part {}", clauses.join("; in part "))),
+            _ => {
+                let parts = clauses
+                    .iter()
+                    .map(|clause| text!("point-zero-in-part", clause = &clause[..]));
+                Some(parts.collect::<Vec<_>>().join(text!("point-clause-gap")))
+            }
         }
     }
 }

@@ -135,8 +135,6 @@ pub fn channels_row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, value: &mut R
     });
 }
 
-/// Width of a number such as 0.25, points.
-const DIGITS: f32 = 35.0;
 
 /// Numbers side by side; `parts` are the keys of their names.
 pub fn fields<const N: usize>(
