@@ -271,9 +271,15 @@ impl<'a> Judge<'a> {
     #[allow(dead_code, reason = "each test takes what it needs of it")]
     /// Whether something stands before the light of a point with its normal, whatever the point is lifted by.
     pub fn is_clearly_blocked(&self, light: &Light, (p, n): (DVec3, DVec3)) -> bool {
+        // In steps of the object's radius, whose millionth is_met takes for nothing.
+        let unit = |v: DVec3| (v / v.abs().max_element()).normalize_or_zero();
+        let radius = self.vertices.radius();
         let (way, end) = match light.kind {
-            LightKind::Directional => (-light.direction, f64::INFINITY),
-            _ => (light.position - p, 1.0 - 1e-3),
+            LightKind::Directional => (unit(-light.direction) * radius, f64::INFINITY),
+            _ => {
+                let way = light.position - p;
+                (unit(way) * radius, (1.0 - 1e-3) * way.length() / radius)
+            }
         };
         let side = n * n.dot(way).signum();
         [1e-4, 1e-3, 1e-2, 5e-2, 1e-1, 2e-1]

@@ -109,9 +109,9 @@ point-refractions-and-totals = { $refractions ->
     [one] 1 total reflection
    *[other] { $totals } total reflections
 }
-point-snell-in = Snell’s law: sin { $v } = { $eta } · sin { $t }, the angles of V and T to the normal
-point-snell-out = Snell’s law: { $eta } · sin { $v } = sin { $t }, the angles of V and T to the normal
-point-snell-total = V is { $v } from the normal and η = { $eta }: total reflection, no T
+point-snell-in = Snell’s law: sin { $v } = { $eta } · sin { $t }, the angles of the line of sight and of T to the normal
+point-snell-out = Snell’s law: { $eta } · sin { $v } = sin { $t }, the angles of the line of sight and of T to the normal
+point-snell-total = The line of sight is { $v } from the normal and η = { $eta }: total reflection, no T
 point-cue-at-points = Depth cueing is applied where the equation is evaluated. The mean s0 is { $s0 }.
 point-cue-interpolated = s0 = { $s0 }, interpolated between the vertices. The depth of the pixel itself gives { $own }.
 point-cue-at-pixel = s0 goes from { $front_scale } at depth { $front } to { $back_scale } at depth { $back }. Here s0 = { $s0 }.

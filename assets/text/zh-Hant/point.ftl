@@ -100,9 +100,9 @@ point-hatched = 有值大於 1：像素以黑白斜線標示。
 point-divided = 除以整張圖片的最大值 { $divisor }：
 point-refractions = { $refractions } 次折射
 point-refractions-and-totals = { $refractions } 次折射，{ $totals } 次全反射
-point-snell-in = 司乃耳定律（Snell’s law）：sin { $v } = { $eta } · sin { $t }，即 V、T 與法向量的夾角
-point-snell-out = 司乃耳定律（Snell’s law）：{ $eta } · sin { $v } = sin { $t }，即 V、T 與法向量的夾角
-point-snell-total = V 與法向量夾 { $v }，η = { $eta }：全反射，沒有 T
+point-snell-in = 司乃耳定律（Snell’s law）：sin { $v } = { $eta } · sin { $t }，即視線、T 與法向量的夾角
+point-snell-out = 司乃耳定律（Snell’s law）：{ $eta } · sin { $v } = sin { $t }，即視線、T 與法向量的夾角
+point-snell-total = 視線與法向量夾 { $v }，η = { $eta }：全反射，沒有 T
 point-cue-at-points = 深度提示在方程式求值處套用；s0 的平均為 { $s0 }。
 point-cue-interpolated = s0 = { $s0 }，由頂點內插而得；像素本身的深度則得 { $own }。
 point-cue-at-pixel = s0 從深度 { $front } 的 { $front_scale } 到深度 { $back } 的 { $back_scale }；此處 s0 = { $s0 }。

@@ -13,7 +13,7 @@ use crate::illumination::attenuation_at;
 use crate::render::srgb;
 use crate::scene::{
     Attenuation, CuedBy, DepthCueing, Encoding, FlatAt, LightKind, Overflow, Reflectance,
-    ReflectionModel, Rgb, ShadingMode, Through,
+    ReflectionModel, Rgb, ShadingMode, Through, View,
 };
 use crate::text;
 use glam::DVec3;
@@ -177,8 +177,10 @@ impl Here<'_> {
                 totals = totals
             ),
         };
-        // Snell's law with this pixel's angles: that of V to N and that of T to −N.
-        let (normal, view, eta) = (self.hit.normal, self.hit.view, self.scene.transparency.ior);
+        // Snell's law with this pixel's angles: that of the line of sight, which V is not with a viewer at infinity, and that of T.
+        let sight = View::new(&self.scene.camera, self.scene.image.size);
+        let view = sight.towards_eye(self.hit.position);
+        let (normal, eta) = (self.hit.normal, self.scene.transparency.ior);
         let angle = to_line(normal, view).to_degrees();
         let leaves = view.dot(normal) < 0.0 && self.scene.transparency.through == Through::Solid;
         let degrees = |angle: f64| format!("{angle:.2}°");
