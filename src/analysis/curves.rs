@@ -310,14 +310,10 @@ impl Distances {
 /// The laws of attenuation as functions of a distance, how they are written, and their dashes beside the present one. That
 /// of the distance to the viewer is that of the distance to the light.
 const LAWS: [(Attenuation, &str, Dash); 4] = [
-    (Attenuation::None, "f = 1", Dash::Dotted),
-    (Attenuation::Light, "f = 1/(r + k)", Dash::Long),
-    (Attenuation::InverseSquare, "f = 1/d²", Dash::Dashed),
-    (
-        Attenuation::Quadratic,
-        "f = 1/(c₁ + c₂d + c₃d²) ≤ 1",
-        Dash::DashDot,
-    ),
+    (Attenuation::None, "1", Dash::Dotted),
+    (Attenuation::Light, "1/(r + k)", Dash::Long),
+    (Attenuation::InverseSquare, "1/d²", Dash::Dashed),
+    (Attenuation::Quadratic, "1/(c₁ + c₂d + c₃d²)", Dash::DashDot),
 ];
 
 /// f(d): how light is attenuated with distance, from the light itself to beyond what is seen, by the present law and by the

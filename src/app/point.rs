@@ -29,6 +29,10 @@ const ROW: f32 = 21.0;
 const WIDE: f32 = 720.0;
 /// The widest drawing of the vectors, points.
 const DRAWING: f32 = 480.0;
+/// Width of the vectors' table where there is room, its columns' gap, points, and the part that names have of it.
+const TABLE: f32 = 300.0;
+const GAP: f32 = 4.0;
+const NAME: f32 = 0.22;
 /// Sizes of numbers in the steps: as they are, and as small as they may become in a narrow panel, points.
 const NUMBERS: [f32; 2] = [14.0, 10.0];
 
@@ -264,8 +268,7 @@ fn line_ui(ui: &mut Ui, text: &str) {
 }
 
 /// A cell of a table: words at the left, numbers at the right of columns of one width.
-fn cell(ui: &mut Ui, text: impl Into<WidgetText>, align: Align) {
-    let width = if align == Align::Min { 88.0 } else { 66.0 };
+fn cell(ui: &mut Ui, text: impl Into<WidgetText>, width: f32, align: Align) {
     ui.allocate_ui_with_layout(vec2(width, ROW), Layout::top_down(align), |ui| {
         ui.set_min_width(width);
         ui.add(Label::new(text).extend().selectable(true));
@@ -275,19 +278,19 @@ fn cell(ui: &mut Ui, text: impl Into<WidgetText>, align: Align) {
 /// The vectors' coordinates, and the angles between them, for one light.
 fn numbers_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
     let visuals = ui.visuals().clone();
+    // Three numbers beside a name fit a narrow panel.
+    let room = ui.available_width().min(TABLE);
+    let name_width = NAME * room;
+    let number_width = (room - name_width) / 3.0 - GAP;
     let light = here.lights().nth(light);
     Grid::new("vectors")
         .num_columns(4)
-        .spacing([4.0, 2.0])
+        .spacing([GAP, 2.0])
         .min_row_height(ROW)
         .show(ui, |ui| {
-            for (head, align) in [
-                ("", Align::Min),
-                ("x", Align::Max),
-                ("y", Align::Max),
-                ("z", Align::Max),
-            ] {
-                cell(ui, RichText::new(head).weak(), align);
+            cell(ui, "", name_width, Align::Min);
+            for head in ["x", "y", "z"] {
+                cell(ui, RichText::new(head).weak(), number_width, Align::Max);
             }
             ui.end_row();
             for (vector, _, v) in here
@@ -298,13 +301,19 @@ fn numbers_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
                 let colour =
                     vector.map_or(visuals.text_color(), |vector| vector_text(&visuals, vector));
                 let name = vector.map_or(text!("point-position-short"), Vector::letter);
-                cell(ui, RichText::new(name).color(colour), Align::Min);
+                cell(
+                    ui,
+                    RichText::new(name).color(colour),
+                    name_width,
+                    Align::Min,
+                );
                 for value in v.to_array() {
                     // Rounded: what is left of a 0 has no digits.
                     let number = digits((value * 1e4).round() / 1e4);
                     cell(
                         ui,
                         set(&number, FontId::monospace(TEXT), colour),
+                        number_width,
                         Align::Max,
                     );
                 }
@@ -314,13 +323,13 @@ fn numbers_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
     ui.add_space(6.0);
     Grid::new("angles")
         .num_columns(2)
-        .spacing([4.0, 2.0])
+        .spacing([GAP, 2.0])
         .min_row_height(ROW)
         .show(ui, |ui| {
             for (name, value) in light.iter().flat_map(|light| light.angles()) {
-                cell(ui, RichText::new(name), Align::Min);
+                cell(ui, RichText::new(name), name_width, Align::Min);
                 let value = set(&value, FontId::monospace(TEXT), visuals.text_color());
-                cell(ui, value, Align::Max);
+                cell(ui, value, number_width, Align::Max);
                 ui.end_row();
             }
         });
