@@ -209,7 +209,7 @@ fn the_steps_are_gone_through_in_the_window() {
     for (step, line) in [
         ("1 of 5", "= 0."),
         ("2 of 5", "· ("),
-        ("3 of 5", ") − ("),
+        ("3 of 5", "− ("),
         ("4 of 5", "|R| = 1.0000"),
         ("5 of 5", ")/1."),
     ] {

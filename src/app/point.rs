@@ -34,7 +34,7 @@ const TABLE: f32 = 300.0;
 const GAP: f32 = 4.0;
 const NAME: f32 = 0.22;
 /// Sizes of numbers in the steps: as they are, and as small as they may become in a narrow panel, points.
-const NUMBERS: [f32; 2] = [14.0, 10.0];
+const NUMBERS: [f32; 2] = [14.0, 12.0];
 
 /// What the drawing of the vectors shows, as last laid out.
 #[derive(Debug, Default)]
@@ -257,14 +257,22 @@ fn steps_ui(
     }
 }
 
-/// A line of numbers, smaller where the panel is narrow.
+/// A line of numbers, in two where the panel is too narrow for two vectors.
 fn line_ui(ui: &mut Ui, text: &str) {
-    let [most, least] = NUMBERS;
     let colour = ui.visuals().text_color();
-    let job = |size| set(text, FontId::monospace(size), colour);
-    let width = ui.painter().layout_job(job(most)).size().x;
-    let size = (most * ui.available_width() / width).clamp(least, most);
-    ui.label(job(size));
+    let job = |text: &str, size| set(text, FontId::monospace(size), colour);
+    let [most, least] = NUMBERS;
+    let width = ui.painter().layout_job(job(text, most)).size().x;
+    let size = most * ui.available_width() / width;
+    let second = [") + (", ") − ("].iter().find_map(|sign| text.find(sign));
+    match second.filter(|_| size < least) {
+        Some(end) => {
+            let (first, second) = text.split_at(end + 1);
+            ui.label(job(first, most));
+            ui.label(job(&format!(" {second}"), most));
+        }
+        None => _ = ui.label(job(text, size.clamp(least, most))),
+    }
 }
 
 /// A cell of a table: words at the left, numbers at the right of columns of one width.
