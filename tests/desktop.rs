@@ -270,6 +270,10 @@ fn export_and_compare(desktop: &Desktop) {
     let target = desktop.folder.join("exported.png");
     desktop.run("xdotool", &["key", "ctrl+e"]);
     desktop.settle();
+    // The window's own size, the first of those to choose from; then the path, which goes.
+    desktop.run("xdotool", &["mousemove", "434", "322", "click", "1"]);
+    desktop.settle();
+    desktop.run("xdotool", &["mousemove", "560", "488", "click", "1"]);
     desktop.run("xdotool", &["key", "ctrl+a"]);
     desktop.run(
         "xdotool",
@@ -286,7 +290,7 @@ fn export_and_compare(desktop: &Desktop) {
     );
     let picture = Renderer::default().render(&opened.scene).clone();
     let [width, height] = opened.scene.image.size;
-    // The picture's place on the screen, from its size: panels are 344 points wide at the left, menus 40 high on top.
+    // The picture's place on the screen: panels are 292 points wide at the left, bars 146 high on top.
     let matches = |screen: &[[u8; 3]], dx: u32, dy: u32| {
         let places = (0..height)
             .step_by(7)
@@ -304,7 +308,7 @@ fn export_and_compare(desktop: &Desktop) {
     // The vectors, the handles and the ring of the probe lie over a few hundredths of it, and the dialog until it has closed.
     wait("the window to show the picture that is exported", || {
         let screen = desktop.screen();
-        let places = (340..350).flat_map(|dx| (36..46).map(move |dy| (dx, dy)));
+        let places = (286..298).flat_map(|dx| (140..154).map(move |dy| (dx, dy)));
         places
             .map(|(dx, dy)| matches(&screen, dx, dy))
             .fold(0.0, f64::max)

@@ -135,7 +135,6 @@ pub fn channels_row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, value: &mut R
     });
 }
 
-
 /// Numbers side by side; `parts` are the keys of their names.
 pub fn fields<const N: usize>(
     ui: &mut Ui,
