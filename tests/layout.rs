@@ -153,7 +153,6 @@ fn faults(harness: &Harness<'_, App>, typed: bool) -> Vec<String> {
 }
 
 #[test]
-#[ignore = "the views are still being fitted"]
 fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
     let mut found = BTreeSet::new();
     for language in Language::ALL {

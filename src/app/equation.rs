@@ -5,6 +5,7 @@ use super::palette::tone_text;
 use super::state::AppState;
 use super::typeset::{Piece, Place, formula, run_ui};
 use crate::analysis::{Letters, equation_letters};
+use crate::text::text;
 use eframe::egui::{Ui, Visuals, vec2};
 
 /// Size of the equation's letters, points.
@@ -31,7 +32,7 @@ pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
                     SIZE,
                     Place {
                         id,
-                        name: "in the equation",
+                        name: text!("in-equation"),
                     },
                 );
             }

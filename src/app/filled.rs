@@ -67,7 +67,7 @@ pub fn filled_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>) {
 
 /// Whether another light is chosen than in the frame before. Its terms unfold then, and the others fold.
 fn newly_chosen(ui: &Ui, light: usize) -> bool {
-    let id = ui.scope_id().with("chosen light");
+    let id = ui.scope_id().with("chosen-light");
     ui.data_mut(|data| {
         let before = data.get_temp::<usize>(id);
         data.insert_temp(id, light);

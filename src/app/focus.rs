@@ -41,7 +41,7 @@ struct Kept {
 
 /// The identity of the picture.
 pub fn picture_id() -> Id {
-    Id::unique("the picture")
+    Id::unique("picture")
 }
 
 fn kept<R>(ctx: &Context, change: impl FnOnce(&mut Kept) -> R) -> R {

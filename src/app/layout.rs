@@ -146,7 +146,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
     }
     if below {
         let height = ui.available_height();
-        Panel::bottom("wide view")
+        Panel::bottom("wide-view")
             .resizable(true)
             .default_size(BELOW * height)
             .size_range(140.0..=(height - PICTURE).max(140.0))
@@ -158,7 +158,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
 fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2) {
     let tall = size.y > size.x;
     if tall {
-        Panel::bottom("rail at the bottom").show(ui, |ui| {
+        Panel::bottom("rail-below").show(ui, |ui| {
             ui.horizontal(|ui| views::rail_ui(ui, state, true, views::narrow_size(size.x)));
         });
     } else {
@@ -186,7 +186,7 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             .size_range(160.0..=(height - PICTURE).max(160.0))
             .show(ui, show);
     } else if ui.available_width() - PANEL >= PICTURE.max(0.5 * size.x) {
-        Panel::right("drawer beside")
+        Panel::right("drawer-beside")
             .resizable(true)
             .default_size(0.45 * size.x)
             .size_range(PANEL..=(0.5 * size.x - RAIL).max(PANEL))
@@ -194,7 +194,7 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
     } else {
         let room = ui.available_rect_before_wrap();
         let width = PANEL.min(room.width());
-        Area::new(Id::unique("drawer over"))
+        Area::new(Id::unique("drawer-over"))
             .order(Order::Middle)
             .pivot(Align2::RIGHT_TOP)
             .fixed_pos(room.right_top())

@@ -57,7 +57,7 @@ pub fn point_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     }
     ui.add_space(4.0);
     CollapsingHeader::new(RichText::new(text!("point-curves")).strong())
-        .id_salt("curves of the point")
+        .id_salt("curves-of-point")
         .show_unindented(ui, |ui| {
             let mut own: CurvesView = state.own.take();
             curves_ui(ui, &mut own, state, engine);

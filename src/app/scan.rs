@@ -337,7 +337,7 @@ fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>, stat
         ui.label(text!("line-scan-not-interpolated"));
     } else {
         let place = typeset::Place {
-            id: Id::unique(("scan formula", mix.of)),
+            id: Id::unique(("scan-formula", mix.of)),
             name: text!("line-scan-formula"),
         };
         run_ui(
@@ -426,14 +426,14 @@ fn component_ui(ui: &mut Ui, name: &str, numbers: &str) {
 fn tables_ui(ui: &mut Ui, scan: &Scan, step: usize) {
     let point = scan.at(step);
     if point.p.is_some() {
-        table_ui(ui, "scan found", &scan.found_table(step), false);
+        table_ui(ui, "scan-found", &scan.found_table(step), false);
         if point.pixel.is_some() {
             ui.label(RichText::new(scan.compared.name()).weak());
         }
         ui.add_space(8.0);
     }
     ui.label(RichText::new(text!("line-scan-edge-table-active")).strong());
-    table_ui(ui, "scan edges", &scan.edge_table(step), false);
+    table_ui(ui, "scan-edges", &scan.edge_table(step), false);
 }
 
 /// Outlines the polygon in the picture, with the part of it that the scan line has reached, white on dark, so that it shows on

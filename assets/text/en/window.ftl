@@ -37,3 +37,4 @@ welcome-scenes = Browse scenes
 welcome-explore = Explore this one
 welcome-open = Open a model
 menu = Menu
+in-equation = in the equation

@@ -37,3 +37,4 @@ welcome-scenes = 瀏覽場景
 welcome-explore = 探索這個場景
 welcome-open = 開啟模型
 menu = 選單
+in-equation = （方程式中）

@@ -124,7 +124,7 @@ impl NormalsDrawing {
             upload(
                 ctx,
                 &mut texture,
-                "lit vertex",
+                "lit-vertex",
                 image,
                 TextureOptions::NEAREST,
             );
