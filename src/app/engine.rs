@@ -156,12 +156,13 @@ impl Engine {
             panes,
             ..
         } = self;
-        refined.update(ctx, || Supersampled {
+        refined.update(ctx, |alive| Supersampled {
             panes: shown
                 .iter()
                 .filter_map(|&pane| Some((pane, panes[pane].drawn()?.clone())))
                 .collect(),
             model: state.document.model.clone(),
+            alive,
         });
     }
 

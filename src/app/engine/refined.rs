@@ -30,12 +30,16 @@ pub struct Refined {
     textures: Vec<(usize, TextureHandle)>,
     /// Samples a pixel of what is shown; 0 before there is anything.
     pub samples: u32,
+    /// Shared with the work under way. One that was given up goes on to the end of its sample; until then no other begins, so that
+    /// there is one more renderer in memory and not many.
+    alive: Arc<()>,
 }
 
 /// Panes by their numbers, to be drawn with several samples a pixel.
 pub struct Supersampled {
     pub panes: Vec<(usize, Scene)>,
     pub model: Option<Arc<Mesh>>,
+    pub alive: Arc<()>,
 }
 
 /// The pictures in the panes' order, and their samples.
@@ -89,11 +93,15 @@ impl Refined {
 
     /// Goes back to one sample a pixel.
     pub fn forget(&mut self) {
-        *self = Self::default();
+        let alive = self.alive.clone();
+        *self = Self {
+            alive,
+            ..Self::default()
+        };
     }
 
     /// Begins to refine the pictures when they have rested for long enough, and takes what has been drawn.
-    pub fn update(&mut self, ctx: &Context, work: impl FnOnce() -> Supersampled) {
+    pub fn update(&mut self, ctx: &Context, work: impl FnOnce(Arc<()>) -> Supersampled) {
         if let Some(job) = &self.job {
             let news = job.news();
             if let Some(News::Over(_)) = &news {
@@ -111,8 +119,10 @@ impl Refined {
         let left = REST - (now - *self.since.get_or_insert(now));
         if left > 0.0 {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
+        } else if Arc::strong_count(&self.alive) > 1 {
+            ctx.request_repaint_after(Duration::from_secs_f64(REST));
         } else {
-            self.job = Some(Job::start(work(), wake(ctx)));
+            self.job = Some(Job::start(work(self.alive.clone()), wake(ctx)));
         }
     }
 
@@ -152,6 +162,7 @@ mod tests {
         let work = Supersampled {
             panes: vec![(3, scene)],
             model: None,
+            alive: Arc::default(),
         };
         let found = work.run(&unwatched).expect("pictures");
         assert_eq!(found.samples, 16);
