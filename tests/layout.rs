@@ -70,7 +70,7 @@ fn opened(scene: &str, size: [f32; 2], look: Look) -> Harness<'static, App> {
 }
 
 /// The texts of a frame with what of them may be seen.
-fn texts<'s>(shapes: &'s [ClippedShape]) -> Vec<(Rect, &'s TextShape)> {
+fn texts(shapes: &[ClippedShape]) -> Vec<(Rect, &TextShape)> {
     fn gather<'s>(shape: &'s Shape, clip: Rect, found: &mut Vec<(Rect, &'s TextShape)>) {
         match shape {
             Shape::Text(text) => found.push((clip, text)),

@@ -145,7 +145,7 @@ pub fn light_visuals() -> Visuals {
         texts: [0x52_5a_66, 0x23_27_2e, 0x0a_0c_10],
         accents: [0x3d_5c_96, 0xff_ff_ff, 0x28_4f_9e],
         warning: 0x70_44_00,
-        error: 0xa3_1d_16,
+        error: 0x00a3_1d16,
         disabled: 0.72,
         shadow: 40,
     };

@@ -169,7 +169,7 @@ fn specular_limits(scene: &Scene) -> Vec<Limit> {
             phong = said(scene.material.n)
         )),
         ReflectionModel::CookTorrance => {
-            limits.push(limit!("export-limit-microfacets", n = said(n)))
+            limits.push(limit!("export-limit-microfacets", n = said(n)));
         }
     }
     if n > GREATEST_EXPONENT {

@@ -39,6 +39,7 @@ pub struct Refined {
 pub struct Supersampled {
     pub panes: Vec<(usize, Scene)>,
     pub model: Option<Arc<Mesh>>,
+    #[expect(dead_code, reason = "held as long as the work is")]
     pub alive: Arc<()>,
 }
 
