@@ -44,8 +44,8 @@ const EPISODES: u64 = 36;
 const STEPS: u32 = 120;
 /// A frame that takes longer does not end. Far more than the slowest frame needs on the slowest machine.
 const LONGEST_FRAME: Duration = Duration::from_secs(120);
-/// The resident set may grow to so many bytes: six panes, each with a renderer and a mesh of its own.
-const MOST_MEMORY: u64 = 6 << 30;
+/// The resident set may grow to so many bytes.
+const MOST_MEMORY: u64 = 4 << 30;
 /// A drawing has at most so many vertices.
 const MOST_VERTICES: usize = 4_000_000;
 /// No line or area is wider or higher, points.

@@ -142,11 +142,12 @@ impl Engine {
             || state.shows(NumbersTab::ScanLine);
         let shown = || self.shown.iter().map(|&pane| &self.panes[pane]);
         let cost = shown().map(PaneEngine::greatest_cost).sum();
+        let triangles = shown().map(|pane| pane.report().triangles).sum();
         let coarse = shown().any(|pane| pane.coarser != 1);
         if redrawn {
             self.refined.forget();
         }
-        if !smooth || pixels || coarse || !Refined::affords(cost) {
+        if !smooth || pixels || coarse || !Refined::affords(cost, triangles) {
             self.refined.forget();
             return;
         }

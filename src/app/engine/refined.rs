@@ -19,6 +19,9 @@ const MOST: u64 = 2_000_000_000;
 /// Nor are those of which one sample took longer than this; what the first picture took once is part of it.
 const MOST_ONCE: u64 = MOST / 4;
 
+/// Nor are pictures of more triangles than this in all: the work has meshes of its own, beside those of the panes.
+const MOST_TRIANGLES: u64 = 600_000;
+
 /// The panes in sight, refined.
 #[derive(Default)]
 pub struct Refined {
@@ -87,9 +90,9 @@ impl Work for Supersampled {
 }
 
 impl Refined {
-    /// Whether pictures of which one sample took so long may be refined, nanoseconds.
-    pub fn affords(cost: u64) -> bool {
-        cost <= MOST_ONCE
+    /// Whether pictures of which one sample took so long, nanoseconds, and of so many triangles in all may be refined.
+    pub fn affords(cost: u64, triangles: u64) -> bool {
+        cost <= MOST_ONCE && triangles <= MOST_TRIANGLES
     }
 
     /// Goes back to one sample a pixel.
