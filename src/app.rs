@@ -57,7 +57,7 @@ mod views;
 mod welcome;
 
 pub use document::{Document, Origin};
-pub use look::{Look, NumbersTab, OverlayLook};
+pub use look::{Look, OverlayLook, ViewName};
 pub use place::{ProbePoint, ProfileLine};
 pub use profile::Profiles;
 pub use profile::look::ProfileLook;

@@ -228,7 +228,7 @@ fn projector_size_follows_the_windows_height() {
             "{text} of {height} points: ordinary text is a 28th of the height"
         );
         let look = &harness.state().state().look;
-        assert!(look.projector && !look.controls && !look.numbers);
+        assert!(look.projector && !look.controls && !look.views);
         key(&mut harness, Key::F9);
         assert_eq!(harness.ctx.zoom_factor(), 1.0);
     }

@@ -9,7 +9,7 @@ use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
 use eframe::egui::{Key, Modifiers, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use shading_lab::app::{App, Look, NumbersTab};
+use shading_lab::app::{App, Look, ViewName};
 use shading_lab::document::load;
 use shading_lab::text::Language;
 use std::collections::{BTreeSet, HashMap};
@@ -159,7 +159,7 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
         for (size, projector) in SIZES {
             let mut look = Look {
                 language: Some(language),
-                tab: NumbersTab::Stability,
+                view: ViewName::Stability,
                 ..Look::default()
             };
             if projector {
@@ -182,7 +182,7 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             for _ in 0..9 {
                 harness.key_press(Key::C);
                 harness.run_ok();
-                let tab = harness.state().state().look.tab;
+                let tab = harness.state().state().look.view;
                 check(&harness, &format!("{tab:?}"), false);
             }
             for (modifiers, key, what) in [

@@ -10,7 +10,7 @@ use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
 use glam::{DVec3, Vec3Swizzles};
 use hands::{choose, drag, enter, folded, open_view, press, scene, undo, wait, window, window_of};
 use shading_lab::analysis::{ANALYSES, ProbeHit, pane_areas, probe};
-use shading_lab::app::{App, Look, NumbersTab, Profiles};
+use shading_lab::app::{App, Look, Profiles, ViewName};
 use shading_lab::document::load;
 use shading_lab::export::{glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
@@ -27,8 +27,8 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
         "Reflected intensity by direction",
     ];
     assert_eq!(
-        harness.state().state().look.tab,
-        NumbersTab::Curves,
+        harness.state().state().look.view,
+        ViewName::Curves,
         "the scene names its tab"
     );
     open_view(&mut harness, "Equation");
@@ -37,7 +37,7 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
         "the equation is shown"
     );
     open_view(&mut harness, "Curves");
-    assert_eq!(harness.state().state().look.tab, NumbersTab::Curves);
+    assert_eq!(harness.state().state().look.view, ViewName::Curves);
     for title in titles {
         assert!(harness.query_by_label(title).is_some(), "{title}");
     }
@@ -114,7 +114,7 @@ fn the_plan_has_a_tab_that_the_bar_opens() {
     });
     link.click_accesskit();
     harness.run();
-    assert_eq!(harness.state().state().look.tab, NumbersTab::Plan);
+    assert_eq!(harness.state().state().look.view, ViewName::Plan);
     let says = |harness: &Harness<'_, App>, text: &str| {
         harness.query_all_by_label_contains(text).next().is_some()
     };
@@ -501,7 +501,7 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     let mut harness = window("flat-facets");
     open_view(&mut harness, "Profile");
     until_taken(&mut harness);
-    assert_eq!(harness.state().state().look.tab, NumbersTab::Profile);
+    assert_eq!(harness.state().state().look.view, ViewName::Profile);
     assert_eq!(modes_taken(&harness), [ShadingMode::Flat], "the picture's");
     let switch = |harness: &mut Harness<'_, App>, mode: &str| {
         harness

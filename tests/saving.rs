@@ -9,7 +9,7 @@ use eframe::egui::{Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use hands::{enter, open_view, press, scene, undo, wait, window, window_with};
-use shading_lab::app::{App, NumbersTab, Origin};
+use shading_lab::app::{App, Origin, ViewName};
 use shading_lab::document::load;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -327,10 +327,10 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     first.run();
     let looked_at = |window: &Window| {
         let state = window.state().state();
-        (state.probe, state.line, state.panes.active, state.look.tab)
+        (state.probe, state.line, state.panes.active, state.look.view)
     };
     let before = looked_at(&first);
-    assert_eq!((before.2, before.3), (1, NumbersTab::Profile));
+    assert_eq!((before.2, before.3), (1, ViewName::Profile));
     assert_eq!(kept(&mut first, &folder), ["0.toml"]);
     // Another window has its own file and leaves this one's alone.
     let mut second = keeping("sphere", &folder.0);
@@ -398,10 +398,10 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     first.run();
     let looked_at = |window: &Window| {
         let state = window.state().state();
-        (state.probe, state.line, state.panes.active, state.look.tab)
+        (state.probe, state.line, state.panes.active, state.look.view)
     };
     let before = looked_at(&first);
-    assert_eq!((before.2, before.3), (1, NumbersTab::Profile));
+    assert_eq!((before.2, before.3), (1, ViewName::Profile));
     assert_eq!(kept(&mut first, &folder), ["0.toml"]);
     drop(first);
     fs::rename(&model, folder.0.join("elsewhere.obj")).expect("renamed");

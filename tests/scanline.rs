@@ -9,7 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use hands::{open_view, press, scene, window};
 use shading_lab::analysis::{Scan, ScanLevel, scan};
-use shading_lab::app::{App, NumbersTab, ScanView};
+use shading_lab::app::{App, ScanView, ViewName};
 use shading_lab::render::Renderer;
 use shading_lab::scene::ShadingMode;
 
@@ -19,7 +19,7 @@ fn opened(name: &str) -> Harness<'static, App> {
     harness.key_press(Key::Num3);
     harness.run();
     open_view(&mut harness, "Scan line");
-    assert_eq!(harness.state().state().look.tab, NumbersTab::ScanLine);
+    assert_eq!(harness.state().state().look.view, ViewName::ScanLine);
     harness
 }
 

@@ -14,7 +14,7 @@ use hands::{
 };
 use serde::Serialize;
 use shading_lab::analysis::NormalField;
-use shading_lab::app::{App, Look, NumbersTab, ProfileLook};
+use shading_lab::app::{App, Look, ProfileLook, ViewName};
 use shading_lab::document::load;
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{
@@ -928,7 +928,7 @@ fn look_from(stored: &Look) -> Look {
 #[test]
 fn what_was_stored_is_put_right_field_by_field() {
     let usual = Look {
-        tab: NumbersTab::Profile,
+        view: ViewName::Profile,
         stages: false,
         ..Look::default()
     };

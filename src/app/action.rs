@@ -1,6 +1,6 @@
 //! What can be asked of the window. Menus, buttons and keys all ask here, so that each does the same by every way.
 
-use super::look::{Look, NumbersTab};
+use super::look::{Look, ViewName};
 use crate::analysis::{Format, ScanLevel};
 use crate::scene::{CompareView, Light, ShadingMode};
 use std::path::PathBuf;
@@ -55,7 +55,7 @@ pub enum Action {
     PictureAlone,
     /// Shows panes in this way.
     Compare(CompareView),
-    NextView,
+    NextComparison,
     /// Makes a pane the one that the controls show.
     Activate(usize),
     NextPane,
@@ -68,8 +68,8 @@ pub enum Action {
     Reference(usize),
     /// Steps through the scan of a polygon.
     Scan(Walk),
-    /// A tab of the panel of numbers, which opens if it is closed.
-    Tab(NumbersTab),
+    /// A view, whose panel opens if it is closed.
+    View(ViewName),
     Keys,
     About,
     /// Closes the window; asks first where there are unsaved changes.

@@ -7,7 +7,7 @@ use super::compare::VIEWS;
 use super::engine::Engine;
 use super::equation;
 use super::focus::{named, one_stop};
-use super::look::NumbersTab;
+use super::look::ViewName;
 use super::menu::commands_ui;
 use super::plan::{grouped, left_out};
 use super::state::AppState;
@@ -267,7 +267,7 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
                 .on_hover_text(tip)
                 .clicked()
             {
-                state.show_tab(NumbersTab::Plan);
+                state.show_view(ViewName::Plan);
             }
             if let Some(notice) = &state.notice {
                 ui.add(Label::new(RichText::new(notice).weak()).truncate());

@@ -3,7 +3,7 @@
 use super::action::{Action, Walk};
 use super::focus;
 use super::handles;
-use super::look::{Look, NumbersTab};
+use super::look::{Look, ViewName};
 use super::orbit;
 use super::scan::ScanView;
 use super::state::AppState;
@@ -209,9 +209,9 @@ fn view() -> Section {
     let (show, change) = (Action::Show, Action::ChangeLook);
     Section::new("view")
         .item("controls", "F4", show(|look| &mut look.controls))
-        .item("numbers", "F5", show(|look| &mut look.numbers))
+        .item("views", "F5", show(|look| &mut look.views))
         .item("stages", "F6", show(|look| &mut look.stages))
-        .item("next-tab", "C", change(next_tab))
+        .item("next-view", "C", change(next_view))
         .line()
         .item("vectors", "V", show(|look| &mut look.overlay.vectors))
         .item("angles", "", show(|look| &mut look.overlay.angles))
@@ -251,12 +251,12 @@ fn view() -> Section {
 
 fn compare() -> Section {
     Section::new("compare")
-        .item("next-view", "K", Action::NextView)
+        .item("next-comparison", "K", Action::NextComparison)
         .item("next-pane", "N", Action::NextPane)
         .line()
         .item("all-modes", "", Action::AllModes)
-        .item("panes", "", Action::Tab(NumbersTab::Compare))
-        .item("defects", "", Action::Tab(NumbersTab::Defects))
+        .item("panes", "", Action::View(ViewName::Compare))
+        .item("defects", "", Action::View(ViewName::Defects))
 }
 
 fn scene() -> Section {
@@ -311,14 +311,14 @@ fn help() -> Section {
         .item("about", "", Action::About)
 }
 
-/// The next tab of the numbers; the curves where the panel is closed.
-fn next_tab(look: &mut Look) {
-    look.tab = if look.numbers {
-        after(look.tab)
+/// The next view of the rail; the curves where the panel is closed.
+fn next_view(look: &mut Look) {
+    look.view = if look.views {
+        after(look.view)
     } else {
-        NumbersTab::Curves
+        ViewName::Curves
     };
-    look.numbers = true;
+    look.views = true;
 }
 
 /// Turns the keys pressed in this frame into actions. What has the focus keeps its keys, digits as well, unless it is the
@@ -331,7 +331,7 @@ pub fn listen(ctx: &Context, state: &mut AppState) {
             .is_none_or(|focused| focused == focus::picture_id())
     });
     let editing = ctx.text_edit_focused();
-    let scanning = state.shows(NumbersTab::ScanLine);
+    let scanning = state.shows(ViewName::ScanLine);
     ctx.input_mut(|input| {
         input.events.retain(|event| {
             let action = match event {
@@ -402,7 +402,7 @@ impl AppState {
                 self.shown.scene.shading.renormalise = renormalise;
             }
             Action::Compare(view) => self.compare(view),
-            Action::NextView => self.compare(self.next_view()),
+            Action::NextComparison => self.compare(self.next_comparison()),
             Action::Activate(pane) => self.activate(pane),
             Action::NextPane => {
                 let shown = self.document.scene.shown_panes();
@@ -434,7 +434,7 @@ impl AppState {
             }
             Action::ChangeLook(change) => change(&mut self.look),
             Action::Scan(walk) => self.own.change(|view: &mut ScanView| view.walk(walk)),
-            Action::Tab(tab) => self.show_tab(tab),
+            Action::View(view) => self.show_view(view),
             other => return Some(other),
         }
         None

@@ -335,8 +335,8 @@ impl AppState {
         }
     }
 
-    /// The view after the present one.
-    pub fn next_view(&self) -> CompareView {
+    /// The way to compare after the present one.
+    pub fn next_comparison(&self) -> CompareView {
         let present = self.document.scene.compare.view;
         let place = VIEWS
             .iter()

@@ -6,7 +6,7 @@ use super::background::progress_ui;
 use super::engine::Engine;
 use super::letter::letter;
 use super::lines;
-use super::look::NumbersTab;
+use super::look::ViewName;
 use super::palette::vector_text;
 use super::place::Place;
 use super::report::{Asking, export_ui};
@@ -147,7 +147,7 @@ pub fn shows_ring(state: &AppState) -> bool {
     let orientation = DEFECTS
         .iter()
         .find(|defect| defect.plot == Some(PlotKind::Orientation));
-    state.shows(NumbersTab::Defects)
+    state.shows(ViewName::Defects)
         && orientation.is_some_and(|defect| is_marked(state.own.get(), state, defect))
 }
 
@@ -323,7 +323,7 @@ pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
     let measured = state
         .own
         .get::<DefectsView>()
-        .filter(|_| state.shows(NumbersTab::Defects));
+        .filter(|_| state.shows(ViewName::Defects));
     let Some(found) = measured.and_then(|view| view.measured.work.answer()) else {
         return;
     };

@@ -4,7 +4,7 @@ mod normals;
 mod pane;
 mod refined;
 
-use super::look::{NumbersTab, OverlayLook};
+use super::look::{OverlayLook, ViewName};
 use super::place::ProbePoint;
 use super::state::AppState;
 use crate::analysis::{
@@ -139,7 +139,7 @@ impl Engine {
     fn refine(&mut self, ctx: &Context, state: &AppState, redrawn: bool, smooth: bool) {
         let pixels = state.look.overlay.normals()
             || self.difference.is_some()
-            || state.shows(NumbersTab::ScanLine);
+            || state.shows(ViewName::ScanLine);
         let shown = || self.shown.iter().map(|&pane| &self.panes[pane]);
         let cost = shown().map(PaneEngine::greatest_cost).sum();
         let triangles = shown().map(|pane| pane.report().triangles).sum();

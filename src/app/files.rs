@@ -5,7 +5,7 @@ use super::background::{Task, wake};
 use super::dialog::{Dialog, ExportForm, FileKind, FileTask};
 use super::document::Document;
 use super::engine::overlay_options;
-use super::look::{Look, NumbersTab};
+use super::look::{Look, ViewName};
 use super::recovery;
 use super::state::AppState;
 use crate::analysis::{
@@ -46,7 +46,7 @@ pub fn over(state: &AppState) -> impl Fn(&mut Frame, &mut Renderer, &Scene) + Se
         ..
     } = state.look.clone();
     let (light, point, vertex) = (state.light, state.probe, state.pointed.kept);
-    let line = state.shows(NumbersTab::Profile).then_some(state.line);
+    let line = state.shows(ViewName::Profile).then_some(state.line);
     move |frame, renderer, scene| {
         let (width, height) = (frame.width, frame.height);
         let [x, y] = point.pixel([width, height]);

@@ -13,7 +13,7 @@ pub use light::{REACH, apart, drag_light, scale_light, start};
 pub use vertex::{MOST, drag_to as drag_vertex, go, paint as paint_vertices, push as push_vertex};
 
 use super::defects::shows_ring;
-use super::look::NumbersTab;
+use super::look::ViewName;
 use super::place::{Place, ProbePoint};
 use super::profile;
 use super::state::{AppState, Grip};
@@ -30,7 +30,7 @@ const KNOB: f32 = 7.0;
 /// Everything in the picture that the pointer can take hold of at a point, and where that is.
 pub fn grips(state: &AppState, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
     let mut grips = Vec::new();
-    if state.shows(NumbersTab::Profile) {
+    if state.shows(ViewName::Profile) {
         let ends = state.line.pixels(place.size).into_iter().enumerate();
         grips.extend(ends.map(|(end, pixel)| (Grip::LineEnd(end), place.point(pixel))));
     }

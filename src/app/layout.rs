@@ -54,7 +54,7 @@ impl Layout {
         let narrow = size.x < NARROW;
         let low = size.y < LOW;
         Panel::top("menus").show(ui, |ui| bars::menus_ui(ui, state, low));
-        if state.enlarged && state.look.numbers {
+        if state.enlarged && state.look.views {
             CentralPanel::default().show(ui, |ui| views::view_ui(ui, state, engine, narrow));
             state.commit();
             return None;
@@ -66,7 +66,7 @@ impl Layout {
         }
         // A card over the picture leaves no room for a drawer.
         if narrow && state.welcome {
-            (state.look.controls, state.look.numbers) = (false, false);
+            (state.look.controls, state.look.views) = (false, false);
         }
         if narrow {
             drawer_ui(ui, state, engine, size);
@@ -92,13 +92,13 @@ impl Layout {
 
     /// Closes a panel where there is no room for both: the one that was opened first.
     fn make_room(&mut self, state: &mut AppState, size: Vec2) {
-        let open = [state.look.controls, state.look.numbers];
+        let open = [state.look.controls, state.look.views];
         let beside = size.x < NARROW || !views::stands_below(state);
         if open == [true, true] && beside && panel_room(size) < 2.0 * PANEL {
             let controls_first = self.open[0] && !self.open[1];
-            (state.look.controls, state.look.numbers) = (!controls_first, controls_first);
+            (state.look.controls, state.look.views) = (!controls_first, controls_first);
         }
-        self.open = [state.look.controls, state.look.numbers];
+        self.open = [state.look.controls, state.look.views];
     }
 }
 
@@ -124,8 +124,8 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             views::rail_ui(ui, state, false, views::wide_size());
         });
     let room = panel_room(size);
-    let below = state.look.numbers && views::stands_below(state);
-    let beside = state.look.numbers && !below;
+    let below = state.look.views && views::stands_below(state);
+    let beside = state.look.views && !below;
     let mut left = room;
     if state.look.controls {
         let most = if beside { room - PANEL } else { room };
@@ -168,7 +168,7 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             .show(ui, |ui| views::rail_ui(ui, state, true, views::wide_size()));
     }
     let controls = state.look.controls;
-    if !controls && !state.look.numbers {
+    if !controls && !state.look.views {
         return;
     }
     let mut show = |ui: &mut Ui| {

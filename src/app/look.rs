@@ -17,8 +17,8 @@ pub struct Look {
     pub projector: bool,
     /// Whether the panel of controls is open.
     pub controls: bool,
-    /// Whether the panel of numbers is open.
-    pub numbers: bool,
+    /// Whether the panel of views is open.
+    pub views: bool,
     /// Whether the bar of stages is open.
     pub stages: bool,
     /// Whether the equation stands over the picture.
@@ -29,8 +29,8 @@ pub struct Look {
     pub welcomed: bool,
     /// Whether coefficients have a number for each channel.
     pub channels: bool,
-    /// What the panel of numbers shows.
-    pub tab: NumbersTab,
+    /// The view that is open.
+    pub view: ViewName,
     pub overlay: OverlayLook,
     /// Whether a picture that rests is drawn with several samples a pixel.
     pub smooth_edges: bool,
@@ -96,7 +96,7 @@ impl Look {
     /// The size of text for a room, and back. The panels fold, so that the picture is seen.
     pub fn projector(&mut self) {
         (self.scale, self.projector) = (1.0, !self.projector);
-        (self.controls, self.numbers) = (!self.projector, !self.projector);
+        (self.controls, self.views) = (!self.projector, !self.projector);
     }
 
     /// The scale of the interface in a window so many points of the screen high.
@@ -116,13 +116,13 @@ impl Default for Look {
             scale: 1.0,
             projector: false,
             controls: true,
-            numbers: true,
+            views: true,
             stages: true,
             equation: true,
             language: None,
             welcomed: false,
             channels: false,
-            tab: NumbersTab::Equation,
+            view: ViewName::Equation,
             overlay: OverlayLook {
                 vectors: true,
                 angles: true,
@@ -136,10 +136,10 @@ impl Default for Look {
     }
 }
 
-/// What the panel of numbers shows.
+/// The view that is open.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum NumbersTab {
+pub enum ViewName {
     #[default]
     Equation,
     Curves,

@@ -126,11 +126,11 @@ fn not_shown(look: &Look) -> Vec<(&'static str, &'static str)> {
     };
     [
         ("engine-controls", (!look.controls).then_some(closed)),
-        ("engine-numbers", (!look.numbers).then_some(closed)),
+        ("engine-views", (!look.views).then_some(closed)),
         ("engine-stages", (!look.stages).then_some(closed)),
         (
             "engine-other-views",
-            look.numbers.then_some("engine-not-in-sight"),
+            look.views.then_some("engine-not-in-sight"),
         ),
         ("engine-vectors", (!over.vectors).then_some(off)),
         ("engine-angles", layer(over.angles)),
@@ -159,9 +159,9 @@ mod tests {
         };
         assert!(names(&look).contains(&"engine-lobe") && !names(&look).contains(&"engine-vectors"));
         look.overlay.vectors = false;
-        look.numbers = false;
+        look.views = false;
         assert!(
-            ["engine-vectors", "engine-angles", "engine-numbers"]
+            ["engine-vectors", "engine-angles", "engine-views"]
                 .iter()
                 .all(|what| names(&look).contains(what))
         );

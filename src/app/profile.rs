@@ -12,7 +12,7 @@ use super::document::Document;
 use super::drawing::{colour_of, plot_style};
 use super::engine::{Engine, image_of, upload};
 use super::focus::switch_named;
-use super::look::NumbersTab;
+use super::look::ViewName;
 use super::place::Place;
 use super::report::export_ui;
 use super::row::{About, NumberRow, SliderRange, number};
@@ -427,5 +427,5 @@ fn row_ui(
 
 /// Whether the picture is to be shown as it is perceived.
 pub fn shows_perceived(state: &AppState) -> bool {
-    state.shows(NumbersTab::Profile) && state.look.profile.perceived
+    state.shows(ViewName::Profile) && state.look.profile.perceived
 }

@@ -5,7 +5,7 @@
 
 use super::background::Task;
 use super::document::{Document, Origin};
-use super::look::NumbersTab;
+use super::look::ViewName;
 use super::place::{ProbePoint, ProfileLine};
 use super::state::{AppState, Leaving};
 use crate::analysis::Watch;
@@ -33,7 +33,7 @@ pub struct Around {
     origin: Origin,
     probe: ProbePoint,
     line: ProfileLine,
-    tab: NumbersTab,
+    view: ViewName,
     /// The pane that was being worked on.
     pane: usize,
 }
@@ -44,7 +44,7 @@ impl Around {
             origin: state.document.origin.clone(),
             probe: state.probe,
             line: state.line,
-            tab: state.look.tab,
+            view: state.look.view,
             pane: state.panes.active,
         }
     }
@@ -58,7 +58,7 @@ impl Around {
         if self.line.0.into_iter().all(sound) {
             state.line = self.line;
         }
-        state.show_tab(self.tab);
+        state.show_view(self.view);
         if state.document.scene.shown_panes().contains(&self.pane) {
             state.activate(self.pane);
         }

@@ -10,7 +10,7 @@ use super::engine::Engine;
 use super::heading::heading_ui;
 use super::letter::lettered;
 use super::lines::{line, outline};
-use super::look::NumbersTab;
+use super::look::ViewName;
 use super::palette::{readable, vector_text};
 use super::place::Place;
 use super::report::{export_ui, table_ui};
@@ -442,7 +442,7 @@ pub fn paint(painter: &Painter, state: &AppState, place: Place) {
     let Some(view) = state
         .own
         .get::<ScanView>()
-        .filter(|_| state.shows(NumbersTab::ScanLine))
+        .filter(|_| state.shows(ViewName::ScanLine))
     else {
         return;
     };

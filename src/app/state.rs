@@ -12,7 +12,7 @@
 use super::action::Action;
 use super::dialog::Dialog;
 use super::document::{Document, History, Origin};
-use super::look::{Look, NumbersTab};
+use super::look::{Look, ViewName};
 use super::material::Gallery;
 use super::place::{ProbePoint, ProfileLine};
 use super::sampling::Sampling;
@@ -74,7 +74,7 @@ pub struct AppState {
     /// The path that the desktop's own dialog gave, which has asked whether to replace the file.
     pub agreed: Option<PathBuf>,
     pub leaving: Leaving,
-    /// What tabs and dialogs remember for themselves.
+    /// What views and dialogs remember for themselves.
     pub own: Own,
     /// A line in the bottom bar about what was last done.
     pub notice: Option<String>,
@@ -83,14 +83,14 @@ pub struct AppState {
 }
 
 impl AppState {
-    /// Whether a tab of the panel of numbers is in sight.
-    pub fn shows(&self, tab: NumbersTab) -> bool {
-        self.look.numbers && !self.picture_alone && self.look.tab == tab
+    /// Whether a view is in sight.
+    pub fn shows(&self, view: ViewName) -> bool {
+        self.look.views && !self.picture_alone && self.look.view == view
     }
 
-    /// Opens a tab of the panel of numbers, and the panel.
-    pub fn show_tab(&mut self, tab: NumbersTab) {
-        (self.look.numbers, self.look.tab) = (true, tab);
+    /// Opens a view, and the panel.
+    pub fn show_view(&mut self, view: ViewName) {
+        (self.look.views, self.look.view) = (true, view);
     }
 
     /// Asks for an action, done at the end of the frame.
@@ -98,10 +98,10 @@ impl AppState {
         self.asked.push(action);
     }
 
-    /// Shows another document, in the tab that its scene names; the present one is a step of undo away.
+    /// Shows another document, in the view that its scene names; the present one is a step of undo away.
     pub fn open(&mut self, document: Document) {
-        if let Ok(tab) = serde_json::from_value(document.scene.about.view.as_str().into()) {
-            self.show_tab(tab);
+        if let Ok(view) = serde_json::from_value(document.scene.about.view.as_str().into()) {
+            self.show_view(view);
         }
         if let Origin::File(path) = &document.origin {
             self.look.remember(path);
@@ -376,7 +376,7 @@ impl Panes {
     }
 }
 
-/// What each tab and dialog remembers, kept by its type, so that the window's state need not know them.
+/// What each view and dialog remembers, kept by its type, so that the window's state need not know them.
 #[derive(Debug, Default)]
 pub struct Own(HashMap<TypeId, Box<dyn Any>>);
 
@@ -414,14 +414,14 @@ mod tests {
     use crate::scene::{CompareView, Light, Pane, ShadingMode, presets};
 
     #[test]
-    fn opening_a_built_in_scene_opens_its_tab() {
+    fn opening_a_built_in_scene_opens_its_view() {
         for preset in presets::ALL
             .iter()
             .filter(|preset| preset.name != presets::DEFAULT)
         {
             let mut state = AppState::default();
             state.open(Document::built_in(preset.name).expect("a built-in scene"));
-            let opened = serde_json::to_value(state.look.tab).expect("a word");
+            let opened = serde_json::to_value(state.look.view).expect("a word");
             assert_eq!(opened, preset.view(), "{}", preset.name);
         }
     }

@@ -5,7 +5,7 @@ use super::curves::curves_ui;
 use super::defects::defects_ui;
 use super::engine::Engine;
 use super::focus::{one_stop, switch_named};
-use super::look::NumbersTab;
+use super::look::ViewName;
 use super::plan::plan_ui;
 use super::point::point_ui;
 use super::profile::profile_ui;
@@ -23,7 +23,7 @@ use eframe::egui::{
 /// A view.
 #[derive(Clone, Copy)]
 pub struct View {
-    pub key: NumbersTab,
+    pub key: ViewName,
     /// The key of its name in the catalogue.
     name: &'static str,
     /// Whether it needs more width than a panel beside the picture has: it opens below it.
@@ -49,7 +49,7 @@ impl Group {
         text!(self.name)
     }
 
-    pub fn has(&self, key: NumbersTab) -> bool {
+    pub fn has(&self, key: ViewName) -> bool {
         self.views.iter().any(|view| view.key == key)
     }
 }
@@ -61,13 +61,13 @@ pub static GROUPS: [Group; 4] = [
         name: "view-point",
         views: &[
             View {
-                key: NumbersTab::Equation,
+                key: ViewName::Equation,
                 name: "view-equation",
                 wide: false,
                 show: point_ui,
             },
             View {
-                key: NumbersTab::Curves,
+                key: ViewName::Curves,
                 name: "view-curves",
                 wide: false,
                 show: |ui, state, engine| with(ui, state, engine, curves_ui),
@@ -79,13 +79,13 @@ pub static GROUPS: [Group; 4] = [
         name: "view-line",
         views: &[
             View {
-                key: NumbersTab::Profile,
+                key: ViewName::Profile,
                 name: "view-profile",
                 wide: true,
                 show: |ui, state, engine| with(ui, state, engine, profile_ui),
             },
             View {
-                key: NumbersTab::ScanLine,
+                key: ViewName::ScanLine,
                 name: "view-scan-line",
                 wide: false,
                 show: |ui, state, engine| with(ui, state, engine, scan_ui),
@@ -97,13 +97,13 @@ pub static GROUPS: [Group; 4] = [
         name: "view-picture",
         views: &[
             View {
-                key: NumbersTab::Compare,
+                key: ViewName::Compare,
                 name: "view-compare",
                 wide: false,
                 show: |ui, state, engine| with(ui, state, engine, compare_ui),
             },
             View {
-                key: NumbersTab::Defects,
+                key: ViewName::Defects,
                 name: "view-defects",
                 wide: false,
                 show: |ui, state, engine| with(ui, state, engine, defects_ui),
@@ -115,19 +115,19 @@ pub static GROUPS: [Group; 4] = [
         name: "view-engine",
         views: &[
             View {
-                key: NumbersTab::Plan,
+                key: ViewName::Plan,
                 name: "view-plan",
                 wide: false,
                 show: |ui, state, engine| with(ui, state, engine, plan_ui),
             },
             View {
-                key: NumbersTab::Study,
+                key: ViewName::Study,
                 name: "view-study",
                 wide: true,
                 show: |ui, state, engine| with(ui, state, engine, study_ui),
             },
             View {
-                key: NumbersTab::Stability,
+                key: ViewName::Stability,
                 name: "view-stability",
                 wide: false,
                 show: |ui, state, engine| with(ui, state, engine, stability_ui),
@@ -148,12 +148,12 @@ fn with<T: Default + 'static>(
     state.own.put(own);
 }
 
-fn group(key: NumbersTab) -> &'static Group {
+fn group(key: ViewName) -> &'static Group {
     let has = |group: &&Group| group.has(key);
     GROUPS.iter().find(has).unwrap_or(&GROUPS[0])
 }
 
-fn view(key: NumbersTab) -> &'static View {
+fn view(key: ViewName) -> &'static View {
     let views = group(key).views;
     views
         .iter()
@@ -162,7 +162,7 @@ fn view(key: NumbersTab) -> &'static View {
 }
 
 /// The view after this one, round all groups.
-pub fn after(key: NumbersTab) -> NumbersTab {
+pub fn after(key: ViewName) -> ViewName {
     let all: Vec<_> = GROUPS.iter().flat_map(|group| group.views).collect();
     let place = all.iter().position(|view| view.key == key).unwrap_or(0);
     all[(place + 1) % all.len()].key
@@ -171,14 +171,14 @@ pub fn after(key: NumbersTab) -> NumbersTab {
 /// Which view of each group was shown last, and where views stand, until the window closes.
 #[derive(Debug, Default)]
 struct Habits {
-    last: [Option<NumbersTab>; GROUPS.len()],
+    last: [Option<ViewName>; GROUPS.len()],
     /// The views that were moved from where they open: below the picture or beside it.
-    moved: Vec<NumbersTab>,
+    moved: Vec<ViewName>,
 }
 
 /// Whether the present view stands below the picture, where there is room on both sides.
 pub fn stands_below(state: &AppState) -> bool {
-    let view = view(state.look.tab);
+    let view = view(state.look.view);
     let moved = state
         .own
         .get()
@@ -189,16 +189,16 @@ pub fn stands_below(state: &AppState) -> bool {
 /// Shows the group's view that was shown last, or closes it if it is in sight.
 fn choose(state: &mut AppState, index: usize) {
     let group = &GROUPS[index];
-    if group.has(state.look.tab) && state.look.numbers {
-        state.look.numbers = false;
+    if group.has(state.look.view) && state.look.views {
+        state.look.views = false;
         return;
     }
     let last = state
         .own
         .get()
         .and_then(|habits: &Habits| habits.last[index]);
-    let present = group.has(state.look.tab).then_some(state.look.tab);
-    state.show_tab(present.or(last).unwrap_or(group.views[0].key));
+    let present = group.has(state.look.view).then_some(state.look.view);
+    state.show_view(present.or(last).unwrap_or(group.views[0].key));
 }
 
 /// The rail: a button for each group, below each other or, on a narrow window, side by side with one for the controls.
@@ -214,10 +214,10 @@ pub fn rail_ui(ui: &mut Ui, state: &mut AppState, narrow: bool, size: Vec2) {
         )
     {
         state.look.controls = !state.look.controls;
-        state.look.numbers = false;
+        state.look.views = false;
     }
     for (index, group) in GROUPS.iter().enumerate() {
-        let shown = state.look.numbers && group.has(state.look.tab);
+        let shown = state.look.views && group.has(state.look.view);
         if sign_ui(ui, group.sign, group.title(), shown, size) {
             choose(state, index);
             state.look.controls &= !narrow;
@@ -251,28 +251,28 @@ fn sign_ui(ui: &mut Ui, sign: Sign, name: &str, on: bool, size: Vec2) -> bool {
 
 /// The view that is open, under the names of its group.
 pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool) {
-    let group = group(state.look.tab);
+    let group = group(state.look.view);
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for view in group.views {
-            let on = view.key == state.look.tab;
+            let on = view.key == state.look.view;
             let button = ui.add(Button::selectable(on, view.title()));
             if switch_named(button, Role::Tab, on, view.title()).clicked() {
-                state.look.tab = view.key;
+                state.look.view = view.key;
             }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             place_ui(ui, state, narrow);
         });
     });
-    let index = GROUPS.iter().position(|one| one.has(state.look.tab));
-    let tab = state.look.tab;
+    let index = GROUPS.iter().position(|one| one.has(state.look.view));
+    let name = state.look.view;
     state
         .own
-        .change(|habits: &mut Habits| habits.last[index.unwrap_or(0)] = Some(tab));
+        .change(|habits: &mut Habits| habits.last[index.unwrap_or(0)] = Some(name));
     ui.add_space(2.0);
-    let view = view(tab);
+    let view = view(name);
     ScrollArea::vertical()
         .id_salt(view.name)
         .auto_shrink(false)
@@ -283,7 +283,7 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
 fn place_ui(ui: &mut Ui, state: &mut AppState, narrow: bool) {
     ui.spacing_mut().item_spacing.x = 2.0;
     if sign_button(ui, Sign::Close, text!("view-close")) {
-        (state.look.numbers, state.enlarged) = (false, false);
+        (state.look.views, state.enlarged) = (false, false);
     }
     let (sign, name) = if state.enlarged {
         (Sign::Shrink, text!("view-shrink"))
@@ -302,12 +302,12 @@ fn place_ui(ui: &mut Ui, state: &mut AppState, narrow: bool) {
         (Sign::Below, text!("view-below"))
     };
     if sign_button(ui, sign, name) {
-        let tab = state.look.tab;
+        let view = state.look.view;
         state.own.change(|habits: &mut Habits| {
-            if habits.moved.contains(&tab) {
-                habits.moved.retain(|moved| *moved != tab);
+            if habits.moved.contains(&view) {
+                habits.moved.retain(|moved| *moved != view);
             } else {
-                habits.moved.push(tab);
+                habits.moved.push(view);
             }
         });
     }

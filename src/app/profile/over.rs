@@ -1,7 +1,7 @@
 //! The profile over the picture: the line with its ends, the curve above it, and the place that the pointer is at.
 
 use super::super::lines::line;
-use super::super::look::NumbersTab;
+use super::super::look::ViewName;
 use super::super::place::Place;
 use super::super::state::AppState;
 use super::super::theme::TEXT;
@@ -23,7 +23,7 @@ const CASING: [u8; 3] = [0x14, 0x16, 0x1a];
 
 /// Takes where the picture is and where the pointer is on it: the plots lie under the one and mark the other.
 pub fn watch(ctx: &Context, state: &mut AppState, place: Place, pointer: Option<Pos2>) {
-    if !state.shows(NumbersTab::Profile) {
+    if !state.shows(ViewName::Profile) {
         return;
     }
     let [from, to] = state.line.pixels(place.size);
@@ -50,7 +50,7 @@ pub fn watch(ctx: &Context, state: &mut AppState, place: Place, pointer: Option<
 /// Draws the line white on dark, so that it shows on any picture; in the active pane also the profile above it and the
 /// pointed place.
 pub fn paint(painter: &Painter, state: &AppState, place: Place, active: bool) {
-    if !state.shows(NumbersTab::Profile) {
+    if !state.shows(ViewName::Profile) {
         return;
     }
     if active {
