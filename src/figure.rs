@@ -17,7 +17,7 @@ pub use drawing::{Drawing, Shape, Text};
 pub use labels::{Label, Placer, Wish};
 pub use plot::{
     Axis, Curve, Dash, Direction, Ink, Mark, Paper, Plot, PlotKind, PlotStyle, Point, Tag, dashes,
-    lay_out, lay_out_bare, lay_out_sheet, round_up, short, ticks,
+    lay_out, lay_out_bare, lay_out_sheet, magnitude, round_up, short, ticks,
 };
 pub(crate) use text::inked_size;
 pub use text::{Set, lowered, raised};

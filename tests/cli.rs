@@ -347,7 +347,7 @@ fn arguments_that_make_no_sense_are_refused() {
         ),
         (
             &["render", "sphere", "-o", "a.png", "--samples", "0"],
-            "0 is not in 1..=4096",
+            "expected a whole number from 1 to 4096",
         ),
         (
             &["render", "sphere", "-o", "a.png", "--overlay", "vector"],
@@ -425,11 +425,11 @@ fn arguments_that_make_no_sense_are_refused() {
         (&["probe", "sphere", "--pixel", "-1,2"], "expected X,Y"),
         (
             &["bench", "sphere", "--frames", "0"],
-            "0 is not in 1..=100000",
+            "expected a whole number from 1 to 100000",
         ),
         (
             &["bench", "sphere", "--threads", "0"],
-            "0 is not in 1..=1024",
+            "expected a whole number from 1 to 1024",
         ),
         (&["check"], "FILE"),
         (&["--nonsense"], "--nonsense"),
@@ -944,7 +944,7 @@ fn the_plan_of_a_frame_is_explained() {
     );
     folder.refuses(
         &["explain", "cube", "--frames", "0"],
-        "0 is not in 1..=100000",
+        "expected a whole number from 1 to 100000",
     );
 }
 

@@ -479,6 +479,13 @@ fn any_pane_is_the_reference_and_a_pane_that_moves_shows_what_it_showed() {
         .compare
         .panes
         .push(Pane::of(&["material.n=7.5", "object.segments=20"]));
+    scene.compare.name = "first".to_owned();
+    scene.compare.panes[0].name = "second".to_owned();
+    let names = |scene: &Scene| {
+        (0..scene.pane_count())
+            .map(|pane| scene.pane_name(pane))
+            .collect::<Vec<_>>()
+    };
     let panes = |scene: &Scene| {
         (0..scene.pane_count())
             .map(|pane| scene.pane(pane).expect("a sound pane"))
@@ -499,6 +506,13 @@ fn any_pane_is_the_reference_and_a_pane_that_moves_shows_what_it_showed() {
             let pane = expected.remove(from);
             expected.insert(to, pane);
             assert_eq!(panes(&moved), expected, "{from} to {to}");
+            // Names that were given go with their panes; one without a name is called by what is different in it.
+            let mut given = names(&scene);
+            let name = given.remove(from);
+            given.insert(to, name);
+            for (was, is) in given.iter().zip(names(&moved)) {
+                assert!(*was == is || !["first", "second"].contains(&was.as_str()));
+            }
             let against = moved.pane(moved.reference_pane());
             assert_eq!(against, scene.pane(reference));
             assert_eq!(moved.validate(), Ok(()));

@@ -37,6 +37,7 @@ fn full() -> Scene {
     scene.object.faces = vec![vec![0].into()].into();
     scene.object.vertex_normals = vec![glam::DVec3::Z].into();
     scene.lights[0].name = "Lamp".into();
+    scene.compare.name = "First".to_owned();
     scene.compare.panes = vec![Pane {
         name: "Other".into(),
         set: vec!["material.n=2".into()],

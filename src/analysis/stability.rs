@@ -11,6 +11,7 @@ mod report;
 
 pub use report::{Catalogue, StabilityQuestion, stability_sheet};
 
+use crate::figure::magnitude;
 use crate::render::{Frame, Renderer};
 use crate::scene::{Scene, choices};
 use crate::text::{Message, text};
@@ -51,20 +52,9 @@ pub struct Condition {
 }
 
 impl fmt::Display for Condition {
-    /// The number, as in “6.6·10⁵”.
+    /// The number, as in “6.6×10⁵”.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-        let text = format!("{:.1e}", self.value);
-        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-        let raised: String = power
-            .chars()
-            .map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]))
-            .collect();
-        match (digits.trim_end_matches(".0"), power) {
-            (digits, "0") => f.write_str(digits),
-            ("1", _) => write!(f, "10{raised}"),
-            (digits, _) => write!(f, "{digits}·10{raised}"),
-        }
+        f.write_str(&magnitude(self.value))
     }
 }
 

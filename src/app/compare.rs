@@ -323,13 +323,20 @@ impl AppState {
     pub fn rearrange(
         &mut self,
         active: usize,
-        change: impl FnOnce(&mut Scene) -> Result<(), SceneError>,
+        change: impl Fn(&mut Scene) -> Result<(), SceneError>,
     ) {
         self.commit();
         match change(&mut self.document.scene) {
             Ok(()) => {
                 self.panes.active = active;
+                // What resetting returns to goes with its pane.
+                let count = self.document.scene.pane_count();
+                let mut opened = self.opened.clone();
+                if change(&mut opened).is_ok() && opened.pane_count() == count {
+                    self.opened = opened;
+                }
                 self.derive();
+                self.take_opened();
             }
             Err(error) => self.notice = error.problems().first().map(ToString::to_string),
         }

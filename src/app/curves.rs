@@ -22,12 +22,9 @@ pub struct CurvesView {
 pub fn curves_ui(ui: &mut Ui, own: &mut CurvesView, state: &mut AppState, engine: &Engine) {
     let scene = &state.shown.scene;
     let light = state.light.min(scene.lights.len().saturating_sub(1));
-    let new = own.sampled != Some((engine.revision, light));
-    if new {
+    if own.sampled != Some((engine.revision, light)) || !own.view.is_current() {
         own.sampled = Some((engine.revision, light));
         own.curves = engine.curves(light);
-    }
-    if new || !own.view.is_current() {
         let curves = own.curves.clone().unwrap_or_default();
         own.view.set(curves.report(&About { name: "", scene }));
     }

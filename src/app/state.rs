@@ -137,10 +137,7 @@ impl AppState {
             (self.saved, self.opened) = (saved, opened);
             (self.light, self.vertex) = (0, 0);
             self.derive();
-            self.lit.opened = self
-                .opened
-                .pane(self.panes.active)
-                .unwrap_or_else(|_| self.opened.clone());
+            self.take_opened();
         }
     }
 
@@ -208,10 +205,13 @@ impl AppState {
         self.commit();
         self.panes.active = pane;
         self.derive();
-        self.lit.opened = self
-            .opened
-            .pane(self.panes.active)
-            .unwrap_or_else(|_| self.opened.clone());
+        self.take_opened();
+    }
+
+    /// What resetting returns to in the active pane.
+    pub fn take_opened(&mut self) {
+        let opened = self.opened.pane(self.panes.active);
+        self.lit.opened = opened.unwrap_or_else(|_| self.opened.clone());
     }
 }
 
@@ -510,6 +510,16 @@ mod tests {
         assert_ne!(scenes[0].material.n, f64::INFINITY);
         assert_eq!(scenes[0].material.kd, before * 0.5);
         assert!(scenes[1..].iter().all(|scene| scene.material.kd == before));
+    }
+
+    #[test]
+    fn what_resetting_returns_to_moves_with_its_pane() {
+        let mut state = state();
+        state.opened = state.document.scene.clone();
+        for (from, to) in [(1, 0), (0, 2), (2, 1)] {
+            state.rearrange(to, |scene| scene.move_pane(from, to));
+            assert_eq!(state.lit.opened, state.shown.scene, "{from} to {to}");
+        }
     }
 
     #[test]

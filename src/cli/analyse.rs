@@ -2,7 +2,7 @@
 
 use super::input::{
     PaneArguments, SceneArguments, inside_picture, one_of, output_name, parse_choice, parse_pixel,
-    parse_place, parse_size, parse_vertex, picture_name,
+    parse_place, parse_size, parse_vertex, picture_name, whole,
 };
 use super::output::{Failure, print, progress_bar};
 use clap::Args;
@@ -346,7 +346,7 @@ impl Asks for Scanline {
 
 #[derive(Args)]
 pub struct Explain {
-    #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = 15, value_parser = whole::<u32>(1..=100_000))]
     frames: u32,
 }
 
@@ -363,9 +363,9 @@ impl Asks for Explain {
 
 #[derive(Args)]
 pub struct Bench {
-    #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = 30, value_parser = whole::<u32>(1..=100_000))]
     frames: u32,
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
     threads: Option<u16>,
     #[arg(long)]
     growth: bool,
@@ -392,16 +392,16 @@ pub struct Study {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = |text: &str| parse_choice(text, Method::VALUES))]
     methods: Vec<Method>,
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "8,16,32,64,128,256",
-          value_parser = clap::value_parser!(u32).range(3..=i64::from(Object::MAX_DIVISIONS)))]
+          value_parser = whole::<u32>(3..=Object::MAX_DIVISIONS))]
     segments: Vec<u32>,
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     n: Vec<f64>,
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "perspective,affine",
           value_parser = |text: &str| parse_choice(text, Interpolation::VALUES))]
     interpolation: Vec<Interpolation>,
-    #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = 9, value_parser = whole::<u32>(1..=10_000))]
     repeats: u32,
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
     threads: Option<u16>,
 }
 

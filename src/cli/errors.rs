@@ -5,6 +5,7 @@ use clap::Error;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use shading_lab::text::text;
 use std::error::Error as _;
+use std::num::{ParseFloatError, ParseIntError};
 
 /// A sentence for an error of the arguments; none for help and the like, and for errors that no argument of this program can
 /// cause, whose words are clap's.
@@ -21,7 +22,14 @@ pub fn worded(error: &Error) -> Option<String> {
             text!("cli-missing-value", argument = arguments)
         }
         ErrorKind::ValueValidation => {
-            let reason = error.source()?.to_string();
+            let cause = error.source()?;
+            let reason = if cause.is::<ParseIntError>() {
+                text!("cli-expected-count").to_owned()
+            } else if cause.is::<ParseFloatError>() {
+                text!("cli-expected-number").to_owned()
+            } else {
+                cause.to_string()
+            };
             text!(
                 "cli-wrong-value",
                 argument = arguments,

@@ -11,6 +11,7 @@ use shading_lab::scene::materials::{self, NamedMaterial};
 use shading_lab::scene::parameter::Parameter;
 use shading_lab::scene::{CompareView, Image, Pane, Scene, nearest, presets};
 use shading_lab::text::text;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -70,6 +71,19 @@ fn assignments(named: &NamedMaterial) -> Vec<String> {
     let keys = Parameter::all().filter(|parameter| parameter.section() == "material");
     keys.map(|parameter| format!("{}={}", parameter.key, parameter.setting(&scene, 0)))
         .collect()
+}
+
+/// Takes a whole number of a range.
+pub fn whole<T: TryFrom<u32> + Clone + Send + Sync + 'static>(
+    range: RangeInclusive<u32>,
+) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static {
+    move |text| {
+        let number = text.parse().ok().filter(|number| range.contains(number));
+        let (low, high) = (range.start().to_string(), range.end().to_string());
+        number
+            .and_then(|number| T::try_from(number).ok())
+            .ok_or_else(|| text!("cli-expected-whole", low = low, high = high))
+    }
 }
 
 fn parse_material(text: &str) -> Result<&'static NamedMaterial, String> {

@@ -2,7 +2,7 @@
 
 use super::input::{
     PaneArguments, SceneArguments, inside_picture, parse_choice, parse_pixel, parse_place,
-    parse_size, parse_vertex, picture_name,
+    parse_size, parse_vertex, picture_name, whole,
 };
 use super::output::{Failure, progress_bar};
 use clap::Args;
@@ -30,7 +30,7 @@ pub struct Render {
     output: PathBuf,
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1..=MAX_SAMPLES))]
     samples: u32,
     #[arg(long, value_parser = |text: &str| parse_choice(text, CompareView::VALUES))]
     compare: Option<CompareView>,

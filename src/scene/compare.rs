@@ -15,6 +15,8 @@ table! {
     /// What is compared and how. The first pane is the scene itself; one is the reference that the others are measured against.
     pub struct Compare = [compare] in compare with (panes: Vec<Pane> = vec![]) {
         COMPARE_VIEW view: CompareView = CompareView::Single, Choice;
+        /// Of the pane that is the scene itself.
+        SCENE_NAME name: String = String::new(), Text(Pane::MAX_NAME).idle(no_panes);
         REFERENCE reference: u32 = 0,
             Whole(|scene| Limits::new(0.0, scene.pane_count() as f64), PANE_NUMBERS).idle(no_panes);
         /// The reference is seen to its right, the first other pane to its left.
@@ -168,7 +170,10 @@ impl Scene {
         let base = &scenes[order[0]];
         let panes = order[1..].iter().map(|&old| {
             let own = old.checked_sub(1).map(|index| &self.compare.panes[index]);
-            let mut pane = own.cloned().unwrap_or_default();
+            let mut pane = own.cloned().unwrap_or_else(|| Pane {
+                name: self.compare.name.clone(),
+                ..Pane::default()
+            });
             for (parameter, index) in base.differences(&scenes[old]) {
                 pane.put(
                     &parameter.key(index),
@@ -179,6 +184,7 @@ impl Scene {
         });
         let compare = Compare {
             panes: panes.collect(),
+            name: self.given_name(order[0]).to_owned(),
             ..self.compare.clone()
         };
         *self = Self {
@@ -243,14 +249,23 @@ impl Scene {
         }
     }
 
+    /// The name that a pane has been given, if any.
+    fn given_name(&self, index: usize) -> &str {
+        match index.checked_sub(1) {
+            None => &self.compare.name,
+            Some(index) => self.compare.panes.get(index).map_or("", |pane| &pane.name),
+        }
+    }
+
     /// What a pane is called: its name, or what is different in it.
     pub fn pane_name(&self, index: usize) -> String {
+        let given = self.given_name(index);
+        if !given.is_empty() {
+            return given.to_owned();
+        }
         let pane = index
             .checked_sub(1)
             .and_then(|index| self.compare.panes.get(index));
-        if let Some(pane) = pane.filter(|pane| !pane.name.is_empty()) {
-            return pane.name.clone();
-        }
         let shading = self
             .pane(index)
             .map_or_else(|_| self.shading.clone(), |scene| scene.shading);

@@ -1,5 +1,5 @@
 # 場景的錯誤：文字接在反引號中的鍵之後。
-problem-value = 是 { $found }，應為 { $expected }
+problem-value = 是 { $found }，應為：{ $expected }
 problem-unknown-key = 未知的鍵 `{ $key }`，{ $expected }
 problem-unknown-word = 是 { $found }，{ $expected }
 problem-expected = 應為 { $known }
@@ -42,7 +42,7 @@ expected-whole = 0 以上的整數
 expected-bool = true 或 false
 expected-text = 引號中的文字
 expected-path = 引號中的路徑
-expected-one-of = 下列之一：{ $words }
+expected-one-of = { $words } 之一
 expected-three = 三個數字的清單
 expected-two = 兩個數字的清單
 expected-two-whole = 兩個整數的清單

@@ -5,7 +5,7 @@ use crate::analysis::report::{
     About, Answer, Column, Figure, Part, Report, Section, Table, as_it_is,
 };
 use crate::analysis::{Question, Subject, Watch};
-use crate::figure::{Drawing, Paper, Text};
+use crate::figure::{Drawing, Paper, Text, magnitude};
 use crate::render::Frame;
 use crate::scene::Choice;
 use crate::text::text;
@@ -75,7 +75,6 @@ fn error(value: f64) -> String {
 
 /// A row for each case.
 fn rows(results: &[Arc<CaseResult>]) -> Table {
-    let condition = |value: f64| format!("{value:.0e}");
     Table::of(
         results,
         [
@@ -87,7 +86,7 @@ fn rows(results: &[Arc<CaseResult>]) -> Table {
                 result.case.topic.label().into()
             }),
             (
-                Column::both("condition", text!("engine-condition"), condition).extra(),
+                Column::both("condition", text!("engine-condition"), magnitude).extra(),
                 |result| result.case.condition.map(|c| c.value).into(),
             ),
             (

@@ -114,7 +114,7 @@ pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
     beam::chosen(state, view)
         .into_iter()
         .for_each(|beam| beam.paint_grips(painter, view, place));
-    paint_numbers(painter, state, place, &markers);
+    paint_numbers(painter, state, place, &markers, foot(view, middle, place));
 }
 
 fn area(rect: Rect) -> Area {
@@ -125,22 +125,33 @@ fn area(rect: Rect) -> Area {
 }
 
 impl Marker {
-    /// Where its number would stand, as seen from the handle, and how far away.
-    fn number(self) -> (Vec2, f32) {
+    /// Where its number would stand, as seen from the handle at `at`, and how far away: clear of the line to the object's
+    /// middle, which is at `foot`.
+    fn number(self, at: Pos2, foot: Option<Pos2>) -> (Vec2, f32) {
+        let away = foot
+            .map(|foot| (at - foot).normalized())
+            .filter(|away| *away != Vec2::ZERO)
+            .unwrap_or(vec2(0.0, 1.0));
         match self {
-            Self::Point => (vec2(0.0, 1.0), RADIUS + 2.0),
-            Self::Directional { .. } => (vec2(0.0, 1.0), RADIUS + 7.0),
-            Self::Edge(way) => (-way, RADIUS + 5.0),
+            Self::Point => (away, RADIUS + 2.0),
+            Self::Directional { .. } => (away, RADIUS + 7.0),
+            Self::Edge(way) => (way.rot90(), RADIUS + 5.0),
         }
     }
+}
+
+/// Where the object's middle is on the screen.
+fn foot(view: &View, middle: DVec3, place: Place) -> Option<Pos2> {
+    Some(place.point(view.project(middle)?.0))
 }
 
 /// What each handle covers with its number, points.
 pub fn covered(scene: &Scene, view: &View, place: Place) -> Vec<Area> {
     let middle = middle(scene, view);
+    let foot = foot(view, middle, place);
     let covered = |light| {
         let (at, marker) = marker(light, view, middle, place);
-        let (way, clearance) = marker.number();
+        let (way, clearance) = marker.number(at, foot);
         let handle = Rect::from_center_size(at, Vec2::splat(2.0 * RADIUS + 4.0));
         let number = Rect::from_center_size(at + way * (clearance + TEXT * 0.6), vec2(20.0, TEXT));
         area(handle.union(number))
@@ -161,7 +172,13 @@ pub fn captions(state: &AppState, place: Place) -> Vec<Area> {
 }
 
 /// Writes the lights' numbers beside their handles, inside the picture, off one another and off the captions of panes.
-fn paint_numbers(painter: &Painter, state: &AppState, place: Place, markers: &[(Pos2, Marker)]) {
+fn paint_numbers(
+    painter: &Painter,
+    state: &AppState,
+    place: Place,
+    markers: &[(Pos2, Marker)],
+    foot: Option<Pos2>,
+) {
     let mut taken: Vec<Area> = markers
         .iter()
         .map(|(at, _)| area(Rect::from_center_size(*at, Vec2::splat(2.0 * RADIUS))))
@@ -175,7 +192,7 @@ fn paint_numbers(painter: &Painter, state: &AppState, place: Place, markers: &[(
         let size = painter
             .layout_no_wrap(text.clone(), font.clone(), orange)
             .size();
-        let (direction, clearance) = marker.number();
+        let (direction, clearance) = marker.number(*at, foot);
         let wish = Wish {
             anchor: exact(*at),
             direction: DVec2::new(f64::from(direction.x), f64::from(direction.y)),

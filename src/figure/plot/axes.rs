@@ -76,14 +76,7 @@ fn power((exponent, mantissa): (i32, u8), alone: bool) -> String {
             "{}",
             u32::from(mantissa) * 10u32.pow(exponent.unsigned_abs())
         ),
-        _ => {
-            let text = scientific(f64::from(mantissa) * 10f64.powi(exponent)).replace(".0", "");
-            if mantissa == 1 {
-                text.trim_start_matches("1×").to_owned()
-            } else {
-                text
-            }
-        }
+        _ => magnitude(f64::from(mantissa) * 10f64.powi(exponent)),
     }
 }
 
@@ -114,6 +107,15 @@ fn number(value: f64, decimals: usize, plain: bool) -> String {
         _ if value == 0.0 => "0".to_owned(),
         true => format!("{value:.decimals$}").replace('-', "−"),
         false => scientific(value),
+    }
+}
+
+/// A number with two significant digits at most, from 10 on and below 1 with its power of ten: 3, 6.6×10⁵, 10⁻⁷.
+pub fn magnitude(value: f64) -> String {
+    let text = scientific(value).replace(".0", "");
+    match text.strip_suffix("×10⁰") {
+        Some(digits) => digits.to_owned(),
+        None => text.strip_prefix("1×").unwrap_or(&text).to_owned(),
     }
 }
 
