@@ -10,10 +10,9 @@ use eframe::egui::{Key, Modifiers, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use shading_lab::app::{App, Look, ViewName};
-use shading_lab::document::load;
-use shading_lab::text::Language;
-use std::collections::{BTreeSet, HashMap};
-use std::path::Path;
+use shading_lab::scene::presets::DEFAULT;
+use shading_lab::text::{Language, in_language, text};
+use std::collections::BTreeSet;
 
 /// Width and height of the window, points at a scale of 1; whether it is shown to a room.
 const SIZES: [([f32; 2], bool); 6] = [
@@ -27,47 +26,6 @@ const SIZES: [([f32; 2], bool); 6] = [
 
 /// The least that the picture has of a narrow window, points.
 const LEAST: f32 = 300.0;
-
-#[derive(Default)]
-struct Kept(HashMap<String, String>);
-
-impl eframe::Storage for Kept {
-    fn get_string(&self, key: &str) -> Option<String> {
-        self.0.get(key).cloned()
-    }
-
-    fn set_string(&mut self, key: &str, value: String) {
-        self.0.insert(key.to_owned(), value);
-    }
-
-    fn remove_string(&mut self, key: &str) {
-        self.0.remove(key);
-    }
-
-    fn flush(&mut self) {}
-}
-
-#[derive(serde::Serialize)]
-struct Stored {
-    look: Look,
-}
-
-fn opened(scene: &str, size: [f32; 2], look: Look) -> Harness<'static, App> {
-    let mut storage = Kept::default();
-    eframe::set_value(&mut storage, "look", &Stored { look });
-    let storage: &'static Kept = Box::leak(Box::new(storage));
-    let loaded = load(Path::new(scene)).expect("a built-in scene");
-    let mut harness = Harness::builder()
-        .with_size(size)
-        .with_max_steps(60)
-        .renderer(hands::Nowhere)
-        .build_eframe(move |cc| {
-            cc.storage = Some(storage);
-            App::new(cc, loaded)
-        });
-    harness.run_ok();
-    harness
-}
 
 /// The texts of a frame with what of them may be seen.
 fn texts(shapes: &[ClippedShape]) -> Vec<(Rect, &TextShape)> {
@@ -89,8 +47,18 @@ fn place(text: &TextShape) -> Rect {
     text.galley.rect.translate(text.pos.to_vec2())
 }
 
+/// What a frame shows.
+#[derive(Clone, Copy, PartialEq)]
+enum Shown {
+    View,
+    /// A view in place of the picture.
+    Enlarged,
+    /// A dialog with text that was typed, which may be longer than its field.
+    Typed,
+}
+
 /// What is wrong in the frame that was drawn last.
-fn faults(harness: &Harness<'_, App>, typed: bool) -> Vec<String> {
+fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
     let screen = harness.ctx.content_rect();
     let mut faults = Vec::new();
     let pictures = harness.query_all_by_role(Role::Image);
@@ -100,13 +68,20 @@ fn faults(harness: &Harness<'_, App>, typed: bool) -> Vec<String> {
     let mut captions: Vec<(Rect, String)> = Vec::new();
     for (clip, text) in texts(&harness.output().shapes) {
         let (rect, words) = (place(text), text.galley.text().to_owned());
-        if words.trim().is_empty() || text.angle != 0.0 || !clip.intersects(rect) {
+        if words.trim().is_empty() || text.angle != 0.0 {
+            continue;
+        }
+        // What does not scroll has to be on the screen.
+        let fixed = clip.contains_rect(screen);
+        if fixed && (rect.min.y < screen.min.y - 1.0 || rect.max.y > screen.max.y + 1.0) {
+            faults.push(format!("“{words}” is outside the window: {rect:?}"));
+        }
+        if !clip.intersects(rect) {
             continue;
         }
         let seen = clip.intersect(screen);
         let cut = rect.min.x < seen.min.x - 1.0 || rect.max.x > seen.max.x + 1.0;
-        // What is typed may be longer than its field.
-        if cut && !typed {
+        if cut && shown != Shown::Typed {
             faults.push(format!("“{words}” is cut off: {rect:?} in {seen:?}"));
         }
         for section in &text.galley.job.sections {
@@ -127,7 +102,7 @@ fn faults(harness: &Harness<'_, App>, typed: bool) -> Vec<String> {
             }
         }
         let inside = picture.is_some_and(|picture| picture.expand(2.0).contains_rect(clip));
-        if inside && !typed && !captions.contains(&(rect, words.clone())) {
+        if inside && shown == Shown::View && !captions.contains(&(rect, words.clone())) {
             captions.push((rect, words));
         }
     }
@@ -146,7 +121,7 @@ fn faults(harness: &Harness<'_, App>, typed: bool) -> Vec<String> {
     } else {
         0.5 * screen.width() - 1.0
     };
-    if width < least {
+    if width < least && shown != Shown::Enlarged {
         faults.push(format!("the picture is {width} wide, expected {least}"));
     }
     faults
@@ -167,9 +142,9 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             }
             let scale = look.zoom(size[1]);
             let points = size.map(|side| side / scale);
-            let mut harness = opened("three-lights", points, look);
-            let mut check = |harness: &Harness<'_, App>, what: &str, typed: bool| {
-                for fault in faults(harness, typed) {
+            let mut harness = hands::window_looking("three-lights", points, &look, |app| app);
+            let mut check = |harness: &Harness<'_, App>, what: &str, shown: Shown| {
+                for fault in faults(harness, shown) {
                     let [width, height] = size;
                     let how = if projector { " to a room" } else { "" };
                     found.insert(format!(
@@ -178,23 +153,38 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
                     ));
                 }
             };
-            check(&harness, "start", false);
+            let first = hands::window_looking(DEFAULT, points, &look, App::with_welcome);
+            check(&first, "first start", Shown::View);
+            check(&harness, "start", Shown::View);
             for _ in 0..9 {
                 harness.key_press(Key::C);
                 harness.run_ok();
                 let tab = harness.state().state().look.view;
-                check(&harness, &format!("{tab:?}"), false);
+                check(&harness, &format!("{tab:?}"), Shown::View);
+                let press = |harness: &mut Harness<'_, App>, key: &str| {
+                    let name = in_language(language, || text!(key));
+                    harness.get_by_label(name).click_accesskit();
+                    harness.run_ok();
+                };
+                press(&mut harness, "view-enlarge");
+                check(&harness, &format!("{tab:?}, enlarged"), Shown::Enlarged);
+                press(&mut harness, "view-shrink");
             }
+            harness.key_press(Key::Num3);
+            harness.run_ok();
             for (modifiers, key, what) in [
                 (Modifiers::NONE, Key::F1, "keys"),
                 (Modifiers::NONE, Key::F2, "scenes"),
                 (Modifiers::COMMAND, Key::O, "open"),
                 (Modifiers::COMMAND, Key::E, "export"),
                 (Modifiers::COMMAND, Key::U, "code"),
+                (Modifiers::COMMAND, Key::Q, "unsaved"),
             ] {
                 harness.key_press_modifiers(modifiers, key);
                 harness.run_ok();
-                check(&harness, what, matches!(what, "open" | "export" | "code"));
+                let typed = matches!(what, "open" | "export" | "code");
+                let shown = if typed { Shown::Typed } else { Shown::View };
+                check(&harness, what, shown);
                 harness.key_press(Key::Escape);
                 harness.run_ok();
             }

@@ -10,19 +10,15 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DVec2, DVec3};
 use hands::{
     choose, drag, enter, folded, open_view, picture, picture_place, press, scene, undo, unfold,
-    wait, window,
+    wait, window, window_looking,
 };
-use serde::Serialize;
 use shading_lab::analysis::NormalField;
 use shading_lab::app::{App, Look, ProfileLook, ViewName};
-use shading_lab::document::load;
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{
     Choice as _, CompareView, Distribution, Light, LightKind, Pane, PatternKind, ReflectionModel,
     Rgb, Scene, ShadingMode, View,
 };
-use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::Arc;
 
 /// Sets a slider by its accessible name, sees the picture change, and takes it back.
@@ -884,44 +880,9 @@ fn a_light_from_afar_is_doubled_to_another_direction() {
     );
 }
 
-/// What is stored between two sessions, in memory.
-#[derive(Default)]
-struct Stored(BTreeMap<String, String>);
-
-impl eframe::Storage for Stored {
-    fn get_string(&self, key: &str) -> Option<String> {
-        self.0.get(key).cloned()
-    }
-
-    fn set_string(&mut self, key: &str, value: String) {
-        self.0.insert(key.to_owned(), value);
-    }
-
-    fn remove_string(&mut self, key: &str) {
-        self.0.remove(key);
-    }
-
-    fn flush(&mut self) {}
-}
-
-/// What a window stores.
-#[derive(Serialize)]
-struct Kept<'a> {
-    look: &'a Look,
-}
-
 /// The look of a window that finds this one stored.
 fn look_from(stored: &Look) -> Look {
-    let mut storage = Stored::default();
-    eframe::set_value(&mut storage, "look", &Kept { look: stored });
-    let loaded = load(Path::new("teapot")).expect("a built-in scene");
-    let mut harness = Harness::builder()
-        .with_size([900.0, 600.0])
-        .build_eframe(|cc| {
-            cc.storage = Some(&storage);
-            App::new(cc, loaded)
-        });
-    harness.run();
+    let harness = window_looking("teapot", [900.0, 600.0], stored, |app| app);
     harness.state().state().look.clone()
 }
 

@@ -281,8 +281,9 @@ fn shape([width, height]: [u32; 2]) -> f64 {
 fn keys_ui(ui: &mut Ui) -> Choice {
     ui.heading(text!("keys"));
     ui.add_space(8.0);
+    let height = ui.ctx().content_rect().height() - 140.0;
     ScrollArea::vertical()
-        .max_height(440.0)
+        .max_height(height.clamp(80.0, 440.0))
         .auto_shrink([false, true])
         .show(ui, |ui| {
             // Where there is no room for two columns, what a key does stands below it.

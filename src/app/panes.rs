@@ -22,6 +22,8 @@ use glam::DVec2;
 
 /// Points between a caption and the edge of its pane.
 const MARGIN: f32 = 10.0;
+/// A pane less high than this has no room for figures over its picture, points.
+const LEAST_CAPTIONED: f32 = 150.0;
 /// Radius of the wipe's handle, points.
 const KNOB: f32 = 9.0;
 /// Points about a handle that captions leave free.
@@ -115,16 +117,6 @@ pub fn captions_ui(
 ) {
     let figures = &engine.figures;
     let font = TextStyle::Body.resolve(ui.style());
-    let write = |painter: &Painter, align: Align2, rect: Rect, text: &str| {
-        letter(
-            painter,
-            align.pos_in_rect(&rect),
-            align,
-            text,
-            &font,
-            Color32::WHITE,
-        );
-    };
     let compared = figures.len() == panes.len() && figures.len() > 1;
     for pane in panes {
         halves(ui, state, pane, compared, &font);
@@ -145,6 +137,10 @@ pub fn captions_ui(
                 }
                 let room = pane.seen.shrink(MARGIN);
                 let name = name_ui(ui, state, panes, pane, &one.name, (room, Align2::LEFT_TOP));
+                // A small pane shows its picture; the figures stand in the view beside it.
+                if room.height() < LEAST_CAPTIONED {
+                    continue;
+                }
                 let text = fitting(&painter, &caption(one, figures), &font, room.width());
                 let corners = [Align2::LEFT_BOTTOM, Align2::RIGHT_BOTTOM];
                 measured(&painter, state, pane, (room, name), &text, corners, &font);
@@ -172,12 +168,19 @@ pub fn captions_ui(
                 return;
             };
             let title = format!("{} − {}", figures[0].name, figures[1].name);
-            write(&painter, Align2::LEFT_TOP, rect, &title);
-            write(
+            let (at, align) = (rect.min, Align2::LEFT_TOP);
+            letter(&painter, at, align, &title, &font, Color32::WHITE);
+            let corners = [Align2::LEFT_BOTTOM, Align2::LEFT_BOTTOM];
+            let line = error_line(&error);
+            let name = rect.with_max_y(rect.min.y + 1.4 * font.size);
+            measured(
                 &painter,
-                Align2::LEFT_TOP,
-                rect.translate(vec2(0.0, 1.4 * font.size)),
-                &error_line(&error),
+                state,
+                &panes[0],
+                (rect, name),
+                &line,
+                corners,
+                &font,
             );
             if let Some([x, y]) = error.at {
                 // A small square round the greatest difference.

@@ -118,8 +118,10 @@ pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
                 ui.label(RichText::new(presets::topic_title(topic)).strong());
                 ui.horizontal_wrapped(|ui| {
                     ui.spacing_mut().item_spacing = vec2(8.0, 8.0);
+                    // Two stand side by side in a narrow window.
+                    let width = (0.5 * (ui.available_width() - 8.0)).clamp(100.0, CARD.x);
                     for (index, preset) in scenes {
-                        if card_ui(ui, preset, gallery.textures.get(index)) {
+                        if card_ui(ui, width, preset, gallery.textures.get(index)) {
                             state.ask(Action::OpenBuiltIn(preset.name.to_owned()));
                             choice = Choice::Leave;
                         }
@@ -136,8 +138,8 @@ pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
 }
 
 /// A scene's picture over its title; whether it was clicked.
-fn card_ui(ui: &mut Ui, preset: &Preset, texture: Option<&TextureHandle>) -> bool {
-    let (rect, response) = ui.allocate_exact_size(CARD, Sense::click());
+fn card_ui(ui: &mut Ui, width: f32, preset: &Preset, texture: Option<&TextureHandle>) -> bool {
+    let (rect, response) = ui.allocate_exact_size(vec2(width, CARD.y), Sense::click());
     let response = named(response, Role::Button, preset.title());
     if !ui.is_rect_visible(rect) {
         return response.clicked();
@@ -150,7 +152,8 @@ fn card_ui(ui: &mut Ui, preset: &Preset, texture: Option<&TextureHandle>) -> boo
     };
     let painter = ui.painter();
     painter.rect_filled(rect, 8.0, fill);
-    let place = Rect::from_min_size(rect.min + vec2(4.0, 4.0), PICTURE);
+    let picture = PICTURE * ((width - 8.0) / PICTURE.x);
+    let place = Rect::from_min_size(rect.min + vec2(4.0, 4.0), picture);
     if let Some(texture) = texture {
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         painter.image(texture.id(), place, whole, Color32::WHITE);
@@ -163,7 +166,7 @@ fn card_ui(ui: &mut Ui, preset: &Preset, texture: Option<&TextureHandle>) -> boo
     }
     let font = TextStyle::Body.resolve(ui.style());
     let colour = ui.visuals().text_color();
-    let galley = painter.layout(preset.title().to_owned(), font, colour, PICTURE.x);
+    let galley = painter.layout(preset.title().to_owned(), font, colour, picture.x);
     let at = pos2(
         rect.center().x,
         place.max.y + 0.5 * (rect.max.y - place.max.y),

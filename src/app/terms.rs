@@ -35,28 +35,39 @@ pub fn switch(state: &mut AppState, term: usize) {
     state.own.put(kept);
 }
 
-/// A switch for each term, in the term's colour; from the right to the left where `reversed`.
-pub fn switches_ui(ui: &mut Ui, state: &mut AppState, reversed: bool) {
+/// A switch for each term, in the term's colour; in a `wide` window from the right to the left, with their full names.
+pub fn switches_ui(ui: &mut Ui, state: &mut AppState, wide: bool) {
     let Scene {
         material,
         reflection,
         ..
     } = &state.shown.scene;
     let mut terms = [
-        (0, text!("term-ambient"), Tone::Plain, material.ka),
-        (1, text!("term-diffuse"), Tone::Of(Vector::L), material.kd),
+        (
+            0,
+            ["term-ambient", "term-ambient.short"],
+            Tone::Plain,
+            material.ka,
+        ),
+        (
+            1,
+            ["term-diffuse", "term-diffuse.short"],
+            Tone::Of(Vector::L),
+            material.kd,
+        ),
         (
             2,
-            text!("term-specular"),
+            ["term-specular", "term-specular.short"],
             Tone::Of(specular_vector(reflection.model)),
             material.ks,
         ),
     ];
-    if reversed {
+    if wide {
         terms.reverse();
     }
     for (term, name, tone, value) in terms {
         let mut on = value != Rgb::ZERO;
+        let name = text!(name[usize::from(!wide)]);
         let name = RichText::new(name).color(tone_text(ui.visuals(), tone));
         if ui
             .checkbox(&mut on, name)

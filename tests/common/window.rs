@@ -6,9 +6,11 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, Rect, TexturesDelta};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, TestRenderer};
-use shading_lab::app::App;
+use serde::Serialize;
+use shading_lab::app::{App, Look};
 use shading_lab::document::{Loaded, load};
 use shading_lab::scene::Scene;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 pub fn window(scene: &str) -> Harness<'static, App> {
@@ -38,6 +40,56 @@ pub fn window_on(scene: &str, card: impl TestRenderer + 'static) -> Harness<'sta
 /// A window on any scene.
 pub fn window_of(loaded: Loaded) -> Harness<'static, App> {
     opened(loaded, Nowhere, |app| app)
+}
+
+/// What is stored between two sessions, in memory.
+#[derive(Default)]
+struct Stored(BTreeMap<String, String>);
+
+impl eframe::Storage for Stored {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+
+    fn set_string(&mut self, key: &str, value: String) {
+        self.0.insert(key.to_owned(), value);
+    }
+
+    fn remove_string(&mut self, key: &str) {
+        self.0.remove(key);
+    }
+
+    fn flush(&mut self) {}
+}
+
+/// What a window stores.
+#[derive(Serialize)]
+struct Kept<'a> {
+    look: &'a Look,
+}
+
+/// A window of some size, in points, that finds this look stored.
+pub fn window_looking(
+    scene: &str,
+    size: [f32; 2],
+    look: &Look,
+    set_up: impl FnOnce(App) -> App,
+) -> Harness<'static, App> {
+    let mut storage = Stored::default();
+    eframe::set_value(&mut storage, "look", &Kept { look });
+    // A window's storage lives as long as the window.
+    let storage: &'static Stored = Box::leak(Box::new(storage));
+    let loaded = load(Path::new(scene)).expect("a scene");
+    let mut harness = Harness::builder()
+        .with_size(size)
+        .with_max_steps(60)
+        .renderer(Nowhere)
+        .build_eframe(|cc| {
+            cc.storage = Some(storage);
+            set_up(App::new(cc, loaded))
+        });
+    harness.run_ok();
+    harness
 }
 
 fn opened(

@@ -72,18 +72,25 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
         sheet.paper.text,
         0.0,
     );
-    for (mark, row) in plot.marks.iter().zip(&rows) {
+    let marks = plot.marks.iter().zip(&rows).map(|(mark, row)| {
         let (from, _) = label_span(mark, plot, &area, em);
         let label = DVec2::new(from, area.min.y - (0.45 + ROW * row) * em);
-        let foot = scale.place([mark.x, y.low]);
         let colour = if mark.probe {
             sheet.paper.text
         } else {
             sheet.paper.weak
         };
+        (mark, label, colour)
+    });
+    let marks: Vec<_> = marks.collect();
+    for (mark, label, colour) in &marks {
+        let foot = scale.place([mark.x, y.low]);
         sheet
-            .axis(foot, DVec2::new(foot.x, label.y + 0.25 * em), colour)
+            .axis(foot, DVec2::new(foot.x, label.y + 0.25 * em), *colour)
             .dashes = MARK_DASHES;
+    }
+    // The line of one passes below the label of another.
+    for (mark, label, colour) in marks {
         sheet
             .over_lines(&mark.label, label, 1.0, colour, 0.0)
             .strong = mark.probe;
