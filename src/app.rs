@@ -181,6 +181,13 @@ impl App {
         self
     }
 
+    /// The same window, whose links begin with `page` from now on, where one is named.
+    #[must_use]
+    pub fn with_page(mut self, page: Option<String>) -> Self {
+        self.state.look.page = page.unwrap_or(self.state.look.page);
+        self
+    }
+
     /// The same window in `language`, where there is one, until another is chosen in its menu; it is not remembered.
     #[must_use]
     pub fn in_language(mut self, language: Option<Language>) -> Self {

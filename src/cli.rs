@@ -7,6 +7,7 @@ mod analyse;
 mod errors;
 mod help;
 mod input;
+mod link;
 mod output;
 mod render;
 mod simple;
@@ -27,6 +28,8 @@ struct Arguments {
     language: Option<Language>,
     #[command(flatten)]
     scene: SceneArguments,
+    #[arg(long, value_name = "BASE", value_parser = link::parse_page)]
+    url: Option<String>,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -45,6 +48,7 @@ enum Command {
     Study(Analyse<analyse::Study>),
     Stability(Catalogued<analyse::Stability>),
     Code(simple::Code),
+    Link(link::Link),
     Curves(Analyse<analyse::Curves>),
     Scenes(simple::List),
     Materials(simple::List),
@@ -109,6 +113,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
     let Arguments {
         language,
         scene,
+        url,
         command,
     } = arguments;
     let earlier = scene.overrides();
@@ -120,8 +125,10 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         return Err(Failure::input(text!("cli-set-without-scene", name = name)));
     }
     match command {
-        None => open_window(&scene, language),
+        None => open_window(&scene, language, url),
         Some(_) if scene.source.is_some() => Err(Failure::input(text!("cli-scene-before-command"))),
+        Some(Command::Link(link)) => link.run(&earlier, url),
+        Some(_) if url.is_some() => Err(Failure::input(text!("cli-url-before-command"))),
         Some(Command::Render(render)) => render.run(&earlier),
         Some(Command::Probe(probe)) => probe.run(&earlier),
         Some(Command::Profile(profile)) => profile.run(&earlier),
@@ -143,14 +150,19 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
     }
 }
 
-/// Opens the window on a scene, or on the default one; in `language`, whatever it was in last time.
-fn open_window(arguments: &SceneArguments, language: Option<Language>) -> Result<(), Failure> {
+/// Opens the window on a scene, or on the default one; in `language`, and with `page` in its links, whatever these were last
+/// time.
+fn open_window(
+    arguments: &SceneArguments,
+    language: Option<Language>,
+    page: Option<String>,
+) -> Result<(), Failure> {
     let loaded = arguments.load(&[])?;
     #[cfg(feature = "app")]
-    return shading_lab::app::run(loaded, language).map_err(Failure::work);
+    return shading_lab::app::run(loaded, language, page).map_err(Failure::work);
     #[cfg(not(feature = "app"))]
     {
-        drop((loaded, language));
+        drop((loaded, language, page));
         Err(Failure::work(text!("cli-no-window")))
     }
 }

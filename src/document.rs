@@ -1,12 +1,13 @@
-//! Scenes and pictures as files: opened by path or built-in name, written whole or not at all.
+//! Scenes and pictures as files: opened by path, built-in name or link, written whole or not at all.
 //!
 //! In memory the path of a model is absolute. In a scene file it is written relative to that file where the model lies
 //! beside or below it, so that the two can be moved together; in a picture, which gets about alone, it stays absolute.
 
 use crate::analysis::{About as Analysed, Answer, Figure, Format};
 use crate::export::Export;
-use crate::figure::Paper;
+use crate::figure::{Drawing, Paper};
 use crate::geometry::{Mesh, ObjError, read_obj};
+use crate::link::{self, Link, LinkError, Shown};
 use crate::picture::{PictureError, read_scene_text, write_png};
 use crate::render::Frame;
 use crate::scene::{
@@ -30,8 +31,10 @@ pub struct Loaded {
     pub model: Option<Arc<Mesh>>,
     /// What to call it: the built-in scene's name, or the file's.
     pub name: String,
-    /// The file it came from; none for a built-in scene.
+    /// The file it came from; none for a built-in scene and for a link.
     pub path: Option<PathBuf>,
+    /// What a link says is shown of it.
+    pub shown: Shown,
 }
 
 /// Is told how many bytes of a model have been read, and how many there are.
@@ -44,6 +47,8 @@ pub enum LoadError {
     /// The text of the scene, or an override.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    #[error(transparent)]
+    Link(#[from] LinkError),
     /// The file itself, at a line counted from 1 where the problem has one.
     #[error("{}:{} {problem}", .path.display(), .line.map(|line| format!("{line}:")).unwrap_or_default())]
     File {
@@ -80,8 +85,9 @@ const SCENE_FILE: Message = Message("document-scene-file");
 const MODEL: Message = Message("document-model");
 const PICTURE: Message = Message("document-picture");
 
-/// Opens a scene: a `.toml` file; a `.obj` model in the default scene, fitted; a `.png` with its scene inside; or a
-/// built-in scene by its name, which goes before a file of the same name without such an ending.
+/// Opens a scene: a `.toml` file; a `.obj` model in the default scene, fitted; a `.png` with its scene inside; a link, which
+/// begins with `https://` or with `?`; or a built-in scene by its name, which goes before a file of the same name without
+/// such an ending.
 ///
 /// # Errors
 /// See [`LoadError`].
@@ -99,13 +105,20 @@ pub fn load_with(
     overrides: &[impl AsRef<str>],
     progress: Progress<'_>,
 ) -> Result<Loaded, LoadError> {
-    let (mut scene, path) = read_scene(source)?;
+    let Loaded {
+        mut scene,
+        name,
+        path,
+        shown,
+        ..
+    } = read_scene(source)?;
     if !overrides.is_empty() {
         scene = scene.with_overrides(overrides)?;
     }
     let model = load_model(&scene.object, progress)?;
-    let alone = source
-        .extension()
+    let alone = path
+        .as_deref()
+        .and_then(Path::extension)
         .is_some_and(|ending| ending.eq_ignore_ascii_case("obj"));
     if let Some(mesh) = model.as_ref().filter(|_| alone) {
         let (centre, radius) = mesh.ball();
@@ -117,15 +130,12 @@ pub fn load_with(
     {
         *model_path = absolute;
     }
-    let name = match &path {
-        Some(path) => path.file_name().unwrap_or(path.as_os_str()),
-        None => source.as_os_str(),
-    };
     Ok(Loaded {
         scene,
         model,
-        name: name.to_string_lossy().into_owned(),
+        name,
         path,
+        shown,
     })
 }
 
@@ -155,7 +165,22 @@ pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<
     })))
 }
 
-fn read_scene(source: &Path) -> Result<(Scene, Option<PathBuf>), LoadError> {
+/// All but the model.
+fn read_scene(source: &Path) -> Result<Loaded, LoadError> {
+    let loaded = |scene, name| Loaded {
+        scene,
+        model: None,
+        name,
+        path: None,
+        shown: Shown::default(),
+    };
+    if let Some(text) = source.to_str().filter(|text| link::is_link(text)) {
+        let Link { scene, name, shown } = link::read(text)?;
+        return Ok(Loaded {
+            shown,
+            ..loaded(scene, name)
+        });
+    }
     let ending = source
         .extension()
         .and_then(OsStr::to_str)
@@ -164,12 +189,20 @@ fn read_scene(source: &Path) -> Result<(Scene, Option<PathBuf>), LoadError> {
         Some("toml") => read_scene_file(source)?,
         Some("png") => read_scene_picture(source)?,
         Some("obj") => scene_of_model(source)?,
-        _ => return Ok((built_in(source)?, None)),
+        _ => {
+            let name = source.to_string_lossy().into_owned();
+            return Ok(loaded(built_in(source)?, name));
+        }
     };
     if let (Some(model_path), Some(folder)) = (&mut scene.object.path, source.parent()) {
         *model_path = folder.join(&*model_path);
     }
-    Ok((scene, Some(source.to_owned())))
+    let name = source.file_name().unwrap_or(source.as_os_str());
+    let name = name.to_string_lossy().into_owned();
+    Ok(Loaded {
+        path: Some(source.to_owned()),
+        ..loaded(scene, name)
+    })
 }
 
 fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
@@ -364,6 +397,20 @@ pub fn save_answer(
             Figure::Picture { frame, scene } => write_picture(path, &frame, scene.as_deref()),
         },
     }
+}
+
+/// Writes a drawing that shows no scene; as SVG where the name says so, as PNG otherwise.
+///
+/// # Errors
+/// See [`SaveError`].
+pub fn save_drawing(path: &Path, drawing: &Drawing, title: &str) -> Result<(), SaveError> {
+    if Format::from_path(path) == Some(Format::Svg) {
+        return write_text(path, &drawing.to_svg(title));
+    }
+    let frame = drawing.to_frame().ok_or_else(|| SaveError::TooLarge {
+        path: path.to_owned(),
+    })?;
+    write_picture(path, &frame, None)
 }
 
 /// One JSON object. JSON has no infinity; it becomes null.

@@ -9,6 +9,7 @@ mod labels;
 pub mod palette;
 mod pixels;
 mod plot;
+mod qr;
 mod svg;
 mod text;
 
@@ -19,5 +20,6 @@ pub use plot::{
     Axis, Curve, Dash, Direction, Ink, Mark, Paper, Plot, PlotKind, PlotStyle, Point, Tag, dashes,
     lay_out, lay_out_bare, lay_out_sheet, magnitude, round_up, short, ticks,
 };
+pub use qr::QrCode;
 pub(crate) use text::inked_size;
 pub use text::{Set, lowered, raised};

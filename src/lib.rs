@@ -32,6 +32,7 @@ pub mod figure;
 pub mod geometry;
 pub mod illumination;
 pub mod jobs;
+pub mod link;
 pub mod picture;
 #[cfg(test)]
 #[path = "../tests/common/properties.rs"]

@@ -22,6 +22,7 @@ mod problem;
 mod setting;
 pub mod shading;
 mod shared;
+mod short;
 pub mod surroundings;
 mod symbol;
 mod validation;

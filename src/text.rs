@@ -129,7 +129,7 @@ macro_rules! files {
 
 files! {
     "parameters" "scenes" "problems" "render" "export" "document" "cli" "report" "point" "line" "picture" "engine"
-    "controls" "lights" "files" "window"
+    "controls" "lights" "files" "window" "links"
 }
 
 /// A font with the Chinese characters of the catalogue: Noto Sans CJK TC, cut down by `.ci/font`.

@@ -9,7 +9,7 @@ use std::path::Path;
 use syn::{Attribute, Item, UseTree, Visibility};
 
 /// Folders and files right below `src`, from the bottom up: each may import from those before it.
-const ORDER: [&str; 13] = [
+const ORDER: [&str; 14] = [
     "text",
     "scene",
     "illumination",
@@ -19,6 +19,7 @@ const ORDER: [&str; 13] = [
     "figure",
     "analysis",
     "export",
+    "link",
     "document",
     "jobs",
     "app",

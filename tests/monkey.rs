@@ -174,6 +174,7 @@ fn beginning(dice: &mut Dice, seed: u64) -> Loaded {
     if dice.unit() < 0.3 && any.scene.validate().is_ok() && any.model.is_ok() {
         let model = any.model.ok().flatten();
         return Loaded {
+            shown: Default::default(),
             scene: any.scene,
             model,
             name: format!("scene {seed}"),

@@ -38,6 +38,7 @@ impl From<Loaded> for Document {
             model,
             name,
             path,
+            ..
         } = loaded;
         Self {
             scene,

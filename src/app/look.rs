@@ -2,6 +2,7 @@
 
 use super::profile::look::ProfileLook;
 use super::theme::{PROJECTOR_LINES, SCALES, TEXT, ThemeChoice};
+use crate::link::{PAGE, page};
 use crate::text::Language;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -37,6 +38,8 @@ pub struct Look {
     pub profile: ProfileLook,
     /// Files opened or saved, the latest first.
     pub recent: Vec<PathBuf>,
+    /// The address of the page that links begin with; may be empty.
+    pub page: String,
 }
 
 /// How many files are remembered.
@@ -54,6 +57,7 @@ impl Look {
         Self {
             scale,
             profile: self.profile.sound(),
+            page: page(&self.page).unwrap_or_else(|_| PAGE.to_owned()),
             ..self
         }
     }
@@ -132,6 +136,7 @@ impl Default for Look {
             smooth_edges: true,
             profile: ProfileLook::default(),
             recent: Vec::new(),
+            page: PAGE.to_owned(),
         }
     }
 }

@@ -15,11 +15,12 @@ const X11_LIBRARIES: [(&str, &str); 5] = [
     ("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
 ];
 
-/// Opens the window on `loaded` and returns when it is closed. `language` goes before what the window was in last time.
+/// Opens the window on `loaded` and returns when it is closed. `language` goes before what the window was in last time, `page`
+/// before the address that its links began with.
 ///
 /// # Errors
 /// No display, or a library that it needs is missing; in a sentence.
-pub fn run(loaded: Loaded, language: Option<Language>) -> Result<(), String> {
+pub fn run(loaded: Loaded, language: Option<Language>, page: Option<String>) -> Result<(), String> {
     check_environment()?;
     let viewport = ViewportBuilder::default()
         .with_title("shading-lab")
@@ -32,6 +33,7 @@ pub fn run(loaded: Loaded, language: Option<Language>) -> Result<(), String> {
     };
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let app = App::new(cc, loaded).with_welcome().in_language(language);
+        let app = app.with_page(page);
         let folder = eframe::storage_dir("shading-lab").map(|folder| folder.join("recovery"));
         Box::new(match folder {
             Some(folder) => app.with_recovery(&folder),

@@ -7,7 +7,7 @@ mod datum;
 mod reader;
 
 use super::Scene;
-use super::parameter::{Kind, List, Parameter};
+use super::parameter::{Kind, List, Parameter, defaults};
 use super::problem::{Cause, Finding, Place, SceneError};
 use crate::text::text;
 use reader::read;
@@ -107,7 +107,7 @@ impl Scene {
                         .for_each(|index| write_table(&mut text, &head, self, index, keys()));
                 }
                 None if OPTIONAL.contains(&table)
-                    && keys().all(|key| key.value(self, 0) == key.default()) => {}
+                    && keys().all(|key| key.agrees(self, defaults(), 0)) => {}
                 None => write_table(&mut text, &format!("[{table}]"), self, 0, keys()),
             }
         }
@@ -156,7 +156,9 @@ fn is_left_out(parameter: &Parameter, value: &Value, scene: &Scene, index: usize
         _ => false,
     };
     let off = matches!(parameter.kind, Kind::Switch(_)) || (parameter.idle)(scene, index).is_some();
-    empty || (parameter.of_light() && off && Some(value) == parameter.default().as_ref())
+    // As texts, which tell 0 from −0.
+    let default = || parameter.default().as_ref().map(value_text);
+    empty || (parameter.of_light() && off && Some(value_text(value)) == default())
 }
 
 /// Counts lines, going through the text once however many are asked for in their order.

@@ -6,12 +6,12 @@ use super::problem::{Cause, Finding, Place, SceneError};
 use crate::text::text;
 use std::borrow::Cow;
 use toml::Spanned;
-use toml::de::DeValue;
+use toml::de::{DeArray, DeValue};
 
 impl Scene {
     /// The scene with one key replaced by `KEY=VALUE`, as in `material.n=inf`, `light.0.position=[2,2,3]` or
     /// `shading.mode=gouraud`: tables and lists by names and numbers between dots, values as in the scene file, words
-    /// also without quotation marks.
+    /// also without quotation marks and lists of numbers without brackets.
     ///
     /// # Errors
     /// As [`Scene::parse`], in the place of the override.
@@ -56,8 +56,8 @@ pub(super) fn key_and_value(assignment: &str) -> Option<(&str, &str)> {
     (!key.is_empty()).then_some((key, value.trim()))
 }
 
-/// A TOML value, or a word without its quotation marks.
-fn parse_value(text: &str) -> Result<Spanned<DeValue<'_>>, Cause> {
+/// A TOML value, a word without its quotation marks, or numbers without the brackets of their list.
+pub(super) fn parse_value(text: &str) -> Result<Spanned<DeValue<'_>>, Cause> {
     match DeValue::parse(text) {
         Ok(value) => Ok(value),
         Err(error) if text.is_empty() || text.starts_with(['[', '{', '"', '\'']) => {
@@ -66,8 +66,22 @@ fn parse_value(text: &str) -> Result<Spanned<DeValue<'_>>, Cause> {
                 text!("expected-file-value"),
             ))
         }
-        Err(_) => Ok(Spanned::new(0..0, DeValue::String(Cow::Borrowed(text)))),
+        Err(_) => Ok(numbers(text)
+            .unwrap_or_else(|| Spanned::new(0..0, DeValue::String(Cow::Borrowed(text))))),
     }
+}
+
+/// `2,2,3` as the list `[2,2,3]`: links, and some shells, do not take brackets as they are.
+fn numbers(text: &str) -> Option<Spanned<DeValue<'_>>> {
+    let number = |text| {
+        let value = DeValue::parse(text).ok()?;
+        (value.get_ref().is_integer() || value.get_ref().is_float()).then_some(value)
+    };
+    let mut list = DeArray::new();
+    for piece in text.split(',') {
+        list.push(number(piece.trim())?);
+    }
+    Some(Spanned::new(0..0, DeValue::Array(list)))
 }
 
 /// The last override that has to do with `key`: of the key itself, of its table, of something inside, or at all.

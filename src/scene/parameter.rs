@@ -586,12 +586,15 @@ pub(super) fn at_most(count: usize) -> String {
 
 /// Whether a text can stand without quotation marks.
 fn is_word(text: &str) -> bool {
-    !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '-')
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    // `5` and `true` would be read as a number and a switch.
+    !text.is_empty() && text.chars().all(plain) && DeValue::parse(text).is_err()
 }
 
-/// Whether a coefficient is the same in all channels.
+/// Whether a coefficient is the same in all channels, bit by bit.
 pub(super) fn is_grey(value: Rgb) -> bool {
-    value == Rgb::splat(value.x)
+    let [r, g, b] = value.to_array().map(f64::to_bits);
+    r == g && g == b
 }
 
 /// A scene of nothing but defaults.

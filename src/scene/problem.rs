@@ -166,6 +166,13 @@ impl Finding {
     }
 }
 
+impl Problem {
+    /// What is wrong, without the place.
+    pub fn words(&self) -> String {
+        Finding::in_words(&self.key, &self.cause)
+    }
+}
+
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.place {
@@ -173,7 +180,7 @@ impl fmt::Display for Problem {
             Place::Override(assignment) => write!(f, "--set {}: ", shortened(assignment))?,
             Place::Scene => {}
         }
-        f.write_str(&Finding::in_words(&self.key, &self.cause))
+        f.write_str(&self.words())
     }
 }
 

@@ -1,0 +1,81 @@
+//! `link`: a scene as a link, and as a QR code.
+
+use super::input::SceneArguments;
+use super::output::{Failure, print};
+use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
+use serde_json::json;
+use shading_lab::analysis::Format;
+use shading_lab::document::{Loaded, check_target, save_drawing};
+use shading_lab::figure::QrCode;
+use shading_lab::link::{self, PAGE, Written};
+use shading_lab::text::text;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Pixels of a module in a picture.
+const MODULE: f64 = 10.0;
+
+#[derive(Args)]
+pub struct Link {
+    #[command(flatten)]
+    scene: SceneArguments,
+    #[arg(long, value_name = "BASE", value_parser = parse_page)]
+    url: Option<String>,
+    #[arg(short, long, value_name = "FILE", value_parser = qr_name())]
+    output: Option<PathBuf>,
+    #[arg(long)]
+    json: bool,
+}
+
+/// The address of a page.
+pub fn parse_page(address: &str) -> Result<String, String> {
+    link::page(address)
+}
+
+/// The name of a QR code's file.
+fn qr_name() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| match Format::from_path(&path) {
+        Some(Format::Png | Format::Svg) => Ok(path),
+        _ => Err(text!("cli-expected-qr")),
+    })
+}
+
+impl Link {
+    /// `earlier` and `page` are what stood before the command.
+    pub fn run(self, earlier: &[String], page: Option<String>) -> Result<(), Failure> {
+        if let Some(target) = &self.output {
+            check_target(target)?;
+        }
+        let Loaded {
+            scene,
+            name,
+            path,
+            shown,
+            ..
+        } = self.scene.load(earlier)?;
+        let page = self.url.or(page).unwrap_or_else(|| PAGE.to_owned());
+        let origin = path.is_none().then_some(&*name);
+        let Written { link, left_out } =
+            link::write(&page, &scene, origin, &shown).map_err(Failure::input)?;
+        if let Some(target) = &self.output {
+            let length = link.len();
+            let code = QrCode::new(&link)
+                .ok_or_else(|| Failure::input(text!("cli-too-long-for-qr", length = length)))?;
+            save_drawing(target, &code.drawing(MODULE), &link)?;
+        }
+        let model = left_out.map(|path| path.display().to_string());
+        if self.json {
+            let object = json!({ "link": link, "length": link.len(), "left_out": model });
+            print(&format!("{object:#}\n"))?;
+        } else if self.output.is_none() {
+            print(&(link + "\n"))?;
+        }
+        if let Some(model) = model {
+            let message = text!("link-model-stays", path = model);
+            // Without stderr there is nowhere to say so.
+            let _ = writeln!(io::stderr(), "{}", text!("cli-note", message = message));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,76 @@
+//! A text as a QR code (ISO/IEC 18004): dark and light modules, and a drawing of them.
+
+use super::drawing::{Drawing, Shape};
+use super::palette::Rgb8;
+use fast_qr::{ECL, QRBuilder};
+use glam::DVec2;
+
+/// The square of modules that says a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct QrCode {
+    /// Modules on a side, without the quiet zone.
+    side: usize,
+    /// Row by row.
+    dark: Vec<bool>,
+}
+
+impl QrCode {
+    /// Light modules round the code that readers need.
+    pub const QUIET: usize = 4;
+
+    const BLACK: Rgb8 = [0; 3];
+    const WHITE: Rgb8 = [255; 3];
+
+    /// The smallest code of a text, with as much protection against errors as its size has room for; none for more than 2953
+    /// bytes.
+    pub fn new(text: &str) -> Option<Self> {
+        let code = |level| QRBuilder::new(text).ecl(level).build().ok();
+        let least = code(ECL::L)?;
+        let better = [ECL::H, ECL::Q, ECL::M].into_iter().filter_map(code);
+        let best = better.into_iter().find(|code| code.size == least.size);
+        let code = best.unwrap_or(least);
+        let modules = code.data.iter().take(code.size * code.size);
+        Some(Self {
+            side: code.size,
+            dark: modules.map(|module| module.value()).collect(),
+        })
+    }
+
+    /// Modules on a side with the quiet zone.
+    pub fn side(&self) -> usize {
+        self.side + 2 * Self::QUIET
+    }
+
+    /// Runs of dark modules: the column and the row of the first, counted with the quiet zone, and how many there are.
+    pub fn runs(&self) -> Vec<[usize; 3]> {
+        let mut runs: Vec<[usize; 3]> = Vec::new();
+        for (row, modules) in self.dark.chunks(self.side).enumerate() {
+            for (column, _) in modules.iter().enumerate().filter(|(_, dark)| **dark) {
+                let place = [column + Self::QUIET, row + Self::QUIET];
+                match runs.last_mut() {
+                    Some([x, y, count]) if [*x + *count, *y] == place => *count += 1,
+                    _ => runs.push([place[0], place[1], 1]),
+                }
+            }
+        }
+        runs
+    }
+
+    /// Black on white with the quiet zone, each module so many units wide.
+    pub fn drawing(&self, module: f64) -> Drawing {
+        let mut drawing = Drawing::new(DVec2::splat(self.side() as f64 * module), Self::WHITE);
+        let area = |[x, y, count]: [usize; 3]| {
+            let corner = |x: usize, y: usize| DVec2::new(x as f64, y as f64) * module;
+            let right = x + count;
+            let corners = [
+                corner(x, y),
+                corner(right, y),
+                corner(right, y + 1),
+                corner(x, y + 1),
+            ];
+            Shape::area(corners.to_vec(), Self::BLACK).plain()
+        };
+        drawing.shapes = self.runs().into_iter().map(area).collect();
+        drawing
+    }
+}

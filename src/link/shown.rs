@@ -1,0 +1,117 @@
+//! What a link says beside the scene: what is shown of it, and how.
+
+use super::encoding::encoded;
+use crate::text::text;
+use glam::DVec2;
+
+/// The views by their names in links and scene files.
+pub const VIEWS: [&str; 9] = [
+    "equation",
+    "curves",
+    "profile",
+    "scan-line",
+    "compare",
+    "defects",
+    "plan",
+    "study",
+    "stability",
+];
+
+/// What is shown of a scene; all of it may be left open.
+///
+/// Places are counted from the picture's middle to the right and down, in units of its shorter side, so that they mean the same
+/// place of the scene on a phone and on a projector.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shown {
+    /// One of [`VIEWS`].
+    pub view: Option<&'static str>,
+    pub probe: Option<DVec2>,
+    /// Where the profile is taken.
+    pub line: Option<[DVec2; 2]>,
+    /// Nothing but the picture and the controls named, for a page inside another.
+    pub embed: bool,
+    /// The controls of an embedded page, by words of lower-case letters, digits, dots and hyphens.
+    pub controls: Vec<String>,
+}
+
+/// Greatest distance of a place from the picture's middle: no picture is that much longer than wide.
+const FARTHEST: f64 = 1e5;
+/// Most controls that can be named.
+const MOST_CONTROLS: usize = 64;
+
+impl Shown {
+    /// The keys with their values, encoded.
+    pub(super) fn pairs(&self) -> Vec<String> {
+        let numbers = |key: &str, points: &[DVec2]| {
+            let numbers = points.iter().flat_map(|point| point.to_array().map(short));
+            format!("{key}={}", numbers.collect::<Vec<_>>().join(","))
+        };
+        let mut pairs = Vec::new();
+        pairs.extend(self.view.map(|view| format!("view={view}")));
+        pairs.extend(self.probe.map(|probe| numbers("probe", &[probe])));
+        pairs.extend(self.line.as_ref().map(|line| numbers("line", line)));
+        pairs.extend(self.embed.then(|| "embed".to_owned()));
+        if !self.controls.is_empty() {
+            pairs.push(format!("controls={}", encoded(&self.controls.join(","))));
+        }
+        pairs
+    }
+
+    /// Takes a key with its value, where that is one of these; what is wrong with the value, in words that follow the key.
+    pub(super) fn take(&mut self, key: &str, value: &str) -> Option<Result<(), String>> {
+        Some(match key {
+            "view" => VIEWS
+                .into_iter()
+                .find(|view| *view == value)
+                .map(|view| self.view = Some(view))
+                .ok_or_else(|| {
+                    text!("expected-one-of", words = VIEWS.join(", "))
+                        + &super::did_you_mean(value, VIEWS.into_iter())
+                }),
+            "probe" => places(value)
+                .map(|[probe]| self.probe = Some(probe))
+                .ok_or_else(|| text!("link-expected-probe").to_owned()),
+            "line" => places(value)
+                .map(|line| self.line = Some(line))
+                .ok_or_else(|| text!("link-expected-line").to_owned()),
+            "embed" => match value {
+                "" | "1" | "true" => Ok(self.embed = true),
+                "0" | "false" => Ok(self.embed = false),
+                _ => Err(text!("expected-bool").to_owned()),
+            },
+            "controls" => words(value)
+                .map(|controls| self.controls = controls)
+                .ok_or_else(|| text!("link-expected-controls", most = MOST_CONTROLS)),
+            _ => return None,
+        })
+    }
+}
+
+/// Half a ten-thousandth of a side is less than a pixel of any screen.
+fn short(value: f64) -> String {
+    let rounded = (value * 1e4).round() / 1e4;
+    // Not −0.
+    (rounded + 0.0).to_string()
+}
+
+/// So many places, a pair of numbers each.
+fn places<const N: usize>(text: &str) -> Option<[DVec2; N]> {
+    let sound = |number: &f64| number.abs() <= FARTHEST;
+    let number = |text: &str| text.trim().parse().ok().filter(sound);
+    let numbers: Option<Vec<f64>> = text.split(',').take(2 * N + 1).map(number).collect();
+    let numbers = numbers.filter(|numbers| numbers.len() == 2 * N)?;
+    Some(std::array::from_fn(|at| {
+        DVec2::new(numbers[2 * at], numbers[2 * at + 1])
+    }))
+}
+
+fn words(text: &str) -> Option<Vec<String>> {
+    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || ".-_".contains(c);
+    let sound = |word: &&str| !word.is_empty() && word.len() <= 64 && word.chars().all(plain);
+    let word = |word: &str| Some(word.trim()).filter(sound).map(str::to_owned);
+    if text.is_empty() {
+        return Some(Vec::new());
+    }
+    let words: Option<Vec<_>> = text.split(',').take(MOST_CONTROLS + 1).map(word).collect();
+    words.filter(|words| words.len() <= MOST_CONTROLS)
+}

@@ -1,0 +1,48 @@
+//! Settings as short as `--set` takes them, for links.
+
+use super::Scene;
+use super::format::value_text;
+use super::overrides::parse_value;
+use super::parameter::Parameter;
+use toml::Value;
+use toml::de::DeValue;
+
+impl Parameter {
+    /// Its value as the right side of `--set`, as short as it can be: no `.0` at whole numbers, lists of numbers without
+    /// brackets. None where it has no value, and for lists of anything else, which take a scene file.
+    pub fn short_setting(&self, scene: &Scene, index: usize) -> Option<String> {
+        let value = self.value(scene, index)?;
+        let Value::Array(list) = &value else {
+            return Some(short(&value));
+        };
+        let numbers = list
+            .iter()
+            .all(|element| element.is_float() || element.is_integer());
+        let text = list.iter().map(short).collect::<Vec<_>>().join(",");
+        numbers.then(|| match list.len() {
+            0 | 1 => format!("[{text}]"),
+            _ => text,
+        })
+    }
+}
+
+fn short(value: &Value) -> String {
+    let text = value_text(value);
+    match value {
+        // A whole number has no negative zero.
+        Value::Float(_) => match text.strip_suffix(".0") {
+            Some(whole) if whole != "-0" => whole.to_owned(),
+            _ => text,
+        },
+        Value::String(word) if is_bare(word) => word.clone(),
+        _ => text,
+    }
+}
+
+/// Whether a text is read as itself without quotation marks.
+fn is_bare(text: &str) -> bool {
+    let read = parse_value(text).ok();
+    let itself =
+        read.is_some_and(|value| matches!(value.get_ref(), DeValue::String(read) if read == text));
+    itself && text.trim() == text
+}
