@@ -209,6 +209,7 @@ prop_compose! {
         reference in 0..=6u32,
         wipe in 0.0..=1.0f64,
         gain in 1.0..=Compare::MAX_GAIN,
+        name in "[a-zα-ω ]{0,9}",
         names in proptest::collection::vec("[a-zα-ω ]{0,9}", 0..=Compare::MAX_PANES),
         setting in word(&["shading.mode=exact", "material.n=inf", "material.kd=[0.1, 0.2, 0.3]", "shading.renormalise=false"]),
     ) -> Compare {
@@ -216,7 +217,7 @@ prop_compose! {
             names.into_iter().map(|name| Pane { name, set: vec![setting.to_owned()] }).collect();
         let view = if panes.is_empty() { CompareView::Single } else { view };
         let reference = reference.min(panes.len() as u32 + 1);
-        Compare { view, reference, wipe, difference, gain, panes }
+        Compare { view, name, reference, wipe, difference, gain, panes }
     }
 }
 
