@@ -19,7 +19,7 @@ use crate::scene::{
 };
 use crate::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Button, CollapsingHeader, RichText, ScrollArea, Ui};
+use eframe::egui::{Button, CollapsingHeader, Label, RichText, ScrollArea, Ui};
 
 /// Width of a column of sections, points; a wide panel has several.
 const COLUMN: f32 = 320.0;
@@ -430,7 +430,9 @@ fn fit_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         {
             ambient.color = (fit * 1e3).round() / 1e3;
         }
-        ui.label(RichText::new(format!("{r} {g} {b}")).monospace());
+        let numbers = format!("{r} {g} {b}");
+        let small = RichText::new(&numbers).monospace().small();
+        ui.add(Label::new(small).truncate()).on_hover_text(&numbers);
     });
 }
 

@@ -47,7 +47,13 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
             _ => 480.0,
         };
         ui.set_width(width.min(ctx.content_rect().width() - 48.0).max(0.0));
-        contents_ui(ui, &mut dialog, state)
+        // In a low window a dialog scrolls.
+        let most = ctx.content_rect().height() - 40.0;
+        ScrollArea::vertical()
+            .max_height(most)
+            .auto_shrink([false, true])
+            .show(ui, |ui| contents_ui(ui, &mut dialog, state))
+            .inner
     });
     let leave = shown.should_close();
     match shown.inner {
