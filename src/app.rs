@@ -72,7 +72,7 @@ use crate::text::{Language, language, set_language, text};
 use action::Action;
 use dialog::{CodeForm, Dialog, ExportForm, FileTask};
 use document::History;
-use eframe::egui::{ColorImage, Context, ThemePreference, Ui, ViewportCommand};
+use eframe::egui::{ColorImage, Context, InputState, ThemePreference, Ui, ViewportCommand};
 use engine::Engine;
 use files::Files;
 use layout::Layout;
@@ -260,7 +260,8 @@ impl App {
         // In points of the screen, rounded: what is shown must not depend on the last digit.
         let size = (ctx.content_rect().size() * ctx.zoom_factor()).round();
         ctx.set_zoom_factor(self.state.look.zoom(size.y));
-        theme::touch(ctx, size.x < theme::NARROW);
+        let fingers = ctx.input(InputState::has_touch_screen);
+        theme::touch(ctx, fingers || size.x < theme::NARROW);
         let chosen = self.state.look.language;
         self.started_in = self.started_in.filter(|(_, before)| *before == chosen);
         let wanted = self

@@ -16,8 +16,8 @@ use crate::scene::{Choice as _, View};
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Color32, CursorIcon, EventFilter, PointerButton, Pos2, Rect, Response, Sense, Stroke,
-    TextStyle, Ui, pos2, vec2,
+    Align2, Color32, CursorIcon, EventFilter, InputState, PointerButton, Pos2, Rect, Response,
+    Sense, Stroke, TextStyle, Ui, pos2, vec2,
 };
 use glam::DVec2;
 
@@ -25,6 +25,8 @@ use glam::DVec2;
 const DEGREES_PER_HEIGHT: f64 = 180.0;
 /// How fast the wheel zooms: the logarithm of the factor a point of scrolling makes.
 const ZOOM_PER_POINT: f64 = 0.0025;
+/// How near a finger must be to take hold of something, points.
+const FINGER: f32 = 24.0;
 /// How near it must be to a vertex to light up its faces, points.
 const NEAR_VERTEX: f32 = 12.0;
 
@@ -57,6 +59,7 @@ pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Roo
             place,
             view,
             grips: handles::grips(state, &view, place),
+            reach: reach(ui),
         },
     );
     state.commit();
@@ -110,7 +113,7 @@ fn pointed(
         .input(|input| input.pointer.press_origin())
         .filter(|_| pressed);
     if let Some(at) = origin
-        && !panes::on_wipe(state, panes, at, handles::REACH)
+        && !panes::on_wipe(state, panes, at, reach(ui))
         && let Some(pane) = panes::pane_at(panes, state.panes.active, at)
     {
         state.activate(pane.pane);
@@ -147,6 +150,17 @@ struct Pointed {
     place: Place,
     view: View,
     grips: Vec<(Grip, Pos2)>,
+    /// How near it must be to something for that, points.
+    reach: f32,
+}
+
+/// A finger covers more than a pointer.
+fn reach(ui: &Ui) -> f32 {
+    if ui.input(InputState::any_touches) {
+        FINGER
+    } else {
+        handles::REACH
+    }
 }
 
 impl Pointed {
@@ -162,7 +176,7 @@ impl Pointed {
         let near = self
             .grips
             .iter()
-            .filter(|(_, there)| there.distance(at) <= handles::REACH);
+            .filter(|(_, there)| there.distance(at) <= self.reach);
         let nearest = near.min_by(|(a, place_a), (b, place_b)| {
             rank(a)
                 .cmp(&rank(b))
@@ -170,13 +184,7 @@ impl Pointed {
         });
         match nearest {
             Some((grip, there)) => (*grip, self.place.pixel(*there) - self.place.pixel(at)),
-            None if panes::on_wipe(
-                state,
-                &panes::places(state, self.place),
-                at,
-                handles::REACH,
-            ) =>
-            {
+            None if panes::on_wipe(state, &panes::places(state, self.place), at, self.reach) => {
                 (Grip::Wipe, DVec2::ZERO)
             }
             None => (Grip::Camera, DVec2::ZERO),
@@ -186,6 +194,18 @@ impl Pointed {
 
 fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, pointed: &Pointed) {
     let place = pointed.place;
+    if let Some(fingers) = ui.input(InputState::multi_touch) {
+        // Two fingers move the camera, whatever the first of them had taken hold of.
+        state.drag = None;
+        if whole.rect.contains(fingers.start_pos) {
+            let camera = &mut state.shown.scene.camera;
+            let span = camera.span(place.size.map(f64::from)).max(1.0);
+            let [dx, dy] = <[f32; 2]>::from(fingers.translation_delta * place.pixels_per_point);
+            orbit::pan(camera, -f64::from(dx) / span, f64::from(dy) / span);
+            state.ask(Action::Zoom(1.0 / f64::from(fingers.zoom_delta)));
+        }
+        return;
+    }
     let shift = ui.input(|input| input.modifiers.shift);
     if response.drag_started() {
         let at = ui
@@ -211,7 +231,7 @@ fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, poi
             drag(state, response, at, whole, pointed);
             ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
         }
-        if response.double_clicked() {
+        if response.double_clicked() || response.long_touched() {
             put_probe(state, place, at);
         } else if response.clicked() {
             choose(state, pointed.under(state, at).0);
