@@ -45,10 +45,13 @@ mod scan;
 mod scenes;
 mod sign;
 mod stability;
+#[cfg_attr(target_arch = "wasm32", path = "app/page/start.rs")]
 mod start;
 mod state;
 mod study;
 mod symbol;
+#[cfg_attr(target_arch = "wasm32", path = "app/page.rs")]
+mod system;
 mod table;
 mod terms;
 mod theme;
@@ -271,6 +274,7 @@ impl App {
             .unwrap_or_else(Language::of_system);
         if wanted != language() {
             set_language(wanted);
+            system::want_letters(ctx);
             // What views have worked out holds text.
             self.state.own = Own::default();
             ctx.request_repaint();
@@ -278,7 +282,7 @@ impl App {
         let mark = if self.state.modified() { "*" } else { "" };
         let title = format!("{}{mark} — shading-lab", self.state.document.origin.name());
         if title != self.title {
-            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            system::set_title(ctx, &title);
             self.title = title;
         }
     }
@@ -286,7 +290,7 @@ impl App {
     /// Does what needs the window, files or the clipboard.
     fn perform(&mut self, ctx: &Context, action: Action) {
         match action {
-            Action::Open => self.ask_file(FileTask::Open, String::new()),
+            Action::Open => self.ask_file(ctx, FileTask::Open, String::new()),
             Action::OpenFile(path) => self.files.open(ctx, path),
             Action::OpenBuiltIn(name) => {
                 if let Some(document) = Document::built_in(&name) {
@@ -299,7 +303,8 @@ impl App {
                 None => self.perform(ctx, Action::SaveAs),
             },
             Action::SaveAs => {
-                self.ask_file(FileTask::SaveScene, self.state.document.suggested("toml"));
+                let path = self.state.document.suggested("toml");
+                self.ask_file(ctx, FileTask::SaveScene, path);
             }
             Action::SaveTo(path) => self.save(ctx, path),
             Action::Export => {
@@ -309,14 +314,13 @@ impl App {
                     samples: 16,
                     overlay: true,
                 };
-                self.ask_file(FileTask::Export(form), self.state.document.suggested("png"));
+                let path = self.state.document.suggested("png");
+                self.ask_file(ctx, FileTask::Export(form), path);
             }
             Action::CopyPicture => self.copy_picture(ctx),
             Action::SaveAnswer(name, format) => {
-                self.ask_file(
-                    FileTask::SaveAnswer(format),
-                    format!("{name}.{}", format.word()),
-                );
+                let path = format!("{name}.{}", format.word());
+                self.ask_file(ctx, FileTask::SaveAnswer(format), path);
             }
             Action::Code => self.state.dialog = Some(Dialog::Code(CodeForm::default())),
             Action::Scenes => self.state.dialog = Some(Dialog::Scenes),
@@ -328,7 +332,7 @@ impl App {
             Action::About => self.state.dialog = Some(Dialog::About),
             Action::PictureAlone => {
                 self.state.picture_alone = !self.state.picture_alone;
-                ctx.send_viewport_cmd(ViewportCommand::Fullscreen(self.state.picture_alone));
+                system::set_fullscreen(ctx, self.state.picture_alone);
             }
             Action::ResetRow => focus::ask_reset(ctx),
             Action::TakeProbe => focus::take(ctx, focus::picture_id()),
@@ -347,8 +351,15 @@ impl App {
         }
     }
 
-    fn ask_file(&mut self, task: FileTask, path: String) {
-        self.state.dialog = Some(Dialog::File { task, path });
+    /// Asks for a file; a page asks only how a picture is to be exported, since it downloads what it writes.
+    fn ask_file(&mut self, ctx: &Context, task: FileTask, path: String) {
+        let asks = !system::PAGE || matches!(task, FileTask::Export(_));
+        let dialog = Dialog::File { task, path };
+        if asks {
+            self.state.dialog = Some(dialog);
+        } else {
+            dialogs::perform(ctx, &mut self.state, &mut self.files, dialog);
+        }
     }
 
     fn save(&mut self, ctx: &Context, path: PathBuf) {
@@ -411,8 +422,9 @@ impl eframe::App for App {
 
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
-        for file in ctx.input(|input| input.raw.dropped_files.clone()) {
-            self.state.ask(Action::OpenFile(file.path().to_path_buf()));
+        system::begin_frame(&ctx);
+        for path in system::dropped(&ctx) {
+            self.state.ask(Action::OpenFile(path));
         }
         focus::listen(&ctx, self.in_front);
         if !self.in_front {

@@ -2,23 +2,29 @@
 //!
 //! In memory the path of a model is absolute. In a scene file it is written relative to that file where the model lies
 //! beside or below it, so that the two can be moved together; in a picture, which gets about alone, it stays absolute.
+//!
+//! A web page has no disk: there `disk` is the files that the page was given, and writing is a download.
+
+#[cfg_attr(target_arch = "wasm32", path = "document/page.rs")]
+mod disk;
+mod error;
 
 use crate::analysis::{About as Analysed, Answer, Figure, Format};
 use crate::export::Export;
 use crate::figure::{Drawing, Paper};
 use crate::geometry::{Mesh, ObjError, read_obj};
-use crate::link::{self, Link, LinkError, Shown};
+use crate::link::{self, Link, Shown};
 use crate::picture::{PictureError, read_scene_text, write_png};
 use crate::render::Frame;
-use crate::scene::{
-    About, Choice, NormalSource, Object, ObjectKind, Scene, SceneError, nearest, presets,
-};
-use crate::text::{Message, text};
-use atomic_write_file::AtomicWriteFile;
+use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, nearest, presets};
+use crate::text::text;
+#[cfg(target_arch = "wasm32")]
+pub use disk::give;
+pub use disk::{check_target, write_whole};
+pub use error::{LoadError, SaveError};
+use error::{MODEL, PICTURE, SCENE_FILE};
 use std::ffi::OsStr;
-use std::fmt::Display;
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufReader, BufWriter, Read, Write};
+use std::io::{self, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -39,51 +45,6 @@ pub struct Loaded {
 
 /// Is told how many bytes of a model have been read, and how many there are.
 pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
-
-/// Why something could not be opened. Displayed, it names the file, and the line where there is one; several problems
-/// take a line each.
-#[derive(Debug, thiserror::Error)]
-pub enum LoadError {
-    /// The text of the scene, or an override.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    #[error(transparent)]
-    Link(#[from] LinkError),
-    /// The file itself, at a line counted from 1 where the problem has one.
-    #[error("{}:{} {problem}", .path.display(), .line.map(|line| format!("{line}:")).unwrap_or_default())]
-    File {
-        path: PathBuf,
-        line: Option<u64>,
-        problem: String,
-    },
-}
-
-impl LoadError {
-    fn file(path: &Path, problem: impl Display) -> Self {
-        Self::File {
-            path: path.to_owned(),
-            line: None,
-            problem: problem.to_string(),
-        }
-    }
-
-    fn unreadable(path: &Path, expected: Message, error: &io::Error) -> Self {
-        let expected = expected.text();
-        let problem = match error.kind() {
-            io::ErrorKind::NotFound => text!("document-no-such-file", expected = expected),
-            _ => {
-                let error = error.to_string();
-                text!("document-unreadable", error = error, expected = expected)
-            }
-        };
-        Self::file(path, problem)
-    }
-}
-
-/// What a file was expected to be.
-const SCENE_FILE: Message = Message("document-scene-file");
-const MODEL: Message = Message("document-model");
-const PICTURE: Message = Message("document-picture");
 
 /// Opens a scene: a `.toml` file; a `.obj` model in the default scene, fitted; a `.png` with its scene inside; a link, which
 /// begins with `https://` or with `?`; or a built-in scene by its name, which goes before a file of the same name without
@@ -147,7 +108,7 @@ pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<
     let (ObjectKind::Obj, Some(path)) = (object.kind, &object.path) else {
         return Ok(None);
     };
-    let (file, total) = open(path, MODEL)?;
+    let (file, total) = disk::open(path, MODEL)?;
     let mut told = |read| progress(read, total);
     let refused = |error: ObjError| {
         let (line, problem) = (error.line(), error.to_string());
@@ -206,7 +167,7 @@ fn read_scene(source: &Path) -> Result<Loaded, LoadError> {
 }
 
 fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
-    let (file, _) = open(path, SCENE_FILE)?;
+    let (file, _) = disk::open(path, SCENE_FILE)?;
     let mut bytes = Vec::new();
     // One byte more than the parser accepts, so that it can object.
     let read = file
@@ -226,7 +187,7 @@ fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
 }
 
 fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {
-    let (file, _) = open(path, PICTURE)?;
+    let (file, _) = disk::open(path, PICTURE)?;
     let text =
         read_scene_text(BufReader::new(file)).map_err(|error| LoadError::file(path, error))?;
     Ok(Scene::parse(&text, &path.to_string_lossy())?)
@@ -268,38 +229,6 @@ fn built_in(source: &Path) -> Result<Scene, LoadError> {
         Path::new(&name),
         text!("document-no-such-scene", meant = meant),
     ))
-}
-
-/// A regular file with its length in bytes.
-fn open(path: &Path, expected: Message) -> Result<(File, u64), LoadError> {
-    let unreadable = |error: io::Error| LoadError::unreadable(path, expected, &error);
-    let metadata = fs::metadata(path).map_err(unreadable)?;
-    if !metadata.is_file() {
-        let expected = expected.text();
-        let problem = if metadata.is_dir() {
-            text!("document-directory-not-file", expected = expected)
-        } else {
-            text!("document-not-regular", expected = expected)
-        };
-        return Err(LoadError::file(path, problem));
-    }
-    Ok((File::open(path).map_err(unreadable)?, metadata.len()))
-}
-
-/// Links that are followed one after the other, as many as Linux follows.
-const MOST_LINKS: usize = 40;
-
-/// Why a file could not be written. The target is then as it was before.
-#[derive(Debug, thiserror::Error)]
-pub enum SaveError {
-    #[error("{}: {}", .path.display(), .problem.text())]
-    Target { path: PathBuf, problem: Message },
-    #[error("{}: {}", .path.display(), text!("document-unwritable", error = .source.to_string()))]
-    Unwritable { path: PathBuf, source: io::Error },
-    #[error("{}: {}", .path.display(), text!("document-nothing-to-draw"))]
-    Nothing { path: PathBuf },
-    #[error("{}: {}", .path.display(), text!("document-figure-too-large"))]
-    TooLarge { path: PathBuf },
 }
 
 /// Writes a scene file. The path of a model at or below the file's folder is written relative to it.
@@ -416,99 +345,4 @@ pub fn save_drawing(path: &Path, drawing: &Drawing, title: &str) -> Result<(), S
 /// One JSON object. JSON has no infinity; it becomes null.
 pub fn json_text(answer: &dyn Answer, about: &Analysed<'_>) -> String {
     format!("{:#}\n", answer.object(about))
-}
-
-/// Writes a file by `content`: the old one stays as it is until the new one is whole and on the disk, and passes its mode
-/// on. A link is followed; a device or a pipe is written to directly.
-///
-/// # Errors
-/// A target that cannot be written, or what `content` reports; nothing is left behind then.
-pub fn write_whole(
-    path: &Path,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> Result<(), SaveError> {
-    check_target(path)?;
-    let written = if is_stdout(path) {
-        fill(io::stdout().lock(), content)
-    } else if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
-        OpenOptions::new()
-            .write(true)
-            .open(path)
-            .and_then(|device| fill(device, content))
-    } else {
-        AtomicWriteFile::open(behind_links(path)).and_then(|mut file| {
-            fill(&mut file, content)?;
-            file.commit()
-        })
-    };
-    written.map_err(|source| SaveError::Unwritable {
-        path: path.to_owned(),
-        source,
-    })
-}
-
-/// Where Linux and the BSDs keep the standard output. It may be a file that others write to as well, which must not be
-/// replaced, or a socket, which cannot be opened.
-fn is_stdout(path: &Path) -> bool {
-    cfg!(unix) && path == Path::new("/dev/stdout")
-}
-
-fn fill(
-    target: impl Write,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> io::Result<()> {
-    let mut out = BufWriter::new(target);
-    content(&mut out)?;
-    out.flush()
-}
-
-/// The file that a link leads to, which need not exist.
-fn behind_links(path: &Path) -> PathBuf {
-    let mut target = path.to_owned();
-    for _ in 0..MOST_LINKS {
-        let Ok(next) = fs::read_link(&target) else {
-            break;
-        };
-        target = target.parent().unwrap_or(Path::new("")).join(next);
-    }
-    target
-}
-
-/// Whether `path` can be written at all, as far as can be told without writing: worth asking before long work.
-///
-/// # Errors
-/// A folder that does not exist, a target that is a folder or is write-protected.
-pub fn check_target(path: &Path) -> Result<(), SaveError> {
-    let refused = |problem| {
-        Err(SaveError::Target {
-            path: path.to_owned(),
-            problem: Message(problem),
-        })
-    };
-    if is_stdout(path) {
-        return Ok(());
-    }
-    let error = match fs::metadata(path) {
-        Ok(metadata) if metadata.is_dir() => return refused("document-target-directory"),
-        Ok(metadata) if metadata.permissions().readonly() => {
-            return refused("document-target-protected");
-        }
-        Ok(_) => return Ok(()),
-        Err(error) => error,
-    };
-    let target = behind_links(path);
-    if target.file_name().is_none() {
-        return refused("document-target-no-name");
-    }
-    match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
-            refused("document-target-no-folder")
-        }
-        _ if error.kind() == io::ErrorKind::NotFound => Ok(()),
-        // Links in a circle, for example, or a name that is too long.
-        _ => Err(SaveError::Unwritable {
-            path: path.to_owned(),
-            source: error,
-        }),
-    }
 }

@@ -1,7 +1,11 @@
 //! Work in the background: plain data is given to a thread, which brings an answer back. Nothing else starts threads.
+//! A web page has none: there the work is done between two frames.
 //!
 //! A [`Job`] is one piece of work with its progress; [`Background`] asks one question after the other and keeps the latest
 //! answer. Work and answers are data, so that a worker of a web page can stand in for the thread.
+
+#[cfg(target_arch = "wasm32")]
+mod page;
 
 use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::Mesh;
@@ -11,8 +15,11 @@ use std::fmt::{self, Debug, Formatter};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::sync::{Arc, OnceLock};
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+use web_time::Instant;
+
+#[cfg(target_arch = "wasm32")]
+pub use page::step;
 
 /// Progress is shown this often at most: to draw the window disturbs what is measured.
 const PAUSE: Duration = Duration::from_millis(200);
@@ -105,10 +112,16 @@ impl<W: Work> Job<W> {
             news: sender,
             wake: Arc::new(wake),
         };
-        thread::spawn(move || {
-            let answer = work.run(&teller);
-            let _ = teller.news.send(News::Over(answer));
-        });
+        let run = move || {
+            if !teller.progress.cancel.load(Ordering::Relaxed) {
+                let answer = work.run(&teller);
+                let _ = teller.news.send(News::Over(answer));
+            }
+        };
+        #[cfg(not(target_arch = "wasm32"))]
+        std::thread::spawn(run);
+        #[cfg(target_arch = "wasm32")]
+        page::later(run);
         job
     }
 
@@ -142,8 +155,9 @@ impl<W: Work> Job<W> {
         }
     }
 
-    /// Waits until it is over.
+    /// Waits until it is over. A page cannot wait: there what has not begun never will.
     pub fn wait(self) {
+        #[cfg(not(target_arch = "wasm32"))]
         while self
             .news
             .recv()

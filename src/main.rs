@@ -1,9 +1,14 @@
-//! The program: a window, or one command.
+//! The program: a window, or one command; a page on the web.
 
+#[cfg(not(target_arch = "wasm32"))]
 mod cli;
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
+#[cfg(not(target_arch = "wasm32"))]
+fn main() -> std::process::ExitCode {
     cli::run()
+}
+
+#[cfg(target_arch = "wasm32")]
+fn main() {
+    shading_lab::app::run();
 }

@@ -132,8 +132,31 @@ files! {
     "controls" "lights" "files" "window" "links"
 }
 
-/// A font with the Chinese characters of the catalogue: Noto Sans CJK TC, cut down by `.ci/font`.
-pub const CHINESE_FONT: &[u8] = include_bytes!("../assets/fonts/NotoSansTC-subset.otf");
+/// A font with the Chinese characters of the catalogue: Noto Sans CJK TC, cut down by `.ci/font`. A web page fetches it when
+/// that language is chosen; until then it is empty.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn chinese_font() -> &'static [u8] {
+    include_bytes!("../assets/fonts/NotoSansTC-subset.otf")
+}
+
+#[cfg(target_arch = "wasm32")]
+pub use page_font::{chinese_font, set_chinese_font};
+
+#[cfg(target_arch = "wasm32")]
+mod page_font {
+    use std::sync::OnceLock;
+
+    static FONT: OnceLock<Vec<u8>> = OnceLock::new();
+
+    pub fn chinese_font() -> &'static [u8] {
+        FONT.get().map_or(&[], Vec::as_slice)
+    }
+
+    /// Takes the font that was fetched, the first time.
+    pub fn set_chinese_font(font: Vec<u8>) {
+        let _ = FONT.set(font);
+    }
+}
 
 struct Catalogue {
     bundle: FluentBundle<FluentResource>,

@@ -6,7 +6,7 @@ use shading_lab::analysis::{Format, Method, Topic, Verdict, stability_cases};
 use shading_lab::scene::Choice;
 use shading_lab::scene::parameter::Parameter;
 use shading_lab::scene::presets;
-use shading_lab::text::{CHINESE_FONT, FILES};
+use shading_lab::text::{FILES, chinese_font};
 use skrifa::{FontRef, MetadataProvider};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -250,7 +250,7 @@ fn every_character_of_the_catalogue_has_a_glyph() {
     let fonts = [
         epaint_default_fonts::UBUNTU_LIGHT,
         epaint_default_fonts::HACK_REGULAR,
-        CHINESE_FONT,
+        chinese_font(),
     ]
     .map(|font| FontRef::new(font).expect("a font"));
     let known = |character: char| {

@@ -11,6 +11,7 @@ use super::look::ViewName;
 use super::menu::commands_ui;
 use super::plan::{grouped, left_out};
 use super::state::AppState;
+use super::system;
 use super::terms;
 use super::theme::ThemeChoice;
 use crate::analysis::stage_words;
@@ -68,7 +69,7 @@ fn each_menu_ui(ui: &mut Ui, state: &mut AppState) {
 /// The items of a menu.
 fn menu_ui(ui: &mut Ui, state: &mut AppState, menu: &str) {
     commands_ui(ui, state, menu);
-    if menu == "file" {
+    if menu == "file" && !system::PAGE {
         ui.separator();
         ui.add_enabled_ui(!state.look.recent.is_empty(), |ui| {
             ui.menu_button(text!("recent"), |ui| recent_ui(ui, state));

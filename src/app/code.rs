@@ -6,6 +6,7 @@ use super::dialog::{Choice, CodeForm, Dialog, Language, both, buttons_ui, path_u
 use super::document::Document;
 use super::focus::{named, switch_named};
 use super::state::AppState;
+use super::system;
 use crate::analysis::Watch;
 use crate::document::save_code;
 use crate::export::{Export, Limit, Part, glsl_330, opengl_c, opengl_c_snippet};
@@ -345,6 +346,10 @@ fn actions_ui(
             if save.clicked() {
                 form.path = Some(document.suggested(part.ending));
                 form.message = None;
+                // A page downloads it at once.
+                if system::PAGE {
+                    choice = Choice::Accept;
+                }
             }
         }
         if ui.button(text!("close")).clicked() {

@@ -7,6 +7,7 @@ use super::look::{Look, ViewName};
 use super::orbit;
 use super::scan::ScanView;
 use super::state::AppState;
+use super::system;
 use super::views::after;
 use crate::analysis::ScanLevel;
 use crate::scene::{Light, Scene, ShadingMode};
@@ -181,15 +182,18 @@ pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
 });
 
 fn file() -> Section {
-    Section::new("file")
+    let section = Section::new("file")
         .item("open", "Ctrl + O", Action::Open)
         .item("scenes", "F2", Action::Scenes)
         .line()
         .item("save", "Ctrl + S", Action::Save)
         .item("save-as", "Ctrl + Shift + S", Action::SaveAs)
-        .item("export", "Ctrl + E", Action::Export)
-        .line()
-        .item("quit", "Ctrl + Q", Action::Quit)
+        .item("export", "Ctrl + E", Action::Export);
+    // A page is closed by its browser.
+    if system::PAGE {
+        return section;
+    }
+    section.line().item("quit", "Ctrl + Q", Action::Quit)
 }
 
 fn edit() -> Section {

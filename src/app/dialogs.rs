@@ -9,6 +9,7 @@ use super::focus::named;
 use super::report;
 use super::scenes::scenes_ui;
 use super::state::{AppState, Leaving};
+use super::system;
 use crate::scene::Image;
 use crate::text::{has, text};
 use eframe::egui::accesskit::Role;
@@ -114,9 +115,11 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Di
     ctx.request_repaint();
 }
 
-fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog) {
+/// Does what a dialog asks for.
+pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog) {
     match dialog {
         Dialog::File { task, path } => match task {
+            FileTask::Open if system::PAGE => _ = system::pick(true, &FileTask::Open.file_kind()),
             FileTask::Open => state.ask(Action::OpenFile(PathBuf::from(path.trim()))),
             FileTask::SaveScene => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
             FileTask::Export(form) => files.export(ctx, state, form, PathBuf::from(path)),
@@ -198,7 +201,11 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, window: [u32; 2]
         export_ui(ui, form, window);
     }
     ui.add_space(8.0);
-    let entered = path_ui(ui, path, kind.example);
+    let entered = if system::PAGE {
+        Choice::Stay
+    } else {
+        path_ui(ui, path, kind.example)
+    };
     ui.add_space(12.0);
     buttons_ui(
         ui,

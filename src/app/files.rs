@@ -2,12 +2,13 @@
 
 use super::action::Action;
 use super::background::{Task, wake};
-use super::dialog::{Dialog, ExportForm, FileKind, FileTask};
+use super::dialog::{Dialog, ExportForm, FileTask};
 use super::document::Document;
 use super::engine::overlay_options;
 use super::look::{Look, ViewName};
 use super::recovery;
 use super::state::AppState;
+use super::system;
 use crate::analysis::{
     NormalField, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay, draw_panes,
     draw_profile, panes_on_sheet, probe, profile,
@@ -203,16 +204,7 @@ impl Files {
                 ..
             }
         );
-        let Some((
-            _,
-            FileKind {
-                files,
-                endings,
-                example,
-                ..
-            },
-        )) = dialog.file()
-        else {
+        let Some((_, kind)) = dialog.file() else {
             return;
         };
         self.start(
@@ -220,17 +212,7 @@ impl Files {
             text!("waiting-dialog").to_owned(),
             text!("did-not-work"),
             move |_| {
-                let all = rfd::FileDialog::new();
-                let dialog = if endings.is_empty() {
-                    all
-                } else {
-                    all.add_filter(files, endings)
-                };
-                let picked = if opens {
-                    dialog.pick_file()
-                } else {
-                    dialog.set_file_name(example).save_file()
-                };
+                let picked = system::pick(opens, &kind);
                 Ok(move |state: &mut AppState| {
                     if let (Some(path), Some((typed, _))) =
                         (&picked, state.dialog.as_mut().and_then(Dialog::file))

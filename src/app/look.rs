@@ -1,6 +1,7 @@
 //! How the window looks: what is written to disk between two sessions.
 
 use super::profile::look::ProfileLook;
+use super::system;
 use super::theme::{PROJECTOR_LINES, SCALES, TEXT, ThemeChoice};
 use crate::link::{PAGE, page};
 use crate::text::Language;
@@ -62,8 +63,11 @@ impl Look {
         }
     }
 
-    /// Puts a file first among those that were opened or saved.
+    /// Puts a file first among those that were opened or saved; a page cannot open them again.
     pub fn remember(&mut self, path: &Path) {
+        if system::PAGE {
+            return;
+        }
         let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         self.recent.retain(|known| *known != path);
         self.recent.insert(0, path);

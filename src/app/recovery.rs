@@ -1,7 +1,9 @@
 //! Unsaved work outlives the window: kept in a file while there is some, offered at the next start.
 //!
-//! Each window holds the lock of a numbered file of its own, which the system releases when the process ends, however it
-//! ends. A kept scene whose lock is free was left behind.
+//! Each window has a [`Slot`] of its own.
+
+#[cfg_attr(target_arch = "wasm32", path = "recovery/page.rs")]
+mod slot;
 
 use super::background::Task;
 use super::document::{Document, Origin};
@@ -9,20 +11,18 @@ use super::look::ViewName;
 use super::place::{ProbePoint, ProfileLine};
 use super::state::{AppState, Leaving};
 use crate::analysis::Watch;
-use crate::document::{load, write_whole};
+use crate::document::load;
 use crate::jobs::Job;
 use crate::text::text;
 use eframe::egui::Context;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
-use std::fs::{self, File};
-use std::path::{Path, PathBuf};
+use slot::Slot;
+use std::path::Path;
 use std::time::Duration;
 
 /// A change is kept after so many seconds, together with those that follow it in that time.
 const PAUSE: f64 = 3.0;
-/// Most windows at a time that keep their work.
-const MOST: usize = 100;
 /// The first line of a kept scene begins with this; what follows is [`Around`] as JSON.
 const HEAD: &str = "# Unsaved work of shading-lab, from ";
 
@@ -78,42 +78,12 @@ pub struct Recovery {
     writing: Option<Job<Task<()>>>,
 }
 
-/// A file for kept work, which is this process's alone.
-struct Slot {
-    path: PathBuf,
-    _lock: File,
-}
-
 impl Recovery {
     /// Takes a free file in `folder`, and the latest of those left behind. Nothing where no file can be made there.
     pub fn new(folder: &Path) -> Option<Self> {
-        fs::create_dir_all(folder).ok()?;
-        // Nothing where another process has it.
-        let lock = |path: PathBuf| {
-            let lock = File::options()
-                .create(true)
-                .append(true)
-                .open(path.with_extension("lock"))
-                .ok()?;
-            lock.try_lock().ok()?;
-            Some(Slot { path, _lock: lock })
-        };
-        let (mut own, mut left) = (None, None);
-        for path in (0..MOST).map(|number| folder.join(format!("{number}.toml"))) {
-            let when = fs::metadata(&path)
-                .and_then(|metadata| metadata.modified())
-                .ok();
-            if when.is_none() && own.is_none() {
-                own = lock(path);
-            } else if let Some(when) =
-                when.filter(|when| left.as_ref().is_none_or(|(latest, _)| when > latest))
-            {
-                left = lock(path).map(|slot| (when, slot)).or(left);
-            }
-        }
-        let left = left.map(|(_, slot)| slot);
+        let (own, left) = slot::find(folder)?;
         Some(Self {
-            own: own?,
+            own,
             left,
             kept: None,
             due: None,
@@ -142,7 +112,7 @@ impl Recovery {
     pub fn delete(&mut self) {
         if let Some(slot) = self.left.take() {
             // What cannot be removed is offered again.
-            let _ = fs::remove_file(slot.path);
+            let _ = slot::remove(&slot.path);
         }
     }
 
@@ -180,8 +150,7 @@ impl Recovery {
         let write = move |_: &dyn Watch<()>| {
             let around = serde_json::to_string(&around).unwrap_or_default();
             let text = format!("{HEAD}{around}\n{}", scene.to_toml());
-            let written = write_whole(&path, |out| out.write_all(text.as_bytes()));
-            written.map_err(|error| error.to_string())
+            slot::write(&path, &text)
         };
         self.writing = Some(Job::start(Task::new(write), |_| ()));
     }
@@ -194,14 +163,14 @@ impl Recovery {
                 writing.wait();
             }
             // At worst it is offered once too often.
-            let _ = fs::remove_file(&self.own.path);
+            let _ = slot::remove(&self.own.path);
         }
     }
 }
 
 /// What was around the scene in a file of kept work.
 fn around(path: &Path) -> Around {
-    let text = fs::read_to_string(path).unwrap_or_default();
+    let text = slot::read(path);
     let around = text.lines().next().and_then(|line| line.strip_prefix(HEAD));
     around
         .and_then(|around| serde_json::from_str(around).ok())

@@ -1,6 +1,6 @@
 //! How the window looks: type, spacing and two calm themes.
 
-use crate::text::CHINESE_FONT;
+use crate::text::chinese_font;
 use eframe::egui::style::{HandleShape, Selection, TextCursorStyle, WidgetVisuals, Widgets};
 use eframe::egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Margin, Shadow, Stroke,
@@ -36,11 +36,16 @@ pub enum ThemeChoice {
 
 /// Gives `ctx` the window's two themes.
 pub fn install(ctx: &Context) {
-    ctx.set_fonts(fonts());
+    install_fonts(ctx);
     ctx.set_style_of(Theme::Dark, style(dark_visuals()));
     ctx.set_style_of(Theme::Light, style(light_visuals()));
     // The window has its own commands for this, which remember the size.
     ctx.options_mut(|options| options.zoom_with_keyboard = false);
+}
+
+/// Gives `ctx` the fonts that there are.
+pub fn install_fonts(ctx: &Context) {
+    ctx.set_fonts(fonts());
 }
 
 /// Makes controls high enough for a finger, or for a pointer.
@@ -65,7 +70,10 @@ fn fonts() -> FontDefinitions {
         .entry(FontFamily::Proportional)
         .or_default()
         .extend(behind);
-    let chinese = FontData::from_static(CHINESE_FONT);
+    if chinese_font().is_empty() {
+        return fonts;
+    }
+    let chinese = FontData::from_static(chinese_font());
     fonts.font_data.insert("Chinese".to_owned(), chinese.into());
     for family in fonts.families.values_mut() {
         family.push("Chinese".to_owned());

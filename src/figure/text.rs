@@ -1,6 +1,6 @@
 //! Lettering as outlines: text in, a path and its extent in pixels out.
 
-use crate::text::CHINESE_FONT;
+use crate::text::chinese_font;
 use glam::DVec2;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::{DrawSettings, OutlinePen};
@@ -186,14 +186,14 @@ impl OutlinePen for Pen {
     }
 }
 
-/// The fonts in the order in which they are asked for a character.
+/// The fonts in the order in which they are asked for a character; a web page may not have the last of them yet.
 fn fonts() -> &'static [FontRef<'static>] {
-    static FONTS: OnceLock<Vec<FontRef<'static>>> = OnceLock::new();
-    FONTS.get_or_init(|| {
+    static FONTS: [OnceLock<Vec<FontRef<'static>>>; 2] = [const { OnceLock::new() }; 2];
+    FONTS[usize::from(!chinese_font().is_empty())].get_or_init(|| {
         let files = [
             epaint_default_fonts::UBUNTU_LIGHT,
             epaint_default_fonts::HACK_REGULAR,
-            CHINESE_FONT,
+            chinese_font(),
         ];
         files
             .into_iter()

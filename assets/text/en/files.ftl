@@ -104,3 +104,6 @@ change-one = change
 change-several = several settings
 recent = Open recent
 recent-clear = Clear this list
+
+## The web page
+page-full = The browser stores no more: save the scene to a file.

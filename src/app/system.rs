@@ -1,0 +1,46 @@
+//! What the system does for a window. A web page has its own, `page.rs`.
+
+use super::dialog::FileKind;
+use eframe::egui::{Context, ViewportCommand};
+use std::path::PathBuf;
+
+/// Whether this is a web page.
+pub const PAGE: bool = false;
+
+/// Does what is to be done before a frame.
+pub fn begin_frame(_: &Context) {}
+
+/// The files that were dropped on the window.
+pub fn dropped(ctx: &Context) -> Vec<PathBuf> {
+    let dropped = ctx.input(|input| input.raw.dropped_files.clone());
+    dropped
+        .iter()
+        .map(|file| file.path().to_path_buf())
+        .collect()
+}
+
+/// Shows the desktop's own dialog for a file, to open it or to write it, and waits for the answer.
+pub fn pick(opens: bool, kind: &FileKind) -> Option<PathBuf> {
+    let all = rfd::FileDialog::new();
+    let dialog = if kind.endings.is_empty() {
+        all
+    } else {
+        all.add_filter(kind.files, kind.endings)
+    };
+    if opens {
+        dialog.pick_file()
+    } else {
+        dialog.set_file_name(kind.example).save_file()
+    }
+}
+
+pub fn set_title(ctx: &Context, title: &str) {
+    ctx.send_viewport_cmd(ViewportCommand::Title(title.to_owned()));
+}
+
+pub fn set_fullscreen(ctx: &Context, on: bool) {
+    ctx.send_viewport_cmd(ViewportCommand::Fullscreen(on));
+}
+
+/// Sees to it that there are letters for the language of the moment.
+pub fn want_letters(_: &Context) {}

@@ -1,0 +1,122 @@
+//! The files of the system: read as they are, written whole or not at all.
+
+use super::error::{LoadError, SaveError};
+use crate::text::{Message, text};
+use atomic_write_file::AtomicWriteFile;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// Links that are followed one after the other, as many as Linux follows.
+const MOST_LINKS: usize = 40;
+
+/// A regular file with its length in bytes.
+pub fn open(path: &Path, expected: Message) -> Result<(File, u64), LoadError> {
+    let unreadable = |error: io::Error| LoadError::unreadable(path, expected, &error);
+    let metadata = fs::metadata(path).map_err(unreadable)?;
+    if !metadata.is_file() {
+        let expected = expected.text();
+        let problem = if metadata.is_dir() {
+            text!("document-directory-not-file", expected = expected)
+        } else {
+            text!("document-not-regular", expected = expected)
+        };
+        return Err(LoadError::file(path, problem));
+    }
+    Ok((File::open(path).map_err(unreadable)?, metadata.len()))
+}
+
+/// Writes a file by `content`: the old one stays as it is until the new one is whole and on the disk, and passes its mode
+/// on. A link is followed; a device or a pipe is written to directly.
+///
+/// # Errors
+/// A target that cannot be written, or what `content` reports; nothing is left behind then.
+pub fn write_whole(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), SaveError> {
+    check_target(path)?;
+    let written = if is_stdout(path) {
+        fill(io::stdout().lock(), content)
+    } else if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+        OpenOptions::new()
+            .write(true)
+            .open(path)
+            .and_then(|device| fill(device, content))
+    } else {
+        AtomicWriteFile::open(behind_links(path)).and_then(|mut file| {
+            fill(&mut file, content)?;
+            file.commit()
+        })
+    };
+    written.map_err(|source| SaveError::Unwritable {
+        path: path.to_owned(),
+        source,
+    })
+}
+
+/// Where Linux and the BSDs keep the standard output. It may be a file that others write to as well, which must not be
+/// replaced, or a socket, which cannot be opened.
+fn is_stdout(path: &Path) -> bool {
+    cfg!(unix) && path == Path::new("/dev/stdout")
+}
+
+fn fill(
+    target: impl Write,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut out = BufWriter::new(target);
+    content(&mut out)?;
+    out.flush()
+}
+
+/// The file that a link leads to, which need not exist.
+fn behind_links(path: &Path) -> PathBuf {
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = fs::read_link(&target) else {
+            break;
+        };
+        target = target.parent().unwrap_or(Path::new("")).join(next);
+    }
+    target
+}
+
+/// Whether `path` can be written at all, as far as can be told without writing: worth asking before long work.
+///
+/// # Errors
+/// A folder that does not exist, a target that is a folder or is write-protected.
+pub fn check_target(path: &Path) -> Result<(), SaveError> {
+    let refused = |problem| {
+        Err(SaveError::Target {
+            path: path.to_owned(),
+            problem: Message(problem),
+        })
+    };
+    if is_stdout(path) {
+        return Ok(());
+    }
+    let error = match fs::metadata(path) {
+        Ok(metadata) if metadata.is_dir() => return refused("document-target-directory"),
+        Ok(metadata) if metadata.permissions().readonly() => {
+            return refused("document-target-protected");
+        }
+        Ok(_) => return Ok(()),
+        Err(error) => error,
+    };
+    let target = behind_links(path);
+    if target.file_name().is_none() {
+        return refused("document-target-no-name");
+    }
+    match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
+            refused("document-target-no-folder")
+        }
+        _ if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        // Links in a circle, for example, or a name that is too long.
+        _ => Err(SaveError::Unwritable {
+            path: path.to_owned(),
+            source: error,
+        }),
+    }
+}

@@ -1,0 +1,66 @@
+//! What can be wrong with a file, in sentences.
+
+use crate::link::LinkError;
+use crate::scene::SceneError;
+use crate::text::{Message, text};
+use std::fmt::Display;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What a file was expected to be.
+pub(super) const SCENE_FILE: Message = Message("document-scene-file");
+pub(super) const MODEL: Message = Message("document-model");
+pub(super) const PICTURE: Message = Message("document-picture");
+
+/// Why something could not be opened. Displayed, it names the file, and the line where there is one; several problems
+/// take a line each.
+#[derive(Debug, thiserror::Error)]
+pub enum LoadError {
+    /// The text of the scene, or an override.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    #[error(transparent)]
+    Link(#[from] LinkError),
+    /// The file itself, at a line counted from 1 where the problem has one.
+    #[error("{}:{} {problem}", .path.display(), .line.map(|line| format!("{line}:")).unwrap_or_default())]
+    File {
+        path: PathBuf,
+        line: Option<u64>,
+        problem: String,
+    },
+}
+
+impl LoadError {
+    pub(super) fn file(path: &Path, problem: impl Display) -> Self {
+        Self::File {
+            path: path.to_owned(),
+            line: None,
+            problem: problem.to_string(),
+        }
+    }
+
+    pub(super) fn unreadable(path: &Path, expected: Message, error: &io::Error) -> Self {
+        let expected = expected.text();
+        let problem = match error.kind() {
+            io::ErrorKind::NotFound => text!("document-no-such-file", expected = expected),
+            _ => {
+                let error = error.to_string();
+                text!("document-unreadable", error = error, expected = expected)
+            }
+        };
+        Self::file(path, problem)
+    }
+}
+
+/// Why a file could not be written. The target is then as it was before.
+#[derive(Debug, thiserror::Error)]
+pub enum SaveError {
+    #[error("{}: {}", .path.display(), .problem.text())]
+    Target { path: PathBuf, problem: Message },
+    #[error("{}: {}", .path.display(), text!("document-unwritable", error = .source.to_string()))]
+    Unwritable { path: PathBuf, source: io::Error },
+    #[error("{}: {}", .path.display(), text!("document-nothing-to-draw"))]
+    Nothing { path: PathBuf },
+    #[error("{}: {}", .path.display(), text!("document-figure-too-large"))]
+    TooLarge { path: PathBuf },
+}
