@@ -18,7 +18,7 @@ use web_sys::{ClipboardEvent, File, FileList, HtmlInputElement, Response};
 /// Whether this is a web page.
 pub const PAGE: bool = true;
 /// Beside the page.
-const CHINESE_FONT: &str = "NotoSansTC-subset.otf";
+const CHINESE_FONT: &str = "chinese.otf";
 
 thread_local! {
     /// Files that have come in since the last frame.

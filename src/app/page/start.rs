@@ -41,14 +41,13 @@ async fn start(canvas: HtmlCanvasElement) {
 
 /// Moves nothing of itself where the reader wants it so.
 fn reduce_motion(ctx: &Context) {
-    let wanted = web_sys::window()
-        .and_then(|window| {
-            window
-                .match_media("(prefers-reduced-motion: reduce)")
-                .ok()?
-        })
-        .is_some_and(|query| query.matches());
-    if wanted {
+    let wanted = web_sys::window().and_then(|window| {
+        window
+            .document()?
+            .document_element()?
+            .get_attribute("data-motion")
+    });
+    if wanted.is_some_and(|motion| motion == "reduce") {
         ctx.all_styles_mut(|style| style.animation_time = 0.0);
     }
 }
