@@ -33,12 +33,20 @@ pub fn begin_frame(ctx: &Context) {
     if CONTEXT.with_borrow(Option::is_none) {
         CONTEXT.set(Some(ctx.clone()));
         listen();
+        show("ready");
     }
     jobs::step();
 }
 
 fn document() -> Option<web_sys::Document> {
     web_sys::window()?.document()
+}
+
+/// Tells the page what to show: the window, or a sentence.
+pub fn show(what: &str) {
+    if let Some(page) = document().and_then(|document| document.document_element()) {
+        let _ = page.set_attribute("data-state", what);
+    }
 }
 
 /// The files that were dropped on the page, pasted or chosen, once their content is there.

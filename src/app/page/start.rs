@@ -1,9 +1,13 @@
 //! Opening the window as a web page.
 
-use super::App;
+use super::dialog::Dialog;
+use super::{App, system};
 use crate::document::load;
+use crate::link;
 use crate::scene::presets;
+use crate::text::text;
 use eframe::egui::Context;
+use std::panic;
 use std::path::Path;
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::spawn_local;
@@ -14,7 +18,10 @@ const CANVAS: &str = "shading-lab";
 
 /// Opens the window on the page's canvas; what goes wrong stands in the console, and the page says that something did.
 pub fn run() {
-    console_error_panic_hook::set_once();
+    panic::set_hook(Box::new(|info| {
+        console_error_panic_hook::hook(info);
+        system::show("stopped");
+    }));
     let canvas = web_sys::window()
         .and_then(|window| window.document())
         .and_then(|document| document.get_element_by_id(CANVAS));
@@ -24,9 +31,21 @@ pub fn run() {
 
 async fn start(canvas: HtmlCanvasElement) {
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
-        let loaded = load(Path::new(presets::DEFAULT)).expect("a built-in scene");
-        let app = App::new(cc, loaded).with_welcome();
+        let (page, link) = address();
+        let linked = link::is_link(&link).then(|| load(Path::new(&link)));
+        let (loaded, problem) = match linked {
+            Some(Ok(loaded)) => (Some(loaded), None),
+            Some(Err(error)) => (None, Some(error.to_string())),
+            None => (None, None),
+        };
+        let loaded =
+            loaded.unwrap_or_else(|| load(Path::new(presets::DEFAULT)).expect("a built-in scene"));
+        let mut app = App::new(cc, loaded).with_welcome().with_page(Some(page));
         reduce_motion(&cc.egui_ctx);
+        if let Some(problem) = problem {
+            app.state.dialog = Some(Dialog::message(text!("not-opened"), problem));
+            return Box::new(app);
+        }
         Box::new(app.with_recovery(Path::new("")))
     };
     let runner = eframe::WebRunner::new();
@@ -35,8 +54,19 @@ async fn start(canvas: HtmlCanvasElement) {
         .start(canvas, options, Box::new(move |cc| Ok(open(cc))))
         .await
     {
+        system::show("stopped");
         wasm_bindgen::throw_val(error);
     }
+}
+
+/// The page's address, and the link in it.
+fn address() -> (String, String) {
+    let location = || {
+        let location = web_sys::window()?.location();
+        let page = location.origin().ok()? + &location.pathname().ok()?;
+        Some((page, location.search().ok()? + &location.hash().ok()?))
+    };
+    location().unwrap_or_default()
 }
 
 /// Moves nothing of itself where the reader wants it so.
