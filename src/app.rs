@@ -205,8 +205,14 @@ impl App {
             layout,
             ..
         } = self;
+        let known = layout.picture.is_some();
         if let Some(room) = layout.ui(ui, state, engine) {
             (self.room, state.room) = (room, room.whole);
+            if !known {
+                // How high the strips above the picture are is known only now. To lay out again at once is faster than a
+                // frame that jumps.
+                ui.ctx().request_discard("the picture's room is known");
+            }
             if let Some(picture) = layout.picture {
                 welcome::welcome_ui(ui.ctx(), state, picture);
             }
