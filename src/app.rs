@@ -26,6 +26,7 @@ mod heading;
 mod layout;
 mod letter;
 mod lines;
+mod links;
 mod look;
 mod material;
 mod menu;
@@ -69,6 +70,7 @@ pub use start::run;
 pub use state::AppState;
 
 use crate::document::Loaded;
+use crate::link::is_link;
 use crate::render::{Frame, Renderer, Report};
 use crate::scene::{Choice as _, presets};
 use crate::text::{Language, language, set_language, text};
@@ -127,7 +129,9 @@ impl App {
         // The toolkit stores a scale of its own, which nobody has checked. Set in this way it holds from the first frame on.
         cc.egui_ctx
             .options_mut(|options| options.zoom_factor = state.look.scale);
+        let shown = loaded.shown.clone();
         state.open(Document::from(loaded));
+        state.show(&shown);
         state.history = History::new(state.document.clone());
         Self {
             state,
@@ -180,7 +184,8 @@ impl App {
     pub fn with_welcome(mut self) -> Self {
         let default = Origin::BuiltIn(presets::DEFAULT.to_owned());
         self.state.welcome = !self.state.look.welcomed && self.state.document.origin == default;
-        self.state.seek_highlight = self.state.welcome;
+        // A link may have said where.
+        self.state.seek_highlight = self.state.welcome && self.state.probe == ProbePoint::default();
         self
     }
 
@@ -297,7 +302,14 @@ impl App {
     fn perform(&mut self, ctx: &Context, action: Action) {
         match action {
             Action::Open => self.ask_file(ctx, FileTask::Open, String::new()),
-            Action::OpenFile(path) => self.files.open(ctx, path),
+            Action::OpenFile(path) => match path.to_str() {
+                Some(text) if is_link(text) => self.state.open_link(text),
+                _ => self.files.open(ctx, path),
+            },
+            Action::OpenLink(text) => self.state.open_link(&text),
+            Action::CopyLink => self.state.copy_link(ctx),
+            Action::ShowCode => self.state.show_code(),
+            Action::Page => self.state.ask_page(false),
             Action::OpenBuiltIn(name) => {
                 if let Some(document) = Document::built_in(&name) {
                     self.state.open(document);

@@ -21,6 +21,14 @@ pub enum Action {
     SaveTo(PathBuf),
     Export,
     CopyPicture,
+    /// Puts the link of what is seen on the clipboard.
+    CopyLink,
+    /// Opens the scene of a link.
+    OpenLink(String),
+    /// Shows the link as a QR code.
+    ShowCode,
+    /// Asks for the address of the page that links begin with.
+    Page,
     Code,
     /// Asks where to save the answer of the analysis of this name, in this format.
     SaveAnswer(&'static str, Format),

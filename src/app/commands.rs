@@ -10,6 +10,7 @@ use super::state::AppState;
 use super::system;
 use super::views::after;
 use crate::analysis::ScanLevel;
+use crate::link::is_link;
 use crate::scene::{Light, Scene, ShadingMode};
 use crate::text;
 use eframe::egui::{Context, Event, Key, Modifiers};
@@ -188,12 +189,17 @@ fn file() -> Section {
         .line()
         .item("save", "Ctrl + S", Action::Save)
         .item("save-as", "Ctrl + Shift + S", Action::SaveAs)
-        .item("export", "Ctrl + E", Action::Export);
-    // A page is closed by its browser.
+        .item("export", "Ctrl + E", Action::Export)
+        .line()
+        .item("copy-link", "Ctrl + Shift + L", Action::CopyLink);
+    // A page knows where it is, and is closed by its browser.
     if system::PAGE {
         return section;
     }
-    section.line().item("quit", "Ctrl + Q", Action::Quit)
+    section
+        .item("page", "", Action::Page)
+        .line()
+        .item("quit", "Ctrl + Q", Action::Quit)
 }
 
 fn edit() -> Section {
@@ -248,6 +254,7 @@ fn view() -> Section {
         .line()
         .item("picture-alone", "F11", Action::PictureAlone)
         .item("projector", "F9", change(Look::projector))
+        .item("link-code", "Q", Action::ShowCode)
         .item("larger", "Ctrl + +", change(Look::larger))
         .item("smaller", "Ctrl + −", change(Look::smaller))
         .item("ordinary-size", "Ctrl + 0", change(Look::ordinary_size))
@@ -341,6 +348,9 @@ pub fn listen(ctx: &Context, state: &mut AppState) {
             let action = match event {
                 // The window's back end turns Ctrl + C into this.
                 Event::Copy if !editing => Some(Action::CopyPicture),
+                Event::Paste(text) if !editing && is_link(text) => {
+                    Some(Action::OpenLink(text.clone()))
+                }
                 Event::Key {
                     key,
                     pressed: true,

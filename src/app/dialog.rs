@@ -2,6 +2,7 @@
 
 use super::focus::named;
 use crate::analysis::Format;
+use crate::figure::QrCode;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Key, ScrollArea, TextEdit, Ui};
@@ -31,9 +32,32 @@ pub enum Dialog {
     Restore {
         name: String,
     },
+    /// Asks for the address of the page that links begin with.
+    Page(PageForm),
+    /// The link of what is seen, over the whole window.
+    LinkCode(LinkCode),
     Scenes,
     Keys,
     About,
+}
+
+/// The address of the page that links begin with, as it is typed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PageForm {
+    pub address: String,
+    /// What is wrong with it.
+    pub wrong: Option<String>,
+    /// Whether the QR code is shown then.
+    pub then_code: bool,
+}
+
+/// A link as a QR code.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinkCode {
+    pub link: String,
+    pub code: QrCode,
+    /// The name of a model that the link says nothing of.
+    pub left_out: Option<String>,
 }
 
 /// What is to be done with a file.

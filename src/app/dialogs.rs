@@ -6,6 +6,7 @@ use super::commands::SECTIONS;
 use super::dialog::{Choice, Dialog, ExportForm, FileTask, both, buttons_ui, path_ui, question_ui};
 use super::files::Files;
 use super::focus::named;
+use super::links;
 use super::report;
 use super::scenes::scenes_ui;
 use super::state::{AppState, Leaving};
@@ -40,6 +41,12 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
     let Some(mut dialog) = state.dialog.take() else {
         return;
     };
+    if let Dialog::LinkCode(code) = &dialog {
+        if links::code_ui(ctx, code) {
+            state.dialog = Some(dialog);
+        }
+        return;
+    }
     let shown = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
         let width: f32 = match dialog {
             Dialog::Keys => 620.0,
@@ -136,7 +143,12 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
             state.ask(Action::Save);
         }
         Dialog::Restore { .. } => state.ask(Action::Restore),
-        Dialog::Message { .. } | Dialog::Scenes | Dialog::Keys | Dialog::About => {}
+        Dialog::Page(form) => state.set_page(form),
+        Dialog::Message { .. }
+        | Dialog::LinkCode(_)
+        | Dialog::Scenes
+        | Dialog::Keys
+        | Dialog::About => {}
     }
 }
 
@@ -183,6 +195,8 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             ];
             question_ui(ui, text!("restore-work"), &text, &answers)
         }
+        Dialog::Page(form) => links::page_ui(ui, form),
+        Dialog::LinkCode(_) => Choice::Leave,
         Dialog::Scenes => scenes_ui(ui, state),
         Dialog::Keys => keys_ui(ui),
         Dialog::About => question_ui(
