@@ -16,6 +16,7 @@ mod dialog;
 mod dialogs;
 mod document;
 mod drawing;
+mod embed;
 mod engine;
 mod equation;
 mod files;
@@ -210,13 +211,19 @@ impl App {
             layout,
             ..
         } = self;
+        if state.embedded.is_some() {
+            self.room = embed::embedded_ui(ui, state, engine);
+            state.room = self.room.whole;
+            state.commit();
+            return;
+        }
         let known = layout.picture.is_some();
         if let Some(room) = layout.ui(ui, state, engine) {
             (self.room, state.room) = (room, room.whole);
             if !known {
                 // How high the strips above the picture are is known only now. To lay out again at once is faster than a
                 // frame that jumps.
-                ui.ctx().request_discard("the picture's room is known");
+                ui.ctx().request_discard("layout");
             }
             if let Some(picture) = layout.picture {
                 welcome::welcome_ui(ui.ctx(), state, picture);
@@ -308,6 +315,7 @@ impl App {
             },
             Action::OpenLink(text) => self.state.open_link(&text),
             Action::CopyLink => self.state.copy_link(ctx),
+            Action::OpenPage => self.state.open_page(ctx),
             Action::ShowCode => self.state.show_code(),
             Action::Page => self.state.ask_page(false),
             Action::OpenBuiltIn(name) => {
@@ -445,7 +453,7 @@ impl eframe::App for App {
             self.state.ask(Action::OpenFile(path));
         }
         focus::listen(&ctx, self.in_front);
-        if !self.in_front {
+        if !self.in_front && self.state.embedded.is_none() {
             commands::listen(&ctx, &mut self.state);
         }
         self.panels(ui);
@@ -462,6 +470,9 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        if self.state.embedded.is_some() {
+            return;
+        }
         eframe::set_value(
             storage,
             STORAGE_KEY,

@@ -142,7 +142,8 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             }
             let scale = look.zoom(size[1]);
             let points = size.map(|side| side / scale);
-            let mut harness = hands::window_looking("three-lights", points, &look, |app| app);
+            let mut harness =
+                hands::window_looking(hands::built_in("three-lights"), points, &look, |app| app);
             let mut check = |harness: &Harness<'_, App>, what: &str, shown: Shown| {
                 for fault in faults(harness, shown) {
                     let [width, height] = size;
@@ -153,7 +154,8 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
                     ));
                 }
             };
-            let first = hands::window_looking(DEFAULT, points, &look, App::with_welcome);
+            let first =
+                hands::window_looking(hands::built_in(DEFAULT), points, &look, App::with_welcome);
             check(&first, "first start", Shown::View);
             check(&harness, "start", Shown::View);
             for _ in 0..9 {

@@ -6,7 +6,8 @@ mod hands;
 
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
-use hands::{picture, scene, window_of};
+use hands::{picture, scene, unfold_all, window_looking};
+use shading_lab::app::Look;
 use shading_lab::document::load;
 use shading_lab::render::Renderer;
 use std::path::Path;
@@ -46,7 +47,13 @@ fn measure(built_in: &str, settings: &[&str]) {
     let settings: Vec<_> = settings.iter().map(|&setting| setting.to_owned()).collect();
     let mut loaded = load(Path::new(built_in)).expect("a built-in scene");
     loaded.scene = loaded.scene.with_overrides(&settings).expect("settings");
-    let mut harness = window_of(loaded);
+    // While a slider is held no smoother picture is drawn.
+    let look = Look {
+        smooth_edges: false,
+        ..Look::default()
+    };
+    let mut harness = window_looking(loaded, [1280.0, 800.0], &look, |app| app);
+    unfold_all(&mut harness);
     let mut renderer = Renderer::default();
     for (name, step) in [
         ("Ka ambient coefficient", 0.001),

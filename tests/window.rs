@@ -9,8 +9,8 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DVec2, DVec3};
 use hands::{
-    choose, drag, enter, folded, open_view, picture, picture_place, press, scene, undo, unfold,
-    wait, window, window_looking,
+    built_in, choose, drag, enter, folded, open_view, picture, picture_place, press, scene, undo,
+    unfold, wait, window, window_looking,
 };
 use shading_lab::analysis::NormalField;
 use shading_lab::app::{App, Look, ProfileLook, ViewName};
@@ -882,7 +882,7 @@ fn a_light_from_afar_is_doubled_to_another_direction() {
 
 /// The look of a window that finds this one stored.
 fn look_from(stored: &Look) -> Look {
-    let harness = window_looking("teapot", [900.0, 600.0], stored, |app| app);
+    let harness = window_looking(built_in("teapot"), [900.0, 600.0], stored, |app| app);
     harness.state().state().look.clone()
 }
 

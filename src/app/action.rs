@@ -23,6 +23,8 @@ pub enum Action {
     CopyPicture,
     /// Puts the link of what is seen on the clipboard.
     CopyLink,
+    /// Opens what is seen in a page of its own.
+    OpenPage,
     /// Opens the scene of a link.
     OpenLink(String),
     /// Shows the link as a QR code.

@@ -13,8 +13,8 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{
-    Align, Area, Button, Color32, Context, Event, FontId, Galley, Id, Key, Mesh, Order, Painter,
-    Rect, RichText, Sense, Shape, TextEdit, Ui, pos2, vec2,
+    Align, Area, Button, Color32, Context, Event, FontId, Galley, Id, Key, Mesh, OpenUrl, Order,
+    Painter, Rect, RichText, Sense, Shape, TextEdit, Ui, pos2, vec2,
 };
 use std::sync::Arc;
 
@@ -94,6 +94,14 @@ impl AppState {
                     Some(path) => text!("link-copied-model", path = name_of(&path)),
                 });
             }
+            Err(error) => self.no_link(&error.to_string()),
+        }
+    }
+
+    /// Opens what is seen in a page of its own.
+    pub fn open_page(&mut self, ctx: &Context) {
+        match self.link() {
+            Ok(Written { link, .. }) => ctx.open_url(OpenUrl::new_tab(link)),
             Err(error) => self.no_link(&error.to_string()),
         }
     }

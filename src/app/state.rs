@@ -64,6 +64,8 @@ pub struct AppState {
     pub lit: Lit,
     /// Shows the open view alone.
     pub enlarged: bool,
+    /// The controls that the window shows as a figure in another page, by the words of the link.
+    pub embedded: Option<Vec<String>>,
     /// Whether the first start's card is shown.
     pub welcome: bool,
     /// Shows the picture alone.

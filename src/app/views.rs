@@ -17,7 +17,7 @@ use super::study::study_ui;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Align2, Button, FontId, Layout, Rect, ScrollArea, Sense, Ui, Vec2, vec2,
+    Align, Align2, Button, FontId, Layout, Rect, ScrollArea, Sense, Ui, UiBuilder, Vec2, vec2,
 };
 
 /// A view.
@@ -273,10 +273,14 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
         .change(|habits: &mut Habits| habits.last[index.unwrap_or(0)] = Some(name));
     ui.add_space(2.0);
     let view = view(name);
+    // A scroll bar that appears must not make the panel wider for a frame: the picture would be drawn anew.
+    let rect = ui.available_rect_before_wrap();
+    let mut inside = ui.new_child(UiBuilder::new().max_rect(rect));
+    ui.advance_cursor_after_rect(rect);
     ScrollArea::vertical()
         .id_salt(view.name)
         .auto_shrink(false)
-        .show(ui, |ui| (view.show)(ui, state, engine));
+        .show(&mut inside, |ui| (view.show)(ui, state, engine));
 }
 
 /// Closes, enlarges or moves the view.

@@ -1,7 +1,7 @@
 //! A drawing as plain geometry: lines, areas and texts with their places, for any device.
 
 use super::palette::Rgb8;
-use super::text::Lettering;
+use super::text::{Lettering, width_of};
 use glam::DVec2;
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -184,11 +184,6 @@ impl Text {
             ..self
         }
     }
-}
-
-/// The width of a line of text.
-pub(crate) fn width_of(text: &str, size: f64) -> f64 {
-    Lettering::new(text, size).width
 }
 
 /// Where a plot draws its values.

@@ -4,7 +4,7 @@ use crate::text::chinese_font;
 use glam::DVec2;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::{DrawSettings, OutlinePen};
-use skrifa::{FontRef, MetadataProvider};
+use skrifa::{FontRef, GlyphId, MetadataProvider};
 use std::sync::OnceLock;
 use tiny_skia::{Path, PathBuilder, Transform};
 
@@ -82,23 +82,40 @@ impl Pen {
         } = Set::of(character);
         let (size, drop) = (size * share, -size * rise);
         self.y = drop;
-        let Some((font, glyph)) = fonts()
-            .iter()
-            .find_map(|font| Some((font, font.charmap().map(character)?)))
-        else {
-            self.x += 0.5 * size;
-            return;
-        };
-        let size = Size::new(size);
-        if let Some(outline) = font.outline_glyphs().get(glyph) {
+        let outline = glyph(character).and_then(|(font, glyph)| font.outline_glyphs().get(glyph));
+        if let Some(outline) = outline {
+            let settings = DrawSettings::unhinted(Size::new(size), LocationRef::default());
             // A glyph that does not draw leaves a gap, as one that is missing does.
-            let _ = outline.draw(DrawSettings::unhinted(size, LocationRef::default()), self);
+            let _ = outline.draw(settings, self);
         }
-        self.x += font
-            .glyph_metrics(size, LocationRef::default())
-            .advance_width(glyph)
-            .unwrap_or(0.0);
+        self.x += advance(character, size);
     }
+}
+
+/// A character in the first font that has it.
+fn glyph(character: char) -> Option<(&'static FontRef<'static>, GlyphId)> {
+    fonts()
+        .iter()
+        .find_map(|font| Some((font, font.charmap().map(character)?)))
+}
+
+/// How far the next character stands from an ordinary one, pixels.
+fn advance(character: char, size: f32) -> f32 {
+    let Some((font, glyph)) = glyph(character) else {
+        return 0.5 * size;
+    };
+    font.glyph_metrics(Size::new(size), LocationRef::default())
+        .advance_width(glyph)
+        .unwrap_or(0.0)
+}
+
+/// Width of a text at `size` pixels an em, pixels.
+pub(crate) fn width_of(text: &str, size: f64) -> f64 {
+    let advance = |character| {
+        let set = Set::of(character);
+        advance(set.letter, size as f32 * set.size)
+    };
+    text.chars().map(advance).sum::<f32>().into()
 }
 
 /// How a character is set: a small one below or above the line is the ordinary one made smaller and moved, since fonts

@@ -13,28 +13,28 @@ use shading_lab::scene::Scene;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+pub fn built_in(scene: &str) -> Loaded {
+    load(Path::new(scene)).expect("a scene")
+}
+
 pub fn window(scene: &str) -> Harness<'static, App> {
     window_with(scene, |app| app)
 }
 
 /// A window whose controls are all in reach, on a file or a built-in scene that is set up before its first frame.
 pub fn window_with(scene: &str, set_up: impl FnOnce(App) -> App) -> Harness<'static, App> {
-    opened(load(Path::new(scene)).expect("a scene"), Nowhere, set_up)
+    opened(built_in(scene), Nowhere, set_up)
 }
 
 /// A window with its sections folded as the scene has them.
 pub fn folded(scene: &str) -> Harness<'static, App> {
-    let loaded = load(Path::new(scene)).expect("a scene");
+    let loaded = built_in(scene);
     built(loaded, Nowhere, |app| app)
 }
 
 /// A window whose textures go to `card`.
 pub fn window_on(scene: &str, card: impl TestRenderer + 'static) -> Harness<'static, App> {
-    opened(
-        load(Path::new(scene)).expect("a built-in scene"),
-        card,
-        |app| app,
-    )
+    opened(built_in(scene), card, |app| app)
 }
 
 /// A window on any scene.
@@ -70,7 +70,7 @@ struct Kept<'a> {
 
 /// A window of some size, in points, that finds this look stored.
 pub fn window_looking(
-    scene: &str,
+    loaded: Loaded,
     size: [f32; 2],
     look: &Look,
     set_up: impl FnOnce(App) -> App,
@@ -79,7 +79,6 @@ pub fn window_looking(
     eframe::set_value(&mut storage, "look", &Kept { look });
     // A window's storage lives as long as the window.
     let storage: &'static Stored = Box::leak(Box::new(storage));
-    let loaded = load(Path::new(scene)).expect("a scene");
     let mut harness = Harness::builder()
         .with_size(size)
         .with_max_steps(60)

@@ -37,3 +37,6 @@ controls-command-copy-link = Copy link
 controls-command-page = Web page for links…
 controls-command-link-code = QR code of the link
     .does = Show the link as a QR code, for phones to open this scene
+embed-open = Open in shading-lab
+    .tip = Open this scene in a page of its own, with all controls
+embed-unknown = no control is called { $name }

@@ -37,3 +37,6 @@ controls-command-copy-link = 複製連結
 controls-command-page = 連結的網頁…
 controls-command-link-code = 連結的 QR 碼
     .does = 將連結顯示成 QR 碼，讓行動裝置開啟這個場景
+embed-open = 在 shading-lab 中開啟
+    .tip = 在獨立的頁面開啟這個場景，包含所有控制項
+embed-unknown = 沒有名為 { $name } 的控制項

@@ -40,10 +40,17 @@ async fn start(canvas: HtmlCanvasElement) {
         };
         let loaded =
             loaded.unwrap_or_else(|| load(Path::new(presets::DEFAULT)).expect("a built-in scene"));
+        let shown = loaded.shown.clone();
         let mut app = App::new(cc, loaded).with_welcome().with_page(Some(page));
+        if shown.embed {
+            app = app.embedded(&shown.controls);
+        }
         reduce_motion(&cc.egui_ctx);
         if let Some(problem) = problem {
             app.state.dialog = Some(Dialog::message(text!("not-opened"), problem));
+            return Box::new(app);
+        }
+        if shown.embed {
             return Box::new(app);
         }
         Box::new(app.with_recovery(Path::new("")))

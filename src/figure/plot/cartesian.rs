@@ -4,7 +4,8 @@ use super::axes::ticks;
 use super::data::{Axis, Mark, Plot, Point};
 use super::sheet::Sheet;
 use crate::figure::area::{Area, clipped};
-use crate::figure::drawing::{Scale, width_of};
+use crate::figure::drawing::Scale;
+use crate::figure::text::width_of;
 use crate::text::text;
 use glam::DVec2;
 

@@ -2,8 +2,8 @@
 
 use super::sheet::Sheet;
 use crate::figure::area::Area;
-use crate::figure::drawing::width_of;
 use crate::figure::palette::Rgb8;
+use crate::figure::text::width_of;
 use glam::DVec2;
 
 /// Length of a line's sample, and the gaps after it and before the notes, in ems.

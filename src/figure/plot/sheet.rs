@@ -3,8 +3,9 @@
 use super::data::{Curve, Plot};
 use super::paper::{Paper, PlotStyle, dashes};
 use crate::figure::area::Area;
-use crate::figure::drawing::{Drawing, Shape, Text, width_of};
+use crate::figure::drawing::{Drawing, Shape, Text};
 use crate::figure::palette::Rgb8;
+use crate::figure::text::width_of;
 use glam::DVec2;
 
 /// Breadth of the halo of a text that may stand on lines, in its size.
