@@ -8,6 +8,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use hands::{built_in, scene, window_looking};
 use shading_lab::app::{App, Look};
+use shading_lab::link::read;
 
 fn figure(name: &str, size: [f32; 2], controls: &[&str]) -> Harness<'static, App> {
     let controls: Vec<String> = controls.iter().map(|&word| word.to_owned()).collect();
@@ -53,4 +54,29 @@ fn a_figure_without_controls_is_its_picture() {
     let picture = harness.get_by_role(Role::Image).rect();
     assert!(picture.height() > 230.0, "{picture:?}");
     assert_eq!(harness.query_all_by_role(Role::Slider).count(), 0);
+}
+
+#[test]
+fn the_figures_of_the_example_work() {
+    let notes = include_str!("../docs/embedding.html");
+    let links: Vec<String> = notes
+        .split("src=\"./")
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+        .map(|link| link.replace("&amp;", "&"))
+        .collect();
+    assert_eq!(links.len(), 3);
+    for link in links {
+        let shown = read(&link).expect("a link").shown;
+        assert!(shown.embed && !shown.controls.is_empty());
+        let words: Vec<&str> = shown.controls.iter().map(String::as_str).collect();
+        let harness = figure(&link, [600.0, 432.0], &words);
+        for word in words {
+            let missing = format!("no control is called {word}");
+            assert!(harness.query_by_label(&missing).is_none(), "{link}: {word}");
+        }
+        let rows = [Role::Slider, Role::ComboBox, Role::SpinButton];
+        let rows = rows.map(|role| harness.query_all_by_role(role).count());
+        assert!(rows.into_iter().sum::<usize>() > 0, "{link}");
+    }
 }
