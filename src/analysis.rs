@@ -11,6 +11,7 @@ mod defects;
 mod lobe;
 mod normals;
 mod overlay;
+mod parcel;
 mod perception;
 mod plan;
 mod plan_words;
@@ -44,6 +45,7 @@ pub use normals::{
     SeenNormals, VertexFace, VertexNormal, draw_normals,
 };
 pub use overlay::{Halo, OverlayLayer, OverlayOptions};
+pub use parcel::{Parcel, pack, unpack};
 pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture, luminance};
 pub use plan::{FramePlan, PlanQuestion};
 pub use plan_words::stage_words;

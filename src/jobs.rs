@@ -1,16 +1,19 @@
 //! Work in the background: plain data is given to a thread, which brings an answer back. Nothing else starts threads.
-//! A web page has none: there the work is done between two frames.
+//! A web page has none: there a worker does what [travels](Work::TRAVELS), and the rest is done between two frames.
 //!
 //! A [`Job`] is one piece of work with its progress; [`Background`] asks one question after the other and keeps the latest
-//! answer. Work and answers are data, so that a worker of a web page can stand in for the thread.
+//! answer.
 
 #[cfg(target_arch = "wasm32")]
 mod page;
+#[cfg(target_arch = "wasm32")]
+mod worker;
 
-use crate::analysis::{Question, Subject, Watch};
+use crate::analysis::{Parcel, Question, Subject, Watch};
 use crate::geometry::Mesh;
 use crate::scene::Scene;
 use crate::text::text;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt::{self, Debug, Formatter};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
@@ -20,6 +23,8 @@ use web_time::Instant;
 
 #[cfg(target_arch = "wasm32")]
 pub use page::step;
+#[cfg(target_arch = "wasm32")]
+pub use worker::{Served, serve, served};
 
 /// Progress is shown this often at most: to draw the window disturbs what is measured.
 const PAUSE: Duration = Duration::from_millis(200);
@@ -31,8 +36,11 @@ pub fn nanoseconds() -> u64 {
 }
 
 /// Something to be done.
-pub trait Work: Send + Sync + 'static {
+pub trait Work: Send + Sync + Sized + 'static {
     type Answer: Clone + Send + Sync + 'static;
+
+    /// How the work goes to a worker of a web page, and its answer comes back. What does not travel is done on the page.
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> = None;
 
     /// Does it.
     ///
@@ -49,6 +57,9 @@ pub struct Job<W: Work> {
     pub work: Arc<W>,
     progress: Arc<Progress>,
     news: Receiver<News<W::Answer>>,
+    /// The number of what was sent to a worker.
+    #[cfg(target_arch = "wasm32")]
+    sent: Option<u64>,
 }
 
 /// What comes from a job.
@@ -97,15 +108,71 @@ impl<A> Drop for Teller<A> {
     }
 }
 
+/// Hears what a worker says about a job.
+#[cfg(target_arch = "wasm32")]
+struct Listener<W: Work> {
+    progress: Arc<Progress>,
+    news: Sender<News<W::Answer>>,
+    /// What is known when the worker is stopped.
+    latest: Option<W::Answer>,
+    answers: Parcel<W::Answer>,
+}
+
+#[cfg(target_arch = "wasm32")]
+impl<W: Work> Listener<W> {
+    fn listen(mut self, wake: impl Fn(Duration) + 'static) -> impl FnMut(page::Said<'_>) + 'static {
+        let ended = || text!("render-job-ended").to_owned();
+        move |said| {
+            let over = match said {
+                page::Said::At(share) => {
+                    let thousandths = (1000.0 * share) as u32;
+                    self.progress.share.store(thousandths, Ordering::Relaxed);
+                    None
+                }
+                page::Said::SoFar(answer) => {
+                    self.latest = (self.answers.unpack)(answer).or(self.latest.take());
+                    // The receiver may be gone; dropping the answer is fine.
+                    let _ = self.latest.clone().map(|a| self.news.send(News::SoFar(a)));
+                    None
+                }
+                page::Said::Over(answer) => Some((self.answers.unpack)(answer).ok_or_else(ended)),
+                page::Said::Failed(why) => Some(Err(why)),
+                page::Said::Stopped => Some(self.latest.take().ok_or_else(ended)),
+            };
+            let _ = over.map(|answer| self.news.send(News::Over(answer)));
+            wake(Duration::ZERO);
+        }
+    }
+}
+
 impl<W: Work> Job<W> {
     /// Starts on a thread. `wake` is called, with how long to wait, when there is something to take.
     pub fn start(work: W, wake: impl Fn(Duration) + Send + Sync + 'static) -> Self {
         let (sender, news) = channel();
         let (work, progress) = (Arc::new(work), Arc::new(Progress::default()));
+        #[cfg(target_arch = "wasm32")]
+        if let Some((parcel, answers)) = W::TRAVELS {
+            let listener = Listener::<W> {
+                progress: Arc::clone(&progress),
+                news: sender,
+                latest: None,
+                answers,
+            };
+            let name = std::any::type_name::<W>();
+            let sent = page::send(name, (parcel.pack)(&work), listener.listen(wake));
+            return Self {
+                work,
+                progress,
+                news,
+                sent: Some(sent),
+            };
+        }
         let job = Self {
             work: Arc::clone(&work),
             progress: Arc::clone(&progress),
             news,
+            #[cfg(target_arch = "wasm32")]
+            sent: None,
         };
         let teller = Teller {
             progress,
@@ -134,6 +201,8 @@ impl<W: Work> Job<W> {
     /// Asks it to end soon with what it has.
     pub fn cancel(&self) {
         self.progress.cancel.store(true, Ordering::Relaxed);
+        #[cfg(target_arch = "wasm32")]
+        self.sent.into_iter().for_each(page::cancel);
     }
 
     pub fn is_cancelled(&self) -> bool {
@@ -294,10 +363,11 @@ impl<W: Work> Background<W> {
 }
 
 /// A question about a scene in a picture of some size.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Asked<Q> {
     pub question: Q,
     pub scene: Scene,
+    #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
     pub model: Option<Arc<Mesh>>,
     size: [u32; 2],
 }
@@ -338,8 +408,23 @@ impl<Q: PartialEq> Asked<Q> {
     }
 }
 
+/// A model travels with the question.
+pub fn pack_model<S: Serializer>(model: &Option<Arc<Mesh>>, into: S) -> Result<S::Ok, S::Error> {
+    model.as_deref().serialize(into)
+}
+
+pub fn unpack_model<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Arc<Mesh>>, D::Error> {
+    let model: Option<Mesh> = Deserialize::deserialize(from)?;
+    Ok(model.map(Arc::new))
+}
+
 impl<Q: Question> Work for Asked<Q> {
     type Answer = Q::Answer;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Q::Answer>)> = match Q::PARCEL {
+        Some(answers) => Some((Parcel::plain(), answers)),
+        None => None,
+    };
 
     fn run(&self, watch: &dyn Watch<Q::Answer>) -> Result<Q::Answer, String> {
         self.question.answer(&self.subject(), watch)

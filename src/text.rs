@@ -3,9 +3,9 @@
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource};
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::cell::Cell;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{LazyLock, PoisonError, RwLock};
 use unic_langid::LanguageIdentifier;
@@ -111,10 +111,30 @@ impl Message {
     }
 }
 
+/// For people its text, for programs of its own kind its key.
 impl Serialize for Message {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.text())
+        let readable = serializer.is_human_readable();
+        serializer.serialize_str(if readable { self.text() } else { self.0 })
     }
+}
+
+impl<'de> Deserialize<'de> for Message {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer).map(|key| Self(interned(&key)))
+    }
+}
+
+/// The one copy of a key that came from elsewhere.
+pub fn interned(key: &str) -> &'static str {
+    static KEYS: RwLock<BTreeSet<&'static str>> = RwLock::new(BTreeSet::new());
+    let mut keys = KEYS.write().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = keys.get(key) {
+        return known;
+    }
+    let key: &'static str = key.to_owned().leak();
+    keys.insert(key);
+    key
 }
 
 macro_rules! files {

@@ -11,12 +11,12 @@ pub use growth::Growth;
 use super::panes_on_sheet;
 use super::plan_words::stage_words;
 use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
-use super::{Question, Subject, Watch, median_and_spread};
+use super::{Parcel, Question, Subject, Watch, median_and_spread};
 use crate::render::{Memory, Renderer, Report as Drawn, Stage, coarseness, coarser_size};
 use crate::scene::{LightKind, Object, ObjectKind, Rgb, Scene};
-use crate::text::text;
+use crate::text::{interned, text};
 use glam::DQuat;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value, json};
 use std::cell::Cell;
 
@@ -33,11 +33,12 @@ pub struct BenchQuestion {
 }
 
 /// Medians in milliseconds.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Bench {
     full: f64,
     stages: Vec<(Stage, f64)>,
     /// None where the scene has nothing of the kind to change.
+    #[serde(deserialize_with = "changes")]
     changes: Vec<(&'static str, Option<Changed>)>,
     /// Of a frame drawn anew; of a scene that compares panes the first one's.
     drawn: Drawn,
@@ -47,8 +48,16 @@ pub struct Bench {
     threads: usize,
 }
 
+fn changes<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Vec<(&'static str, Option<Changed>)>, D::Error> {
+    let changes: Vec<(String, Option<Changed>)> = Deserialize::deserialize(deserializer)?;
+    let named = |(name, changed): (String, _)| (interned(&name), changed);
+    Ok(changes.into_iter().map(named).collect())
+}
+
 /// What a change costs.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct Changed {
     whole: f64,
     /// While something is dragged: by what the sides of the picture are divided, and what that takes.
@@ -57,6 +66,8 @@ struct Changed {
 
 impl Question for BenchQuestion {
     type Answer = Bench;
+
+    const PARCEL: Option<Parcel<Bench>> = Some(Parcel::plain());
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Bench>) -> Result<Bench, String> {
         let more = if self.growth {

@@ -61,7 +61,7 @@ impl LinearPicture<'_> {
 
 /// How far one picture is from another, in linear intensity (1 is white; 1/255 is a code value of the raw encoding), over
 /// the pixels that show the object in either.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorFigures {
     /// Pixels compared.
     pub pixels: u64,

@@ -12,6 +12,7 @@ pub use drawing::{DefectMark, defect_marks, defect_plots, draw_defects};
 pub use edges::{SharedVertices, Silhouette};
 pub use inside::{Orientation, PerspectiveDistortion, VertexNormals};
 
+use super::parcel::Parcel;
 use super::question::{Watch, unwatched};
 use super::report::{About, Answer, Column, Part, Report, Table, cells};
 use super::{PlotKind, Question, Subject, clearest_pixel};
@@ -19,32 +20,35 @@ use crate::render::Renderer;
 use crate::scene::{Compare, Interpolation, Scene, ShadingMode};
 use crate::text;
 use crate::text::Language;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 
 /// A measurement, or the key of the sentence that says why there is nothing to measure.
 pub type Finding<T> = Result<T, &'static str>;
 
 /// What was measured in a scene.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Defects {
-    #[serde(serialize_with = "or_missing")]
+    #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub silhouette: Finding<Silhouette>,
-    #[serde(serialize_with = "or_missing")]
+    #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub perspective: Finding<PerspectiveDistortion>,
-    #[serde(serialize_with = "or_missing")]
+    #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub orientation: Finding<Orientation>,
-    #[serde(serialize_with = "or_missing")]
+    #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub shared_vertices: Finding<SharedVertices>,
-    #[serde(serialize_with = "or_missing")]
+    #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub vertex_normals: Finding<VertexNormals>,
 }
 
-/// A missing measurement is written as the reason.
+/// A missing measurement is written for people as the reason, for programs of this kind as its key.
 fn or_missing<T: Serialize, S: Serializer>(
     finding: &Finding<T>,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
+    if !serializer.is_human_readable() {
+        return finding.serialize(serializer);
+    }
     match finding {
         Ok(measured) => measured.serialize(serializer),
         Err(missing) => {
@@ -52,6 +56,13 @@ fn or_missing<T: Serialize, S: Serializer>(
             json!({ "missing": missing }).serialize(serializer)
         }
     }
+}
+
+fn found<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Finding<T>, D::Error> {
+    let finding: Result<T, String> = Deserialize::deserialize(deserializer)?;
+    Ok(finding.map_err(|key| text::interned(&key)))
 }
 
 /// Goes on with a measurement, unless whoever waits has stopped.
@@ -110,7 +121,7 @@ pub struct DefectsQuestion {
 }
 
 /// The defects, and the pixel whose point was followed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeasuredDefects {
     pub pixel: [u32; 2],
     pub defects: Defects,
@@ -118,6 +129,8 @@ pub struct MeasuredDefects {
 
 impl Question for DefectsQuestion {
     type Answer = MeasuredDefects;
+
+    const PARCEL: Option<Parcel<MeasuredDefects>> = Some(Parcel::plain());
 
     fn answer(
         &self,

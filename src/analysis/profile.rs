@@ -20,7 +20,7 @@ pub use plots::{Abscissa, Compared, compared_plots, mode_dash, profile_plots};
 
 use super::perception::{Perception, Viewing, blur_line};
 use super::report::{About, Answer, Cell, Column, Part, Report, Table};
-use super::{Question, Subject, Watch};
+use super::{Parcel, Question, Subject, Watch};
 use crate::render::{Piece, Renderer};
 use crate::scene::{Choice, Scene, ShadingMode};
 use crate::text::text;
@@ -101,7 +101,7 @@ fn outside([width, height]: [u32; 2]) -> String {
 }
 
 /// The profile along a line.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
     pub samples: Vec<Sample>,
     /// One per mode, in the order asked for.
@@ -115,7 +115,7 @@ pub struct Profile {
 }
 
 /// One mode's values, one per sample.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trace {
     pub mode: ShadingMode,
     pub intensity: Vec<f64>,
@@ -128,7 +128,7 @@ pub struct Trace {
 }
 
 /// A border between polygons on the line.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Border {
     pub x: f64,
     pub y: f64,
@@ -138,7 +138,7 @@ pub struct Border {
 }
 
 /// The intensity on both sides of a border.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Corner {
     /// By how much the intensity jumps.
     pub step: f64,
@@ -217,7 +217,7 @@ pub fn profile(
 }
 
 /// The profile, and how it was asked.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TakenProfile {
     pub profile: Profile,
     pub question: ProfileQuestion,
@@ -225,6 +225,8 @@ pub struct TakenProfile {
 
 impl Question for ProfileQuestion {
     type Answer = TakenProfile;
+
+    const PARCEL: Option<Parcel<TakenProfile>> = Some(Parcel::plain());
 
     fn answer(
         &self,

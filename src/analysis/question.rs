@@ -1,5 +1,6 @@
 //! How an analysis is asked, and the list of all analyses.
 
+use super::parcel::Parcel;
 use super::report::Answer;
 use crate::geometry::Mesh;
 use crate::render::Renderer;
@@ -15,6 +16,9 @@ pub trait Question:
     Clone + Debug + PartialEq + Serialize + DeserializeOwned + Send + Sync + 'static
 {
     type Answer: Answer + Clone + 'static;
+
+    /// How the answer comes back from a worker of a web page; without it the page finds it itself.
+    const PARCEL: Option<Parcel<Self::Answer>> = None;
 
     /// Finds the answer.
     ///

@@ -3,6 +3,7 @@
 use crate::illumination::Equation;
 use crate::render::Renderer;
 use crate::scene::{Light, LightKind, Rgb, Scene};
+use serde::{Deserialize, Serialize};
 
 /// Points of the light that the difference is measured against.
 pub const REFERENCE_SAMPLES: u32 = 4096;
@@ -11,7 +12,7 @@ pub const REFERENCE_SAMPLES: u32 = 4096;
 const SIDE: u32 = 64;
 
 /// How far the light of N points is from that of [`REFERENCE_SAMPLES`], in linear intensity: 1 is the display's white.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SamplingError {
     /// The root mean square over the channels of the pixels that show the object.
     pub rms: f64,

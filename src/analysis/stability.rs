@@ -5,6 +5,7 @@
 
 mod cases;
 mod naive;
+mod parcel;
 mod precise;
 mod reference;
 mod report;

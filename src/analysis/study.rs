@@ -129,7 +129,7 @@ impl StudyQuestion {
 }
 
 /// One way to draw the scene.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Setting {
     pub method: Method,
     pub segments: u32,
@@ -183,7 +183,7 @@ fn title(method: Method, interpolation: Option<Interpolation>) -> String {
 }
 
 /// What is not measured, and why.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Omission {
     pub method: Method,
     pub interpolation: Option<Interpolation>,
@@ -191,9 +191,8 @@ pub struct Omission {
 }
 
 /// What was measured of one setting.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StudyRow {
-    #[serde(flatten)]
     pub setting: Setting,
     /// The longest edge of a polygon, world units: the spacing of the vertices.
     pub spacing: f64,
@@ -225,7 +224,7 @@ pub struct StudyRow {
 }
 
 /// How the errors of one method go with the tessellation.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
     pub method: Method,
     pub interpolation: Option<Interpolation>,
@@ -237,7 +236,7 @@ pub struct Series {
 }
 
 /// What a study has found.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Study {
     /// Those of one method, interpolation and n together, from coarse to fine.
     pub rows: Vec<StudyRow>,

@@ -1,9 +1,9 @@
 //! Background work for the window: it is drawn again when an answer comes.
 
-use crate::analysis::Watch;
+use crate::analysis::{Parcel, Watch, pack, unpack};
 use crate::jobs::{Background, Work};
 use crate::text::text;
-use eframe::egui::{Button, Context, ProgressBar, Ui};
+use eframe::egui::{Button, ColorImage, Context, ProgressBar, Ui};
 use std::time::Duration;
 
 /// Draws the window again when there is something new.
@@ -30,6 +30,22 @@ impl<A: Clone + Send + Sync + 'static> Work for Task<A> {
         (self.0)(watch)
     }
 }
+
+/// Pictures as they travel to the page and back.
+pub const PICTURES: Parcel<Vec<ColorImage>> = Parcel {
+    pack: |pictures| {
+        let plain = |picture: &ColorImage| (picture.size, picture.as_raw().to_vec());
+        pack(&pictures.iter().map(plain).collect::<Vec<_>>())
+    },
+    unpack: |bytes| {
+        let pictures: Vec<([usize; 2], Vec<u8>)> = unpack(bytes)?;
+        let picture = |(size, pixels): ([usize; 2], Vec<u8>)| {
+            let whole = pixels.len() == 4 * size[0] * size[1];
+            whole.then(|| ColorImage::from_rgba_premultiplied(size, &pixels))
+        };
+        pictures.into_iter().map(picture).collect()
+    },
+};
 
 /// How far the work is, with a button that stops it; returns whether any runs.
 pub fn progress_ui<W: Work>(ui: &mut Ui, background: &Background<W>, tip: &str) -> bool {

@@ -19,10 +19,14 @@ use crate::text::Language;
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;
 pub use pane::{image_of, overlay_options, upload};
+#[cfg(target_arch = "wasm32")]
+pub use refined::Supersampled;
 
 use normals::NormalsDrawing;
 use pane::{PaneEngine, Wanted, drawing, is_dark};
-use refined::{Refined, Supersampled};
+use refined::Refined;
+#[cfg(not(target_arch = "wasm32"))]
+use refined::Supersampled;
 use std::cell::OnceCell;
 
 /// Draws for the window.

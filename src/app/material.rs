@@ -1,11 +1,11 @@
 //! The material's own controls: the named materials to choose by eye, small spheres drawn in the background once somebody looks;
 //! and the n or m of the other models that makes a highlight as wide as the present one.
 
-use super::background::wake;
+use super::background::{PICTURES, wake};
 use super::focus::{named, switch_named};
 use super::row::{About, display, row, value_row};
 use super::symbol::{Lit, Symbol};
-use crate::analysis::Watch;
+use crate::analysis::{Parcel, Watch};
 use crate::illumination::{blinn_from_phong, phong_from_blinn, roughness_from_exponent};
 use crate::jobs::{Background, Work};
 use crate::render::Renderer;
@@ -22,6 +22,7 @@ use eframe::egui::{
     Sense, StrokeKind, TextStyle, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
 };
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// The side of a sphere's picture, points.
 const SPHERE: f32 = 48.0;
@@ -40,11 +41,13 @@ pub struct Gallery {
 }
 
 /// The spheres in pictures of so many pixels on a side.
-#[derive(PartialEq)]
-struct Spheres(u32);
+#[derive(PartialEq, Serialize, Deserialize)]
+pub struct Spheres(u32);
 
 impl Work for Spheres {
     type Answer = Vec<ColorImage>;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> = Some((Parcel::plain(), PICTURES));
 
     fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let (mut renderer, mut pictures) = (Renderer::default(), Vec::new());

@@ -19,7 +19,7 @@ use super::row::{About, NumberRow, SliderRange, number};
 use super::state::AppState;
 use super::symbol::Lit;
 use crate::analysis::{
-    Answer, Compared, PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel,
+    Answer, Compared, PERCEIVED_WIDTH, Parcel, Perception, Profile, ProfileQuestion, ResponseModel,
     TakenProfile, Viewing, Watch, mode_dash, perceived_picture,
 };
 use crate::figure::{Dash, Ink, dashes};
@@ -35,6 +35,7 @@ use eframe::egui::{
 use glam::DVec2;
 use look::ProfileLook;
 use plots::{Plots, Room};
+use serde::{Deserialize, Serialize};
 
 /// From this width on the controls stand in a row above the plots, points.
 const WIDE: f32 = 620.0;
@@ -103,10 +104,13 @@ pub struct Profiles {
     pointed: [Option<f64>; 2],
 }
 
-struct Perceived(Asked<ProfileQuestion>);
+#[derive(Serialize, Deserialize)]
+pub struct Perceived(Asked<ProfileQuestion>);
 
 impl Work for Perceived {
     type Answer = Frame;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Frame>)> = Some((Parcel::plain(), Parcel::plain()));
 
     fn run(&self, _: &dyn Watch<Frame>) -> Result<Frame, String> {
         let ProfileQuestion {

@@ -2,9 +2,10 @@
 
 use super::background::wake;
 use super::document::{Document, same_model};
-use crate::analysis::{SamplingError, Watch, sampling_error_with};
+use crate::analysis::{Parcel, SamplingError, Watch, sampling_error_with};
 use crate::jobs::{Asked, Background, Work};
 use eframe::egui::Context;
+use serde::{Deserialize, Serialize};
 
 /// What is known of an area light's error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,11 +18,14 @@ pub enum Finding {
 }
 
 /// The index of an area light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct AreaLight(usize);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct AreaLight(usize);
 
 impl Work for Asked<AreaLight> {
     type Answer = Option<SamplingError>;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> =
+        Some((Parcel::plain(), Parcel::plain()));
 
     fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let subject = self.subject();

@@ -1,11 +1,11 @@
 //! The gallery of built-in scenes: a small picture of each, drawn in the background while the gallery is open.
 
 use super::action::Action;
-use super::background::wake;
+use super::background::{PICTURES, wake};
 use super::dialog::Choice;
 use super::focus::named;
 use super::state::AppState;
-use crate::analysis::Watch;
+use crate::analysis::{Parcel, Watch};
 use crate::jobs::{Background, Work};
 use crate::render::Renderer;
 use crate::scene::presets::{self, Preset};
@@ -15,6 +15,7 @@ use eframe::egui::{
     Align2, Color32, ColorImage, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextEdit,
     TextStyle, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
 };
+use serde::{Deserialize, Serialize};
 
 /// Size of a thumbnail, points.
 const PICTURE: Vec2 = Vec2::new(148.0, 111.0);
@@ -31,11 +32,13 @@ pub struct Gallery {
 }
 
 /// The scenes in pictures of this size, in pixels.
-#[derive(PartialEq)]
-struct Thumbnails([u32; 2]);
+#[derive(PartialEq, Serialize, Deserialize)]
+pub struct Thumbnails([u32; 2]);
 
 impl Work for Thumbnails {
     type Answer = Vec<ColorImage>;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> = Some((Parcel::plain(), PICTURES));
 
     fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let mut pictures = Vec::new();

@@ -1,23 +1,201 @@
-//! Work on a web page: done in turn, a piece after each frame.
+//! Work on a web page: sent to workers, which load the same program, or done on the page itself, a piece after each frame.
 
+use crate::text::{Language, language};
+use js_sys::{Array, Object, Reflect, Uint8Array};
 use std::cell::RefCell;
 use std::collections::VecDeque;
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
 
-type Work = Box<dyn FnOnce()>;
+/// Most workers at a time: each has memory of its own.
+const MOST: usize = 4;
+/// The script of a worker, beside the page, and what it is told first: the program as the page has compiled it.
+const SCRIPT: &str = "worker.js";
+const OF_PAGE: [&str; 2] = ["shadingLab", "module"];
+
+/// What a worker says about its work. The last three are the end of it.
+pub enum Said<'a> {
+    /// How far it is, from 0 to 1.
+    At(f32),
+    /// What is known so far.
+    SoFar(&'a [u8]),
+    Over(&'a [u8]),
+    Failed(String),
+    /// It was stopped, or has stopped.
+    Stopped,
+}
+
+type Piece = Box<dyn FnOnce()>;
+type Hear = Box<dyn FnMut(Said<'_>)>;
+
+/// Work that was sent.
+struct Order {
+    number: u64,
+    message: JsValue,
+    hear: Hear,
+}
+
+/// A worker with its work.
+struct Busy {
+    worker: Worker,
+    number: u64,
+    hear: Hear,
+}
+
+#[derive(Default)]
+struct Pool {
+    idle: Vec<Worker>,
+    busy: Vec<Busy>,
+    orders: VecDeque<Order>,
+    sent: u64,
+    /// For the page itself.
+    pieces: VecDeque<Piece>,
+}
 
 thread_local! {
-    static WAITING: RefCell<VecDeque<Work>> = const { RefCell::new(VecDeque::new()) };
+    static POOL: RefCell<Pool> = RefCell::default();
 }
 
-/// Does this after a frame.
+/// Does this on the page, after a frame.
 pub fn later(work: impl FnOnce() + 'static) {
-    WAITING.with_borrow_mut(|waiting| waiting.push_back(Box::new(work)));
+    POOL.with_borrow_mut(|pool| pool.pieces.push_back(Box::new(work)));
 }
 
-/// Does the next piece of work, if there is any.
+/// Does the next piece of the page's own work, if there is any.
 pub fn step() {
-    let next = WAITING.with_borrow_mut(VecDeque::pop_front);
+    let next = POOL.with_borrow_mut(|pool| pool.pieces.pop_front());
     if let Some(work) = next {
         work();
     }
+}
+
+/// Sends work of this name to a worker; `hear` is told what it says.
+pub fn send(name: &str, content: Vec<u8>, hear: impl FnMut(Said<'_>) + 'static) -> u64 {
+    let place = Language::ALL.iter().position(|known| *known == language());
+    let message = Array::of3(
+        &name.into(),
+        &(place.unwrap_or(0) as u32).into(),
+        &Uint8Array::from(&*content),
+    );
+    let number = POOL.with_borrow_mut(|pool| {
+        pool.sent += 1;
+        pool.orders.push_back(Order {
+            number: pool.sent,
+            message: message.into(),
+            hear: Box::new(hear),
+        });
+        pool.sent
+    });
+    begin();
+    number
+}
+
+/// Stops work that was sent, if it goes on.
+pub fn cancel(number: u64) {
+    let hear = POOL.with_borrow_mut(|pool| {
+        let waiting = pool.orders.iter().position(|order| order.number == number);
+        if let Some(order) = waiting.and_then(|place| pool.orders.remove(place)) {
+            return Some(order.hear);
+        }
+        let place = pool.busy.iter().position(|busy| busy.number == number)?;
+        let busy = pool.busy.swap_remove(place);
+        busy.worker.terminate();
+        Some(busy.hear)
+    });
+    if let Some(mut hear) = hear {
+        hear(Said::Stopped);
+        begin();
+    }
+}
+
+/// Gives workers what waits, as far as there are any.
+fn begin() {
+    let refused = POOL.with_borrow_mut(|pool| {
+        while pool.busy.len() < MOST
+            && let Some(order) = pool.orders.pop_front()
+        {
+            let worker = pool.idle.pop().map_or_else(worker, Ok);
+            let Order {
+                number,
+                message,
+                hear,
+            } = order;
+            match worker.and_then(|worker| worker.post_message(&message).map(|()| worker)) {
+                Ok(worker) => pool.busy.push(Busy {
+                    worker,
+                    number,
+                    hear,
+                }),
+                Err(_) => return Some(hear),
+            }
+        }
+        None
+    });
+    if let Some(mut hear) = refused {
+        hear(Said::Stopped);
+    }
+}
+
+/// A new worker, with the program.
+fn worker() -> Result<Worker, JsValue> {
+    let options = WorkerOptions::new();
+    options.set_type(WorkerType::Module);
+    let worker = Worker::new_with_options(SCRIPT, &options)?;
+    let mut program: JsValue = js_sys::global().into();
+    for name in OF_PAGE {
+        program = Reflect::get(&program, &name.into())?;
+    }
+    worker.post_message(&program)?;
+    let of = worker.clone();
+    let said = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
+        hear(&of, &event.data());
+    });
+    worker.set_onmessage(Some(said.into_js_value().unchecked_ref()));
+    let of = worker.clone();
+    let failed = Closure::<dyn FnMut(ErrorEvent)>::new(move |_| lose(&of));
+    worker.set_onerror(Some(failed.into_js_value().unchecked_ref()));
+    Ok(worker)
+}
+
+fn is(one: &Worker, other: &Worker) -> bool {
+    Object::is(one, other)
+}
+
+/// Hears a message: what it is, and what it says.
+fn hear(worker: &Worker, message: &JsValue) {
+    let message: &Array = message.unchecked_ref();
+    let kind = message.get(0).as_f64().unwrap_or(0.0) as u32;
+    let content = message.get(1);
+    let bytes = content
+        .dyn_ref::<Uint8Array>()
+        .map(Uint8Array::to_vec)
+        .unwrap_or_default();
+    let said = match kind {
+        0 => Said::At(content.as_f64().unwrap_or(0.0) as f32),
+        1 => Said::SoFar(&bytes),
+        2 => Said::Over(&bytes),
+        _ => Said::Failed(content.as_string().unwrap_or_default()),
+    };
+    let place = |pool: &Pool| pool.busy.iter().position(|busy| is(&busy.worker, worker));
+    let Some(mut busy) =
+        POOL.with_borrow_mut(|pool| place(pool).map(|place| pool.busy.swap_remove(place)))
+    else {
+        return;
+    };
+    (busy.hear)(said);
+    POOL.with_borrow_mut(|pool| match kind {
+        0 | 1 => pool.busy.push(busy),
+        _ => pool.idle.push(busy.worker),
+    });
+    begin();
+}
+
+/// A worker has failed.
+fn lose(worker: &Worker) {
+    let number = POOL.with_borrow(|pool| {
+        let busy = pool.busy.iter().find(|busy| is(&busy.worker, worker));
+        busy.map(|busy| busy.number)
+    });
+    number.into_iter().for_each(cancel);
 }

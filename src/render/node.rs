@@ -45,7 +45,7 @@ impl<T> Node<T> {
 ///
 /// Counted is the room of the buffers, used or not. What does not grow (a scene, a plan, a curved surface's patches, a list for
 /// each of the picture's bands of rows, and a band's depths for each thread) is not.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Memory {
     /// Positions and normals of the vertices, their places in the picture, and what they carry to the pixels.
     pub vertices: u64,

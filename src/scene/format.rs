@@ -11,6 +11,7 @@ use super::parameter::{Kind, List, Parameter, defaults};
 use super::problem::{Cause, Finding, Place, SceneError};
 use crate::text::text;
 use reader::read;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use toml::Value;
 use toml::de::{DeTable, DeValue};
 
@@ -207,4 +208,18 @@ fn offset_of(document: &DeTable<'_>, key: &str) -> usize {
         (offset, value) = (span.start, inner);
     }
     offset
+}
+
+/// A scene travels as the text of its file.
+impl Serialize for Scene {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.to_toml())
+    }
+}
+
+impl<'de> Deserialize<'de> for Scene {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        Self::parse(&text, "").map_err(serde::de::Error::custom)
+    }
 }

@@ -11,7 +11,7 @@ use crate::geometry::{divisions_for, triangles};
 use crate::render::Renderer;
 use crate::scene::{Image, ObjectKind, Scene};
 use crate::text::text;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Pixels of the pictures, about, drawn with [`FEW_TRIANGLES`]: each has twice as many as the one before.
 const PIXELS: [f64; 8] = [
@@ -37,7 +37,7 @@ const ROUND_MS: f64 = 15.0;
 const LEAST_FRAMES: u32 = 5;
 
 /// A picture of a row.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     pub pixels: u64,
     pub triangles: u64,
@@ -50,7 +50,7 @@ pub struct Row {
 
 /// A row of pictures, and the exponent by which the time grows: that of a power through all of it, through its upper half,
 /// where what every frame takes besides counts for less, and through the fastest frames. None where too few are known.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Series {
     pub rows: Vec<Row>,
     pub order: Option<Fit>,
@@ -59,7 +59,7 @@ pub struct Series {
 }
 
 /// How the time grows.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Growth {
     pub pixels: Series,
     /// None for objects whose polygons are given.

@@ -8,7 +8,7 @@ use crate::render::{Piece, Renderer};
 use crate::scene::{Projection, Rgb, Scene, ShadingMode, View};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Samples along an edge of the outline, its middle among them.
 const OUTLINE_SAMPLES: u32 = 7;
@@ -38,7 +38,7 @@ const LEAST_EDGES: usize = 16;
 const PER_SOURCE: usize = 20;
 
 /// How far the polygons' outline is from the true surface's.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Silhouette {
     /// Greatest distance between the two outlines across the polygons' edges, pixels.
     pub greatest: f64,
@@ -51,7 +51,7 @@ pub struct Silhouette {
 }
 
 /// The jump at a vertex that is not shared.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SharedVertices {
     /// Edges with a vertex that one of their sides does not share.
     pub edges: usize,

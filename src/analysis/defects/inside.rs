@@ -8,7 +8,7 @@ use crate::render::Renderer;
 use crate::scene::{Interpolation, NormalSource, Projection, Rgb, Scene, ShadingMode, View};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Degrees between two samples of a turning picture.
 const STEP: u32 = 3;
@@ -18,7 +18,7 @@ const SIDE: u32 = 256;
 const CHUNK: usize = 4096;
 
 /// What interpolation in the picture does to what is linear in space.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PerspectiveDistortion {
     /// What is compared with perspective-correct interpolation: the scene's own, or affine where that is the scene's.
     pub interpolation: Interpolation,
@@ -52,7 +52,7 @@ pub fn perspective(renderer: &mut Renderer, scene: &Scene) -> Finding<Perspectiv
 }
 
 /// How the shade of one point changes while the picture is turned.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Orientation {
     /// What is followed, world.
     pub point: DVec3,
@@ -65,7 +65,7 @@ pub struct Orientation {
 }
 
 /// One orientation of the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Turned {
     /// The camera's roll, degrees.
     pub angle: f64,
@@ -144,7 +144,7 @@ fn turned_value(
 }
 
 /// How well vertex normals stand for the surface.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VertexNormals {
     /// Greatest angle between a face and a vertex normal that it is shaded with, degrees.
     pub greatest_angle: f64,

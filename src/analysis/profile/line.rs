@@ -7,7 +7,7 @@ use crate::render::{Piece, Renderer};
 use crate::scene::{Rgb, Scene};
 use glam::DVec2;
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Samples to a pixel along the longer side of the line, and the length from which on there is one.
 const FINENESS: f64 = 4.0;
@@ -23,7 +23,7 @@ const DELTA: f64 = 1.0 / 64.0;
 const TOGETHER: f64 = 1e-9;
 
 /// A place of the line.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sample {
     pub x: f64,
     pub y: f64,

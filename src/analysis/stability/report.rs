@@ -1,10 +1,11 @@
 //! The catalogue of cases: how it is asked for, and what it says.
 
+use super::parcel;
 use super::{CaseResult, HALF_A_CODE_VALUE, Verdict, case_pictures, stability, stability_cases};
 use crate::analysis::report::{
     About, Answer, Column, Figure, Part, Report, Section, Table, as_it_is,
 };
-use crate::analysis::{Question, Subject, Watch};
+use crate::analysis::{Parcel, Question, Subject, Watch};
 use crate::figure::{Drawing, Paper, Text, magnitude};
 use crate::render::Frame;
 use crate::scene::Choice;
@@ -29,6 +30,14 @@ pub struct Catalogue {
 
 impl Question for StabilityQuestion {
     type Answer = Catalogue;
+
+    const PARCEL: Option<Parcel<Catalogue>> = Some(Parcel {
+        pack: |found| parcel::pack_results(&found.results),
+        unpack: |bytes| {
+            let results = parcel::unpack_results(bytes)?;
+            Some(Catalogue { results })
+        },
+    });
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Catalogue>) -> Result<Catalogue, String> {
         let wanted =

@@ -4,7 +4,9 @@ use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study,
 use crate::analysis::report::{
     About, Answer, Column, Figure, Part, Report, Table, as_it_is, fixed,
 };
-use crate::analysis::{Axis, Curve, Dash, Ink, Plot, PlotKind, Point, Question, Subject, Watch};
+use crate::analysis::{
+    Axis, Curve, Dash, Ink, Parcel, Plot, PlotKind, Point, Question, Subject, Watch,
+};
 use crate::figure::{Paper, PlotStyle, lay_out};
 use crate::scene::{Choice, Interpolation, ShadingMode};
 use crate::text::text;
@@ -21,6 +23,8 @@ const LEAST: f64 = 0.5;
 
 impl Question for StudyQuestion {
     type Answer = Study;
+
+    const PARCEL: Option<Parcel<Study>> = Some(Parcel::plain());
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Study>) -> Result<Study, String> {
         let found = study(
@@ -39,6 +43,21 @@ impl Question for StudyQuestion {
             )),
             (true, None) => Err(text!("engine-study-no-segments").to_owned()),
         }
+    }
+}
+
+/// A row as an object, the keys of its setting among its own.
+fn row_object(row: &StudyRow) -> Value {
+    let mut object = json!(row);
+    let setting = object
+        .as_object_mut()
+        .and_then(|row| row.shift_remove("setting"));
+    match (setting, object) {
+        (Some(Value::Object(mut setting)), Value::Object(row)) => {
+            setting.extend(row);
+            Value::Object(setting)
+        }
+        (_, object) => object,
     }
 }
 
@@ -116,7 +135,7 @@ impl Answer for Study {
             "scene": about.name,
             "size": about.scene.image.size,
             "threads": self.threads,
-            "rows": self.rows,
+            "rows": self.rows.iter().map(row_object).collect::<Vec<_>>(),
             "orders": orders(|series| series.order, |fit| fit.slope),
             "order_confidence": orders(|series| series.order, |fit| fit.confidence),
             "orders_rms": orders(|series| series.order_rms, |fit| fit.slope),

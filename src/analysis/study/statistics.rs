@@ -1,6 +1,6 @@
 //! Orders of convergence with their confidence, medians, and which points nothing beats.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The least number of points that a slope and its confidence are fitted to.
 const LEAST: usize = 3;
@@ -9,7 +9,7 @@ const LEAST: usize = 3;
 const ROUNDING: f64 = 2e-6;
 
 /// A straight line through points, by least squares: `y = offset + slope·x`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Fit {
     pub slope: f64,
     pub offset: f64,

@@ -1,12 +1,13 @@
 //! Smooth edges: pictures of several samples a pixel, drawn in the background once nothing has moved for a while.
 
-use crate::analysis::Watch;
-use crate::app::background::wake;
+use crate::analysis::{Parcel, Watch, pack, unpack};
+use crate::app::background::{PICTURES, wake};
 use crate::geometry::Mesh;
-use crate::jobs::{Job, News, Work, nanoseconds};
+use crate::jobs::{Job, News, Work, nanoseconds, pack_model, unpack_model};
 use crate::render::Renderer;
 use crate::scene::Scene;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -39,9 +40,12 @@ pub struct Refined {
 }
 
 /// Panes by their numbers, to be drawn with several samples a pixel.
+#[derive(Serialize, Deserialize)]
 pub struct Supersampled {
     pub panes: Vec<(usize, Scene)>,
+    #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
     pub model: Option<Arc<Mesh>>,
+    #[serde(skip)]
     #[expect(dead_code, reason = "held as long as the work is")]
     pub alive: Arc<()>,
 }
@@ -53,8 +57,26 @@ pub struct Pictures {
     images: Vec<(usize, Arc<ColorImage>)>,
 }
 
+const PARCEL: Parcel<Pictures> = Parcel {
+    pack: |Pictures { samples, images }| {
+        let (panes, images): (Vec<usize>, Vec<_>) = images.iter().cloned().unzip();
+        let images = images.into_iter().map(Arc::unwrap_or_clone).collect();
+        pack(&(samples, panes, (PICTURES.pack)(&images)))
+    },
+    unpack: |bytes| {
+        let (samples, panes, images): (_, Vec<usize>, Vec<u8>) = unpack(bytes)?;
+        let images = (PICTURES.unpack)(&images)?.into_iter().map(Arc::new);
+        Some(Pictures {
+            samples,
+            images: panes.into_iter().zip(images).collect(),
+        })
+    },
+};
+
 impl Work for Supersampled {
     type Answer = Pictures;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Pictures>)> = Some((Parcel::plain(), PARCEL));
 
     fn run(&self, watch: &dyn Watch<Pictures>) -> Result<Pictures, String> {
         let mut renderer = Renderer::default();

@@ -1,8 +1,17 @@
 //! Opening the window as a web page.
 
 use super::dialog::Dialog;
+use super::engine::Supersampled;
+use super::material::Spheres;
+use super::profile::Perceived;
+use super::sampling::AreaLight;
+use super::scenes::Thumbnails;
 use super::{App, system};
+use crate::analysis::{
+    BenchQuestion, DefectsQuestion, ProfileQuestion, StabilityQuestion, StudyQuestion,
+};
 use crate::document::load;
+use crate::jobs::{Asked, Served, serve, served};
 use crate::link;
 use crate::scene::presets;
 use crate::text::text;
@@ -18,6 +27,10 @@ const CANVAS: &str = "shading-lab";
 
 /// Opens the window on the page's canvas; what goes wrong stands in the console, and the page says that something did.
 pub fn run() {
+    if serve(workers()) {
+        console_error_panic_hook::set_once();
+        return;
+    }
     panic::set_hook(Box::new(|info| {
         console_error_panic_hook::hook(info);
         system::show("stopped");
@@ -64,6 +77,22 @@ async fn start(canvas: HtmlCanvasElement) {
         system::show("stopped");
         wasm_bindgen::throw_val(error);
     }
+}
+
+/// What workers do.
+fn workers() -> Vec<Served> {
+    vec![
+        served::<Asked<AreaLight>>(),
+        served::<Asked<BenchQuestion>>(),
+        served::<Asked<DefectsQuestion>>(),
+        served::<Asked<ProfileQuestion>>(),
+        served::<Asked<StabilityQuestion>>(),
+        served::<Asked<StudyQuestion>>(),
+        served::<Perceived>(),
+        served::<Spheres>(),
+        served::<Supersampled>(),
+        served::<Thumbnails>(),
+    ]
 }
 
 /// The page's address, and the link in it.

@@ -1,7 +1,7 @@
 //! A finished picture, the report of how it was made, and how coarse it is drawn while something is dragged.
 
 /// A picture as stored: 8 bits a channel, rows from the top.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, serde::Serialize, serde::Deserialize)]
 pub struct Frame {
     pub width: u32,
     pub height: u32,
@@ -19,7 +19,7 @@ impl Frame {
 }
 
 /// The stages of a frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stage {
     /// Tessellation, or the model as loaded, with its vertex normals.
@@ -61,7 +61,7 @@ impl Stage {
 }
 
 /// One stage of one frame.
-#[derive(Clone, Copy, Debug, serde::Serialize)]
+#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
 pub struct StageRun {
     pub stage: Stage,
     /// False where the last output still held.
@@ -73,7 +73,7 @@ pub struct StageRun {
 }
 
 /// What the last call of `render` did.
-#[derive(Clone, Debug, Default, serde::Serialize)]
+#[derive(Clone, Debug, Default, serde::Serialize, serde::Deserialize)]
 pub struct Report {
     pub stages: Vec<StageRun>,
     pub nanoseconds: u64,

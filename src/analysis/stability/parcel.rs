@@ -1,0 +1,68 @@
+//! The results of cases as bytes: a case by its name, its pictures and its scene with it.
+
+use super::{CaseResult, stability_cases};
+use crate::analysis::{pack, unpack};
+use std::sync::Arc;
+
+pub fn pack_results(results: &[Arc<CaseResult>]) -> Vec<u8> {
+    pack(
+        &results
+            .iter()
+            .map(|result| packed(result))
+            .collect::<Vec<_>>(),
+    )
+}
+
+pub fn unpack_results(bytes: &[u8]) -> Option<Vec<Arc<CaseResult>>> {
+    let results: Vec<Vec<u8>> = unpack(bytes)?;
+    results
+        .iter()
+        .map(|result| unpacked(result).map(Arc::new))
+        .collect()
+}
+
+fn packed(result: &CaseResult) -> Vec<u8> {
+    let CaseResult {
+        case,
+        naive_error,
+        robust_error,
+        verdict,
+        pixels,
+        naive_off,
+        naive_not_finite,
+        robust_not_finite,
+        pictures,
+        scene,
+    } = result;
+    pack(&(
+        case.name,
+        (naive_error, robust_error, verdict),
+        (pixels, naive_off, naive_not_finite, robust_not_finite),
+        pictures,
+        scene,
+    ))
+}
+
+fn unpacked(bytes: &[u8]) -> Option<CaseResult> {
+    type Counts = (u64, u64, u64, u64);
+    let (name, (naive_error, robust_error, verdict), counts, pictures, scene): (
+        String,
+        _,
+        Counts,
+        _,
+        _,
+    ) = unpack(bytes)?;
+    let (pixels, naive_off, naive_not_finite, robust_not_finite) = counts;
+    Some(CaseResult {
+        case: stability_cases().find(|case| case.name == name)?,
+        naive_error,
+        robust_error,
+        verdict,
+        pixels,
+        naive_off,
+        naive_not_finite,
+        robust_not_finite,
+        pictures,
+        scene,
+    })
+}

@@ -1,0 +1,110 @@
+//! The other side of a worker: does what the page has sent, and tells it.
+
+use super::{Work, nanoseconds};
+use crate::analysis::Watch;
+use crate::text::{Language, set_language};
+use js_sys::{Array, Reflect, Uint8Array};
+use std::any::type_name;
+use std::marker::PhantomData;
+use std::sync::atomic::{AtomicU64, Ordering};
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::DedicatedWorkerGlobalScope;
+
+/// How far the work is, and what is known so far, is told this often at most, nanoseconds.
+const PAUSE: u64 = 50_000_000;
+/// What the worker's script calls with a message.
+const SERVE: &str = "serve";
+
+/// A kind of work that is done in workers: its name, and how.
+pub type Served = (&'static str, fn(&[u8]));
+
+/// Work of this type.
+pub fn served<W: Work>() -> Served {
+    (type_name::<W>(), work::<W>)
+}
+
+/// Serves the page, if this is a worker; returns whether it is.
+pub fn serve(kinds: Vec<Served>) -> bool {
+    let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else {
+        return false;
+    };
+    let serve = Closure::<dyn Fn(Array)>::new(move |message: Array| {
+        let (name, place) = (message.get(0).as_string(), message.get(1).as_f64());
+        let content = Uint8Array::new(&message.get(2)).to_vec();
+        let language = Language::ALL.get(place.unwrap_or(0.0) as usize);
+        language.copied().into_iter().for_each(set_language);
+        let kind = kinds
+            .iter()
+            .find(|(known, _)| name.as_deref() == Some(*known));
+        match kind {
+            Some((_, work)) => work(&content),
+            None => tell(3, &JsValue::NULL),
+        }
+    });
+    // A script that cannot be given this says so itself.
+    let _ = Reflect::set(&scope, &SERVE.into(), &serve.into_js_value());
+    true
+}
+
+/// Sends the page what it hears.
+fn tell(kind: u32, content: &JsValue) {
+    let scope: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
+    // A page that is gone hears nothing.
+    let _ = scope.post_message(&Array::of2(&kind.into(), content));
+}
+
+fn tell_bytes(kind: u32, content: &[u8]) {
+    tell(kind, &Uint8Array::from(content));
+}
+
+fn work<W: Work>(content: &[u8]) {
+    let travels =
+        W::TRAVELS.and_then(|(parcel, answers)| Some(((parcel.unpack)(content)?, answers)));
+    let Some((work, answers)) = travels else {
+        return tell(3, &JsValue::NULL);
+    };
+    let teller = Teller::<W> {
+        told: [AtomicU64::new(0), AtomicU64::new(0)],
+        work: PhantomData,
+    };
+    match work.run(&teller) {
+        Ok(answer) => tell_bytes(2, &(answers.pack)(&answer)),
+        Err(why) => tell(3, &why.into()),
+    }
+}
+
+struct Teller<W> {
+    /// When the page was last told how far the work is, and what is known, nanoseconds.
+    told: [AtomicU64; 2],
+    work: PhantomData<fn(W)>,
+}
+
+impl<W> Teller<W> {
+    fn is_due(&self, what: usize) -> bool {
+        let (now, last) = (nanoseconds(), &self.told[what]);
+        let due = now >= last.load(Ordering::Relaxed) + PAUSE;
+        if due {
+            last.store(now, Ordering::Relaxed);
+        }
+        due
+    }
+}
+
+impl<W: Work> Watch<W::Answer> for Teller<W> {
+    /// Whoever wants no more ends the worker.
+    fn at(&self, share: f32) -> bool {
+        if self.is_due(0) {
+            tell(0, &share.into());
+        }
+        true
+    }
+
+    fn found(&self, so_far: &W::Answer) {
+        if self.is_due(1)
+            && let Some((_, answers)) = W::TRAVELS
+        {
+            tell_bytes(1, &(answers.pack)(so_far));
+        }
+    }
+}

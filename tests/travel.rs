@@ -1,0 +1,93 @@
+//! What a web page sends to its workers, and what they send back: nothing is lost on the way.
+
+use shading_lab::analysis::{
+    BenchQuestion, DefectsQuestion, Method, ProfileQuestion, Question, StabilityQuestion,
+    StudyQuestion, unwatched,
+};
+use shading_lab::geometry::tessellate;
+use shading_lab::jobs::{Asked, Work};
+use shading_lab::scene::{Interpolation, Scene, ShadingMode};
+use std::fmt::Debug;
+use std::sync::Arc;
+
+fn text(value: &impl Debug) -> String {
+    format!("{value:?}")
+}
+
+/// Sends a question about a scene, and its answer back; both arrive as they were sent.
+fn travels<Q: Question>(question: Q, scene: &Scene) -> Q::Answer {
+    let asked = Asked::new(question, scene, None, [40, 30]);
+    let (questions, answers) = <Asked<Q> as Work>::TRAVELS.expect("it travels");
+    let arrived = (questions.unpack)(&(questions.pack)(&asked)).expect("the question");
+    assert_eq!(text(&arrived), text(&asked));
+    let answer = arrived.run(&unwatched).expect("an answer");
+    let back = (answers.unpack)(&(answers.pack)(&answer)).expect("the answer");
+    assert_eq!(text(&back), text(&answer));
+    back
+}
+
+fn scene() -> Scene {
+    let mut scene = Scene::default();
+    scene.shading.mode = ShadingMode::Gouraud;
+    (scene.object.segments, scene.object.rings) = (8, 4);
+    scene.material.n = f64::INFINITY;
+    scene.lights[0].name = "a “name”".to_owned();
+    scene.validate().expect("a sound scene");
+    scene
+}
+
+#[test]
+fn questions_and_answers_travel_whole() {
+    let scene = scene();
+    let line = ProfileQuestion::new([1.0, 2.0].into(), [30.5, 20.25].into());
+    travels(line, &scene);
+    let defects = travels(DefectsQuestion::default(), &scene).defects;
+    assert!(defects.silhouette.is_ok(), "something is measured");
+    // What is not measured names its reason by a key.
+    let mut flat = scene.clone();
+    flat.shading.mode = ShadingMode::Flat;
+    let defects = travels(DefectsQuestion::default(), &flat).defects;
+    assert_eq!(defects.perspective, Err("picture-missing-flat"));
+    let cases = travels(
+        StabilityQuestion {
+            cases: vec!["exponent-1e9".to_owned()],
+        },
+        &scene,
+    );
+    assert!(cases.results.iter().all(|case| case.pictures[0].width > 0));
+    travels(
+        BenchQuestion {
+            frames: 1,
+            growth: false,
+        },
+        &scene,
+    );
+}
+
+#[test]
+fn a_study_travels_whole() {
+    let study = StudyQuestion {
+        methods: vec![Method::Gouraud, Method::Taylor],
+        segments: vec![8, 12, 16],
+        interpolations: vec![Interpolation::Perspective],
+        n: vec![5.0],
+        repeats: 1,
+    };
+    let mut scene = scene();
+    scene.shading.shadows = true;
+    let found = travels(study, &scene);
+    assert!(!found.rows.is_empty(), "something is measured");
+}
+
+#[test]
+fn a_model_travels_with_the_question() {
+    let mut scene = scene();
+    scene.object.segments = 5;
+    let model = Arc::new(tessellate(&scene.object));
+    let asked = Asked::new(DefectsQuestion::default(), &scene, Some(&model), [8, 8]);
+    let (questions, _) = <Asked<DefectsQuestion> as Work>::TRAVELS.expect("it travels");
+    let arrived = (questions.unpack)(&(questions.pack)(&asked)).expect("the question");
+    let mesh = arrived.model.expect("the model");
+    assert_eq!(text(&mesh), text(&model));
+    assert!((questions.unpack)(b"nonsense").is_none());
+}
