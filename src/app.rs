@@ -70,7 +70,7 @@ pub use scan::ScanView;
 pub use start::run;
 pub use state::AppState;
 
-use crate::document::Loaded;
+use crate::document::{Loaded, picture_bytes};
 use crate::link::is_link;
 use crate::render::{Frame, Renderer, Report};
 use crate::scene::{Choice as _, presets};
@@ -292,7 +292,6 @@ impl App {
             .unwrap_or_else(Language::of_system);
         if wanted != language() {
             set_language(wanted);
-            system::want_letters(ctx);
             // What views have worked out holds text.
             self.state.own = Own::default();
             ctx.request_repaint();
@@ -467,6 +466,12 @@ impl eframe::App for App {
         }
         self.in_front = in_front;
         focus::show(&ctx);
+        let (state, engine) = (&self.state, &self.engine);
+        system::end_frame(
+            &ctx,
+            || state.link().ok().map(|written| written.link),
+            || picture_bytes(engine.frame(), Some(&state.document.scene)).ok(),
+        );
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {

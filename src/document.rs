@@ -256,6 +256,15 @@ pub fn save_picture(path: &Path, frame: &Frame, scene: &Scene) -> Result<(), Sav
     write_picture(path, frame, Some(scene))
 }
 
+/// The bytes of a picture's file.
+///
+/// # Errors
+/// A frame that has no pixels.
+pub fn picture_bytes(frame: &Frame, scene: Option<&Scene>) -> Result<Vec<u8>, PictureError> {
+    let mut bytes = Vec::new();
+    write_png(&mut bytes, frame, scene).map(|()| bytes)
+}
+
 fn write_picture(path: &Path, frame: &Frame, scene: Option<&Scene>) -> Result<(), SaveError> {
     let refused = |error| match error {
         PictureError::Unwritten(png::EncodingError::IoError(error)) => error,

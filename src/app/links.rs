@@ -43,7 +43,7 @@ impl AppState {
     }
 
     /// The link of what is seen.
-    fn link(&self) -> Result<Written, WriteError> {
+    pub fn link(&self) -> Result<Written, WriteError> {
         let origin = match &self.document.origin {
             Origin::BuiltIn(name) => Some(name.as_str()),
             Origin::New | Origin::File(_) => None,

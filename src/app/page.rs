@@ -6,10 +6,11 @@ use crate::document::give;
 use crate::jobs;
 use crate::text::{Language, language, set_chinese_font};
 use eframe::egui::{Context, DroppedFile};
-use js_sys::{ArrayBuffer, Uint8Array};
+use js_sys::{ArrayBuffer, Function, Promise, Reflect, Uint8Array};
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Duration;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
@@ -19,6 +20,11 @@ use web_sys::{ClipboardEvent, File, FileList, HtmlInputElement, Response};
 pub const PAGE: bool = true;
 /// Beside the page.
 const CHINESE_FONT: &str = "chinese.otf";
+/// The page's own object, and what scripts can call in it.
+const OWN: &str = "shadingLab";
+const PICTURE: &str = "picture";
+/// The address follows what is seen this often at most, seconds.
+const ADDRESS_PAUSE: f64 = 0.5;
 
 thread_local! {
     /// Files that have come in since the last frame.
@@ -26,6 +32,12 @@ thread_local! {
     /// Of the window, once it has drawn a frame.
     static CONTEXT: RefCell<Option<Context>> = const { RefCell::new(None) };
     static FONT_ASKED: Cell<bool> = const { Cell::new(false) };
+    static SHOWN_IN: Cell<Option<Language>> = const { Cell::new(None) };
+    /// The link of what is seen, and when it was last looked for, seconds.
+    static LINK: RefCell<Option<String>> = const { RefCell::new(None) };
+    static LOOKED_AT: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
+    /// Those who have asked for the picture.
+    static ASKED: RefCell<Vec<Function>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Does what is to be done before a frame.
@@ -33,6 +45,7 @@ pub fn begin_frame(ctx: &Context) {
     if CONTEXT.with_borrow(Option::is_none) {
         CONTEXT.set(Some(ctx.clone()));
         listen();
+        offer();
         show("ready");
     }
     jobs::step();
@@ -149,8 +162,65 @@ pub fn set_fullscreen(_: &Context, on: bool) {
     }
 }
 
+/// Does what is to be done after a frame: the address follows the link of what is seen, and who asked for the picture gets it.
+pub fn end_frame(
+    ctx: &Context,
+    link: impl FnOnce() -> Option<String>,
+    picture: impl FnOnce() -> Option<Vec<u8>>,
+) {
+    if SHOWN_IN.replace(Some(language())) != Some(language()) {
+        want_letters(ctx);
+    }
+    let (held, now) = ctx.input(|input| (input.pointer.any_down(), input.time));
+    let wait = ADDRESS_PAUSE - (now - LOOKED_AT.get());
+    if wait > 0.0 && !held {
+        ctx.request_repaint_after(Duration::from_secs_f64(wait));
+    } else if !held {
+        LOOKED_AT.set(now);
+        link().iter().for_each(|link| follow(link));
+    }
+    let asked = ASKED.take();
+    if !asked.is_empty() {
+        let picture = picture().map_or(JsValue::NULL, |bytes| Uint8Array::from(&*bytes).into());
+        for give in asked {
+            let _ = give.call1(&JsValue::NULL, &picture);
+        }
+    }
+}
+
+/// Shows a link as the page's address, if it is another than before. The first one is not shown: nothing has changed yet. A page
+/// inside another keeps the address that it was given.
+fn follow(link: &str) {
+    let before = LINK.with_borrow_mut(|known| known.replace(link.to_owned()));
+    let window = web_sys::window();
+    let (Some(before), Some(window)) = (before, window) else {
+        return;
+    };
+    let search = window.location().search().unwrap_or_default();
+    let embedded = search.trim_start_matches('?').split('&');
+    if before == link || embedded.into_iter().any(|pair| pair.starts_with("embed")) {
+        return;
+    }
+    // A browser that refuses shows the old address.
+    let _ = window
+        .history()
+        .and_then(|history| history.replace_state_with_url(&JsValue::NULL, "", Some(link)));
+}
+
+/// Gives scripts `shadingLab.picture()`: a promise of the picture as a PNG with its scene inside.
+fn offer() {
+    let picture = Closure::<dyn Fn() -> Promise>::new(|| {
+        CONTEXT.with_borrow(|ctx| ctx.iter().for_each(Context::request_repaint));
+        Promise::new(&mut |give, _| ASKED.with_borrow_mut(|asked| asked.push(give)))
+    });
+    let page = js_sys::global();
+    if let Ok(own) = Reflect::get(&page, &OWN.into()) {
+        let _ = Reflect::set(&own, &PICTURE.into(), &picture.into_js_value());
+    }
+}
+
 /// Fetches the letters for the language of the moment, once.
-pub fn want_letters(ctx: &Context) {
+fn want_letters(ctx: &Context) {
     if let Some(page) = document().and_then(|document| document.document_element()) {
         let _ = page.set_attribute("lang", language().tag());
     }

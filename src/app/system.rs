@@ -42,5 +42,10 @@ pub fn set_fullscreen(ctx: &Context, on: bool) {
     ctx.send_viewport_cmd(ViewportCommand::Fullscreen(on));
 }
 
-/// Sees to it that there are letters for the language of the moment.
-pub fn want_letters(_: &Context) {}
+/// Does what is to be done after a frame, with the link of what is seen and its picture as a file.
+pub fn end_frame(
+    _: &Context,
+    _link: impl FnOnce() -> Option<String>,
+    _picture: impl FnOnce() -> Option<Vec<u8>>,
+) {
+}

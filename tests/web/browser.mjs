@@ -46,7 +46,7 @@ export async function browser({ width = 1280, height = 800, ...others } = {}) {
     await context.close();
     rmSync(folder, { recursive: true, force: true });
   };
-  return { context, close };
+  return { context, folder, close };
 }
 
 /** Opens the page and waits until its window is drawn; `problems` collects what the console reports. */
@@ -58,4 +58,28 @@ export async function open(context, url) {
   await page.goto(url);
   await page.waitForFunction(() => document.documentElement.dataset.state !== "loading", undefined, { timeout: 120_000 });
   return { page, problems };
+}
+
+/** The size and the values of a PNG: red, green, blue and 255 of each pixel. */
+export async function pixels(page, bytes) {
+  const decoded = await page.evaluate(async (text) => {
+    const blob = await (await fetch(`data:image/png;base64,${text}`)).blob();
+    const image = await createImageBitmap(blob, { colorSpaceConversion: "none" });
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    let letters = "";
+    for (let at = 0; at < data.length; at += 32768) letters += String.fromCharCode(...data.subarray(at, at + 32768));
+    return { width: image.width, height: image.height, data: btoa(letters) };
+  }, Buffer.from(bytes).toString("base64"));
+  return { ...decoded, data: new Uint8Array(Buffer.from(decoded.data, "base64")) };
+}
+
+/** Waits until something holds. */
+export async function until(holds, milliseconds = 60_000) {
+  for (const end = Date.now() + milliseconds; !(await holds()); ) {
+    if (Date.now() > end) throw new Error(`not within ${milliseconds} ms: ${holds}`);
+    await new Promise((again) => setTimeout(again, 100));
+  }
 }
