@@ -14,12 +14,13 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{
     Align, Area, Button, Color32, Context, Event, FontId, Galley, Id, Key, Mesh, OpenUrl, Order,
-    Painter, Rect, RichText, Sense, Shape, TextEdit, Ui, pos2, vec2,
+    Painter, Rect, RichText, Sense, Shape, TextEdit, Ui, pos2,
 };
 use std::sync::Arc;
 
-/// Lines of the window's height in the text below a QR code, and bounds for the size of its letters, points.
+/// By what the window's height and its width are divided for the letters below a QR code, and bounds for their size, points.
 const LINES: f32 = 30.0;
+const COLUMNS: f32 = 24.0;
 const LETTERS: [f32; 2] = [12.0, 32.0];
 /// Most lines of a link below its code; a longer one is cut.
 const ROWS: usize = 3;
@@ -184,9 +185,9 @@ pub fn page_ui(ui: &mut Ui, form: &mut PageForm) -> Choice {
     } else if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
         field.request_focus();
     }
-    if let Some(wrong) = &form.wrong {
-        ui.label(RichText::new(wrong).color(ui.visuals().error_fg_color));
-    }
+    // The line is there before there is an error, so that nothing moves.
+    let wrong = form.wrong.as_deref().unwrap_or(" ");
+    ui.label(RichText::new(wrong).color(ui.visuals().error_fg_color));
     ui.add_space(12.0);
     ui.horizontal(|ui| {
         let verb = if form.then_code {
@@ -230,7 +231,8 @@ pub fn code_ui(ctx: &Context, shown: &LinkCode) -> bool {
 fn paint(painter: &Painter, room: Rect, pixels_per_point: f32, shown: &LinkCode) {
     painter.rect_filled(room, 0.0, Color32::WHITE);
     let inner = room.shrink(GAP);
-    let letters = (room.height() / LINES).clamp(LETTERS[0], LETTERS[1]);
+    let letters = (room.height() / LINES).min(room.width() / COLUMNS);
+    let letters = letters.clamp(LETTERS[0], LETTERS[1]);
     let text = |text: String, size: f32, colour: Color32, rows: usize| {
         lines(painter, text, size, colour, rows, inner.width())
     };
@@ -290,7 +292,7 @@ fn lines(
     let format = TextFormat::simple(FontId::proportional(size), colour);
     let mut job = LayoutJob::single_section(text, format);
     job.wrap = TextWrapping {
-        max_width: width.max(vec2(size, size).x),
+        max_width: width.max(size),
         max_rows: rows,
         break_anywhere: true,
         ..TextWrapping::default()
