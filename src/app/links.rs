@@ -34,7 +34,7 @@ impl AppState {
     fn shown_in_links(&self) -> Shown {
         let name = serde_json::to_value(self.look.view);
         let is_open = |view: &&str| name.as_ref().is_ok_and(|name| name == view);
-        let view = VIEWS.into_iter().find(|view| is_open(&view));
+        let view = VIEWS.into_iter().find(|view| is_open(view));
         Shown {
             view: view.filter(|_| self.look.views),
             probe: Some(self.probe.0),

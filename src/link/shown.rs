@@ -74,11 +74,16 @@ impl Shown {
             "line" => places(value)
                 .map(|line| self.line = Some(line))
                 .ok_or_else(|| text!("link-expected-line").to_owned()),
-            "embed" => match value {
-                "" | "1" | "true" => Ok(self.embed = true),
-                "0" | "false" => Ok(self.embed = false),
-                _ => Err(text!("expected-bool").to_owned()),
-            },
+            "embed" => {
+                let on = match value {
+                    "" | "1" | "true" => Some(true),
+                    "0" | "false" => Some(false),
+                    _ => None,
+                };
+                self.embed = on.unwrap_or(self.embed);
+                on.map(drop)
+                    .ok_or_else(|| text!("expected-bool").to_owned())
+            }
             "controls" => words(value)
                 .map(|controls| self.controls = controls)
                 .ok_or_else(|| text!("link-expected-controls", most = MOST_CONTROLS)),
