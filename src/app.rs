@@ -57,6 +57,7 @@ mod system;
 mod table;
 mod terms;
 mod theme;
+mod toast;
 mod typeset;
 mod views;
 mod welcome;
@@ -457,6 +458,7 @@ impl eframe::App for App {
         }
         self.panels(ui);
         self.files.poll(&ctx, &mut self.state);
+        toast::toast_ui(&ctx, &mut self.state);
         dialogs::dialog_ui(&ctx, &mut self.state, &mut self.files);
         self.settle(&ctx);
         // What has come to stand in front takes the focus from what is behind it.

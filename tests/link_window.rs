@@ -221,3 +221,18 @@ fn without_a_page_its_address_is_asked_for() {
     assert_eq!(harness.state().state().look.page, PAGE);
     assert!(decoded(&harness).starts_with("https://example.org/lab/?scene=gold&"));
 }
+
+/// At projector size there is no bar at the bottom that says what was done.
+#[test]
+fn a_notice_is_told_for_a_while_where_there_is_no_bar_for_it() {
+    let mut harness = with_page("gold");
+    harness.key_press(Key::F9);
+    harness.run();
+    copied(&mut harness);
+    assert!(harness.query_by_label("Copied the link").is_some());
+    for _ in 0..200 {
+        harness.step();
+    }
+    assert!(harness.query_by_label("Copied the link").is_none());
+    assert_eq!(harness.state().state().notice, None);
+}

@@ -25,7 +25,7 @@ use eframe::egui::{
 };
 
 /// Below this width, points, panels become a drawer.
-const NARROW: f32 = 900.0;
+pub const NARROW: f32 = 900.0;
 /// The narrowest that a panel can be, points.
 const PANEL: f32 = 288.0;
 /// The least side of the picture in a narrow window, points.
