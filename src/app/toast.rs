@@ -20,7 +20,7 @@ struct Told {
 /// Tells the state's notice, and forgets it when it has been told.
 pub fn toast_ui(ctx: &Context, state: &mut AppState) {
     let width = ctx.content_rect().width();
-    let alone = state.picture_alone || state.enlarged;
+    let alone = state.picture_alone || state.enlarged || state.embedded.is_some();
     if !alone && state.look.stages && width >= NARROW {
         return;
     }
