@@ -174,6 +174,11 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             }
             harness.key_press(Key::Num3);
             harness.run_ok();
+            for what in ["panes", "wipe", "difference", "one"] {
+                harness.key_press(Key::K);
+                harness.run_ok();
+                check(&harness, what, Shown::View);
+            }
             for (modifiers, key, what) in [
                 (Modifiers::NONE, Key::F1, "keys"),
                 (Modifiers::NONE, Key::F2, "scenes"),

@@ -59,6 +59,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
         let most = ctx.content_rect().height() - 40.0;
         ScrollArea::vertical()
             .max_height(most)
+            .min_scrolled_height(most)
             .auto_shrink([false, true])
             .show(ui, |ui| contents_ui(ui, &mut dialog, state))
             .inner

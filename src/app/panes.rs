@@ -24,6 +24,8 @@ use glam::DVec2;
 const MARGIN: f32 = 10.0;
 /// A pane less high than this has no room for figures over its picture, points.
 const LEAST_CAPTIONED: f32 = 150.0;
+/// Least width of a picture in which figures stand beside the scale of a difference, points.
+const LEAST_BESIDE: f32 = 600.0;
 /// Radius of the wipe's handle, points.
 const KNOB: f32 = 9.0;
 /// Points about a handle that captions leave free.
@@ -170,18 +172,16 @@ pub fn captions_ui(
             let title = format!("{} − {}", figures[0].name, figures[1].name);
             let (at, align) = (rect.min, Align2::LEFT_TOP);
             letter(&painter, at, align, &title, &font, Color32::WHITE);
-            let corners = [Align2::LEFT_BOTTOM, Align2::LEFT_BOTTOM];
             let line = error_line(&error);
-            let name = rect.with_max_y(rect.min.y + 1.4 * font.size);
-            measured(
-                &painter,
-                state,
-                &panes[0],
-                (rect, name),
-                &line,
-                corners,
-                &font,
-            );
+            let below = rect.with_min_y(rect.min.y + 1.4 * font.size);
+            if rect.width() < LEAST_BESIDE {
+                // The scale takes the bottom.
+                letter(&painter, below.min, align, &line, &font, Color32::WHITE);
+            } else {
+                let room = (rect, rect.with_max_y(below.min.y));
+                let corners = [Align2::LEFT_BOTTOM; 2];
+                measured(&painter, state, &panes[0], room, &line, corners, &font);
+            }
             if let Some([x, y]) = error.at {
                 // A small square round the greatest difference.
                 let centre = whole.point(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5));
