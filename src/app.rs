@@ -418,7 +418,7 @@ impl App {
         scene.image.size = self.room.whole;
         let mut renderer = Renderer::default();
         renderer.set_model(model.clone());
-        let over = files::over(&self.state);
+        let over = files::Over::new(&self.state);
         let Some(frame) = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| true)
         else {
             return;

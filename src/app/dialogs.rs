@@ -130,7 +130,7 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
             FileTask::Open if system::PAGE => _ = system::pick(true, &FileTask::Open.file_kind()),
             FileTask::Open => state.ask(Action::OpenFile(PathBuf::from(path.trim()))),
             FileTask::SaveScene => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
-            FileTask::Export(form) => files.export(ctx, state, form, PathBuf::from(path)),
+            FileTask::Export(form) => files.export(ctx, state, &form, PathBuf::from(path)),
             FileTask::SaveAnswer(_) => {
                 if let Err(text) = report::save(state, Path::new(path.trim())) {
                     state.dialog = Some(Dialog::message(text!("analysis-not-saved"), text));
@@ -216,10 +216,14 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, window: [u32; 2]
         export_ui(ui, form, window);
     }
     ui.add_space(8.0);
-    let entered = if system::PAGE {
-        Choice::Stay
-    } else {
+    let entered = if !system::PAGE {
         path_ui(ui, path, kind.example)
+    } else if ui.memory(|memory| memory.focused().is_none())
+        && ui.input(|input| input.key_pressed(Key::Enter))
+    {
+        Choice::Accept
+    } else {
+        Choice::Stay
     };
     ui.add_space(12.0);
     buttons_ui(

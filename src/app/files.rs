@@ -5,20 +5,24 @@ use super::background::{Task, wake};
 use super::dialog::{Dialog, ExportForm, FileTask};
 use super::document::Document;
 use super::engine::overlay_options;
-use super::look::{Look, ViewName};
+use super::look::{OverlayLook, ViewName};
+use super::place::{ProbePoint, ProfileLine};
+use super::profile::look::ProfileLook;
 use super::recovery;
 use super::state::AppState;
 use super::system;
 use crate::analysis::{
-    NormalField, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay, draw_panes,
-    draw_profile, panes_on_sheet, probe, profile,
+    NormalField, Parcel, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay,
+    draw_panes, draw_profile, panes_on_sheet, probe, profile,
 };
 use crate::document::{load_with, save_picture};
-use crate::jobs::Job;
+use crate::geometry::Mesh;
+use crate::jobs::{Job, Work, pack_model, unpack_model};
 use crate::render::{Frame, Renderer, check_memory};
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::Context;
+use serde::{Deserialize, Serialize};
 use std::cell::Cell;
 use std::convert::Infallible;
 use std::path::PathBuf;
@@ -26,38 +30,51 @@ use std::sync::Arc;
 
 /// What becomes of the window when work on a file is done.
 type Outcome = Arc<dyn Fn(&mut AppState) + Send + Sync>;
-/// Draws over a picture of a scene.
-type Over<'a> = &'a dyn Fn(&mut Frame, &mut Renderer, &Scene);
 
 /// The files' side of the window.
 #[derive(Default)]
 pub struct Files {
     job: Option<Job<Task<Outcome>>>,
+    drawing: Option<Job<Exported>>,
     /// What is under way.
     title: String,
     /// What it is if it does not work.
     failure: &'static str,
 }
 
-/// Draws over a picture of a scene what is drawn over it in the window.
-pub fn over(state: &AppState) -> impl Fn(&mut Frame, &mut Renderer, &Scene) + Send + Sync + use<> {
-    let Look {
-        overlay,
-        profile: profile_look,
-        ..
-    } = state.look.clone();
-    let (light, point, vertex) = (state.light, state.probe, state.pointed.kept);
-    let line = state.shows(ViewName::Profile).then_some(state.line);
-    move |frame, renderer, scene| {
+/// What is drawn over a picture, as the window has it.
+#[derive(Serialize, Deserialize)]
+pub struct Over {
+    overlay: OverlayLook,
+    profile: ProfileLook,
+    light: usize,
+    point: ProbePoint,
+    vertex: Option<u32>,
+    line: Option<ProfileLine>,
+}
+
+impl Over {
+    pub fn new(state: &AppState) -> Self {
+        Self {
+            overlay: state.look.overlay.clone(),
+            profile: state.look.profile.clone(),
+            light: state.light,
+            point: state.probe,
+            vertex: state.pointed.kept,
+            line: state.shows(ViewName::Profile).then_some(state.line),
+        }
+    }
+
+    fn draw(&self, frame: &mut Frame, renderer: &mut Renderer, scene: &Scene) {
         let (width, height) = (frame.width, frame.height);
-        let [x, y] = point.pixel([width, height]);
+        let [x, y] = self.point.pixel([width, height]);
         let probe = probe(renderer, scene, x, y);
-        let options = overlay_options(&overlay, light, scene);
-        let taken = line.and_then(|line| {
+        let options = overlay_options(&self.overlay, self.light, scene);
+        let taken = self.line.and_then(|line| {
             let own = scene.shading.mode;
             let request = ProfileQuestion {
                 modes: vec![own],
-                ..profile_look.request(line.pixels([width, height]), own)
+                ..self.profile.request(line.pixels([width, height]), own)
             };
             profile(renderer, scene, &request).ok()
         });
@@ -65,7 +82,9 @@ pub fn over(state: &AppState) -> impl Fn(&mut Frame, &mut Renderer, &Scene) + Se
             tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height)
         {
             let lit = |field: &NormalField| {
-                Ok(vertex.and_then(|point| field.vertex(field.vertex_at(point)?)))
+                Ok(self
+                    .vertex
+                    .and_then(|point| field.vertex(field.vertex_at(point)?)))
             };
             let Ok(()) = draw_normals::<Infallible>(&mut map, scene, renderer, &options, lit);
             if let Some(taken) = &taken {
@@ -79,12 +98,46 @@ pub fn over(state: &AppState) -> impl Fn(&mut Frame, &mut Renderer, &Scene) + Se
     }
 }
 
+/// A picture to be exported.
+#[derive(Serialize, Deserialize)]
+pub struct Exported {
+    scene: Scene,
+    #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
+    model: Option<Arc<Mesh>>,
+    samples: u32,
+    over: Option<Over>,
+    path: PathBuf,
+}
+
+impl Work for Exported {
+    type Answer = Frame;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Frame>)> = Some((Parcel::plain(), Parcel::plain()));
+
+    fn run(&self, watch: &dyn Watch<Frame>) -> Result<Frame, String> {
+        check_memory(&self.scene).map_err(|error| error.to_string())?;
+        let mut renderer = Renderer::default();
+        renderer.set_model(self.model.clone());
+        let total = f64::from(self.samples) * self.scene.shown_panes().len() as f64;
+        let mut progress = |done: u32| watch.at((f64::from(done) / total) as f32);
+        let frame = picture(
+            &mut renderer,
+            &self.scene,
+            self.samples,
+            self.over.as_ref(),
+            &mut progress,
+        );
+        // Nobody reads why.
+        frame.ok_or_else(String::new)
+    }
+}
+
 /// The picture of a scene, or the sheet of what it compares; none where `progress` has stopped it.
 pub fn picture(
     renderer: &mut Renderer,
     scene: &Scene,
     samples: u32,
-    over: Option<Over<'_>>,
+    over: Option<&Over>,
     progress: &mut dyn FnMut(u32) -> bool,
 ) -> Option<Frame> {
     let go_on = Cell::new(true);
@@ -94,7 +147,7 @@ pub fn picture(
     };
     let draw_over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| {
         if let Some(over) = over.filter(|_| go_on.get()) {
-            over(frame, renderer, scene);
+            over.draw(frame, renderer, scene);
         }
         if go_on.get() { Ok(()) } else { Err(()) }
     };
@@ -114,12 +167,14 @@ pub fn picture(
 impl Files {
     /// What is under way, and how far it is from 0 to 1.
     pub fn progress(&self) -> Option<(&str, f32)> {
-        self.job.as_ref().map(|job| (&*self.title, job.share()))
+        let drawing = self.drawing.as_ref().map(Job::share);
+        let share = self.job.as_ref().map(Job::share).or(drawing);
+        share.map(|share| (&*self.title, share))
     }
 
     /// Cancels the work under way: what is drawn stops at its next sample and is not written, other outcomes are ignored.
     pub fn cancel(&mut self) {
-        self.job = None;
+        (self.job, self.drawing) = (None, None);
     }
 
     /// Begins work in place of what is under way; what `run` returns is done to the window.
@@ -167,32 +222,31 @@ impl Files {
         });
     }
 
-    /// Draws and writes a picture of the document.
-    pub fn export(&mut self, ctx: &Context, state: &AppState, form: ExportForm, path: PathBuf) {
-        let over = form.overlay.then(|| over(state));
+    /// Draws a picture of the document; when it is done it is written.
+    pub fn export(&mut self, ctx: &Context, state: &AppState, form: &ExportForm, path: PathBuf) {
         let Document {
             mut scene, model, ..
         } = state.document.clone();
         scene.image.size = form.size;
-        let total = f64::from(form.samples) * scene.shown_panes().len() as f64;
-        self.start(
-            ctx,
-            text!("drawing-file", path = path.display().to_string()),
-            text!("not-exported"),
-            move |watch| {
-                check_memory(&scene).map_err(|error| error.to_string())?;
-                let mut renderer = Renderer::default();
-                renderer.set_model(model.clone());
-                let mut progress = |done: u32| watch.at((f64::from(done) / total) as f32);
-                let over = over.as_ref().map(|over| over as Over<'_>);
-                let frame = picture(&mut renderer, &scene, form.samples, over, &mut progress);
-                if let Some(frame) = frame.filter(|_| watch.at(1.0)) {
-                    save_picture(&path, &frame, &scene).map_err(|error| error.to_string())?;
-                }
-                let notice = text!("exported", path = path.display().to_string());
-                Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
-            },
-        );
+        self.title = text!("drawing-file", path = path.display().to_string());
+        let work = Exported {
+            scene,
+            model,
+            samples: form.samples,
+            over: form.overlay.then(|| Over::new(state)),
+            path,
+        };
+        self.drawing = Some(Job::start(work, wake(ctx)));
+    }
+
+    /// Writes the picture that was drawn, beside the window: it may take a while.
+    fn write(&mut self, ctx: &Context, work: Arc<Exported>, frame: Frame) {
+        let title = std::mem::take(&mut self.title);
+        self.start(ctx, title, text!("not-exported"), move |_| {
+            save_picture(&work.path, &frame, &work.scene).map_err(|error| error.to_string())?;
+            let notice = text!("exported", path = work.path.display().to_string());
+            Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
+        });
     }
 
     /// Shows the desktop's own dialog for the file that `dialog` asks for. It asks itself whether to replace a file.
@@ -227,6 +281,13 @@ impl Files {
 
     /// Takes what the thread has brought.
     pub fn poll(&mut self, ctx: &Context, state: &mut AppState) {
+        match Job::take(&mut self.drawing) {
+            Some((work, Ok(frame))) => self.write(ctx, work, frame),
+            Some((_, Err(text))) => {
+                state.dialog = Some(Dialog::message(text!("not-exported"), text));
+            }
+            None => {}
+        }
         let Some((_, outcome)) = Job::take(&mut self.job) else {
             return;
         };

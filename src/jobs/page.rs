@@ -1,6 +1,6 @@
 //! Work on a web page: sent to workers, which load the same program, or done on the page itself, a piece after each frame.
 
-use crate::text::{Language, language};
+use crate::text::{Language, chinese_font, language};
 use js_sys::{Array, Object, Reflect, Uint8Array};
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -73,10 +73,11 @@ pub fn step() {
 /// Sends work of this name to a worker; `hear` is told what it says.
 pub fn send(name: &str, content: Vec<u8>, hear: impl FnMut(Said<'_>) + 'static) -> u64 {
     let place = Language::ALL.iter().position(|known| *known == language());
-    let message = Array::of3(
+    let message = Array::of4(
         &name.into(),
         &(place.unwrap_or(0) as u32).into(),
         &Uint8Array::from(&*content),
+        &Uint8Array::from(chinese_font()),
     );
     let number = POOL.with_borrow_mut(|pool| {
         pool.sent += 1;

@@ -2,7 +2,7 @@
 
 use super::{Work, nanoseconds};
 use crate::analysis::Watch;
-use crate::text::{Language, set_language};
+use crate::text::{Language, set_chinese_font, set_language};
 use js_sys::{Array, Reflect, Uint8Array};
 use std::any::type_name;
 use std::marker::PhantomData;
@@ -31,7 +31,10 @@ pub fn serve(kinds: Vec<Served>) -> bool {
     };
     let serve = Closure::<dyn Fn(Array)>::new(move |message: Array| {
         let (name, place) = (message.get(0).as_string(), message.get(1).as_f64());
-        let content = Uint8Array::new(&message.get(2)).to_vec();
+        let [content, font] = [2, 3].map(|at| Uint8Array::new(&message.get(at)).to_vec());
+        if !font.is_empty() {
+            set_chinese_font(font);
+        }
         let language = Language::ALL.get(place.unwrap_or(0.0) as usize);
         language.copied().into_iter().for_each(set_language);
         let kind = kinds

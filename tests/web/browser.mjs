@@ -49,9 +49,29 @@ export async function browser({ width = 1280, height = 800, ...others } = {}) {
   return { context, folder, close };
 }
 
+/** Notes in the page what workers are asked, and what they tell: 0 how far, 1 so far, 2 the answer, 3 why there is none. */
+function noteWork() {
+  window.work = [];
+  const Plain = Worker;
+  window.Worker = class extends Plain {
+    constructor(...parameters) {
+      super(...parameters);
+      this.addEventListener("message", ({ data }) => this.piece?.told.push(data[0]));
+    }
+    postMessage(message) {
+      if (Array.isArray(message)) window.work.push((this.piece = { name: message[0], told: [] }));
+      super.postMessage(message);
+    }
+  };
+}
+
+/** What has been told about the latest work whose name has this in it; nothing before that was asked. */
+export const told = (page, name) => page.evaluate((part) => window.work.findLast((piece) => piece.name.includes(part))?.told, name);
+
 /** Opens the page and waits until its window is drawn; `problems` collects what the console reports. */
 export async function open(context, url) {
   const page = await context.newPage();
+  await page.addInitScript(noteWork);
   const problems = [];
   page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
   page.on("pageerror", (error) => problems.push(String(error)));

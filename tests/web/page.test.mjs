@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { browser, open, pixels, serve, until } from "./browser.mjs";
+import { browser, open, pixels, serve, told, until } from "./browser.mjs";
 
 const folder = process.env.SHADING_LAB_PAGE;
 const native = process.env.SHADING_LAB;
@@ -84,8 +84,85 @@ test("a wrong link is told and the page opens", async () => {
 
 test("a worker refines the picture", async () => {
   await on("?scene=sphere", async (page) => {
-    await until(() => page.workers().length === 1);
+    await until(async () => (await told(page, "Supersampled"))?.includes(2));
   });
+});
+
+test("a study is done by a worker while a slider moves", async () => {
+  await on("?scene=sphere&view=study", async (page) => {
+    // Places in a window of 1280 × 800 points: the study's button, and the slider of Ks.
+    await until(async () => {
+      await page.mouse.click(375, 709);
+      await page.waitForTimeout(500);
+      return (await told(page, "StudyQuestion")) !== undefined;
+    });
+    const before = await pixels(page, await picture(page));
+    await page.mouse.move(167, 212);
+    await page.mouse.down();
+    let moved = 0;
+    for (let x = 168; x < 200; x += 4) {
+      await page.mouse.move(x, 212);
+      const drawn = await pixels(page, await picture(page));
+      if (difference(before, drawn) > 1 && !(await told(page, "StudyQuestion")).includes(2)) moved += 1;
+    }
+    await page.mouse.up();
+    assert.ok(moved > 0, "the picture follows the slider while the study goes on");
+    await until(async () => (await told(page, "StudyQuestion")).includes(2), 300_000);
+    assert.ok((await told(page, "StudyQuestion")).includes(0), "it tells how far it is");
+    await until(async () => (await address(page)).includes("material.ks="));
+  });
+});
+
+test("a picture that is exported opens again", async () => {
+  await on("?scene=cube&set=material.kd=0.5", async (page) => {
+    const drawn = await pixels(page, await picture(page));
+    await page.keyboard.press("Control+e");
+    await page.waitForTimeout(500);
+    const download = page.waitForEvent("download");
+    await page.keyboard.press("Enter");
+    const file = await (await download).path();
+    const bytes = readFileSync(file);
+    assert.equal((await pixels(page, bytes)).width, 1920);
+    await page.keyboard.press("1");
+    await until(async () => (await address(page)).includes("flat"));
+    // Dropped on the page it is the scene that it was made from.
+    await page.evaluate((text) => {
+      const content = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([content], "again.png", { type: "image/png" }));
+      document.querySelector("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    }, bytes.toString("base64"));
+    await until(async () => (await page.title()).startsWith("again.png"));
+    assert.equal(difference(drawn, await pixels(page, await picture(page))), 0);
+  });
+});
+
+test("on a phone the picture fills the width", async () => {
+  const phone = await browser({ width: 390, height: 844, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+  try {
+    const { page, problems } = await open(phone.context, `${server.url}?scene=sphere`);
+    const size = await pixels(page, await picture(page));
+    assert.equal(size.width, 780);
+    const scrolls = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+    assert.ok(!scrolls, "nothing is wider than the screen");
+    assert.deepEqual(problems, []);
+  } finally {
+    await phone.close();
+  }
+});
+
+test("Chinese has its own letters, fetched when that language is chosen", async () => {
+  const chinese = await browser({ locale: "zh-TW" });
+  try {
+    const fetched = [];
+    chinese.context.on("request", (request) => fetched.push(new URL(request.url()).pathname));
+    const { page, problems } = await open(chinese.context, server.url);
+    await until(() => fetched.includes("/chinese.otf"));
+    assert.equal(await page.evaluate(() => document.documentElement.lang), "zh-Hant");
+    assert.deepEqual(problems, []);
+  } finally {
+    await chinese.close();
+  }
 });
 
 test("it opens without a network", async () => {

@@ -2,6 +2,7 @@
 
 use super::dialog::Dialog;
 use super::engine::Supersampled;
+use super::files::Exported;
 use super::material::Spheres;
 use super::profile::Perceived;
 use super::sampling::AreaLight;
@@ -88,6 +89,7 @@ fn workers() -> Vec<Served> {
         served::<Asked<ProfileQuestion>>(),
         served::<Asked<StabilityQuestion>>(),
         served::<Asked<StudyQuestion>>(),
+        served::<Exported>(),
         served::<Perceived>(),
         served::<Spheres>(),
         served::<Supersampled>(),
