@@ -22,8 +22,6 @@ use std::time::Duration;
 use web_time::Instant;
 
 #[cfg(target_arch = "wasm32")]
-pub use page::step;
-#[cfg(target_arch = "wasm32")]
 pub use worker::{Served, serve, served};
 
 /// Progress is shown this often at most: to draw the window disturbs what is measured.

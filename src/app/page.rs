@@ -3,7 +3,6 @@
 use super::dialog::FileKind;
 use super::theme;
 use crate::document::give;
-use crate::jobs;
 use crate::text::{Language, language, set_chinese_font};
 use eframe::egui::{Context, DroppedFile};
 use js_sys::{ArrayBuffer, Function, Promise, Reflect, Uint8Array};
@@ -48,7 +47,6 @@ pub fn begin_frame(ctx: &Context) {
         offer();
         show("ready");
     }
-    jobs::step();
 }
 
 fn document() -> Option<web_sys::Document> {

@@ -1,4 +1,4 @@
-//! Work on a web page: sent to workers, which load the same program, or done on the page itself, a piece after each frame.
+//! Work on a web page: sent to workers, which load the same program, or done on the page itself, between frames.
 
 use crate::text::{Language, chinese_font, language};
 use js_sys::{Array, Object, Reflect, Uint8Array};
@@ -26,7 +26,6 @@ pub enum Said<'a> {
     Stopped,
 }
 
-type Piece = Box<dyn FnOnce()>;
 type Hear = Box<dyn FnMut(Said<'_>)>;
 
 /// Work that was sent.
@@ -49,24 +48,18 @@ struct Pool {
     busy: Vec<Busy>,
     orders: VecDeque<Order>,
     sent: u64,
-    /// For the page itself.
-    pieces: VecDeque<Piece>,
 }
 
 thread_local! {
     static POOL: RefCell<Pool> = RefCell::default();
 }
 
-/// Does this on the page, after a frame.
+/// Does this on the page, once it has shown what it has drawn.
 pub fn later(work: impl FnOnce() + 'static) {
-    POOL.with_borrow_mut(|pool| pool.pieces.push_back(Box::new(work)));
-}
-
-/// Does the next piece of the page's own work, if there is any.
-pub fn step() {
-    let next = POOL.with_borrow_mut(|pool| pool.pieces.pop_front());
-    if let Some(work) = next {
-        work();
+    let work = Closure::once_into_js(work);
+    if let Some(window) = web_sys::window() {
+        // A window always takes it.
+        let _ = window.set_timeout_with_callback(work.unchecked_ref());
     }
 }
 
