@@ -1,5 +1,8 @@
 //! What the browser does for the window of a web page.
 
+#[path = "page/scripts.rs"]
+mod scripts;
+
 use super::dialog::FileKind;
 use super::theme;
 use crate::document::give;
@@ -214,6 +217,7 @@ fn offer() {
     let page = js_sys::global();
     if let Ok(own) = Reflect::get(&page, &OWN.into()) {
         let _ = Reflect::set(&own, &PICTURE.into(), &picture.into_js_value());
+        scripts::offer(&own);
     }
 }
 
