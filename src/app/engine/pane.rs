@@ -10,13 +10,10 @@ use crate::app::document::same_model;
 use crate::app::look::OverlayLook;
 use crate::geometry::Mesh;
 use crate::jobs::nanoseconds;
-use crate::render::{Frame, Renderer, Report, Stage, coarseness, coarser_size};
+use crate::render::{Frame, Renderer, Report, coarseness, coarser_size};
 use crate::scene::{Rgb, Scene};
 use eframe::egui::{ColorImage, Context, ImageData, TextureHandle, TextureOptions};
 use std::sync::Arc;
-
-/// Of more triangles than this no picture is drawn that takes a mesh of its own.
-pub const MOST_TRIANGLES: u64 = 600_000;
 
 /// A renderer, and what it drew last.
 struct Drawing {
@@ -136,25 +133,13 @@ impl PaneEngine {
         self.costs.iter().map(|(_, cost)| *cost).max().unwrap_or(0)
     }
 
-    /// Whether the triangles take longer than their pixels, so that a coarser picture is hardly faster. It would take a mesh of its
-    /// own besides, and so much memory again.
-    fn is_fine(&self) -> bool {
-        let Report {
-            triangles, stages, ..
-        } = &self.whole.report;
-        *triangles > MOST_TRIANGLES && stages.iter().all(|run| run.stage != Stage::Rays)
-    }
-
     /// Brings the picture up to date, its sides divided by `coarser`; returns whether what is in sight has changed.
     pub fn draw(&mut self, ctx: &Context, wanted: &Wanted<'_>, coarser: u32) -> bool {
-        let coarser = if self.is_fine() { 1 } else { coarser };
         let size = coarser_size(wanted.size, coarser);
         if self.coarser == coarser && self.in_sight().shows(wanted, size) {
             return false;
         }
         self.coarser = coarser;
-        self.draft
-            .take_if(|_| coarser == 1 && self.whole.report.triangles > MOST_TRIANGLES);
         if coarser > 1 {
             let draft = self.draft.get_or_insert_default();
             draft.draw(wanted, size);

@@ -1,6 +1,5 @@
 //! Smooth edges: pictures of several samples a pixel, drawn in the background once nothing has moved for a while.
 
-use super::pane::MOST_TRIANGLES;
 use crate::analysis::{Parcel, Watch, pack, unpack};
 use crate::app::background::{PICTURES, wake};
 use crate::geometry::Mesh;
@@ -20,6 +19,9 @@ const SAMPLES: [u32; 2] = [4, 16];
 const MOST: u64 = 2_000_000_000;
 /// Nor are those of which one sample took longer than this; what the first picture took once is part of it.
 const MOST_ONCE: u64 = MOST / 4;
+
+/// Nor are pictures of more triangles than this in all: the work has meshes of its own, beside those of the panes.
+const MOST_TRIANGLES: u64 = 600_000;
 
 /// The panes in sight, refined.
 #[derive(Default)]
