@@ -23,8 +23,8 @@ use crate::scene::{
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, CollapsingHeader, Color32, FontId, Label, Painter, RichText, Sense, Shape, Stroke, Ui,
-    vec2,
+    Align2, CollapsingHeader, Color32, FontId, Id, Label, Painter, RichText, Sense, Shape, Stroke,
+    Ui, UiBuilder, vec2,
 };
 use glam::DVec3;
 
@@ -194,7 +194,10 @@ fn conditions_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, size
                 "picture-condition-polygons.break",
             ],
         };
-        if ui.button(text!(if holds { spoil } else { meet })).clicked() {
+        // The button stays the same one when what stands above it comes and goes, so that no click is lost.
+        let own = UiBuilder::new().scope_id(Id::unique(("condition", index)));
+        let button = ui.scope_builder(own, |ui| ui.button(text!(if holds { spoil } else { meet })));
+        if button.inner.clicked() {
             let scene = &mut state.shown.scene;
             match index {
                 0 => before.turn_lights(scene, holds),
