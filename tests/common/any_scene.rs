@@ -637,7 +637,7 @@ impl Author {
                 DifferenceKind::FalseColor,
             ]),
             gain: self.number(1.0..=16.0, 1.0..=Compare::MAX_GAIN),
-            name: self.dice.of(&["", "", "A"]).to_owned(),
+            name: if panes.len() == 2 { "A" } else { "" }.to_owned(),
             reference: panes.len() as u32 / 2,
             panes,
         }
