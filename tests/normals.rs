@@ -496,3 +496,28 @@ fn a_lit_vertex_is_lettered_with_its_shares() {
         lit.labels
     );
 }
+
+#[test]
+fn a_model_without_normals_is_shaded_with_the_weighting_that_it_asks_for() {
+    let corner = mesh(
+        &[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        &[&[0, 2, 1], &[0, 1, 3], &[0, 3, 2], &[1, 2, 3]],
+    );
+    let corner = Arc::new(corner);
+    let draw = |normals, weighting| {
+        let mut scene = Scene::default();
+        scene.object.kind = ObjectKind::Obj;
+        scene.object.path = Some("model.obj".into());
+        (scene.object.normals, scene.object.weighting) = (normals, weighting);
+        scene.shading.mode = ShadingMode::Gouraud;
+        scene.image.size = [48, 48];
+        let mut renderer = Renderer::default();
+        renderer.set_model(Some(corner.clone()));
+        renderer.render(&scene).pixels.clone()
+    };
+    let by_angle = draw(NormalSource::Averaged, Weighting::Angle);
+    assert_ne!(by_angle, draw(NormalSource::Averaged, Weighting::Equal));
+    for given in [NormalSource::Exact, NormalSource::File] {
+        assert!(draw(given, Weighting::Angle) == by_angle, "{given:?}");
+    }
+}

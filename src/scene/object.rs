@@ -39,6 +39,16 @@ impl Object {
     /// The finest tessellation in either direction: 4096 × 4096 quads are 33 million triangles.
     pub const MAX_DIVISIONS: u32 = 4096;
 
+    /// Whether vertex normals from this source may be averaged over faces: a surface has its own everywhere, but a model or a scene's
+    /// polygons may lack some.
+    pub fn averages(&self, source: NormalSource) -> bool {
+        match source {
+            NormalSource::Averaged => true,
+            NormalSource::Exact | NormalSource::File => !self.kind.has_surface(),
+            NormalSource::Facet => false,
+        }
+    }
+
     /// Fewest polygons round the axis: fewer than three enclose nothing. A plane's are counted across it, and so are a
     /// corrugated sheet's slopes, at least one up and one down.
     pub fn min_segments(&self) -> u32 {
@@ -84,8 +94,8 @@ fn normals_unused(scene: &Scene, _: usize) -> Option<&'static str> {
 }
 
 fn not_averaged(scene: &Scene, index: usize) -> Option<&'static str> {
-    let other = scene.object.normals != NormalSource::Averaged;
-    normals_unused(scene, index).or(other.then(|| text!("idle-not-averaged")))
+    let averages = scene.object.averages(scene.object.normals);
+    normals_unused(scene, index).or((!averages).then(|| text!("idle-not-averaged")))
 }
 
 choices! {

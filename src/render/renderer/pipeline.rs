@@ -14,7 +14,7 @@ use crate::render::lens::Lens;
 use crate::render::model::{MeshSource, Model, Planes};
 use crate::render::node::{Memory, Node, room, room_of_planes};
 use crate::render::raster::{Band, Coverage, PlacedTriangles};
-use crate::scene::{AmbientSource, NormalSource, Object, ObjectKind, Scene, Weighting};
+use crate::scene::{AmbientSource, Object, ObjectKind, Scene, Weighting};
 use crate::with_form;
 use fearless_simd::Level;
 use glam::DVec2;
@@ -180,8 +180,7 @@ impl Renderer {
             },
         );
         let normals = Plan::normals(scene);
-        let averages = matches!(normals, NormalSource::Averaged | NormalSource::File);
-        let weighting = if averages {
+        let weighting = if object.averages(normals) {
             object.weighting
         } else {
             Weighting::Equal
