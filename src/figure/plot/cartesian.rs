@@ -86,11 +86,24 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
     let marks: Vec<_> = marks.collect();
     for (mark, label, colour) in &marks {
         let foot = scale.place([mark.x, y.low]);
-        sheet
-            .axis(foot, DVec2::new(foot.x, label.y + 0.25 * em), *colour)
-            .dashes = MARK_DASHES;
+        // The line of one stops for the labels of others that it would cross out.
+        let crossed = marks.iter().filter_map(|(other, at, _)| {
+            let (from, to) = label_span(other, plot, &area, em);
+            (at.y > label.y && from < foot.x && foot.x < to).then_some(at.y)
+        });
+        let mut crossed: Vec<f64> = crossed.collect();
+        crossed.sort_by(|a, b| b.total_cmp(a));
+        let mut start = foot.y;
+        let mut line = |from: f64, to: f64| {
+            let ends = [from, to].map(|y| DVec2::new(foot.x, y));
+            sheet.axis(ends[0], ends[1], *colour).dashes = MARK_DASHES;
+        };
+        for baseline in crossed {
+            line(start, baseline + 0.25 * em);
+            start = baseline - 0.9 * em;
+        }
+        line(start, label.y + 0.25 * em);
     }
-    // The line of one passes below the label of another.
     for (mark, label, colour) in marks {
         sheet
             .over_lines(&mark.label, label, 1.0, colour, 0.0)
