@@ -8,6 +8,7 @@ use super::place::ProbePoint;
 use super::report::{ReportView, export_ui};
 use super::row::parameter;
 use super::state::AppState;
+use super::theme::text_field;
 use crate::analysis::{self, Answer, Comparison};
 use crate::scene::compare::{DIFFERENCE, GAIN};
 use crate::scene::shading::{INTERPOLATION, MODE};
@@ -16,7 +17,7 @@ use crate::scene::{
 };
 use crate::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align, Button, Key, Layout, RichText, TextEdit, Ui};
+use eframe::egui::{Align, Button, Key, Layout, RichText, Ui};
 
 /// The views with the keys of their names and of what they show.
 pub const VIEWS: [(CompareView, &str, &str); 4] = [
@@ -217,7 +218,7 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     ui.separator();
     ui.label(text!("picture-add-setting"));
     ui.horizontal(|ui| {
-        let field = TextEdit::singleline(&mut typed.setting)
+        let field = text_field(&mut typed.setting)
             .hint_text("material.n=1005")
             .desired_width(170.0);
         let entered = ui.add(field).lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));

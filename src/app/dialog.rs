@@ -1,11 +1,12 @@
 //! What is asked or told in front of everything else, and the widgets that all dialogs share.
 
 use super::focus::named;
+use super::theme::text_field;
 use crate::analysis::Format;
 use crate::figure::QrCode;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Button, Key, ScrollArea, TextEdit, Ui};
+use eframe::egui::{Button, Key, ScrollArea, Ui};
 use std::path::Path;
 
 /// A dialog.
@@ -298,7 +299,7 @@ pub fn question_ui(ui: &mut Ui, title: &str, text: &str, answers: &[(&str, Choic
 pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str) -> Choice {
     let mut choice = Choice::Stay;
     ui.horizontal(|ui| {
-        let field = TextEdit::singleline(path)
+        let field = text_field(path)
             .hint_text(hint)
             .desired_width((ui.available_width() - 92.0).max(0.0));
         let field = named(ui.add(field), Role::TextInput, text!("file"));

@@ -7,6 +7,7 @@ use super::focus::named;
 use super::look::ViewName;
 use super::place::{ProbePoint, ProfileLine};
 use super::state::AppState;
+use super::theme::text_field;
 use crate::figure::QrCode;
 use crate::link::{Link, Shown, VIEWS, WriteError, Written, page, read, write};
 use crate::text::text;
@@ -14,7 +15,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{
     Align, Area, Button, Color32, Context, Event, FontId, Galley, Id, Key, Mesh, OpenUrl, Order,
-    Painter, Rect, RichText, Sense, Shape, TextEdit, Ui, pos2,
+    Painter, Rect, RichText, Sense, Shape, Ui, pos2,
 };
 use std::sync::Arc;
 
@@ -176,7 +177,7 @@ pub fn page_ui(ui: &mut Ui, form: &mut PageForm) -> Choice {
     ui.add_space(8.0);
     ui.label(text!("link-page.sentence"));
     ui.add_space(8.0);
-    let field = TextEdit::singleline(&mut form.address)
+    let field = text_field(&mut form.address)
         .hint_text("https://example.org/shading-lab/")
         .desired_width(f32::INFINITY);
     let field = named(ui.add(field), Role::TextInput, text!("link-page"));

@@ -5,6 +5,7 @@ use super::background::{PICTURES, wake};
 use super::dialog::Choice;
 use super::focus::named;
 use super::state::AppState;
+use super::theme::text_field;
 use crate::analysis::{Parcel, Watch};
 use crate::jobs::{Background, Work};
 use crate::render::Renderer;
@@ -12,8 +13,8 @@ use crate::scene::presets::{self, Preset};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Color32, ColorImage, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextEdit,
-    TextStyle, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
+    Align2, Color32, ColorImage, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextStyle,
+    TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -90,7 +91,7 @@ pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
     let mut choice = Choice::Stay;
     ui.horizontal(|ui| {
         ui.heading(text!("scenes"));
-        let field = TextEdit::singleline(&mut gallery.sought)
+        let field = text_field(&mut gallery.sought)
             .hint_text(text!("scenes-search"))
             .desired_width(ui.available_width() - 76.0);
         named(ui.add(field), Role::SearchInput, text!("scenes-search"));

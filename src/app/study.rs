@@ -3,10 +3,11 @@
 use super::engine::Engine;
 use super::report::{Asking, Offer, Picked, export_ui};
 use super::state::AppState;
+use super::theme::text_field;
 use crate::analysis::{Method, Setting, Study, StudyQuestion, study_point};
 use crate::scene::{Choice, Interpolation, Scene};
 use crate::text::text;
-use eframe::egui::{CollapsingHeader, Response, RichText, TextEdit, Ui};
+use eframe::egui::{CollapsingHeader, Response, RichText, Ui};
 
 /// Tessellations to choose from, in segments.
 const SEGMENTS: [u32; 8] = [4, 8, 16, 32, 64, 128, 256, 512];
@@ -192,7 +193,7 @@ fn choices_ui(ui: &mut Ui, Choices { question, n }: &mut Choices) {
     });
     ui.horizontal(|ui| {
         let label = ui.label("n");
-        let edit = TextEdit::singleline(n)
+        let edit = text_field(n)
             .hint_text(text!("engine-study-n-hint"))
             .desired_width(220.0_f32.min(ui.available_width()));
         ui.add(edit).labelled_by(label.id);

@@ -3,8 +3,8 @@
 use crate::text::chinese_font;
 use eframe::egui::style::{HandleShape, Selection, TextCursorStyle, WidgetVisuals, Widgets};
 use eframe::egui::{
-    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Margin, Shadow, Stroke,
-    Style, TextStyle, Theme, Visuals, vec2,
+    Align2, Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Margin, Shadow,
+    Stroke, Style, TextBuffer, TextEdit, TextStyle, Theme, Visuals, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +20,8 @@ pub const NARROW: f32 = 600.0;
 
 /// Height of a control for a pointer and for a finger, points.
 const CONTROL: [f32; 2] = [24.0, 44.0];
+/// Height of a list that unfolds before it scrolls, in that of a control: the shading modes are seen at once.
+const LIST: f32 = 8.5;
 /// Radius of corners, points.
 const RADIUS: u8 = 6;
 
@@ -52,7 +54,10 @@ pub fn install_fonts(ctx: &Context) {
 pub fn touch(ctx: &Context, on: bool) {
     let height = CONTROL[usize::from(on)];
     if ctx.global_style().spacing.interact_size.y.to_bits() != height.to_bits() {
-        ctx.all_styles_mut(|style| style.spacing.interact_size.y = height);
+        ctx.all_styles_mut(|style| {
+            style.spacing.interact_size.y = height;
+            style.spacing.combo_height = LIST * height;
+        });
     }
 }
 
@@ -81,6 +86,11 @@ fn fonts() -> FontDefinitions {
     fonts
 }
 
+/// A field for a line of text, in the middle of its height: a field for a finger is higher than its text.
+pub fn text_field(text: &mut dyn TextBuffer) -> TextEdit<'_> {
+    TextEdit::singleline(text).align(Align2::LEFT_CENTER)
+}
+
 fn style(visuals: Visuals) -> Style {
     let mut style = Style {
         visuals,
@@ -104,6 +114,7 @@ fn style(visuals: Visuals) -> Style {
     style.spacing.icon_width_inner = 8.0;
     style.spacing.icon_spacing = 8.0;
     style.spacing.combo_width = 40.0;
+    style.spacing.combo_height = LIST * CONTROL[0];
     style.spacing.slider_rail_height = 4.0;
     style.spacing.tooltip_width = 320.0;
     style.spacing.scroll.floating_allocated_width = 8.0;
@@ -114,8 +125,10 @@ fn style(visuals: Visuals) -> Style {
 
 /// The colours of a theme, as 0xRR_GG_BB.
 struct Colours {
-    /// Fields and plots, panels, windows, every other row of a table, and lines.
+    /// Plots, panels, windows, every other row of a table, and lines.
     layers: [u32; 5],
+    /// Fields for text.
+    field: u32,
     /// Controls at rest, hovered and pressed.
     controls: [u32; 3],
     /// Weak, ordinary and strong text.
@@ -134,6 +147,7 @@ struct Colours {
 pub fn dark_visuals() -> Visuals {
     let colours = Colours {
         layers: [0x13_15_19, 0x1b_1d_22, 0x22_25_2b, 0x22_25_2a, 0x34_38_41],
+        field: 0x13_15_19,
         controls: [0x2c_30_38, 0x37_3c_46, 0x43_49_55],
         texts: [0xad_b4_c0, 0xdd_e1_e7, 0xf7_f8_fa],
         accents: [0x4f_6a_9e, 0xfb_fc_ff, 0x9f_bc_f0],
@@ -149,6 +163,7 @@ pub fn dark_visuals() -> Visuals {
 pub fn light_visuals() -> Visuals {
     let colours = Colours {
         layers: [0xff_ff_ff, 0xf5_f6_f8, 0xfc_fc_fd, 0xec_ee_f2, 0xd3_d8_e0],
+        field: 0xe9_ec_f1,
         controls: [0xe3_e6_eb, 0xd9_dd_e5, 0xcb_d1_dc],
         texts: [0x52_5a_66, 0x23_27_2e, 0x0a_0c_10],
         accents: [0x3d_5c_96, 0xff_ff_ff, 0x28_4f_9e],
@@ -203,6 +218,7 @@ fn visuals(base: Visuals, colours: &Colours) -> Visuals {
         hyperlink_color: accent,
         faint_bg_color: faint,
         extreme_bg_color: well,
+        text_edit_bg_color: Some(rgb(colours.field)),
         code_bg_color: control,
         window_fill: window,
         panel_fill: panel,

@@ -3,12 +3,13 @@
 use super::layout::About;
 use super::number::{AXES, CHANNELS, SliderRange, fields};
 use crate::app::focus::{aside, named, switch_named};
+use crate::app::theme::text_field;
 use crate::scene::{ChoiceOption, Rgb};
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Button, Color32, ComboBox, Label, Popup, PopupCloseBehavior, RichText, Sense, Slider,
-    SliderClamping, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
+    SliderClamping, StrokeKind, Ui, WidgetInfo, vec2,
 };
 use glam::DVec3;
 
@@ -160,7 +161,7 @@ pub fn toggle(ui: &mut Ui, name: &str, value: &mut bool) {
 
 /// A line of text of at most `longest` characters, which may be empty.
 pub fn text(ui: &mut Ui, about: &About<'_>, longest: usize, value: &mut String) {
-    let field = TextEdit::singleline(value)
+    let field = text_field(value)
         .char_limit(longest)
         .hint_text(text!("controls-no-name"))
         .desired_width(ui.available_width());
