@@ -44,7 +44,7 @@ pub use normals::{
     FoundNormal, LitVertex, Needle, NeedleKind, Needles, NormalField, NormalsQuestion, SeenNormal,
     SeenNormals, VertexFace, VertexNormal, draw_normals,
 };
-pub use overlay::{Halo, OverlayLayer, OverlayOptions};
+pub use overlay::{Halo, OverlayLayer, OverlayOptions, overlay_letters};
 pub use parcel::{Parcel, pack, unpack};
 pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture, luminance};
 pub use plan::{FramePlan, PlanQuestion};

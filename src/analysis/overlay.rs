@@ -15,6 +15,11 @@ const FARTHEST: f64 = 1e6;
 /// Text is never smaller than this, in pixels an em, before [`OverlayOptions::scale`].
 const LEAST_TEXT: f64 = 13.0;
 
+/// Size of letters over a pane whose shorter side is `side` pixels, pixels an em, before [`OverlayOptions::scale`].
+pub fn overlay_letters(side: f64) -> f64 {
+    LEAST_TEXT.max(side / 28.0)
+}
+
 /// What an overlay may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -143,7 +148,7 @@ impl Style {
         } else {
             1.0
         };
-        Self::of_text(LEAST_TEXT.max(side / 28.0) * scale, options.halo)
+        Self::of_text(overlay_letters(side) * scale, options.halo)
     }
 
     /// The style with letters of `text` pixels an em.

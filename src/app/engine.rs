@@ -23,7 +23,7 @@ pub use pane::{image_of, overlay_options, upload};
 pub use refined::Supersampled;
 
 use normals::NormalsDrawing;
-use pane::{PaneEngine, Wanted, drawing, is_dark};
+use pane::{PaneEngine, Wanted, drawing, is_dark, lettering};
 use refined::Refined;
 #[cfg(not(target_arch = "wasm32"))]
 use refined::Supersampled;
@@ -59,7 +59,7 @@ struct DrawnOverlay {
     overlay: Overlay,
     size: [u32; 2],
     /// With the light's index, whether the background is dark, the scale of the interface, and what handles cover.
-    look: (OverlayLook, usize, bool, f32, Vec<Area>),
+    look: (OverlayLook, usize, bool, f64, Vec<Area>),
 }
 
 impl Engine {
@@ -270,11 +270,12 @@ impl Engine {
 
     fn draw_overlay(&mut self, ctx: &Context, state: &AppState, reprobed: bool) {
         let scene = &state.shown.scene;
+        let scale = lettering(ctx, &state.look, self.size, 1);
         let look = (
             state.look.overlay.clone(),
             state.light,
             is_dark(scene),
-            state.look.scale,
+            scale,
             state.covered.clone(),
         );
         if !reprobed
@@ -285,7 +286,6 @@ impl Engine {
         {
             return;
         }
-        let scale = f64::from(state.look.scale);
         let options = OverlayOptions {
             scale,
             covered: look.4.clone(),

@@ -19,9 +19,11 @@ use super::profile;
 use super::state::{AppState, Grip};
 use crate::figure::Area;
 use crate::scene::View;
-use eframe::egui::{Color32, Context, Painter, Pos2, Stroke, vec2};
+use eframe::egui::{Color32, Context, Painter, Pos2, Rect, Stroke, Vec2, vec2};
 use glam::DVec2;
 
+/// What the ring round the probe covers, points.
+const PROBE: f32 = 16.0;
 /// Radius of the ring, in the picture's shorter side.
 const RING: f32 = 0.46;
 /// Radius of the ring's knob, points.
@@ -60,6 +62,13 @@ pub fn covered(state: &AppState, view: &View, place: Place) -> Vec<Area> {
     let mut covered = light::captions(state, place);
     if state.look.overlay.handles {
         covered.extend(light::covered(&state.shown.scene, view, place));
+    }
+    if state.look.overlay.vectors {
+        let probe = place.point(state.probe.centre(place.size));
+        covered.push(light::area(Rect::from_center_size(
+            probe,
+            Vec2::splat(PROBE),
+        )));
     }
     let pixels = |area: Area| {
         let [min, max] = [area.min, area.max].map(|at| place.exact_pixel(at));

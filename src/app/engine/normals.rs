@@ -1,7 +1,7 @@
 //! Normals over the active pane: needles, kept until something moves, and the faces of the vertex under the pointer.
 
 use super::super::state::AppState;
-use super::pane::{PaneEngine, drawing, overlay_options, upload};
+use super::pane::{PaneEngine, drawing, lettering, overlay_options, upload};
 use crate::analysis::{LitVertex, Needles, NormalField, OverlayOptions, SeenNormals};
 use crate::scene::{Camera, Scene, ShadingMode, View};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
@@ -62,7 +62,8 @@ impl NormalsDrawing {
         let field = self
             .field
             .insert(kept.unwrap_or_else(|| NormalField::new(renderer, &scene.object)));
-        let (size, options) = (scene.image.size, options(state, scene));
+        let size = scene.image.size;
+        let options = options(ctx, state, scene, engine.coarser);
         let exact = scene.shading.mode == ShadingMode::Exact;
         let key = NeedlesKey {
             pane,
@@ -117,8 +118,8 @@ impl NormalsDrawing {
         }
         let known = wanted.and_then(|number| field.vertex(number));
         let size = scene.image.size;
-        let laid = known
-            .and_then(|vertex| LitVertex::new(size, scene, field, &vertex, &options(state, scene)));
+        let options = options(ctx, state, scene, engine.coarser);
+        let laid = known.and_then(|vertex| LitVertex::new(size, scene, field, &vertex, &options));
         let mut texture = self.lit.take().map(|(_, texture)| texture);
         if let Some(image) = laid.and_then(|laid| drawing(size, |pixmap| laid.draw(pixmap))) {
             upload(
@@ -142,12 +143,12 @@ impl NormalsDrawing {
 }
 
 /// How needles are drawn; no light has a part in it.
-fn options(state: &AppState, scene: &Scene) -> OverlayOptions {
+fn options(ctx: &Context, state: &AppState, scene: &Scene, coarser: u32) -> OverlayOptions {
     let mut options = overlay_options(&state.look.overlay, state.light, scene);
     options.layers.retain(|layer| layer.of_needles());
     OverlayOptions {
         light: None,
-        scale: f64::from(state.look.scale),
+        scale: lettering(ctx, &state.look, scene.image.size, coarser),
         ..options
     }
 }

@@ -4,10 +4,12 @@
 //! of its own, so that the whole one's stages are kept.
 
 use crate::analysis::{
-    Halo, LinearPicture, OverlayLayer, OverlayOptions, Probe, pixel_beside_highlight, probe,
+    Halo, LinearPicture, OverlayLayer, OverlayOptions, Probe, overlay_letters,
+    pixel_beside_highlight, probe,
 };
 use crate::app::document::same_model;
-use crate::app::look::OverlayLook;
+use crate::app::look::{Look, OverlayLook};
+use crate::app::theme::TEXT;
 use crate::geometry::Mesh;
 use crate::jobs::nanoseconds;
 use crate::render::{Frame, Renderer, Report, coarseness, coarser_size};
@@ -281,6 +283,17 @@ pub fn overlay_options(look: &OverlayLook, light: usize, scene: &Scene) -> Overl
         },
         ..OverlayOptions::default()
     }
+}
+
+/// Scale of letters over a picture of `size` pixels, of which one covers `coarser` of the screen's: to a room they are no
+/// smaller than the window's own text.
+pub fn lettering(ctx: &Context, look: &Look, size: [u32; 2], coarser: u32) -> f64 {
+    let own = f64::from(look.scale);
+    if !look.projector {
+        return own;
+    }
+    let text = f64::from(TEXT * ctx.pixels_per_point()) / f64::from(coarser);
+    own.max(text / overlay_letters(f64::from(size[0].min(size[1]))))
 }
 
 /// Whether the picture's background is dark.

@@ -29,6 +29,8 @@ const RADIUS: f32 = 8.0;
 pub const REACH: f32 = 14.0;
 /// The height that a pane's caption takes, points.
 const CAPTION: f32 = 34.0;
+/// Width of the figures of a difference, points.
+const FIGURES: f32 = 300.0;
 /// A light in the viewer's own direction counts as this far from it, radians: its marker at the edge can be dragged.
 const LEAST_ANGLE: f64 = 0.25;
 /// How far lights can be moved by hand from the object's middle, world units.
@@ -117,7 +119,7 @@ pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
     paint_numbers(painter, state, place, &markers, foot(view, middle, place));
 }
 
-fn area(rect: Rect) -> Area {
+pub fn area(rect: Rect) -> Area {
     Area {
         min: exact(rect.min),
         max: exact(rect.max),
@@ -161,14 +163,29 @@ pub fn covered(scene: &Scene, view: &View, place: Place) -> Vec<Area> {
 
 /// What the captions of panes cover, points.
 pub fn captions(state: &AppState, place: Place) -> Vec<Area> {
-    if state.document.scene.compare.view == CompareView::Single {
+    let (rect, view) = (place.rect, state.document.scene.compare.view);
+    if view == CompareView::Single {
         return Vec::new();
     }
-    let caption = vec2(0.6 * place.rect.width(), CAPTION);
-    let bottom = place.rect.left_bottom() - vec2(0.0, CAPTION);
-    [place.rect.min, bottom]
-        .map(|corner| area(Rect::from_min_size(corner, caption)))
-        .to_vec()
+    let size = vec2(0.6 * rect.width(), CAPTION);
+    let top = match view {
+        // The figures stand below the names where there is no room beside the scale, and are longer.
+        CompareView::Difference => vec2(rect.width().min(FIGURES), 1.6 * CAPTION),
+        _ => size,
+    };
+    let bottom = rect.left_bottom() - vec2(0.0, CAPTION);
+    let mut covered = vec![
+        Rect::from_min_size(rect.min, top),
+        Rect::from_min_size(bottom, size),
+    ];
+    if view == CompareView::Wipe {
+        let right = rect.right_top() - vec2(0.3 * rect.width(), 0.0);
+        covered.push(Rect::from_min_size(
+            right,
+            vec2(0.3 * rect.width(), CAPTION),
+        ));
+    }
+    covered.into_iter().map(area).collect()
 }
 
 /// Writes the lights' numbers beside their handles, inside the picture, off one another and off the captions of panes.
