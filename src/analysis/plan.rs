@@ -138,7 +138,8 @@ impl FramePlan {
                 None => name.to_owned(),
             },
             (None, Some(run)) if run.ran => {
-                format!("■ {name}, {:.2} ms", run.nanoseconds as f64 / 1e6)
+                let ms = format!("{:.2}", run.nanoseconds as f64 / 1e6);
+                text!("engine-ran", stage = name, ms = ms)
             }
             (None, Some(_)) => text!("engine-kept", stage = name),
             (None, None) => text!("engine-not-needed", stage = name),
@@ -173,7 +174,8 @@ impl Answer for FramePlan {
             }
             for term in done() {
                 if let Some(note) = term.note {
-                    section.note(format!("{}: {}", term.name, note.text()));
+                    let name = term.name.to_string();
+                    section.note(text!("engine-note", name = name, note = note.text()));
                 }
             }
             for (names, reason) in by_reason(terms) {

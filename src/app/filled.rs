@@ -501,13 +501,10 @@ impl Table<'_> {
             |ui: &Ui, text: &str, font| ui.painter().layout_no_wrap(text.to_owned(), font, weak);
         for (channel, name) in channels().into_iter().enumerate() {
             let first = name.chars().next().map_or_else(String::new, String::from);
-            place_at(
-                ui,
-                text(ui, &first, FontId::proportional(TEXT)),
-                rect.min.x,
-                line(channel),
-                weak,
-            );
+            // A Chinese character is as wide as the room for it.
+            let size = if first.is_ascii() { TEXT } else { MARK - 4.0 };
+            let first = text(ui, &first, FontId::proportional(size));
+            place_at(ui, first, rect.min.x, line(channel), weak);
         }
         let mut x = rect.min.x + MARK;
         for (index, column) in laid.iter().enumerate() {

@@ -9,6 +9,8 @@ engine-plan-total = { $count ->
    *[other] { $number } evaluations a frame
 }
 engine-plan-measured = { $about }, median of { $frames } frames drawn anew
+engine-ran = ■ { $stage }, { $ms } ms
+engine-note = { $name }: { $note }
 engine-kept = □ { $stage }, kept
 engine-not-needed = □ { $stage }, not needed
 engine-left-out = Left out: { $names } — { $reason }

@@ -90,6 +90,7 @@ picture-column-off = from N, °
 picture-column-normal = normal
 picture-needles-vertices = { $shown } of { $all } vertex normals
 picture-needles-faces = { $shown } of { $all } face normals
+picture-needles-both = { $vertices }, { $faces }
 picture-lit-faces = { $count } faces
 picture-lit-faces-each = { $count } faces, { $share } each
 picture-lit-faces-range = { $count } faces, { $least } to { $greatest }

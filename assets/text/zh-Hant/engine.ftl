@@ -8,6 +8,8 @@ engine-plan-total = { $count ->
    *[other] 每幀計算 { $number } 次
 }
 engine-plan-measured = { $about }，重新繪製 { $frames } 幀的中位數
+engine-ran = ■ { $stage }，{ $ms } ms
+engine-note = { $name }：{ $note }
 engine-kept = □ { $stage }，沿用
 engine-not-needed = □ { $stage }，不需要
 engine-left-out = 省略：{ $names } — { $reason }

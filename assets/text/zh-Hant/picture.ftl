@@ -84,6 +84,7 @@ picture-column-off = 與 N 夾角，°
 picture-column-normal = 法向量
 picture-needles-vertices = { $all } 個頂點法向量中的 { $shown } 個
 picture-needles-faces = { $all } 個面法向量中的 { $shown } 個
+picture-needles-both = { $vertices }，{ $faces }
 picture-lit-faces = { $count } 個面
 picture-lit-faces-each = { $count } 個面，各 { $share }
 picture-lit-faces-range = { $count } 個面，{ $least } 到 { $greatest }

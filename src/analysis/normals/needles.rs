@@ -30,6 +30,8 @@ const CONTRAST: f64 = 5.5;
 /// Size of the note about what is left out, and of a face's share, in that of the vectors' letters.
 const NOTE: f64 = 0.62;
 const SHARE: f64 = 0.8;
+/// The note is no smaller than this, pixels an em, before the scale.
+const LEAST_NOTE: f64 = 13.0;
 /// The halo of yellow needles, which on white would not show.
 const DARK: Rgb8 = [16; 3];
 /// More needles than this are never drawn.
@@ -161,7 +163,15 @@ impl Needles {
         }
         if !notes.is_empty() {
             // At the lower left.
-            let (text, em) = (notes.join(", "), (NOTE * style.text).max(13.0));
+            let text = match &notes[..] {
+                [vertices, faces] => text!(
+                    "picture-needles-both",
+                    vertices = vertices.as_str(),
+                    faces = faces.as_str()
+                ),
+                _ => notes.concat(),
+            };
+            let em = (NOTE * style.text).max(LEAST_NOTE * options.scale);
             let extent = inked_size(&text, em) + 2.0 * style.halo;
             let corner = DVec2::new(0.8 * em, f64::from(size[1]) - 0.8 * em - extent.y);
             let area = Area {
