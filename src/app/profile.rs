@@ -65,8 +65,11 @@ pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, en
             });
         });
     } else {
-        perceived_ui(ui, &mut state.look.profile);
-        ui.collapsing(text!("line-viewing"), |ui| eye_ui(ui, state));
+        ui.horizontal_wrapped(|ui| {
+            perceived_ui(ui, &mut state.look.profile);
+            popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, state));
+            popup_ui(ui, text!("line-save"), |ui| profiles.export_ui(ui, state));
+        });
     }
     let size = engine.size;
     if size.contains(&0) {
@@ -81,10 +84,6 @@ pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, en
         }
     }
     profiles.ask(ui.ctx(), &state.shown, size, &question);
-    if !wide {
-        profiles.export_ui(ui, state);
-        ui.separator();
-    }
     profiles.plots_ui(ui, &state.look.profile, own, wide);
 }
 
