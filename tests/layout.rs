@@ -6,13 +6,15 @@ mod hands;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
-use eframe::egui::{Key, Modifiers, Rect};
+use eframe::egui::{Event, Key, Modifiers, Rect};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::{App, Look, ViewName};
 use shading_lab::scene::presets::DEFAULT;
 use shading_lab::text::{Language, in_language, text};
 use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
 
 /// Width and height of the window, points at a scale of 1; whether it is shown to a room.
 const SIZES: [([f32; 2], bool); 6] = [
@@ -26,6 +28,28 @@ const SIZES: [([f32; 2], bool); 6] = [
 
 /// The least that the picture has of a narrow window, points.
 const LEAST: f32 = 300.0;
+
+/// A link whose error has a long word to wrap.
+const BROKEN_LINK: &str =
+    "https://example.org/shading-lab/?scene=teapot&surroundings.backdrop.horizon=1";
+
+/// The page that links begin with.
+const PAGE: &str = "https://example.org/shading-lab/";
+
+/// The height of the menus, points.
+const MENUS: f32 = 52.0;
+
+/// The sections of the panel of controls.
+const SECTIONS: [&str; 8] = [
+    "controls-material",
+    "controls-lights",
+    "controls-shading",
+    "controls-object",
+    "controls-surroundings",
+    "controls-transparency",
+    "controls-camera",
+    "controls-display",
+];
 
 /// The texts of a frame with what of them may be seen.
 fn texts(shapes: &[ClippedShape]) -> Vec<(Rect, &TextShape)> {
@@ -57,6 +81,19 @@ enum Shown {
     Typed,
 }
 
+/// A folder with work that a window has left behind, of a file with a long name.
+fn left_behind(name: &str) -> std::path::PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("layout-{name}"));
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    let origin = "/home/teacher/computer-graphics/illumination/a_scene_for_the_third_week.toml";
+    let head = format!(
+        "# Unsaved work of shading-lab, from {{\"origin\":{{\"File\":\"{origin}\"}}}}\nversion = 1\n"
+    );
+    fs::write(folder.join("0.toml"), head).expect("kept work");
+    folder
+}
+
 /// What is wrong in the frame that was drawn last.
 fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
     let screen = harness.ctx.content_rect();
@@ -83,6 +120,11 @@ fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
         let cut = rect.min.x < seen.min.x - 1.0 || rect.max.x > seen.max.x + 1.0;
         if cut && shown != Shown::Typed {
             faults.push(format!("“{words}” is cut off: {rect:?} in {seen:?}"));
+        }
+        // The name of the scene gives way to the menus.
+        let gives_way = rect.center().y < MENUS;
+        if text.galley.elided && shown != Shown::Typed && !gives_way {
+            faults.push(format!("“{words}” is shortened"));
         }
         for section in &text.galley.job.sections {
             let range = section.byte_range.start.0..section.byte_range.end.0;
@@ -157,6 +199,13 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             let first =
                 hands::window_looking(hands::built_in(DEFAULT), points, &look, App::with_welcome);
             check(&first, "first start", Shown::View);
+            let folder = left_behind(&format!("{}-{size:?}", language.tag()));
+            let after_crash =
+                hands::window_looking(hands::built_in(DEFAULT), points, &look, |app| {
+                    app.with_recovery(&folder)
+                });
+            assert!(after_crash.state().state().dialog.is_some());
+            check(&after_crash, "kept work", Shown::View);
             check(&harness, "start", Shown::View);
             for _ in 0..9 {
                 harness.key_press(Key::C);
@@ -195,6 +244,38 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
                 harness.key_press(Key::Escape);
                 harness.run_ok();
             }
+            // Closed again, or the next would not open.
+            let mut dialog = |what: &str, open: &dyn Fn(&mut Harness<'_, App>)| {
+                open(&mut harness);
+                harness.run_ok();
+                assert!(harness.state().state().dialog.is_some(), "{what}");
+                check(&harness, what, Shown::View);
+                harness.key_press(Key::Escape);
+                harness.run_ok();
+                assert!(harness.state().state().dialog.is_none(), "{what}");
+            };
+            dialog("message", &|harness| {
+                harness.event(Event::Paste(BROKEN_LINK.to_owned()));
+            });
+            dialog("page", &|harness| harness.key_press(Key::Q));
+            dialog("about", &|harness| {
+                for key in ["menu", "controls-group-help", "controls-command-about"] {
+                    let name = in_language(language, || text!(key));
+                    // The menus are one menu in a narrow window alone.
+                    if let Some(button) = harness.query_by_role_and_label(Role::Button, name) {
+                        button.click_accesskit();
+                        harness.run_ok();
+                    }
+                }
+            });
+            // Its dialog shows the whole link.
+            let with_page = |app: App| app.with_page(Some(PAGE.to_owned()));
+            let mut linked =
+                hands::window_looking(hands::built_in(DEFAULT), points, &look, with_page);
+            linked.key_press(Key::Q);
+            linked.run_ok();
+            assert!(linked.state().state().dialog.is_some());
+            check(&linked, "link", Shown::Enlarged);
         }
     }
     let found: Vec<_> = found.into_iter().collect();
@@ -204,4 +285,52 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
         found.len(),
         found.join("\n")
     );
+}
+
+/// Opens every section of the panel of controls.
+fn unfold_all(harness: &mut Harness<'_, App>, language: Language) {
+    for key in SECTIONS {
+        let title = in_language(language, || text!(key));
+        let section = harness.query_by_role_and_label(Role::DisclosureTriangle, title);
+        if let Some(section) =
+            section.filter(|section| section.accesskit_node().data().is_expanded() != Some(true))
+        {
+            section.click_accesskit();
+            harness.run_ok();
+        }
+    }
+}
+
+#[test]
+fn what_scrolls_is_not_cut_off_at_the_side() {
+    let mut found = BTreeSet::new();
+    for language in Language::ALL {
+        // So high that nothing has to scroll.
+        for (scene, size) in [
+            ("silhouette", [1280.0, 2400.0]),
+            ("glass-ball", [390.0, 3200.0]),
+            (DEFAULT, [620.0, 2400.0]),
+        ] {
+            let look = Look {
+                language: Some(language),
+                view: ViewName::Stability,
+                ..Look::default()
+            };
+            let mut harness = hands::window_looking(hands::built_in(scene), size, &look, |app| app);
+            let mut check = |harness: &Harness<'_, App>, what: &str| {
+                for fault in faults(harness, Shown::View) {
+                    found.insert(format!("{} {scene} {what}: {fault}", language.tag()));
+                }
+            };
+            unfold_all(&mut harness, language);
+            check(&harness, "controls");
+            for _ in 0..9 {
+                harness.key_press(Key::C);
+                harness.run_ok();
+                let view = harness.state().state().look.view;
+                check(&harness, &format!("{view:?}"));
+            }
+        }
+    }
+    assert!(found.is_empty(), "{found:#?}");
 }

@@ -283,14 +283,14 @@ impl Comparison {
 fn table(panes: &[PaneFigures]) -> Table {
     let mut table = Table::new([
         Column::both("pane", text!("picture-column-pane"), as_it_is),
-        Column::both("brightest", text!("picture-column-brightest"), fixed::<4>),
+        Column::both("brightest", text!("picture-column-brightest"), fixed::<4>).extra(),
         Column::key("brightest_x"),
         Column::key("brightest_y"),
         Column::key("pixels"),
         Column::both("mean", text!("picture-column-mean"), fixed::<4>),
         Column::both("rms", "RMS", fixed::<4>),
         Column::both("greatest", text!("picture-column-greatest"), fixed::<4>),
-        Column::shown(text!("picture-column-at"), as_it_is),
+        Column::shown(text!("picture-column-at"), as_it_is).extra(),
         Column::key("x"),
         Column::key("y"),
     ]);

@@ -73,6 +73,7 @@ pub fn rows_ui(
             ui.spacing_mut().interact_size.y = ui.text_style_height(&TextStyle::Body);
             Grid::new(("table", id))
                 .num_columns(fitted.heads.len())
+                .min_col_width(0.0)
                 .spacing([fitted.gap, ROW_GAP])
                 .striped(fitted.rows.len() > 3)
                 .show(ui, content)

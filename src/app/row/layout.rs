@@ -5,13 +5,15 @@ use crate::app::symbol::{Lit, Symbol};
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, Color32, Label, Layout, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2,
-    pos2, vec2,
+    Align, Button, Color32, Label, Layout, Rect, Response, RichText, Sense, TextStyle, Ui,
+    UiBuilder, Vec2, pos2, vec2,
 };
 
 /// Least and greatest width of the labels of a panel's rows, points, and the share of the row's width between.
-const LABEL: [f32; 2] = [96.0, 152.0];
+const LABEL: [f32; 2] = [101.0, 152.0];
 const LABEL_SHARE: f32 = 0.36;
+/// How much smaller the type of a label may be where it does not fit.
+const LEAST_LABEL: f32 = 0.85;
 /// Width of the letter in front of a label, points.
 const LETTER: f32 = 24.0;
 /// Width kept for the reset button, points.
@@ -179,7 +181,8 @@ fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
         } else {
             child.visuals().text_color()
         };
-        let text = RichText::new(about.label).color(colour);
+        let size = fitting(&child, about.label);
+        let text = RichText::new(about.label).color(colour).size(size);
         let words = child.add(Label::new(text).truncate().sense(Sense::CLICK));
         response = Some(response.map_or(words.clone(), |letter| letter | words));
     }
@@ -206,4 +209,16 @@ fn reset(ui: &mut Ui, about: &About<'_>, rect: Rect) -> bool {
     let response = child.add(button).on_hover_text(text!("controls-reset-tip"));
     let name = text!("controls-reset", name = about.name());
     named(response, Role::Button, &name).clicked()
+}
+
+/// Size of type with which `label` fits into the rest of the line: a long one is set a little smaller.
+fn fitting(ui: &Ui, label: &str) -> f32 {
+    let font = TextStyle::Body.resolve(ui.style());
+    let size = font.size;
+    let width = ui
+        .painter()
+        .layout_no_wrap(label.to_owned(), font, Color32::WHITE)
+        .size()
+        .x;
+    (size * ui.available_width() / width.max(1.0)).clamp(LEAST_LABEL * size, size)
 }

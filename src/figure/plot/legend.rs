@@ -9,6 +9,8 @@ use glam::DVec2;
 /// Length of a line's sample, and the gaps after it and before the notes, in ems.
 const SAMPLE: f64 = 2.9;
 const GAPS: [f64; 2] = [0.6, 1.4];
+/// The least gap before notes, in ems.
+const LEAST_GAP: f64 = 0.5;
 /// Height of a line, in ems.
 const LINE: f64 = 1.4;
 /// The share of the width that a legend beside the plot may take, and the least ratio of width to height for it.
@@ -31,13 +33,24 @@ impl Legend {
         };
         let mut width = (SAMPLE + GAPS[0]) * em
             + widest(&mut plot.curves.iter().map(|curve| curve.name.as_str()));
+        let heads = plot.legend.iter().enumerate();
+        let widths: Vec<f64> = heads
+            .map(|(index, head)| {
+                let notes = plot
+                    .curves
+                    .iter()
+                    .filter_map(|curve| Some(curve.notes.get(index)?.as_str()));
+                widest(&mut notes.chain([head.as_str()]))
+            })
+            .collect();
+        // Where there is little room, columns move together.
+        #[expect(clippy::cast_precision_loss, reason = "a plot has few columns")]
+        let gap = (room.max.x - room.min.x - width - widths.iter().sum::<f64>())
+            / widths.len().max(1) as f64;
+        let gap = gap.clamp(LEAST_GAP * em, GAPS[1] * em);
         let mut columns = Vec::new();
-        for (index, head) in plot.legend.iter().enumerate() {
-            let notes = plot
-                .curves
-                .iter()
-                .filter_map(|curve| Some(curve.notes.get(index)?.as_str()));
-            width += GAPS[1] * em + widest(&mut notes.chain([head.as_str()]));
+        for column in widths {
+            width += gap + column;
             columns.push(width);
         }
         // One curve alone is what the axis says.
