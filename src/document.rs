@@ -17,7 +17,7 @@ use crate::link::{self, Link, Shown};
 use crate::picture::{PictureError, read_scene_text, write_png};
 use crate::render::Frame;
 use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, nearest, presets};
-use crate::text::text;
+use crate::text::{Message, text};
 #[cfg(target_arch = "wasm32")]
 pub use disk::give;
 pub use disk::{check_target, write_whole};
@@ -167,23 +167,29 @@ fn read_scene(source: &Path) -> Result<Loaded, LoadError> {
 }
 
 fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
-    let (file, _) = disk::open(path, SCENE_FILE)?;
+    let text = read_text(path, SCENE_FILE, Scene::MAX_TEXT)?;
+    Ok(Scene::parse(&text, &path.to_string_lossy())?)
+}
+
+/// The text of a file, which was expected to be `what`: at most one byte more than `most`, so that its reader can object.
+///
+/// # Errors
+/// A file that cannot be read, or is no text in UTF-8.
+pub fn read_text(path: &Path, what: Message, most: usize) -> Result<String, LoadError> {
+    let (file, _) = disk::open(path, what)?;
     let mut bytes = Vec::new();
-    // One byte more than the parser accepts, so that it can object.
-    let read = file
-        .take(Scene::MAX_TEXT as u64 + 1)
-        .read_to_end(&mut bytes);
-    read.map_err(|error| LoadError::unreadable(path, SCENE_FILE, &error))?;
-    let text = std::str::from_utf8(&bytes).map_err(|error| {
-        let before = bytes.get(..error.valid_up_to()).unwrap_or_default();
+    let read = file.take(most as u64 + 1).read_to_end(&mut bytes);
+    read.map_err(|error| LoadError::unreadable(path, what, &error))?;
+    String::from_utf8(bytes).map_err(|error| {
+        let valid = error.utf8_error().valid_up_to();
+        let before = error.as_bytes().get(..valid).unwrap_or_default();
         let line = Some(1 + before.iter().filter(|byte| **byte == b'\n').count() as u64);
         LoadError::File {
             path: path.to_owned(),
             line,
             problem: text!("document-not-utf-8").to_owned(),
         }
-    })?;
-    Ok(Scene::parse(text, &path.to_string_lossy())?)
+    })
 }
 
 fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {

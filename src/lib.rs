@@ -28,10 +28,12 @@ pub mod analysis;
 pub mod app;
 pub mod document;
 pub mod export;
+mod expression;
 pub mod figure;
 pub mod geometry;
 pub mod illumination;
 pub mod jobs;
+pub mod lesson;
 pub mod link;
 pub mod picture;
 #[cfg(test)]

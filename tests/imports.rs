@@ -9,8 +9,9 @@ use std::path::Path;
 use syn::{Attribute, Item, UseTree, Visibility};
 
 /// Folders and files right below `src`, from the bottom up: each may import from those before it.
-const ORDER: [&str; 14] = [
+const ORDER: [&str; 16] = [
     "text",
+    "expression",
     "scene",
     "illumination",
     "geometry",
@@ -21,6 +22,7 @@ const ORDER: [&str; 14] = [
     "export",
     "link",
     "document",
+    "lesson",
     "jobs",
     "app",
     "cli",

@@ -31,14 +31,7 @@ fn named(word: &str) -> Option<Named> {
     if word == "light" {
         return Some(Named::Light);
     }
-    // The material's letters are meant where a word could be another key's as well.
-    let material = Parameter::all().filter(|parameter| parameter.section() == "material");
-    let by_key =
-        Parameter::all().find(|parameter| parameter.key == word || parameter.key(0) == word);
-    let last = |parameter: &&Parameter| parameter.key.rsplit('.').next() == Some(word);
-    by_key
-        .or_else(|| material.chain(Parameter::all()).find(last))
-        .map(Named::Row)
+    Parameter::by_word(word).map(Named::Row)
 }
 
 impl App {

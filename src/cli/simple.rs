@@ -8,13 +8,14 @@ use serde_json::{Value, json};
 use shading_lab::document::{Loaded, save_code};
 use shading_lab::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
+use shading_lab::lesson::Lesson;
 use shading_lab::scene::materials::{NAMED, NamedMaterial};
 use shading_lab::scene::parameter::{Kind, Parameter};
 use shading_lab::scene::presets::{self, Preset};
 use shading_lab::scene::{Choice, Rgb, Scene};
 use shading_lab::text::{Language, in_language, text};
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 #[derive(Args)]
@@ -146,6 +147,17 @@ pub struct Check {
 impl Check {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
         let name = self.file.display().to_string();
+        if is_lesson(&self.file) {
+            let lesson = Lesson::open_checked(&self.file).map_err(Failure::input)?;
+            let questions = lesson.steps.iter().filter(|step| step.question.is_some());
+            let sound = text!(
+                "cli-check-lesson",
+                name = name,
+                steps = lesson.steps.len(),
+                questions = questions.count()
+            );
+            return print(&(sound + "\n"));
+        }
         let loaded = SceneArguments {
             source: Some(self.file),
             set: self.set,
@@ -169,6 +181,10 @@ impl Check {
         );
         print(&(sound + "\n"))
     }
+}
+
+fn is_lesson(file: &Path) -> bool {
+    file.extension().is_some_and(|ending| ending == "md")
 }
 
 #[derive(Args)]

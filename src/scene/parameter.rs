@@ -391,6 +391,16 @@ impl Parameter {
         self.key.rsplit_once('.').map(|(table, _)| table)
     }
 
+    /// The parameter of a key, as in `material.n`, or of the last word of one, as in `n`.
+    pub fn by_word(word: &str) -> Option<&'static Self> {
+        // The material's letters are meant where a word could be another key's as well.
+        let material = Self::all().filter(|parameter| parameter.section() == "material");
+        let last = |parameter: &&Self| parameter.key.rsplit('.').next() == Some(word);
+        Self::all()
+            .find(|parameter| parameter.key == word || parameter.key(0) == word)
+            .or_else(|| material.chain(Self::all()).find(last))
+    }
+
     /// Whether each light has one of its own.
     pub fn of_light(&self) -> bool {
         List::of(self.key) == Some(List::Lights)

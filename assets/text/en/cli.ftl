@@ -164,3 +164,8 @@ cli-help-check-set = Override one key of the scene first
 cli-help-bench = Measure the time of a frame and of its stages
     .long = A frame of `full` is transformed, covered, shaded and displayed anew; the tessellation is kept, as a graphics card keeps it in its buffers. A frame of `changes` differs from the one before in one thing: the position of the first light, n, ka, the eye on an orbit, or the number of segments.
 cli-help-bench-growth = Also measure how the time grows with the pixels, up to 8 million, and with the triangles, up to 4 million
+
+cli-check-lesson = { $name }: a sound lesson, { $steps } steps, { $questions ->
+    [one] 1 question
+   *[other] { $questions } questions
+ }

@@ -1,102 +1,12 @@
 //! What a field takes for a number: arithmetic such as `1/3`, `2*pi`, `1e-3`, `sqrt(2)` and `inf`.
-//!
-//! ```text
-//!   sum     = product { (+ | −) product }
-//!   product = signed { (* | /) signed }
-//!   signed  = { + | − } power
-//!   power   = value [ ^ signed ]
-//!   value   = number | pi | inf | sqrt ( sum ) | ( sum )
-//! ```
 
-/// How deep parentheses, signs and powers may be nested.
-const DEPTH: usize = 64;
+use crate::expression::arithmetic;
 
 /// The number that a text stands for; none where it is no arithmetic, or its value is not a number.
 pub fn evaluate(text: &str) -> Option<f64> {
     let text = text.replace([' ', '\u{2009}', '\u{a0}', '°'], "");
     // The decimal comma of many languages.
-    let text = text.replace(',', ".").to_lowercase();
-    let mut rest = Rest(&text);
-    let value = rest.sum(DEPTH)?;
-    (rest.0.is_empty() && !value.is_nan()).then_some(value)
-}
-
-/// What is left of the text.
-struct Rest<'a>(&'a str);
-
-impl Rest<'_> {
-    /// Takes one of several words or signs; returns its place among them.
-    fn take(&mut self, words: &[&str]) -> Option<usize> {
-        let place = words.iter().position(|word| self.0.starts_with(word))?;
-        self.0 = &self.0[words[place].len()..];
-        Some(place)
-    }
-
-    fn sum(&mut self, depth: usize) -> Option<f64> {
-        let mut value = self.product(depth)?;
-        while let Some(sign) = self.take(&["+", "-", "−"]) {
-            let next = self.product(depth)?;
-            value += if sign == 0 { next } else { -next };
-        }
-        Some(value)
-    }
-
-    fn product(&mut self, depth: usize) -> Option<f64> {
-        let mut value = self.signed(depth)?;
-        while let Some(sign) = self.take(&["*", "×", "·", "/", "÷"]) {
-            let next = self.signed(depth)?;
-            value = if sign < 3 { value * next } else { value / next };
-        }
-        Some(value)
-    }
-
-    fn signed(&mut self, depth: usize) -> Option<f64> {
-        let depth = depth.checked_sub(1)?;
-        match self.take(&["+", "-", "−"]) {
-            Some(0) => self.signed(depth),
-            Some(_) => self.signed(depth).map(|value| -value),
-            None => self.power(depth),
-        }
-    }
-
-    fn power(&mut self, depth: usize) -> Option<f64> {
-        let base = self.value(depth)?;
-        match self.take(&["^"]) {
-            Some(_) => self.signed(depth).map(|exponent| base.powf(exponent)),
-            None => Some(base),
-        }
-    }
-
-    fn value(&mut self, depth: usize) -> Option<f64> {
-        match self.take(&["infinity", "inf", "∞", "pi", "π", "sqrt(", "√(", "("]) {
-            Some(0..=2) => Some(f64::INFINITY),
-            Some(3..=4) => Some(std::f64::consts::PI),
-            Some(found) => {
-                let inside = self.sum(depth)?;
-                self.take(&[")"])?;
-                Some(if found < 7 { inside.sqrt() } else { inside })
-            }
-            None => self.number(),
-        }
-    }
-
-    /// Digits with at most one point, and an exponent where digits follow the `e`.
-    fn number(&mut self) -> Option<f64> {
-        let digits =
-            |text: &str| text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len();
-        let mut length = digits(self.0);
-        if self.0[length..].starts_with('.') {
-            length += 1 + digits(&self.0[length + 1..]);
-        }
-        if let Some(exponent) = self.0[length..].strip_prefix('e') {
-            let sign = usize::from(exponent.starts_with(['+', '-']));
-            let count = digits(&exponent[sign..]);
-            length += if count > 0 { 1 + sign + count } else { 0 };
-        }
-        let (number, rest) = self.0.split_at(length);
-        self.0 = rest;
-        number.parse().ok()
-    }
+    arithmetic(&text.replace(',', ".").to_lowercase())
 }
 
 #[cfg(test)]

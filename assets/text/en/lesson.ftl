@@ -1,0 +1,73 @@
+# Lessons: what can be wrong with one, and its questions.
+
+expression-unknown = has no “{ $name }”
+expression-too-long = is longer than { $most } bytes
+expression-nested = is nested deeper than { $most } levels
+expression-unexpected = has an unexpected “{ $found }” at character { $place }
+expression-ends = ends too early
+expression-arguments = gives “{ $name }” { $count } values, expected { $expected }
+expression-list = is a list, expected one number
+expression-empty = is an empty list
+expression-length = has lists of { $a } and { $b } numbers, expected equally many
+expression-not-finite = is no finite number
+expression-no-truth = is neither true nor false: a comparison such as a < b was expected
+
+lesson-too-long = a lesson may have at most { $most } MiB
+lesson-no-head = a lesson begins with its head in TOML, between two lines +++
+lesson-version = `lesson` is not a version that this program knows: expected { $version }
+lesson-name = `name` must be lower-case letters, digits and hyphens, at most 64
+lesson-no-steps = there is no step: a step begins with a heading, ## Title
+lesson-many-steps = there are more than { $most } steps
+lesson-no-scene = the first step needs a `scene`
+lesson-block-outside = this block stands before the first step
+lesson-block-twice = this step has a second block `{ $name }`
+lesson-number = a number in the text: { $words }
+lesson-number-open = a number in the text has no closing braces
+lesson-number-digits = the digits of a number must be 0 to 9
+lesson-key = `{ $key }`: { $words }
+lesson-missing = `{ $key }` is missing
+lesson-positive = expected a number above 0
+lesson-range = expected two numbers, the smaller one first
+lesson-far = `probe` and `line` are in units of the picture's shorter side, from its middle: expected −8 to 8
+lesson-lights = `lights`: expected at most { $most }
+lesson-panes = `panes`: expected at most { $most }
+lesson-no-slider = “{ $name }” is not a key with a slider; did you mean { $near }?
+lesson-no-control = `controls`: there is no “{ $name }”
+lesson-options = a choice has { $least } to { $most } options
+lesson-items = { $least } to { $most } items can be put in order
+lesson-option-both = an option has either `holds` or `right`, not both
+lesson-option-neither = options are right by `holds` or `right`, or by `greatest` or `least` of the question
+lesson-curve-of = a curve needs either `answer` or `profile`
+lesson-goal = settings need one of `equals`, `most = true` and `least = true`
+lesson-no-folder = a built-in lesson shows built-in scenes only
+lesson-no-line = needs a `line` in the step
+lesson-no-probe = needs a `probe` in the step
+lesson-probe-outside = the probe lies outside the picture
+lesson-probe-misses = the probe does not meet the object
+lesson-no-number = `{ $path }` is no number
+lesson-no-list = `{ $path }` is no list
+lesson-no-part = there is no `{ $path }`
+lesson-no-value = the scene has no `{ $name }`
+lesson-no-object = the picture shows no object
+lesson-right-options = { $count ->
+    [0] no option is right
+   *[other] { $count } options are right
+ }, expected one
+lesson-too-near = two values are within 2 % of each other
+lesson-value-outside = the answer is { $value }: it and its tolerance must lie between `from` and `to`
+lesson-curve-outside = the curve reaches { $value }, outside `y`
+lesson-curve-flat = a flat line would count as right
+lesson-no-zero = the sign of `of` does not change in the picture
+lesson-point-anywhere = more than half of the object counts as right
+lesson-point-alike = another place is as good as the right one
+lesson-no-corner = the line crosses no edge between polygons
+lesson-settings-many = { $count ->
+    [0] no setting reaches it
+   *[other] { $count } settings reach it
+ }, expected one
+lesson-settings-unreachable = no setting comes near enough
+lesson-settings-alike = several settings are as good as one another
+lesson-not-right = the right answer does not count as right
+lesson-match-same = the target looks like the picture at the start
+lesson-question = the question: { $words }
+lesson-file = a lesson

@@ -1,0 +1,73 @@
+# Lessons: what can be wrong with one, and its questions.
+
+expression-unknown = 沒有「{ $name }」
+expression-too-long = 超過 { $most } 個位元組
+expression-nested = 巢狀超過 { $most } 層
+expression-unexpected = 第 { $place } 個字元出現未預期的「{ $found }」
+expression-ends = 太早結束
+expression-arguments = 給了「{ $name }」{ $count } 個值，應為 { $expected } 個
+expression-list = 是一串數值，應為單一數值
+expression-empty = 是空的清單
+expression-length = 兩個清單分別有 { $a } 與 { $b } 個數值，應該一樣多
+expression-not-finite = 不是有限的數值
+expression-no-truth = 既非真也非假：應為比較式，例如 a < b
+
+lesson-too-long = 課程檔最多 { $most } MiB
+lesson-no-head = 課程檔以兩行 +++ 之間的 TOML 標頭開始
+lesson-version = `lesson` 的版本不是本程式認得的：應為 { $version }
+lesson-name = `name` 只能用小寫字母、數字與連字號，最多 64 個
+lesson-no-steps = 沒有步驟：步驟以標題「## 標題」開始
+lesson-many-steps = 步驟超過 { $most } 個
+lesson-no-scene = 第一個步驟需要 `scene`
+lesson-block-outside = 這個區塊在第一個步驟之前
+lesson-block-twice = 這個步驟有第二個 `{ $name }` 區塊
+lesson-number = 文中的數值：{ $words }
+lesson-number-open = 文中的數值缺少結尾的大括號
+lesson-number-digits = 數值的小數位數應為 0 到 9
+lesson-key = `{ $key }`：{ $words }
+lesson-missing = 缺少 `{ $key }`
+lesson-positive = 應為大於 0 的數值
+lesson-range = 應為兩個數值，較小的在前
+lesson-far = `probe` 與 `line` 以圖片中心為原點、短邊為單位：應在 −8 到 8 之間
+lesson-lights = `lights`：最多 { $most } 個
+lesson-panes = `panes`：最多 { $most } 個
+lesson-no-slider = 「{ $name }」不是有滑桿的鍵；是不是 { $near }？
+lesson-no-control = `controls`：沒有「{ $name }」
+lesson-options = 選擇題要有 { $least } 到 { $most } 個選項
+lesson-items = 可排序的項目要有 { $least } 到 { $most } 個
+lesson-option-both = 選項只能有 `holds` 或 `right` 其中之一
+lesson-option-neither = 選項由 `holds` 或 `right` 決定對錯，或由題目的 `greatest` 或 `least` 決定
+lesson-curve-of = 曲線題需要 `answer` 或 `profile` 其中之一
+lesson-goal = 設定題需要 `equals`、`most = true` 或 `least = true` 其中之一
+lesson-no-folder = 內建課程只能使用內建場景
+lesson-no-line = 這個步驟需要 `line`
+lesson-no-probe = 這個步驟需要 `probe`
+lesson-probe-outside = 探測點在圖片之外
+lesson-probe-misses = 探測點沒有落在物體上
+lesson-no-number = `{ $path }` 不是數值
+lesson-no-list = `{ $path }` 不是清單
+lesson-no-part = 沒有 `{ $path }`
+lesson-no-value = 場景沒有 `{ $name }`
+lesson-no-object = 圖片中沒有物體
+lesson-right-options = { $count ->
+    [0] 沒有正確的選項
+   *[other] 有 { $count } 個正確的選項
+ }，應為一個
+lesson-too-near = 有兩個值相差不到 2 %
+lesson-value-outside = 答案是 { $value }：答案與容許誤差都必須在 `from` 與 `to` 之間
+lesson-curve-outside = 曲線達到 { $value }，超出 `y`
+lesson-curve-flat = 畫一條水平線也會算對
+lesson-no-zero = 圖片中 `of` 的正負號沒有改變
+lesson-point-anywhere = 物體有一半以上都算對
+lesson-point-alike = 另一處和正確的位置一樣好
+lesson-no-corner = 這條線沒有跨過多邊形之間的邊
+lesson-settings-many = { $count ->
+    [0] 沒有設定能達成
+   *[other] 有 { $count } 個設定能達成
+ }，應為一個
+lesson-settings-unreachable = 沒有設定夠接近
+lesson-settings-alike = 有好幾個設定一樣好
+lesson-not-right = 正確答案不算對
+lesson-match-same = 目標與起始圖片看起來一樣
+lesson-question = 題目：{ $words }
+lesson-file = 課程檔

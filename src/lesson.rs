@@ -1,0 +1,149 @@
+//! Lessons: text, scenes and questions, step by step. `docs/lessons.md` has the format.
+//!
+//! A lesson is a text file in CommonMark with TOML inside. The right answers are not in it: the engine computes them from the
+//! scene of the step, so that they stay right when a number is changed.
+
+mod answer;
+mod builtin;
+mod check;
+mod lab;
+mod prose;
+mod question;
+mod read;
+mod solve;
+mod stage;
+
+pub use answer::{Answer, Grade};
+pub use builtin::{LESSONS, find};
+pub use check::check;
+pub use lab::{Lab, LabPlace};
+pub use prose::Prose;
+pub use question::{
+    ChoiceOption, CurveOf, Extreme, Find, Goal, Item, Kind, MatchValues, Question, RightIf, Term,
+};
+pub use solve::{CURVE_POINTS, Solution};
+pub use stage::{OVERLAYS, Stage, Staged};
+
+use crate::document::{LoadError, read_text};
+use crate::text::Message;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A lesson that has been read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lesson {
+    /// Lower-case words with hyphens.
+    pub name: String,
+    pub title: String,
+    /// The chapter that it belongs to.
+    pub topic: String,
+    pub minutes: u32,
+    /// A sentence about it; may be empty.
+    pub about: String,
+    pub steps: Vec<Step>,
+    /// Where the files lie that it names; none for a built-in lesson.
+    pub folder: Option<PathBuf>,
+    /// The file that it was read from, whole.
+    pub source: String,
+}
+
+/// A step of a lesson.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    pub title: String,
+    /// CommonMark, with numbers that the engine fills in.
+    pub text: Prose,
+    pub stage: Stage,
+    pub question: Option<Question>,
+    /// Where it begins in the file, from 1.
+    pub line: u64,
+}
+
+/// What is wrong with a lesson.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LessonError {
+    pub problems: Vec<LessonProblem>,
+}
+
+/// One thing that is wrong with a lesson.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LessonProblem {
+    /// From 1.
+    pub line: u64,
+    /// A sentence that says what is wrong.
+    pub words: String,
+}
+
+impl LessonError {
+    fn one(line: u64, words: impl Into<String>) -> Self {
+        let words = words.into();
+        Self {
+            problems: vec![LessonProblem { line, words }],
+        }
+    }
+}
+
+impl std::error::Error for LessonError {}
+
+impl fmt::Display for LessonError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, LessonProblem { line, words }) in self.problems.iter().enumerate() {
+            let end = if i > 0 { "\n" } else { "" };
+            write!(f, "{end}{line}: {words}")?;
+        }
+        Ok(())
+    }
+}
+
+/// Why a lesson could not be opened. Displayed, each problem takes a line with the file and the line in it.
+#[derive(Debug, thiserror::Error)]
+pub enum OpenError {
+    #[error(transparent)]
+    File(#[from] LoadError),
+    #[error("{}", in_file(.path, .error))]
+    Lesson { path: PathBuf, error: LessonError },
+}
+
+fn in_file(path: &Path, error: &LessonError) -> String {
+    let lines: Vec<_> = error
+        .problems
+        .iter()
+        .map(|LessonProblem { line, words }| format!("{}:{line}: {words}", path.display()))
+        .collect();
+    lines.join("\n")
+}
+
+/// What a file was expected to be.
+const LESSON_FILE: Message = Message("lesson-file");
+
+impl Lesson {
+    /// Opens a lesson's file.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or what is wrong with its form.
+    pub fn open(path: &Path) -> Result<Self, OpenError> {
+        let source = read_text(path, LESSON_FILE, Self::MAX_TEXT)?;
+        Self::read(&source, path.parent()).map_err(|error| OpenError::Lesson {
+            path: path.to_owned(),
+            error,
+        })
+    }
+
+    /// The same, with everything that the engine finds wrong with it.
+    ///
+    /// # Errors
+    /// As [`Self::open`], and what [`check`] says.
+    pub fn open_checked(path: &Path) -> Result<Self, OpenError> {
+        let lesson = Self::open(path)?;
+        let checked = check(&lesson).map_err(|error| OpenError::Lesson {
+            path: path.to_owned(),
+            error,
+        });
+        checked.map(|()| lesson)
+    }
+
+    /// Longest file, in bytes.
+    pub const MAX_TEXT: usize = 1 << 20;
+    /// Most steps.
+    pub const MAX_STEPS: usize = 100;
+}

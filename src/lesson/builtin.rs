@@ -1,0 +1,44 @@
+//! The lessons of the course, in their order: the files of `assets/lessons`.
+
+use super::Lesson;
+use crate::text::{Language, language};
+
+/// A lesson that comes with the program.
+pub struct BuiltIn {
+    pub name: &'static str,
+    /// Its file in each language.
+    texts: [&'static str; 2],
+}
+
+impl BuiltIn {
+    /// The lesson in the present language.
+    pub fn lesson(&self) -> Lesson {
+        self.lesson_in(language())
+    }
+
+    /// The lesson in a language.
+    pub fn lesson_in(&self, language: Language) -> Lesson {
+        Lesson::read(self.texts[language as usize], None)
+            .unwrap_or_else(|error| unreachable!("the tests read every lesson: {error}"))
+    }
+}
+
+macro_rules! lessons {
+    ($($name:literal)*) => {
+        [$(BuiltIn {
+            name: $name,
+            texts: [
+                include_str!(concat!("../../assets/lessons/", "en/", $name, ".md")),
+                include_str!(concat!("../../assets/lessons/", "zh-Hant/", $name, ".md")),
+            ],
+        }),*]
+    };
+}
+
+/// Every lesson, in the order of the course.
+pub static LESSONS: [BuiltIn; 0] = lessons! {};
+
+/// The lesson of that name.
+pub fn find(name: &str) -> Option<&'static BuiltIn> {
+    LESSONS.iter().find(|lesson| lesson.name == name)
+}

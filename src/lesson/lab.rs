@@ -1,0 +1,389 @@
+//! The engine behind a lesson: what its expressions ask of a scene.
+//!
+//! The quantities are what the analyses print for programs, under the names of their commands. Pictures are drawn for them with
+//! at most [`Lab::SIDE`] pixels at the shorter side, so that a step is ready while its text is being read.
+
+use super::Staged;
+use crate::analysis::{
+    About, Answer, ConditionsQuestion, DefectsQuestion, FramePlan, LinearPicture, PlanQuestion,
+    Probed, ProfileQuestion, Question, Subject, curves::highlight_half_width, error_figures,
+    luminance, probe, unwatched,
+};
+use crate::expression::{Part, Quantities, Todo, Value};
+use crate::geometry::Mesh;
+use crate::render::Renderer;
+use crate::scene::{Rgb, Scene, ShadingMode};
+use crate::text::text;
+use glam::DVec2;
+use serde_json::{Value as Json, json};
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// Scenes, and what was asked of them.
+pub struct Lab {
+    model: Option<Arc<Mesh>>,
+    inner: RefCell<Inner>,
+}
+
+struct Inner {
+    renderer: Renderer,
+    scenes: Vec<Arc<Scene>>,
+    /// The scene that settings make of another one.
+    derived: HashMap<(usize, String), usize>,
+    known: HashMap<String, Arc<Json>>,
+}
+
+/// A scene of a lab with a probe and a line: what quantities are taken of.
+#[derive(Clone, Copy)]
+pub struct LabPlace<'l> {
+    lab: &'l Lab,
+    scene: usize,
+    probe: Option<DVec2>,
+    line: Option<[DVec2; 2]>,
+    /// The abscissa of a curve.
+    x: Option<f64>,
+}
+
+/// The quantities that there are.
+const QUANTITIES: [&str; 8] = [
+    "probe",
+    "profile",
+    "conditions",
+    "defects",
+    "explain",
+    "error",
+    "picture",
+    "scene",
+];
+
+fn no_clock() -> u64 {
+    0
+}
+
+impl Lab {
+    /// The shorter side of its pictures, pixels; smaller ones stay as they are.
+    pub const SIDE: u32 = 480;
+    /// Answers kept at most: those of single pixels are many.
+    const KEPT: usize = 2000;
+
+    /// A lab with the scene of a step.
+    pub fn new(staged: &Staged) -> Self {
+        let mut scene = staged.scene.clone();
+        let [width, height] = scene.image.size;
+        let shorter = width.min(height).max(1);
+        if shorter > Self::SIDE {
+            let scaled = |side: u32| {
+                ((u64::from(side) * u64::from(Self::SIDE) / u64::from(shorter)) as u32)
+                    .min(4 * Self::SIDE)
+            };
+            scene.image.size = [scaled(width), scaled(height)];
+        }
+        let mut renderer = Renderer::with_clock(no_clock);
+        renderer.set_model(staged.model.clone());
+        Self {
+            model: staged.model.clone(),
+            inner: RefCell::new(Inner {
+                renderer,
+                scenes: vec![Arc::new(scene)],
+                derived: HashMap::new(),
+                known: HashMap::new(),
+            }),
+        }
+    }
+
+    /// The step's scene with its probe and line.
+    pub fn place(&self, staged: &Staged) -> LabPlace<'_> {
+        LabPlace {
+            lab: self,
+            scene: 0,
+            probe: staged.shown.probe,
+            line: staged.shown.line,
+            x: None,
+        }
+    }
+}
+
+impl LabPlace<'_> {
+    /// The scene.
+    pub fn scene(&self) -> Arc<Scene> {
+        Arc::clone(&self.lab.inner.borrow().scenes[self.scene])
+    }
+
+    /// The same place in the scene with other settings.
+    ///
+    /// # Errors
+    /// Settings that it does not have.
+    pub fn under(self, settings: &[String]) -> Result<Self, String> {
+        if settings.is_empty() {
+            return Ok(self);
+        }
+        let key = (self.scene, settings.join(";"));
+        let known = self.lab.inner.borrow().derived.get(&key).copied();
+        if let Some(scene) = known {
+            return Ok(Self { scene, ..self });
+        }
+        let size = self.scene().image.size;
+        let mut made = self
+            .scene()
+            .with_overrides(settings)
+            .map_err(|error| error.to_string())?;
+        made.image.size = size;
+        let mut inner = self.lab.inner.borrow_mut();
+        let scene = inner.scenes.len();
+        inner.scenes.push(Arc::new(made));
+        inner.derived.insert(key, scene);
+        Ok(Self { scene, ..self })
+    }
+
+    /// The same with the probe elsewhere.
+    #[must_use]
+    pub fn probing(self, place: DVec2) -> Self {
+        Self {
+            probe: Some(place),
+            ..self
+        }
+    }
+
+    /// The same with the abscissa of a curve.
+    #[must_use]
+    pub(super) fn over(self, x: f64) -> Self {
+        Self { x: Some(x), ..self }
+    }
+
+    /// The place of a pixel's middle.
+    pub(super) fn place_of(&self, [x, y]: [u32; 2]) -> DVec2 {
+        let size = self.size();
+        (DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5) - size / 2.0) / size.min_element()
+    }
+
+    fn size(&self) -> DVec2 {
+        DVec2::from_array(self.scene().image.size.map(f64::from))
+    }
+
+    /// In pixels.
+    fn in_pixels(&self, place: DVec2) -> DVec2 {
+        let size = self.size();
+        size / 2.0 + place * size.min_element()
+    }
+
+    /// The pixel of a place; none outside the picture.
+    fn pixel(&self, place: DVec2) -> Option<[u32; 2]> {
+        let (at, size) = (self.in_pixels(place).floor(), self.size());
+        let inside = at.cmpge(DVec2::ZERO).all() && at.cmplt(size).all();
+        inside.then_some([at.x as u32, at.y as u32])
+    }
+
+    /// Linear intensities of every pixel; the fourth is 0 where there is no object.
+    pub(super) fn linear(&self) -> Vec<[f32; 4]> {
+        let scene = self.scene();
+        let renderer = &mut self.lab.inner.borrow_mut().renderer;
+        renderer.linear_picture(&scene)
+    }
+
+    /// The profile along the line in one mode.
+    pub(super) fn profile(
+        &self,
+        modes: &[ShadingMode],
+    ) -> Result<crate::analysis::Profile, String> {
+        let question = self.profile_question(modes)?;
+        let scene = self.scene();
+        let renderer = &mut self.lab.inner.borrow_mut().renderer;
+        crate::analysis::profile(renderer, &scene, &question).map_err(|error| error.to_string())
+    }
+
+    fn profile_question(&self, modes: &[ShadingMode]) -> Result<ProfileQuestion, String> {
+        let line = self
+            .line
+            .ok_or_else(|| text!("lesson-no-line").to_owned())?;
+        let most = self.size();
+        let [from, to] = line.map(|place| self.in_pixels(place).clamp(DVec2::ZERO, most));
+        Ok(ProfileQuestion {
+            modes: modes.to_vec(),
+            ..ProfileQuestion::new(from, to)
+        })
+    }
+
+    fn subject(&self) -> Subject {
+        Subject {
+            scene: Scene::clone(&self.scene()),
+            model: self.lab.model.clone(),
+            clock: no_clock,
+        }
+    }
+
+    /// What an analysis says, kept for the next time.
+    fn known(&self, name: &str) -> Result<Arc<Json>, String> {
+        let place = match name {
+            "probe" => {
+                let place = self
+                    .probe
+                    .ok_or_else(|| text!("lesson-no-probe").to_owned())?;
+                let pixel = self.pixel(place);
+                let [x, y] = pixel.ok_or_else(|| text!("lesson-probe-outside").to_owned())?;
+                format!("{x},{y}")
+            }
+            "profile" => format!("{:?}", self.line),
+            _ => String::new(),
+        };
+        let key = format!("{name} {} {place}", self.scene);
+        if let Some(known) = self.lab.inner.borrow().known.get(&key) {
+            return Ok(Arc::clone(known));
+        }
+        let found = Arc::new(self.find(name)?);
+        let known = &mut self.lab.inner.borrow_mut().known;
+        if known.len() >= Lab::KEPT {
+            known.clear();
+        }
+        known.insert(key, Arc::clone(&found));
+        Ok(found)
+    }
+
+    fn find(&self, name: &str) -> Result<Json, String> {
+        let scene = self.scene();
+        let about = About {
+            name: "",
+            scene: &scene,
+        };
+        let object = |answer: &dyn Answer| answer.object(&about);
+        Ok(match name {
+            "probe" => {
+                let pixel = self.probe.and_then(|place| self.pixel(place));
+                let [x, y] = pixel.unwrap_or_default();
+                let renderer = &mut self.lab.inner.borrow_mut().renderer;
+                let probe = probe(renderer, &scene, x, y);
+                if probe.hit.is_none() {
+                    return Err(text!("lesson-probe-misses").to_owned());
+                }
+                object(&Probed {
+                    probe,
+                    sampling: Vec::new(),
+                })
+            }
+            "profile" => {
+                let mut modes = ProfileQuestion::MODES.to_vec();
+                modes.push(ShadingMode::Interpolated);
+                let question = self.profile_question(&modes)?;
+                object(&question.answer(&self.subject(), &unwatched)?)
+            }
+            "conditions" => object(&ConditionsQuestion.answer(&self.subject(), &unwatched)?),
+            "defects" => {
+                let question = DefectsQuestion { pixel: None };
+                object(&question.answer(&self.subject(), &unwatched)?)
+            }
+            "explain" => {
+                let question = PlanQuestion { frames: 1 };
+                let plan: FramePlan = question.answer(&self.subject(), &unwatched)?;
+                object(&plan)
+            }
+            "error" => {
+                let mut exact = Scene::clone(&scene);
+                exact.shading.mode = ShadingMode::Exact;
+                let own = self.linear();
+                let renderer = &mut self.lab.inner.borrow_mut().renderer;
+                let reference = renderer.linear_picture(&exact);
+                let picture = |pixels| LinearPicture {
+                    width: scene.image.size[0],
+                    pixels,
+                    clamps: scene.clamps(),
+                };
+                let figures = error_figures(picture(&own), picture(&reference));
+                json!(figures)
+            }
+            "picture" => {
+                let seen: Vec<f64> = self
+                    .linear()
+                    .iter()
+                    .filter(|pixel| pixel[3] > 0.0)
+                    .map(|&[r, g, b, _]| luminance(Rgb::new(r.into(), g.into(), b.into())))
+                    .collect();
+                let count = seen.len().max(1) as f64;
+                json!({
+                    "pixels": seen.len(),
+                    "mean": seen.iter().sum::<f64>() / count,
+                    "greatest": seen.iter().copied().fold(0.0, f64::max),
+                    "least": seen.iter().copied().fold(f64::INFINITY, f64::min),
+                    "clipped": seen.iter().filter(|value| **value > 1.0).count(),
+                })
+            }
+            _ => {
+                let values: Result<Json, _> = toml::from_str(&scene.to_toml());
+                values.map_err(|error| error.to_string())?
+            }
+        })
+    }
+}
+
+impl Quantities for LabPlace<'_> {
+    fn quantity(&self, name: &str, parts: &[Part]) -> Result<Value, String> {
+        match (name, self.x) {
+            ("x", Some(x)) if parts.is_empty() => return Ok(Value::Number(x)),
+            ("half_width", _) if parts.is_empty() => {
+                return Ok(Value::Number(
+                    highlight_half_width(&self.scene()).to_degrees(),
+                ));
+            }
+            _ => {}
+        }
+        if !QUANTITIES.contains(&name) {
+            return Err(text!("expression-unknown", name = name));
+        }
+        let found = self.known(name)?;
+        part_of(&found, name, parts)
+    }
+
+    fn with(&self, settings: &str, todo: Todo<'_>) -> Result<Value, String> {
+        let settings = settings.split(';').map(|setting| setting.trim().to_owned());
+        let settings: Vec<_> = settings.filter(|setting| !setting.is_empty()).collect();
+        todo(&self.under(&settings)?)
+    }
+
+    fn at(&self, x: f64, y: f64, todo: Todo<'_>) -> Result<Value, String> {
+        todo(&self.probing(DVec2::new(x, y)))
+    }
+}
+
+/// What the parts lead to.
+fn part_of(json: &Json, path: &str, parts: &[Part]) -> Result<Value, String> {
+    let Some((part, rest)) = parts.split_first() else {
+        return plain(json).ok_or_else(|| text!("lesson-no-number", path = path));
+    };
+    let (next, name) = match part {
+        Part::All => {
+            let entries = json
+                .as_array()
+                .ok_or_else(|| text!("lesson-no-list", path = path))?;
+            let path = format!("{path}[*]");
+            let parts: Result<Vec<_>, _> = entries
+                .iter()
+                .map(|entry| part_of(entry, &path, rest))
+                .collect();
+            return parts.map(Value::List);
+        }
+        Part::Index(index) => (json.get(index), format!("{path}[{index}]")),
+        Part::Name(name) => {
+            let named = |entry: &&Json| entry.get("name").and_then(Json::as_str) == Some(name);
+            let entry = json
+                .as_array()
+                .and_then(|entries| entries.iter().find(named));
+            (json.get(name).or(entry), format!("{path}.{name}"))
+        }
+    };
+    match next {
+        Some(next) => part_of(next, &name, rest),
+        None => Err(text!("lesson-no-part", path = &*name)),
+    }
+}
+
+fn plain(json: &Json) -> Option<Value> {
+    match json {
+        Json::Bool(holds) => Some(Value::Truth(*holds)),
+        Json::Number(number) => number.as_f64().map(Value::Number),
+        Json::Array(entries) => entries
+            .iter()
+            .map(plain)
+            .collect::<Option<_>>()
+            .map(Value::List),
+        _ => None,
+    }
+}

@@ -1,0 +1,127 @@
+//! The scene of a step, and what is shown of it.
+
+use super::LessonError;
+use crate::document::load_with;
+use crate::geometry::Mesh;
+use crate::link::{Shown, VIEWS};
+use crate::scene::{Compare, Pane, Scene};
+use crate::text::text;
+use glam::DVec2;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What may be drawn over the picture.
+pub const OVERLAYS: [&str; 5] = ["vectors", "profile", "normals", "vertices", "edges"];
+
+/// What a step shows. What it leaves open it takes over from the step before.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stage {
+    /// A built-in scene or a file.
+    pub scene: String,
+    /// Settings as `--set` takes them, those of the steps before that go on first.
+    pub set: Vec<String>,
+    pub lights: Option<usize>,
+    /// The panes of a comparison, each its settings with semicolons between.
+    pub panes: Option<Vec<String>>,
+    pub view: Option<&'static str>,
+    /// From the middle of the picture to the right and down, in units of its shorter side.
+    pub probe: Option<DVec2>,
+    pub line: Option<[DVec2; 2]>,
+    /// Some of [`OVERLAYS`].
+    pub overlays: Vec<&'static str>,
+    /// Controls by the last word of their keys, or by the whole key; `light` is where the light is.
+    pub controls: Vec<String>,
+    /// Whether numbers are hidden until the question is answered.
+    pub hide: bool,
+    /// Where it stands in the file.
+    pub line_number: u64,
+}
+
+/// The scene of a step, ready to be drawn.
+#[derive(Clone, Debug)]
+pub struct Staged {
+    pub scene: Scene,
+    pub model: Option<Arc<Mesh>>,
+    /// The built-in scene or the file that it was made from.
+    pub name: String,
+    /// The file, where it is one.
+    pub path: Option<PathBuf>,
+    pub shown: Shown,
+}
+
+impl Stage {
+    /// Loads the scene; files are looked for in `folder`.
+    ///
+    /// # Errors
+    /// A scene that cannot be loaded, or settings that it does not have.
+    pub fn load(&self, folder: Option<&Path>) -> Result<Staged, LessonError> {
+        let wrong = |words: String| LessonError::one(self.line_number, words);
+        let is_file = [".toml", ".obj", ".png"]
+            .iter()
+            .any(|ending| self.scene.ends_with(ending));
+        let source = match folder {
+            Some(folder) if is_file => folder.join(&self.scene),
+            None if is_file => return Err(wrong(text!("lesson-no-folder").to_owned())),
+            _ => PathBuf::from(&self.scene),
+        };
+        let none: [&str; 0] = [];
+        let loaded = load_with(&source, &none, &mut |_, _| {});
+        let loaded = loaded.map_err(|error| wrong(error.to_string()))?;
+        let mut scene = loaded.scene;
+        if let Some(count) = self.lights {
+            scene.lights.resize(count, Default::default());
+        }
+        if let Some(panes) = &self.panes {
+            scene.compare.panes = panes.iter().map(|pane| pane_of(pane)).collect();
+        }
+        let scene = scene.with_overrides(&self.set);
+        Ok(Staged {
+            scene: scene.map_err(|error| wrong(error.to_string()))?,
+            model: loaded.model,
+            name: loaded.name,
+            path: loaded.path,
+            shown: Shown {
+                view: self.view,
+                probe: self.probe,
+                line: self.line,
+                ..Shown::default()
+            },
+        })
+    }
+
+    /// What can be seen to be wrong without loading anything.
+    pub(super) fn check(&self) -> Result<(), String> {
+        let far = |place: &DVec2| !(place.x.abs() <= 8.0 && place.y.abs() <= 8.0);
+        let places = self.probe.iter().chain(self.line.iter().flatten());
+        if places.into_iter().any(far) {
+            return Err(text!("lesson-far").to_owned());
+        }
+        if self.lights.is_some_and(|count| count > Scene::MAX_LIGHTS) {
+            return Err(text!("lesson-lights", most = Scene::MAX_LIGHTS));
+        }
+        if self
+            .panes
+            .as_ref()
+            .is_some_and(|panes| panes.len() > Compare::MAX_PANES)
+        {
+            return Err(text!("lesson-panes", most = Compare::MAX_PANES));
+        }
+        Ok(())
+    }
+}
+
+fn pane_of(settings: &str) -> Pane {
+    let settings = settings.split(';').map(str::trim);
+    Pane {
+        set: settings
+            .filter(|setting| !setting.is_empty())
+            .map(str::to_owned)
+            .collect(),
+        ..Pane::default()
+    }
+}
+
+/// The view of that name.
+pub(super) fn view(name: &str) -> Option<&'static str> {
+    VIEWS.into_iter().find(|view| *view == name)
+}
