@@ -277,7 +277,7 @@ const CODE: [&str; 4] = [
 ];
 
 /// Macros and methods whose literals nobody reads but programmers.
-const UNREAD: [&str; 10] = [
+const UNREAD: [&str; 11] = [
     "expect",
     "text",
     "unreachable",
@@ -288,6 +288,7 @@ const UNREAD: [&str; 10] = [
     "debug_assert",
     "debug_assert_eq",
     "env",
+    "include_str",
 ];
 
 /// Literals that people read, of a stream of tokens.

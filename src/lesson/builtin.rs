@@ -28,8 +28,8 @@ macro_rules! lessons {
         [$(BuiltIn {
             name: $name,
             texts: [
-                include_str!(concat!("../../assets/lessons/", "en/", $name, ".md")),
-                include_str!(concat!("../../assets/lessons/", "zh-Hant/", $name, ".md")),
+                include_str!(concat!("../../assets/lessons/en/", $name, ".md")),
+                include_str!(concat!("../../assets/lessons/zh-Hant/", $name, ".md")),
             ],
         }),*]
     };
