@@ -10,6 +10,7 @@ mod lab;
 mod prose;
 mod question;
 mod read;
+mod record;
 mod solve;
 mod stage;
 
@@ -21,6 +22,7 @@ pub use prose::Prose;
 pub use question::{
     ChoiceOption, CurveOf, Extreme, Find, Goal, Item, Kind, MatchValues, Question, RightIf, Term,
 };
+pub use record::{Answered, Record};
 pub use solve::{CURVE_POINTS, Solution};
 pub use stage::{OVERLAYS, Stage, Staged};
 

@@ -1,0 +1,73 @@
+//! What a student answered in a lesson: what the window keeps and a hand-in carries.
+
+use super::{Answer, Grade, Lesson};
+use serde::{Deserialize, Serialize};
+
+/// Every answer to the questions of a lesson.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// The lesson's name.
+    pub lesson: String,
+    /// Decides what is drawn at random.
+    pub seed: u64,
+    /// In the order of their steps, one for each that was answered.
+    pub answers: Vec<Answered>,
+}
+
+/// The answer to the question of one step.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Answered {
+    /// From 0.
+    pub step: usize,
+    /// The first answer that was given: the prediction.
+    pub prediction: Answer,
+    /// The last answer before the right one was shown.
+    pub answer: Answer,
+    /// How right that is.
+    pub grade: Grade,
+    /// How often the right answer was asked for before it was found.
+    pub looked_up: u32,
+    /// How many answers were given.
+    pub tries: u32,
+    /// From when the question was first seen until the last answer.
+    pub seconds: f64,
+}
+
+impl Record {
+    /// A record without answers.
+    pub fn new(lesson: &str, seed: u64) -> Self {
+        Self {
+            lesson: lesson.to_owned(),
+            seed,
+            answers: Vec::new(),
+        }
+    }
+
+    /// The answer to a step's question.
+    pub fn answer(&self, step: usize) -> Option<&Answered> {
+        self.answers.iter().find(|answered| answered.step == step)
+    }
+
+    /// Puts an answer in its place; it replaces the one of the same step.
+    pub fn put(&mut self, answered: Answered) {
+        let after = self
+            .answers
+            .partition_point(|known| known.step < answered.step);
+        match self.answers.get_mut(after) {
+            Some(known) if known.step == answered.step => *known = answered,
+            _ => self.answers.insert(after, answered),
+        }
+    }
+
+    /// Keeps the answers that the questions of a lesson can have, each once and in order: anybody may have written a record.
+    pub fn fit(&mut self, lesson: &Lesson) {
+        let question = |step: usize| lesson.steps.get(step)?.question.as_ref();
+        self.answers.retain(|answered| {
+            question(answered.step).is_some_and(|question| {
+                answered.prediction.fits(&question.kind) && answered.answer.fits(&question.kind)
+            })
+        });
+        self.answers.sort_by_key(|answered| answered.step);
+        self.answers.dedup_by_key(|answered| answered.step);
+    }
+}
