@@ -79,7 +79,7 @@ use crate::text::{Language, language, set_language, text};
 use action::Action;
 use dialog::{CodeForm, Dialog, ExportForm, FileTask};
 use document::History;
-use eframe::egui::{ColorImage, Context, InputState, ThemePreference, Ui, ViewportCommand};
+use eframe::egui::{ColorImage, Context, ThemePreference, Ui, ViewportCommand};
 use engine::Engine;
 use files::Files;
 use layout::Layout;
@@ -282,7 +282,7 @@ impl App {
         // In points of the screen, rounded: what is shown must not depend on the last digit.
         let size = (ctx.content_rect().size() * ctx.zoom_factor()).round();
         ctx.set_zoom_factor(self.state.look.zoom(size.y));
-        let fingers = ctx.input(InputState::has_touch_screen);
+        let fingers = system::fingers(ctx);
         theme::touch(ctx, fingers || size.x < theme::NARROW);
         let chosen = self.state.look.language;
         self.started_in = self.started_in.filter(|(_, before)| *before == chosen);
@@ -334,10 +334,12 @@ impl App {
             }
             Action::SaveTo(path) => self.save(ctx, path),
             Action::Export => {
+                // The one thread of a page on a phone takes long for more.
+                let phone = system::PAGE && system::fingers(ctx);
                 let form = ExportForm {
                     size: [1920, 1080],
                     shape: None,
-                    samples: 16,
+                    samples: if phone { 4 } else { 16 },
                     overlay: true,
                 };
                 let path = self.state.document.suggested("png");
@@ -471,6 +473,7 @@ impl eframe::App for App {
         let (state, engine) = (&self.state, &self.engine);
         system::end_frame(
             &ctx,
+            self.recovery.is_some() && state.modified(),
             || state.link().ok().map(|written| written.link),
             || picture_bytes(engine.frame(), Some(&state.document.scene)).ok(),
         );

@@ -2,12 +2,14 @@
 
 #[path = "page/scripts.rs"]
 mod scripts;
+#[path = "page/widgets.rs"]
+mod widgets;
 
 use super::dialog::FileKind;
 use super::theme;
 use crate::document::give;
 use crate::text::{Language, language, set_chinese_font};
-use eframe::egui::{Context, DroppedFile};
+use eframe::egui::{Context, DroppedFile, InputState};
 use js_sys::{ArrayBuffer, Function, Promise, Reflect, Uint8Array};
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
@@ -16,7 +18,7 @@ use std::time::Duration;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{ClipboardEvent, File, FileList, HtmlInputElement, Response};
+use web_sys::{ClipboardEvent, Event, File, FileList, HtmlInputElement, Response};
 
 /// Whether this is a web page.
 pub const PAGE: bool = true;
@@ -38,6 +40,9 @@ thread_local! {
     /// The link of what is seen, and when it was last looked for, seconds.
     static LINK: RefCell<Option<String>> = const { RefCell::new(None) };
     static LOOKED_AT: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
+    /// Whether what points is a finger, as the page's script has found.
+    static COARSE: Cell<bool> = const { Cell::new(false) };
+    static UNSAVED: Cell<bool> = const { Cell::new(false) };
     /// Those who have asked for the picture.
     static ASKED: RefCell<Vec<Function>> = const { RefCell::new(Vec::new()) };
 }
@@ -46,8 +51,10 @@ thread_local! {
 pub fn begin_frame(ctx: &Context) {
     if CONTEXT.with_borrow(Option::is_none) {
         CONTEXT.set(Some(ctx.clone()));
+        let page = document().and_then(|document| document.document_element());
+        COARSE.set(page.is_some_and(|page| page.has_attribute("data-coarse")));
         listen();
-        offer();
+        offer(ctx);
         show("ready");
     }
 }
@@ -116,8 +123,18 @@ fn all(files: Option<FileList>) -> Vec<File> {
         .collect()
 }
 
-/// Takes pictures that are pasted; text goes another way.
+/// Takes pictures that are pasted, text goes another way; and has the browser ask before it leaves unsaved work.
 fn listen() {
+    let leave = Closure::<dyn Fn(Event)>::new(|event: Event| {
+        if UNSAVED.get() {
+            event.prevent_default();
+        }
+    });
+    if let Some(window) = web_sys::window() {
+        let _ =
+            window.add_event_listener_with_callback("beforeunload", leave.as_ref().unchecked_ref());
+    }
+    leave.forget();
     let paste = Closure::<dyn Fn(ClipboardEvent)>::new(|event: ClipboardEvent| {
         let files = all(event.clipboard_data().and_then(|data| data.files()));
         if !files.is_empty() {
@@ -147,6 +164,11 @@ pub fn pick(_opens: bool, kind: &FileKind) -> Option<PathBuf> {
     None
 }
 
+/// Whether fingers do what elsewhere the mouse does: the browser says so before the first touch.
+pub fn fingers(ctx: &Context) -> bool {
+    COARSE.get() || ctx.input(InputState::has_touch_screen)
+}
+
 pub fn set_title(_: &Context, title: &str) {
     document()
         .iter()
@@ -163,15 +185,18 @@ pub fn set_fullscreen(_: &Context, on: bool) {
     }
 }
 
-/// Does what is to be done after a frame: the address follows the link of what is seen, and who asked for the picture gets it.
+/// Does what is to be done after a frame: the browser knows whether to ask before it leaves, the address follows the link of
+/// what is seen, and who asked for the picture gets it.
 pub fn end_frame(
     ctx: &Context,
+    unsaved: bool,
     link: impl FnOnce() -> Option<String>,
     picture: impl FnOnce() -> Option<Vec<u8>>,
 ) {
     if SHOWN_IN.replace(Some(language())) != Some(language()) {
         want_letters(ctx);
     }
+    UNSAVED.set(unsaved);
     let (held, now) = ctx.input(|input| (input.pointer.any_down(), input.time));
     let wait = ADDRESS_PAUSE - (now - LOOKED_AT.get());
     if wait > 0.0 && !held {
@@ -208,8 +233,8 @@ fn follow(link: &str) {
         .and_then(|history| history.replace_state_with_url(&JsValue::NULL, "", Some(link)));
 }
 
-/// Gives scripts `shadingLab.picture()`: a promise of the picture as a PNG with its scene inside.
-fn offer() {
+/// Gives scripts `shadingLab.picture()`, a promise of the picture as a PNG with its scene inside, and what else they can call.
+fn offer(ctx: &Context) {
     let picture = Closure::<dyn Fn() -> Promise>::new(|| {
         CONTEXT.with_borrow(|ctx| ctx.iter().for_each(Context::request_repaint));
         Promise::new(&mut |give, _| ASKED.with_borrow_mut(|asked| asked.push(give)))
@@ -218,6 +243,7 @@ fn offer() {
     if let Ok(own) = Reflect::get(&page, &OWN.into()) {
         let _ = Reflect::set(&own, &PICTURE.into(), &picture.into_js_value());
         scripts::offer(&own);
+        widgets::offer(&own, ctx);
     }
 }
 

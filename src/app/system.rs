@@ -1,7 +1,7 @@
 //! What the system does for a window. A web page has its own, `page.rs`.
 
 use super::dialog::FileKind;
-use eframe::egui::{Context, ViewportCommand};
+use eframe::egui::{Context, InputState, ViewportCommand};
 use std::path::PathBuf;
 
 /// Whether this is a web page.
@@ -34,6 +34,11 @@ pub fn pick(opens: bool, kind: &FileKind) -> Option<PathBuf> {
     }
 }
 
+/// Whether fingers do what elsewhere the mouse does.
+pub fn fingers(ctx: &Context) -> bool {
+    ctx.input(InputState::has_touch_screen)
+}
+
 pub fn set_title(ctx: &Context, title: &str) {
     ctx.send_viewport_cmd(ViewportCommand::Title(title.to_owned()));
 }
@@ -42,9 +47,10 @@ pub fn set_fullscreen(ctx: &Context, on: bool) {
     ctx.send_viewport_cmd(ViewportCommand::Fullscreen(on));
 }
 
-/// Does what is to be done after a frame, with the link of what is seen and its picture as a file.
+/// Does what is to be done after a frame, with whether there is unsaved work, the link of what is seen and its picture as a file.
 pub fn end_frame(
     _: &Context,
+    _unsaved: bool,
     _link: impl FnOnce() -> Option<String>,
     _picture: impl FnOnce() -> Option<Vec<u8>>,
 ) {

@@ -61,7 +61,7 @@ async fn start(canvas: HtmlCanvasElement) {
         }
         reduce_motion(&cc.egui_ctx);
         if let Some(problem) = problem {
-            app.state.dialog = Some(Dialog::message(text!("not-opened"), problem));
+            app.state.dialog = Some(Dialog::message(text!("link-not-opened"), problem));
             return Box::new(app);
         }
         if shown.embed {

@@ -1,15 +1,22 @@
 //! Kept work of a web page, in the browser's local storage. A tab keeps the name of its own in its session, so that it finds
-//! its work again after it was loaded anew; what no tab has adopted or deleted is offered to the next.
+//! its work again after it was loaded anew, and holds the browser's lock of that name while it is open. What no tab holds and none
+//! has adopted or deleted is offered to the next.
 
 use crate::document::give;
 use crate::text::text;
+use js_sys::{Array, Function, Reflect};
 use std::path::{Path, PathBuf};
+use wasm_bindgen::{JsCast, JsValue};
 use web_sys::Storage;
 
 /// What the names begin with; a number and the ending follow.
 const NAME: &str = "shading-lab-work-";
 /// Where a tab keeps the name of its own.
 const OWN: &str = "shading-lab-own";
+/// The page's object, where its script put what other tabs held when it was opened, and a function that holds a name.
+const PAGE: &str = "shadingLab";
+const HELD: &str = "held";
+const HOLD: &str = "hold";
 
 /// An entry for kept work.
 pub struct Slot {
@@ -23,13 +30,25 @@ fn local() -> Option<Storage> {
 /// An entry for this tab, and the latest that there is. Nothing where the browser stores nothing.
 pub fn find(_: &Path) -> Option<(Slot, Option<Slot>)> {
     let (storage, session) = (local()?, web_sys::window()?.session_storage().ok()??);
-    let slot = |name: String| Slot { path: name.into() };
+    let page = Reflect::get(&js_sys::global(), &PAGE.into()).unwrap_or_default();
+    let of_page = |name: &str| Reflect::get(&page, &name.into()).unwrap_or_default();
+    let hold: Option<Function> = of_page(HOLD).dyn_into().ok();
+    let slot = |name: String| {
+        if let Some(hold) = &hold {
+            let _ = hold.call1(&JsValue::NULL, &(&*name).into());
+        }
+        Slot { path: name.into() }
+    };
+    let held: Array = of_page(HELD).dyn_into().unwrap_or_default();
+    let held: Vec<String> = held.iter().filter_map(|name| name.as_string()).collect();
     let names = (0..storage.length().ok()?).filter_map(|index| storage.key(index).ok()?);
     let number = |name: &str| -> Option<u64> {
         name.strip_prefix(NAME)?.strip_suffix(".toml")?.parse().ok()
     };
-    let kept = names.filter(|name| number(name).is_some());
     let own = session.get_item(OWN).ok().flatten();
+    // Before it was loaded anew, this tab itself held its own.
+    let free = |name: &String| own.as_ref() == Some(name) || !held.contains(name);
+    let kept = names.filter(|name| number(name).is_some() && free(name));
     let left = kept.max_by_key(|name| (own.as_ref() == Some(name), number(name)));
     let name = format!("{NAME}{}.toml", js_sys::Date::now());
     session.set_item(OWN, &name).ok()?;
@@ -46,7 +65,13 @@ pub fn read(path: &Path) -> String {
 
 /// Writes it, or says why not.
 pub fn write(path: &Path, text: &str) -> Result<(), String> {
-    let written = || local()?.set_item(path.to_str()?, text).ok();
+    let written = || {
+        let name = path.to_str()?;
+        local()?.set_item(name, text).ok()?;
+        // What was adopted has another name than this tab began with.
+        let session = web_sys::window()?.session_storage().ok()??;
+        session.set_item(OWN, name).ok()
+    };
     written().ok_or_else(|| text!("page-full").to_owned())
 }
 

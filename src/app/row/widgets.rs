@@ -8,7 +8,7 @@ use crate::scene::{ChoiceOption, Rgb};
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Button, Color32, ComboBox, Label, Popup, PopupCloseBehavior, RichText, Sense, Slider,
+    Button, Color32, ComboBox, Label, Popup, PopupCloseBehavior, Rect, RichText, Sense, Slider,
     SliderClamping, StrokeKind, Ui, WidgetInfo, vec2,
 };
 use glam::DVec3;
@@ -37,7 +37,10 @@ pub fn swatch(colour: Rgb) -> Color32 {
 
 /// A swatch that opens sliders.
 pub fn swatch_button(ui: &mut Ui, name: &str, value: &mut Rgb) {
-    let (rect, response) = ui.allocate_exact_size(vec2(26.0, 20.0), Sense::click());
+    // As high as its row, for fingers; what is seen of it is lower.
+    let size = vec2(26.0, ui.spacing().interact_size.y);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let rect = Rect::from_center_size(rect.center(), vec2(26.0, 20.0));
     let stroke = if response.hovered() || response.has_focus() {
         ui.visuals().widgets.hovered.fg_stroke
     } else {
