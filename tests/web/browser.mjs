@@ -1,13 +1,17 @@
-// What the tests of the web page share: a server for the folder, a browser, and the canvas.
+// What the tests of the web page share: a server for the folder, browsers, and hands for the window.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { readFile } from "node:fs/promises";
 import { extname, join, normalize } from "node:path";
-import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
+import { after, before } from "node:test";
 import { createRequire } from "node:module";
 
 // Beside the other tools that `.ci/web` fetches.
-const { chromium } = createRequire(join(process.env.SHADING_LAB_NODE, "package.json"))("playwright-core");
+const fetched = createRequire(join(process.env.SHADING_LAB_NODE, "package.json"));
+const { chromium } = fetched("playwright-core");
 
 const TYPES = {
   ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".png": "image/png",
@@ -49,6 +53,31 @@ export async function browser({ width = 1280, height = 800, ...others } = {}) {
   return { context, folder, close };
 }
 
+/** A Firefox of its own. It has WebGL without a graphics card only where it has a display. */
+export async function firefox({ width = 1280, height = 800 } = {}) {
+  const folder = mkdtempSync(join(tmpdir(), "shading-lab-"));
+  const launched = await fetched("puppeteer-core").launch({
+    browser: "firefox",
+    executablePath: process.env.FIREFOX,
+    headless: false,
+    args: [`--width=${width}`, `--height=${height}`],
+    defaultViewport: { width, height },
+    extraPrefsFirefox: { "webgl.force-enabled": true, "intl.accept_languages": "en-GB" },
+  });
+  // As the other browser's.
+  const newPage = async () => {
+    const page = await launched.newPage();
+    const waitForFunction = (holds, parameter, options) => page.waitForFunction(holds, options, parameter);
+    const own = { addInitScript: (script) => page.evaluateOnNewDocument(script), waitForFunction };
+    return new Proxy(page, { get: (page, name) => own[name] ?? (typeof page[name] === "function" ? page[name].bind(page) : page[name]) });
+  };
+  const close = async () => {
+    await launched.close();
+    rmSync(folder, { recursive: true, force: true });
+  };
+  return { context: { newPage }, folder, close };
+}
+
 /** Notes in the page what workers are asked, and what they tell: 0 how far, 1 so far, 2 the answer, 3 why there is none. */
 function noteWork() {
   window.work = [];
@@ -68,10 +97,20 @@ function noteWork() {
 /** What has been told about the latest work whose name has this in it; nothing before that was asked. */
 export const told = (page, name) => page.evaluate((part) => window.work.findLast((piece) => piece.name.includes(part))?.told, name);
 
-/** Opens the page and waits until its window is drawn; `problems` collects what the console reports. */
-export async function open(context, url) {
+/** Forgets what the browser stores: unsaved work, and how the window looked. */
+function forget() {
+  localStorage.clear();
+  sessionStorage.clear();
+}
+
+/**
+ * Opens the page, after a script if one is given, and waits until its window is drawn; `problems` collects what the console
+ * reports.
+ */
+export async function open(context, url, first) {
   const page = await context.newPage();
   await page.addInitScript(noteWork);
+  if (first) await page.addInitScript(first);
   const problems = [];
   page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
   page.on("pageerror", (error) => problems.push(String(error)));
@@ -79,6 +118,33 @@ export async function open(context, url) {
   await page.waitForFunction(() => document.documentElement.dataset.state !== "loading", undefined, { timeout: 120_000 });
   return { page, problems };
 }
+
+/** A server and a browser for the tests of a file. `on(path, todo)` opens the page, does this with it, and finds nothing in the console. */
+export function site(launch = browser, options = {}) {
+  const own = {};
+  before(async () => {
+    own.server = await serve(process.env.SHADING_LAB_PAGE);
+    own.browser = await launch(options);
+  });
+  after(async () => {
+    await own.browser?.close();
+    own.server?.close();
+  });
+  own.on = async (path, todo) => {
+    const { page, problems } = await open(own.browser.context, own.server.url + path, forget);
+    try {
+      assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "ready");
+      await todo(page);
+      assert.deepEqual(problems, []);
+    } finally {
+      await page.close();
+    }
+  };
+  return own;
+}
+
+/** What stands in the address after the path. */
+export const address = (page) => page.evaluate(() => location.search);
 
 /** The size and the values of a PNG: red, green, blue and 255 of each pixel. */
 export async function pixels(page, bytes) {
@@ -94,6 +160,55 @@ export async function pixels(page, bytes) {
     return { width: image.width, height: image.height, data: btoa(letters) };
   }, Buffer.from(bytes).toString("base64"));
   return { ...decoded, data: new Uint8Array(Buffer.from(decoded.data, "base64")) };
+}
+
+/** The picture of the page, as a PNG with its scene inside. */
+export const picture = async (page) => Buffer.from(await page.evaluate(async () => Array.from(await window.shadingLab.picture())));
+
+/** The greatest difference of two pictures' values. */
+export function difference(a, b) {
+  assert.deepEqual([a.width, a.height], [b.width, b.height]);
+  return a.data.reduce((most, value, index) => Math.max(most, Math.abs(value - b.data[index])), 0);
+}
+
+/** The native program, where there is one to compare with. */
+export const native = existsSync(process.env.SHADING_LAB ?? "") && process.env.SHADING_LAB;
+
+/** Whether the page in sight shows what the native program draws of its scene; says why that is not known. */
+export async function isNative(page, folder) {
+  const bytes = await picture(page);
+  const drawn = await pixels(page, bytes);
+  const values = new Set(drawn.data);
+  assert.ok(values.size > 50, `${values.size} values in the picture`);
+  if (!native) return "no native program to compare with";
+  // The scene in the picture goes to the native program, which draws it again.
+  const [ours, theirs] = ["ours", "theirs"].map((name) => join(folder, `${name}.png`));
+  writeFileSync(ours, bytes);
+  execFileSync(native, ["render", ours, "--size", `${drawn.width}x${drawn.height}`, "-o", theirs]);
+  const most = difference(drawn, await pixels(page, readFileSync(theirs)));
+  assert.ok(most <= 1, `${most} code values off`);
+}
+
+/** The controls and words of the window: their roles, names, values and places. The value of words is what they say. */
+export const widgets = async (page) =>
+  (await page.evaluate(() => window.shadingLab.widgets())).map((one) => ({ ...one, name: one.name || one.value || "" }));
+
+/** The first one of a name, and of a role if that is given; nothing where there is none. */
+export const widget = async (page, name, role) =>
+  (await widgets(page)).find((one) => one.name === name && (role === undefined || one.role === role));
+
+/** Waits for a control by its name, and presses its middle. */
+export async function press(page, name, role = "Button") {
+  let found;
+  await until(async () => (found = await widget(page, name, role)) && !found.disabled);
+  const [x, y] = [found.x + found.width / 2, found.y + found.height / 2];
+  // A frame sees the pointer there before it is pressed.
+  await page.mouse.move(x, y);
+  await widgets(page);
+  await page.mouse.down();
+  await widgets(page);
+  await page.mouse.up();
+  await widgets(page);
 }
 
 /** Waits until something holds. */
