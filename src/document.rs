@@ -14,7 +14,7 @@ use crate::export::Export;
 use crate::figure::{Drawing, Paper};
 use crate::geometry::{Mesh, ObjError, read_obj};
 use crate::link::{self, Link, Shown};
-use crate::picture::{PictureError, read_scene_text, write_png};
+use crate::picture::{PictureError, PictureText, read_scene_text, write_png};
 use crate::render::Frame;
 use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, nearest, presets};
 use crate::text::{Message, text};
@@ -24,7 +24,7 @@ pub use disk::{check_target, write_whole};
 pub use error::{LoadError, SaveError};
 use error::{MODEL, PICTURE, SCENE_FILE};
 use std::ffi::OsStr;
-use std::io::{self, BufReader, Read};
+use std::io::{self, BufRead, BufReader, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -193,9 +193,8 @@ pub fn read_text(path: &Path, what: Message, most: usize) -> Result<String, Load
 }
 
 fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {
-    let (file, _) = disk::open(path, PICTURE)?;
     let text =
-        read_scene_text(BufReader::new(file)).map_err(|error| LoadError::file(path, error))?;
+        read_scene_text(open_picture(path)?).map_err(|error| LoadError::file(path, error))?;
     Ok(Scene::parse(&text, &path.to_string_lossy())?)
 }
 
@@ -259,7 +258,28 @@ pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), SaveError> {
 /// # Errors
 /// See [`SaveError`].
 pub fn save_picture(path: &Path, frame: &Frame, scene: &Scene) -> Result<(), SaveError> {
-    write_picture(path, frame, Some(scene))
+    write_picture(path, frame, Some(scene), &[])
+}
+
+/// The same with other texts inside, by their keywords.
+///
+/// # Errors
+/// See [`SaveError`].
+pub fn save_picture_with(
+    path: &Path,
+    frame: &Frame,
+    scene: &Scene,
+    texts: &[PictureText<'_>],
+) -> Result<(), SaveError> {
+    write_picture(path, frame, Some(scene), texts)
+}
+
+/// A picture's file as [`crate::picture::read_texts`] takes it.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn open_picture(path: &Path) -> Result<impl BufRead + Seek + use<>, LoadError> {
+    disk::open(path, PICTURE).map(|(file, _)| BufReader::new(file))
 }
 
 /// The bytes of a picture's file.
@@ -268,15 +288,22 @@ pub fn save_picture(path: &Path, frame: &Frame, scene: &Scene) -> Result<(), Sav
 /// A frame that has no pixels.
 pub fn picture_bytes(frame: &Frame, scene: Option<&Scene>) -> Result<Vec<u8>, PictureError> {
     let mut bytes = Vec::new();
-    write_png(&mut bytes, frame, scene).map(|()| bytes)
+    write_png(&mut bytes, frame, scene, &[]).map(|()| bytes)
 }
 
-fn write_picture(path: &Path, frame: &Frame, scene: Option<&Scene>) -> Result<(), SaveError> {
+fn write_picture(
+    path: &Path,
+    frame: &Frame,
+    scene: Option<&Scene>,
+    texts: &[PictureText<'_>],
+) -> Result<(), SaveError> {
     let refused = |error| match error {
         PictureError::Unwritten(png::EncodingError::IoError(error)) => error,
         error => io::Error::other(error),
     };
-    write_whole(path, |out| write_png(out, frame, scene).map_err(refused))
+    write_whole(path, |out| {
+        write_png(out, frame, scene, texts).map_err(refused)
+    })
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), SaveError> {
@@ -338,7 +365,7 @@ pub fn save_answer(
                 })?;
                 save_picture(path, &frame, about.scene)
             }
-            Figure::Picture { frame, scene } => write_picture(path, &frame, scene.as_deref()),
+            Figure::Picture { frame, scene } => write_picture(path, &frame, scene.as_deref(), &[]),
         },
     }
 }
@@ -354,7 +381,7 @@ pub fn save_drawing(path: &Path, drawing: &Drawing, title: &str) -> Result<(), S
     let frame = drawing.to_frame().ok_or_else(|| SaveError::TooLarge {
         path: path.to_owned(),
     })?;
-    write_picture(path, &frame, None)
+    write_picture(path, &frame, None, &[])
 }
 
 /// One JSON object. JSON has no infinity; it becomes null.

@@ -6,6 +6,7 @@
 mod answer;
 mod builtin;
 mod check;
+mod hand_in;
 mod lab;
 mod prose;
 mod question;
@@ -17,6 +18,9 @@ mod stage;
 pub use answer::{Answer, Grade};
 pub use builtin::{LESSONS, find};
 pub use check::check;
+pub use hand_in::{
+    ANSWERS_KEYWORD, HandIn, HandInError, MAX_NAME, hand_in, hand_in_bytes, read_hand_in,
+};
 pub use lab::{Lab, LabPlace};
 pub use prose::Prose;
 pub use question::{

@@ -24,15 +24,22 @@ pub enum PictureError {
     /// A picture from elsewhere, or one whose text another program dropped.
     #[error("{}", text!("png-no-scene"))]
     NoScene,
-    /// The text chunk does not hold text, or more than [`Scene::MAX_TEXT`] bytes of it.
-    #[error("{}", text!("png-unreadable-scene", error = .0.to_string(), limit = Scene::MAX_TEXT >> 20))]
-    UnreadableScene(png::DecodingError),
+    /// A text chunk does not hold text, or too many bytes of it.
+    #[error("{}", text!("png-unreadable-text", error = .error.to_string(), limit = .most >> 20))]
+    UnreadableText {
+        error: png::DecodingError,
+        /// In bytes.
+        most: usize,
+    },
     /// The picture could not be written.
     #[error("{0}")]
     Unwritten(#[from] png::EncodingError),
 }
 
-/// Writes `frame` as a PNG that holds `scene`, if it shows one: three channels where every pixel is opaque, else four. A picture encoded
+/// A text to go into a picture, by its keyword.
+pub type PictureText<'t> = (&'t str, &'t str);
+
+/// Writes `frame` as a PNG that holds `scene`, if it shows one, and other `texts`, compressed: three channels where every pixel is opaque, else four. A picture encoded
 /// as sRGB says so; a raw one says nothing about its colours.
 ///
 /// # Errors
@@ -41,6 +48,7 @@ pub fn write_png(
     out: &mut dyn Write,
     frame: &Frame,
     scene: Option<&Scene>,
+    texts: &[PictureText<'_>],
 ) -> Result<(), PictureError> {
     let opaque = frame.pixels.iter().all(|pixel| pixel[3] == 255);
     let mut encoder = png::Encoder::new(out, frame.width, frame.height);
@@ -61,6 +69,11 @@ pub fn write_png(
         encoder.add_itxt_chunk(SCENE_KEYWORD.into(), scene.to_toml())?;
     }
     let mut writer = encoder.write_header()?;
+    for (keyword, text) in texts {
+        let mut chunk = ITXtChunk::new(*keyword, *text);
+        chunk.compressed = true;
+        writer.write_text_chunk(&chunk)?;
+    }
     let mut stream = writer.stream_writer()?;
     let channels = if opaque { 3 } else { 4 };
     for row in frame.pixels.chunks(frame.width.max(1) as usize) {
@@ -81,6 +94,18 @@ pub fn write_png(
 /// # Errors
 /// Not a PNG, no scene inside, or a text that is too long.
 pub fn read_scene_text(png: impl BufRead + Seek) -> Result<String, PictureError> {
+    let [scene] = read_texts(png, [(SCENE_KEYWORD, Scene::MAX_TEXT)])?;
+    scene.ok_or(PictureError::NoScene)
+}
+
+/// Texts in a PNG by their keywords, each with the most bytes that it may have.
+///
+/// # Errors
+/// Not a PNG, or a text that is too long.
+pub fn read_texts<const N: usize>(
+    png: impl BufRead + Seek,
+    wanted: [(&str, usize); N],
+) -> Result<[Option<String>; N], PictureError> {
     let decoder = png::Decoder::new_with_limits(
         png,
         png::Limits {
@@ -88,23 +113,25 @@ pub fn read_scene_text(png: impl BufRead + Seek) -> Result<String, PictureError>
         },
     );
     let mut reader = decoder.read_info().map_err(PictureError::Damaged)?;
-    if scene_chunk(reader.info()).is_none() {
+    let missing = |info: &png::Info<'_>| wanted.iter().any(|(word, _)| chunk(info, word).is_none());
+    if missing(reader.info()) {
         // Some programs move text behind the pixels.
         reader.finish().map_err(PictureError::Damaged)?;
     }
-    let mut chunk = scene_chunk(reader.info())
-        .ok_or(PictureError::NoScene)?
-        .clone();
-    chunk
-        .decompress_text_with_limit(Scene::MAX_TEXT)
-        .map_err(PictureError::UnreadableScene)?;
-    chunk.get_text().map_err(PictureError::UnreadableScene)
+    let mut texts = [const { None }; N];
+    for (text, (keyword, most)) in texts.iter_mut().zip(wanted) {
+        let Some(mut chunk) = chunk(reader.info(), keyword).cloned() else {
+            continue;
+        };
+        let unreadable = |error| PictureError::UnreadableText { error, most };
+        chunk.decompress_text_with_limit(most).map_err(unreadable)?;
+        *text = Some(chunk.get_text().map_err(unreadable)?);
+    }
+    Ok(texts)
 }
 
-fn scene_chunk<'a>(info: &'a png::Info<'_>) -> Option<&'a ITXtChunk> {
-    info.utf8_text
-        .iter()
-        .find(|chunk| chunk.keyword == SCENE_KEYWORD)
+fn chunk<'a>(info: &'a png::Info<'_>, keyword: &str) -> Option<&'a ITXtChunk> {
+    info.utf8_text.iter().find(|chunk| chunk.keyword == keyword)
 }
 
 #[cfg(test)]
@@ -132,7 +159,7 @@ mod tests {
 
     fn written(frame: &Frame, scene: &Scene) -> Vec<u8> {
         let mut bytes = Vec::new();
-        write_png(&mut bytes, frame, Some(scene)).expect("a picture");
+        write_png(&mut bytes, frame, Some(scene), &[]).expect("a picture");
         bytes
     }
 
@@ -224,7 +251,7 @@ mod tests {
         assert!(bomb.len() < 100_000);
         assert!(matches!(
             read_scene_text(Cursor::new(bomb)),
-            Err(PictureError::UnreadableScene(_))
+            Err(PictureError::UnreadableText { .. })
         ));
         assert!(matches!(
             read_scene_text(Cursor::new(b"GIF89a")),

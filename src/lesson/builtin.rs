@@ -16,9 +16,14 @@ impl BuiltIn {
         self.lesson_in(language())
     }
 
+    /// The text of its file in a language.
+    pub fn source(&self, language: Language) -> &'static str {
+        self.texts[language as usize]
+    }
+
     /// The lesson in a language.
     pub fn lesson_in(&self, language: Language) -> Lesson {
-        Lesson::read(self.texts[language as usize], None)
+        Lesson::read(self.source(language), None)
             .unwrap_or_else(|error| unreachable!("the tests read every lesson: {error}"))
     }
 }

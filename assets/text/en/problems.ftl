@@ -98,4 +98,4 @@ obj-no-such-normal = the face names normal { $number }, expected 1 to { $count }
 # Pictures with a scene inside.
 png-damaged = not a valid PNG picture ({ $error }), expected one that shading-lab exported
 png-no-scene = a picture without a scene, expected one that shading-lab exported
-png-unreadable-scene = the scene in the picture cannot be read ({ $error }), expected at most { $limit } MiB of text
+png-unreadable-text = a text in the picture cannot be read ({ $error }), expected at most { $limit } MiB

@@ -98,4 +98,4 @@ obj-no-such-normal = 面使用法向量 { $number }，此行之前有 { $count }
 # 內含場景的圖片。
 png-damaged = 不是有效的 PNG 圖片（{ $error }），應為 shading-lab 匯出的圖片
 png-no-scene = 圖片中沒有場景，應為 shading-lab 匯出的圖片
-png-unreadable-scene = 無法讀取圖片中的場景（{ $error }），應為不超過 { $limit } MiB 的文字
+png-unreadable-text = 無法讀取圖片中的文字（{ $error }），應不超過 { $limit } MiB

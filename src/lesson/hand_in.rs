@@ -1,0 +1,280 @@
+//! Answers handed in: one picture with the scene, the lesson and every answer inside.
+//!
+//! The answers are a text chunk of the PNG: JSON that begins with a digest of all that follows and of the scene's text. So a
+//! change by hand or by another program is noticed. It is no signature: whoever has the source of this program can write any
+//! answers with the digest that belongs to them. Grades are not inside; whoever collects the answers computes them.
+
+use super::{Answer, Answered, Grade, Lesson, Record, find};
+use crate::document::{SaveError, save_picture_with};
+use crate::picture::{PictureError, SCENE_KEYWORD, read_texts, write_png};
+use crate::render::Frame;
+use crate::scene::Scene;
+use crate::text::{Language, language, text};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use std::io::{BufRead, Seek};
+use std::path::Path;
+
+/// The keyword of the text chunk that holds the answers.
+pub const ANSWERS_KEYWORD: &str = "shading-lab:answers";
+
+/// The version of the text.
+const VERSION: u64 = 1;
+/// Longest text, in bytes: a lesson of [`Lesson::MAX_TEXT`] with every line's end escaped, and its answers.
+const MAX_TEXT: usize = 4 << 20;
+/// Longest name of a student that is kept, in characters.
+pub const MAX_NAME: usize = 100;
+
+/// What a student handed in. The answers are as they were given, and may fit no question.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HandIn {
+    /// Without control characters; empty where none was given.
+    pub name: String,
+    /// The lesson's title when it was worked through.
+    pub title: String,
+    pub language: Language,
+    /// Of the lesson's text.
+    pub digest: String,
+    /// The lesson's text, unless the lesson comes with the program.
+    pub source: Option<String>,
+    pub record: Record,
+}
+
+/// Why a picture does not count as answers handed in.
+#[derive(Debug, thiserror::Error)]
+pub enum HandInError {
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    #[error("{}", text!("class-no-answers"))]
+    NoAnswers,
+    #[error("{}", text!("class-version", version = VERSION))]
+    Version,
+    #[error("{}", text!("class-changed"))]
+    Changed,
+    #[error("{}", text!("class-not-answers", error = .0.to_string()))]
+    Form(serde_json::Error),
+}
+
+#[derive(Serialize, Deserialize)]
+struct Content {
+    lesson: String,
+    title: String,
+    lesson_digest: String,
+    language: String,
+    name: Option<String>,
+    seed: u64,
+    answers: Vec<Entry>,
+    source: Option<String>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Entry {
+    step: usize,
+    kind: String,
+    prediction: Value,
+    given: Value,
+    looked_up: u32,
+    tries: u32,
+    seconds: f64,
+}
+
+/// Writes the answers to a lesson into a PNG of the last picture. Opening it restores the scene.
+///
+/// # Errors
+/// See [`SaveError`].
+pub fn hand_in(
+    path: &Path,
+    frame: &Frame,
+    scene: &Scene,
+    lesson: &Lesson,
+    record: &Record,
+    name: &str,
+) -> Result<(), SaveError> {
+    let answers = answers_text(lesson, record, name, &scene.to_toml());
+    save_picture_with(path, frame, scene, &[(ANSWERS_KEYWORD, &answers)])
+}
+
+/// The bytes of that PNG.
+///
+/// # Errors
+/// A frame that has no pixels.
+pub fn hand_in_bytes(
+    frame: &Frame,
+    scene: &Scene,
+    lesson: &Lesson,
+    record: &Record,
+    name: &str,
+) -> Result<Vec<u8>, PictureError> {
+    let answers = answers_text(lesson, record, name, &scene.to_toml());
+    let mut bytes = Vec::new();
+    let texts = [(ANSWERS_KEYWORD, &*answers)];
+    write_png(&mut bytes, frame, Some(scene), &texts).map(|()| bytes)
+}
+
+fn answers_text(lesson: &Lesson, record: &Record, name: &str, scene: &str) -> String {
+    let mut record = record.clone();
+    record.fit(lesson);
+    let comes_along = find(&lesson.name).is_some_and(|built_in| {
+        let mut languages = Language::ALL.into_iter();
+        languages.any(|language| built_in.source(language) == lesson.source)
+    });
+    let name = clean_name(name);
+    let content = Content {
+        lesson: lesson.name.clone(),
+        title: lesson.title.clone(),
+        lesson_digest: digest([&lesson.source]),
+        language: language().tag().to_owned(),
+        name: (!name.is_empty()).then_some(name),
+        seed: record.seed,
+        answers: record.answers.iter().map(entry).collect(),
+        source: (!comes_along).then(|| lesson.source.clone()),
+    };
+    let content = json!(content).to_string();
+    // The brace is that of the whole object.
+    let rest = format!(",{}", content.get(1..).unwrap_or_default());
+    head(&digest([&rest, scene])) + &rest
+}
+
+/// What stands before all that the digest is of.
+fn head(digest: &str) -> String {
+    format!(r#"{{"version":{VERSION},"digest":"{digest}""#)
+}
+
+/// The answers in a PNG.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn read_hand_in(png: impl BufRead + Seek) -> Result<HandIn, HandInError> {
+    let wanted = [
+        (ANSWERS_KEYWORD, MAX_TEXT),
+        (SCENE_KEYWORD, Scene::MAX_TEXT),
+    ];
+    let [answers, scene] = read_texts(png, wanted)?;
+    let answers = answers.ok_or(HandInError::NoAnswers)?;
+    let all: Value = serde_json::from_str(&answers).map_err(HandInError::Form)?;
+    if all.get("version").and_then(Value::as_u64) != Some(VERSION) {
+        return Err(HandInError::Version);
+    }
+    let said = all
+        .get("digest")
+        .and_then(Value::as_str)
+        .unwrap_or_default();
+    let scene = scene.unwrap_or_default();
+    let sealed = |rest: &str| digest([rest, &scene]) == said;
+    if !answers.strip_prefix(&head(said)).is_some_and(sealed) {
+        return Err(HandInError::Changed);
+    }
+    let content: Content = serde_json::from_value(all).map_err(HandInError::Form)?;
+    let entries = content.answers.into_iter().take(Lesson::MAX_STEPS);
+    let answers: Result<Vec<Answered>, _> = entries.map(answered).collect();
+    let source = content
+        .source
+        .filter(|source| source.len() <= Lesson::MAX_TEXT);
+    if source
+        .as_ref()
+        .is_some_and(|source| digest([source]) != content.lesson_digest)
+    {
+        return Err(HandInError::Changed);
+    }
+    Ok(HandIn {
+        name: clean_name(&content.name.unwrap_or_default()),
+        title: clean(&content.title, 2 * MAX_NAME),
+        language: Language::from_tag(&content.language).unwrap_or(Language::English),
+        digest: content.lesson_digest,
+        source,
+        record: Record {
+            lesson: clean(&content.lesson, MAX_NAME),
+            seed: content.seed,
+            answers: answers.map_err(HandInError::Form)?,
+        },
+    })
+}
+
+fn entry(answered: &Answered) -> Entry {
+    let (kind, given) = parts(&answered.answer);
+    let (_, prediction) = parts(&answered.prediction);
+    Entry {
+        step: answered.step,
+        kind,
+        prediction,
+        given,
+        looked_up: answered.looked_up,
+        tries: answered.tries,
+        seconds: answered.seconds,
+    }
+}
+
+fn answered(entry: Entry) -> Result<Answered, serde_json::Error> {
+    let answer = |value| serde_json::from_value(json!({ &*entry.kind: value }));
+    Ok(Answered {
+        step: entry.step,
+        prediction: answer(entry.prediction)?,
+        answer: answer(entry.given)?,
+        grade: Grade::default(),
+        looked_up: entry.looked_up,
+        tries: entry.tries,
+        seconds: entry.seconds,
+    })
+}
+
+/// An answer's kind, as a lesson has it, and what was answered, as JSON has it.
+pub fn parts(answer: &Answer) -> (String, Value) {
+    let one = match json!(answer) {
+        Value::Object(one) => one.into_iter().next(),
+        _ => None,
+    };
+    one.unwrap_or_default()
+}
+
+/// A name as it is kept: nothing in it that writes over other text.
+fn clean_name(name: &str) -> String {
+    clean(name, MAX_NAME)
+}
+
+/// Text from anybody as one short line, without control characters and marks that turn the direction of writing.
+fn clean(text: &str, most: usize) -> String {
+    let turns = |c: &char| matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let plain = text.chars().filter(|c| !turns(c));
+    let plain = plain.map(|c| if c.is_control() { ' ' } else { c });
+    plain.take(most).collect::<String>().trim().to_owned()
+}
+
+/// FNV-1a (Fowler, Noll and Vo 1991) of texts, with their lengths between them.
+pub(super) fn digest<'t>(
+    texts: impl IntoIterator<Item = &'t (impl AsRef<str> + ?Sized + 't)>,
+) -> String {
+    let mut hash = 0xcbf2_9ce4_8422_2325u64;
+    let mut take = |bytes: &[u8]| {
+        for byte in bytes {
+            hash = (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    };
+    for text in texts {
+        let text = text.as_ref();
+        take(text.as_bytes());
+        take(&(text.len() as u64).to_le_bytes());
+    }
+    format!("{hash:016x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digests_are_those_of_fnv() {
+        // Of nothing with the length 0 behind it: FNV-1a of eight zero bytes.
+        assert_eq!(digest([""]), "a8c7f832281a39c5");
+        assert_ne!(digest(["ab", "c"]), digest(["a", "bc"]));
+    }
+
+    #[test]
+    fn names_are_one_plain_line() {
+        assert_eq!(
+            clean_name(" Ada\r\n\u{1b}[31mL\u{202e}ovelace "),
+            "Ada   [31mLovelace"
+        );
+        assert_eq!(clean_name(&"x".repeat(1000)).len(), MAX_NAME);
+        assert_eq!(clean_name("王小明"), "王小明");
+    }
+}
