@@ -4,9 +4,11 @@
 //! the line that they are about.
 
 mod analyse;
+mod class;
 mod errors;
 mod help;
 mod input;
+mod lesson;
 mod link;
 mod output;
 mod render;
@@ -54,6 +56,8 @@ enum Command {
     Materials(simple::List),
     Parameters(simple::List),
     Check(simple::Check),
+    Lesson(lesson::LessonCommand),
+    Collect(class::Collect),
     Bench(Analyse<analyse::Bench>),
 }
 
@@ -65,6 +69,8 @@ impl Command {
             Self::Materials(_) => Some("materials"),
             Self::Parameters(_) => Some("parameters"),
             Self::Stability(_) => Some("stability"),
+            Self::Lesson(_) => Some("lesson"),
+            Self::Collect(_) => Some("collect"),
             _ => None,
         }
     }
@@ -140,6 +146,8 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Scanline(scanline)) => scanline.run(&earlier),
         Some(Command::Code(code)) => code.run(&earlier),
         Some(Command::Curves(curves)) => curves.run(&earlier),
+        Some(Command::Lesson(lesson)) => lesson.run(),
+        Some(Command::Collect(collect)) => collect.run(),
         Some(Command::Check(check)) => check.run(&earlier),
         Some(Command::Bench(bench)) => bench.run(&earlier),
         Some(Command::Study(study)) => study.run(&earlier),

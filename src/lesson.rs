@@ -6,20 +6,31 @@
 mod answer;
 mod builtin;
 mod check;
+mod class;
+mod class_sheet;
 mod hand_in;
 mod lab;
+mod page;
 mod prose;
 mod question;
 mod read;
 mod record;
 mod solve;
 mod stage;
+mod words;
+mod worksheet;
 
 pub use answer::{Answer, Grade};
 pub use builtin::{LESSONS, find};
 pub use check::check;
+pub use class::{
+    Asked, Class, Given, Group, Student, Unreadable, collect, letter, short_answer, short_solution,
+    spread,
+};
+pub use class_sheet::class_sheet;
 pub use hand_in::{
-    ANSWERS_KEYWORD, HandIn, HandInError, MAX_NAME, hand_in, hand_in_bytes, read_hand_in,
+    ANSWERS_KEYWORD, HandIn, HandInError, MAX_NAME, answer_parts, hand_in, hand_in_bytes,
+    read_hand_in,
 };
 pub use lab::{Lab, LabPlace};
 pub use prose::Prose;
@@ -29,6 +40,8 @@ pub use question::{
 pub use record::{Answered, Record};
 pub use solve::{CURVE_POINTS, Solution};
 pub use stage::{OVERLAYS, Stage, Staged};
+pub use words::in_words;
+pub use worksheet::{Worksheet, topic_name, worksheet};
 
 use crate::document::{LoadError, read_text};
 use crate::text::Message;

@@ -12,6 +12,7 @@ mod read;
 mod shown;
 mod write;
 
+pub use encoding::base64;
 pub use read::{is_link, read};
 pub use shown::{Shown, VIEWS};
 pub use write::{Written, write};

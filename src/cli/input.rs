@@ -54,6 +54,11 @@ impl SceneArguments {
             .source
             .as_deref()
             .unwrap_or(Path::new(presets::DEFAULT));
+        if source.extension().is_some_and(|ending| ending == "md") {
+            let name = source.display().to_string();
+            let problem = text!("cli-scene-is-lesson", name = &*name);
+            return Err(Failure::input(format!("{name}: {problem}")));
+        }
         let loaded = load_with(source, &overrides, &mut progress);
         if let Some(bar) = bar {
             bar.finish_and_clear();
@@ -216,7 +221,7 @@ pub fn inside_picture(
     )))
 }
 
-fn is_device(path: &Path) -> bool {
+pub fn is_device(path: &Path) -> bool {
     path.metadata()
         .is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }

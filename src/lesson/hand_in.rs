@@ -191,8 +191,8 @@ pub fn read_hand_in(png: impl BufRead + Seek) -> Result<HandIn, HandInError> {
 }
 
 fn entry(answered: &Answered) -> Entry {
-    let (kind, given) = parts(&answered.answer);
-    let (_, prediction) = parts(&answered.prediction);
+    let (kind, given) = answer_parts(&answered.answer);
+    let (_, prediction) = answer_parts(&answered.prediction);
     Entry {
         step: answered.step,
         kind,
@@ -218,7 +218,7 @@ fn answered(entry: Entry) -> Result<Answered, serde_json::Error> {
 }
 
 /// An answer's kind, as a lesson has it, and what was answered, as JSON has it.
-pub fn parts(answer: &Answer) -> (String, Value) {
+pub fn answer_parts(answer: &Answer) -> (String, Value) {
     let one = match json!(answer) {
         Value::Object(one) => one.into_iter().next(),
         _ => None,

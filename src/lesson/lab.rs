@@ -11,7 +11,7 @@ use crate::analysis::{
 };
 use crate::expression::{Part, Quantities, Todo, Value};
 use crate::geometry::Mesh;
-use crate::render::Renderer;
+use crate::render::{Frame, Renderer};
 use crate::scene::{Rgb, Scene, ShadingMode};
 use crate::text::text;
 use glam::DVec2;
@@ -90,6 +90,12 @@ impl Lab {
                 known: HashMap::new(),
             }),
         }
+    }
+
+    /// Lets the renderer, which has the model of the step, draw its scene.
+    pub(super) fn with_renderer<T>(&self, draw: impl FnOnce(&mut Renderer, &Scene) -> T) -> T {
+        let inner = &mut *self.inner.borrow_mut();
+        draw(&mut inner.renderer, &inner.scenes[0])
     }
 
     /// The step's scene with its probe and line.
@@ -179,6 +185,13 @@ impl LabPlace<'_> {
         let scene = self.scene();
         let renderer = &mut self.lab.inner.borrow_mut().renderer;
         renderer.linear_picture(&scene)
+    }
+
+    /// The picture as it is shown.
+    pub fn picture(&self) -> Frame {
+        let scene = self.scene();
+        let renderer = &mut self.lab.inner.borrow_mut().renderer;
+        renderer.render(&scene).clone()
     }
 
     /// The profile along the line in one mode.

@@ -62,6 +62,11 @@ impl Prose {
             .all(|(text, number)| number.is_none() && text.trim().is_empty())
     }
 
+    /// The text without its numbers.
+    pub fn plain(&self) -> String {
+        self.pieces.iter().map(|(text, _)| &**text).collect()
+    }
+
     /// The text with its numbers.
     ///
     /// # Errors

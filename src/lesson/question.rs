@@ -144,3 +144,28 @@ pub enum MatchValues {
     /// From a seed.
     Random,
 }
+
+impl Kind {
+    /// As a lesson has it.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Choice { .. } => "choice",
+            Self::Value { .. } => "value",
+            Self::Point { .. } => "point",
+            Self::Curve { .. } => "curve",
+            Self::Settings { .. } => "settings",
+            Self::Order { .. } => "order",
+            Self::Match { .. } => "match",
+        }
+    }
+
+    /// Whether its answer is one number.
+    pub fn predicts_number(&self) -> bool {
+        matches!(self, Self::Value { .. } | Self::Settings { .. })
+    }
+
+    /// Whether its answer is a drawing.
+    pub fn is_drawn(&self) -> bool {
+        matches!(self, Self::Curve { .. })
+    }
+}

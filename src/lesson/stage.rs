@@ -56,12 +56,9 @@ impl Stage {
     /// A scene that cannot be loaded, or settings that it does not have.
     pub fn load(&self, folder: Option<&Path>) -> Result<Staged, LessonError> {
         let wrong = |words: String| LessonError::one(self.line_number, words);
-        let is_file = [".toml", ".obj", ".png"]
-            .iter()
-            .any(|ending| self.scene.ends_with(ending));
         let source = match folder {
-            Some(folder) if is_file => folder.join(&self.scene),
-            None if is_file => return Err(wrong(text!("lesson-no-folder").to_owned())),
+            Some(folder) if self.is_file() => folder.join(&self.scene),
+            None if self.is_file() => return Err(wrong(text!("lesson-no-folder").to_owned())),
             _ => PathBuf::from(&self.scene),
         };
         let none: [&str; 0] = [];
@@ -87,6 +84,18 @@ impl Stage {
                 ..Shown::default()
             },
         })
+    }
+
+    /// Whether its scene is a file.
+    fn is_file(&self) -> bool {
+        let name = self.scene.to_ascii_lowercase();
+        let endings = [".toml", ".obj", ".png"];
+        endings.iter().any(|ending| name.ends_with(ending))
+    }
+
+    /// Whether loading it opens a file.
+    pub(super) fn names_file(&self) -> bool {
+        self.is_file() || self.set.iter().any(|setting| setting.contains("path"))
     }
 
     /// What can be seen to be wrong without loading anything.

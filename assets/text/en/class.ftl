@@ -4,3 +4,50 @@ class-no-answers = a picture without answers, expected one that was handed in
 class-version = the answers are of a version that this program does not know, expected { $version }
 class-changed = the answers were changed after they were handed in
 class-not-answers = the answers cannot be read ({ $error })
+class-unfit = has an answer that fits no question of its lesson
+class-other-lesson = answers to the lesson “{ $lesson }”, expected “{ $expected }”
+class-other-version = answers to another version of the lesson “{ $lesson }”
+class-no-lesson = the lesson “{ $lesson }” is not known
+class-bad-lesson = the lesson inside is not sound: line { $error }
+class-needs-lesson = the lesson needs a file: give the lesson with --lesson
+
+# The class's table.
+class-name = Name
+class-right = Right
+class-share-right = Share right
+class-title = { $title }: { $students ->
+    [one] 1 student
+   *[other] { $students } students
+ }
+class-students = { $count ->
+    [one] 1 student
+   *[other] { $count } students
+ }
+class-answered = { $answered } answered, { $right } right at the end
+class-predicted = Predicted first: { $least } to { $greatest }, half of them { $lower } to { $upper }, median { $median }
+class-off = First answers are off by { $least } to { $greatest }, half of them by { $lower } to { $upper }, median { $median }
+class-solution = Right: { $right }
+class-looked-up = { $count ->
+    [one] looked up once
+   *[other] looked up { $count } times
+ }
+class-clicks = First clicks: green ones are right. White: the right place.
+class-curves = First curves: green ones are right. Black: the right curve.
+class-numbers = First answers. Green: the right one.
+class-sheet = Answers of the class
+class-unreadable = Not counted
+
+# Worksheets.
+class-about = { $topic }, { $minutes } minutes
+class-topic-light = Light
+class-topic-reflection = Reflection
+class-topic-shading = Shading
+class-topic-engine = Rendering
+class-date = Date
+class-question = Question { $number }.
+class-answers = Answers: { $title }
+class-answer = Answer:
+class-mark = Mark the place in the picture with a cross.
+class-start = Start
+class-target = Target (seed { $seed })
+class-range = A number from { $from } to { $to } { $unit }

@@ -4,3 +4,41 @@ class-no-answers = 圖片中沒有答案，應為繳交的圖片
 class-version = 答案的版本不是本程式認得的，應為 { $version }
 class-changed = 答案在繳交之後被更改過
 class-not-answers = 無法讀取答案（{ $error }）
+class-unfit = 有一個答案不屬於這一課的任何問題
+class-other-lesson = 是課程「{ $lesson }」的答案，應為「{ $expected }」
+class-other-version = 是課程「{ $lesson }」另一版本的答案
+class-no-lesson = 不認得課程「{ $lesson }」
+class-bad-lesson = 圖片內的課程有誤：第 { $error } 行
+class-needs-lesson = 這一課需要一個檔案：請以 --lesson 指定課程
+
+# The class's table.
+class-name = 姓名
+class-right = 答對
+class-share-right = 答對比例
+class-title = { $title }：{ $students } 位學生
+class-students = { $count } 位學生
+class-answered = { $answered } 人作答，最後答對的有 { $right } 人
+class-predicted = 最初的預測：{ $least } 至 { $greatest }，半數在 { $lower } 至 { $upper } 之間，中位數 { $median }
+class-off = 最初的答案相差 { $least } 至 { $greatest }，半數相差 { $lower } 至 { $upper }，中位數 { $median }
+class-solution = 正確答案：{ $right }
+class-looked-up = 看過答案 { $count } 次
+class-clicks = 最初點選的位置，綠色為正確。白色：正確位置。
+class-curves = 最初畫的曲線，綠色為正確。黑色：正確曲線。
+class-numbers = 最初的答案。綠色：正確答案。
+class-sheet = 全班的答案
+class-unreadable = 未計入
+
+# Worksheets.
+class-about = { $topic }，{ $minutes } 分鐘
+class-topic-light = 光
+class-topic-reflection = 反射
+class-topic-shading = 著色
+class-topic-engine = 繪製
+class-date = 日期
+class-question = 問題 { $number }.
+class-answers = 解答：{ $title }
+class-answer = 答案：
+class-mark = 請在圖片中的位置畫叉。
+class-start = 起始
+class-target = 目標（種子 { $seed }）
+class-range = { $from } 至 { $to } 的數值 { $unit }

@@ -1,0 +1,334 @@
+//! `collect`: the answers of a class, as a table for people, as JSON, CSV and a page.
+
+use super::output::{Failure, print, progress_bar};
+use clap::Args;
+use serde_json::{Value, json};
+use shading_lab::document::{check_target, write_whole};
+use shading_lab::lesson::{
+    Asked, Class, Given, Group, Lesson, Student, answer_parts, class_sheet, collect, short_answer,
+    short_solution, spread,
+};
+use shading_lab::text::text;
+use std::path::{Path, PathBuf};
+
+#[derive(Args)]
+pub struct Collect {
+    #[arg(value_name = "FILE.png", required = true)]
+    files: Vec<PathBuf>,
+    #[arg(long, value_name = "FILE.md")]
+    lesson: Option<PathBuf>,
+    #[arg(long)]
+    json: bool,
+    #[arg(long, value_name = "FILE.csv")]
+    csv: Option<PathBuf>,
+    #[arg(short, long, value_name = "FILE.html", value_parser = super::lesson::page_name())]
+    output: Option<PathBuf>,
+}
+
+impl Collect {
+    pub fn run(self) -> Result<(), Failure> {
+        for target in [&self.csv, &self.output].into_iter().flatten() {
+            check_target(target)?;
+        }
+        let lesson = self.lesson.as_deref().map(Lesson::open).transpose();
+        let lesson = lesson.map_err(Failure::input)?;
+        let bar = progress_bar(self.files.len() as u64, text!("cli-reading"));
+        let mut progress = || bar.inc(1);
+        let pictures = self.output.is_some();
+        let class = collect(&self.files, lesson.as_ref(), pictures, &mut progress);
+        bar.finish_and_clear();
+        if let Some(target) = &self.csv {
+            write_text(target, &csv(&class))?;
+        }
+        if let Some(target) = &self.output {
+            write_text(target, &class_sheet(&class))?;
+        }
+        if self.json {
+            print(&format!("{:#}\n", object(&class)))?;
+        } else if self.csv.is_none() && self.output.is_none() {
+            print(&class.groups.iter().map(table).collect::<String>())?;
+        }
+        let failures: Vec<String> = class
+            .groups
+            .iter()
+            .flat_map(failures)
+            .chain(
+                class
+                    .unreadable
+                    .iter()
+                    .map(|file| format!("{}: {}", file.file, file.why)),
+            )
+            .collect();
+        if failures.is_empty() {
+            Ok(())
+        } else {
+            Err(Failure::Input(failures.join("\n")))
+        }
+    }
+}
+
+fn write_text(target: &Path, text: &str) -> Result<(), Failure> {
+    Ok(write_whole(target, |out| out.write_all(text.as_bytes()))?)
+}
+
+/// The questions that have no right answer.
+fn failures(group: &Group) -> impl Iterator<Item = String> {
+    let line = |asked: &Asked| {
+        group
+            .lesson
+            .steps
+            .get(asked.step)
+            .map_or(0, |step| step.line)
+    };
+    group.questions.iter().filter_map(move |asked| {
+        let failure = asked.failure.as_ref()?;
+        Some(format!("{}:{}: {failure}", group.lesson.name, line(asked)))
+    })
+}
+
+/// Every hand-in with its group, in the order of the files.
+fn in_order(class: &Class) -> Vec<(&Group, &Student)> {
+    let of = |group| move |student| (group, student);
+    let mut all: Vec<(&Group, &Student)> = class
+        .groups
+        .iter()
+        .flat_map(|group| group.students.iter().map(of(group)))
+        .collect();
+    all.sort_by_key(|(_, student)| student.index);
+    all
+}
+
+fn object(class: &Class) -> Value {
+    let answer = |group: &Group, question: usize, given: Option<&Given>| {
+        let asked = &group.questions[question];
+        let kind = asked
+            .question(&group.lesson)
+            .map(|question| question.kind.name());
+        let value = |answer| answer_parts(answer).1;
+        json!({
+            "question": question + 1,
+            "step": asked.step + 1,
+            "kind": kind,
+            "given": given.map(|given| value(&given.answered.answer)),
+            "right": match (&asked.failure, given) {
+                (Some(_), _) => None,
+                (None, given) => Some(given.is_some_and(Given::is_right)),
+            },
+            "score": given.and_then(|given| Some(given.grade?.score)),
+            "prediction": given.map(|given| value(&given.answered.prediction)),
+            "looked_up": given.map(|given| given.answered.looked_up),
+            "tries": given.map(|given| given.answered.tries),
+            "seconds": given.map(|given| given.answered.seconds),
+        })
+    };
+    let row = |(group, student): &(&Group, &Student)| {
+        let answers = student.given.iter().enumerate();
+        let answers: Vec<Value> = answers
+            .map(|(question, given)| answer(group, question, given.as_ref()))
+            .collect();
+        json!({
+            "file": student.file, "name": student.name, "lesson": group.lesson.name, "answers": answers,
+        })
+    };
+    let question = |group: &Group, question: usize| {
+        let predicted = group.predicted(question);
+        json!({
+            "lesson": group.lesson.name,
+            "question": question + 1,
+            "answered": group.given(question).count(),
+            "share_right": group.share_right(question),
+            "solution": group.questions[question].solution,
+            "spread": spread(&predicted),
+        })
+    };
+    let questions: Vec<Value> = class
+        .groups
+        .iter()
+        .flat_map(|group| (0..group.questions.len()).map(move |index| question(group, index)))
+        .collect();
+    let unreadable: Vec<Value> = class
+        .unreadable
+        .iter()
+        .map(|file| json!({ "file": file.file, "why": file.english }))
+        .collect();
+    let rows: Vec<Value> = in_order(class).iter().map(row).collect();
+    json!({ "rows": rows, "unreadable": unreadable, "questions": questions })
+}
+
+fn csv(class: &Class) -> String {
+    let most = class.groups.iter().map(|group| group.questions.len()).max();
+    let mut head = [
+        "file",
+        "name",
+        "lesson",
+        "right",
+        "questions",
+        "share_right",
+    ]
+    .map(str::to_owned)
+    .to_vec();
+    for question in 1..=most.unwrap_or(0) {
+        head.extend([format!("q{question}"), format!("q{question}_right")]);
+    }
+    let columns = head.len();
+    let mut rows = vec![head];
+    for (group, student) in in_order(class) {
+        let (right, questions) = (student.right(), group.questions.len());
+        let mut row = vec![
+            plain(&student.file),
+            plain(&student.name),
+            group.lesson.name.clone(),
+            right.to_string(),
+            questions.to_string(),
+            format!("{:.3}", right as f64 / questions.max(1) as f64),
+        ];
+        for given in &student.given {
+            let given = given.as_ref();
+            row.push(given.map_or(String::new(), |given| cell(&given.answered.answer)));
+            row.push(u8::from(given.is_some_and(Given::is_right)).to_string());
+        }
+        row.resize(columns, String::new());
+        rows.push(row);
+    }
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        // Memory takes every row.
+        let _ = writer.write_record(&row);
+    }
+    let bytes = writer.into_inner().unwrap_or_default();
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// An answer in a cell: numbers as programs read them.
+fn cell(answer: &shading_lab::lesson::Answer) -> String {
+    let list = |value: &Value| {
+        let entries = value.as_array()?.iter();
+        let entries: Vec<String> = entries.map(|entry| entry.to_string()).collect();
+        Some(entries.join(" ").replace("null", "-"))
+    };
+    match answer_parts(answer) {
+        (kind, _) if kind == "choice" || kind == "order" => short_answer(answer),
+        (_, value) => list(&value).unwrap_or_else(|| value.to_string()),
+    }
+}
+
+/// Text from anybody, which a spreadsheet must not take for a formula.
+fn plain(text: &str) -> String {
+    let formula = text.trim_start().starts_with(['=', '+', '-', '@']);
+    if formula || text.starts_with(['\t', '\r']) {
+        format!("'{text}")
+    } else {
+        text.to_owned()
+    }
+}
+
+/// The table of a lesson for a terminal.
+fn table(group: &Group) -> String {
+    let mut rows = vec![[text!("class-name").to_owned()].to_vec()];
+    rows[0].extend((1..=group.questions.len()).map(|number| number.to_string()));
+    rows[0].push(text!("class-right").to_owned());
+    for student in &group.students {
+        let name = if student.name.is_empty() {
+            let file = Path::new(&student.file).file_name();
+            file.map_or_else(
+                || student.file.clone(),
+                |file| file.to_string_lossy().into_owned(),
+            )
+        } else {
+            student.name.clone()
+        };
+        let mut row = vec![one_line(&name)];
+        row.extend(student.given.iter().map(|given| match given {
+            Some(given) => {
+                let sign = if given.is_right() { '✓' } else { '✗' };
+                format!("{} {sign}", short_answer(&given.answered.answer))
+            }
+            None => "–".to_owned(),
+        }));
+        row.push(format!("{}/{}", student.right(), group.questions.len()));
+        rows.push(row);
+    }
+    let mut right = vec![text!("class-share-right").to_owned()];
+    let count = group.questions.len();
+    right.extend((0..count).map(|index| format!("{:.0} %", 100.0 * group.share_right(index))));
+    rows.push(right);
+    let columns = count + 2;
+    let widths: Vec<usize> = (0..columns)
+        .map(|column| {
+            let cells = rows.iter().filter_map(|row| row.get(column));
+            cells.map(|cell| width(cell)).max().unwrap_or(0)
+        })
+        .collect();
+    let title = text!(
+        "class-title",
+        title = one_line(&group.lesson.title),
+        students = group.students.len()
+    );
+    let mut out = format!("{title}\n\n");
+    for row in &rows {
+        let mut line = String::new();
+        for (cell, most) in row.iter().zip(&widths) {
+            line.push_str(cell);
+            line.extend(std::iter::repeat_n(' ', most + 2 - width(cell)));
+        }
+        out.push_str(line.trim_end());
+        out.push('\n');
+    }
+    out.push('\n');
+    for index in 0..count {
+        out.push_str(&question_line(group, index));
+    }
+    out.push('\n');
+    out
+}
+
+/// What the class predicted, and what is right.
+fn question_line(group: &Group, index: usize) -> String {
+    let asked = &group.questions[index];
+    let Some(question) = asked.question(&group.lesson) else {
+        return String::new();
+    };
+    let number = index + 1;
+    let mut line = format!("{number}  {}", one_line(&asked.ask));
+    let counted = group.counted(index);
+    if let Some([least, lower, median, upper, greatest]) = spread(&group.predicted(index)) {
+        let shown = |value: f64| short_answer(&shading_lab::lesson::Answer::Value(value));
+        let own = question.kind.predicts_number();
+        let key = if own { "class-predicted" } else { "class-off" };
+        let words = text!(
+            key,
+            least = shown(least),
+            lower = shown(lower),
+            median = shown(median),
+            upper = shown(upper),
+            greatest = shown(greatest)
+        );
+        line += &format!("\n   {words}");
+    } else if !counted.is_empty() {
+        let counts: Vec<String> = counted
+            .iter()
+            .take(8)
+            .map(|(answer, count)| format!("{} {count}×", short_answer(answer)))
+            .collect();
+        line += &format!("\n   {}", counts.join(", "));
+    }
+    if let Some(solution) = &asked.solution
+        && !question.kind.is_drawn()
+    {
+        let right = short_solution(question, solution);
+        line += &format!("\n   {}", text!("class-solution", right = right));
+    }
+    line + "\n"
+}
+
+/// Text from anybody without what a terminal would act on.
+fn one_line(text: &str) -> String {
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    words.chars().filter(|c| !c.is_control()).collect()
+}
+
+/// Columns of a terminal; Chinese characters take two.
+fn width(text: &str) -> usize {
+    let wide = |c: char| matches!(c, '\u{1100}'..='\u{115f}' | '\u{2e80}'..='\u{a4cf}' | '\u{ac00}'..='\u{d7a3}' | '\u{f900}'..='\u{faff}' | '\u{fe30}'..='\u{fe6f}' | '\u{ff00}'..='\u{ff60}' | '\u{1f300}'..='\u{1faff}' | '\u{20000}'..='\u{3fffd}');
+    text.chars().map(|c| 1 + usize::from(wide(c))).sum()
+}

@@ -1,0 +1,456 @@
+//! The answers of a class: hand-ins sorted by lesson, and graded by the engine. What a hand-in says of its own grades is not read.
+
+use super::hand_in::{HandIn, digest, read_hand_in};
+use super::{
+    Answer, Answered, Grade, Kind, Lab, LabPlace, Lesson, MatchValues, Prose, Question, Solution,
+    Step, find,
+};
+use crate::document::open_picture;
+use crate::render::Frame;
+use crate::text::{Language, in_language, text};
+use std::collections::HashMap;
+use std::path::Path;
+
+/// Everything that was handed in.
+#[derive(Debug, Default)]
+pub struct Class {
+    pub groups: Vec<Group>,
+    pub unreadable: Vec<Unreadable>,
+}
+
+/// A file that does not count.
+#[derive(Clone, Debug)]
+pub struct Unreadable {
+    pub file: String,
+    /// In the language of the moment.
+    pub why: String,
+    /// The same in English, for programs.
+    pub english: String,
+}
+
+/// Those who worked through the same lesson.
+#[derive(Debug)]
+pub struct Group {
+    pub lesson: Lesson,
+    pub questions: Vec<Asked>,
+    pub students: Vec<Student>,
+    /// Whether the lesson came inside a hand-in: it may open no file then.
+    foreign: bool,
+}
+
+/// A question of the lesson, with its numbers filled in.
+#[derive(Debug)]
+pub struct Asked {
+    /// The step, from 0.
+    pub step: usize,
+    pub ask: String,
+    pub why: String,
+    /// The texts of options or items.
+    pub options: Vec<String>,
+    /// The right answer; none where each student has another, or [`Self::failure`].
+    pub solution: Option<Solution>,
+    /// Why there is no right answer.
+    pub failure: Option<String>,
+    /// What the students saw, of questions about a place in it.
+    pub picture: Option<Frame>,
+}
+
+/// A hand-in that counts.
+#[derive(Debug)]
+pub struct Student {
+    /// Which of the files, from 0.
+    pub index: usize,
+    pub file: String,
+    /// May be empty.
+    pub name: String,
+    seed: u64,
+    /// For each question.
+    pub given: Vec<Option<Given>>,
+}
+
+/// An answer, graded.
+#[derive(Clone, Debug)]
+pub struct Given {
+    pub answered: Answered,
+    /// None where the question has no right answer.
+    pub grade: Option<Grade>,
+    /// Of the first answer.
+    pub predicted: Option<Grade>,
+}
+
+impl Asked {
+    /// The question itself.
+    pub fn question<'l>(&self, lesson: &'l Lesson) -> Option<&'l Question> {
+        lesson.steps.get(self.step)?.question.as_ref()
+    }
+}
+
+impl Student {
+    /// How many answers are right.
+    pub fn right(&self) -> usize {
+        let right = |given: &&Option<Given>| given.as_ref().is_some_and(Given::is_right);
+        self.given.iter().filter(right).count()
+    }
+}
+
+impl Given {
+    pub fn is_right(&self) -> bool {
+        self.grade.is_some_and(|grade| grade.right)
+    }
+}
+
+impl Group {
+    /// The answers to a question, of those who gave one.
+    pub fn given(&self, question: usize) -> impl Iterator<Item = &Given> {
+        let given =
+            move |student: &'_ Student| student.given.get(question).is_some_and(Option::is_some);
+        let students = self.students.iter().filter(move |student| given(student));
+        students.filter_map(move |student| student.given[question].as_ref())
+    }
+
+    /// The share of the class whose answer to a question is right.
+    pub fn share_right(&self, question: usize) -> f64 {
+        let right = self.given(question).filter(|given| given.is_right());
+        right.count() as f64 / self.students.len().max(1) as f64
+    }
+
+    /// The numbers that were predicted, in order; of places, curves and pictures how far they are off.
+    pub fn predicted(&self, question: usize) -> Vec<f64> {
+        let mut numbers: Vec<f64> = self
+            .given(question)
+            .filter_map(|given| match given.answered.prediction {
+                Answer::Value(value) | Answer::Settings(value) => Some(value),
+                Answer::Choice(_) | Answer::Order(_) => None,
+                _ => given.predicted?.off,
+            })
+            .collect();
+        numbers.sort_by(f64::total_cmp);
+        numbers
+    }
+
+    /// Which options or orders were predicted, each with how often; the most frequent first.
+    pub fn counted(&self, question: usize) -> Vec<(Answer, usize)> {
+        let mut counted: Vec<(Answer, usize)> = Vec::new();
+        for given in self.given(question) {
+            let prediction = &given.answered.prediction;
+            match counted.iter_mut().find(|(answer, _)| answer == prediction) {
+                Some((_, count)) => *count += 1,
+                None => counted.push((prediction.clone(), 1)),
+            }
+        }
+        counted.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        counted
+    }
+}
+
+/// Least, quartiles and greatest of sorted numbers.
+pub fn spread(sorted: &[f64]) -> Option<[f64; 5]> {
+    let last = sorted.len().checked_sub(1)?;
+    Some([0.0, 0.25, 0.5, 0.75, 1.0].map(|share| {
+        let at = share * last as f64;
+        let (below, above) = (sorted[at.floor() as usize], sorted[at.ceil() as usize]);
+        below + (above - below) * at.fract()
+    }))
+}
+
+/// Reads files that were handed in and grades them. With a `lesson` all must be answers to that one. `pictures`: whether
+/// those of questions about places are drawn. `progress` is told of each file and each question that is done.
+pub fn collect(
+    files: &[impl AsRef<Path>],
+    lesson: Option<&Lesson>,
+    pictures: bool,
+    progress: &mut dyn FnMut(),
+) -> Class {
+    let mut class = Class::default();
+    for (index, path) in files.iter().enumerate() {
+        let path = path.as_ref();
+        let file = path.display().to_string();
+        if let Err(why) = class.take(index, path, lesson) {
+            let english = in_language(Language::English, || {
+                let again = Class::default().take(index, path, lesson);
+                again.err().unwrap_or_else(|| why.clone())
+            });
+            class.unreadable.push(Unreadable { file, why, english });
+        }
+        progress();
+    }
+    for group in &mut class.groups {
+        group.grade(pictures, progress);
+    }
+    class
+}
+
+impl Class {
+    /// Reads a file and puts it with those of its lesson.
+    fn take(&mut self, index: usize, path: &Path, lesson: Option<&Lesson>) -> Result<(), String> {
+        let file = path.display().to_string();
+        let without_name = |error: String| {
+            let own = error.strip_prefix(&format!("{file}: ")).map(str::to_owned);
+            own.unwrap_or(error)
+        };
+        let png = open_picture(path).map_err(|error| without_name(error.to_string()))?;
+        let hand_in = read_hand_in(png).map_err(|error| error.to_string())?;
+        let place = match self
+            .groups
+            .iter()
+            .position(|group| group.is_of(&hand_in, lesson))
+        {
+            Some(place) => place,
+            None => {
+                self.groups.push(Group::of(&hand_in, lesson)?);
+                self.groups.len() - 1
+            }
+        };
+        let group = &mut self.groups[place];
+        let mut record = hand_in.record;
+        let count = record.answers.len();
+        record.fit(&group.lesson);
+        // The lecturer's own lesson may have changed since.
+        if count != record.answers.len() && lesson.is_none() {
+            return Err(text!("class-unfit").to_owned());
+        }
+        let mut given = vec![None; group.questions.len()];
+        for answered in record.answers {
+            let question = group
+                .questions
+                .iter()
+                .position(|asked| asked.step == answered.step);
+            if let Some(question) = question {
+                given[question] = Some(Given {
+                    answered,
+                    grade: None,
+                    predicted: None,
+                });
+            }
+        }
+        group.students.push(Student {
+            index,
+            file,
+            name: hand_in.name,
+            seed: record.seed,
+            given,
+        });
+        Ok(())
+    }
+}
+
+impl Group {
+    /// A group for the lesson of a hand-in.
+    fn of(hand_in: &HandIn, lesson: Option<&Lesson>) -> Result<Self, String> {
+        let name = &*hand_in.record.lesson;
+        let mut foreign = false;
+        let lesson = match (lesson, find(name), &hand_in.source) {
+            (Some(lesson), ..) if lesson.name == name => lesson.clone(),
+            (Some(lesson), ..) => {
+                return Err(text!(
+                    "class-other-lesson",
+                    lesson = name,
+                    expected = &*lesson.name
+                ));
+            }
+            (None, Some(built_in), None) => {
+                let mut sources = Language::ALL
+                    .into_iter()
+                    .map(|language| built_in.source(language));
+                if !sources.any(|source| digest([source]) == hand_in.digest) {
+                    return Err(text!("class-other-version", lesson = name));
+                }
+                built_in.lesson()
+            }
+            (None, _, Some(source)) => {
+                foreign = true;
+                let read = Lesson::read(source, None);
+                let read =
+                    read.map_err(|error| text!("class-bad-lesson", error = error.to_string()));
+                read?
+            }
+            (None, None, None) => return Err(text!("class-no-lesson", lesson = name)),
+        };
+        if lesson.name != name {
+            return Err(text!("class-no-lesson", lesson = name));
+        }
+        let asked = |(step, of): (usize, &Step)| {
+            let question = of.question.as_ref();
+            question.map(|_| Asked::empty(step))
+        };
+        let questions = lesson.steps.iter().enumerate().filter_map(asked).collect();
+        Ok(Self {
+            lesson,
+            questions,
+            students: Vec::new(),
+            foreign,
+        })
+    }
+
+    /// Whether a hand-in belongs to it.
+    fn is_of(&self, hand_in: &HandIn, lesson: Option<&Lesson>) -> bool {
+        let name = self.lesson.name == hand_in.record.lesson;
+        name && match (lesson, &hand_in.source) {
+            (Some(_), _) => true,
+            (None, Some(source)) => self.foreign && self.lesson.source == *source,
+            // Any language, but not another version of the lesson.
+            (None, None) => {
+                !self.foreign
+                    && find(&self.lesson.name).is_some_and(|built_in| {
+                        let mut sources = Language::ALL
+                            .into_iter()
+                            .map(|language| built_in.source(language));
+                        sources.any(|source| digest([source]) == hand_in.digest)
+                    })
+            }
+        }
+    }
+
+    fn grade(&mut self, pictures: bool, progress: &mut dyn FnMut()) {
+        let Self {
+            lesson,
+            questions,
+            students,
+            foreign,
+        } = self;
+        for (index, asked) in questions.iter_mut().enumerate() {
+            let Some(step) = lesson.steps.get(asked.step) else {
+                continue;
+            };
+            let answers = students.iter_mut().filter_map(|student| {
+                Some((student.seed, student.given.get_mut(index)?.as_mut()?))
+            });
+            if let Err(failure) = asked.grade(lesson, step, *foreign, pictures, answers) {
+                asked.failure = Some(failure);
+            }
+            progress();
+        }
+    }
+}
+
+impl Asked {
+    fn grade<'g>(
+        &mut self,
+        lesson: &Lesson,
+        step: &Step,
+        foreign: bool,
+        pictures: bool,
+        answers: impl Iterator<Item = (u64, &'g mut Given)>,
+    ) -> Result<(), String> {
+        let Some(question) = &step.question else {
+            return Ok(());
+        };
+        if foreign && step.stage.names_file() {
+            return Err(text!("class-needs-lesson").to_owned());
+        }
+        let staged = step.stage.load(lesson.folder.as_deref());
+        let staged = staged.map_err(|error| error.to_string())?;
+        let lab = Lab::new(&staged);
+        let place = lab.place(&staged);
+        if let Ok(filled) = Self::filled(self.step, question, place) {
+            *self = filled;
+        }
+        if pictures && matches!(question.kind, Kind::Point { .. }) {
+            self.picture = Some(place.picture());
+        }
+        let mut solutions = HashMap::new();
+        let own = matches!(
+            question.kind,
+            Kind::Match {
+                values: MatchValues::Random,
+                ..
+            }
+        );
+        for (seed, given) in answers {
+            let seed = if own { seed } else { 0 };
+            let solution = solutions
+                .entry(seed)
+                .or_insert_with(|| question.solve(place, seed));
+            let solution = solution.as_ref().map_err(Clone::clone)?;
+            // What cannot be graded, such as half a curve, is not right.
+            let grade =
+                |answer: &Answer| answer.grade(question, solution, place).unwrap_or_default();
+            let Answered {
+                answer, prediction, ..
+            } = &given.answered;
+            given.grade = Some(grade(answer));
+            given.predicted = if answer == prediction {
+                given.grade
+            } else {
+                Some(grade(prediction))
+            };
+        }
+        if !own {
+            let solution = solutions.remove(&0);
+            self.solution = Some(solution.unwrap_or_else(|| question.solve(place, 0))?);
+        }
+        Ok(())
+    }
+
+    /// A question of a step with the numbers in its texts.
+    pub(super) fn filled(
+        step: usize,
+        question: &Question,
+        place: LabPlace<'_>,
+    ) -> Result<Self, (u64, String)> {
+        let right = place
+            .under(&question.set)
+            .map_err(|words| (question.line, words))?;
+        let options: Vec<&Prose> = match &question.kind {
+            Kind::Choice { options, .. } => options.iter().map(|option| &option.text).collect(),
+            Kind::Order { items, .. } => items.iter().map(|item| &item.text).collect(),
+            _ => Vec::new(),
+        };
+        let options: Result<_, _> = options
+            .into_iter()
+            .map(|prose| prose.filled(&place))
+            .collect();
+        Ok(Self {
+            ask: question.ask.filled(&place)?,
+            why: question.why.filled(&right)?,
+            options: options?,
+            ..Self::empty(step)
+        })
+    }
+
+    fn empty(step: usize) -> Self {
+        Self {
+            step,
+            ask: String::new(),
+            why: String::new(),
+            options: Vec::new(),
+            solution: None,
+            failure: None,
+            picture: None,
+        }
+    }
+}
+
+/// The letter of an option or an item.
+pub fn letter(index: usize) -> char {
+    char::from(b'A' + u8::try_from(index % 26).unwrap_or(0))
+}
+
+/// An answer in a few characters.
+pub fn short_answer(answer: &Answer) -> String {
+    let number = |value: f64| {
+        let digits = if value.abs() >= 100.0 { 1 } else { 3 };
+        let text = super::prose::shown(value, digits);
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    };
+    match answer {
+        Answer::Choice(option) => letter(*option).to_string(),
+        Answer::Value(value) | Answer::Settings(value) => number(*value),
+        Answer::Point([x, y]) => format!("({}, {})", number(*x), number(*y)),
+        Answer::Curve(_) => "∿".to_owned(),
+        Answer::Order(order) => order.iter().map(|item| letter(*item)).collect(),
+        Answer::Match(values) => {
+            let values: Vec<String> = values.iter().map(|value| number(*value)).collect();
+            values.join(" ")
+        }
+    }
+}
+
+/// Everything about a question's right answer in a few characters.
+pub fn short_solution(question: &Question, solution: &Solution) -> String {
+    let unit = match &question.kind {
+        Kind::Value { unit, .. } => &**unit,
+        _ => "",
+    };
+    short_answer(&Answer::right(solution)) + unit
+}
