@@ -40,7 +40,7 @@ pub use question::{
 pub use record::{Answered, Record};
 pub use solve::{CURVE_POINTS, Solution};
 pub use stage::{OVERLAYS, Stage, Staged};
-pub use words::in_words;
+pub use words::{in_words, without_marks};
 pub use worksheet::{Worksheet, topic_name, worksheet};
 
 use crate::document::{LoadError, read_text};

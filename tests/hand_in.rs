@@ -1,13 +1,18 @@
-//! Answers handed in as a picture: they come back as they were given, and what was changed, damaged or forged is noticed.
+//! Answers handed in as a picture: they come back as they were given, what was changed, damaged or forged is noticed, and a
+//! class is graded by the engine.
 
+use serde_json::Value;
 use shading_lab::lesson::{
-    ANSWERS_KEYWORD, Answer, Answered, Grade, HandInError, Lesson, Record, hand_in_bytes,
-    read_hand_in,
+    ANSWERS_KEYWORD, Answer, Answered, CURVE_POINTS, Grade, HandInError, Lesson, Record,
+    hand_in_bytes, read_hand_in,
 };
 use shading_lab::picture::{SCENE_KEYWORD, read_scene_text, read_texts, write_png};
 use shading_lab::render::Frame;
 use shading_lab::scene::Scene;
+use std::fs;
 use std::io::Cursor;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
 
 const LESSON: &str = r#"+++
 lesson = 1
@@ -42,6 +47,33 @@ right = false
 [[option]]
 text = "Two"
 right = true
+```
+
+## One curve
+
+```question
+kind = "curve"
+ask = "Draw cos²x."
+x = [0, 90]
+y = [0, 1]
+x_name = "x"
+y_name = "cos²x"
+answer = "cos(x)^2"
+tolerance = 0.1
+```
+
+## One place
+
+```step
+scene = "sphere"
+set = ["camera.eye=[0,0,4]", "camera.target=[0,0,0]", "image.size=[128,128]"]
+```
+
+```question
+kind = "point"
+ask = "Where is $N·L$ greatest?"
+find = "greatest"
+of = "0 - abs(probe.position[0]) - abs(probe.position[1])"
 ```
 "#;
 
@@ -141,4 +173,235 @@ fn a_change_is_noticed() {
     let mut none = Vec::new();
     write_png(&mut none, &picture(), Some(&Scene::default()), &[]).expect("a picture");
     assert!(matches!(read(none), Err(HandInError::NoAnswers)));
+}
+
+/// A folder of a test's own.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("hand-in-{name}"));
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).expect("a folder");
+    path
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_shading-lab"));
+    let command = command.current_dir(folder).env("LANG", "C");
+    command.args(arguments).output().expect("a run")
+}
+
+const STUDENTS: usize = 200;
+
+/// Which of the four questions a student answers right.
+fn knows(student: usize) -> [bool; 4] {
+    [0, 1, 2, 3].map(|question| student % (question + 2) == 0)
+}
+
+fn work(student: usize) -> Record {
+    let [value, choice, curve, place] = knows(student);
+    let mut record = record(if value { 0.52 } else { 0.7 }, usize::from(choice));
+    let right = |x: f64| (x * 90.0).to_radians().cos().powi(2);
+    let curve = (0..CURVE_POINTS).map(|index| {
+        let x = index as f64 / (CURVE_POINTS - 1) as f64;
+        Some(if curve { right(x) + 0.02 } else { x })
+    });
+    record.put(answered(2, Answer::Curve(curve.collect())));
+    if student != 7 {
+        let at = if place { [0.01, -0.01] } else { [0.2, 0.1] };
+        record.put(answered(3, Answer::Point(at)));
+    }
+    record
+}
+
+fn name(student: usize) -> String {
+    match student {
+        0 => "=HYPERLINK(\"http://x\")".to_owned(),
+        1 => "<script>alert(1)</script>".to_owned(),
+        2 => "\u{1b}[2JEve".to_owned(),
+        3 => String::new(),
+        4 => "王小明, \"Ming\"".to_owned(),
+        _ => format!("Student {student}"),
+    }
+}
+
+/// Twenty files that do not count.
+fn spoiled(sound: &[u8]) -> Vec<Vec<u8>> {
+    let mut spoiled: Vec<Vec<u8>> = (1..9)
+        .map(|part| sound[..sound.len() * part / 20].to_vec())
+        .collect();
+    spoiled.push(Vec::new());
+    spoiled.push(b"no picture".to_vec());
+    // A header that claims gigabytes; its checksum is made good.
+    let mut huge = sound.to_vec();
+    huge[16..24].copy_from_slice(&[0, 0, 0xff, 0xff, 0, 0, 0xff, 0xff]);
+    let sum = checksum(&huge[12..29]);
+    huge[29..33].copy_from_slice(&sum.to_be_bytes());
+    let texts = [(ANSWERS_KEYWORD, 1 << 20), (SCENE_KEYWORD, 1 << 20)];
+    let [answers, scene] = read_texts(Cursor::new(sound), texts).expect("texts");
+    let (answers, scene) = (answers.expect("answers"), scene.expect("a scene"));
+    let cut = huge
+        .windows(4)
+        .position(|word| word == b"iTXt")
+        .expect("a text");
+    spoiled.push(huge[..cut - 4].to_vec());
+    let forged = |answers: &str| {
+        let mut bytes = Vec::new();
+        let texts = [(ANSWERS_KEYWORD, answers), (SCENE_KEYWORD, &*scene)];
+        write_png(&mut bytes, &picture(), None, &texts).expect("a picture");
+        bytes
+    };
+    for (from, to) in [
+        ("\"given\":0.7", "\"given\":0.5"),
+        ("\"given\":0,", "\"given\":1,"),
+        ("\"tries\":2", "\"tries\":1"),
+        ("own-lesson", "lambert"),
+        ("\"version\":1", "\"version\":2"),
+        ("{", "["),
+    ] {
+        assert!(answers.contains(from), "{from}");
+        spoiled.push(forged(&answers.replace(from, to)));
+    }
+    spoiled.push(forged(""));
+    spoiled.push(forged(&" ".repeat(9 << 20)));
+    let mut plain = Vec::new();
+    write_png(&mut plain, &picture(), Some(&Scene::default()), &[]).expect("a picture");
+    spoiled.push(plain);
+    assert_eq!(spoiled.len(), 20);
+    spoiled
+}
+
+/// CRC-32 as PNG has it.
+fn checksum(bytes: &[u8]) -> u32 {
+    let step = |sum: u32, byte: &u8| {
+        (0..8).fold(sum ^ u32::from(*byte), |sum, _| {
+            (sum >> 1) ^ (0xedb8_8320 * (sum & 1))
+        })
+    };
+    !bytes.iter().fold(!0, step)
+}
+
+#[test]
+fn a_class_is_graded_and_nothing_stops_at_a_bad_file() {
+    let folder = folder("class");
+    let mut files = Vec::new();
+    for student in 0..STUDENTS {
+        let file = format!("{student:03}.png");
+        fs::write(
+            folder.join(&file),
+            handed_in(&work(student), &name(student)),
+        )
+        .expect("a file");
+        files.push(file);
+    }
+    let spoiled = spoiled(&handed_in(&work(1), "Mallory"));
+    for (index, bytes) in spoiled.iter().enumerate() {
+        let file = format!("bad-{index:02}.png");
+        fs::write(folder.join(&file), bytes).expect("a file");
+        // Among the others, so that something could stop.
+        files.insert(10 * index, file);
+    }
+    let mut arguments = vec![
+        "collect",
+        "--json",
+        "--csv",
+        "class.csv",
+        "-o",
+        "class.html",
+    ];
+    arguments.extend(files.iter().map(String::as_str));
+    let output = run(&folder, &arguments);
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{errors}");
+    assert_eq!(errors.lines().count(), 20, "{errors}");
+    for line in errors.lines() {
+        assert!(line.starts_with("error: bad-"), "{line}");
+    }
+
+    let object: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let unreadable = object["unreadable"].as_array().expect("a list");
+    assert_eq!(unreadable.len(), 20);
+    assert!(
+        unreadable
+            .iter()
+            .all(|file| !file["why"].as_str().expect("why").is_empty())
+    );
+    let rows = object["rows"].as_array().expect("a list");
+    assert_eq!(rows.len(), STUDENTS);
+    for (student, row) in rows.iter().enumerate() {
+        assert_eq!(row["file"], format!("{student:03}.png"));
+        assert_eq!(row["lesson"], "own-lesson");
+        for (question, knows) in knows(student).into_iter().enumerate() {
+            let answer = &row["answers"][question];
+            let answered = student != 7 || question != 3;
+            assert_eq!(answer["question"], question + 1);
+            assert_eq!(
+                answer["kind"],
+                ["value", "choice", "curve", "point"][question]
+            );
+            assert_eq!(answer["right"], knows && answered, "{student} {question}");
+            assert_eq!(answer["given"].is_null(), !answered);
+        }
+    }
+
+    let table = fs::read_to_string(folder.join("class.csv")).expect("a table");
+    let mut rows = csv::Reader::from_reader(table.as_bytes());
+    let rows: Vec<_> = rows.records().map(|row| row.expect("a row")).collect();
+    assert_eq!(rows.len(), STUDENTS);
+    assert_eq!(&rows[0][1], "'=HYPERLINK(\"http://x\")");
+    assert_eq!(&rows[4][1], "王小明, \"Ming\"");
+    assert_eq!((&rows[0][3], &rows[0][4], &rows[0][6]), ("4", "4", "0.52"));
+    assert!(!table.contains('\u{1b}'));
+
+    let page = fs::read_to_string(folder.join("class.html")).expect("a page");
+    assert!(page.contains("&lt;script&gt;alert(1)") && !page.contains("<script"));
+    assert_eq!(page.matches("stroke-opacity=\"0.55\"").count(), STUDENTS);
+    assert!(page.contains("data:image/png;base64,") && !page.contains("http://x\">"));
+}
+
+#[test]
+fn the_table_says_who_is_right() {
+    let folder = folder("table");
+    for student in [0, 1, 4] {
+        let bytes = handed_in(&work(student), &name(student));
+        fs::write(folder.join(format!("{student}.png")), bytes).expect("a file");
+    }
+    fs::write(
+        folder.join("own.md"),
+        LESSON.replace("answer = \"cos(60)\"", "answer = \"0.7\""),
+    )
+    .expect("a file");
+    fs::write(
+        folder.join("other.md"),
+        LESSON.replace("own-lesson", "other"),
+    )
+    .expect("a file");
+    let files = ["0.png", "1.png", "4.png"];
+    let output = run(&folder, &[&["collect"], &files[..]].concat());
+    let table = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    assert!(table.contains("A lecturer's own: 3 students"), "{table}");
+    assert!(
+        table.contains("0.52 ✓") && table.contains("0.7 ✗") && table.contains("67 %"),
+        "{table}"
+    );
+
+    // The lecturer's own text goes before what came with the picture.
+    let own = run(
+        &folder,
+        &[&["collect", "--lesson", "own.md"], &files[..]].concat(),
+    );
+    let table = String::from_utf8_lossy(&own.stdout).into_owned();
+    assert!(
+        table.contains("0.52 ✗") && table.contains("0.7 ✓"),
+        "{table}"
+    );
+    let other = run(
+        &folder,
+        &[&["collect", "--lesson", "other.md"], &files[..]].concat(),
+    );
+    assert_eq!(other.status.code(), Some(2));
+    assert_eq!(String::from_utf8_lossy(&other.stderr).lines().count(), 3);
 }

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use shading_lab::document::{check_target, write_whole};
 use shading_lab::lesson::{
     Asked, Class, Given, Group, Lesson, Student, answer_parts, class_sheet, collect, short_answer,
-    short_solution, spread,
+    short_solution, spread, without_marks,
 };
 use shading_lab::text::text;
 use std::path::{Path, PathBuf};
@@ -289,7 +289,7 @@ fn question_line(group: &Group, index: usize) -> String {
         return String::new();
     };
     let number = index + 1;
-    let mut line = format!("{number}  {}", one_line(&asked.ask));
+    let mut line = format!("{number}  {}", one_line(&without_marks(&asked.ask)));
     let counted = group.counted(index);
     if let Some([least, lower, median, upper, greatest]) = spread(&group.predicted(index)) {
         let shown = |value: f64| short_answer(&shading_lab::lesson::Answer::Value(value));

@@ -23,8 +23,9 @@ pub fn page(title: &str, style: &str, body: &str) -> String {
 const COMMON: &str = "\
 @page { size: auto; margin: 16mm 17mm; }
 * { box-sizing: border-box; }
-body { font: 11pt/1.45 'Noto Sans', 'Helvetica Neue', Helvetica, Arial, 'Noto Sans CJK TC', 'Noto Sans TC', 'PingFang TC', 'Microsoft JhengHei', sans-serif;
+body { font: 11pt/1.45 'Noto Sans', 'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif;
   color: #1a1a1a; background: #fff; max-width: 190mm; margin: 0 auto; padding: 6mm; }
+body:lang(zh) { font-family: 'Noto Sans', 'Helvetica Neue', Helvetica, Arial, 'Noto Sans CJK TC', 'Noto Sans TC', 'PingFang TC', 'Microsoft JhengHei', sans-serif; }
 h1 { font-size: 19pt; line-height: 1.2; margin: 0 0 1mm; }
 h2 { font-size: 13pt; line-height: 1.3; margin: 0 0 2mm; break-after: avoid; }
 h3 { font-size: 11pt; margin: 3mm 0 1mm; break-after: avoid; }

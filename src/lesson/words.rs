@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, LessonError> {
     let mut out = format!("{}\n", lesson.title);
     if !lesson.about.is_empty() {
-        let _ = writeln!(out, "{}", plain(&lesson.about));
+        let _ = writeln!(out, "{}", without_marks(&lesson.about));
     }
     let mut right = String::new();
     let mut number = 0;
@@ -28,14 +28,14 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
             "\n{}. {}\n\n{}\n",
             index + 1,
             step.title,
-            plain(text.trim())
+            without_marks(text.trim())
         );
         let mut settings = vec![step.stage.scene.clone()];
         settings.extend(
             step.stage
                 .set
                 .iter()
-                .map(|setting| format!("--set {setting}")),
+                .map(|setting| ["--set", setting].join(" ")),
         );
         let _ = writeln!(out, "\n    {}", settings.join(" "));
         let Some(question) = &step.question else {
@@ -44,14 +44,18 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
         number += 1;
         let asked = Asked::filled(index, question, place).map_err(wrong)?;
         let heading = text!("class-question", number = number);
-        let _ = writeln!(out, "\n{heading} {}", plain(&asked.ask));
+        let _ = writeln!(out, "\n{heading} {}", without_marks(&asked.ask));
         out.push_str(&room(&asked, question));
         if answers {
             let solution = question.solve(place, seed);
             let solution = solution
                 .map_err(|words| wrong((question.line, text!("lesson-question", words = words))))?;
-            let words = plain(&answer_words(&asked, question, &solution));
-            let _ = writeln!(right, "{heading} {words}\n{}\n", plain(asked.why.trim()));
+            let words = without_marks(&answer_words(&asked, question, &solution));
+            let _ = writeln!(
+                right,
+                "{heading} {words}\n{}\n",
+                without_marks(asked.why.trim())
+            );
         }
     }
     if !right.is_empty() {
@@ -65,7 +69,7 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
 fn room(asked: &Asked, question: &Question) -> String {
     let options = asked.options.iter().enumerate();
     let mut out: String = options
-        .map(|(index, words)| format!("   {} {}\n", letter(index), plain(words)))
+        .map(|(index, words)| format!("   {} {}\n", letter(index), without_marks(words)))
         .collect();
     if let Kind::Value { from, to, unit, .. } = &question.kind {
         let _ = writeln!(
@@ -83,6 +87,6 @@ fn room(asked: &Asked, question: &Question) -> String {
 }
 
 /// CommonMark without the marks of formulas.
-fn plain(text: &str) -> String {
+pub fn without_marks(text: &str) -> String {
     text.replace("`$", "").replace("$`", "").replace('$', "")
 }
