@@ -10,6 +10,7 @@ mod code;
 mod commands;
 mod compare;
 mod controls;
+mod course;
 mod curves;
 mod defects;
 mod dialog;
@@ -31,6 +32,7 @@ mod links;
 mod look;
 mod material;
 mod menu;
+mod named;
 mod orbit;
 mod palette;
 mod panes;
@@ -62,6 +64,7 @@ mod typeset;
 mod views;
 mod welcome;
 
+pub use course::{Course, Kept};
 pub use document::{Document, Origin};
 pub use look::{Look, OverlayLook, ViewName};
 pub use place::{ProbePoint, ProfileLine};
@@ -69,9 +72,12 @@ pub use profile::Profiles;
 pub use profile::look::ProfileLook;
 pub use scan::ScanView;
 pub use start::run;
+#[cfg(not(target_arch = "wasm32"))]
+pub use start::Start;
 pub use state::AppState;
 
 use crate::document::{Loaded, picture_bytes};
+use crate::lesson::Lesson;
 use crate::link::is_link;
 use crate::render::{Frame, Renderer, Report};
 use crate::scene::{Choice as _, presets};
@@ -88,6 +94,7 @@ use recovery::Recovery;
 use serde::{Deserialize, Serialize};
 use state::{Leaving, Own};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use theme::ThemeChoice;
 
 /// Where the window's look is kept between two sessions.
@@ -98,6 +105,7 @@ const STORAGE_KEY: &str = "look";
 #[serde(default)]
 struct Stored {
     look: Look,
+    course: Kept,
 }
 
 /// The window.
@@ -123,9 +131,10 @@ impl App {
             .storage
             .and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
         // Anybody may have written what was stored.
-        let look = stored.map(|stored| stored.look.sound()).unwrap_or_default();
+        let Stored { look, course } = stored.unwrap_or_default();
         let mut state = AppState {
-            look,
+            look: look.sound(),
+            course: Course::with(course),
             ..AppState::default()
         };
         // The toolkit stores a scale of its own, which nobody has checked. Set in this way it holds from the first frame on.
@@ -188,6 +197,17 @@ impl App {
         self.state.welcome = !self.state.look.welcomed && self.state.document.origin == default;
         // A link may have said where.
         self.state.seek_highlight = self.state.welcome && self.state.probe == ProbePoint::default();
+        self
+    }
+
+    /// The same window in a lesson, where there is one; `seed` decides what is drawn at random in it.
+    #[must_use]
+    pub fn with_lesson(mut self, lesson: Option<Lesson>, seed: Option<u64>) -> Self {
+        self.state.course.seed = seed.unwrap_or(self.state.course.seed);
+        if let Some(lesson) = lesson {
+            let built_in = lesson.folder.is_none();
+            self.state.open_lesson(Arc::new(lesson), built_in);
+        }
         self
     }
 
@@ -295,6 +315,7 @@ impl App {
             set_language(wanted);
             // What views have worked out holds text.
             self.state.own = Own::default();
+            self.state.translate_lesson();
             ctx.request_repaint();
         }
         let mark = if self.state.modified() { "*" } else { "" };
@@ -365,6 +386,7 @@ impl App {
             Action::ResetRow => focus::ask_reset(ctx),
             Action::TakeProbe => focus::take(ctx, focus::picture_id()),
             Action::Menus => focus::take_first(ctx),
+            Action::LoadStage => self.files.load_stage(ctx, &self.state),
             Action::Quit if self.may_close() => self.close(ctx),
             Action::CloseUnsaved => self.close(ctx),
             Action::Restore => {
@@ -488,6 +510,7 @@ impl eframe::App for App {
             STORAGE_KEY,
             &Stored {
                 look: self.state.look.clone(),
+                course: self.state.course.kept.clone(),
             },
         );
     }

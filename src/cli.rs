@@ -18,8 +18,12 @@ use analyse::{Analyse, Catalogued};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use input::SceneArguments;
 use output::Failure;
+use shading_lab::document::load;
+use shading_lab::lesson::Lesson;
+use shading_lab::scene::presets;
 use shading_lab::text::{Language, set_language, text};
 use std::env;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// What was asked for. The words of the help are in the catalogue: see [`help`].
@@ -30,6 +34,8 @@ struct Arguments {
     language: Option<Language>,
     #[command(flatten)]
     scene: SceneArguments,
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
     #[arg(long, value_name = "BASE", value_parser = link::parse_page)]
     url: Option<String>,
     #[command(subcommand)]
@@ -119,6 +125,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
     let Arguments {
         language,
         scene,
+        seed,
         url,
         command,
     } = arguments;
@@ -131,7 +138,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         return Err(Failure::input(text!("cli-set-without-scene", name = name)));
     }
     match command {
-        None => open_window(&scene, language, url),
+        None => open_window(&scene, (seed, language), url),
         Some(_) if scene.source.is_some() => Err(Failure::input(text!("cli-scene-before-command"))),
         Some(Command::Link(link)) => link.run(&earlier, url),
         Some(_) if url.is_some() => Err(Failure::input(text!("cli-url-before-command"))),
@@ -158,19 +165,32 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
     }
 }
 
-/// Opens the window on a scene, or on the default one; in `language`, and with `page` in its links, whatever these were last
+/// Opens the window on a scene or a lesson, or on the default scene; in `language`, and with `page` in its links, whatever these were last
 /// time.
 fn open_window(
     arguments: &SceneArguments,
-    language: Option<Language>,
+    (seed, language): (Option<u64>, Option<Language>),
     page: Option<String>,
 ) -> Result<(), Failure> {
-    let loaded = arguments.load(&[])?;
+    let (loaded, lesson) = match &arguments.source {
+        Some(source) if Lesson::is_file(source) => {
+            let lesson = Lesson::open(source).map_err(|error| Failure::input(error.to_string()))?;
+            (load(Path::new(presets::DEFAULT))?, Some(lesson))
+        }
+        _ => (arguments.load(&[])?, None),
+    };
     #[cfg(feature = "app")]
-    return shading_lab::app::run(loaded, language, page).map_err(Failure::work);
+    return shading_lab::app::run(shading_lab::app::Start {
+        loaded,
+        lesson,
+        seed,
+        language,
+        page,
+    })
+    .map_err(Failure::work);
     #[cfg(not(feature = "app"))]
     {
-        drop((loaded, language, page));
+        drop((loaded, lesson, seed, language, page));
         Err(Failure::work(text!("cli-no-window")))
     }
 }

@@ -38,7 +38,7 @@ pub use question::{
     ChoiceOption, CurveOf, Extreme, Find, Goal, Item, Kind, MatchValues, Question, RightIf, Term,
 };
 pub use record::{Answered, Record};
-pub use solve::{CURVE_POINTS, Solution};
+pub use solve::{CURVE_POINTS, Solution, matched_settings, slider, value_of};
 pub use stage::{OVERLAYS, Stage, Staged};
 pub use words::{in_words, without_marks};
 pub use worksheet::{Worksheet, topic_name, worksheet};
@@ -148,7 +148,13 @@ impl Lesson {
         })
     }
 
-    /// The same, with everything that the engine finds wrong with it.
+    /// Whether a file is a lesson, by its name.
+    pub fn is_file(path: &Path) -> bool {
+        path.extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case("md"))
+    }
+
+    /// The same as [`Self::open`], with everything that the engine finds wrong with it.
     ///
     /// # Errors
     /// As [`Self::open`], and what [`check`] says.

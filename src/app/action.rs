@@ -80,6 +80,12 @@ pub enum Action {
     Scan(Walk),
     /// A view, whose panel opens if it is closed.
     View(ViewName),
+    /// What is asked of the course.
+    Course(Turn),
+    /// Loads the scene of the step that is open.
+    LoadStage,
+    /// Shows the scene that the right answer is about.
+    ShowAnswer,
     Keys,
     About,
     /// Closes the window; asks first where there are unsaved changes.
@@ -91,6 +97,24 @@ pub enum Action {
     /// Goes on with that work as this window's own.
     AdoptRestored,
     DeleteLeft,
+}
+
+/// A way through the course.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// The first lesson.
+    Start,
+    /// A lesson of the program, by its name.
+    Open(String),
+    /// The lesson that was opened from a file.
+    Own,
+    /// So many steps further.
+    Step(isize),
+    To(usize),
+    /// The scene of the step as it was at first.
+    Again,
+    /// All lessons.
+    List,
 }
 
 /// A way through the steps of a scanned polygon.

@@ -227,6 +227,9 @@ fn shade(state: &mut AppState, mode: ShadingMode) {
 
 /// The bar of stages.
 pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+    if state.hides_numbers() {
+        return;
+    }
     ui.add_space(2.0);
     ui.horizontal(|ui| {
         let report = engine.report();

@@ -1,10 +1,11 @@
 //! The commands of the window: one table that the keys, the menus and Help read, and what each does to the state.
 
-use super::action::{Action, Walk};
+use super::action::{Action, Turn, Walk};
 use super::focus;
 use super::handles;
 use super::look::{Look, ViewName};
 use super::orbit;
+use super::place::ProbePoint;
 use super::scan::ScanView;
 use super::state::AppState;
 use super::system;
@@ -178,6 +179,7 @@ pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
         probe(),
         camera(),
         scan(),
+        course(),
         help(),
     ]
 });
@@ -315,6 +317,10 @@ fn scan() -> Section {
         .keys("scan-play", "Space", [Action::Scan(Walk::Play)])
 }
 
+fn course() -> Section {
+    Section::new("course").gesture("course-step")
+}
+
 fn help() -> Section {
     Section::new("help")
         .item("keys", "F1", Action::Keys)
@@ -343,6 +349,7 @@ pub fn listen(ctx: &Context, state: &mut AppState) {
     });
     let editing = ctx.text_edit_focused();
     let scanning = state.shows(ViewName::ScanLine);
+    let lesson = state.course.open.is_some();
     ctx.input_mut(|input| {
         input.events.retain(|event| {
             let action = match event {
@@ -350,6 +357,19 @@ pub fn listen(ctx: &Context, state: &mut AppState) {
                 Event::Copy if !editing => Some(Action::CopyPicture),
                 Event::Paste(text) if !editing && is_link(text) => {
                     Some(Action::OpenLink(text.clone()))
+                }
+                Event::Key {
+                    key,
+                    pressed: true,
+                    modifiers,
+                    ..
+                } if lesson
+                    && modifiers.is_none()
+                    && matches!(key, Key::PageUp | Key::PageDown) =>
+                {
+                    // A presenter's remote, from anywhere in the window.
+                    let by = if *key == Key::PageDown { 1 } else { -1 };
+                    Some(Action::Course(Turn::Step(by)))
                 }
                 Event::Key {
                     key,
@@ -400,8 +420,21 @@ impl AppState {
     ///
     /// `size` is the picture's, in pixels.
     pub fn perform(&mut self, action: Action, size: [u32; 2]) -> Option<Action> {
+        // A place that is to be marked must not move away.
+        let moves = matches!(
+            action,
+            Action::ResetCamera | Action::Orbit(_) | Action::Pan(_) | Action::Zoom(_)
+        );
+        if moves && self.course.asks_point() {
+            self.notice = Some(text!("course-camera-still").to_owned());
+            return None;
+        }
         let camera = &mut self.shown.scene.camera;
         match action {
+            Action::MoveProbe(by) if self.course.asks_point() => {
+                let mark = ProbePoint(self.course.mark().unwrap_or_default());
+                self.course.put_mark(mark.moved(by, size).0);
+            }
             Action::Undo => {
                 self.history.undo(&mut self.document);
                 self.return_to_origin();
@@ -449,6 +482,8 @@ impl AppState {
             Action::ChangeLook(change) => change(&mut self.look),
             Action::Scan(walk) => self.own.change(|view: &mut ScanView| view.walk(walk)),
             Action::View(view) => self.show_view(view),
+            Action::Course(turn) => self.turn(turn),
+            Action::ShowAnswer => self.show_answer(),
             other => return Some(other),
         }
         None

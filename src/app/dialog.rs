@@ -136,7 +136,7 @@ impl FileTask {
                 text!("file-open"),
                 text!("open"),
                 text!("file-open-kinds"),
-                &["toml", "obj", "png"],
+                &["toml", "obj", "png", "md"],
                 text!("file-open-example"),
             ),
             Self::SaveScene => (

@@ -18,6 +18,7 @@ use crate::analysis::{
 use crate::document::{load_with, save_picture};
 use crate::geometry::Mesh;
 use crate::jobs::{Job, Work, pack_model, unpack_model};
+use crate::lesson::Lesson;
 use crate::render::{Frame, Renderer, check_memory};
 use crate::scene::Scene;
 use crate::text::text;
@@ -190,8 +191,11 @@ impl Files {
         self.job = Some(Job::start(work, wake(ctx)));
     }
 
-    /// Opens a scene, a model or a picture.
+    /// Opens a scene, a model, a picture or a lesson.
     pub fn open(&mut self, ctx: &Context, path: PathBuf) {
+        if Lesson::is_file(&path) {
+            return self.open_lesson(ctx, path);
+        }
         self.start(
             ctx,
             text!("opening", path = path.display().to_string()),
@@ -205,6 +209,34 @@ impl Files {
                 Ok(move |state: &mut AppState| state.open(document.clone()))
             },
         );
+    }
+
+    /// Opens a lesson.
+    fn open_lesson(&mut self, ctx: &Context, path: PathBuf) {
+        let title = text!("opening", path = path.display().to_string());
+        self.start(ctx, title, text!("not-opened"), move |_| {
+            let lesson = Lesson::open(&path).map_err(|error| error.to_string())?;
+            let (lesson, path) = (Arc::new(lesson), path.clone());
+            Ok(move |state: &mut AppState| {
+                state.look.remember(&path);
+                state.open_lesson(Arc::clone(&lesson), false);
+            })
+        });
+    }
+
+    /// Loads the scene of the step that is open.
+    pub fn load_stage(&mut self, ctx: &Context, state: &AppState) {
+        let Some(open) = &state.course.open else {
+            return;
+        };
+        let (opening, step, lesson) = (open.opening, open.step, Arc::clone(&open.lesson));
+        let title = text!("opening", path = open.current().stage.scene.as_str());
+        self.start(ctx, title, text!("not-opened"), move |_| {
+            let stage = &lesson.steps[step].stage;
+            let staged = stage.load(lesson.folder.as_deref());
+            let staged = staged.map(Arc::new).map_err(|error| error.to_string());
+            Ok(move |state: &mut AppState| state.stage(opening, step, staged.clone()))
+        });
     }
 
     /// Opens unsaved work that was left in a file.

@@ -53,6 +53,10 @@ pub fn grips(state: &AppState, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
                 .map(|(v, at)| (Grip::Vertex(v), at)),
         );
     }
+    if let Some(mark) = state.course.mark().filter(|_| state.course.asks_point()) {
+        let pixel = ProbePoint(mark).centre(place.size);
+        grips.push((Grip::Mark, place.point(pixel)));
+    }
     grips.push((Grip::Probe, place.point(state.probe.centre(place.size))));
     grips
 }

@@ -17,6 +17,7 @@
 use super::bars;
 use super::controls;
 use super::engine::Engine;
+use super::look::ViewName;
 use super::picture::{self, Room};
 use super::state::AppState;
 use super::views::{self, RAIL};
@@ -138,9 +139,16 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
         state.commit();
     }
     if beside {
-        Panel::right("view")
+        // A lesson is read, and has questions to be answered.
+        let course = state.look.view == ViewName::Course;
+        let (name, share, most) = if course {
+            ("course", 0.34, 520.0)
+        } else {
+            ("view", 0.26, 380.0)
+        };
+        Panel::right(name)
             .resizable(true)
-            .default_size(PANEL.max(0.26 * size.x).min(380.0))
+            .default_size(PANEL.max(share * size.x).min(most))
             .size_range(PANEL..=left.clamp(PANEL, 720.0))
             .show(ui, |ui| views::view_ui(ui, state, engine, false));
     }

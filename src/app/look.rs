@@ -159,6 +159,14 @@ pub enum ViewName {
     Plan,
     Study,
     Stability,
+    Course,
+}
+
+impl ViewName {
+    /// The view that links and lessons call so.
+    pub fn named(name: &str) -> Option<Self> {
+        serde_json::from_value(name.into()).ok()
+    }
 }
 
 /// What is drawn over the picture.

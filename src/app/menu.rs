@@ -3,10 +3,11 @@
 use super::action::Action;
 use super::commands::{Command, SECTIONS};
 use super::focus::{named, switch_named};
+use super::sign::tick;
 use super::state::AppState;
 use crate::scene::ShadingMode;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Atom, Button, Color32, IdSalt, Rect, Shape, Stroke, Ui, vec2};
+use eframe::egui::{Atom, Button, IdSalt, Rect, Ui, vec2};
 
 /// Width of a menu, points.
 const WIDTH: f32 = 264.0;
@@ -87,13 +88,4 @@ fn is_on(command: &Command, state: &mut AppState) -> Option<bool> {
         Action::PictureAlone => Some(state.picture_alone),
         _ => None,
     }
-}
-
-/// A tick within `room`.
-pub fn tick(room: Rect, colour: Color32) -> Shape {
-    let at = |x: f32, y: f32| room.lerp_inside(vec2(x, y));
-    Shape::line(
-        vec![at(0.2, 0.55), at(0.4, 0.75), at(0.78, 0.28)],
-        Stroke::new(1.8, colour),
-    )
 }

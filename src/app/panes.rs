@@ -118,6 +118,7 @@ pub fn captions_ui(
     whole: Place,
 ) {
     let figures = &engine.figures;
+    let hidden = state.hides_numbers();
     let font = TextStyle::Body.resolve(ui.style());
     let compared = figures.len() == panes.len() && figures.len() > 1;
     for pane in panes {
@@ -140,7 +141,7 @@ pub fn captions_ui(
                 let room = pane.seen.shrink(MARGIN);
                 let name = name_ui(ui, state, panes, pane, &one.name, (room, Align2::LEFT_TOP));
                 // A small pane shows its picture; the figures stand in the view beside it.
-                if room.height() < LEAST_CAPTIONED {
+                if room.height() < LEAST_CAPTIONED || hidden {
                     continue;
                 }
                 let text = fitting(&painter, &caption(one, figures), &font, room.width());
@@ -158,6 +159,9 @@ pub fn captions_ui(
             for ((pane, one), (top, bottom)) in panes.iter().zip(figures).zip(sides) {
                 let room = top.align_size_within_rect(half, rect);
                 let name = name_ui(ui, state, panes, pane, &one.name, (room, top));
+                if hidden {
+                    continue;
+                }
                 let text = fitting(&painter, &caption(one, figures), &font, room.width());
                 let corners = [bottom, bottom];
                 measured(&painter, state, pane, (room, name), &text, corners, &font);
@@ -172,6 +176,9 @@ pub fn captions_ui(
             let title = format!("{} − {}", figures[0].name, figures[1].name);
             let (at, align) = (rect.min, Align2::LEFT_TOP);
             letter(&painter, at, align, &title, &font, Color32::WHITE);
+            if hidden {
+                return;
+            }
             let line = error_line(&error);
             let below = rect.with_min_y(rect.min.y + 1.4 * font.size);
             if rect.width() < LEAST_BESIDE {

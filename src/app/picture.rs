@@ -1,6 +1,7 @@
 //! The picture in the middle: drawn pixel for pixel, turned, zoomed and probed by hand.
 
 use super::action::Action;
+use super::course;
 use super::defects;
 use super::engine::Engine;
 use super::focus;
@@ -168,6 +169,7 @@ impl Pointed {
     /// picture lies over lights and vertices, these over the probe.
     fn under(&self, state: &AppState, at: Pos2) -> (Grip, DVec2) {
         let rank = |grip: &Grip| match grip {
+            Grip::Mark => -1,
             Grip::LineEnd(_) => 0,
             Grip::Roll => 1,
             Grip::Probe => 3,
@@ -187,6 +189,7 @@ impl Pointed {
             None if panes::on_wipe(state, &panes::places(state, self.place), at, self.reach) => {
                 (Grip::Wipe, DVec2::ZERO)
             }
+            None if state.course.asks_point() => (Grip::Mark, DVec2::ZERO),
             None => (Grip::Camera, DVec2::ZERO),
         }
     }
@@ -198,6 +201,9 @@ fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, poi
         // Two fingers move the camera, whatever the first of them had taken hold of.
         state.drag = None;
         if whole.rect.contains(fingers.start_pos) {
+            if state.course.asks_point() {
+                return;
+            }
             let camera = &mut state.shown.scene.camera;
             let span = camera.span(place.size.map(f64::from)).max(1.0);
             let [dx, dy] = <[f32; 2]>::from(fingers.translation_delta * place.pixels_per_point);
@@ -233,6 +239,8 @@ fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, poi
         }
         if response.double_clicked() || response.long_touched() {
             put_probe(state, place, at);
+        } else if response.clicked() && state.course.asks_point() {
+            put_mark(state, place, at);
         } else if response.clicked() {
             choose(state, pointed.under(state, at).0);
         }
@@ -273,6 +281,11 @@ fn choose(state: &mut AppState, grip: Grip) {
     }
 }
 
+fn put_mark(state: &mut AppState, place: Place, at: Pos2) {
+    let mark = course::from_pixel(place.pixel(at), place.size);
+    state.course.put_mark(mark);
+}
+
 fn put_probe(state: &mut AppState, place: Place, at: Pos2) {
     let pixel = place.pixel(at);
     let inside = |value: f64, side: u32| value.clamp(0.0, f64::from(side.saturating_sub(1))) as u32;
@@ -310,6 +323,9 @@ fn drag(state: &mut AppState, response: &Response, at: Pos2, whole: Place, point
             orbit::orbit(&mut scene.camera, way.x, way.y);
         }
         Grip::Probe => put_probe(state, *place, at),
+        Grip::Mark => {
+            state.course.put_mark(course::from_pixel(pixel, place.size));
+        }
         Grip::Wipe => {
             let share = whole.pixel(at).x / f64::from(whole.size[0].max(1));
             state.document.scene.compare.wipe = (share.clamp(0.0, 1.0) * 1000.0).round() / 1000.0;
@@ -332,7 +348,7 @@ fn cursor(grip: Grip, shift: bool) -> CursorIcon {
             CursorIcon::Grab
         }
         Grip::Rim(way) => handles::cursor(way),
-        Grip::Probe => CursorIcon::Crosshair,
+        Grip::Probe | Grip::Mark => CursorIcon::Crosshair,
         Grip::Wipe => CursorIcon::ResizeHorizontal,
         Grip::Camera if shift => CursorIcon::Move,
         Grip::Camera => CursorIcon::AllScroll,
@@ -406,4 +422,8 @@ fn paint_over(ui: &Ui, state: &AppState, engine: &Engine, place: Place, pane: us
     }
     scan::paint(&painter, state, place);
     handles::paint(&painter, state, &view, place);
+    if active {
+        let font = TextStyle::Body.resolve(ui.style());
+        course::paint(&painter, state, place, &font);
+    }
 }

@@ -9,6 +9,7 @@ mod layout;
 mod number;
 mod widgets;
 
+pub use expression::evaluate;
 pub use layout::{About, row, value_row};
 pub use number::{NumberRow, SliderRange, display, number, whole};
 pub use widgets::{axes, swatch};

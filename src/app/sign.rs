@@ -2,7 +2,7 @@
 
 use super::focus::switch_named;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Color32, Painter, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, vec2};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, vec2};
 
 /// What a button shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,6 +12,7 @@ pub enum Sign {
     Line,
     Picture,
     Engine,
+    Course,
     Close,
     Enlarge,
     Shrink,
@@ -76,6 +77,21 @@ impl Sign {
                 line(&[(0.5, 0.03), (0.5, 0.2)]);
                 line(&[(0.5, 0.58), (0.68, 0.38)]);
             }
+            Self::Course => {
+                // An open book.
+                line(&[(0.5, 0.25), (0.5, 0.92)]);
+                for way in [-1.0, 1.0] {
+                    let x = |share: f32| 0.5 + way * share;
+                    line(&[
+                        (x(0.0), 0.25),
+                        (x(0.2), 0.14),
+                        (x(0.48), 0.14),
+                        (x(0.48), 0.8),
+                        (x(0.2), 0.8),
+                        (x(0.0), 0.92),
+                    ]);
+                }
+            }
             Self::Close => {
                 line(&[(0.15, 0.15), (0.85, 0.85)]);
                 line(&[(0.85, 0.15), (0.15, 0.85)]);
@@ -116,4 +132,13 @@ pub fn sign_button(ui: &mut Ui, sign: Sign, name: &str) -> bool {
     let square = Rect::from_center_size(rect.center(), vec2(13.0, 13.0));
     sign.paint(ui.painter(), square, visuals.text_color());
     response.on_hover_text(name).clicked()
+}
+
+/// A tick within `room`.
+pub fn tick(room: Rect, colour: Color32) -> Shape {
+    let at = |x: f32, y: f32| room.lerp_inside(vec2(x, y));
+    Shape::line(
+        vec![at(0.2, 0.55), at(0.4, 0.75), at(0.78, 0.28)],
+        Stroke::new(1.8, colour),
+    )
 }

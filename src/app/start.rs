@@ -2,6 +2,7 @@
 
 use super::App;
 use crate::document::Loaded;
+use crate::lesson::Lesson;
 use crate::text::{Language, text};
 use eframe::egui::ViewportBuilder;
 use std::path::Path;
@@ -15,12 +16,30 @@ const X11_LIBRARIES: [(&str, &str); 5] = [
     ("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
 ];
 
-/// Opens the window on `loaded` and returns when it is closed. `language` goes before what the window was in last time, `page`
-/// before the address that its links began with.
+/// What the window begins with.
+pub struct Start {
+    pub loaded: Loaded,
+    pub lesson: Option<Lesson>,
+    /// Decides what is drawn at random in lessons.
+    pub seed: Option<u64>,
+    /// Goes before what the window was in last time.
+    pub language: Option<Language>,
+    /// Goes before the address that its links began with.
+    pub page: Option<String>,
+}
+
+/// Opens the window and returns when it is closed.
 ///
 /// # Errors
 /// No display, or a library that it needs is missing; in a sentence.
-pub fn run(loaded: Loaded, language: Option<Language>, page: Option<String>) -> Result<(), String> {
+pub fn run(start: Start) -> Result<(), String> {
+    let Start {
+        loaded,
+        lesson,
+        seed,
+        language,
+        page,
+    } = start;
     check_environment()?;
     let viewport = ViewportBuilder::default()
         .with_title("shading-lab")
@@ -33,7 +52,7 @@ pub fn run(loaded: Loaded, language: Option<Language>, page: Option<String>) -> 
     };
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let app = App::new(cc, loaded).with_welcome().in_language(language);
-        let app = app.with_page(page);
+        let app = app.with_page(page).with_lesson(lesson, seed);
         let folder = eframe::storage_dir("shading-lab").map(|folder| folder.join("recovery"));
         Box::new(match folder {
             Some(folder) => app.with_recovery(&folder),

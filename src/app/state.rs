@@ -10,6 +10,7 @@
 //! ```
 
 use super::action::Action;
+use super::course::Course;
 use super::dialog::Dialog;
 use super::document::{Document, History, Origin};
 use super::look::{Look, ViewName};
@@ -76,6 +77,8 @@ pub struct AppState {
     /// The path that the desktop's own dialog gave, which has asked whether to replace the file.
     pub agreed: Option<PathBuf>,
     pub leaving: Leaving,
+    /// The lessons, and what was answered.
+    pub course: Course,
     /// What views and dialogs remember for themselves.
     pub own: Own,
     /// A line in the bottom bar about what was last done.
@@ -108,6 +111,11 @@ impl AppState {
         if let Origin::File(path) = &document.origin {
             self.look.remember(path);
         }
+        self.replace(document);
+    }
+
+    /// Puts another document in the place of this one.
+    pub fn replace(&mut self, document: Document) {
         self.document = document;
         self.saved = self.document.clone();
         self.opened = self.document.scene.clone();
@@ -338,6 +346,8 @@ pub enum Grip {
     /// A vertex of the scene's own polygons, by its number.
     Vertex(u32),
     Probe,
+    /// The place that is marked as the answer to a question.
+    Mark,
     /// The line of a wipe.
     Wipe,
     /// The camera about its target.

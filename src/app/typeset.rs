@@ -104,6 +104,26 @@ pub fn formula(
     pieces
 }
 
+/// A letter of the formulas by its name, such as `Ka` or `n`, in its own colour; none where it is not one of them.
+pub fn letter(visuals: &Visuals, name: &str) -> Option<Piece> {
+    let exponent = ("n", "n", "", Symbol::Exponent, "");
+    let known = LETTERS.iter().find(|(known, ..)| *known == name);
+    let (_, text, low, symbol, meaning) = *known.or((name == "n").then_some(&exponent))?;
+    let vector = match symbol {
+        Symbol::Kd => Some(Vector::L),
+        Symbol::Ks => Some(Vector::R),
+        _ => Vector::ALL
+            .into_iter()
+            .find(|vector| vector.letter() == name),
+    };
+    let colour = vector.map_or(visuals.text_color(), |vector| vector_text(visuals, vector));
+    let tip = (!meaning.is_empty()).then(|| text!(meaning).to_owned());
+    Some(Piece {
+        tip,
+        ..Piece::symbol(text.trim_end(), low, symbol, colour)
+    })
+}
+
 /// A letter, a sign or a number of a formula.
 #[derive(Clone, Debug)]
 pub struct Piece {
@@ -155,9 +175,15 @@ impl Piece {
             ..TextFormat::default()
         };
         // Letters are slanted, words and the sign of a sum are not.
-        let italics = self.symbol.is_some()
-            && self.text.trim() != "Σ"
-            && self.text.trim().chars().count() <= 1;
+        let mut letters = self.text.trim().chars();
+        let single = (letters.next(), letters.next());
+        let italics = match single {
+            (Some('Σ'), None) => false,
+            // A letter of a formula that the window does not know.
+            (Some('a'..='z' | 'A'..='Z' | '\u{3b1}'..='\u{3c9}'), None) => true,
+            (_, None) => self.symbol.is_some(),
+            _ => false,
+        };
         append(&mut job, &self.text, &format(size, Align::Center, italics));
         if !self.low.is_empty() {
             job.append(&self.low, 0.0, format(size * 0.68, Align::BOTTOM, false));

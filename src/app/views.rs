@@ -1,6 +1,7 @@
 //! The views: ways of reading the picture, in groups that the rail at the right shows.
 
 use super::compare::compare_ui;
+use super::course::{course_ui, hidden_ui};
 use super::curves::curves_ui;
 use super::defects::defects_ui;
 use super::engine::Engine;
@@ -55,7 +56,7 @@ impl Group {
 }
 
 /// Every view, in the order in which they are shown.
-pub static GROUPS: [Group; 4] = [
+pub static GROUPS: [Group; 5] = [
     Group {
         sign: Sign::Point,
         name: "view-point",
@@ -133,6 +134,16 @@ pub static GROUPS: [Group; 4] = [
                 show: |ui, state, engine| with(ui, state, engine, stability_ui),
             },
         ],
+    },
+    Group {
+        sign: Sign::Course,
+        name: "course",
+        views: &[View {
+            key: ViewName::Course,
+            name: "course",
+            wide: false,
+            show: course_ui,
+        }],
     },
 ];
 
@@ -277,10 +288,19 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
     let rect = ui.available_rect_before_wrap();
     let mut inside = ui.new_child(UiBuilder::new().max_rect(rect));
     ui.advance_cursor_after_rect(rect);
+    if name == ViewName::Course {
+        // Its ways on stay in sight.
+        return (view.show)(&mut inside, state, engine);
+    }
+    let show = if state.hides_numbers() {
+        |ui: &mut Ui, state: &mut AppState, _: &Engine| hidden_ui(ui, state)
+    } else {
+        view.show
+    };
     ScrollArea::vertical()
         .id_salt(view.name)
         .auto_shrink(false)
-        .show(&mut inside, |ui| (view.show)(ui, state, engine));
+        .show(&mut inside, |ui| show(ui, state, engine));
 }
 
 /// Closes, enlarges or moves the view.

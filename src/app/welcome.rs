@@ -1,6 +1,6 @@
 //! What the first start shows over the picture: what this is, and ways on.
 
-use super::action::Action;
+use super::action::{Action, Turn};
 use super::state::AppState;
 use crate::text::text;
 use eframe::egui::{Align2, Area, Button, Context, Frame, Id, Order, Rect, RichText, Ui, vec2};
@@ -29,9 +29,9 @@ fn card_ui(ui: &mut Ui, state: &mut AppState) {
     ui.label(text!("welcome.sentence"));
     ui.add_space(8.0);
     ui.horizontal_wrapped(|ui| {
-        let main = Button::new(RichText::new(text!("welcome-scenes")).strong());
+        let main = Button::new(RichText::new(text!("course-start")).strong());
         let ways = [
-            (main, Some(Action::Scenes)),
+            (main, Some(Action::Course(Turn::Start))),
             (Button::new(text!("welcome-explore")), None),
             (Button::new(text!("welcome-open")), Some(Action::Open)),
         ];

@@ -330,7 +330,7 @@ fn corner(place: LabPlace<'_>, mode: ShadingMode, tolerance: f64) -> Result<Vec<
 }
 
 /// The parameter of a key that has a slider, and which light it belongs to.
-pub(super) fn slider(key: &str) -> Option<(&'static Parameter, usize, Slider)> {
+pub fn slider(key: &str) -> Option<(&'static Parameter, usize, Slider)> {
     let index = key.split('.').nth(1).and_then(|part| part.parse().ok());
     let index: usize = index.unwrap_or(0);
     let parameter = Parameter::all().find(|parameter| parameter.key(index) == key)?;
@@ -338,7 +338,10 @@ pub(super) fn slider(key: &str) -> Option<(&'static Parameter, usize, Slider)> {
 }
 
 /// The value of a key of a scene, as a number; of a coefficient the greatest channel.
-pub(super) fn value_of(scene: &crate::scene::Scene, key: &str) -> Result<f64, String> {
+///
+/// # Errors
+/// A key that has no slider, or no value in this scene.
+pub fn value_of(scene: &crate::scene::Scene, key: &str) -> Result<f64, String> {
     let missing = || text!("lesson-no-value", name = key);
     let (parameter, index, _) = slider(key).ok_or_else(missing)?;
     let value = parameter.value(scene, index).ok_or_else(missing)?;

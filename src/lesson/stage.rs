@@ -4,7 +4,7 @@ use super::LessonError;
 use crate::document::load_with;
 use crate::geometry::Mesh;
 use crate::link::{Shown, VIEWS};
-use crate::scene::{Compare, Pane, Scene};
+use crate::scene::{Compare, CompareView, Pane, Scene};
 use crate::text::text;
 use glam::DVec2;
 use std::path::{Path, PathBuf};
@@ -70,6 +70,9 @@ impl Stage {
         }
         if let Some(panes) = &self.panes {
             scene.compare.panes = panes.iter().map(|pane| pane_of(pane)).collect();
+            if scene.compare.view == CompareView::Single {
+                scene.compare.view = CompareView::Panes;
+            }
         }
         let scene = scene.with_overrides(&self.set);
         Ok(Staged {
@@ -87,7 +90,7 @@ impl Stage {
     }
 
     /// Whether its scene is a file.
-    fn is_file(&self) -> bool {
+    pub fn is_file(&self) -> bool {
         let name = self.scene.to_ascii_lowercase();
         let endings = [".toml", ".obj", ".png"];
         endings.iter().any(|ending| name.ends_with(ending))

@@ -78,14 +78,15 @@ cli-check-polygons =
 
 # Help: a command `cli-help-NAME`, its argument `cli-help-NAME-ARGUMENT`, an argument of several commands `cli-help-shared-ARGUMENT`.
 cli-help-program = A laboratory for local illumination and polygon shading.
-    .long = Without a command it opens the window. SCENE is a scene file (.toml), a model (.obj), a picture that this program exported (.png), the name of a built-in scene (`shading-lab scenes`), or a link (in quotation marks).
+    .long = Without a command it opens the window. SCENE is a scene file (.toml), a model (.obj), a picture that this program exported (.png), the name of a built-in scene (`shading-lab scenes`), a lesson (.md), or a link (in quotation marks).
 cli-help-shared-help = Print help
 cli-help-shared-version = Print version
 cli-help-shared-language = Language of the texts, instead of the system's
-cli-help-shared-source = A .toml, .obj or .png file, the name of a built-in scene, or a link
+cli-help-shared-source = A .toml, .obj, .png or .md file, the name of a built-in scene, or a link
 cli-help-shared-set = Override one key of the scene, as in material.n=1005 or light.0.position=[2,2,3]
 cli-help-shared-material = Use a named material (see `materials`); --set can then change it further
 cli-help-shared-url = Address of the page that links begin with, as in https://example.org/shading-lab/; the window remembers it
+cli-help-shared-seed = Number that decides what the questions of lessons draw at random
 cli-help-shared-json = Print one JSON object
 cli-help-shared-csv = Write the table as CSV
 cli-help-shared-output = Write the figure as .png or .svg, the table as .csv, or the JSON object

@@ -221,3 +221,7 @@ controls-command-keys = Keyboard and mouse
 controls-command-menus =
     .does = Go to the menus
 controls-command-about = About
+controls-group-course = Course
+controls-command-course-step =
+    .does = The step before or the next step of the lesson that is open
+    .gesture = PageUp PageDown

@@ -36,7 +36,6 @@ view-beside = Move beside the picture
 view-below = Move below the picture
 welcome = Welcome to shading-lab
     .sentence = See how light becomes the colour of a pixel. Drag the picture to turn it, drag a light to move it, and point at a letter of the equation to find its control.
-welcome-scenes = Browse scenes
 welcome-explore = Explore this one
 welcome-open = Open a model
 menu = Menu

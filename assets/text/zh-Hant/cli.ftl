@@ -70,14 +70,15 @@ cli-check-polygons = ，{ $count } 個多邊形
 
 # 說明：指令為 cli-help-名稱，其引數為 cli-help-名稱-引數，多個指令共用的引數為 cli-help-shared-引數。
 cli-help-program = 區域照明與多邊形著色實驗室。
-    .long = 不加指令則開啟視窗。SCENE 是場景檔（.toml）、模型（.obj）、本程式匯出的圖片（.png），內建場景的名稱（`shading-lab scenes`），或連結（加上引號）。
+    .long = 不加指令則開啟視窗。SCENE 是場景檔（.toml）、模型（.obj）、本程式匯出的圖片（.png），內建場景的名稱（`shading-lab scenes`）、課程（.md），或連結（加上引號）。
 cli-help-shared-help = 顯示說明
 cli-help-shared-version = 顯示版本
 cli-help-shared-language = 文字的語言，取代系統語言
-cli-help-shared-source = .toml、.obj 或 .png 檔、內建場景的名稱，或連結
+cli-help-shared-source = .toml、.obj、.png 或 .md 檔、內建場景的名稱，或連結
 cli-help-shared-set = 覆寫場景的一個鍵，例如 material.n=1005 或 light.0.position=[2,2,3]
 cli-help-shared-material = 使用具名材質（見 `materials`）；之後可再用 --set 修改
 cli-help-shared-url = 連結開頭的網頁位址，例如 https://example.org/shading-lab/；視窗會記住
+cli-help-shared-seed = 決定課程題目隨機取值的數字
 cli-help-shared-json = 輸出一個 JSON 物件
 cli-help-shared-csv = 將表格寫成 CSV
 cli-help-shared-output = 將圖形寫成 .png 或 .svg、表格寫成 .csv，或寫出 JSON 物件

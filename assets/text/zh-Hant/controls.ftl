@@ -221,3 +221,7 @@ controls-command-keys = 鍵盤與滑鼠
 controls-command-menus =
     .does = 移到選單
 controls-command-about = 關於
+controls-group-course = 課程
+controls-command-course-step =
+    .does = 開啟的課程的上一步或下一步
+    .gesture = PageUp PageDown

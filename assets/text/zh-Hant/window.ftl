@@ -36,7 +36,6 @@ view-beside = 移到圖片旁邊
 view-below = 移到圖片下方
 welcome = 歡迎使用 shading-lab
     .sentence = 看光如何變成一個像素的顏色。拖曳圖片可以旋轉視角，拖曳光源可以移動它；指向方程式中的字母，就能找到對應的控制項。
-welcome-scenes = 瀏覽場景
 welcome-explore = 探索這個場景
 welcome-open = 開啟模型
 menu = 選單

@@ -1,5 +1,6 @@
 //! Opening the window as a web page.
 
+use super::course::{Likeness, Prepare, Target};
 use super::dialog::Dialog;
 use super::engine::Supersampled;
 use super::files::Exported;
@@ -90,9 +91,12 @@ fn workers() -> Vec<Served> {
         served::<Asked<StabilityQuestion>>(),
         served::<Asked<StudyQuestion>>(),
         served::<Exported>(),
+        served::<Likeness>(),
         served::<Perceived>(),
+        served::<Prepare>(),
         served::<Spheres>(),
         served::<Supersampled>(),
+        served::<Target>(),
         served::<Thumbnails>(),
     ]
 }

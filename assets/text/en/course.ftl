@@ -1,0 +1,83 @@
+# The course in the window: lessons, questions and answers.
+
+course = Course
+course-start = Start the course
+course-lessons = Lessons
+course-topic-light = Light
+course-topic-reflection = Reflection
+course-topic-shading = Shading
+course-topic-engine = In the engine
+course-own = Your own lesson
+course-none = This program has no lessons.
+course-open-own = Open a lesson of your own…
+course-minutes = { $count } min
+course-begun = begun
+course-done = (done)
+course-in-text = in the text
+
+course-step = Step { $number } of { $count }
+course-back = Back
+    .tip = The step before (Page up)
+course-next = Next
+    .tip = The next step (Page down)
+course-finish = Finish
+course-preparing = Computing the numbers …
+course-no-step = The lesson has no such step.
+course-numbers = Show the numbers: { $view }
+course-again = Back to the step’s scene
+    .tip = Put everything back as the step shows it
+course-hidden = Numbers are hidden until you have answered the question.
+course-to-question = To the question
+course-camera-still = The camera stays still until the question is answered.
+
+course-question = Question
+course-check = Check
+course-show-answer = Show the answer
+    .tip = Show the right answer and why it is right; this is counted
+course-solving = Computing the right answer …
+course-number = a number
+course-answer = Your answer
+course-no-number = This is not a number.
+course-point = Click in the picture. By keyboard: F3, then the arrow keys.
+course-point-set = Your mark is in the picture. Drag it or click elsewhere to move it.
+course-settings = Use the control above; Check grades its present value.
+course-order = From the least to the greatest. Drag, or use the arrows.
+course-up = Move up: { $item }
+course-down = Move down: { $item }
+course-right-order = The right order
+course-curve = Draw the curve with the pointer, or with the arrow keys.
+course-curve-area = Drawing of { $y } over { $x }
+course-curve-whole = Draw the curve over the whole width.
+course-curve-clear = Clear
+course-curve-yours = — yours
+course-curve-right = — right
+course-mark-yours = yours
+course-mark-right = right
+
+course-target = Target
+course-yours = Yours
+course-warmer = warmer
+course-colder = colder
+course-match-same = no difference to be seen
+course-match-meter = Nearness to the target
+course-match-distance = RMS difference { $rms }
+course-match-tries =
+    { $count ->
+        [one] 1 change
+       *[other] { $count } changes
+    } in { $time }
+
+course-right = Right!
+course-right-after = Right, after { $count } tries.
+course-looked-up =
+    { $count ->
+        [one] Looked up after 1 try.
+       *[other] Looked up after { $count } tries.
+    }
+course-wrong = Not right yet.
+course-nearly = Not right yet, but near: { $share } %.
+course-try-again = Change your answer and check again, or show the answer.
+course-values = Right: { $right } · yours: { $own }
+course-place = The ring in the picture marks the right place.
+course-places = The dots in the picture mark the right places.
+course-set-it = Set it so

@@ -1,0 +1,75 @@
+# The course in the window: lessons, questions and answers.
+
+course = 課程
+course-start = 開始課程
+course-lessons = 課程列表
+course-topic-light = 光源
+course-topic-reflection = 反射
+course-topic-shading = 著色
+course-topic-engine = 引擎內部
+course-own = 自己的課程
+course-none = 這個程式沒有內建課程。
+course-open-own = 開啟自己的課程…
+course-minutes = { $count } 分鐘
+course-begun = 進行中
+course-done = （已完成）
+course-in-text = 在文字中
+
+course-step = 第 { $number } 步，共 { $count } 步
+course-back = 上一步
+    .tip = 上一步（Page up）
+course-next = 下一步
+    .tip = 下一步（Page down）
+course-finish = 完成
+course-preparing = 正在計算數值……
+course-no-step = 課程中沒有這一步。
+course-numbers = 顯示數值：{ $view }
+course-again = 回到這一步的場景
+    .tip = 全部恢復成這一步顯示的樣子
+course-hidden = 回答問題之前，數值會先隱藏。
+course-to-question = 前往問題
+course-camera-still = 回答問題之前，相機保持不動。
+
+course-question = 問題
+course-check = 檢查
+course-show-answer = 顯示答案
+    .tip = 顯示正確答案與理由；這會列入紀錄
+course-solving = 正在計算正確答案……
+course-number = 一個數
+course-answer = 你的答案
+course-no-number = 這不是一個數。
+course-point = 在圖片中點一下。使用鍵盤：先按 F3，再按方向鍵。
+course-point-set = 你的標記已在圖片中。拖曳它或點別處即可移動。
+course-settings = 使用上方的控制項；檢查時以目前的值評分。
+course-order = 由小到大排列。可拖曳，或使用箭頭。
+course-up = 上移：{ $item }
+course-down = 下移：{ $item }
+course-right-order = 正確順序
+course-curve = 用滑鼠或方向鍵畫出曲線。
+course-curve-area = { $y } 對 { $x } 的圖
+course-curve-whole = 請把曲線畫滿整個寬度。
+course-curve-clear = 清除
+course-curve-yours = — 你的
+course-curve-right = — 正確
+course-mark-yours = 你的
+course-mark-right = 正確
+
+course-target = 目標
+course-yours = 你的
+course-warmer = 更接近了
+course-colder = 更遠了
+course-match-same = 看不出差別
+course-match-meter = 與目標的接近程度
+course-match-distance = 均方根差 { $rms }
+course-match-tries = { $count } 次更改，{ $time }
+
+course-right = 答對了！
+course-right-after = 試了 { $count } 次後答對。
+course-looked-up = 試了 { $count } 次後看了答案。
+course-wrong = 還不對。
+course-nearly = 還不對，但很接近：{ $share } %。
+course-try-again = 修改答案後再檢查，或顯示答案。
+course-values = 正確：{ $right } · 你的：{ $own }
+course-place = 圖片中的圓圈標出正確位置。
+course-places = 圖片中的點標出正確位置。
+course-set-it = 套用正確值

@@ -1,0 +1,226 @@
+//! The course: lessons beside the picture, step by step, with questions that are answered before the answer is shown.
+
+mod curve;
+mod data;
+mod feedback;
+mod formula;
+mod list;
+mod mark;
+mod matching;
+mod prose;
+mod question;
+mod step;
+mod work;
+
+pub use data::{Course, Kept};
+pub use mark::{from_pixel, paint};
+#[cfg(target_arch = "wasm32")]
+pub use matching::{Likeness, Target};
+#[cfg(target_arch = "wasm32")]
+pub use work::Prepare;
+
+use super::action::{Action, Turn};
+use super::document::{Document, Origin};
+use super::engine::Engine;
+use super::look::ViewName;
+use super::place::{ProbePoint, ProfileLine};
+use super::state::AppState;
+use crate::lesson::{Kind, LESSONS, Lesson, OVERLAYS, Staged, find};
+use crate::text::text;
+use eframe::egui::{Ui, vec2};
+use std::sync::Arc;
+
+/// The list of lessons, or the step of the one that is open.
+pub fn course_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+    ui.spacing_mut().item_spacing = vec2(8.0, 6.0);
+    let mut course = std::mem::take(&mut state.course);
+    if course.open.is_some() {
+        step::step_ui(ui, &mut course, state, engine);
+    } else {
+        list::list_ui(ui, &mut course, state);
+    }
+    state.course = course;
+}
+
+impl AppState {
+    /// Opens a lesson at the step that it was left at.
+    pub fn open_lesson(&mut self, lesson: Arc<Lesson>, built_in: bool) {
+        self.welcome = false;
+        self.look.welcomed = true;
+        let overlay = self.look.overlay.clone();
+        let step = self.course.begin(lesson, built_in, overlay);
+        // The step's own controls stand beside its text.
+        self.look.controls = false;
+        self.picture_alone = false;
+        self.turn_to(step);
+    }
+
+    /// Does what is asked of the course.
+    pub fn turn(&mut self, turn: Turn) {
+        match turn {
+            Turn::Start => match LESSONS.first() {
+                Some(first) => self.open_lesson(Arc::new(first.lesson()), true),
+                None => self.show_view(ViewName::Course),
+            },
+            Turn::Open(name) => {
+                if let Some(lesson) = find(&name) {
+                    self.open_lesson(Arc::new(lesson.lesson()), true);
+                }
+            }
+            Turn::Own => {
+                if let Some(lesson) = self.course.own.clone() {
+                    self.open_lesson(lesson, false);
+                }
+            }
+            Turn::Step(by) => {
+                let Some(open) = &self.course.open else {
+                    return;
+                };
+                let (step, last) = (open.step, open.lesson.steps.len() - 1);
+                match step.checked_add_signed(by) {
+                    Some(next) if next > last => self.finish_lesson(),
+                    Some(next) => self.turn_to(next),
+                    None => self.show_view(ViewName::Course),
+                }
+            }
+            Turn::To(step) => self.turn_to(step),
+            Turn::Again => {
+                let staged = self
+                    .course
+                    .open
+                    .as_ref()
+                    .and_then(|open| open.staged.clone());
+                if let Some(staged) = staged {
+                    self.show_stage(&staged, false);
+                }
+            }
+            Turn::List => self.close_lesson(),
+        }
+    }
+
+    fn turn_to(&mut self, step: usize) {
+        self.course.go(step);
+        self.show_view(ViewName::Course);
+        let Some(open) = &self.course.open else {
+            return;
+        };
+        if open.current().stage.is_file() {
+            // A model may take its time.
+            self.ask(Action::LoadStage);
+            return;
+        }
+        match open.current().stage.load(open.lesson.folder.as_deref()) {
+            Ok(staged) => self.stage(open.opening, open.step, Ok(Arc::new(staged))),
+            Err(error) => self.stage(open.opening, open.step, Err(error.to_string())),
+        }
+    }
+
+    /// Shows the scene of a step, or why it cannot be shown, if that step is still the present one.
+    pub fn stage(&mut self, opening: u64, step: usize, staged: Result<Arc<Staged>, String>) {
+        let Some(open) = &mut self.course.open else {
+            return;
+        };
+        if (open.opening, open.step) != (opening, step) {
+            return;
+        }
+        match staged {
+            Ok(staged) => {
+                open.staged = Some(Arc::clone(&staged));
+                self.show_stage(&staged, true);
+            }
+            Err(why) => open.failed = Some(why),
+        }
+    }
+
+    /// Shows a step's scene; with the answer's, where that may be seen and is `answered`.
+    fn show_stage(&mut self, staged: &Staged, answered: bool) {
+        let view = (self.look.views, self.look.view);
+        self.replace(Document {
+            scene: staged.scene.clone(),
+            model: staged.model.clone(),
+            origin: match &staged.path {
+                Some(path) => Origin::File(path.clone()),
+                None => Origin::BuiltIn(staged.name.clone()),
+            },
+        });
+        (self.look.views, self.look.view) = view;
+        self.seek_highlight = false;
+        self.probe = staged.shown.probe.map_or(self.probe, ProbePoint);
+        self.line = staged.shown.line.map_or(self.line, ProfileLine);
+        let Some(open) = &self.course.open else {
+            return;
+        };
+        let shown = |name: &str| {
+            debug_assert!(OVERLAYS.contains(&name));
+            open.current().stage.overlays.contains(&name)
+        };
+        let overlay = &mut self.look.overlay;
+        overlay.vectors = shown("vectors");
+        overlay.face_normals = shown("normals");
+        overlay.vertex_normals = shown("vertices");
+        if answered && self.course.revealed() {
+            self.show_answer();
+        }
+    }
+
+    /// Shows the settings that the right answer is about, and the one that was sought.
+    pub fn show_answer(&mut self) {
+        let Some(open) = &self.course.open else {
+            return;
+        };
+        let (Some(question), Some(staged)) = (open.question(), &open.staged) else {
+            return;
+        };
+        if let Kind::Settings { .. } | Kind::Match { .. } = question.kind {
+            return;
+        }
+        if let Ok(scene) = staged.scene.with_overrides(&question.set) {
+            self.document.scene = scene;
+            self.derive();
+        }
+    }
+
+    /// Leaves the lesson at its end.
+    fn finish_lesson(&mut self) {
+        if let Some(open) = &self.course.open {
+            let name = open.lesson.name.clone();
+            self.course.kept.left.remove(&name);
+            self.course.kept.done.insert(name);
+        }
+        self.close_lesson();
+    }
+
+    fn close_lesson(&mut self) {
+        if let Some(open) = self.course.open.take() {
+            self.look.overlay = open.overlay;
+        }
+        self.show_view(ViewName::Course);
+    }
+
+    /// The lesson follows the language.
+    pub fn translate_lesson(&mut self) {
+        let Some(open) = &mut self.course.open else {
+            return;
+        };
+        if let Some(lesson) = find(&open.lesson.name).filter(|_| open.built_in) {
+            open.lesson = Arc::new(lesson.lesson());
+        }
+        self.course.openings += 1;
+        open.opening = self.course.openings;
+        open.prepared.clear();
+    }
+
+    /// Whether numbers are hidden until a question is answered.
+    pub fn hides_numbers(&self) -> bool {
+        self.course.hides()
+    }
+}
+
+/// Says that numbers are hidden, in place of a view.
+pub fn hidden_ui(ui: &mut Ui, state: &mut AppState) {
+    ui.add_space(12.0);
+    ui.label(text!("course-hidden"));
+    if ui.button(text!("course-to-question")).clicked() {
+        state.show_view(ViewName::Course);
+    }
+}

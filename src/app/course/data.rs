@@ -1,0 +1,401 @@
+//! What the window remembers of the course: the lesson that is open, and what was answered.
+
+use super::work::{Prepare, Prepared};
+use crate::app::look::OverlayLook;
+use crate::jobs::Background;
+use crate::lesson::{
+    Answer, Answered, CURVE_POINTS, Grade, Kind, LESSONS, Lab, Lesson, Question, Record, Solution,
+    Staged, Step, value_of,
+};
+use crate::scene::Scene;
+use crate::text::{Language, language};
+use egui_commonmark::CommonMarkCache;
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+/// Most lessons whose answers are kept.
+const RECORDS: usize = 200;
+
+/// The course in the window.
+pub struct Course {
+    pub open: Option<Open>,
+    /// A lesson from a file, first in the list.
+    pub own: Option<Arc<Lesson>>,
+    pub kept: Kept,
+    /// Decides what is drawn at random.
+    pub seed: u64,
+    /// The lessons of the program as the list shows them.
+    pub list: Option<(Language, Vec<Listed>)>,
+    /// How many lessons were opened so far.
+    pub openings: u64,
+}
+
+impl Default for Course {
+    fn default() -> Self {
+        Self {
+            open: None,
+            own: None,
+            kept: Kept::default(),
+            seed: 1,
+            list: None,
+            openings: 0,
+        }
+    }
+}
+
+/// What is kept between two sessions.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Kept {
+    /// The answers, a record a lesson, the latest last.
+    pub records: Vec<Record>,
+    /// The lessons that were gone through to their ends.
+    pub done: BTreeSet<String>,
+    /// The step that each was left at.
+    pub left: BTreeMap<String, usize>,
+}
+
+/// A lesson in the list.
+#[derive(Clone, Debug)]
+pub struct Listed {
+    pub name: String,
+    pub title: String,
+    pub topic: String,
+    pub minutes: u32,
+    pub about: String,
+}
+
+impl Listed {
+    pub fn of(lesson: &Lesson) -> Self {
+        Self {
+            name: lesson.name.clone(),
+            title: lesson.title.clone(),
+            topic: lesson.topic.clone(),
+            minutes: lesson.minutes,
+            about: lesson.about.clone(),
+        }
+    }
+}
+
+/// A lesson that is open.
+pub struct Open {
+    pub lesson: Arc<Lesson>,
+    /// Whether it comes with the program.
+    pub built_in: bool,
+    pub opening: u64,
+    pub step: usize,
+    pub staged: Option<Arc<Staged>>,
+    /// Why the step's scene could not be loaded.
+    pub failed: Option<String>,
+    pub work: Background<Prepare>,
+    /// The steps that are prepared.
+    pub prepared: BTreeMap<usize, Result<Prepared, String>>,
+    pub draft: Draft,
+    pub markdown: CommonMarkCache,
+    /// What was drawn over the picture before.
+    pub overlay: OverlayLook,
+}
+
+/// An answer that is being made.
+#[derive(Clone, Debug, Default)]
+pub struct Draft {
+    pub choice: Option<usize>,
+    /// As typed.
+    pub value: String,
+    /// From the picture's middle, in units of its shorter side.
+    pub point: Option<DVec2>,
+    pub curve: Vec<Option<f64>>,
+    /// The place on a curve that the keys are at.
+    pub cursor: usize,
+    pub order: Vec<usize>,
+    /// What the last check said; gone once the answer changes.
+    pub grade: Option<Grade>,
+    /// When the question was first seen, seconds.
+    pub seen: Option<f64>,
+    /// Where the pointer is on a profile, from 0 to 1.
+    pub along: Option<f64>,
+    /// Whether the step is to be scrolled to its begin.
+    pub fresh: bool,
+}
+
+impl Draft {
+    /// The draft for a question, from the answer that was given before.
+    fn new(question: Option<&Question>, answered: Option<&Answered>, seed: u64) -> Self {
+        let mut draft = Self {
+            curve: vec![None; CURVE_POINTS],
+            cursor: CURVE_POINTS / 2,
+            fresh: true,
+            ..Self::default()
+        };
+        if let Some(Kind::Order { items, .. }) = question.map(|question| &question.kind) {
+            // In another order than the lesson has them.
+            let count = items.len();
+            let turn = seed as usize % count.max(1);
+            draft.order = (0..count).rev().map(|item| (item + turn) % count).collect();
+        }
+        match answered.map(|answered| &answered.answer) {
+            Some(Answer::Choice(choice)) => draft.choice = Some(*choice),
+            Some(Answer::Value(value)) => draft.value = value.to_string(),
+            Some(Answer::Point(point)) => draft.point = Some(DVec2::from_array(*point)),
+            Some(Answer::Curve(curve)) => draft.curve.clone_from(curve),
+            Some(Answer::Order(order)) => draft.order.clone_from(order),
+            Some(Answer::Settings(_) | Answer::Match(_)) | None => {}
+        }
+        draft
+    }
+
+    /// The answer, where there is a whole one; `scene` is that of the window.
+    pub fn answer(
+        &self,
+        kind: &Kind,
+        scene: &Scene,
+        number: impl Fn(&str) -> Option<f64>,
+    ) -> Option<Answer> {
+        let answer = match kind {
+            Kind::Choice { .. } => Answer::Choice(self.choice?),
+            Kind::Value { .. } => Answer::Value(number(&self.value)?),
+            Kind::Point { .. } => Answer::Point(self.point?.to_array()),
+            Kind::Curve { .. } => {
+                let drawn = self.curve.iter().flatten().count();
+                (10 * drawn >= 9 * CURVE_POINTS).then(|| Answer::Curve(self.curve.clone()))?
+            }
+            Kind::Settings { control, .. } => Answer::Settings(value_of(scene, control).ok()?),
+            Kind::Order { .. } => Answer::Order(self.order.clone()),
+            Kind::Match { controls, .. } => {
+                let values = controls.iter().map(|key| value_of(scene, key).ok());
+                Answer::Match(values.collect::<Option<_>>()?)
+            }
+        };
+        answer.fits(kind).then_some(answer)
+    }
+}
+
+impl Open {
+    pub fn current(&self) -> &Step {
+        &self.lesson.steps[self.step]
+    }
+
+    pub fn question(&self) -> Option<&Question> {
+        self.current().question.as_ref()
+    }
+
+    /// The step's texts, once they are known.
+    pub fn known(&self) -> Option<&Result<Prepared, String>> {
+        self.prepared.get(&self.step)
+    }
+
+    pub fn solution(&self) -> Option<&Solution> {
+        self.known()?
+            .as_ref()
+            .ok()?
+            .solution
+            .as_ref()?
+            .as_ref()
+            .ok()
+    }
+
+    /// How right an answer is.
+    pub fn grade(&self, answer: &Answer) -> Option<Grade> {
+        let staged = self.staged.as_ref()?;
+        let lab = Lab::new(staged);
+        answer.grade(self.question()?, self.solution()?, lab.place(staged))
+    }
+}
+
+impl Kept {
+    pub fn record(&self, lesson: &str) -> Option<&Record> {
+        self.records.iter().find(|record| record.lesson == lesson)
+    }
+
+    /// The record of a lesson, which becomes the latest.
+    fn record_mut(&mut self, lesson: &str, seed: u64) -> &mut Record {
+        let place = self.records.iter().position(|one| one.lesson == lesson);
+        let record = place.map(|place| self.records.remove(place));
+        if self.records.len() >= RECORDS {
+            self.records.remove(0);
+        }
+        self.records
+            .push(record.unwrap_or_else(|| Record::new(lesson, seed)));
+        let last = self.records.len() - 1;
+        &mut self.records[last]
+    }
+}
+
+impl Course {
+    /// With what was kept.
+    pub fn with(kept: Kept) -> Self {
+        Self {
+            kept,
+            ..Self::default()
+        }
+    }
+
+    /// Opens a lesson at the step that it was left at.
+    pub fn begin(&mut self, lesson: Arc<Lesson>, built_in: bool, overlay: OverlayLook) -> usize {
+        if !built_in {
+            self.own = Some(Arc::clone(&lesson));
+        }
+        self.openings += 1;
+        if let Some(record) = self
+            .kept
+            .records
+            .iter_mut()
+            .find(|record| record.lesson == lesson.name)
+        {
+            record.fit(&lesson);
+        }
+        let left = self.kept.left.get(&lesson.name).copied().unwrap_or(0);
+        let left = left.min(lesson.steps.len() - 1);
+        let overlay = self.open.take().map_or(overlay, |open| open.overlay);
+        self.open = Some(Open {
+            lesson,
+            built_in,
+            opening: self.openings,
+            step: left,
+            staged: None,
+            failed: None,
+            work: Background::default(),
+            prepared: BTreeMap::new(),
+            draft: Draft::default(),
+            markdown: CommonMarkCache::default(),
+            overlay,
+        });
+        left
+    }
+
+    /// Goes to a step: its answer so far is taken up again.
+    pub fn go(&mut self, step: usize) {
+        let Some(open) = &mut self.open else { return };
+        open.step = step.min(open.lesson.steps.len() - 1);
+        (open.staged, open.failed) = (None, None);
+        self.kept.left.insert(open.lesson.name.clone(), open.step);
+        let record = self.kept.record(&open.lesson.name);
+        let answered = record.and_then(|record| record.answer(open.step));
+        open.draft = Draft::new(open.question(), answered, self.seed);
+    }
+
+    /// The answer that was given to the step's question.
+    pub fn answered(&self) -> Option<&Answered> {
+        let open = self.open.as_ref()?;
+        self.kept.record(&open.lesson.name)?.answer(open.step)
+    }
+
+    /// Whether the right answer is shown.
+    pub fn revealed(&self) -> bool {
+        self.answered()
+            .is_some_and(|answered| answered.grade.right || answered.looked_up > 0)
+    }
+
+    /// Puts an answer with its grade on record; `now` is in seconds.
+    pub fn put(&mut self, answer: Answer, grade: Grade, now: f64) {
+        let before = self.answered().cloned();
+        let seed = self.seed;
+        let Some(open) = &mut self.open else { return };
+        open.draft.grade = Some(grade);
+        let since = open.draft.seen.replace(now).unwrap_or(now);
+        let (prediction, tries, looked_up, seconds) = match before {
+            Some(before) => (
+                before.prediction,
+                before.tries,
+                before.looked_up,
+                before.seconds,
+            ),
+            None => (answer.clone(), 0, 0, 0.0),
+        };
+        let answered = Answered {
+            step: open.step,
+            prediction,
+            answer,
+            grade,
+            looked_up,
+            tries: tries + 1,
+            seconds: seconds + (now - since).max(0.0),
+        };
+        let name = open.lesson.name.clone();
+        self.kept.record_mut(&name, seed).put(answered);
+    }
+
+    /// Counts that the right answer was asked for, after one was given.
+    pub fn look_up(&mut self) {
+        let Some(mut answered) = self.answered().cloned() else {
+            return;
+        };
+        answered.looked_up += 1;
+        let seed = self.seed;
+        if let Some(open) = &self.open {
+            let name = open.lesson.name.clone();
+            self.kept.record_mut(&name, seed).put(answered);
+        }
+    }
+
+    /// Whether numbers are hidden until the question is answered.
+    pub fn hides(&self) -> bool {
+        let hides = |open: &Open| open.current().stage.hide && open.question().is_some();
+        self.open.as_ref().is_some_and(hides) && !self.revealed()
+    }
+
+    /// Whether a click in the picture is the answer to a question.
+    pub fn asks_point(&self) -> bool {
+        let asks = |open: &Open| {
+            open.staged.is_some()
+                && matches!(
+                    open.question(),
+                    Some(Question {
+                        kind: Kind::Point { .. },
+                        ..
+                    })
+                )
+        };
+        self.open.as_ref().is_some_and(asks) && !self.revealed()
+    }
+
+    /// The place that the student has marked in the picture.
+    pub fn mark(&self) -> Option<DVec2> {
+        let open = self.open.as_ref()?;
+        let asks = matches!(open.question()?.kind, Kind::Point { .. });
+        open.draft.point.filter(|_| asks)
+    }
+
+    /// Marks a place in the picture.
+    pub fn put_mark(&mut self, place: DVec2) {
+        if let Some(open) = &mut self.open {
+            (open.draft.point, open.draft.grade) = (Some(place), None);
+        }
+    }
+
+    /// The right places, once they are shown.
+    pub fn right_places(&self) -> &[DVec2] {
+        let solution = self.open.as_ref().and_then(Open::solution);
+        match solution {
+            Some(Solution::Places(places)) if self.revealed() => places,
+            _ => &[],
+        }
+    }
+
+    /// The step's line, where one is shown, and the place on it that is pointed at.
+    pub fn line(&self) -> Option<([DVec2; 2], Option<f64>)> {
+        let open = self.open.as_ref()?;
+        let line = open.staged.as_ref()?.shown.line?;
+        let drawn = match open.question().map(|question| &question.kind) {
+            Some(Kind::Curve { of, .. }) => of.is_profile(),
+            _ => false,
+        };
+        let named = open.current().stage.overlays.contains(&"profile");
+        (drawn || named).then_some((line, open.draft.along.filter(|_| drawn)))
+    }
+
+    /// The lessons of the program, in the present language.
+    pub fn listed(&mut self) -> &[Listed] {
+        if self
+            .list
+            .as_ref()
+            .is_none_or(|(known, _)| *known != language())
+        {
+            let listed = LESSONS.iter().map(|lesson| Listed::of(&lesson.lesson()));
+            self.list = Some((language(), listed.collect()));
+        }
+        self.list.as_ref().map_or(&[], |(_, list)| list)
+    }
+}

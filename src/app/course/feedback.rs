@@ -1,0 +1,156 @@
+//! What is said of an answer, and why the right one is right.
+
+use super::data::{Course, Open};
+use super::prose::prose_ui;
+use super::question::right_colour;
+use crate::app::engine::Engine;
+use crate::app::focus::named;
+use crate::app::state::AppState;
+use crate::figure::short;
+use crate::lesson::{Answered, Grade, Kind, Solution, slider};
+use crate::scene::parameter::Parameter;
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Grid, Label, RichText, Ui};
+
+/// Right or wrong; the right answer and why, once it may be seen.
+pub fn feedback_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, _: &Engine) {
+    let revealed = course.revealed();
+    let answered = course.answered().cloned();
+    let Some(open) = &mut course.open else { return };
+    let Some(answered) = answered else { return };
+    if !revealed {
+        if let Some(grade) = open.draft.grade {
+            wrong_ui(ui, grade);
+        }
+        return;
+    }
+    verdict_ui(ui, &answered);
+    right_ui(ui, open, &answered, state);
+    if let Some(Ok(known)) = open.known() {
+        let why = known.why.clone();
+        if !why.trim().is_empty() {
+            ui.add_space(4.0);
+            ui.push_id("why", |ui| prose_ui(ui, state, &mut open.markdown, &why));
+        }
+    }
+}
+
+fn wrong_ui(ui: &mut Ui, grade: Grade) {
+    ui.add_space(4.0);
+    let words = if grade.score > 0.0 {
+        let share = format!("{:.0}", 100.0 * grade.score);
+        text!("course-nearly", share = share)
+    } else {
+        text!("course-wrong").to_owned()
+    };
+    let words = RichText::new(words).color(ui.visuals().warn_fg_color);
+    let label = ui.add(Label::new(words).wrap());
+    // Screen readers say it when it comes.
+    _ = label;
+    ui.add(Label::new(RichText::new(text!("course-try-again")).weak()).wrap());
+}
+
+fn verdict_ui(ui: &mut Ui, answered: &Answered) {
+    let (words, colour) = if answered.grade.right {
+        let words = if answered.tries == 1 {
+            text!("course-right").to_owned()
+        } else {
+            text!("course-right-after", count = answered.tries)
+        };
+        (words, right_colour(ui))
+    } else {
+        (
+            text!("course-looked-up", count = answered.tries),
+            ui.visuals().warn_fg_color,
+        )
+    };
+    let label = ui.add(Label::new(RichText::new(&words).color(colour).strong()).wrap());
+    named(label, Role::Label, &words);
+}
+
+/// The right answer in words and numbers, beside the student's.
+fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState) {
+    let (Some(question), Some(solution)) = (open.question(), open.solution()) else {
+        return;
+    };
+    match (&question.kind, solution) {
+        (Kind::Value { unit, .. }, Solution::Value(right)) => {
+            let own = match &answered.answer {
+                crate::lesson::Answer::Value(own) => short(*own),
+                _ => String::new(),
+            };
+            ui.label(text!(
+                "course-values",
+                right = format!("{} {unit}", short(*right)).trim(),
+                own = own
+            ));
+        }
+        (Kind::Point { .. }, Solution::Places(places)) => {
+            let words = if places.len() > 1 {
+                text!("course-places")
+            } else {
+                text!("course-place")
+            };
+            ui.add(Label::new(words).wrap());
+        }
+        (Kind::Settings { control, .. }, Solution::Setting(right)) => {
+            let values = text!(
+                "course-values",
+                right = format!("{} = {}", name_of(control), short(*right)).as_str(),
+                own = match &answered.answer {
+                    crate::lesson::Answer::Settings(own) => short(*own),
+                    _ => String::new(),
+                }
+            );
+            ui.label(values);
+            if ui.link(text!("course-set-it")).clicked() {
+                set(state, &[format!("{control}={right}")]);
+            }
+        }
+        (Kind::Match { controls, .. }, Solution::Match(right)) => {
+            let own = match &answered.answer {
+                crate::lesson::Answer::Match(own) => own.clone(),
+                _ => Vec::new(),
+            };
+            Grid::new("parameters")
+                .num_columns(3)
+                .spacing([16.0, 4.0])
+                .show(ui, |ui| {
+                    ui.label("");
+                    ui.label(RichText::new(text!("course-yours")).weak());
+                    ui.label(RichText::new(text!("course-target")).weak());
+                    ui.end_row();
+                    for ((key, own), right) in controls.iter().zip(own).zip(right) {
+                        ui.label(name_of(key));
+                        ui.monospace(short(own));
+                        ui.monospace(short(*right));
+                        ui.end_row();
+                    }
+                });
+            if ui.link(text!("course-set-it")).clicked() {
+                set(state, &crate::lesson::matched_settings(controls, right));
+            }
+        }
+        _ => {}
+    }
+}
+
+/// A control as its row calls it.
+fn name_of(key: &str) -> String {
+    let named = |(parameter, index, _): (&'static Parameter, usize, _)| {
+        if parameter.letter.is_empty() {
+            parameter.full_name(index)
+        } else {
+            parameter.letter.to_owned()
+        }
+    };
+    slider(key).map_or_else(|| key.to_owned(), named)
+}
+
+fn set(state: &mut AppState, settings: &[String]) {
+    if let Ok(scene) = state.document.scene.with_overrides(settings) {
+        state.document.scene = scene;
+        state.derive();
+    }
+}

@@ -1,0 +1,138 @@
+//! The lessons by topic.
+
+use super::data::{Course, Listed};
+use crate::app::action::{Action, Turn};
+use crate::app::focus::named;
+use crate::app::sign::tick;
+use crate::app::state::AppState;
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui,
+    UiBuilder, vec2,
+};
+
+/// The chapters of the course, in their order.
+const TOPICS: [&str; 4] = ["light", "reflection", "shading", "engine"];
+
+fn topic_title(topic: &str) -> &str {
+    match topic {
+        "light" => text!("course-topic-light"),
+        "reflection" => text!("course-topic-reflection"),
+        "shading" => text!("course-topic-shading"),
+        "engine" => text!("course-topic-engine"),
+        own => own,
+    }
+}
+
+/// Every lesson; a click opens it.
+pub fn list_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
+    let own = course.own.as_deref().map(Listed::of);
+    let lessons = course.listed().to_vec();
+    ScrollArea::vertical()
+        .id_salt("lessons")
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            if let Some(own) = &own {
+                ui.label(RichText::new(text!("course-own")).strong());
+                if card_ui(ui, own, course) {
+                    state.ask(Action::Course(Turn::Own));
+                }
+                ui.add_space(8.0);
+            }
+            let mut topics: Vec<&str> = Vec::new();
+            for lesson in &lessons {
+                if !topics.contains(&&*lesson.topic) {
+                    topics.push(&lesson.topic);
+                }
+            }
+            topics.sort_by_key(|topic| {
+                TOPICS
+                    .iter()
+                    .position(|known| known == topic)
+                    .unwrap_or(TOPICS.len())
+            });
+            for topic in topics {
+                ui.label(RichText::new(topic_title(topic)).strong());
+                for lesson in lessons.iter().filter(|lesson| lesson.topic == topic) {
+                    if card_ui(ui, lesson, course) {
+                        state.ask(Action::Course(Turn::Open(lesson.name.clone())));
+                    }
+                }
+                ui.add_space(8.0);
+            }
+            if lessons.is_empty() && own.is_none() {
+                ui.label(text!("course-none"));
+            }
+            if ui.link(text!("course-open-own")).clicked() {
+                state.ask(Action::Open);
+            }
+            ui.add_space(8.0);
+        });
+}
+
+/// A lesson's title over a sentence about it, with its minutes and a tick when it is done; whether it was clicked.
+fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
+    let done = course.kept.done.contains(&lesson.name);
+    let begun = course
+        .kept
+        .left
+        .get(&lesson.name)
+        .is_some_and(|step| *step > 0);
+    let width = ui.available_width();
+    let outer = ui.available_rect_before_wrap();
+    let mut inside = ui.new_child(
+        UiBuilder::new()
+            .max_rect(Rect::from_min_size(
+                outer.min + vec2(10.0, 7.0),
+                vec2(width - 20.0, f32::INFINITY),
+            ))
+            .layout(Layout::top_down(Align::Min)),
+    );
+    // The ground is painted below the text once its size is known.
+    let ground = ui.painter().add(eframe::egui::Shape::Noop);
+    inside.spacing_mut().item_spacing.y = 2.0;
+    inside.horizontal(|ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let minutes = text!("course-minutes", count = lesson.minutes);
+            ui.label(RichText::new(minutes).weak());
+            if done {
+                let (room, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
+                ui.painter().add(tick(room, ui.visuals().hyperlink_color));
+            } else if begun {
+                ui.label(RichText::new(text!("course-begun")).color(ui.visuals().hyperlink_color));
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                ui.add(Label::new(RichText::new(&lesson.title).strong()).wrap());
+            });
+        });
+    });
+    if !lesson.about.is_empty() {
+        inside.add(Label::new(RichText::new(&lesson.about).weak()).wrap());
+    }
+    let height = inside.min_rect().max.y + 7.0 - outer.min.y;
+    let (rect, response) = ui.allocate_exact_size(
+        vec2(width, height.max(ui.spacing().interact_size.y)),
+        Sense::click(),
+    );
+    let state = if done { text!("course-done") } else { "" };
+    let response = named(
+        response,
+        Role::Button,
+        format!("{} {state}", lesson.title).trim(),
+    );
+    let fill = if response.hovered() {
+        ui.visuals().widgets.hovered.bg_fill
+    } else {
+        ui.visuals().faint_bg_color
+    };
+    let shape = eframe::egui::epaint::RectShape::new(
+        rect,
+        6.0,
+        fill,
+        Stroke::new(0.0, Color32::TRANSPARENT),
+        StrokeKind::Inside,
+    );
+    ui.painter().set(ground, shape);
+    response.clicked()
+}

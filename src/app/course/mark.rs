@@ -1,0 +1,99 @@
+//! What a step draws over the picture: its line, the place that the student has marked, and the right one.
+
+use crate::app::letter::letter;
+use crate::app::palette;
+use crate::app::place::{Place, ProfileLine};
+use crate::app::state::AppState;
+use crate::figure::palette::Vector;
+use crate::text::text;
+use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, vec2};
+use glam::DVec2;
+
+/// Radius of a mark, points.
+const MARK: f32 = 8.0;
+
+/// Paints it.
+pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
+    let course = &state.course;
+    let dark = |width| Stroke::new(width, Color32::from_black_alpha(170));
+    let white = |width| Stroke::new(width, Color32::WHITE);
+    if let Some((line, along)) = course.line() {
+        let ends = ProfileLine(line)
+            .pixels(place.size)
+            .map(|end| place.point(end));
+        painter.line_segment(ends, dark(3.5));
+        painter.line_segment(ends, white(1.5));
+        for (end, share) in ends.into_iter().zip(["0", "1"]) {
+            painter.circle(end, 4.0, Color32::WHITE, dark(1.5));
+            let at = end + vec2(0.0, -8.0);
+            letter(
+                painter,
+                at,
+                Align2::CENTER_BOTTOM,
+                share,
+                font,
+                Color32::WHITE,
+            );
+        }
+        if let Some(along) = along {
+            let at = ends[0] + (ends[1] - ends[0]) * along as f32;
+            painter.circle(at, 5.0, palette::vector(Vector::L), dark(2.0));
+        }
+    }
+    let point = |at: DVec2| place.point(pixel(at, place.size));
+    let right = course.right_places();
+    let green = palette::vector(Vector::V);
+    if let [only] = right {
+        let at = point(*only);
+        ring(painter, at, MARK + 4.0, green);
+        let below = at + vec2(0.0, MARK + 8.0);
+        letter(
+            painter,
+            below,
+            Align2::CENTER_TOP,
+            text!("course-mark-right"),
+            font,
+            Color32::WHITE,
+        );
+    } else {
+        for at in right {
+            painter.circle(point(*at), 2.5, green, dark(1.0));
+        }
+    }
+    if let Some(at) = course.mark() {
+        let at = point(at);
+        for stroke in [dark(5.0), white(2.0)] {
+            for way in [vec2(1.0, 1.0), vec2(1.0, -1.0)] {
+                painter.line_segment([at - way * MARK, at + way * MARK], stroke);
+            }
+        }
+        if !right.is_empty() {
+            let above = at - vec2(0.0, MARK + 4.0);
+            letter(
+                painter,
+                above,
+                Align2::CENTER_BOTTOM,
+                text!("course-mark-yours"),
+                font,
+                Color32::WHITE,
+            );
+        }
+    }
+}
+
+fn ring(painter: &Painter, at: Pos2, radius: f32, colour: Color32) {
+    painter.circle_stroke(at, radius, Stroke::new(5.5, Color32::from_black_alpha(170)));
+    painter.circle_stroke(at, radius, Stroke::new(3.0, colour));
+}
+
+/// A place in units of the shorter side from the middle, in pixels.
+fn pixel(at: DVec2, size: [u32; 2]) -> DVec2 {
+    let size = DVec2::from_array(size.map(f64::from));
+    size / 2.0 + at * size.min_element()
+}
+
+/// The other way round.
+pub fn from_pixel(pixel: DVec2, size: [u32; 2]) -> DVec2 {
+    let size = DVec2::from_array(size.map(|side| f64::from(side.max(1))));
+    (pixel.clamp(DVec2::ZERO, size) - size / 2.0) / size.min_element()
+}

@@ -1,0 +1,227 @@
+//! A picture to be matched: the target beside the student's own, and how far they are apart.
+
+use super::data::Open;
+use super::step::waiting_ui;
+use crate::analysis::{LinearPicture, Parcel, Watch, error_figures};
+use crate::app::background::{PICTURES, wake};
+use crate::app::focus::named;
+use crate::app::palette::vector_text;
+use crate::app::state::AppState;
+use crate::figure::palette::Vector;
+use crate::geometry::Mesh;
+use crate::jobs::{Background, Work, pack_model, unpack_model};
+use crate::lesson::{Kind, Question, Solution, matched_settings};
+use crate::render::Renderer;
+use crate::scene::Scene;
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Color32, ColorImage, Rect, RichText, Sense, Stroke, StrokeKind, TextureHandle, TextureOptions,
+    Ui, pos2, vec2,
+};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// The longer side of the target's picture and of those compared, pixels.
+const SIDE: u32 = 360;
+/// Height of the meter, points.
+const METER: f32 = 10.0;
+
+/// The target's picture.
+#[derive(Serialize, Deserialize)]
+pub struct Target {
+    scene: Scene,
+    #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
+    model: Option<Arc<Mesh>>,
+}
+
+impl Work for Target {
+    type Answer = Vec<ColorImage>;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> = Some((Parcel::plain(), PICTURES));
+
+    fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
+        let mut renderer = Renderer::default();
+        renderer.set_model(self.model.clone());
+        let frame = renderer.render_supersampled(&self.scene, 4, &mut |_| true);
+        let size = [frame.width as usize, frame.height as usize];
+        Ok(vec![ColorImage::from_rgba_unmultiplied(
+            size,
+            frame.pixels.as_flattened(),
+        )])
+    }
+}
+
+/// How far two scenes are apart: the root mean square of the difference of their pictures.
+#[derive(Serialize, Deserialize)]
+pub struct Likeness {
+    scenes: [Scene; 2],
+    #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
+    model: Option<Arc<Mesh>>,
+}
+
+impl Work for Likeness {
+    type Answer = f64;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<f64>)> = Some((Parcel::plain(), Parcel::plain()));
+
+    fn run(&self, _: &dyn Watch<f64>) -> Result<f64, String> {
+        let mut renderer = Renderer::default();
+        renderer.set_model(self.model.clone());
+        let [a, b] = [0, 1].map(|index| renderer.linear_picture(&self.scenes[index]));
+        let picture = |pixels| LinearPicture {
+            width: self.scenes[0].image.size[0],
+            pixels,
+            clamps: true,
+        };
+        Ok(error_figures(picture(&a), picture(&b)).rms)
+    }
+}
+
+/// What a match remembers.
+#[derive(Default)]
+struct Matching {
+    of: Option<(u64, usize)>,
+    target: Background<Target>,
+    picture: Option<TextureHandle>,
+    likeness: Background<Likeness>,
+    /// The distance at first, before the last change, and now.
+    distances: [Option<f64>; 3],
+    changes: u32,
+    began: f64,
+}
+
+/// The target, the distance, and a meter that says whether the last change was for the better.
+pub fn match_ui(
+    ui: &mut Ui,
+    open: &Open,
+    state: &mut AppState,
+    question: &Question,
+    controls: &[String],
+    revealed: bool,
+) {
+    let (Some(staged), Some(Solution::Match(values))) = (&open.staged, open.solution()) else {
+        return waiting_ui(ui, text!("course-preparing"));
+    };
+    let mut own: Matching = state.own.take();
+    let now = ui.input(|input| input.time);
+    if own.of != Some((open.opening, open.step)) {
+        own = Matching {
+            of: Some((open.opening, open.step)),
+            began: now,
+            ..Matching::default()
+        };
+    }
+    let mut settings = question.set.clone();
+    settings.extend(matched_settings(controls, values));
+    let Ok(mut target) = staged.scene.with_overrides(&settings) else {
+        return;
+    };
+    let mut present = state.document.scene.clone();
+    // The students may look from elsewhere, but then nothing can be compared.
+    present.camera = target.camera.clone();
+    let [width, height] = target.image.size;
+    let scale = f64::from(SIDE) / f64::from(width.max(height).max(1));
+    let size = [width, height].map(|side| ((f64::from(side) * scale) as u32).max(1));
+    (target.image.size, present.image.size) = (size, size);
+    let model = staged.model.clone();
+    let asked = || Target {
+        scene: target.clone(),
+        model: model.clone(),
+    };
+    own.target
+        .ask(wake(ui.ctx()), |known| known.scene == target, asked);
+    if let (None, Some([image, ..])) = (&own.picture, own.target.answer().map(Vec::as_slice)) {
+        let texture = ui
+            .ctx()
+            .load_texture("target", image.clone(), TextureOptions::LINEAR);
+        own.picture = Some(texture);
+    }
+    let scenes = [present, target];
+    let asked = || Likeness {
+        scenes: scenes.clone(),
+        model,
+    };
+    let new = own
+        .likeness
+        .ask(wake(ui.ctx()), |known| known.scenes == scenes, asked);
+    if new && let Some(distance) = own.likeness.answer() {
+        let [first, _, last] = own.distances;
+        if last != Some(*distance) {
+            own.distances = [first.or(Some(*distance)), last, Some(*distance)];
+            own.changes += u32::from(last.is_some());
+        }
+    }
+    ui.label(RichText::new(text!("course-target")).weak());
+    picture_ui(ui, &own, size);
+    ui.add_space(4.0);
+    if let (Some(distance), Kind::Match { tolerance, .. }) = (own.distances[2], &question.kind) {
+        meter_ui(ui, &own, distance, *tolerance);
+    }
+    if !revealed {
+        let seconds = (now - own.began).max(0.0) as u64;
+        let time = format!("{}:{:02}", seconds / 60, seconds % 60);
+        let words = text!("course-match-tries", count = own.changes, time = time);
+        ui.label(RichText::new(words).weak());
+    }
+    state.own.put(own);
+}
+
+fn picture_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {
+    let wide = ui.available_width().min(360.0);
+    let size = vec2(wide, wide * height as f32 / width as f32);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    named(response, Role::Image, text!("course-target"));
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    match &own.picture {
+        Some(texture) => {
+            _ = ui
+                .painter()
+                .image(texture.id(), rect, whole, Color32::WHITE)
+        }
+        None => {
+            _ = ui
+                .painter()
+                .rect_filled(rect, 2.0, ui.visuals().extreme_bg_color)
+        }
+    }
+}
+
+/// The distance on a scale of decades from what it was at first to what counts as the same.
+fn meter_ui(ui: &mut Ui, own: &Matching, distance: f64, tolerance: f64) {
+    let [first, before, _] = own.distances;
+    let start = first.unwrap_or(distance).max(4.0 * tolerance);
+    let share = |distance: f64| {
+        let near = (start / distance.max(1e-9)).ln() / (start / tolerance).ln();
+        near.clamp(0.0, 1.0) as f32
+    };
+    let words = if distance <= tolerance {
+        text!("course-match-same")
+    } else {
+        match before {
+            Some(before) if distance < before => text!("course-warmer"),
+            Some(before) if distance > before => text!("course-colder"),
+            _ => "",
+        }
+    };
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), METER), Sense::hover());
+    let name = text!("course-match-meter");
+    named(response, Role::ProgressIndicator, name);
+    let visuals = ui.visuals();
+    ui.painter()
+        .rect_filled(rect, 4.0, visuals.extreme_bg_color);
+    let filled = rect.with_max_x(rect.min.x + rect.width() * share(distance));
+    ui.painter()
+        .rect_filled(filled, 4.0, vector_text(visuals, Vector::L));
+    let line = Stroke::new(1.0, visuals.widgets.noninteractive.bg_stroke.color);
+    ui.painter()
+        .rect_stroke(rect, 4.0, line, StrokeKind::Inside);
+    ui.horizontal(|ui| {
+        ui.label(text!(
+            "course-match-distance",
+            rms = format!("{distance:.4}")
+        ));
+        ui.label(RichText::new(words).strong());
+    });
+}

@@ -1,0 +1,54 @@
+//! The text of lessons: CommonMark, with formulas set as the equation is.
+
+use super::formula::pieces;
+use crate::app::focus::one_stop;
+use crate::app::state::AppState;
+use crate::app::theme::TEXT;
+use crate::app::typeset::{Place, run_ui, spoken};
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Ui, WidgetInfo};
+use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
+use std::cell::{Cell, RefCell};
+use std::mem::take;
+use std::rc::Rc;
+
+/// Size of formulas: a little larger than the text, as their small letters need it.
+const FORMULA: f32 = TEXT + 1.0;
+
+/// Shows a text; the letters of its formulas light up what they stand for.
+pub fn prose_ui(ui: &mut Ui, state: &mut AppState, cache: &mut CommonMarkCache, words: &str) {
+    // The viewer takes functions that borrow nothing.
+    let lent = Rc::new(RefCell::new(take(state)));
+    let (inside, count) = (Rc::clone(&lent), Cell::new(0));
+    let math = move |ui: &mut Ui, formula: &str, _: bool| {
+        if let Ok(mut state) = inside.try_borrow_mut() {
+            formula_ui(ui, &mut state, formula, &count);
+        }
+    };
+    let top = ui.cursor().min;
+    CommonMarkViewer::new()
+        .render_math_fn(Some(&math))
+        .show(ui, cache, words);
+    drop(math);
+    if let Some(lent) = Rc::into_inner(lent) {
+        *state = lent.into_inner();
+    }
+    let rect = ui.min_rect();
+    one_stop(ui.ctx(), rect.with_min_y(top.y));
+}
+
+fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usize>) {
+    let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 0.0);
+    for run in pieces(ui.visuals(), formula) {
+        count.set(count.get() + 1);
+        let place = Place {
+            id: ui.scope_id().with(("formula", count.get())),
+            name: text!("course-in-text"),
+        };
+        let response = run_ui(ui, state, &run, FORMULA, place);
+        let words = spoken(&run);
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.trim()));
+    }
+    ui.spacing_mut().item_spacing.x = spacing;
+}

@@ -1,0 +1,263 @@
+//! A step: its text, its controls and its question, with the way back and on below.
+
+use super::data::{Course, Open};
+use super::prose::prose_ui;
+use super::question::question_ui;
+use super::work::{Prepare, Prepared};
+use crate::app::action::{Action, Turn};
+use crate::app::background::wake;
+use crate::app::engine::Engine;
+use crate::app::focus::{aside, named, switch_named};
+use crate::app::look::ViewName;
+use crate::app::named::{Named, rows_ui};
+use crate::app::state::AppState;
+use crate::lesson::Kind;
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Button, Frame, Label, Layout, Panel, RichText, ScrollArea, Sense, Spinner, Ui, vec2,
+};
+
+/// Radius of the dots of the steps, points.
+const DOT: f32 = 3.5;
+
+/// The step that is open.
+pub fn step_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
+    prepare(ui, course);
+    let Some(open) = &course.open else { return };
+    head_ui(ui, open, state);
+    Panel::bottom("course-steps")
+        .frame(Frame::NONE)
+        .resizable(false)
+        .show(ui, |ui| ways_ui(ui, course, state));
+    let Some(open) = &mut course.open else { return };
+    let fresh = std::mem::take(&mut open.draft.fresh);
+    let mut area = ScrollArea::vertical()
+        .id_salt(("step", open.opening, open.step))
+        .auto_shrink(false);
+    if fresh {
+        area = area.vertical_scroll_offset(0.0);
+    }
+    area.show(ui, |ui| {
+        // Not under the scroll bar.
+        ui.set_max_width(ui.available_width() - 4.0);
+        body_ui(ui, course, state, engine);
+        ui.add_space(8.0);
+    });
+}
+
+/// Has the engine fill in the numbers and find the answer.
+fn prepare(ui: &Ui, course: &mut Course) {
+    let seed = course.seed;
+    let Some(open) = &mut course.open else { return };
+    if open.known().is_some_and(|known| {
+        known
+            .as_ref()
+            .map_or(true, |known| known.solution.is_some())
+    }) {
+        return;
+    }
+    let (opening, step) = (open.opening, open.step);
+    let same = |work: &Prepare| (work.opening, work.step) == (opening, step);
+    open.work.keep_only(same);
+    open.work.ask(wake(ui.ctx()), same, || Prepare {
+        opening,
+        step,
+        seed,
+        source: open.lesson.source.clone(),
+        folder: open.lesson.folder.clone(),
+    });
+    let mut known = open.work.known().cloned();
+    if open.work.progress().is_none()
+        && let Some(Ok(Prepared { solution, .. })) = &mut known
+        && solution.is_none()
+    {
+        let none = if open.question().is_some() {
+            text!("render-job-ended")
+        } else {
+            ""
+        };
+        *solution = Some(Err(none.to_owned()));
+    }
+    if let Some(known) = known {
+        open.prepared.insert(step, known);
+    }
+}
+
+/// The way to the list, and which step of which lesson it is.
+fn head_ui(ui: &mut Ui, open: &Open, state: &mut AppState) {
+    ui.horizontal(|ui| {
+        let back = ui.button(format!("‹ {}", text!("course-lessons")));
+        if named(back, Role::Button, text!("course-lessons")).clicked() {
+            state.ask(Action::Course(Turn::List));
+        }
+        let title = RichText::new(&open.lesson.title).weak();
+        ui.add(Label::new(title).wrap());
+    });
+    ui.separator();
+}
+
+/// Back, the steps as dots, next.
+fn ways_ui(ui: &mut Ui, course: &Course, state: &mut AppState) {
+    let Some(open) = &course.open else { return };
+    let (step, count) = (open.step, open.lesson.steps.len());
+    ui.add_space(4.0);
+    ui.horizontal(|ui| {
+        let back = ui.add_enabled(step > 0, Button::new(text!("course-back")));
+        if back.on_hover_text(text!("course-back.tip")).clicked() {
+            state.ask(Action::Course(Turn::Step(-1)));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let next = if step + 1 < count {
+                text!("course-next")
+            } else {
+                text!("course-finish")
+            };
+            let button = Button::new(RichText::new(next).strong());
+            if ui
+                .add(button)
+                .on_hover_text(text!("course-next.tip"))
+                .clicked()
+            {
+                state.ask(Action::Course(Turn::Step(1)));
+            }
+            ui.centered_and_justified(|ui| dots_ui(ui, course, state, step, count));
+        });
+    });
+    ui.add_space(2.0);
+}
+
+/// A dot for each step, filled where its question is answered; where there is no room, in numbers.
+fn dots_ui(ui: &mut Ui, course: &Course, state: &mut AppState, step: usize, count: usize) {
+    let room = ui.available_width();
+    let each = (room / count as f32).min(16.0);
+    let words = text!("course-step", number = step + 1, count = count);
+    if each < 9.0 {
+        ui.label(words);
+        return;
+    }
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(room, ui.spacing().interact_size.y), Sense::click());
+    // Pointers alone take this way: Page up and Page down go the same.
+    aside(&response);
+    let response = switch_named(response, Role::Label, false, &words).on_hover_text(&words);
+    let left = rect.center().x - 0.5 * each * count as f32;
+    let Some(open) = &course.open else { return };
+    let record = course.kept.record(&open.lesson.name);
+    for index in 0..count {
+        let at = eframe::egui::pos2(left + each * (index as f32 + 0.5), rect.center().y);
+        let visuals = ui.visuals();
+        let colour = if index == step {
+            visuals.strong_text_color()
+        } else {
+            visuals.weak_text_color()
+        };
+        let right = record
+            .and_then(|record| record.answer(index))
+            .is_some_and(|answered| answered.grade.right);
+        let radius = if index == step { DOT + 1.5 } else { DOT };
+        if right || index == step {
+            ui.painter().circle_filled(at, radius, colour);
+        } else {
+            let stroke = eframe::egui::Stroke::new(1.2, colour);
+            ui.painter().circle_stroke(at, radius, stroke);
+        }
+    }
+    if let Some(at) = response
+        .interact_pointer_pos()
+        .filter(|_| response.clicked())
+    {
+        let index = ((at.x - left) / each).floor();
+        if index >= 0.0 && (index as usize) < count {
+            state.ask(Action::Course(Turn::To(index as usize)));
+        }
+    }
+}
+
+fn body_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
+    let Some(open) = &mut course.open else { return };
+    ui.heading(&open.current().title);
+    ui.add_space(2.0);
+    if let Some(why) = &open.failed {
+        error_ui(ui, why);
+    }
+    match open.known() {
+        Some(Ok(known)) => {
+            let words = known.text.clone();
+            ui.push_id("text", |ui| prose_ui(ui, state, &mut open.markdown, &words));
+        }
+        Some(Err(why)) => error_ui(ui, why),
+        None => waiting_ui(ui, text!("course-preparing")),
+    }
+    ui.add_space(6.0);
+    controls_ui(ui, open, state);
+    if let Some(view) = open.staged.as_ref().and_then(|staged| staged.shown.view)
+        && let Some(key) = ViewName::named(view)
+    {
+        // Its message is called as the view is.
+        let title = text!(&format!("view-{view}"));
+        if ui.link(text!("course-numbers", view = title)).clicked() {
+            state.show_view(key);
+        }
+    }
+    if open.question().is_some() {
+        ui.add_space(4.0);
+        question_ui(ui, course, state, engine);
+    }
+    again_ui(ui, course, state);
+}
+
+pub fn error_ui(ui: &mut Ui, why: &str) {
+    let words = RichText::new(why).color(ui.visuals().error_fg_color);
+    ui.add(Label::new(words).wrap());
+}
+
+pub fn waiting_ui(ui: &mut Ui, words: &str) {
+    ui.horizontal(|ui| {
+        ui.add(Spinner::new().size(14.0));
+        ui.label(RichText::new(words).weak());
+    });
+}
+
+/// The controls that the step names, and those of its question.
+fn controls_ui(ui: &mut Ui, open: &Open, state: &mut AppState) {
+    let mut words: Vec<&str> = open
+        .current()
+        .stage
+        .controls
+        .iter()
+        .map(|word| &**word)
+        .collect();
+    let own: Vec<&str> = match open.question().map(|question| &question.kind) {
+        Some(Kind::Settings { control, .. }) => vec![control],
+        Some(Kind::Match { controls, .. }) => controls.iter().map(|key| &**key).collect(),
+        _ => Vec::new(),
+    };
+    for key in own {
+        let named = Named::find(key);
+        if !words.iter().any(|word| Named::find(word) == named) {
+            words.push(key);
+        }
+    }
+    let controls: Vec<Named> = words.into_iter().filter_map(Named::find).collect();
+    if controls.is_empty() {
+        return;
+    }
+    ui.push_id("controls", |ui| rows_ui(ui, state, &controls));
+    state.commit();
+    ui.add_space(4.0);
+}
+
+/// The way back to the step's scene, where it was changed.
+fn again_ui(ui: &mut Ui, course: &Course, state: &mut AppState) {
+    let Some(open) = &course.open else { return };
+    let Some(staged) = &open.staged else { return };
+    if state.document.scene == staged.scene {
+        return;
+    }
+    ui.add_space(6.0);
+    let back = ui.link(text!("course-again"));
+    if back.on_hover_text(text!("course-again.tip")).clicked() {
+        state.ask(Action::Course(Turn::Again));
+    }
+}

@@ -1,0 +1,75 @@
+//! What a step needs of the engine, found in the background: its numbers, and the answer of its question.
+
+use crate::analysis::{Parcel, Watch};
+use crate::jobs::Work;
+use crate::lesson::{Kind, Lab, Lesson, Prose, Solution};
+use crate::text::text;
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+
+/// A step of a lesson.
+#[derive(Serialize, Deserialize)]
+pub struct Prepare {
+    /// Which opening of a lesson it belongs to.
+    pub opening: u64,
+    pub step: usize,
+    pub seed: u64,
+    /// The lesson's file: it is read again, since only text travels.
+    pub source: String,
+    pub folder: Option<PathBuf>,
+}
+
+/// The texts of a step with their numbers, and the answer once it is known.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Prepared {
+    pub text: String,
+    pub ask: String,
+    pub why: String,
+    /// Of options and items, or of the axes of a curve.
+    pub names: Vec<String>,
+    pub solution: Option<Result<Solution, String>>,
+}
+
+impl Work for Prepare {
+    type Answer = Prepared;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Prepared>)> =
+        Some((Parcel::plain(), Parcel::plain()));
+
+    fn run(&self, watch: &dyn Watch<Prepared>) -> Result<Prepared, String> {
+        let folder = self.folder.as_deref();
+        let lesson = Lesson::read(&self.source, folder).map_err(|error| error.to_string())?;
+        let missing = || text!("course-no-step").to_owned();
+        let step = lesson.steps.get(self.step).ok_or_else(missing)?;
+        let staged = step.stage.load(folder).map_err(|error| error.to_string())?;
+        let lab = Lab::new(&staged);
+        let place = lab.place(&staged);
+        let fill = |prose: &Prose| {
+            let wrong = |(line, words): (u64, String)| format!("{line}: {words}");
+            prose.filled(&place).map_err(wrong)
+        };
+        let mut prepared = Prepared {
+            text: fill(&step.text)?,
+            ask: String::new(),
+            why: String::new(),
+            names: Vec::new(),
+            solution: None,
+        };
+        let Some(question) = &step.question else {
+            return Ok(prepared);
+        };
+        prepared.ask = fill(&question.ask)?;
+        prepared.why = fill(&question.why)?;
+        let names: Vec<&Prose> = match &question.kind {
+            Kind::Choice { options, .. } => options.iter().map(|option| &option.text).collect(),
+            Kind::Order { items, .. } => items.iter().map(|item| &item.text).collect(),
+            Kind::Curve { x_name, y_name, .. } => vec![x_name, y_name],
+            _ => Vec::new(),
+        };
+        prepared.names = names.into_iter().map(fill).collect::<Result<_, _>>()?;
+        // The text can be read while the answer is sought.
+        watch.found(&prepared);
+        prepared.solution = Some(question.solve(place, self.seed));
+        Ok(prepared)
+    }
+}
