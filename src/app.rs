@@ -71,9 +71,9 @@ pub use place::{ProbePoint, ProfileLine};
 pub use profile::Profiles;
 pub use profile::look::ProfileLook;
 pub use scan::ScanView;
-pub use start::run;
 #[cfg(not(target_arch = "wasm32"))]
 pub use start::Start;
+pub use start::run;
 pub use state::AppState;
 
 use crate::document::{Loaded, picture_bytes};

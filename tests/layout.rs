@@ -9,7 +9,8 @@ use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
 use eframe::egui::{Event, Key, Modifiers, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use shading_lab::app::{App, Look, ViewName};
+use shading_lab::app::{App, Kept, Look, ViewName};
+use shading_lab::lesson::{Answer, Answered, CURVE_POINTS, Grade, Kind, Lesson, Record};
 use shading_lab::scene::presets::DEFAULT;
 use shading_lab::text::{Language, in_language, text};
 use std::collections::BTreeSet;
@@ -207,7 +208,7 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             assert!(after_crash.state().state().dialog.is_some());
             check(&after_crash, "kept work", Shown::View);
             check(&harness, "start", Shown::View);
-            for _ in 0..9 {
+            for _ in 0..10 {
                 harness.key_press(Key::C);
                 harness.run_ok();
                 let tab = harness.state().state().look.view;
@@ -324,11 +325,99 @@ fn what_scrolls_is_not_cut_off_at_the_side() {
             };
             unfold_all(&mut harness, language);
             check(&harness, "controls");
-            for _ in 0..9 {
+            for _ in 0..10 {
                 harness.key_press(Key::C);
                 harness.run_ok();
                 let view = harness.state().state().look.view;
                 check(&harness, &format!("{view:?}"));
+            }
+        }
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+/// A lesson with each kind of question.
+fn lesson() -> Lesson {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/lessons/kinds.md");
+    Lesson::open(&path).expect("a lesson")
+}
+
+/// Answers to all of its questions, of which none is right and each was looked up.
+fn looked_up(lesson: &Lesson) -> Kept {
+    let mut record = Record::new(&lesson.name, 1);
+    for (step, question) in lesson.steps.iter().enumerate() {
+        let answer = match question.question.as_ref().map(|question| &question.kind) {
+            None => continue,
+            Some(Kind::Choice { .. }) => Answer::Choice(0),
+            Some(Kind::Value { .. }) => Answer::Value(0.25),
+            Some(Kind::Point { .. }) => Answer::Point([-0.3, 0.1]),
+            Some(Kind::Curve { .. }) => Answer::Curve(vec![Some(0.4); CURVE_POINTS]),
+            Some(Kind::Settings { .. }) => Answer::Settings(3.0),
+            Some(Kind::Order { .. }) => Answer::Order(vec![0, 1, 2]),
+            Some(Kind::Match { .. }) => Answer::Match(vec![0.9, 5.0]),
+        };
+        record.put(Answered {
+            step,
+            prediction: answer.clone(),
+            answer,
+            grade: Grade::default(),
+            looked_up: 1,
+            tries: 2,
+            seconds: 10.0,
+        });
+    }
+    Kept {
+        records: vec![record],
+        ..Kept::default()
+    }
+}
+
+#[test]
+fn every_step_of_a_lesson_fits_at_every_size_in_both_languages() {
+    let mut found = BTreeSet::new();
+    for language in Language::ALL {
+        for (size, projector) in SIZES {
+            let mut look = Look {
+                language: Some(language),
+                smooth_edges: false,
+                ..Look::default()
+            };
+            if projector {
+                look.projector();
+            }
+            let scale = look.zoom(size[1]);
+            let points = size.map(|side| side / scale);
+            let answers = looked_up(&lesson());
+            for kept in [Kept::default(), answers] {
+                let shown = !kept.records.is_empty();
+                let loaded = hands::built_in(DEFAULT);
+                let with_lesson = |app: App| app.with_lesson(Some(lesson()), None);
+                let mut harness = hands::window_storing(loaded, points, &look, &kept, with_lesson);
+                for step in 0..lesson().steps.len() {
+                    let known = hands::wait(&mut harness, |harness| {
+                        let open = harness.state().state().course.open.as_ref();
+                        let known = open.and_then(|open| open.known());
+                        known.is_some_and(|known| {
+                            let known = known.as_ref().expect("texts");
+                            known.solution.is_some()
+                        })
+                    });
+                    assert!(known, "step {step}");
+                    harness.run_ok();
+                    harness.run_ok();
+                    for fault in faults(&harness, Shown::View) {
+                        let [width, height] = size;
+                        found.insert(format!(
+                            "{} {width}×{height} {projector}, step {step}, {shown}: {fault}",
+                            language.tag()
+                        ));
+                    }
+                    harness.key_press(Key::PageDown);
+                    harness.run_ok();
+                }
+                for fault in faults(&harness, Shown::View) {
+                    found.insert(format!("{} {size:?}, lessons: {fault}", language.tag()));
+                }
             }
         }
     }

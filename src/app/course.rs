@@ -7,6 +7,7 @@ mod formula;
 mod list;
 mod mark;
 mod matching;
+mod parts;
 mod prose;
 mod question;
 mod step;

@@ -7,7 +7,7 @@ use eframe::egui::{Key, Modifiers, Pos2, Rect, TexturesDelta};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, TestRenderer};
 use serde::Serialize;
-use shading_lab::app::{App, Look};
+use shading_lab::app::{App, Kept, Look};
 use shading_lab::document::{Loaded, load};
 use shading_lab::scene::Scene;
 use std::collections::BTreeMap;
@@ -44,9 +44,9 @@ pub fn window_of(loaded: Loaded) -> Harness<'static, App> {
 
 /// What is stored between two sessions, in memory.
 #[derive(Default)]
-struct Stored(BTreeMap<String, String>);
+struct Storage(BTreeMap<String, String>);
 
-impl eframe::Storage for Stored {
+impl eframe::Storage for Storage {
     fn get_string(&self, key: &str) -> Option<String> {
         self.0.get(key).cloned()
     }
@@ -64,8 +64,9 @@ impl eframe::Storage for Stored {
 
 /// What a window stores.
 #[derive(Serialize)]
-struct Kept<'a> {
+struct Stored<'a> {
     look: &'a Look,
+    course: &'a Kept,
 }
 
 /// A window of some size, in points, that finds this look stored.
@@ -75,10 +76,21 @@ pub fn window_looking(
     look: &Look,
     set_up: impl FnOnce(App) -> App,
 ) -> Harness<'static, App> {
-    let mut storage = Stored::default();
-    eframe::set_value(&mut storage, "look", &Kept { look });
+    window_storing(loaded, size, look, &Kept::default(), set_up)
+}
+
+/// The same with answers to lessons.
+pub fn window_storing(
+    loaded: Loaded,
+    size: [f32; 2],
+    look: &Look,
+    course: &Kept,
+    set_up: impl FnOnce(App) -> App,
+) -> Harness<'static, App> {
+    let mut storage = Storage::default();
+    eframe::set_value(&mut storage, "look", &Stored { look, course });
     // A window's storage lives as long as the window.
-    let storage: &'static Stored = Box::leak(Box::new(storage));
+    let storage: &'static Storage = Box::leak(Box::new(storage));
     let mut harness = Harness::builder()
         .with_size(size)
         .with_max_steps(60)
@@ -150,7 +162,7 @@ pub fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
 
 /// Opens a view by its name, by way of its group on the rail.
 pub fn open_view(harness: &mut Harness<'_, App>, name: &str) {
-    for group in ["Point", "Line", "Picture", "Engine"] {
+    for group in ["Point", "Line", "Picture", "Engine", "Course"] {
         if harness.query_by_role_and_label(Role::Tab, name).is_some() {
             break;
         }

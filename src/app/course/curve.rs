@@ -1,7 +1,7 @@
 //! A curve drawn by hand, and the right one laid over it.
 
 use super::data::Open;
-use super::question::right_colour;
+use super::parts::right_colour;
 use crate::app::focus::named;
 use crate::app::palette::vector_text;
 use crate::figure::palette::Vector;

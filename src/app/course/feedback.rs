@@ -1,8 +1,8 @@
 //! What is said of an answer, and why the right one is right.
 
 use super::data::{Course, Open};
+use super::parts::right_colour;
 use super::prose::prose_ui;
-use super::question::right_colour;
 use crate::app::engine::Engine;
 use crate::app::focus::named;
 use crate::app::state::AppState;

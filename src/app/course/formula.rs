@@ -10,7 +10,7 @@ const AMBIGUOUS: [&str; 2] = ["S", "T"];
 /// Signs before which a long formula may go on in the next line.
 const BREAKS: [&str; 7] = ["=", "+", "−", "≈", "<", ">", "/"];
 /// What other programs call letters.
-const COMMANDS: [(&str, &str); 16] = [
+const COMMANDS: [(&str, &str); 14] = [
     ("cdot", "·"),
     ("times", "×"),
     ("theta", "θ"),
@@ -21,8 +21,6 @@ const COMMANDS: [(&str, &str); 16] = [
     ("lambda", "λ"),
     ("pi", "π"),
     ("sum", "Σ"),
-    ("Sigma", "Σ"),
-    ("Delta", "Δ"),
     ("le", "≤"),
     ("ge", "≥"),
     ("approx", "≈"),

@@ -1,7 +1,7 @@
 //! A picture to be matched: the target beside the student's own, and how far they are apart.
 
 use super::data::Open;
-use super::step::waiting_ui;
+use super::parts::waiting_ui;
 use crate::analysis::{LinearPicture, Parcel, Watch, error_figures};
 use crate::app::background::{PICTURES, wake};
 use crate::app::focus::named;

@@ -4,10 +4,10 @@ use super::formula::pieces;
 use crate::app::focus::one_stop;
 use crate::app::state::AppState;
 use crate::app::theme::TEXT;
-use crate::app::typeset::{Place, run_ui, spoken};
+use crate::app::typeset::{Place, Run, spoken};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Ui, WidgetInfo};
+use eframe::egui::{Sense, TextStyle, Ui, WidgetInfo, vec2};
 use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 use std::cell::{Cell, RefCell};
 use std::mem::take;
@@ -18,15 +18,32 @@ const FORMULA: f32 = TEXT + 1.0;
 
 /// Shows a text; the letters of its formulas light up what they stand for.
 pub fn prose_ui(ui: &mut Ui, state: &mut AppState, cache: &mut CommonMarkCache, words: &str) {
+    let top = ui.cursor().min;
+    shown_ui(ui, state, cache, words, true);
+    let rect = ui.min_rect();
+    one_stop(ui.ctx(), rect.with_min_y(top.y));
+}
+
+/// Shows a text on a button: its letters do nothing of themselves.
+pub fn caption_ui(ui: &mut Ui, state: &mut AppState, cache: &mut CommonMarkCache, words: &str) {
+    shown_ui(ui, state, cache, words, false);
+}
+
+fn shown_ui(
+    ui: &mut Ui,
+    state: &mut AppState,
+    cache: &mut CommonMarkCache,
+    words: &str,
+    live: bool,
+) {
     // The viewer takes functions that borrow nothing.
     let lent = Rc::new(RefCell::new(take(state)));
     let (inside, count) = (Rc::clone(&lent), Cell::new(0));
     let math = move |ui: &mut Ui, formula: &str, _: bool| {
         if let Ok(mut state) = inside.try_borrow_mut() {
-            formula_ui(ui, &mut state, formula, &count);
+            formula_ui(ui, &mut state, formula, &count, live);
         }
     };
-    let top = ui.cursor().min;
     CommonMarkViewer::new()
         .render_math_fn(Some(&math))
         .show(ui, cache, words);
@@ -34,19 +51,24 @@ pub fn prose_ui(ui: &mut Ui, state: &mut AppState, cache: &mut CommonMarkCache, 
     if let Some(lent) = Rc::into_inner(lent) {
         *state = lent.into_inner();
     }
-    let rect = ui.min_rect();
-    one_stop(ui.ctx(), rect.with_min_y(top.y));
 }
 
-fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usize>) {
+fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usize>, live: bool) {
     let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 0.0);
-    for run in pieces(ui.visuals(), formula) {
+    for mut run in pieces(ui.visuals(), formula) {
+        if !live {
+            run.iter_mut().for_each(|piece| piece.symbol = None);
+        }
         count.set(count.get() + 1);
         let place = Place {
             id: ui.scope_id().with(("formula", count.get())),
             name: text!("course-in-text"),
         };
-        let response = run_ui(ui, state, &run, FORMULA, place);
+        let laid = Run::new(ui, &run, FORMULA);
+        // As high as a line of text, so that lines stay evenly apart.
+        let size = vec2(laid.width(), ui.text_style_height(&TextStyle::Body));
+        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+        laid.paint(ui, state, rect.left_center(), place);
         let words = spoken(&run);
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.trim()));
     }

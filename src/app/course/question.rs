@@ -4,8 +4,8 @@ use super::curve::curve_ui;
 use super::data::{Course, Open};
 use super::feedback::feedback_ui;
 use super::matching::match_ui;
-use super::prose::prose_ui;
-use super::step::{error_ui, waiting_ui};
+use super::parts::{cross, error_ui, right_colour, waiting_ui};
+use super::prose::{caption_ui, prose_ui};
 use crate::app::engine::Engine;
 use crate::app::focus::{named, switch_named};
 use crate::app::row::evaluate;
@@ -195,7 +195,7 @@ impl Card<'_> {
                     })
                 .max(20.0),
             );
-            prose_ui(ui, state, cache, self.words);
+            caption_ui(ui, state, cache, self.words);
         });
         let height = inside.min_rect().max.y + 5.0 - outer.min.y;
         let size = vec2(width, height.max(ui.spacing().interact_size.y));
@@ -235,20 +235,6 @@ impl Card<'_> {
         }
         response
     }
-}
-
-/// What is right is drawn in this colour.
-pub fn right_colour(ui: &Ui) -> Color32 {
-    use crate::figure::palette::Vector;
-    crate::app::palette::vector_text(ui.visuals(), Vector::V)
-}
-
-fn cross(ui: &Ui, room: Rect, colour: Color32) {
-    let stroke = Stroke::new(1.8, colour);
-    ui.painter()
-        .line_segment([room.left_top(), room.right_bottom()], stroke);
-    ui.painter()
-        .line_segment([room.right_top(), room.left_bottom()], stroke);
 }
 
 fn choice_ui(ui: &mut Ui, open: &mut Open, state: &mut AppState, names: &[String], revealed: bool) {

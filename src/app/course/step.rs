@@ -1,6 +1,7 @@
 //! A step: its text, its controls and its question, with the way back and on below.
 
 use super::data::{Course, Open};
+use super::parts::{error_ui, waiting_ui};
 use super::prose::prose_ui;
 use super::question::question_ui;
 use super::work::{Prepare, Prepared};
@@ -15,7 +16,7 @@ use crate::lesson::Kind;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, Frame, Label, Layout, Panel, RichText, ScrollArea, Sense, Spinner, Ui, vec2,
+    Align, Button, Frame, Label, Layout, Panel, RichText, ScrollArea, Sense, Ui, vec2,
 };
 
 /// Radius of the dots of the steps, points.
@@ -205,18 +206,6 @@ fn body_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engi
         question_ui(ui, course, state, engine);
     }
     again_ui(ui, course, state);
-}
-
-pub fn error_ui(ui: &mut Ui, why: &str) {
-    let words = RichText::new(why).color(ui.visuals().error_fg_color);
-    ui.add(Label::new(words).wrap());
-}
-
-pub fn waiting_ui(ui: &mut Ui, words: &str) {
-    ui.horizontal(|ui| {
-        ui.add(Spinner::new().size(14.0));
-        ui.label(RichText::new(words).weak());
-    });
 }
 
 /// The controls that the step names, and those of its question.

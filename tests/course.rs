@@ -1,0 +1,340 @@
+//! The course in the window: a lesson with each kind of question, gone through by mouse and by keyboard alone.
+
+#[path = "common/window.rs"]
+mod hands;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Pos2, pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use hands::{picture_place, press, scene, wait};
+use shading_lab::app::{App, Look, ViewName};
+use shading_lab::lesson::{Answer, Answered, Lesson};
+use std::path::Path;
+
+fn lesson() -> Lesson {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/lessons/kinds.md");
+    Lesson::open_checked(&path).expect("a lesson")
+}
+
+/// A window with the lesson.
+fn window() -> Harness<'static, App> {
+    let look = Look {
+        smooth_edges: false,
+        ..Look::default()
+    };
+    let loaded = hands::built_in("sphere");
+    let mut harness = hands::window_looking(loaded, [1280.0, 800.0], &look, |app| {
+        app.with_lesson(Some(lesson()), Some(5))
+    });
+    ready(&mut harness);
+    harness
+}
+
+/// Waits until the step's texts and its answer are known.
+fn ready(harness: &mut Harness<'_, App>) {
+    let known = wait(harness, |harness| {
+        let course = &harness.state().state().course;
+        let known = course.open.as_ref().and_then(|open| open.known());
+        known.is_some_and(|known| {
+            let known = known.as_ref().expect("texts");
+            known.solution.as_ref().is_some_and(|solution| {
+                assert!(solution.is_ok() || known.ask.is_empty(), "{solution:?}");
+                true
+            })
+        })
+    });
+    assert!(known, "the step is not ready");
+    harness.run_ok();
+}
+
+fn step(harness: &Harness<'_, App>) -> usize {
+    let course = &harness.state().state().course;
+    course.open.as_ref().expect("a lesson").step
+}
+
+fn next(harness: &mut Harness<'_, App>) {
+    harness.key_press(Key::PageDown);
+    harness.run_ok();
+    ready(harness);
+}
+
+fn go(harness: &mut Harness<'_, App>, to: usize) {
+    while step(harness) < to {
+        next(harness);
+    }
+}
+
+fn answered(harness: &Harness<'_, App>) -> Option<Answered> {
+    harness.state().state().course.answered().cloned()
+}
+
+fn revealed(harness: &Harness<'_, App>) -> bool {
+    harness.state().state().course.revealed()
+}
+
+/// Presses a key as often as it takes to come to what is called so.
+fn tab_to(harness: &mut Harness<'_, App>, role: Role, name: &str) {
+    for _ in 0..120 {
+        harness.key_press(Key::Tab);
+        harness.run_ok();
+        let node = harness.query_by_role_and_label(role, name);
+        if node.is_some_and(|node| node.is_focused()) {
+            return;
+        }
+    }
+    panic!("no way to {name:?} by Tab");
+}
+
+fn type_text(harness: &mut Harness<'_, App>, text: &str) {
+    harness.event(eframe::egui::Event::Text(text.to_owned()));
+    harness.run_ok();
+}
+
+#[test]
+fn a_step_shows_its_scene_its_text_and_its_controls() {
+    let mut harness = window();
+    assert_eq!(scene(&harness).material.n, 20.0);
+    assert_eq!(harness.state().state().look.view, ViewName::Course);
+    assert!(
+        harness
+            .query_by_label_contains("half-width is 15.0°")
+            .is_some()
+    );
+    harness.get_by_role_and_label(Role::SpinButton, "n specular exponent");
+    assert!(!harness.state().state().look.controls);
+    // What is changed can be put back.
+    hands::enter(&mut harness, "n specular exponent", 55.0);
+    assert_eq!(scene(&harness).material.n, 55.0);
+    harness
+        .get_by_label("Back to the step’s scene")
+        .click_accesskit();
+    harness.run_ok();
+    harness.run_ok();
+    assert_eq!(scene(&harness).material.n, 20.0);
+    press(&mut harness, "Next");
+    assert_eq!(step(&harness), 1);
+    harness.key_press(Key::PageUp);
+    harness.run_ok();
+    harness.run_ok();
+    assert_eq!(step(&harness), 0);
+}
+
+#[test]
+fn numbers_are_hidden_until_the_answer_is_shown() {
+    let mut harness = window();
+    go(&mut harness, 1);
+    assert!(harness.state().state().hides_numbers());
+    harness
+        .get_by_label("Show the numbers: Curves")
+        .click_accesskit();
+    harness.run_ok();
+    harness.get_by_label_contains("Numbers are hidden");
+    press(&mut harness, "To the question");
+    // The answer cannot be looked up before one is given.
+    assert!(harness.query_by_label("Show the answer").is_none());
+    harness
+        .get_by_role_and_label(Role::RadioButton, "Wider")
+        .click();
+    harness.run_ok();
+    press(&mut harness, "Check");
+    let first = answered(&harness).expect("an answer");
+    assert_eq!((&first.answer, first.tries), (&Answer::Choice(0), 1));
+    assert!(!revealed(&harness) && harness.state().state().hides_numbers());
+    press(&mut harness, "Show the answer");
+    let shown = answered(&harness).expect("an answer");
+    assert_eq!((shown.looked_up, shown.tries), (1, 1));
+    assert!(revealed(&harness) && !harness.state().state().hides_numbers());
+    assert!(
+        harness
+            .query_by_label_contains("A higher power of")
+            .is_some()
+    );
+    assert!(harness.query_by_label("Check").is_none());
+}
+
+#[test]
+fn every_question_is_answered_by_mouse() {
+    let mut harness = window();
+    // A place.
+    go(&mut harness, 3);
+    let picture = picture_place(&harness);
+    let click = |harness: &mut Harness<'_, App>, at: Pos2| {
+        harness.hover_at(at);
+        harness.run_ok();
+        harness.drag_at(at);
+        harness.run_ok();
+        harness.drop_at(at);
+        harness.run_ok();
+    };
+    click(&mut harness, picture.center() + vec2(-150.0, 100.0));
+    press(&mut harness, "Check");
+    assert!(!revealed(&harness));
+    click(&mut harness, picture.center() + vec2(60.0, -75.0));
+    press(&mut harness, "Check");
+    let given = answered(&harness).expect("an answer");
+    assert!(given.grade.right, "{given:?}");
+    assert_eq!(given.tries, 2);
+    // A curve: from the left to the right at the height of a cosine.
+    next(&mut harness);
+    draw(&mut harness, |share| {
+        (180.0 * share).to_radians().cos().max(0.0)
+    });
+    press(&mut harness, "Check");
+    let given = answered(&harness).expect("an answer");
+    assert!(given.grade.right, "{given:?}");
+    next(&mut harness);
+    draw(&mut harness, |_| 0.05);
+    press(&mut harness, "Check");
+    assert!(!revealed(&harness));
+    // A setting.
+    next(&mut harness);
+    press(&mut harness, "Check");
+    assert!(!revealed(&harness));
+    hands::enter(&mut harness, "n specular exponent", 45.3);
+    press(&mut harness, "Check");
+    assert!(revealed(&harness));
+    // An order, in which the last two are the wrong way round.
+    next(&mut harness);
+    for _ in 0..3 {
+        let order = harness
+            .state()
+            .state()
+            .course
+            .open
+            .as_ref()
+            .expect("a lesson")
+            .draft
+            .order
+            .clone();
+        let wrong = (1..3).find(|place| order[place - 1] < order[*place]);
+        if let Some(place) = wrong {
+            let names = ["$n = 10$", "$n = 30$", "$n = 90$"];
+            press(&mut harness, &format!("Move up: {}", names[order[place]]));
+        }
+    }
+    press(&mut harness, "Check");
+    let given = answered(&harness).expect("an answer");
+    assert_eq!(given.answer, Answer::Order(vec![2, 1, 0]));
+    assert!(given.grade.right);
+    // A match.
+    next(&mut harness);
+    press(&mut harness, "Check");
+    assert!(!revealed(&harness));
+    hands::enter(&mut harness, "Kd diffuse coefficient", 0.3);
+    hands::enter(&mut harness, "n specular exponent", 60.0);
+    press(&mut harness, "Check");
+    assert!(revealed(&harness));
+    press(&mut harness, "Finish");
+    harness.run_ok();
+    let course = &harness.state().state().course;
+    assert!(course.open.is_none() && course.kept.done.contains("kinds"));
+    assert_eq!(
+        course
+            .kept
+            .record("kinds")
+            .map(|record| record.answers.len()),
+        Some(6)
+    );
+}
+
+/// Draws a curve of heights from 0 to 1 over the share of the width.
+fn draw(harness: &mut Harness<'_, App>, height: impl Fn(f32) -> f32) {
+    let area = harness.get_by_role(Role::Canvas).rect();
+    // The axes stand at the left and below.
+    let (left, right) = (area.min.x + 22.0, area.max.x - 8.0);
+    let (top, bottom) = (area.min.y + 20.0, area.max.y - 20.0);
+    let at = |share: f32| {
+        pos2(
+            left + share * (right - left),
+            bottom - height(share) * (bottom - top),
+        )
+    };
+    harness.drag_at(at(0.0));
+    harness.run_ok();
+    for index in 1..=20 {
+        harness.hover_at(at(index as f32 / 20.0));
+        harness.run_ok();
+    }
+    harness.drop_at(at(1.0));
+    harness.run_ok();
+}
+
+#[test]
+fn the_keyboard_alone_is_enough() {
+    let mut harness = window();
+    next(&mut harness);
+    tab_to(
+        &mut harness,
+        Role::RadioButton,
+        "Narrower: $(R·V)^n$ falls faster, and that is seen as a smaller spot on the ball",
+    );
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    tab_to(&mut harness, Role::Button, "Check");
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    assert!(answered(&harness).is_some_and(|answered| answered.grade.right));
+    // A presenter's remote works whatever has the focus.
+    next(&mut harness);
+    tab_to(&mut harness, Role::TextInput, "Your answer");
+    type_text(&mut harness, "1/2");
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    harness.run_ok();
+    assert!(answered(&harness).is_some_and(|answered| answered.grade.right));
+    next(&mut harness);
+    harness.key_press(Key::F3);
+    harness.run_ok();
+    for _ in 0..6 {
+        harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowRight);
+        harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowUp);
+        harness.run_ok();
+    }
+    tab_to(&mut harness, Role::Button, "Check");
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    let given = answered(&harness).expect("an answer");
+    assert!(given.grade.right, "{given:?}");
+    next(&mut harness);
+    tab_to(
+        &mut harness,
+        Role::Canvas,
+        "Drawing of cos θ over θ, degrees",
+    );
+    for _ in 0..20 {
+        harness.key_press(Key::ArrowLeft);
+        harness.run_ok();
+    }
+    for column in 0..17 {
+        let wanted = (column as f64 * 180.0 / 16.0).to_radians().cos().max(0.0);
+        loop {
+            let open = harness
+                .state()
+                .state()
+                .course
+                .open
+                .as_ref()
+                .expect("a lesson");
+            let draft = &open.draft;
+            let value = draft.curve[draft.cursor].unwrap_or(0.5);
+            if (value - wanted).abs() < 0.03 && draft.curve[draft.cursor].is_some() {
+                break;
+            }
+            let key = if value < wanted {
+                Key::ArrowUp
+            } else {
+                Key::ArrowDown
+            };
+            harness.key_press(key);
+            harness.run_ok();
+        }
+        harness.key_press(Key::ArrowRight);
+        harness.run_ok();
+    }
+    tab_to(&mut harness, Role::Button, "Check");
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    let given = answered(&harness).expect("an answer");
+    assert!(given.grade.right, "{given:?}");
+}
