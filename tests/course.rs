@@ -6,7 +6,7 @@ mod hands;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, pos2, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::Queryable;
 use hands::{picture_place, press, scene, wait};
 use shading_lab::app::{App, Look, ViewName};
 use shading_lab::lesson::{Answer, Answered, Lesson};

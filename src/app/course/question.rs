@@ -18,8 +18,8 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::epaint::RectShape;
 use eframe::egui::{
-    Align, Button, Color32, Frame, Id, Key, Label, Layout, Margin, Rect, RichText, Sense, Shape,
-    Stroke, StrokeKind, Ui, UiBuilder, vec2,
+    Align, Button, Frame, Id, Key, Label, Layout, Margin, Rect, RichText, Sense, Shape, Stroke,
+    StrokeKind, Ui, UiBuilder, vec2,
 };
 use egui_commonmark::CommonMarkCache;
 
