@@ -21,7 +21,7 @@ mod words;
 mod worksheet;
 
 pub use answer::{Answer, Grade};
-pub use builtin::{LESSONS, find};
+pub use builtin::{BuiltIn, LESSONS, find};
 pub use check::check;
 pub use class::{
     Asked, Class, Given, Group, Student, Unreadable, collect, letter, short_answer, short_solution,

@@ -382,11 +382,18 @@ fn setting(
     tolerance: f64,
 ) -> Result<f64, String> {
     let (_, _, slider) = slider(control).ok_or_else(|| text!("lesson-no-value", name = control))?;
-    let tried: Vec<f64> = (0..TRIED)
+    let under = |value: f64| place.under(&[format!("{control}={value}")]);
+    // Not every setting of the slider goes with the rest of the scene.
+    let mut tried: Vec<f64> = (0..TRIED)
         .map(|index| along(&slider, index as f64 / (TRIED - 1) as f64))
+        .filter(|value| under(*value).is_ok())
         .collect();
+    tried.dedup();
+    if tried.is_empty() {
+        return Err(text!("lesson-settings-many", count = 0));
+    }
     let at = |value: f64| -> Result<f64, String> {
-        let there = place.under(&[format!("{control}={value}")])?;
+        let there = under(value)?;
         let reached = reach.number(&there)?;
         Ok(match goal {
             Goal::Equals(equals) => reached - equals.number(&there)?,
@@ -396,6 +403,14 @@ fn setting(
     };
     let values: Result<Vec<f64>, String> = tried.iter().map(|value| at(*value)).collect();
     let values = values?;
+    // As near as the slider can be set.
+    let settable = |value: f64| {
+        if slider.decimals == 0 {
+            value.round()
+        } else {
+            value
+        }
+    };
     let found = match goal {
         Goal::Equals(_) => {
             let crosses = |pair: &&[(f64, f64)]| (pair[0].1 <= 0.0) != (pair[1].1 <= 0.0);
@@ -407,14 +422,23 @@ fn setting(
             };
             let ((mut low, rising), mut high) = (crossing[0], crossing[1].0);
             for _ in 0..40 {
-                let middle = (low + high) / 2.0;
+                let middle = settable((low + high) / 2.0);
+                if middle <= low || middle >= high {
+                    break;
+                }
                 if (at(middle)? <= 0.0) == (rising <= 0.0) {
                     low = middle;
                 } else {
                     high = middle;
                 }
             }
-            let found = along_decimals(&slider, (low + high) / 2.0);
+            let found = if slider.decimals > 0 {
+                (low + high) / 2.0
+            } else if at(low)?.abs() <= at(high)?.abs() {
+                low
+            } else {
+                high
+            };
             if at(found)?.abs() > tolerance {
                 return Err(text!("lesson-settings-unreachable").to_owned());
             }
@@ -440,13 +464,17 @@ fn setting(
             );
             for _ in 0..30 {
                 let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+                let (a, b) = (settable(a), settable(b));
+                if a <= low || b >= high {
+                    break;
+                }
                 if at(a)? < at(b)? {
                     low = a;
                 } else {
                     high = b;
                 }
             }
-            let found = (low + high) / 2.0;
+            let found = settable((low + high) / 2.0);
             if at(found)? >= greatest {
                 found
             } else {
@@ -455,15 +483,6 @@ fn setting(
         }
     };
     Ok(found)
-}
-
-/// As near as the slider can be set.
-fn along_decimals(slider: &Slider, value: f64) -> f64 {
-    if slider.decimals == 0 {
-        value.round()
-    } else {
-        value
-    }
 }
 
 /// Settings that give controls these values.

@@ -30,12 +30,17 @@ pub struct Shown {
     pub line: Option<[DVec2; 2]>,
     /// Nothing but the picture and the controls named, for a page inside another.
     pub embed: bool,
+    /// A lesson of the course by its name, and the number of a step in it, from 1.
+    pub lesson: Option<String>,
+    pub step: Option<u32>,
     /// The controls of an embedded page, by words of lower-case letters, digits, dots and hyphens.
     pub controls: Vec<String>,
 }
 
 /// Greatest distance of a place from the picture's middle: no picture is that much longer than wide.
 const FARTHEST: f64 = 1e5;
+/// The greatest number of a step.
+const MOST_STEPS: u32 = 100;
 /// Most controls that can be named.
 const MOST_CONTROLS: usize = 64;
 
@@ -50,6 +55,8 @@ impl Shown {
         pairs.extend(self.view.map(|view| format!("view={view}")));
         pairs.extend(self.probe.map(|probe| numbers("probe", &[probe])));
         pairs.extend(self.line.as_ref().map(|line| numbers("line", line)));
+        pairs.extend(self.lesson.as_ref().map(|name| format!("lesson={name}")));
+        pairs.extend(self.step.map(|step| format!("step={step}")));
         pairs.extend(self.embed.then(|| "embed".to_owned()));
         if !self.controls.is_empty() {
             pairs.push(format!("controls={}", encoded(&self.controls.join(","))));
@@ -74,6 +81,19 @@ impl Shown {
             "line" => places(value)
                 .map(|line| self.line = Some(line))
                 .ok_or_else(|| text!("link-expected-line").to_owned()),
+            "lesson" => match words(value).as_deref() {
+                Some([name]) => {
+                    self.lesson = Some(name.clone());
+                    Ok(())
+                }
+                _ => Err(text!("link-expected-lesson").to_owned()),
+            },
+            "step" => value
+                .parse()
+                .ok()
+                .filter(|step| (1..=MOST_STEPS).contains(step))
+                .map(|step| self.step = Some(step))
+                .ok_or_else(|| text!("range-between", least = 1, greatest = MOST_STEPS)),
             "embed" => {
                 let on = match value {
                     "" | "1" | "true" => Some(true),

@@ -396,8 +396,10 @@ impl Parameter {
         // The material's letters are meant where a word could be another key's as well.
         let material = Self::all().filter(|parameter| parameter.section() == "material");
         let last = |parameter: &&Self| parameter.key.rsplit('.').next() == Some(word);
+        let index = word.split('.').nth(1).and_then(|part| part.parse().ok());
+        let index = index.unwrap_or(0);
         Self::all()
-            .find(|parameter| parameter.key == word || parameter.key(0) == word)
+            .find(|parameter| parameter.key == word || parameter.key(index) == word)
             .or_else(|| material.chain(Self::all()).find(last))
     }
 

@@ -40,3 +40,4 @@ controls-command-link-code = QR code of the link
 embed-open = Open in shading-lab
     .tip = Open this scene in a page of its own, with all controls
 embed-unknown = no control is called { $name }
+link-expected-lesson = the name of a lesson: lower-case words with hyphens
