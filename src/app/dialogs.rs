@@ -56,7 +56,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
         };
         ui.set_width(width.min(ctx.content_rect().width() - 48.0).max(0.0));
         // In a low window a dialog scrolls.
-        let most = ctx.content_rect().height() - 40.0;
+        let most = ctx.content_rect().height() - 64.0;
         ScrollArea::vertical()
             .max_height(most)
             .min_scrolled_height(most)

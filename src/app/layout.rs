@@ -122,7 +122,8 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
         .exact_size(RAIL)
         .show(ui, |ui| {
             ui.add_space(4.0);
-            views::rail_ui(ui, state, false, views::wide_size());
+            let size = views::wide_size(ui.available_height());
+            views::rail_ui(ui, state, false, size);
         });
     let room = panel_room(size);
     let below = state.look.views && views::stands_below(state);
@@ -173,7 +174,10 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
         Panel::right("rail")
             .resizable(false)
             .exact_size(RAIL)
-            .show(ui, |ui| views::rail_ui(ui, state, true, views::wide_size()));
+            .show(ui, |ui| {
+                let size = views::wide_size(ui.available_height());
+                views::rail_ui(ui, state, true, size);
+            });
     }
     let controls = state.look.controls;
     if !controls && !state.look.views {

@@ -348,7 +348,8 @@ pub fn narrow_size(width: f32) -> Vec2 {
     )
 }
 
-/// The size of a button of the rail where it stands at the side.
-pub fn wide_size() -> Vec2 {
-    vec2(RAIL - 12.0, 52.0)
+/// The size of a button of the rail where it stands at the side, `height` high: all of them fit into a low window.
+pub fn wide_size(height: f32) -> Vec2 {
+    let count = (GROUPS.len() + 1) as f32;
+    vec2(RAIL - 12.0, (height / count - 4.0).clamp(36.0, 52.0))
 }
