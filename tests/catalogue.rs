@@ -3,10 +3,11 @@
 use fluent_bundle::FluentResource;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use shading_lab::analysis::{Format, Method, Topic, Verdict, stability_cases};
+use shading_lab::lesson::LESSONS;
 use shading_lab::scene::Choice;
 use shading_lab::scene::parameter::Parameter;
 use shading_lab::scene::presets;
-use shading_lab::text::{FILES, chinese_font};
+use shading_lab::text::{FILES, Language, chinese_font};
 use skrifa::{FontRef, MetadataProvider};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -259,10 +260,15 @@ fn every_character_of_the_catalogue_has_a_glyph() {
                 .iter()
                 .any(|font| font.charmap().map(character).is_some())
     };
+    let lessons = LESSONS
+        .iter()
+        .flat_map(|lesson| Language::ALL.map(|language| lesson.lesson_in(language).source));
     let missing: BTreeSet<char> = FILES
         .iter()
         .flat_map(|files| files.iter())
-        .flat_map(|(_, file)| file.chars())
+        .map(|(_, file)| (*file).to_owned())
+        .chain(lessons)
+        .flat_map(|file| file.chars().collect::<Vec<_>>())
         .filter(|character| !known(*character))
         .collect();
     assert!(missing.is_empty(), "no font has {missing:?}: run .ci/font");

@@ -59,9 +59,9 @@ fn wrong_answers(question: &Question, solution: &Solution, staged: &Staged) -> V
                 Answer::Curve(vec![None; points.len()]),
             ]
         }
-        (Kind::Settings { .. }, Solution::Setting(right)) => {
-            [0.25, 4.0].map(|times| Answer::Settings(right * times)).to_vec()
-        }
+        (Kind::Settings { .. }, Solution::Setting(right)) => [0.25, 4.0]
+            .map(|times| Answer::Settings(right * times))
+            .to_vec(),
         (Kind::Order { .. }, Solution::Order(right)) => {
             let mut swapped = right.clone();
             swapped.swap(0, 1);
@@ -72,7 +72,9 @@ fn wrong_answers(question: &Question, solution: &Solution, staged: &Staged) -> V
             let parameter = |key: &String| shading_lab::scene::parameter::Parameter::by_word(key);
             let own = |key: &String| {
                 let value = parameter(key)?.value(&staged.scene, 0)?;
-                let array = value.as_array().and_then(|values| values.first()?.as_float());
+                let array = value
+                    .as_array()
+                    .and_then(|values| values.first()?.as_float());
                 value.as_float().or(array)
             };
             controls
@@ -124,7 +126,10 @@ fn the_right_answer_scores_full_marks_and_a_wrong_one_does_not() {
         *counts.entry(kind).or_insert(0) += wrong;
         questions += 1;
     }
-    assert!(questions >= 2 * LESSONS.len() && counts.len() == 7, "{questions}, {counts:?}");
+    assert!(
+        questions >= 2 * LESSONS.len() && counts.len() == 7,
+        "{questions}, {counts:?}"
+    );
 }
 
 fn kind(question: &Question) -> &'static str {
@@ -149,10 +154,14 @@ fn without_words(step: &Step) -> String {
         (question.ask, question.why) = Default::default();
         match &mut question.kind {
             Kind::Choice { options, .. } => {
-                options.iter_mut().for_each(|option| option.text = Default::default());
+                options
+                    .iter_mut()
+                    .for_each(|option| option.text = Default::default());
             }
             Kind::Order { items, .. } => {
-                items.iter_mut().for_each(|item| item.text = Default::default());
+                items
+                    .iter_mut()
+                    .for_each(|item| item.text = Default::default());
             }
             Kind::Curve { x_name, y_name, .. } => (*x_name, *y_name) = Default::default(),
             Kind::Value { unit, .. } => unit.clear(),
@@ -172,7 +181,13 @@ fn both_languages_have_the_same_steps_and_questions() {
         assert_eq!(english.minutes, chinese.minutes, "{}", lesson.name);
         assert_ne!(english.title, chinese.title, "{}", lesson.name);
         for (a, b) in english.steps.iter().zip(&chinese.steps) {
-            assert_eq!(without_words(a), without_words(b), "{}: {}", lesson.name, a.title);
+            assert_eq!(
+                without_words(a),
+                without_words(b),
+                "{}: {}",
+                lesson.name,
+                a.title
+            );
             assert_ne!(a.text, b.text, "{}: {}", lesson.name, a.title);
         }
     }
@@ -187,9 +202,8 @@ fn every_lesson_asks_before_it_tells() {
             .iter()
             .filter_map(|step| step.question.as_ref())
             .collect();
-        let by_hand = |question: &&Question| {
-            matches!(question.kind, Kind::Point { .. } | Kind::Curve { .. })
-        };
+        let by_hand =
+            |question: &&Question| matches!(question.kind, Kind::Point { .. } | Kind::Curve { .. });
         assert!(
             questions.len() >= 2 && questions.iter().any(by_hand),
             "{}: {} questions",
@@ -201,7 +215,11 @@ fn every_lesson_asks_before_it_tells() {
         let lab = last.stage.load(None).expect("a scene");
         let place = Lab::new(&lab);
         let text = last.text.filled(&place.place(&lab)).expect("a text");
-        assert!(text.contains("alone"), "{} ends without a task", lesson.name);
+        assert!(
+            text.contains("alone"),
+            "{} ends without a task",
+            lesson.name
+        );
     }
 }
 
@@ -227,7 +245,10 @@ fn the_course_covers_every_slide_and_section_by_steps_that_there_are() {
             .unwrap_or_else(|| panic!("{row}: no such lesson"));
         let count = lesson.lesson_in(Language::English).steps.len();
         for step in step.split(',') {
-            let step: usize = step.trim().parse().unwrap_or_else(|_| panic!("{row}: no step"));
+            let step: usize = step
+                .trim()
+                .parse()
+                .unwrap_or_else(|_| panic!("{row}: no step"));
             assert!((1..=count).contains(&step), "{row}: {count} steps");
         }
         assert!(!title.is_empty(), "{row}");
@@ -240,9 +261,20 @@ fn the_course_covers_every_slide_and_section_by_steps_that_there_are() {
     }
     for page in 1..=12 {
         let named = format!("000, page {page}");
-        assert!(seen.iter().any(|source| *source == named), "{named} is missing");
+        assert!(
+            seen.iter().any(|source| *source == named),
+            "{named} is missing"
+        );
     }
-    assert!(seen.iter().filter(|source| source.starts_with("003")).count() >= 1);
-    let all: BTreeSet<String> = LESSONS.iter().map(|lesson| lesson.name.to_owned()).collect();
+    assert!(
+        seen.iter()
+            .filter(|source| source.starts_with("003"))
+            .count()
+            >= 1
+    );
+    let all: BTreeSet<String> = LESSONS
+        .iter()
+        .map(|lesson| lesson.name.to_owned())
+        .collect();
     assert_eq!(met, all, "every lesson is in the table");
 }

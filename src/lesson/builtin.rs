@@ -41,7 +41,41 @@ macro_rules! lessons {
 }
 
 /// Every lesson, in the order of the course.
-pub static LESSONS: [BuiltIn; 0] = lessons! {};
+pub static LESSONS: [BuiltIn; 33] = lessons! {
+    "what-is-shading"
+    "light-sources"
+    "ambient"
+    "diffuse"
+    "attenuation"
+    "colour"
+    "reflection-vector"
+    "exponent"
+    "reflectance"
+    "half-vector"
+    "whole-equation"
+    "out-of-range"
+    "transparency"
+    "shadows"
+    "ambient-constant"
+    "physics-based"
+    "tessellation"
+    "flat-shading"
+    "interpolated-shading"
+    "vertex-normals"
+    "gouraud"
+    "scan-line"
+    "mach-bands"
+    "lost-highlight"
+    "phong-shading"
+    "silhouette"
+    "perspective-distortion"
+    "orientation"
+    "shared-vertices"
+    "unrepresentative-normals"
+    "depth-cueing"
+    "cost-and-error"
+    "opengl"
+};
 
 /// The lesson of that name.
 pub fn find(name: &str) -> Option<&'static BuiltIn> {

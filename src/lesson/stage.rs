@@ -70,7 +70,7 @@ impl Stage {
         }
         if let Some(panes) = &self.panes {
             scene.compare.panes = panes.iter().map(|pane| pane_of(pane)).collect();
-            if scene.compare.view == CompareView::Single {
+            if scene.compare.view == CompareView::Single && !panes.is_empty() {
                 scene.compare.view = CompareView::Panes;
             }
         }

@@ -12,7 +12,8 @@ use miniz_oxide::inflate::decompress_to_vec_with_limit;
 
 /// The keys of a link.
 const KEYS: [&str; 11] = [
-    "scene", "lights", "pane", "set", "view", "probe", "line", "lesson", "step", "embed", "controls",
+    "scene", "lights", "pane", "set", "view", "probe", "line", "lesson", "step", "embed",
+    "controls",
 ];
 
 /// Keys that messengers, mailing lists and advertisers append to links; they are ignored, and so is all that begins with
