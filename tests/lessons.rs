@@ -234,25 +234,30 @@ fn the_course_covers_every_slide_and_section_by_steps_that_there_are() {
         let [source, title, lesson, step] = cells[..] else {
             panic!("{row}: four cells expected");
         };
-        let name = lesson
-            .strip_prefix('[')
-            .and_then(|rest| rest.split_once(']'))
-            .unwrap_or_else(|| panic!("{row}: a link to a lesson expected"))
-            .0;
-        let lesson = LESSONS
-            .iter()
-            .find(|lesson| lesson.name == name)
-            .unwrap_or_else(|| panic!("{row}: no such lesson"));
-        let count = lesson.lesson_in(Language::English).steps.len();
-        for step in step.split(',') {
-            let step: usize = step
-                .trim()
-                .parse()
-                .unwrap_or_else(|_| panic!("{row}: no step"));
-            assert!((1..=count).contains(&step), "{row}: {count} steps");
+        // [one](…), [another](…) | 1–3, 5; 2
+        let names: Vec<&str> = lesson
+            .split('[')
+            .skip(1)
+            .filter_map(|link| Some(link.split_once(']')?.0))
+            .collect();
+        let steps: Vec<&str> = step.split(';').collect();
+        assert!(!names.is_empty() && names.len() == steps.len(), "{row}");
+        for (name, steps) in names.into_iter().zip(steps) {
+            let lesson = LESSONS
+                .iter()
+                .find(|lesson| lesson.name == name)
+                .unwrap_or_else(|| panic!("{row}: no such lesson"));
+            let count = lesson.lesson_in(Language::English).steps.len();
+            for step in steps.split([',', '–']) {
+                let step: usize = step
+                    .trim()
+                    .parse()
+                    .unwrap_or_else(|_| panic!("{row}: no step"));
+                assert!((1..=count).contains(&step), "{row}: {count} steps");
+            }
+            met.insert(name.to_owned());
         }
         assert!(!title.is_empty(), "{row}");
-        met.insert(name.to_owned());
         seen.insert(source.to_owned());
     }
     for slide in 1..=47 {
