@@ -30,6 +30,8 @@ fn round_trip(scene: &Scene, origin: Option<&str>) -> String {
         view: Some("profile"),
         probe: Some(DVec2::new(0.1103, -0.25)),
         line: Some([DVec2::new(-0.4, 0.06), DVec2::new(0.4, -1.0)]),
+        lesson: Some("mach-bands".to_owned()),
+        step: Some(3),
         embed: true,
         controls: vec!["n".to_owned(), "light.0.position".to_owned()],
     };
