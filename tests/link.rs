@@ -173,7 +173,7 @@ fn what_does_not_fit_is_compressed() {
     let link = round_trip(&scene, Some("orientation"));
     let (readable, packed) = link.split_once('#').expect("a packed scene");
     assert!(readable.ends_with(
-        "/?view=profile&probe=0.1103,-0.25&line=-0.4,0.06,0.4,-1&embed&controls=n,light.0.position"
+        "/?view=profile&probe=0.1103,-0.25&line=-0.4,0.06,0.4,-1&lesson=mach-bands&step=3&embed&controls=n,light.0.position"
     ));
     assert!(packed.len() < 1500, "{}", packed.len());
     assert!(
