@@ -386,6 +386,19 @@ impl App {
             Action::ResetRow => focus::ask_reset(ctx),
             Action::TakeProbe => focus::take(ctx, focus::picture_id()),
             Action::Menus => focus::take_first(ctx),
+            Action::HandIn => match self.state.course.to_hand_in() {
+                Some((lesson, _)) => {
+                    let name = self.state.course.kept.name.clone();
+                    let path = std::path::absolute(format!("{}.png", lesson.name));
+                    let path =
+                        path.map_or_else(|_| String::new(), |path| path.display().to_string());
+                    self.ask_file(ctx, FileTask::HandIn(name), path);
+                }
+                None => {
+                    let words = text!("course-hand-in-nothing").to_owned();
+                    self.state.dialog = Some(Dialog::message(text!("course-hand-in"), words));
+                }
+            },
             Action::LoadStage => self.files.load_stage(ctx, &self.state),
             Action::Quit if self.may_close() => self.close(ctx),
             Action::CloseUnsaved => self.close(ctx),
@@ -403,7 +416,7 @@ impl App {
 
     /// Asks for a file; a page asks only how a picture is to be exported, since it downloads what it writes.
     fn ask_file(&mut self, ctx: &Context, task: FileTask, path: String) {
-        let asks = !system::PAGE || matches!(task, FileTask::Export(_));
+        let asks = !system::PAGE || matches!(task, FileTask::Export(_) | FileTask::HandIn(_));
         let dialog = Dialog::File { task, path };
         if asks {
             self.state.dialog = Some(dialog);

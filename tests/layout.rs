@@ -249,7 +249,10 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             let mut dialog = |what: &str, open: &dyn Fn(&mut Harness<'_, App>)| {
                 open(&mut harness);
                 harness.run_ok();
-                assert!(harness.state().state().dialog.is_some(), "{what}");
+                assert!(
+                    harness.state().state().dialog.is_some(),
+                    "{what} {language:?} {size:?} {projector}"
+                );
                 check(&harness, what, Shown::View);
                 harness.key_press(Key::Escape);
                 harness.run_ok();

@@ -82,6 +82,8 @@ pub enum Action {
     View(ViewName),
     /// What is asked of the course.
     Course(Turn),
+    /// Asks for a name and a file for the answers to the lesson.
+    HandIn,
     /// Loads the scene of the step that is open.
     LoadStage,
     /// Shows the scene that the right answer is about.

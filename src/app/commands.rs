@@ -192,6 +192,7 @@ fn file() -> Section {
         .item("save", "Ctrl + S", Action::Save)
         .item("save-as", "Ctrl + Shift + S", Action::SaveAs)
         .item("export", "Ctrl + E", Action::Export)
+        .item("hand-in", "", Action::HandIn)
         .line()
         .item("copy-link", "Ctrl + Shift + L", Action::CopyLink);
     // A page knows where it is, and is closed by its browser.

@@ -17,6 +17,7 @@ pub use data::{Course, Kept};
 pub use mark::{from_pixel, paint};
 #[cfg(target_arch = "wasm32")]
 pub use matching::{Likeness, Target};
+pub use step::head_ui;
 #[cfg(target_arch = "wasm32")]
 pub use work::Prepare;
 

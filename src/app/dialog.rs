@@ -68,6 +68,8 @@ pub enum FileTask {
     SaveScene,
     Export(ExportForm),
     SaveAnswer(Format),
+    /// The answers to a lesson, by whom.
+    HandIn(String),
 }
 
 /// How a picture is to be exported.
@@ -152,6 +154,13 @@ impl FileTask {
                 text!("file-picture"),
                 &["png"],
                 "picture.png",
+            ),
+            Self::HandIn(_) => (
+                text!("course-hand-in"),
+                text!("course-hand-in.verb"),
+                text!("file-picture"),
+                &["png"],
+                "answers.png",
             ),
             Self::SaveAnswer(format) => {
                 let example = match format {

@@ -11,6 +11,8 @@ use super::report;
 use super::scenes::scenes_ui;
 use super::state::{AppState, Leaving};
 use super::system;
+use super::theme::text_field;
+use crate::lesson::MAX_NAME;
 use crate::scene::Image;
 use crate::text::{has, text};
 use eframe::egui::accesskit::Role;
@@ -130,6 +132,7 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
             FileTask::Open if system::PAGE => _ = system::pick(true, &FileTask::Open.file_kind()),
             FileTask::Open => state.ask(Action::OpenFile(PathBuf::from(path.trim()))),
             FileTask::SaveScene => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
+            FileTask::HandIn(name) => files.hand_in(ctx, state, name, PathBuf::from(path)),
             FileTask::Export(form) => files.export(ctx, state, &form, PathBuf::from(path)),
             FileTask::SaveAnswer(_) => {
                 if let Err(text) = report::save(state, Path::new(path.trim())) {
@@ -214,6 +217,24 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, window: [u32; 2]
     ui.heading(kind.title);
     if let FileTask::Export(form) = task {
         export_ui(ui, form, window);
+    }
+    if let FileTask::HandIn(name) = task {
+        ui.label(RichText::new(text!("course-hand-in.sentence")).weak());
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            ui.label(text!("course-hand-in-name"));
+            let field = text_field(name)
+                .char_limit(MAX_NAME)
+                .desired_width(f32::INFINITY);
+            let field = named(ui.add(field), Role::TextInput, text!("course-hand-in-name"));
+            // The name comes first, where none is known.
+            if name.is_empty()
+                && !field.has_focus()
+                && ui.memory(|memory| memory.focused().is_none())
+            {
+                field.request_focus();
+            }
+        });
     }
     ui.add_space(8.0);
     let entered = if !system::PAGE {

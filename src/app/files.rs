@@ -18,7 +18,7 @@ use crate::analysis::{
 use crate::document::{load_with, save_picture};
 use crate::geometry::Mesh;
 use crate::jobs::{Job, Work, pack_model, unpack_model};
-use crate::lesson::Lesson;
+use crate::lesson::{Lesson, hand_in};
 use crate::render::{Frame, Renderer, check_memory};
 use crate::scene::Scene;
 use crate::text::text;
@@ -28,6 +28,9 @@ use std::cell::Cell;
 use std::convert::Infallible;
 use std::path::PathBuf;
 use std::sync::Arc;
+
+/// Size of the picture that answers are handed in with, pixels.
+const HANDED_IN: [u32; 2] = [960, 720];
 
 /// What becomes of the window when work on a file is done.
 type Outcome = Arc<dyn Fn(&mut AppState) + Send + Sync>;
@@ -221,6 +224,30 @@ impl Files {
                 state.look.remember(&path);
                 state.open_lesson(Arc::clone(&lesson), false);
             })
+        });
+    }
+
+    /// Draws the last picture, and writes it with the answers to a lesson inside.
+    pub fn hand_in(&mut self, ctx: &Context, state: &mut AppState, name: String, path: PathBuf) {
+        let Some((lesson, record)) = state.course.to_hand_in() else {
+            return;
+        };
+        state.course.kept.name.clone_from(&name);
+        let Document { scene, model, .. } = state.document.clone();
+        let title = text!("drawing-file", path = path.display().to_string());
+        self.start(ctx, title, text!("course-not-handed-in"), move |watch| {
+            let mut sized = scene.clone();
+            sized.image.size = HANDED_IN;
+            let mut renderer = Renderer::default();
+            renderer.set_model(model.clone());
+            let mut progress = |_| watch.at(0.5);
+            // Nobody reads why.
+            let frame =
+                picture(&mut renderer, &sized, 4, None, &mut progress).ok_or_else(String::new)?;
+            hand_in(&path, &frame, &scene, &lesson, &record, &name)
+                .map_err(|error| error.to_string())?;
+            let notice = text!("course-handed-in", path = path.display().to_string());
+            Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
         });
     }
 

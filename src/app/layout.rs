@@ -76,7 +76,8 @@ impl Layout {
         }
         // Nothing is drawn of a scene that a scene file would refuse.
         state.commit();
-        if !low {
+        // A narrow window has room for the lesson or for what else there is to say of its scene.
+        if !low && !(narrow && reads_lesson(state)) {
             Panel::top("title").show(ui, |ui| bars::title_ui(ui, state));
         }
         Some(self.picture_ui(ui, state, engine))
@@ -101,6 +102,11 @@ impl Layout {
         }
         self.open = [state.look.controls, state.look.views];
     }
+}
+
+/// Whether a lesson is open and in sight.
+fn reads_lesson(state: &AppState) -> bool {
+    state.shows(ViewName::Course) && state.course.open.is_some()
 }
 
 /// The width that panels may take, points: the picture has half of the window. In a narrow one there is one panel.
@@ -183,6 +189,7 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
     if !controls && !state.look.views {
         return;
     }
+    let lesson = !controls && reads_lesson(state);
     let mut show = |ui: &mut Ui| {
         if controls {
             controls::controls_ui(ui, state, engine);
@@ -192,9 +199,14 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
     };
     let height = ui.available_height();
     if tall {
-        Panel::bottom("drawer")
+        let (name, share) = if lesson {
+            ("lesson", 0.58)
+        } else {
+            ("drawer", 0.45)
+        };
+        Panel::bottom(name)
             .resizable(true)
-            .default_size(0.45 * height)
+            .default_size(share * height)
             .size_range(160.0..=(height - PICTURE).max(160.0))
             .show(ui, show);
     } else if ui.available_width() - PANEL >= PICTURE.max(0.5 * size.x) {

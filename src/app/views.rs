@@ -1,7 +1,7 @@
 //! The views: ways of reading the picture, in groups that the rail at the right shows.
 
 use super::compare::compare_ui;
-use super::course::{course_ui, hidden_ui};
+use super::course::{course_ui, head_ui, hidden_ui};
 use super::curves::curves_ui;
 use super::defects::defects_ui;
 use super::engine::Engine;
@@ -266,6 +266,16 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
+        // A lesson has its own head, and is alone in its group.
+        if state.look.view == ViewName::Course && state.course.open.is_some() {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                place_ui(ui, state, narrow);
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    head_ui(ui, state)
+                });
+            });
+            return;
+        }
         for view in group.views {
             let on = view.key == state.look.view;
             let button = ui.add(Button::selectable(on, view.title()));

@@ -225,3 +225,4 @@ controls-group-course = Course
 controls-command-course-step =
     .does = The step before or the next step of the lesson that is open
     .gesture = PageUp PageDown
+controls-command-hand-in = Hand in answers…

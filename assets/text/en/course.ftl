@@ -81,3 +81,11 @@ course-values = Right: { $right } · yours: { $own }
 course-place = The ring in the picture marks the right place.
 course-places = The dots in the picture mark the right places.
 course-set-it = Set it so
+
+course-hand-in = Hand in your answers
+    .verb = Write
+    .sentence = One picture with the scene, the lesson and your answers inside. Send it to your lecturer.
+course-hand-in-name = Your name
+course-hand-in-nothing = There are no answers yet: open a lesson and answer a question first.
+course-not-handed-in = Answers not written
+course-handed-in = Answers written to { $path }

@@ -225,3 +225,4 @@ controls-group-course = 課程
 controls-command-course-step =
     .does = 開啟的課程的上一步或下一步
     .gesture = PageUp PageDown
+controls-command-hand-in = 繳交答案…

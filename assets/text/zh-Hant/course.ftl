@@ -73,3 +73,11 @@ course-values = 正確：{ $right } · 你的：{ $own }
 course-place = 圖片中的圓圈標出正確位置。
 course-places = 圖片中的點標出正確位置。
 course-set-it = 套用正確值
+
+course-hand-in = 繳交答案
+    .verb = 寫入
+    .sentence = 一張圖片，內含場景、課程與你的答案。請寄給老師。
+course-hand-in-name = 你的姓名
+course-hand-in-nothing = 還沒有答案：請先開啟課程並回答問題。
+course-not-handed-in = 答案未寫入
+course-handed-in = 答案已寫入 { $path }

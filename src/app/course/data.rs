@@ -5,7 +5,7 @@ use crate::app::look::OverlayLook;
 use crate::jobs::Background;
 use crate::lesson::{
     Answer, Answered, CURVE_POINTS, Grade, Kind, LESSONS, Lab, Lesson, Question, Record, Solution,
-    Staged, Step, value_of,
+    Staged, Step, find, value_of,
 };
 use crate::scene::Scene;
 use crate::text::{Language, language};
@@ -53,6 +53,8 @@ pub struct Kept {
     pub records: Vec<Record>,
     /// The lessons that were gone through to their ends.
     pub done: BTreeSet<String>,
+    /// By whom answers were last handed in.
+    pub name: String,
     /// The step that each was left at.
     pub left: BTreeMap<String, usize>,
 }
@@ -384,6 +386,19 @@ impl Course {
         };
         let named = open.current().stage.overlays.contains(&"profile");
         (drawn || named).then_some((line, open.draft.along.filter(|_| drawn)))
+    }
+
+    /// The lesson that is open, or that was answered last, with its answers, where there are any.
+    pub fn to_hand_in(&self) -> Option<(Arc<Lesson>, Record)> {
+        let open = self.open.as_ref().map(|open| Arc::clone(&open.lesson));
+        let last = || {
+            let name = &self.kept.records.last()?.lesson;
+            let own = self.own.clone().filter(|own| own.name == *name);
+            own.or_else(|| Some(Arc::new(find(name)?.lesson())))
+        };
+        let lesson = open.or_else(last)?;
+        let record = self.kept.record(&lesson.name)?.clone();
+        (!record.answers.is_empty()).then_some((lesson, record))
     }
 
     /// The lessons of the program, in the present language.

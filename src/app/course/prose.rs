@@ -15,6 +15,8 @@ use std::rc::Rc;
 
 /// Size of formulas: a little larger than the text, as their small letters need it.
 const FORMULA: f32 = TEXT + 1.0;
+/// What brings its baseline to that of the text, points.
+const RAISED: f32 = 2.0;
 
 /// Shows a text; the letters of its formulas light up what they stand for.
 pub fn prose_ui(ui: &mut Ui, state: &mut AppState, cache: &mut CommonMarkCache, words: &str) {
@@ -68,7 +70,7 @@ fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usi
         // As high as a line of text, so that lines stay evenly apart.
         let size = vec2(laid.width(), ui.text_style_height(&TextStyle::Body));
         let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-        laid.paint(ui, state, rect.left_center(), place);
+        laid.paint(ui, state, rect.left_center() - vec2(0.0, RAISED), place);
         let words = spoken(&run);
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.trim()));
     }

@@ -25,8 +25,6 @@ const DOT: f32 = 3.5;
 /// The step that is open.
 pub fn step_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
     prepare(ui, course);
-    let Some(open) = &course.open else { return };
-    head_ui(ui, open, state);
     Panel::bottom("course-steps")
         .frame(Frame::NONE)
         .resizable(false)
@@ -86,16 +84,16 @@ fn prepare(ui: &Ui, course: &mut Course) {
 }
 
 /// The way to the list, and which step of which lesson it is.
-fn head_ui(ui: &mut Ui, open: &Open, state: &mut AppState) {
-    ui.horizontal(|ui| {
-        let back = ui.button(format!("‹ {}", text!("course-lessons")));
-        if named(back, Role::Button, text!("course-lessons")).clicked() {
-            state.ask(Action::Course(Turn::List));
-        }
-        let title = RichText::new(&open.lesson.title).weak();
-        ui.add(Label::new(title).wrap());
-    });
-    ui.separator();
+pub fn head_ui(ui: &mut Ui, state: &mut AppState) {
+    let Some(open) = &state.course.open else {
+        return;
+    };
+    let title = RichText::new(&open.lesson.title).weak();
+    let back = ui.button(format!("‹ {}", text!("course-lessons")));
+    ui.add(Label::new(title).wrap());
+    if named(back, Role::Button, text!("course-lessons")).clicked() {
+        state.ask(Action::Course(Turn::List));
+    }
 }
 
 /// Back, the steps as dots, next.
@@ -206,6 +204,14 @@ fn body_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engi
         question_ui(ui, course, state, engine);
     }
     again_ui(ui, course, state);
+    let Some(open) = &course.open else { return };
+    let last = open.step + 1 == open.lesson.steps.len();
+    if last && course.to_hand_in().is_some() {
+        ui.add_space(6.0);
+        if ui.button(text!("controls-command-hand-in")).clicked() {
+            state.ask(Action::HandIn);
+        }
+    }
 }
 
 /// The controls that the step names, and those of its question.
