@@ -9,7 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use hands::{picture_place, press, scene, wait};
 use shading_lab::app::{App, Look, ViewName};
-use shading_lab::lesson::{Answer, Answered, Lesson};
+use shading_lab::lesson::{Answer, Answered, Lesson, read_hand_in};
 use std::path::Path;
 
 fn lesson() -> Lesson {
@@ -337,4 +337,45 @@ fn the_keyboard_alone_is_enough() {
     harness.run_ok();
     let given = answered(&harness).expect("an answer");
     assert!(given.grade.right, "{given:?}");
+}
+
+#[test]
+fn answers_are_handed_in_as_a_picture() {
+    let mut harness = window();
+    go(&mut harness, 2);
+    tab_to(&mut harness, Role::TextInput, "Your answer");
+    type_text(&mut harness, "0.9");
+    press(&mut harness, "Check");
+    assert!(!revealed(&harness));
+    press(&mut harness, "File");
+    press(&mut harness, "Hand in answers…");
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("course-answers.png");
+    let _ = std::fs::remove_file(&path);
+    for (field, text) in [
+        ("Your name", "Ada"),
+        ("File", path.to_str().expect("a path")),
+    ] {
+        let field = harness.get_by_role_and_label(Role::TextInput, field);
+        field.focus();
+        harness.run_ok();
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        type_text(&mut harness, text);
+    }
+    press(&mut harness, "Write");
+    let there = path.clone();
+    assert!(wait(&mut harness, |_| there.exists()));
+    let file = std::io::BufReader::new(std::fs::File::open(&path).expect("a file"));
+    let handed_in = read_hand_in(file).expect("answers");
+    assert_eq!(
+        (&*handed_in.name, &*handed_in.record.lesson),
+        ("Ada", "kinds")
+    );
+    assert_eq!(handed_in.record.seed, 5);
+    let answers: Vec<_> = handed_in
+        .record
+        .answers
+        .iter()
+        .map(|one| &one.answer)
+        .collect();
+    assert_eq!(answers, [&Answer::Value(0.9)]);
 }

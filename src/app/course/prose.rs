@@ -16,7 +16,7 @@ use std::rc::Rc;
 /// Size of formulas: a little larger than the text, as their small letters need it.
 const FORMULA: f32 = TEXT + 1.0;
 /// What brings its baseline to that of the text, points.
-const RAISED: f32 = 2.0;
+const RAISED: f32 = 1.0;
 
 /// Shows a text; the letters of its formulas light up what they stand for.
 pub fn prose_ui(ui: &mut Ui, state: &mut AppState, cache: &mut CommonMarkCache, words: &str) {
