@@ -630,7 +630,7 @@ fn the_command_refuses_what_is_no_link() {
         &["link", "?sceen=gold"],
         2,
         &["error: link, character 2: `sceen` is not a key of a link, expected one of scene, lights, pane, set, view, probe, line, \
-           embed, controls (did you mean scene?)"],
+           lesson, step, embed, controls (did you mean scene?)"],
     );
     folder.refuses(
         &["link", "gold", "--url", "example.org"],
