@@ -379,3 +379,20 @@ fn answers_are_handed_in_as_a_picture() {
         .collect();
     assert_eq!(answers, [&Answer::Value(0.9)]);
 }
+
+#[test]
+fn the_scene_in_view_becomes_the_target_of_a_match() {
+    let mut harness = hands::window("sphere");
+    hands::enter(&mut harness, "Kd diffuse coefficient", 0.9);
+    press(&mut harness, "File");
+    press(&mut harness, "Set as target");
+    harness.run_ok();
+    ready(&mut harness);
+    assert_eq!(scene(&harness).material.kd.x, 0.5);
+    hands::enter(&mut harness, "Kd diffuse coefficient", 0.9);
+    press(&mut harness, "Check");
+    assert!(revealed(&harness));
+    go(&mut harness, 3);
+    let open = harness.state().state().course.open.as_ref();
+    assert_eq!(open.expect("a lesson").lesson.steps.len(), 4);
+}

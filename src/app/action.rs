@@ -84,6 +84,8 @@ pub enum Action {
     Course(Turn),
     /// Asks for a name and a file for the answers to the lesson.
     HandIn,
+    /// Makes the scene in view the target of a match.
+    SetTarget,
     /// Loads the scene of the step that is open.
     LoadStage,
     /// Shows the scene that the right answer is about.

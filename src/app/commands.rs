@@ -193,6 +193,7 @@ fn file() -> Section {
         .item("save-as", "Ctrl + Shift + S", Action::SaveAs)
         .item("export", "Ctrl + E", Action::Export)
         .item("hand-in", "", Action::HandIn)
+        .item("set-target", "", Action::SetTarget)
         .line()
         .item("copy-link", "Ctrl + Shift + L", Action::CopyLink);
     // A page knows where it is, and is closed by its browser.
@@ -485,6 +486,7 @@ impl AppState {
             Action::View(view) => self.show_view(view),
             Action::Course(turn) => self.turn(turn),
             Action::ShowAnswer => self.show_answer(),
+            Action::SetTarget => self.set_as_target(),
             other => return Some(other),
         }
         None

@@ -2,6 +2,7 @@
 
 mod curve;
 mod data;
+mod edges;
 mod feedback;
 mod formula;
 mod list;
@@ -11,9 +12,11 @@ mod parts;
 mod prose;
 mod question;
 mod step;
+mod target;
 mod work;
 
 pub use data::{Course, Kept};
+pub use edges::{paint as paint_edges, watch as watch_edges};
 pub use mark::{from_pixel, paint};
 #[cfg(target_arch = "wasm32")]
 pub use matching::{Likeness, Target};

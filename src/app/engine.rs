@@ -8,8 +8,8 @@ use super::look::{OverlayLook, ViewName};
 use super::place::ProbePoint;
 use super::state::AppState;
 use crate::analysis::{
-    Brightest, Curves, ErrorFigures, Overlay, OverlayOptions, PaneFigures, Probe, Scan, ScanError,
-    brightest, difference_picture, difference_scale, error_figures, scan_drawn,
+    Brightest, Curves, ErrorFigures, NormalField, Overlay, OverlayOptions, PaneFigures, Probe,
+    Scan, ScanError, brightest, difference_picture, difference_scale, error_figures, scan_drawn,
 };
 use crate::figure::Area;
 use crate::render::{Frame, Report, Term, coarseness};
@@ -400,6 +400,16 @@ impl Engine {
             face,
             rows,
         ))
+    }
+
+    /// Makes `known` the polygons of the active pane's picture.
+    pub fn update_field(&self, known: &mut Option<NormalField>) {
+        let renderer = self.active().renderer();
+        let Some(scene) = self.drawn() else { return };
+        let same = |field: &NormalField| field.holds(renderer, &scene.object);
+        if !known.as_ref().is_some_and(same) {
+            *known = Some(NormalField::new(renderer, &scene.object));
+        }
     }
 
     /// The equation at the probe in the active pane.

@@ -80,6 +80,7 @@ pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Roo
         f64::from(NEAR_VERTEX * place.pixels_per_point),
         clicked,
     );
+    course::watch_edges(state, engine);
     let panes = panes::places(state, whole);
     let active = panes.iter().find(|pane| pane.pane == state.panes.active);
     if let Some(active) = active {
@@ -411,6 +412,9 @@ fn paint_over(ui: &Ui, state: &AppState, engine: &Engine, place: Place, pane: us
         let radius = if held { 8.0 } else { 6.0 };
         painter.circle_stroke(at, radius, Stroke::new(3.5, Color32::from_black_alpha(150)));
         painter.circle_stroke(at, radius, Stroke::new(1.5, Color32::WHITE));
+    }
+    if active {
+        course::paint_edges(&painter, state, &view, place);
     }
     handles::paint_below(&painter, state, &view, place, active);
     if active {

@@ -226,3 +226,4 @@ controls-command-course-step =
     .does = The step before or the next step of the lesson that is open
     .gesture = PageUp PageDown
 controls-command-hand-in = Hand in answers…
+controls-command-set-target = Set as target

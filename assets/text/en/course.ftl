@@ -89,3 +89,12 @@ course-hand-in-name = Your name
 course-hand-in-nothing = There are no answers yet: open a lesson and answer a question first.
 course-not-handed-in = Answers not written
 course-handed-in = Answers written to { $path }
+
+course-target-title = Match: { $scene }
+course-target-level = Level { $level }
+course-target-ask =
+    { $count ->
+        [one] Find the value that makes your picture like the target.
+       *[other] Find the { $count } values that make your picture like the target.
+    }
+course-target-file = Only a built-in scene, with whatever settings, can be a target.

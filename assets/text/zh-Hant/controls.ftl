@@ -226,3 +226,4 @@ controls-command-course-step =
     .does = 開啟的課程的上一步或下一步
     .gesture = PageUp PageDown
 controls-command-hand-in = 繳交答案…
+controls-command-set-target = 設為目標

@@ -81,3 +81,8 @@ course-hand-in-name = 你的姓名
 course-hand-in-nothing = 還沒有答案：請先開啟課程並回答問題。
 course-not-handed-in = 答案未寫入
 course-handed-in = 答案已寫入 { $path }
+
+course-target-title = 配對：{ $scene }
+course-target-level = 第 { $level } 級
+course-target-ask = 找出 { $count } 個數值，使你的圖片與目標相同。
+course-target-file = 只有內建場景（設定不限）可以設為目標。

@@ -388,6 +388,12 @@ impl Course {
         (drawn || named).then_some((line, open.draft.along.filter(|_| drawn)))
     }
 
+    /// Whether the edges of polygons are drawn over the picture.
+    pub fn shows_edges(&self) -> bool {
+        let shows = |open: &Open| open.current().stage.overlays.contains(&"edges");
+        self.open.as_ref().is_some_and(shows)
+    }
+
     /// The lesson that is open, or that was answered last, with its answers, where there are any.
     pub fn to_hand_in(&self) -> Option<(Arc<Lesson>, Record)> {
         let open = self.open.as_ref().map(|open| Arc::clone(&open.lesson));

@@ -1,0 +1,61 @@
+//! The edges of the polygons over the picture, where a step is about them.
+
+use crate::analysis::NormalField;
+use crate::app::engine::Engine;
+use crate::app::place::Place;
+use crate::app::state::AppState;
+use crate::scene::View;
+use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke};
+
+/// More polygons than this would hide the picture.
+const MOST: usize = 6000;
+
+/// The polygons as last drawn.
+#[derive(Default)]
+struct Edges(Option<NormalField>);
+
+/// Takes the polygons of the picture, where a step shows their edges.
+pub fn watch(state: &mut AppState, engine: &Engine) {
+    if state.course.shows_edges() {
+        let mut edges: Edges = state.own.take();
+        engine.update_field(&mut edges.0);
+        state.own.put(edges);
+    }
+}
+
+/// Draws the outlines of the polygons that face the eye, white on dark, so that they show on any picture.
+pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
+    let known: Option<&Edges> = state.own.get();
+    let Some(field) = known.and_then(|edges| edges.0.as_ref()) else {
+        return;
+    };
+    if !state.course.shows_edges() || field.face_count() > MOST {
+        return;
+    }
+    let faces = u32::try_from(field.face_count()).unwrap_or(0);
+    for face in 0..faces {
+        let corners = field.outline(face);
+        let projected: Option<Vec<Pos2>> = corners
+            .iter()
+            .map(|corner| view.project(*corner).map(|(pixel, _)| place.point(pixel)))
+            .collect();
+        let Some(points) = projected.filter(|points| points.len() > 2 && faces_eye(points)) else {
+            continue;
+        };
+        let dark = Stroke::new(2.0, Color32::from_black_alpha(70));
+        painter.add(Shape::closed_line(points.clone(), dark));
+        let white = Stroke::new(0.8, Color32::from_white_alpha(130));
+        painter.add(Shape::closed_line(points, white));
+    }
+}
+
+/// Whether corners go round counter-clockwise, as those of a polygon do that turns its front to the eye.
+fn faces_eye(points: &[Pos2]) -> bool {
+    let next = points.iter().cycle().skip(1);
+    let area: f32 = points
+        .iter()
+        .zip(next)
+        .map(|(a, b)| a.x * b.y - b.x * a.y)
+        .sum();
+    area < 0.0
+}

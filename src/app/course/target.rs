@@ -1,0 +1,89 @@
+//! The scene in view as the target of a match: a lesson with a level for each coefficient that is to be found.
+
+use crate::app::document::Origin;
+use crate::app::state::AppState;
+use crate::lesson::{Lesson, value_of};
+use crate::scene::parameter::Parameter;
+use crate::scene::presets;
+use crate::text::text;
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+/// What is to be found, one more at each level, and what it is at first.
+const SOUGHT: [(&str, f64); 4] = [
+    ("material.kd", 0.5),
+    ("material.ks", 0.5),
+    ("material.n", 12.0),
+    ("material.ka", 0.3),
+];
+
+impl AppState {
+    /// Opens a match whose target is the scene in view; one that comes from a file cannot be, since a lesson names its scene.
+    pub fn set_as_target(&mut self) {
+        let lesson = match &self.document.origin {
+            Origin::BuiltIn(name) => self.target_lesson(name),
+            Origin::New => self.target_lesson(presets::DEFAULT),
+            Origin::File(_) => None,
+        };
+        match lesson {
+            Some(lesson) => self.open_lesson(Arc::new(lesson), false),
+            None => self.notice = Some(text!("course-target-file").to_owned()),
+        }
+    }
+
+    fn target_lesson(&self, name: &str) -> Option<Lesson> {
+        let scene = &self.document.scene;
+        let base = presets::find(name)?.scene();
+        let settings: Vec<String> = base
+            .differences(scene)
+            .filter(|(parameter, _)| !["compare", "about"].contains(&parameter.section()))
+            .map(|(parameter, index)| setting(parameter, scene, index))
+            .collect();
+        let right: Vec<f64> = SOUGHT
+            .iter()
+            .map(|(key, _)| value_of(scene, key).ok())
+            .collect::<Option<_>>()?;
+        let mut source = format!(
+            "+++\nlesson = 1\nname = \"target\"\ntitle = {:?}\ntopic = \"light\"\nminutes = 5\n+++\n",
+            text!("course-target-title", scene = self.document.title())
+        );
+        for level in 1..=SOUGHT.len() {
+            let sought = &SOUGHT[..level];
+            let mut set = settings.clone();
+            for ((key, first), right) in SOUGHT.iter().zip(&right) {
+                let free = sought.iter().any(|(sought, _)| sought == key);
+                // Far enough from the right value to be seen.
+                let first = if (first - right).abs() > 0.2 * right.abs() {
+                    *first
+                } else {
+                    right * 0.4
+                };
+                set.push(format!("{key}={}", if free { first } else { *right }));
+            }
+            let controls: Vec<&str> = sought.iter().map(|(key, _)| *key).collect();
+            let target: Vec<String> = sought
+                .iter()
+                .zip(&right)
+                .map(|((key, _), right)| format!("{key}={right}"))
+                .collect();
+            let title = text!("course-target-level", level = level);
+            let ask = text!("course-target-ask", count = level);
+            // Strings of Rust are strings of TOML here: nothing in them needs an escape that only one of them has.
+            write!(
+                source,
+                "\n## {title}\n\n```step\nscene = {name:?}\nlights = {}\nset = {set:?}\n```\n\n```question\nkind = \"match\"\nask = {ask:?}\ncontrols = {controls:?}\nset = {target:?}\ntolerance = 0.01\n```\n",
+                scene.lights.len()
+            )
+            .ok()?;
+        }
+        Lesson::read(&source, None).ok()
+    }
+}
+
+fn setting(parameter: &Parameter, scene: &crate::scene::Scene, index: usize) -> String {
+    format!(
+        "{}={}",
+        parameter.key(index),
+        parameter.setting(scene, index)
+    )
+}
