@@ -181,6 +181,8 @@ impl AppState {
         }
         if let Ok(scene) = staged.scene.with_overrides(&question.set) {
             self.document.scene = scene;
+            // The lesson's change is none that could be lost.
+            self.saved = self.document.clone();
             self.derive();
         }
     }
