@@ -6,9 +6,11 @@ use crate::lesson::{Lesson, value_of};
 use crate::scene::parameter::Parameter;
 use crate::scene::presets;
 use crate::text::text;
-use std::fmt::Write as _;
 use std::sync::Arc;
 
+/// The lesson's text.
+const HEAD: &str = include_str!("target/head.md");
+const LEVEL: &str = include_str!("target/level.md");
 /// What is to be found, one more at each level, and what it is at first.
 const SOUGHT: [(&str, f64); 4] = [
     ("material.kd", 0.5),
@@ -43,10 +45,8 @@ impl AppState {
             .iter()
             .map(|(key, _)| value_of(scene, key).ok())
             .collect::<Option<_>>()?;
-        let mut source = format!(
-            "+++\nlesson = 1\nname = \"target\"\ntitle = {:?}\ntopic = \"light\"\nminutes = 5\n+++\n",
-            text!("course-target-title", scene = self.document.title())
-        );
+        let title = text!("course-target-title", scene = self.document.title());
+        let mut source = HEAD.replace("TITLE", &format!("{title:?}"));
         for level in 1..=SOUGHT.len() {
             let sought = &SOUGHT[..level];
             let mut set = settings.clone();
@@ -69,12 +69,16 @@ impl AppState {
             let title = text!("course-target-level", level = level);
             let ask = text!("course-target-ask", count = level);
             // Strings of Rust are strings of TOML here: nothing in them needs an escape that only one of them has.
-            write!(
-                source,
-                "\n## {title}\n\n```step\nscene = {name:?}\nlights = {}\nset = {set:?}\n```\n\n```question\nkind = \"match\"\nask = {ask:?}\ncontrols = {controls:?}\nset = {target:?}\ntolerance = 0.01\n```\n",
-                scene.lights.len()
-            )
-            .ok()?;
+            let quoted = |strings: &dyn std::fmt::Debug| format!("{strings:?}");
+            let level = LEVEL
+                .replace("TITLE", &title)
+                .replace("SCENE", &quoted(&name))
+                .replace("LIGHTS", &scene.lights.len().to_string())
+                .replace("FIRST", &quoted(&set))
+                .replace("ASK", &quoted(&ask))
+                .replace("CONTROLS", &quoted(&controls))
+                .replace("RIGHT", &quoted(&target));
+            source.push_str(&level);
         }
         Lesson::read(&source, None).ok()
     }
