@@ -236,3 +236,19 @@ fn a_notice_is_told_for_a_while_where_there_is_no_bar_for_it() {
     assert!(harness.query_by_label("Copied the link").is_none());
     assert_eq!(harness.state().state().notice, None);
 }
+
+#[test]
+fn a_link_leads_to_a_step_of_a_lesson_and_back() {
+    let mut harness = window("?lesson=mach-bands&step=3");
+    harness.run();
+    let course = |harness: &Harness<'_, App>| {
+        let open = harness.state().state().course.open.as_ref();
+        open.map(|open| (open.lesson.name.clone(), open.step))
+    };
+    assert_eq!(course(&harness), Some(("mach-bands".to_owned(), 2)));
+    let link = harness.state().state().link().expect("a link").link;
+    assert!(link.contains("lesson=mach-bands&step=3"), "{link}");
+    let harness = window("?lesson=mach-band");
+    assert_eq!(course(&harness), None);
+    assert!(harness.state().state().dialog.is_some());
+}

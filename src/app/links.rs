@@ -1,6 +1,6 @@
 //! Links: copying that of what is seen, opening one, and showing it to a room as a QR code.
 
-use super::action::Action;
+use super::action::{Action, Turn};
 use super::dialog::{Choice, Dialog, LinkCode, PageForm};
 use super::document::{Document, Origin};
 use super::focus::named;
@@ -36,10 +36,15 @@ impl AppState {
         let name = serde_json::to_value(self.look.view);
         let is_open = |view: &&str| name.as_ref().is_ok_and(|name| name == view);
         let view = VIEWS.into_iter().find(|view| is_open(view));
+        // A lecturer's own lesson is a file, which does not travel.
+        let lesson = self.course.open.as_ref().filter(|open| open.built_in);
+        let lesson = lesson.filter(|_| self.shows(ViewName::Course));
         Shown {
             view: view.filter(|_| self.look.views),
             probe: Some(self.probe.0),
             line: self.shows(ViewName::Profile).then_some(self.line.0),
+            lesson: lesson.map(|open| open.lesson.name.clone()),
+            step: lesson.map(|open| open.step as u32 + 1),
             ..Shown::default()
         }
     }
@@ -65,6 +70,19 @@ impl AppState {
         }
         self.probe = shown.probe.map_or(self.probe, ProbePoint);
         self.line = shown.line.map_or(self.line, ProfileLine);
+        if let Some(lesson) = &shown.lesson {
+            match crate::lesson::find(lesson) {
+                Some(found) => {
+                    self.open_lesson(Arc::new(found.lesson()), true);
+                    let step = shown.step.unwrap_or(1).saturating_sub(1);
+                    self.turn(Turn::To(step as usize));
+                }
+                None => {
+                    let words = text!("link-no-lesson", name = lesson.as_str());
+                    self.dialog = Some(Dialog::message(text!("link-not-opened"), words));
+                }
+            }
+        }
     }
 
     /// Opens a link; one that is wrong is told, and what is open stays.

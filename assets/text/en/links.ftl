@@ -41,3 +41,4 @@ embed-open = Open in shading-lab
     .tip = Open this scene in a page of its own, with all controls
 embed-unknown = no control is called { $name }
 link-expected-lesson = the name of a lesson: lower-case words with hyphens
+link-no-lesson = there is no lesson “{ $name }”
