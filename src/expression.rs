@@ -14,11 +14,14 @@
 //! ```
 
 use crate::text::text;
+use std::cmp::Ordering;
 
 /// How deep parentheses, signs, powers and calls may be nested.
 const DEPTH: usize = 64;
 /// Longest text, in bytes.
 const MOST: usize = 4096;
+/// Operations in a row, which are evaluated one inside the other: `1+1+1` is two.
+const CHAIN: usize = 256;
 
 /// What an expression is worth.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,6 +93,19 @@ enum Node {
     Call(Function, Vec<Self>),
     With(String, Box<Self>),
     At(Box<[Self; 3]>),
+}
+
+impl Node {
+    /// How many operations are evaluated one inside the other.
+    fn depth(&self) -> usize {
+        let deepest = |parts: &[Self]| parts.iter().map(Self::depth).max().unwrap_or(0);
+        1 + match self {
+            Self::Call(_, parts) => deepest(parts),
+            Self::With(_, inner) => inner.depth(),
+            Self::At(parts) => deepest(&**parts),
+            _ => 0,
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -178,6 +194,9 @@ impl Expression {
         rest.space();
         if rest.at < text.len() {
             return Err(rest.unexpected());
+        }
+        if node.depth() > CHAIN {
+            return Err(text!("expression-nested", most = CHAIN));
         }
         Ok(Self(node))
     }
@@ -283,8 +302,9 @@ impl Function {
             AtMost => Value::Truth(number(0)? <= number(1)?),
             Greater => Value::Truth(number(0)? > number(1)?),
             AtLeast => Value::Truth(number(0)? >= number(1)?),
-            Equal => Value::Truth(number(0)?.total_cmp(&number(1)?).is_eq()),
-            Differs => Value::Truth(number(0)?.total_cmp(&number(1)?).is_ne()),
+            // 0 and −0 are equal.
+            Equal => Value::Truth(number(0)?.partial_cmp(&number(1)?) == Some(Ordering::Equal)),
+            Differs => Value::Truth(number(0)?.partial_cmp(&number(1)?) != Some(Ordering::Equal)),
             And => Value::Truth(truth(0)? && truth(1)?),
             Or => Value::Truth(truth(0)? || truth(1)?),
             Not => Value::Truth(!truth(0)?),

@@ -28,7 +28,7 @@ pub mod analysis;
 pub mod app;
 pub mod document;
 pub mod export;
-mod expression;
+pub mod expression;
 pub mod figure;
 pub mod geometry;
 pub mod illumination;

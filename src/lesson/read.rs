@@ -35,7 +35,7 @@ const NEAR: f64 = 0.05;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Head {
-    lesson: u32,
+    lesson: Spanned<u32>,
     name: Spanned<String>,
     title: String,
     #[serde(default)]
@@ -191,7 +191,8 @@ impl<'s> Reader<'s> {
     }
 
     fn toml<T: DeserializeOwned>(&mut self, block: &Block<'_>) -> Option<T> {
-        match toml::from_str(block.text) {
+        // Of the end of a line with a carriage return, TOML takes both or none.
+        match toml::from_str(block.text.trim_end_matches('\r')) {
             Ok(read) => Some(read),
             Err(error) => {
                 let at = error.span().map_or(0, |span| span.start);
@@ -207,8 +208,9 @@ impl<'s> Reader<'s> {
     fn lesson(&mut self, folder: Option<&Path>) -> Option<Lesson> {
         let (block, body) = self.head()?;
         let head: Head = self.toml(&block)?;
-        if head.lesson != VERSION {
-            self.wrong(block.at, text!("lesson-version", version = VERSION));
+        if *head.lesson.get_ref() != VERSION {
+            let at = block.at + head.lesson.span().start;
+            self.wrong(at, text!("lesson-version", version = VERSION));
         }
         let name = head.name.get_ref();
         let sound = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';

@@ -1,0 +1,375 @@
+//! Worksheets: every lesson becomes a page that is well formed and stands alone, and nothing of a lecturer's text gets into it
+//! as markup.
+
+use shading_lab::lesson::{LESSONS, Lesson, Worksheet, check, in_words, worksheet};
+use shading_lab::text::{Language, in_language};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const WITH_ANSWERS: Worksheet = Worksheet {
+    answers: true,
+    seed: 1,
+    samples: 1,
+};
+const WITHOUT: Worksheet = Worksheet {
+    answers: false,
+    ..WITH_ANSWERS
+};
+
+fn written(lesson: &Lesson, sheet: Worksheet) -> String {
+    worksheet(lesson, sheet, &mut || ()).unwrap_or_else(|error| panic!("{}: {error}", lesson.name))
+}
+
+/// Every element is closed where it was opened, every `&` begins an entity, and nothing is loaded.
+fn check_page(page: &str, name: &str) {
+    let (_, body) = page.split_once("<html").expect("a page");
+    let mut open: Vec<&str> = Vec::new();
+    let mut rest = &page[page.len() - body.len() - "<html".len()..];
+    while let Some((text, after)) = rest.split_once('<') {
+        for piece in text.split('&').skip(1) {
+            let entity = piece.split_once(';').map_or("", |(entity, _)| entity);
+            let sound = !entity.is_empty()
+                && entity
+                    .chars()
+                    .all(|c| c.is_ascii_alphanumeric() || c == '#');
+            assert!(sound, "{name}: &{}", &piece[..piece.len().min(20)]);
+        }
+        assert!(
+            open.contains(&"style") || !text.contains('>'),
+            "{name}: > in {text}"
+        );
+        let (tag, behind) = after
+            .split_once('>')
+            .unwrap_or_else(|| panic!("{name}: open tag {after:.40}"));
+        assert!(
+            !tag.contains('<') && tag.matches('"').count() % 2 == 0,
+            "{name}: <{tag:.80}>"
+        );
+        let word = tag
+            .trim_start_matches('/')
+            .split([' ', '/', '\n'])
+            .next()
+            .unwrap_or("");
+        if tag.starts_with('/') {
+            assert_eq!(open.pop(), Some(word), "{name}: </{word}>");
+        } else if !tag.ends_with('/') {
+            open.push(word);
+        }
+        assert!(
+            !["script", "iframe", "object", "link"].contains(&word),
+            "{name}: {word}"
+        );
+        assert!(
+            !tag.contains(" src=\"") || tag.contains(" src=\"data:image/png;base64,"),
+            "{name}"
+        );
+        rest = behind;
+    }
+    assert!(open.is_empty(), "{name}: {open:?}");
+    assert!(!page.contains("{{") && !page.contains("}}"), "{name}");
+    // Nor a message that the catalogue does not have.
+    assert!(
+        !page.contains("class-topic") && !page.contains(">class-"),
+        "{name}"
+    );
+}
+
+#[test]
+fn every_lesson_has_a_worksheet_in_both_languages() {
+    for (index, lesson) in LESSONS.iter().enumerate() {
+        for language in Language::ALL {
+            in_language(language, || {
+                let lesson = lesson.lesson();
+                let name = format!("{} {}", lesson.name, language.tag());
+                // That every question has its answer is tested elsewhere, and takes long.
+                let sheet = if language == Language::English && index % 5 == 0 {
+                    WITH_ANSWERS
+                } else {
+                    WITHOUT
+                };
+                let page = written(&lesson, sheet);
+                check_page(&page, &name);
+                let questions = lesson
+                    .steps
+                    .iter()
+                    .filter(|step| step.question.is_some())
+                    .count();
+                assert_eq!(
+                    page.matches("<div class=\"question\">").count(),
+                    questions,
+                    "{name}"
+                );
+                let answers = if sheet.answers { questions } else { 0 };
+                assert_eq!(
+                    page.matches("<div class=\"answer\">").count(),
+                    answers,
+                    "{name}"
+                );
+                let words = in_words(&lesson, 1, false).expect("words");
+                assert!(
+                    !words.contains("{{") && words.starts_with(&lesson.title),
+                    "{name}"
+                );
+            });
+        }
+    }
+}
+
+/// Every kind of question, and texts that try to be markup.
+const HOSTILE: &str = r#"+++
+lesson = 1
+name = "hostile"
+title = "A & B <script>alert(1)</script>"
+topic = "<b>x</b>"
+about = "\"><img src=x onerror=alert(1)>"
++++
+
+## Step <img src=x> one
+
+Text <script>alert(1)</script> and <b onclick="x">bold</b>, ![picture](https://x.org/x.png), [bad](javascript:alert(1)), [good](https://x.org/?a=1&b=2).
+
+<script>alert(2)</script>
+
+<div>
+
+| a | b |
+|---|---|
+| 1 | 2 & 3 |
+
+</div>
+
+Formula `$K_d·(N·L)^n$` and $a<b$, number {{ scene.material.n | 1 }}, `code <x>`.
+
+```step
+scene = "sphere"
+set = ["camera.eye=[0,0,4]", "image.size=[96,96]", "material.n=20"]
+probe = [0.0, 0.0]
+line = [-0.3, 0.0, 0.3, 0.0]
+overlays = ["vectors", "profile", "normals", "vertices"]
+```
+
+```question
+kind = "choice"
+ask = "Is 1 < 2 <i>here</i>?"
+why = "Because *one* < two </div>"
+[[option]]
+text = "Yes <u>"
+right = true
+[[option]]
+text = "No & no"
+right = false
+```
+
+## Value
+
+```question
+kind = "value"
+ask = "cos 60°"
+answer = "cos(60)"
+tolerance = 0.01
+from = 0
+to = 1
+unit = "<em>m</em>"
+why = "A secret."
+```
+
+## Point
+
+```question
+kind = "point"
+ask = "Brightest"
+find = "least"
+of = "probe.position[0]^2 + probe.position[1]^2"
+```
+
+## Curve
+
+```question
+kind = "curve"
+ask = "cos"
+x = [0, 90]
+y = [0, 1]
+x_name = "<b>$φ$</b>"
+y_name = "\"share\""
+answer = "cos(x)"
+```
+
+## Profile
+
+```question
+kind = "curve"
+ask = "Profile"
+x_name = "t"
+y_name = "I"
+y = [0, 2]
+tolerance = 0.02
+profile = "phong"
+```
+
+## Settings
+
+```question
+kind = "settings"
+ask = "Make n 30"
+control = "material.n"
+reach = "scene.material.n"
+equals = "30"
+tolerance = 1
+```
+
+## Order
+
+```question
+kind = "order"
+ask = "By n"
+by = "scene.material.n"
+[[item]]
+text = "C <"
+set = ["material.n=50"]
+[[item]]
+text = "A"
+set = ["material.n=5"]
+[[item]]
+text = "B"
+set = ["material.n=15"]
+```
+
+## Match
+
+```question
+kind = "match"
+ask = "Find it"
+controls = ["material.kd", "material.ks"]
+```
+"#;
+
+#[test]
+fn a_lecturers_text_stays_text() {
+    let lesson = Lesson::read(HOSTILE, None).expect("a lesson");
+    check(&lesson).expect("sound");
+    let page = written(&lesson, WITH_ANSWERS);
+    check_page(&page, "hostile");
+    for raw in [
+        "<script",
+        "<img src=x",
+        "javascript:",
+        "<b onclick",
+        "<u>",
+        "<em>m",
+        "x.org/x.png",
+        "<b>",
+    ] {
+        assert!(!page.contains(raw), "{raw}");
+    }
+    for there in [
+        "<title>A &amp; B &lt;script&gt;",
+        "<a href=\"https://x.org/?a=1&amp;b=2\">good</a>",
+        "<i>K</i><sub><i>d</i></sub>",
+        "number 20.0",
+        "<td>2 &amp; 3</td>",
+        "A Yes &lt;u&gt;",
+        "0.50 &lt;em&gt;m",
+        "B A &lt; C B &lt; A C &lt;",
+        "specular exponent (n) = 30.00",
+        "A secret.",
+    ] {
+        assert!(page.contains(there), "{there}");
+    }
+    // Seven pictures of steps and their answers, three of items, two to match.
+    assert_eq!(page.matches("<img ").count(), 6 + 1 + 3 + 2);
+    let page = written(&lesson, WITHOUT);
+    check_page(&page, "hostile");
+    assert!(!page.contains("A secret.") && !page.contains("<div class=\"answer\">"));
+    // Another seed, another target.
+    let other = Worksheet { seed: 2, ..WITHOUT };
+    assert_ne!(written(&lesson, other), page);
+    assert_eq!(written(&lesson, WITHOUT), page);
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_shading-lab"));
+    let command = command.current_dir(folder).env("LANG", "C");
+    command.args(arguments).output().expect("a run")
+}
+
+fn folder() -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("worksheet");
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).expect("a folder");
+    fs::write(
+        path.join("own.md"),
+        HOSTILE.split_once("## Value").expect("steps").0,
+    )
+    .expect("a file");
+    path
+}
+
+#[test]
+fn the_command_lists_prints_and_writes() {
+    let folder = folder();
+    let list = run(&folder, &["lesson"]);
+    assert!(list.status.success());
+    assert_eq!(
+        String::from_utf8_lossy(&list.stdout).lines().count(),
+        LESSONS.len()
+    );
+    let list = run(&folder, &["lesson", "--json"]);
+    let list: serde_json::Value = serde_json::from_slice(&list.stdout).expect("JSON");
+    assert_eq!(
+        list["lessons"].as_array().map(Vec::len),
+        Some(LESSONS.len())
+    );
+
+    let words = run(&folder, &["lesson", "own.md"]);
+    let words = String::from_utf8_lossy(&words.stdout).into_owned();
+    assert!(
+        words.contains("number 20.0") && words.contains("Because *one*"),
+        "{words}"
+    );
+    let words = run(&folder, &["lesson", "own.md", "--without-answers"]);
+    assert!(!String::from_utf8_lossy(&words.stdout).contains("Because"));
+
+    let written = run(
+        &folder,
+        &[
+            "lesson",
+            "own.md",
+            "-o",
+            "own.html",
+            "--language",
+            "zh-Hant",
+        ],
+    );
+    assert!(
+        written.status.success(),
+        "{}",
+        String::from_utf8_lossy(&written.stderr)
+    );
+    let page = fs::read_to_string(folder.join("own.html")).expect("a page");
+    check_page(&page, "own.html");
+    assert!(page.contains("lang=\"zh-Hant\"") && page.contains("問題 1."));
+
+    for (arguments, words) in [
+        (&["lesson", "no-such"][..], "no lesson"),
+        (&["lesson", "no-such.md"], "no-such.md"),
+        (&["lesson", "own.md", "-o", "own.pdf"], ".html"),
+        (&["lesson", "-o", "own.html"], "missing"),
+        (
+            &["render", "own.md", "-o", "x.png"],
+            "own.md: a lesson, expected a scene",
+        ),
+        (
+            &["probe", "own.md", "--pixel", "1,1"],
+            "shading-lab lesson own.md",
+        ),
+    ] {
+        let output = run(&folder, arguments);
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
+        assert!(
+            error.starts_with("error: ") && error.contains(words),
+            "{arguments:?}: {error}"
+        );
+    }
+}
