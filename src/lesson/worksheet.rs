@@ -25,7 +25,7 @@ pub struct Worksheet {
     pub answers: bool,
     /// Decides what is drawn at random.
     pub seed: u64,
-    /// A pixel of its pictures.
+    /// A pixel of its pictures; 0 leaves them blank.
     pub samples: u32,
 }
 
@@ -185,7 +185,7 @@ impl StepPart {
         if let Some(question) = &step.question {
             let mut asked = Asked::filled(index, question, place).map_err(wrong)?;
             let target = matches!(question.kind, Kind::Match { .. });
-            if sheet.answers || target {
+            if sheet.answers || target && sheet.samples > 0 {
                 let solution = question.solve(place, sheet.seed);
                 let solution = solution.map_err(|words| {
                     wrong((question.line, text!("lesson-question", words = words)))
@@ -210,7 +210,7 @@ fn room(
     frame: &Frame,
     sheet: Worksheet,
 ) -> String {
-    let blank = "<span class=\"blank\"></span>";
+    let line = "<span class=\"blank\"></span>";
     let mut out = String::new();
     match &question.kind {
         Kind::Choice { .. } => {
@@ -228,7 +228,7 @@ fn room(
         Kind::Value { unit, .. } => {
             let _ = writeln!(
                 out,
-                "<p>{} {blank} {}</p>",
+                "<p>{} {line} {}</p>",
                 escaped(text!("class-answer")),
                 escaped(unit)
             );
@@ -252,10 +252,14 @@ fn room(
             let _ = writeln!(out, "<figure>{}</figure>", axes.svg(&[]));
         }
         Kind::Settings { control, .. } => {
-            let _ = writeln!(out, "<p>{} = {blank}</p>", control_name(control));
+            let _ = writeln!(out, "<p>{} = {line}</p>", control_name(control));
         }
         Kind::Order { items, .. } => {
-            let small = |set: &[String]| place.under(set).map(|there| there.picture());
+            let drawn = |place: LabPlace<'_>| match sheet.samples {
+                0 => blank(),
+                _ => place.picture(),
+            };
+            let small = |set: &[String]| place.under(set).map(drawn);
             out.push_str("<div class=\"items\">\n");
             for (index, (item, words)) in items.iter().zip(&asked.options).enumerate() {
                 let image = match small(&item.set) {
@@ -300,7 +304,7 @@ fn room(
             }
             out.push_str("</div>\n");
             for control in controls {
-                let _ = writeln!(out, "<p>{} = {blank}</p>", control_name(control));
+                let _ = writeln!(out, "<p>{} = {line}</p>", control_name(control));
             }
         }
     }
@@ -445,6 +449,15 @@ fn marked_places(frame: &Frame, places: &[DVec2]) -> String {
     svg + "</svg></figure>\n"
 }
 
+/// In place of a picture.
+fn blank() -> Frame {
+    Frame {
+        width: 1,
+        height: 1,
+        pixels: vec![[0xff; 4]],
+    }
+}
+
 /// Every other pixel of every other row.
 fn thumbnail(frame: &Frame) -> Frame {
     let (width, height) = (frame.width.div_ceil(2), frame.height.div_ceil(2));
@@ -461,6 +474,9 @@ fn thumbnail(frame: &Frame) -> Frame {
 /// What the window shows of a step: the picture or its panes, with what is drawn over it. The profile's curve is left out
 /// where it would be the answer.
 fn stage_picture(lab: &Lab, step: &Step, staged: &Staged, samples: u32) -> Frame {
+    if samples == 0 {
+        return blank();
+    }
     lab.with_renderer(|renderer, scene| {
         let told =
             step.stage.hide || matches!(&step.question, Some(question) if question.kind.is_drawn());
@@ -476,7 +492,8 @@ fn stage_picture(lab: &Lab, step: &Step, staged: &Staged, samples: u32) -> Frame
         let which = panes_on_sheet(&scene);
         let over = |_: &mut Frame, _: &mut Renderer, _: &Scene| Ok::<(), Infallible>(());
         match draw_panes(renderer, &scene, &which, samples, &mut |_| true, over) {
-            Ok(panes) => comparison_sheet(&scene, &panes, true),
+            // Captions have numbers in them.
+            Ok(panes) => comparison_sheet(&scene, &panes, !step.stage.hide),
         }
     })
 }
