@@ -155,12 +155,14 @@ impl AppState {
         let Some(open) = &self.course.open else {
             return;
         };
+        let hides = self.course.hides();
         let shown = |name: &str| {
             debug_assert!(OVERLAYS.contains(&name));
             open.current().stage.overlays.contains(&name)
         };
         let overlay = &mut self.look.overlay;
         overlay.vectors = shown("vectors");
+        overlay.angles = open.overlay.angles && !hides;
         overlay.face_normals = shown("normals");
         overlay.vertex_normals = shown("vertices");
         if answered && self.course.revealed() {
@@ -176,6 +178,7 @@ impl AppState {
         let (Some(question), Some(staged)) = (open.question(), &open.staged) else {
             return;
         };
+        self.look.overlay.angles = open.overlay.angles;
         if let Kind::Settings { .. } | Kind::Match { .. } = question.kind {
             return;
         }
