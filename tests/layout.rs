@@ -16,6 +16,7 @@ use shading_lab::text::{Language, in_language, text};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Width and height of the window, points at a scale of 1; whether it is shown to a room.
 const SIZES: [([f32; 2], bool); 6] = [
@@ -26,6 +27,13 @@ const SIZES: [([f32; 2], bool); 6] = [
     ([390.0, 844.0], false),
     ([844.0, 390.0], false),
 ];
+
+/// The language is the process's: the tests take turns.
+static TURN: Mutex<()> = Mutex::new(());
+
+fn turn() -> MutexGuard<'static, ()> {
+    TURN.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// The least that the picture has of a narrow window, points.
 const LEAST: f32 = 300.0;
@@ -172,6 +180,7 @@ fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
 
 #[test]
 fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
+    let _turn = turn();
     let mut found = BTreeSet::new();
     for language in Language::ALL {
         for (size, projector) in SIZES {
@@ -307,6 +316,7 @@ fn unfold_all(harness: &mut Harness<'_, App>, language: Language) {
 
 #[test]
 fn what_scrolls_is_not_cut_off_at_the_side() {
+    let _turn = turn();
     let mut found = BTreeSet::new();
     for language in Language::ALL {
         // So high that nothing has to scroll.
@@ -377,6 +387,7 @@ fn looked_up(lesson: &Lesson) -> Kept {
 
 #[test]
 fn every_step_of_a_lesson_fits_at_every_size_in_both_languages() {
+    let _turn = turn();
     let mut found = BTreeSet::new();
     for language in Language::ALL {
         for (size, projector) in SIZES {
