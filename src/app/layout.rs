@@ -77,7 +77,7 @@ impl Layout {
         // Nothing is drawn of a scene that a scene file would refuse.
         state.commit();
         // A narrow window has room for the lesson or for what else there is to say of its scene.
-        if !low && !(narrow && reads_lesson(state)) {
+        if !(low || narrow && reads_lesson(state)) {
             Panel::top("title").show(ui, |ui| bars::title_ui(ui, state));
         }
         Some(self.picture_ui(ui, state, engine))

@@ -271,7 +271,7 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 place_ui(ui, state, narrow);
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    head_ui(ui, state)
+                    head_ui(ui, state);
                 });
             });
             return;

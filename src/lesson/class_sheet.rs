@@ -352,9 +352,9 @@ fn curves(
     if let Some(Solution::Curve(right)) = &asked.solution {
         lines.push((right.clone(), "stroke=\"#000\" stroke-width=\"3\""));
     }
-    let _ = write!(
+    let _ = writeln!(
         body,
-        "<figure>{}<figcaption>{}</figcaption></figure>\n",
+        "<figure>{}<figcaption>{}</figcaption></figure>",
         axes.svg(&lines),
         escaped(text!("class-curves"))
     );

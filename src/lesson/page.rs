@@ -218,7 +218,7 @@ pub fn picture(frame: &Frame, words: &str) -> String {
 pub fn data(frame: &Frame) -> String {
     let bytes = picture_bytes(frame, None).unwrap_or_default();
     let mut text = base64(&bytes).replace('-', "+").replace('_', "/");
-    while text.len() % 4 != 0 {
+    while !text.len().is_multiple_of(4) {
         text.push('=');
     }
     format!("data:image/png;base64,{text}")
@@ -259,18 +259,18 @@ impl Axes {
         );
         for (value, words) in ticks(&axis(self.x), 10.0) {
             let [x, _] = self.place([value, self.y[0]]);
-            let _ = write!(
+            let _ = writeln!(
                 svg,
-                "<path d=\"M{x:.1} 0V{height}\" stroke=\"#d8d8d8\"/><text x=\"{x:.1}\" y=\"{}\" font-size=\"13\" text-anchor=\"middle\">{}</text>\n",
+                "<path d=\"M{x:.1} 0V{height}\" stroke=\"#d8d8d8\"/><text x=\"{x:.1}\" y=\"{}\" font-size=\"13\" text-anchor=\"middle\">{}</text>",
                 height + 16.0,
                 escaped(&words)
             );
         }
         for (value, words) in ticks(&axis(self.y), 6.0) {
             let [_, y] = self.place([self.x[0], value]);
-            let _ = write!(
+            let _ = writeln!(
                 svg,
-                "<path d=\"M0 {y:.1}H{width}\" stroke=\"#d8d8d8\"/><text x=\"-6\" y=\"{:.1}\" font-size=\"13\" text-anchor=\"end\">{}</text>\n",
+                "<path d=\"M0 {y:.1}H{width}\" stroke=\"#d8d8d8\"/><text x=\"-6\" y=\"{:.1}\" font-size=\"13\" text-anchor=\"end\">{}</text>",
                 y + 4.5,
                 escaped(&words)
             );
@@ -299,7 +299,7 @@ impl Axes {
                 pen = 'L';
             }
             if !path.is_empty() {
-                let _ = write!(svg, "<path d=\"{path}\" {attributes}/>\n");
+                let _ = writeln!(svg, "<path d=\"{path}\" {attributes}/>");
             }
         }
         svg + "</svg>\n"

@@ -177,12 +177,12 @@ fn picture_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {
         Some(texture) => {
             _ = ui
                 .painter()
-                .image(texture.id(), rect, whole, Color32::WHITE)
+                .image(texture.id(), rect, whole, Color32::WHITE);
         }
         None => {
             _ = ui
                 .painter()
-                .rect_filled(rect, 2.0, ui.visuals().extreme_bg_color)
+                .rect_filled(rect, 2.0, ui.visuals().extreme_bg_color);
         }
     }
 }

@@ -386,7 +386,7 @@ fn order_ui(ui: &mut Ui, open: &mut Open, state: &mut AppState, names: &[String]
             let words = names.get(*item).map_or("", |words| words);
             let words = format!("{}\\. {words}", place + 1);
             ui.push_id(("right", place), |ui| {
-                prose_ui(ui, state, &mut open.markdown, &words)
+                prose_ui(ui, state, &mut open.markdown, &words);
             });
         }
     }
