@@ -9,6 +9,8 @@ use eframe::egui::{
 use std::fmt::Debug;
 use std::hash::Hash;
 
+/// Narrowest column, points. Narrower ones let a table that just fits change its mind about its scroll bar in every frame.
+const NARROWEST: f32 = 28.0;
 /// Between columns: where there is room, and where there is little.
 const GAPS: [f32; 2] = [14.0, 6.0];
 const ROW_GAP: f32 = 3.0;
@@ -73,7 +75,7 @@ pub fn rows_ui(
             ui.spacing_mut().interact_size.y = ui.text_style_height(&TextStyle::Body);
             Grid::new(("table", id))
                 .num_columns(fitted.heads.len())
-                .min_col_width(0.0)
+                .min_col_width(NARROWEST)
                 .spacing([fitted.gap, ROW_GAP])
                 .striped(fitted.rows.len() > 3)
                 .show(ui, content)
