@@ -214,7 +214,8 @@ fn choose(state: &mut AppState, index: usize) {
 
 /// The rail: a button for each group, below each other or, on a narrow window, side by side with one for the controls.
 pub fn rail_ui(ui: &mut Ui, state: &mut AppState, narrow: bool, size: Vec2) {
-    ui.spacing_mut().item_spacing = vec2(2.0, 4.0);
+    let between = if size.y < 52.0 { 0.0 } else { 4.0 };
+    ui.spacing_mut().item_spacing = vec2(2.0, between);
     if narrow
         && sign_ui(
             ui,
@@ -361,5 +362,8 @@ pub fn narrow_size(width: f32) -> Vec2 {
 /// The size of a button of the rail where it stands at the side, `height` high: all of them fit into a low window.
 pub fn wide_size(height: f32) -> Vec2 {
     let count = (GROUPS.len() + 1) as f32;
-    vec2(RAIL - 12.0, (height / count - 4.0).clamp(36.0, 52.0))
+    let room = height / count;
+    // Fingers need 44 points; in a low window nothing is left between two buttons.
+    let high = if room >= 56.0 { 52.0 } else { room.clamp(44.0, 51.0) };
+    vec2(RAIL - 12.0, high)
 }
