@@ -364,6 +364,10 @@ pub fn wide_size(height: f32) -> Vec2 {
     let count = (GROUPS.len() + 1) as f32;
     let room = height / count;
     // Fingers need 44 points; in a low window nothing is left between two buttons.
-    let high = if room >= 56.0 { 52.0 } else { room.clamp(44.0, 51.0) };
+    let high = if room >= 56.0 {
+        52.0
+    } else {
+        room.clamp(44.0, 51.0)
+    };
     vec2(RAIL - 12.0, high)
 }
