@@ -115,9 +115,7 @@ impl Question {
                 Ok(Solution::Order(order))
             }
             Kind::Match {
-                controls,
-                values,
-                tolerance,
+                controls, values, ..
             } => {
                 let own = |place: LabPlace<'_>| -> Result<Vec<f64>, String> {
                     let scene = place.scene();
@@ -127,7 +125,6 @@ impl Question {
                     MatchValues::Given => own(place)?,
                     MatchValues::Random => random_values(controls, seed),
                 };
-                let _ = tolerance;
                 Ok(Solution::Match(target))
             }
         }
