@@ -12,6 +12,7 @@ mod node;
 mod raster;
 mod rays;
 mod renderer;
+mod simd;
 
 pub use node::Memory;
 pub use rays::Transmission;
@@ -20,3 +21,4 @@ pub use renderer::{
     check_memory, coarseness, coarser_size, srgb,
 };
 pub(crate) use renderer::{Evaluation, Piece, WeightedPoint, displayed, stored_pixel};
+pub use simd::SimdLevel;

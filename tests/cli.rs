@@ -5,6 +5,7 @@ mod program;
 
 use program::{Folder, pixels_of, size_of};
 use serde_json::Value;
+use shading_lab::render::SimdLevel;
 use shading_lab::scene::{Scene, ShadingMode, presets};
 use std::fs;
 use std::process::Stdio;
@@ -879,6 +880,25 @@ fn a_benchmark_names_every_figure() {
         text.contains("everything") && text.contains("camera"),
         "{text}"
     );
+}
+
+#[test]
+fn a_benchmark_runs_at_the_level_that_is_asked_for() {
+    let folder = Folder::new("bench-simd");
+    let available = SimdLevel::available();
+    for level in SimdLevel::ALL {
+        let word = serde_json::to_value(level).expect("a word");
+        let simd = word.as_str().expect("a word");
+        let arguments = [
+            "bench", "sphere", "--frames", "1", "--size", "8x8", "--json", "--simd", simd,
+        ];
+        if available.iter().any(|(name, _)| name == level) {
+            assert_eq!(folder.json(&arguments)["simd"], word);
+        } else {
+            folder.refuses(&arguments, "not on this machine");
+        }
+    }
+    folder.refuses(&["bench", "sphere", "--simd", "avx"], "expected avx512");
 }
 
 #[test]

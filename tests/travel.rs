@@ -59,6 +59,7 @@ fn questions_and_answers_travel_whole() {
         BenchQuestion {
             frames: 1,
             growth: false,
+            simd: None,
         },
         &scene,
     );

@@ -12,9 +12,12 @@ use super::panes_on_sheet;
 use super::plan_words::stage_words;
 use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
 use super::{Parcel, Question, Subject, Watch, median_and_spread};
-use crate::render::{Memory, Renderer, Report as Drawn, Stage, coarseness, coarser_size};
+use crate::render::{
+    Memory, Renderer, Report as Drawn, SimdLevel, Stage, coarseness, coarser_size,
+};
 use crate::scene::{LightKind, Object, ObjectKind, Rgb, Scene};
 use crate::text::{interned, text};
+use fearless_simd::Level;
 use glam::DQuat;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value, json};
@@ -30,6 +33,8 @@ pub struct BenchQuestion {
     pub frames: u32,
     /// Whether to measure also how the time grows with the pixels and with the triangles.
     pub growth: bool,
+    /// The machine's best if none.
+    pub simd: Option<SimdLevel>,
 }
 
 /// Medians in milliseconds.
@@ -46,6 +51,7 @@ pub struct Bench {
     growth: Option<Growth>,
     frames: u32,
     threads: usize,
+    simd: SimdLevel,
 }
 
 fn changes<'de, D: Deserializer<'de>>(
@@ -70,6 +76,7 @@ impl Question for BenchQuestion {
     const PARCEL: Option<Parcel<Bench>> = Some(Parcel::plain());
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Bench>) -> Result<Bench, String> {
+        let (simd, level) = self.level()?;
         let more = if self.growth {
             growth::most_frames(self.frames)
         } else {
@@ -84,10 +91,25 @@ impl Question for BenchQuestion {
         };
         let growth = self
             .growth
-            .then(|| growth::measure(subject, self.frames, &count));
+            .then(|| growth::measure(subject, level, self.frames, &count));
         Ok(Bench {
             growth,
-            ..measure(subject, self.frames, &count)
+            ..measure(subject, (simd, level), self.frames, &count)
+        })
+    }
+}
+
+impl BenchQuestion {
+    fn level(&self) -> Result<(SimdLevel, Level), String> {
+        let available = SimdLevel::available();
+        let wanted = |(name, _): &&(SimdLevel, Level)| self.simd.is_none_or(|simd| *name == simd);
+        available.iter().find(wanted).copied().ok_or_else(|| {
+            let names: Vec<_> = available.iter().map(|(name, _)| word(name)).collect();
+            text!(
+                "engine-no-simd-level",
+                level = self.simd.as_ref().map(word).unwrap_or_default(),
+                available = names.join(", ")
+            )
         })
     }
 }
@@ -164,10 +186,10 @@ struct Panes {
 }
 
 impl Panes {
-    fn new(subject: &Subject) -> Self {
+    fn new(subject: &Subject, level: Level) -> Self {
         let shown = panes_on_sheet(&subject.scene).len();
         let renderer = |_| {
-            let mut renderer = subject.renderer();
+            let mut renderer = subject.renderer().with_level(level);
             renderer.keep_linear(shown > 1);
             renderer
         };
@@ -220,8 +242,13 @@ impl Panes {
     }
 }
 
-fn measure(subject: &Subject, frames: u32, count: &dyn Fn()) -> Bench {
-    let mut panes = Panes::new(subject);
+fn measure(
+    subject: &Subject,
+    (simd, level): (SimdLevel, Level),
+    frames: u32,
+    count: &dyn Fn(),
+) -> Bench {
+    let mut panes = Panes::new(subject, level);
     let scene = &subject.scene;
     let mut times = Vec::new();
     let mut stages = StageTimes::default();
@@ -249,7 +276,7 @@ fn measure(subject: &Subject, frames: u32, count: &dyn Fn()) -> Bench {
             name,
             whole.map(|whole| Changed {
                 whole,
-                dragged: dragged(subject, change, whole, frames),
+                dragged: dragged(subject, level, change, whole, frames),
             }),
         )
     });
@@ -262,11 +289,12 @@ fn measure(subject: &Subject, frames: u32, count: &dyn Fn()) -> Bench {
         growth: None,
         frames,
         threads: rayon::current_num_threads(),
+        simd,
     }
 }
 
 /// What the window does while something is dragged that takes `whole` milliseconds.
-fn dragged(subject: &Subject, change: Change, whole: f64, frames: u32) -> (u32, f64) {
+fn dragged(subject: &Subject, level: Level, change: Change, whole: f64, frames: u32) -> (u32, f64) {
     let (mut coarser, mut ms) = (1, whole);
     // Not every stage shrinks with the picture: what is still too slow is drawn coarser.
     loop {
@@ -275,8 +303,13 @@ fn dragged(subject: &Subject, change: Change, whole: f64, frames: u32) -> (u32, 
             return (coarser, ms);
         }
         coarser = next;
-        let measured =
-            Panes::new(subject).measure_change(&subject.scene, change, coarser, frames, &|| ());
+        let measured = Panes::new(subject, level).measure_change(
+            &subject.scene,
+            change,
+            coarser,
+            frames,
+            &|| (),
+        );
         ms = measured.unwrap_or(ms);
     }
 }
@@ -348,6 +381,7 @@ impl Answer for Bench {
         let measured = text!(
             "engine-bench-measured",
             threads = *threads,
+            simd = word(&self.simd),
             frames = *frames
         );
         let mut report = Report::new(format!("{counts}\n{measured}"));
@@ -426,6 +460,7 @@ impl Answer for Bench {
             "stages": self.stages.iter().map(stage).collect::<Map<_, _>>(),
             "changes": self.changes.iter().map(change).collect::<Map<_, _>>(),
             "threads": self.threads,
+            "simd": self.simd,
             "size": about.scene.image.size,
             "triangles": self.drawn.triangles,
             "covered": self.drawn.covered,

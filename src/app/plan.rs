@@ -91,6 +91,7 @@ fn times_ui(ui: &mut Ui, times: &mut Asking<BenchQuestion>, state: &mut AppState
         let question = BenchQuestion {
             frames: FRAMES,
             growth: false,
+            simd: None,
         };
         times.start(ui.ctx(), &state.shown, engine.size, question);
     }

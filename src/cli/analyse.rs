@@ -16,6 +16,7 @@ use shading_lab::analysis::{
 use shading_lab::document::{check_target, json_text, save_answer, save_picture};
 use shading_lab::figure::Paper;
 use shading_lab::jobs::nanoseconds;
+use shading_lab::render::SimdLevel;
 use shading_lab::scene::{Choice, Interpolation, Object, Scene, ShadingMode};
 use shading_lab::text::text;
 use std::path::{Path, PathBuf};
@@ -369,6 +370,8 @@ pub struct Bench {
     threads: Option<u16>,
     #[arg(long)]
     growth: bool,
+    #[arg(long, value_name = "LEVEL", value_parser = |text: &str| parse_choice(text, SimdLevel::ALL))]
+    simd: Option<SimdLevel>,
 }
 
 impl Asks for Bench {
@@ -379,6 +382,7 @@ impl Asks for Bench {
         Ok(BenchQuestion {
             frames: self.frames,
             growth: self.growth,
+            simd: self.simd,
         })
     }
 

@@ -179,6 +179,7 @@ cli-help-collect-output = Write a page with the table and the answers to each qu
 cli-help-bench = Measure the time of a frame and of its stages
     .long = A frame of `full` is transformed, covered, shaded and displayed anew; the tessellation is kept, as a graphics card keeps it in its buffers. A frame of `changes` differs from the one before in one thing: the position of the first light, n, ka, the eye on an orbit, or the number of segments.
 cli-help-bench-growth = Also measure how the time grows with the pixels, up to 8 million, and with the triangles, up to 4 million
+cli-help-bench-simd = The SIMD level: avx512, avx2, sse4.2 or sse2 on PCs; the machine's best unless given
 
 cli-check-lesson = { $name }: a sound lesson, { $steps } steps, { $questions ->
     [one] 1 question

@@ -72,7 +72,8 @@ engine-time-minutes = { $count ->
    *[other] about { $count } minutes
 }
 engine-bench-counts = { $about }, { $triangles } triangles, { $covered } pixels covered, { $evaluations } evaluations
-engine-bench-measured = { $threads } threads, median of { $frames } frames, ms
+engine-bench-measured = { $threads } threads, SIMD level { $simd }, median of { $frames } frames, ms
+engine-no-simd-level = SIMD level { $level }: not on this machine, expected one of { $available }
 engine-dragged = while dragged
 engine-coarser = at 1/… of the size
 engine-everything = everything

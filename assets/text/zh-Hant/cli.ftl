@@ -171,5 +171,6 @@ cli-help-collect-output = 寫出附有成績表與各題答案分佈的網頁（
 cli-help-bench = 量測畫格及其各階段的時間
     .long = `full` 的每個畫格重新投影、覆蓋、著色並顯示；細分結果保留，如同顯示卡保留在緩衝區中。`changes` 的每個畫格與前一個只差一項：第一個光源的位置、n、ka、環繞物體的眼睛，或分段數。
 cli-help-bench-growth = 另量測時間隨像素數（至 800 萬）與三角形數（至 400 萬）的成長
+cli-help-bench-simd = SIMD 等級：PC 上為 avx512、avx2、sse4.2 或 sse2；未指定則用這部電腦最好的等級
 
 cli-check-lesson = { $name }：課程沒有問題，{ $steps } 個步驟，{ $questions } 個題目

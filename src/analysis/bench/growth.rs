@@ -11,6 +11,7 @@ use crate::geometry::{divisions_for, triangles};
 use crate::render::Renderer;
 use crate::scene::{Image, ObjectKind, Scene};
 use crate::text::text;
+use fearless_simd::Level;
 use serde::{Deserialize, Serialize};
 
 /// Pixels of the pictures, about, drawn with [`FEW_TRIANGLES`]: each has twice as many as the one before.
@@ -72,7 +73,7 @@ pub fn most_frames(frames: u32) -> u64 {
 }
 
 /// Measures by up to `frames` frames each.
-pub fn measure(subject: &Subject, frames: u32, count: &dyn Fn()) -> Growth {
+pub fn measure(subject: &Subject, level: Level, frames: u32, count: &dyn Fn()) -> Growth {
     let scene = &subject.scene;
     let coarse = divided(scene, FEW_TRIANGLES).unwrap_or_else(|| scene.clone());
     let pictures = PIXELS
@@ -83,9 +84,9 @@ pub fn measure(subject: &Subject, frames: u32, count: &dyn Fn()) -> Growth {
         .iter()
         .filter_map(|count| divided(&sized(scene, FEW_PIXELS), *count))
         .collect();
-    let pixels = series(subject, pictures, frames, count, |row| row.pixels);
-    let triangles =
-        (!fine.is_empty()).then(|| series(subject, fine, frames, count, |row| row.triangles));
+    let pixels = series(subject, level, pictures, frames, count, |row| row.pixels);
+    let triangles = (!fine.is_empty())
+        .then(|| series(subject, level, fine, frames, count, |row| row.triangles));
     Growth { pixels, triangles }
 }
 
@@ -127,8 +128,8 @@ struct Frame {
 }
 
 impl Frame {
-    fn new(subject: &Subject, scene: Scene, frames: u32) -> Self {
-        let mut renderer = subject.renderer();
+    fn new(subject: &Subject, level: Level, scene: Scene, frames: u32) -> Self {
+        let mut renderer = subject.renderer().with_level(level);
         renderer.render(&scene);
         let mut frame = Self {
             renderer,
@@ -174,6 +175,7 @@ impl Frame {
 
 fn series(
     subject: &Subject,
+    level: Level,
     scenes: Vec<Scene>,
     frames: u32,
     count: &dyn Fn(),
@@ -181,7 +183,7 @@ fn series(
 ) -> Series {
     let mut drawn: Vec<Frame> = scenes
         .into_iter()
-        .map(|scene| Frame::new(subject, scene, frames))
+        .map(|scene| Frame::new(subject, level, scene, frames))
         .collect();
     for round in 0..frames {
         for frame in &mut drawn {

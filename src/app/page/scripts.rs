@@ -72,6 +72,7 @@ fn timed(link: &str, size: [u32; 2], frames: u32) -> Result<String, JsValue> {
     let question = BenchQuestion {
         frames: frames.max(1),
         growth: false,
+        simd: None,
     };
     let bench = question.answer(&subject, &unwatched).map_err(say)?;
     let about = About {

@@ -1,0 +1,60 @@
+//! The SIMD levels by name, and which of them this machine has.
+
+use fearless_simd::Level;
+use serde::{Deserialize, Serialize};
+
+/// A SIMD level that the kernels are compiled for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum SimdLevel {
+    #[serde(rename = "avx512")]
+    Avx512,
+    #[serde(rename = "avx2")]
+    Avx2,
+    #[serde(rename = "sse4.2")]
+    Sse42,
+    #[serde(rename = "sse2")]
+    Sse2,
+    #[serde(rename = "neon")]
+    Neon,
+    /// WebAssembly's 128-bit vectors.
+    #[serde(rename = "simd128")]
+    Simd128,
+    #[serde(rename = "scalar")]
+    Scalar,
+}
+
+impl SimdLevel {
+    pub const ALL: &'static [Self] = &[
+        Self::Avx512,
+        Self::Avx2,
+        Self::Sse42,
+        Self::Sse2,
+        Self::Neon,
+        Self::Simd128,
+        Self::Scalar,
+    ];
+
+    /// Those of this machine, best first.
+    pub fn available() -> Vec<(Self, Level)> {
+        let best = Level::new();
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        let levels = [
+            best.as_avx512()
+                .map(|token| (Self::Avx512, Level::Avx512(token))),
+            best.as_avx2().map(|token| (Self::Avx2, Level::Avx2(token))),
+            best.as_sse4_2()
+                .map(|token| (Self::Sse42, Level::Sse4_2(token))),
+            best.as_sse2().map(|token| (Self::Sse2, Level::Sse2(token))),
+        ];
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        let levels = [Some((
+            match () {
+                () if best.is_fallback() => Self::Scalar,
+                () if cfg!(target_arch = "wasm32") => Self::Simd128,
+                () => Self::Neon,
+            },
+            best,
+        ))];
+        levels.into_iter().flatten().collect()
+    }
+}
