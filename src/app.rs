@@ -266,6 +266,7 @@ impl App {
             }
         }
         let (held, time) = ctx.input(|input| (input.pointer.any_down(), input.time));
+        let held = held || self.state.gliding.is_some();
         self.state.history.observe(&self.state.document, held, time);
         if self.state.lit.turn() {
             ctx.request_repaint();
@@ -489,6 +490,7 @@ impl eframe::App for App {
         for path in system::dropped(&ctx) {
             self.state.ask(Action::OpenFile(path));
         }
+        self.state.glide(&ctx);
         focus::listen(&ctx, self.in_front);
         if !self.in_front && self.state.embedded.is_none() {
             commands::listen(&ctx, &mut self.state);

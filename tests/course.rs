@@ -4,12 +4,13 @@
 mod hands;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Pos2, pos2, vec2};
+use eframe::egui::{Key, Modifiers, Pos2, Style, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use hands::{picture_place, press, scene, wait};
 use shading_lab::app::{App, Look, ViewName};
-use shading_lab::lesson::{Answer, Answered, Lesson, read_hand_in};
+use shading_lab::document::{load, save_scene};
+use shading_lab::lesson::{Answer, Answered, Lesson, find, read_hand_in};
 use std::path::Path;
 
 fn lesson() -> Lesson {
@@ -118,6 +119,35 @@ fn a_step_shows_its_scene_its_text_and_its_controls() {
     harness.run_ok();
     harness.run_ok();
     assert_eq!(step(&harness), 0);
+}
+
+#[test]
+fn the_picture_moves_on_to_the_next_step() {
+    let lesson = find("exponent").expect("a lesson").lesson();
+    let mut harness = hands::window_with("sphere", |app| app.with_lesson(Some(lesson), None));
+    go(&mut harness, 1);
+    let moves = |style: &mut Style| style.animation_time = 0.1;
+    harness.ctx.all_styles_mut(moves);
+    let n = |harness: &Harness<'_, App>| scene(harness).material.n;
+    let before = n(&harness);
+    harness.key_press(Key::PageDown);
+    harness.step();
+    let mut seen = Vec::new();
+    while harness.state().state().gliding.is_some() {
+        harness.step();
+        seen.push(n(&harness));
+        // It is neither a change that could be lost nor a step of undo.
+        assert!(!harness.state().state().modified());
+    }
+    ready(&mut harness);
+    let after = n(&harness);
+    let between = |at: &f64| (before.min(after)..before.max(after)).contains(at) && *at != before;
+    assert!(seen.iter().any(between), "{seen:?}");
+    let open = harness.state().state().course.open.as_ref();
+    let staged = open.and_then(|open| open.staged.clone());
+    assert_eq!(scene(&harness), &staged.expect("a scene").scene);
+    hands::undo(&mut harness);
+    assert_eq!(n(&harness), before);
 }
 
 #[test]
@@ -395,4 +425,23 @@ fn the_scene_in_view_becomes_the_target_of_a_match() {
     go(&mut harness, 3);
     let open = harness.state().state().course.open.as_ref();
     assert_eq!(open.expect("a lesson").lesson.steps.len(), 4);
+}
+
+#[test]
+fn so_does_a_scene_from_a_file() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("target scene.toml");
+    let built_in = hands::built_in("torus");
+    let own = built_in.scene.with_overrides(&["material.n=77"]);
+    save_scene(&path, &own.expect("settings")).expect("a file");
+    let mut harness = hands::window_of(load(&path).expect("a scene"));
+    hands::enter(&mut harness, "Kd diffuse coefficient", 0.9);
+    press(&mut harness, "File");
+    press(&mut harness, "Set as target");
+    harness.run_ok();
+    ready(&mut harness);
+    assert_eq!(scene(&harness).material.kd.x, 0.5);
+    assert_eq!(scene(&harness).material.n, 77.0);
+    hands::enter(&mut harness, "Kd diffuse coefficient", 0.9);
+    press(&mut harness, "Check");
+    assert!(revealed(&harness));
 }

@@ -5,6 +5,7 @@ mod data;
 mod edges;
 mod feedback;
 mod formula;
+mod glide;
 mod list;
 mod mark;
 mod matching;
@@ -17,6 +18,7 @@ mod work;
 
 pub use data::{Course, Kept};
 pub use edges::{paint as paint_edges, watch as watch_edges};
+pub use glide::Glide;
 pub use mark::{from_pixel, paint};
 #[cfg(target_arch = "wasm32")]
 pub use matching::{Likeness, Target};
@@ -140,6 +142,7 @@ impl AppState {
     /// Shows a step's scene; with the answer's, where that may be seen and is `answered`.
     fn show_stage(&mut self, staged: &Staged, answered: bool) {
         let view = (self.look.views, self.look.view);
+        let before = self.document.scene.clone();
         self.replace(Document {
             scene: staged.scene.clone(),
             model: staged.model.clone(),
@@ -168,6 +171,7 @@ impl AppState {
         if answered && self.course.revealed() {
             self.show_answer();
         }
+        self.gliding = Glide::between(&before, &self.document.scene);
     }
 
     /// Shows the settings that the right answer is about, and the one that was sought.
@@ -183,6 +187,7 @@ impl AppState {
             return;
         }
         if let Ok(scene) = staged.scene.with_overrides(&question.set) {
+            self.gliding = Glide::between(&self.document.scene, &scene);
             self.document.scene = scene;
             // The lesson's change is none that could be lost.
             self.saved = self.document.clone();

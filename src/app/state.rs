@@ -10,7 +10,7 @@
 //! ```
 
 use super::action::Action;
-use super::course::Course;
+use super::course::{Course, Glide};
 use super::dialog::Dialog;
 use super::document::{Document, History, Origin};
 use super::look::{Look, ViewName};
@@ -79,6 +79,8 @@ pub struct AppState {
     pub leaving: Leaving,
     /// The lessons, and what was answered.
     pub course: Course,
+    /// The way to the scene of a lesson's step.
+    pub gliding: Option<Glide>,
     /// What views and dialogs remember for themselves.
     pub own: Own,
     /// A line in the bottom bar about what was last done.
@@ -117,6 +119,7 @@ impl AppState {
     /// Puts another document in the place of this one.
     pub fn replace(&mut self, document: Document) {
         self.document = document;
+        self.gliding = None;
         self.saved = self.document.clone();
         self.opened = self.document.scene.clone();
         self.just_opened = true;

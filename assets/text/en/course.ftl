@@ -97,4 +97,4 @@ course-target-ask =
         [one] Find the value that makes your picture like the target.
        *[other] Find the { $count } values that make your picture like the target.
     }
-course-target-file = Only a built-in scene, with whatever settings, can be a target.
+course-target-file = The scene could not be made a target. Save it as a scene file and open that.

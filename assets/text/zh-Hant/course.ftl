@@ -85,4 +85,4 @@ course-handed-in = 答案已寫入 { $path }
 course-target-title = 配對：{ $scene }
 course-target-level = 第 { $level } 級
 course-target-ask = 找出 { $count } 個數值，使你的圖片與目標相同。
-course-target-file = 只有內建場景（設定不限）可以設為目標。
+course-target-file = 無法將這個場景設為目標。請先存成場景檔，再開啟該檔。

@@ -4,8 +4,9 @@ use crate::app::document::Origin;
 use crate::app::state::AppState;
 use crate::lesson::{Lesson, value_of};
 use crate::scene::parameter::Parameter;
-use crate::scene::presets;
+use crate::scene::{Scene, presets};
 use crate::text::text;
+use std::path::Path;
 use std::sync::Arc;
 
 /// The lesson's text.
@@ -20,22 +21,23 @@ const SOUGHT: [(&str, f64); 4] = [
 ];
 
 impl AppState {
-    /// Opens a match whose target is the scene in view; one that comes from a file cannot be, since a lesson names its scene.
+    /// Opens a match whose target is the scene in view.
     pub fn set_as_target(&mut self) {
-        let lesson = match &self.document.origin {
-            Origin::BuiltIn(name) => self.target_lesson(name),
-            Origin::New => self.target_lesson(presets::DEFAULT),
-            Origin::File(_) => None,
+        let built_in = |name| Some((name, presets::find(name)?.scene()));
+        let base = match &self.document.origin {
+            Origin::BuiltIn(name) => built_in(name),
+            Origin::New => built_in(presets::DEFAULT),
+            Origin::File(path) => path.to_str().map(|path| (path, self.saved.scene.clone())),
         };
-        match lesson {
+        match base.and_then(|(name, base)| self.target_lesson(name, &base)) {
             Some(lesson) => self.open_lesson(Arc::new(lesson), false),
             None => self.notice = Some(text!("course-target-file").to_owned()),
         }
     }
 
-    fn target_lesson(&self, name: &str) -> Option<Lesson> {
+    /// The lesson for a scene that is named and was opened as `base`.
+    fn target_lesson(&self, name: &str, base: &Scene) -> Option<Lesson> {
         let scene = &self.document.scene;
-        let base = presets::find(name)?.scene();
         let settings: Vec<String> = base
             .differences(scene)
             .filter(|(parameter, _)| !["compare", "about"].contains(&parameter.section()))
@@ -80,11 +82,12 @@ impl AppState {
                 .replace("RIGHT", &quoted(&target));
             source.push_str(&level);
         }
-        Lesson::read(&source, None).ok()
+        // The path of a file is whole.
+        Lesson::read(&source, Some(Path::new(""))).ok()
     }
 }
 
-fn setting(parameter: &Parameter, scene: &crate::scene::Scene, index: usize) -> String {
+fn setting(parameter: &Parameter, scene: &Scene, index: usize) -> String {
     format!(
         "{}={}",
         parameter.key(index),

@@ -1,0 +1,138 @@
+//! The way from one scene of a lesson to the next: camera, lights and n move there, so that the eye can follow.
+
+use crate::app::state::AppState;
+use crate::scene::Scene;
+use eframe::egui::{Context, Event};
+use glam::{DVec3, FloatExt as _};
+
+/// How long it takes, seconds.
+const DURATION: f64 = 0.5;
+
+/// A change that is on its way.
+pub struct Glide {
+    from: Scene,
+    to: Scene,
+    /// Seconds; none before its first frame.
+    begun: Option<f64>,
+}
+
+impl Glide {
+    /// The way between two scenes with the same object, where camera, lights or n differ.
+    pub fn between(from: &Scene, to: &Scene) -> Option<Self> {
+        let same = from.object == to.object
+            && from.lights.len() == to.lights.len()
+            && (from.camera.projection, from.camera.up) == (to.camera.projection, to.camera.up);
+        let differs = from.camera != to.camera
+            || from.lights != to.lights
+            || from.material.n != to.material.n;
+        (same && differs).then(|| Self {
+            from: from.clone(),
+            to: to.clone(),
+            begun: None,
+        })
+    }
+
+    /// The scene at a share of the way. All that does not move is as it is at the end.
+    fn at(&self, share: f64) -> Scene {
+        let mut scene = self.to.clone();
+        if share >= 1.0 {
+            return scene;
+        }
+        let (a, b) = (&self.from.camera, &self.to.camera);
+        let camera = &mut scene.camera;
+        camera.target = a.target.lerp(b.target, share);
+        camera.eye = camera.target + turned(a.eye - a.target, b.eye - b.target, share);
+        camera.roll = a.roll.lerp(b.roll, share);
+        camera.fov_y = a.fov_y.lerp(b.fov_y, share);
+        camera.height = a.height.lerp(b.height, share);
+        let lights = self.from.lights.iter().zip(&self.to.lights);
+        for (light, (a, b)) in scene.lights.iter_mut().zip(lights) {
+            light.position = a.position.lerp(b.position, share);
+            light.direction = turned(a.direction, b.direction, share);
+        }
+        // A highlight shrinks evenly with the logarithm of n.
+        let [a, b] = [&self.from, &self.to].map(|scene| scene.material.n.ln());
+        let n = a.lerp(b, share).exp();
+        scene.material.n = if n.is_finite() { n } else { self.to.material.n };
+        scene
+    }
+}
+
+/// A vector on its way round to another.
+fn turned(from: DVec3, to: DVec3, share: f64) -> DVec3 {
+    if from == DVec3::ZERO || to == DVec3::ZERO {
+        return to;
+    }
+    from.slerp(to, share)
+}
+
+impl AppState {
+    /// Moves on to the end of the way, at once where nothing is to move on its own or somebody does something.
+    pub fn glide(&mut self, ctx: &Context) {
+        let Some(glide) = &mut self.gliding else {
+            return;
+        };
+        let now = ctx.input(|input| input.time);
+        let share = (now - *glide.begun.get_or_insert(now)) / DURATION;
+        let still = ctx.global_style().animation_time == 0.0;
+        let scene = glide.at(share * share * (3.0 - 2.0 * share));
+        let whole = share >= 1.0 || still || is_in_use(ctx) || scene.validate().is_err();
+        self.document.scene = if whole { glide.at(1.0) } else { scene };
+        if whole {
+            self.gliding = None;
+        } else {
+            ctx.request_repaint();
+        }
+        // It is no change that could be lost.
+        self.saved.scene.clone_from(&self.document.scene);
+        self.derive();
+    }
+}
+
+/// Whether there is more than a pointer that moves or something that is let go.
+fn is_in_use(ctx: &Context) -> bool {
+    let passes = |event: &Event| {
+        matches!(
+            event,
+            Event::PointerMoved(_)
+                | Event::MouseMoved(_)
+                | Event::PointerGone
+                | Event::WindowFocused(_)
+                | Event::PointerButton { pressed: false, .. }
+                | Event::Key { pressed: false, .. }
+        )
+    };
+    ctx.input(|input| !input.events.iter().all(passes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    #[test]
+    fn it_leads_from_one_scene_to_the_other_and_every_scene_on_the_way_is_sound() {
+        let from = presets::find("sphere").expect("a built-in scene").scene();
+        let set = [
+            "camera.eye=[0,0,-3]",
+            "light.0.direction=[1,0,0]",
+            "light.0.position=[-3,1,2]",
+            "material.n=500",
+        ];
+        let to = from.with_overrides(&set).expect("settings");
+        let glide = Glide::between(&from, &to).expect("a way");
+        assert_eq!(glide.at(1.0), to);
+        let close = |a: DVec3, b: DVec3| (a - b).length() < 1e-12;
+        assert!(close(glide.at(0.0).camera.eye, from.camera.eye));
+        for step in 0..=100 {
+            let scene = glide.at(f64::from(step) / 100.0);
+            assert_eq!(scene.validate(), Ok(()));
+            // The eye goes round the object, not through it.
+            assert!(scene.camera.eye.distance(scene.camera.target) > 2.0);
+            assert!((from.material.n..=500.0 + 1e-9).contains(&scene.material.n));
+        }
+        assert!(Glide::between(&from, &from).is_none());
+        let other = from.with_overrides(&["object.rings=9"]).expect("settings");
+        assert!(Glide::between(&from, &other).is_none());
+    }
+}
