@@ -734,10 +734,10 @@ fn quoted(cell: &str) -> Vec<&str> {
 }
 
 #[test]
-fn the_readme_names_every_built_in_scene_under_its_topic() {
-    let readme = include_str!("../README.md");
+fn the_manual_names_every_built_in_scene_under_its_topic() {
+    let manual = include_str!("../docs/command-line.md");
     for preset in presets::ALL {
-        let row = readme
+        let row = manual
             .lines()
             .find(|line| line.starts_with(&format!("| {} |", preset.topic_title())));
         let named = row.is_some_and(|row| quoted(row).contains(&preset.name));
