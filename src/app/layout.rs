@@ -31,6 +31,8 @@ pub const NARROW: f32 = 900.0;
 const PANEL: f32 = 288.0;
 /// The least side of the picture in a narrow window, points.
 const PICTURE: f32 = 300.0;
+/// The same beside a lesson.
+const LEAST: f32 = 240.0;
 /// How a wide view shares the height with the picture.
 const BELOW: f32 = 0.4;
 /// Below this height, points, only what is needed stands over the picture.
@@ -198,6 +200,12 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
         }
     };
     let height = ui.available_height();
+    // A lesson is about the whole picture, however small.
+    let least = if lesson {
+        LEAST
+    } else {
+        PICTURE.max(0.5 * size.x)
+    };
     if tall {
         let (name, share) = if lesson {
             ("lesson", 0.58)
@@ -209,12 +217,16 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             .default_size(share * height)
             .size_range(160.0..=(height - PICTURE).max(160.0))
             .show(ui, show);
-    } else if ui.available_width() - PANEL >= PICTURE.max(0.5 * size.x) {
-        Panel::right("drawer-beside")
-            .resizable(true)
-            .default_size(0.45 * size.x)
-            .size_range(PANEL..=(0.5 * size.x - RAIL).max(PANEL))
-            .show(ui, show);
+    } else if ui.available_width() - PANEL >= least {
+        Panel::right(if lesson {
+            "lesson-beside"
+        } else {
+            "drawer-beside"
+        })
+        .resizable(true)
+        .default_size(0.45 * size.x)
+        .size_range(PANEL..=(ui.available_width() - least))
+        .show(ui, show);
     } else {
         let room = ui.available_rect_before_wrap();
         let width = PANEL.min(room.width());
