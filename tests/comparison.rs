@@ -217,6 +217,30 @@ fn the_highlight_is_lost_by_gouraud_shading_and_kept_by_phong_shading() {
 }
 
 #[test]
+fn panes_of_one_mode_are_called_by_what_tells_them_apart() {
+    let mut scene = scene(CompareView::Panes);
+    let mut names = |panes: &[&[&str]]| {
+        scene.compare.panes = panes.iter().map(|pane| Pane::of(pane)).collect();
+        (0..scene.pane_count())
+            .map(|pane| scene.pane_name(pane))
+            .collect::<Vec<_>>()
+    };
+    let n = names(&[&["material.n=7.5"], &["material.n=1005"]]);
+    assert_eq!(n[1..], ["n = 7.5", "n = 1005"]);
+    assert!(n[0].starts_with("n = "), "{n:?}");
+    let models = names(&[&["reflection.model=blinn", "object.segments=20"]]);
+    assert!(
+        models[0].starts_with("Phong") && models[0].contains("9"),
+        "{models:?}"
+    );
+    assert!(
+        models[1].starts_with("Blinn") && models[1].contains("20"),
+        "{models:?}"
+    );
+    assert_eq!(names(&[&["shading.mode=flat"]]), ["Gouraud", "Flat"]);
+}
+
+#[test]
 fn what_is_drawn_over_panes_does_not_change_their_figures() {
     let scene = scene(CompareView::Panes);
     let over = |frame: &mut shading_lab::render::Frame, renderer: &mut Renderer, scene: &Scene| {

@@ -20,13 +20,17 @@ fn lesson() -> Lesson {
 
 /// A window with the lesson.
 fn window() -> Harness<'static, App> {
+    window_with(lesson())
+}
+
+fn window_with(lesson: Lesson) -> Harness<'static, App> {
     let look = Look {
         smooth_edges: false,
         ..Look::default()
     };
     let loaded = hands::built_in("sphere");
     let mut harness = hands::window_looking(loaded, [1280.0, 800.0], &look, |app| {
-        app.with_lesson(Some(lesson()), Some(5))
+        app.with_lesson(Some(lesson), Some(5))
     });
     ready(&mut harness);
     harness
@@ -148,6 +152,20 @@ fn the_picture_moves_on_to_the_next_step() {
     assert_eq!(scene(&harness), &staged.expect("a scene").scene);
     hands::undo(&mut harness);
     assert_eq!(n(&harness), before);
+}
+
+#[test]
+fn a_lesson_alone_says_what_its_scenes_show() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons/en/diffuse.md");
+    let mut harness = window_with(Lesson::open(&path).expect("a lesson"));
+    let titled = |harness: &Harness<'_, App>| {
+        let document = &harness.state().state().document;
+        harness.query_by_label(&document.title()).is_some()
+    };
+    assert!(!titled(&harness));
+    press(&mut harness, "Lessons");
+    harness.run_ok();
+    assert!(titled(&harness));
 }
 
 #[test]

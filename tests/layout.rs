@@ -37,6 +37,8 @@ fn turn() -> MutexGuard<'static, ()> {
 
 /// The least that the picture has of a narrow window, points.
 const LEAST: f32 = 300.0;
+/// The same beside a lesson, which needs room of its own.
+const LEAST_WITH_LESSON: f32 = 200.0;
 
 /// A link whose error has a long word to wrap.
 const BROKEN_LINK: &str =
@@ -167,7 +169,10 @@ fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
     }
     let width = picture.map_or(0.0, |picture| picture.width());
     let narrow = screen.width() < 900.0;
-    let least = if narrow {
+    let lesson = harness.state().state().course.open.is_some();
+    let least = if narrow && lesson {
+        LEAST_WITH_LESSON
+    } else if narrow {
         LEAST
     } else {
         0.5 * screen.width() - 1.0

@@ -227,10 +227,17 @@ fn shade(state: &mut AppState, mode: ShadingMode) {
 
 /// The bar of stages.
 pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+    ui.add_space(2.0);
     if state.hides_numbers() {
+        // As high as with numbers, so that the picture keeps its size. Other views say it themselves.
+        ui.horizontal(|ui| {
+            if state.shows(ViewName::Course) {
+                ui.label(RichText::new(text!("course-hidden")).weak());
+            }
+        });
+        ui.add_space(2.0);
         return;
     }
-    ui.add_space(2.0);
     ui.horizontal(|ui| {
         let report = engine.report();
         for run in &report.stages {

@@ -225,6 +225,20 @@ impl AppState {
         open.prepared.clear();
     }
 
+    /// Whether the picture is that of a lesson's step.
+    pub fn shows_step(&self) -> bool {
+        let staged = self
+            .course
+            .open
+            .as_ref()
+            .and_then(|open| open.staged.as_ref());
+        staged.is_some_and(|staged| match (&self.document.origin, &staged.path) {
+            (Origin::File(shown), Some(path)) => shown == path,
+            (Origin::BuiltIn(shown), None) => *shown == staged.name,
+            _ => false,
+        })
+    }
+
     /// Whether numbers are hidden until a question is answered.
     pub fn hides_numbers(&self) -> bool {
         self.course.hides()

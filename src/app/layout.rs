@@ -31,8 +31,9 @@ pub const NARROW: f32 = 900.0;
 const PANEL: f32 = 288.0;
 /// The least side of the picture in a narrow window, points.
 const PICTURE: f32 = 300.0;
-/// The same beside a lesson.
-const LEAST: f32 = 240.0;
+/// The same beside a lesson, whose text and question need the room, and the lesson's own width.
+const LEAST: f32 = 200.0;
+const LESSON: f32 = 250.0;
 /// How a wide view shares the height with the picture.
 const BELOW: f32 = 0.4;
 /// Below this height, points, only what is needed stands over the picture.
@@ -64,7 +65,8 @@ impl Layout {
         }
         state.enlarged = false;
         self.make_room(state, size);
-        if state.look.equation {
+        // A narrow window with a lesson has room for picture and question only.
+        if state.look.equation && !(narrow && reads_lesson(state)) {
             Panel::top("equation").show(ui, |ui| bars::equation_ui(ui, state));
         }
         // A card over the picture leaves no room for a drawer.
@@ -78,8 +80,8 @@ impl Layout {
         }
         // Nothing is drawn of a scene that a scene file would refuse.
         state.commit();
-        // A narrow window has room for the lesson or for what else there is to say of its scene.
-        if !(low || narrow && reads_lesson(state)) {
+        // A lesson says what its scenes show; what they show elsewhere would mislead.
+        if !(low || narrow && reads_lesson(state) || state.shows_step()) {
             Panel::top("title").show(ui, |ui| bars::title_ui(ui, state));
         }
         Some(self.picture_ui(ui, state, engine))
@@ -201,32 +203,33 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
     };
     let height = ui.available_height();
     // A lesson is about the whole picture, however small.
-    let least = if lesson {
-        LEAST
+    let (panel, least) = if lesson {
+        (LESSON, LEAST)
     } else {
-        PICTURE.max(0.5 * size.x)
+        (PANEL, PICTURE.max(0.5 * size.x))
     };
     if tall {
-        let (name, share) = if lesson {
-            ("lesson", 0.58)
+        let (name, share, picture) = if lesson {
+            ("lesson", 0.6, LEAST)
         } else {
-            ("drawer", 0.45)
+            ("drawer", 0.45, PICTURE)
         };
         Panel::bottom(name)
             .resizable(true)
             .default_size(share * height)
-            .size_range(160.0..=(height - PICTURE).max(160.0))
+            .size_range(160.0..=(height - picture).max(160.0))
             .show(ui, show);
-    } else if ui.available_width() - PANEL >= least {
-        Panel::right(if lesson {
-            "lesson-beside"
+    } else if ui.available_width() - panel >= least {
+        let (name, share) = if lesson {
+            ("lesson-beside", 0.5)
         } else {
-            "drawer-beside"
-        })
-        .resizable(true)
-        .default_size(0.45 * size.x)
-        .size_range(PANEL..=(ui.available_width() - least))
-        .show(ui, show);
+            ("drawer-beside", 0.45)
+        };
+        Panel::right(name)
+            .resizable(true)
+            .default_size(share * size.x)
+            .size_range(panel..=(ui.available_width() - least))
+            .show(ui, show);
     } else {
         let room = ui.available_rect_before_wrap();
         let width = PANEL.min(room.width());

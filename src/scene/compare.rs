@@ -4,10 +4,12 @@ use super::Scene;
 use super::camera::Overflow;
 use super::choice::{Choice, choices};
 use super::format::list_of;
-use super::overrides::is_inside;
-use super::parameter::{Limits, Slider, at_most, table};
+use super::material::ReflectionModel;
+use super::overrides::{is_inside, key_and_value};
+use super::parameter::{Limits, Parameter, Slider, at_most, table};
 use super::problem::{Cause, Finding, Place, Problem, SceneError};
 use super::setting::setting_words;
+
 use super::shading::{Interpolation, MODE, ShadingMode};
 use crate::text::text;
 
@@ -263,22 +265,54 @@ impl Scene {
         if !given.is_empty() {
             return given.to_owned();
         }
-        let pane = index
-            .checked_sub(1)
-            .and_then(|index| self.compare.panes.get(index));
-        let shading = self
-            .pane(index)
-            .map_or_else(|_| self.shading.clone(), |scene| scene.shading);
-        let plain = shading.mode != ShadingMode::Phong || shading.renormalise;
+        let own = self.pane(index).unwrap_or_else(|_| self.clone());
+        // Panes of one mode are called by what else tells them apart, the first one too.
+        if self.panes_share_mode() {
+            let words = self.settings_apart(&own);
+            if !words.is_empty() {
+                return words.join(", ");
+            }
+        }
+        let plain = own.shading.mode != ShadingMode::Phong || own.shading.renormalise;
         let mode = if plain {
-            shading.mode.label()
+            own.shading.mode.label()
         } else {
             text!("pane-not-renormalised")
         };
+        let pane = index
+            .checked_sub(1)
+            .and_then(|index| self.compare.panes.get(index));
         let settings = pane.iter().flat_map(|pane| &pane.set);
         let settings = settings.filter_map(|setting| short_words(setting));
         let words: Vec<String> = std::iter::once(mode.to_owned()).chain(settings).collect();
         words.join(", ")
+    }
+
+    /// Whether no pane sets another mode of shading than the first.
+    fn panes_share_mode(&self) -> bool {
+        let mode = self.shading.mode.word();
+        let same = |pane: &Pane| {
+            pane.value("shading.mode").is_none_or(|set| set == mode)
+                && pane.value("shading.renormalise").is_none()
+        };
+        self.compare.panes.iter().all(same)
+    }
+
+    /// The values that a pane's scene has for what is set in any pane, in words.
+    fn settings_apart(&self, scene: &Self) -> Vec<String> {
+        let settings = self.compare.panes.iter().flat_map(|pane| &pane.set);
+        let mut keys: Vec<&str> = Vec::new();
+        for (key, _) in settings.filter_map(|setting| key_and_value(setting)) {
+            if !keys.contains(&key) {
+                keys.push(key);
+            }
+        }
+        let present = keys.into_iter().filter_map(|key| {
+            let index = key.split('.').nth(1).and_then(|part| part.parse().ok());
+            let value = Parameter::by_word(key)?.setting(scene, index.unwrap_or(0));
+            short_words(&format!("{key}={value}"))
+        });
+        present.collect()
     }
 
     /// Whether what the display clamps is to be compared clamped.
@@ -298,7 +332,20 @@ fn short_words(setting: &str) -> Option<String> {
         "shading.interpolation" => {
             Interpolation::from_word(value).map(|chosen| chosen.label().to_owned())
         }
-        _ => Some(setting_words(setting)),
+        "reflection.model" => {
+            ReflectionModel::from_word(value).map(|model| model.label().to_owned())
+        }
+        key => {
+            // Only a material's letters say what they are without a word.
+            let named = Parameter::by_word(key).filter(|one| one.section() == "material");
+            let letter = named.map_or("", |parameter| parameter.letter);
+            match value.parse::<f64>() {
+                Ok(number) if number.is_finite() && !letter.is_empty() => {
+                    Some(format!("{letter} = {number}"))
+                }
+                _ => Some(setting_words(setting)),
+            }
+        }
     }
 }
 

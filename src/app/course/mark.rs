@@ -23,17 +23,17 @@ pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
             .map(|end| place.point(end));
         painter.line_segment(ends, dark(3.5));
         painter.line_segment(ends, white(1.5));
-        for (end, share) in ends.into_iter().zip(["0", "1"]) {
+        // Ends that are close together have their names at their sides.
+        let close = ends[0].distance(ends[1]) < 3.0 * MARK;
+        let sides = if close {
+            [Align2::RIGHT_BOTTOM, Align2::LEFT_BOTTOM]
+        } else {
+            [Align2::CENTER_BOTTOM; 2]
+        };
+        for ((end, share), side) in ends.into_iter().zip(["0", "1"]).zip(sides) {
             painter.circle(end, 4.0, Color32::WHITE, dark(1.5));
             let at = end + vec2(0.0, -8.0);
-            letter(
-                painter,
-                at,
-                Align2::CENTER_BOTTOM,
-                share,
-                font,
-                Color32::WHITE,
-            );
+            letter(painter, at, side, share, font, Color32::WHITE);
         }
         if let Some(along) = along {
             let at = ends[0] + (ends[1] - ends[0]) * along as f32;
