@@ -19,7 +19,7 @@ use crate::render::StageRun;
 use crate::scene::{Choice, ShadingMode};
 use crate::text::{Language, text};
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align, Button, ComboBox, Label, Layout, MenuBar, RichText, Sense, Ui};
+use eframe::egui::{Align, Button, ComboBox, Label, Layout, MenuBar, RichText, Sense, Ui, vec2};
 
 /// Below this width the menus fold into one, and the modes into a list.
 const NARROW: f32 = 860.0;
@@ -158,7 +158,9 @@ fn scene_buttons_ui(ui: &mut Ui, state: &mut AppState) {
     } else {
         format!("▦ {}", text!("scenes"))
     };
-    let button = named(ui.button(all), Role::Button, text!("scenes"));
+    let side = ui.spacing().interact_size.y;
+    let button = ui.add(Button::new(all).min_size(vec2(side, side)));
+    let button = named(button, Role::Button, text!("scenes"));
     if button.on_hover_text(text!("scenes.tip")).clicked() {
         state.ask(Action::Scenes);
     }
@@ -166,7 +168,8 @@ fn scene_buttons_ui(ui: &mut Ui, state: &mut AppState) {
         ("▶", 1, text!("scenes-next")),
         ("◀", -1, text!("scenes-previous")),
     ] {
-        let button = named(ui.button(sign), Role::Button, name);
+        let button = ui.add(Button::new(sign).min_size(vec2(side, side)));
+        let button = named(button, Role::Button, name);
         if button.on_hover_text(name).clicked() {
             state.ask(Action::NextScene(step));
         }

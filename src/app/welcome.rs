@@ -5,6 +5,9 @@ use super::state::AppState;
 use crate::text::text;
 use eframe::egui::{Align2, Area, Button, Context, Frame, Id, Order, Rect, RichText, Ui, vec2};
 
+/// A picture less high than this, points, is not covered by words.
+const LOW: f32 = 320.0;
+
 /// A card at the bottom of the picture until one of its ways is taken.
 pub fn welcome_ui(ctx: &Context, state: &mut AppState, picture: Rect) {
     if !state.welcome || state.dialog.is_some() {
@@ -18,16 +21,18 @@ pub fn welcome_ui(ctx: &Context, state: &mut AppState, picture: Rect) {
         .show(ctx, |ui| {
             Frame::window(ui.style()).show(ui, |ui| {
                 ui.set_width((width - 32.0).max(0.0));
-                card_ui(ui, state);
+                card_ui(ui, state, picture.height() < LOW);
             });
         });
 }
 
-fn card_ui(ui: &mut Ui, state: &mut AppState) {
-    ui.heading(text!("welcome"));
-    ui.add_space(2.0);
-    ui.label(text!("welcome.sentence"));
-    ui.add_space(8.0);
+fn card_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
+    if !low {
+        ui.heading(text!("welcome"));
+        ui.add_space(2.0);
+        ui.label(text!("welcome.sentence"));
+        ui.add_space(8.0);
+    }
     ui.horizontal_wrapped(|ui| {
         let main = Button::new(RichText::new(text!("course-start")).strong());
         let ways = [
