@@ -389,3 +389,19 @@ fn a_target_is_met_by_a_picture_that_looks_the_same() {
     assert_eq!(solved(3), solved(3));
     assert_ne!(solved(3), solved(4));
 }
+
+#[test]
+fn a_pane_is_called_as_its_step_says() {
+    let step = "\"compare.name=Cook–Torrance\"]\npanes = [\"reflection.model=blinn; compare.name=Blinn, n = 30\", \"shading.mode=flat\"";
+    let room = Room::new(
+        &format!("{step}]"),
+        "kind = \"value\"\nanswer = \"scene.material.n\"\ntolerance = 1\nfrom = 0\nto = 100",
+    );
+    let names = [0, 1, 2].map(|pane| room.staged.scene.pane_name(pane));
+    assert_eq!(names[..2], ["Cook–Torrance", "Blinn, n = 30"]);
+    assert!(names[2].starts_with("Flat"), "{names:?}");
+    assert_eq!(
+        room.staged.scene.compare.panes[0].set,
+        ["reflection.model=blinn"]
+    );
+}

@@ -8,7 +8,7 @@ use shading_lab::analysis::{
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, NormalOrigin, tessellate};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, View, Weighting,
+    NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, View, Weighting, presets,
 };
 use std::sync::Arc;
 use tiny_skia::Pixmap;
@@ -520,4 +520,20 @@ fn a_model_without_normals_is_shaded_with_the_weighting_that_it_asks_for() {
     for given in [NormalSource::Exact, NormalSource::File] {
         assert!(draw(given, Weighting::Angle) == by_angle, "{given:?}");
     }
+}
+
+#[test]
+fn each_strip_of_a_folded_sheet_has_its_needle() {
+    let scene = presets::find("vertex-normals").expect("built in").scene();
+    let scene = scene
+        .with_overrides(&["object.segments=6", "image.size=[790,634]"])
+        .expect("settings");
+    let (_, _, laid) = needles(&scene, &[OverlayLayer::FaceNormals]);
+    let leaning: Vec<bool> = laid
+        .needles
+        .iter()
+        .map(|needle| needle.tip.x > needle.foot.x)
+        .collect();
+    assert_eq!(leaning, [false, true, false, true, false, true]);
+    assert!(laid.note.is_none());
 }

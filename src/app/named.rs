@@ -74,6 +74,7 @@ fn row_ui(ui: &mut Ui, state: &mut AppState, control: Named) {
     };
     let view = View {
         index,
+        numbered: last > 0 && matches!(control, Named::Row(_, Some(_))),
         ..View::default()
     };
     parameter_with(ui, lit, &mut shown.scene, parameter, &view);

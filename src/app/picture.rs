@@ -405,7 +405,7 @@ fn paint_over(ui: &Ui, state: &AppState, engine: &Engine, place: Place, pane: us
         painter.image(texture.id(), place.rect, WHOLE, Color32::WHITE);
     }
     let view = View::new(&state.shown.scene.camera, place.size);
-    if state.look.overlay.vectors {
+    if state.look.overlay.vectors || state.course.shows_probe() {
         // A ring round the probed pixel, light on dark, so that it shows on any picture.
         let at = place.point(state.probe.centre(place.size));
         let held = state.drag.is_some_and(|drag| drag.grip == Grip::Probe);

@@ -35,6 +35,8 @@ pub fn parameter(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, parameter: &'sta
 pub struct View {
     /// The number of the light that the parameter belongs to.
     pub index: usize,
+    /// Whether the row says which light it belongs to.
+    pub numbered: bool,
     /// Whether coefficients always have a field for each channel.
     pub channels: bool,
     pub slider: Option<Slider>,
@@ -46,6 +48,7 @@ impl Default for View {
     fn default() -> Self {
         Self {
             index: 0,
+            numbered: false,
             channels: false,
             slider: None,
             offered: |_, _| true,
@@ -63,8 +66,13 @@ pub fn parameter_with(
 ) {
     let index = view.index;
     let (name, tip) = (parameter.full_name(index), tip(parameter, scene));
+    let number = format!("L{}", index + 1);
     let about = About {
-        letter: parameter.letter,
+        letter: if view.numbered && parameter.letter.is_empty() {
+            &number
+        } else {
+            parameter.letter
+        },
         tint: tint(ui, scene, parameter),
         label: parameter.label(),
         name: &name,

@@ -123,14 +123,15 @@ impl Stage {
 }
 
 fn pane_of(settings: &str) -> Pane {
-    let settings = settings.split(';').map(str::trim);
-    Pane {
-        set: settings
-            .filter(|setting| !setting.is_empty())
-            .map(str::to_owned)
-            .collect(),
-        ..Pane::default()
+    let mut pane = Pane::default();
+    for setting in settings.split(';').map(str::trim) {
+        match setting.strip_prefix("compare.name=") {
+            Some(name) => name.clone_into(&mut pane.name),
+            None if setting.is_empty() => {}
+            None => pane.set.push(setting.to_owned()),
+        }
     }
+    pane
 }
 
 /// The view of that name.

@@ -43,7 +43,7 @@ const CROWDED: f64 = 0.5;
 /// Least distance between needles, in letters, where they are crowded; elsewhere in median edges: a shape has parts that
 /// are finer than the rest.
 const APART: f64 = 0.8;
-const APART_IN_EDGES: f64 = 0.3;
+const APART_IN_EDGES: f64 = 0.15;
 /// The distance from needles of the other kind, where they are crowded, in that between needles.
 const OTHERS: f64 = 0.3;
 /// Length of an emphasised normal in that of a needle.
@@ -162,7 +162,7 @@ impl Needles {
             }
         }
         if !notes.is_empty() {
-            // At the lower left.
+            // At the lower right: panes say their figures at the lower left.
             let text = match &notes[..] {
                 [vertices, faces] => text!(
                     "picture-needles-both",
@@ -173,7 +173,7 @@ impl Needles {
             };
             let em = (NOTE * style.text).max(LEAST_NOTE * options.scale);
             let extent = inked_size(&text, em) + 2.0 * style.halo;
-            let corner = DVec2::new(0.8 * em, f64::from(size[1]) - 0.8 * em - extent.y);
+            let corner = DVec2::from_array(size.map(f64::from)) - DVec2::splat(0.8 * em) - extent;
             let area = Area {
                 min: corner,
                 max: corner + extent,

@@ -15,7 +15,7 @@ use eframe::egui::{
 };
 
 /// Height of the drawing in its width.
-const ASPECT: f32 = 0.6;
+const ASPECT: f32 = 0.5;
 /// Points that a key moves along the curve at once, and how far up or down, in its height.
 const STRIDE: usize = 4;
 const RISE: f64 = 0.05;
@@ -60,7 +60,8 @@ pub fn curve_ui(
             .map_or("", |name| plain(name))
             .replace('$', "")
     });
-    let left = [short(y[0]), short(y[1])]
+    let left = y
+        .map(end)
         .into_iter()
         .map(|text| {
             ui.painter()
@@ -148,6 +149,16 @@ pub fn curve_ui(
             }
         }
     });
+}
+
+/// The value at an end of an axis, without the zeros behind its point.
+fn end(value: f64) -> String {
+    let digits = short(value);
+    if !digits.contains('.') || digits.contains('×') {
+        return digits;
+    }
+    let digits = digits.trim_end_matches('0').trim_end_matches('.');
+    digits.to_owned()
 }
 
 /// A name without its formula's signs.
@@ -263,8 +274,8 @@ fn axes(ui: &Ui, painter: &Painter, room: &Room, names: &[String; 2], font: &Fon
     let text = |at: Pos2, align: Align2, text: &str| {
         painter.text(at, align, text, font.clone(), colour);
     };
-    let [left, right] = room.x.map(short);
-    let [low, high] = room.y.map(short);
+    let [left, right] = room.x.map(end);
+    let [low, high] = room.y.map(end);
     let below = rect.max.y + 3.0;
     text(pos2(rect.min.x, below), Align2::LEFT_TOP, &left);
     text(pos2(rect.max.x, below), Align2::RIGHT_TOP, &right);
@@ -313,4 +324,18 @@ fn between(painter: &Painter, room: &Room, own: &[(usize, f64)], right: &[f64], 
         mesh.add_triangle(base, base + 2, base + 3);
     }
     painter.add(Shape::mesh(mesh));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::end;
+
+    #[test]
+    fn ends_of_axes_have_no_idle_zeros() {
+        let ends = [0.0, 1.0, 0.25, 0.5, 90.0, 120.0, -1.5, 1e-7];
+        assert_eq!(
+            ends.map(end),
+            ["0", "1", "0.25", "0.5", "90", "120", "−1.5", "1.0×10⁻⁷"]
+        );
+    }
 }

@@ -120,6 +120,10 @@ pub struct Draft {
     pub along: Option<f64>,
     /// Whether the step is to be scrolled to its begin.
     pub fresh: bool,
+    /// Whether what is said of the answer is to be scrolled into sight.
+    pub told: bool,
+    /// Whether the way to the next step is to have the focus: what had it went away with the right answer.
+    pub onward: bool,
 }
 
 impl Draft {
@@ -295,7 +299,7 @@ impl Course {
         let before = self.answered().cloned();
         let seed = self.seed;
         let Some(open) = &mut self.open else { return };
-        open.draft.grade = Some(grade);
+        (open.draft.grade, open.draft.told) = (Some(grade), true);
         let since = open.draft.seen.replace(now).unwrap_or(now);
         let (prediction, tries, looked_up, seconds) = match before {
             Some(before) => (
@@ -326,7 +330,8 @@ impl Course {
         };
         answered.looked_up += 1;
         let seed = self.seed;
-        if let Some(open) = &self.open {
+        if let Some(open) = &mut self.open {
+            open.draft.told = true;
             let name = open.lesson.name.clone();
             self.kept.record_mut(&name, seed).put(answered);
         }
@@ -392,6 +397,19 @@ impl Course {
     pub fn shows_edges(&self) -> bool {
         let shows = |open: &Open| open.current().stage.overlays.contains(&"edges");
         self.open.as_ref().is_some_and(shows)
+    }
+
+    /// Whether the step speaks of the place of the probe, so that it is marked without vectors too. Where a place is asked
+    /// for, a mark would look like an answer.
+    pub fn shows_probe(&self) -> bool {
+        let Some(open) = &self.open else { return false };
+        let stage = &open.current().stage;
+        let asks = open
+            .question()
+            .is_some_and(|question| matches!(question.kind, Kind::Point { .. }));
+        stage.probe.is_some()
+            && matches!(stage.view, Some("equation" | "curves" | "compare"))
+            && !asks
     }
 
     /// The lesson that is open, or that was answered last, with its answers, where there are any.

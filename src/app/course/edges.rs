@@ -5,7 +5,7 @@ use crate::app::engine::Engine;
 use crate::app::place::Place;
 use crate::app::state::AppState;
 use crate::scene::View;
-use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke};
+use eframe::egui::{Color32, Painter, Pos2, Stroke};
 
 /// More polygons than this would hide the picture.
 const MOST: usize = 6000;
@@ -42,10 +42,16 @@ pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
         let Some(points) = projected.filter(|points| points.len() > 2 && faces_eye(points)) else {
             continue;
         };
-        let dark = Stroke::new(2.0, Color32::from_black_alpha(70));
-        painter.add(Shape::closed_line(points.clone(), dark));
-        let white = Stroke::new(0.8, Color32::from_white_alpha(130));
-        painter.add(Shape::closed_line(points, white));
+        // Edge by edge: where a polygon is seen almost edge-on, the mitres of a closed line would stand far out.
+        for stroke in [
+            Stroke::new(2.0, Color32::from_black_alpha(70)),
+            Stroke::new(0.8, Color32::from_white_alpha(130)),
+        ] {
+            let next = points.iter().cycle().skip(1);
+            for (from, to) in points.iter().zip(next) {
+                painter.line_segment([*from, *to], stroke);
+            }
+        }
     }
 }
 

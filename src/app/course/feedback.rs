@@ -11,10 +11,28 @@ use crate::lesson::{Answered, Grade, Kind, Solution, slider};
 use crate::scene::parameter::Parameter;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Grid, Label, RichText, Ui};
+use eframe::egui::{Grid, Label, Rect, RichText, Ui, vec2};
 
-/// Right or wrong; the right answer and why, once it may be seen.
-pub fn feedback_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, _: &Engine) {
+/// What is kept in sight below what is said, points: the frame of the question.
+const BELOW: f32 = 12.0;
+
+/// Right or wrong; the right answer and why, once it may be seen. When it comes it is scrolled into sight.
+pub fn feedback_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
+    let top = ui.cursor().min;
+    said_ui(ui, course, state, engine);
+    let told = course
+        .open
+        .as_mut()
+        .is_some_and(|open| std::mem::take(&mut open.draft.told));
+    if told {
+        let low = ui.min_rect().max.y + BELOW;
+        let high = (low - top.y).min(ui.clip_rect().height());
+        let size = vec2(ui.available_width(), high);
+        ui.scroll_to_rect(Rect::from_min_size(top, size), None);
+    }
+}
+
+fn said_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, _: &Engine) {
     let revealed = course.revealed();
     let answered = course.answered().cloned();
     let Some(open) = &mut course.open else { return };

@@ -24,6 +24,8 @@ use std::sync::Arc;
 
 /// The longer side of the target's picture and of those compared, pixels.
 const SIDE: u32 = 360;
+/// Greatest height of the target on the screen, points, so that it fits in with the controls and the meter.
+const HIGHEST: f32 = 190.0;
 /// Height of the meter, points.
 const METER: f32 = 10.0;
 
@@ -168,8 +170,9 @@ pub fn match_ui(
 }
 
 fn picture_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {
-    let wide = ui.available_width().min(360.0);
-    let size = vec2(wide, wide * height as f32 / width as f32);
+    let aspect = height as f32 / width as f32;
+    let wide = ui.available_width().min(HIGHEST / aspect);
+    let size = vec2(wide, wide * aspect);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     named(response, Role::Image, text!("course-target"));
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));

@@ -18,6 +18,9 @@ const FORMULA: f32 = TEXT + 1.0;
 /// What brings its baseline to that of the text, points.
 const RAISED: f32 = 1.0;
 
+/// How far slanted letters at the end of a formula stand out to the right, points.
+const SLANT: f32 = 1.5;
+
 /// Shows a text; the letters of its formulas light up what they stand for.
 pub fn prose_ui(ui: &mut Ui, state: &mut AppState, cache: &mut CommonMarkCache, words: &str) {
     let top = ui.cursor().min;
@@ -46,9 +49,13 @@ fn shown_ui(
             formula_ui(ui, &mut state, formula, &count, live);
         }
     };
+    // Lines of a list are as far apart as those of a paragraph, not as rows of controls.
+    let line = ui.text_style_height(&TextStyle::Body);
+    let row = std::mem::replace(&mut ui.spacing_mut().interact_size.y, line);
     CommonMarkViewer::new()
         .render_math_fn(Some(&math))
         .show(ui, cache, words);
+    ui.spacing_mut().interact_size.y = row;
     drop(math);
     if let Some(lent) = Rc::into_inner(lent) {
         *state = lent.into_inner();
@@ -57,7 +64,8 @@ fn shown_ui(
 
 fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usize>, live: bool) {
     let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 0.0);
-    for mut run in pieces(ui.visuals(), formula) {
+    let mut runs = pieces(ui.visuals(), formula).into_iter().peekable();
+    while let Some(mut run) = runs.next() {
         if !live {
             run.iter_mut().for_each(|piece| piece.symbol = None);
         }
@@ -68,7 +76,13 @@ fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usi
         };
         let laid = Run::new(ui, &run, FORMULA);
         // As high as a line of text, so that lines stay evenly apart.
-        let size = vec2(laid.width(), ui.text_style_height(&TextStyle::Body));
+        let slanted = run.last().is_some_and(|last| last.low.is_empty());
+        let ends = runs.peek().is_none() && slanted;
+        let beyond = if ends { SLANT } else { 0.0 };
+        let size = vec2(
+            laid.width() + beyond,
+            ui.text_style_height(&TextStyle::Body),
+        );
         let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
         laid.paint(ui, state, rect.left_center() - vec2(0.0, RAISED), place);
         let words = spoken(&run);

@@ -19,7 +19,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::epaint::RectShape;
 use eframe::egui::{
     Align, Button, Frame, Id, Key, Label, Layout, Margin, Rect, RichText, Sense, Shape, Stroke,
-    StrokeKind, Ui, UiBuilder, vec2,
+    StrokeKind, TextStyle, Ui, UiBuilder, vec2,
 };
 use egui_commonmark::CommonMarkCache;
 
@@ -120,11 +120,15 @@ fn check_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, entered: boo
     let given = course.answered().is_some();
     let mut check = false;
     let mut show = false;
+    let mut typed = entered;
     ui.horizontal_wrapped(|ui| {
         let button = Button::new(RichText::new(text!("course-check")).strong());
-        check = ui.add_enabled(ready, button).clicked() || (entered && ready);
+        let button = ui.add_enabled(ready, button);
+        check = button.clicked() || (entered && ready);
+        typed |= button.has_focus();
         if given {
             let button = ui.button(text!("course-show-answer"));
+            typed |= button.has_focus();
             show = button
                 .on_hover_text(text!("course-show-answer.tip"))
                 .clicked();
@@ -146,6 +150,9 @@ fn check_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, entered: boo
         ui.ctx().request_repaint();
     }
     if course.revealed() {
+        if let Some(open) = &mut course.open {
+            open.draft.onward = typed;
+        }
         state.ask(crate::app::action::Action::ShowAnswer);
     }
 }
@@ -185,7 +192,11 @@ impl Card<'_> {
                 .layout(layout),
         );
         front(&mut inside);
+        let line = ui.text_style_height(&TextStyle::Body);
+        let lower = (0.5 * (inside.min_rect().height() - line)).max(0.0);
         inside.vertical(|ui| {
+            // The first line is level with what stands in front.
+            ui.add_space(lower);
             ui.set_width(
                 (ui.available_width()
                     - if self.right.is_some() {

@@ -97,8 +97,9 @@ pub fn head_ui(ui: &mut Ui, state: &mut AppState) {
 }
 
 /// Back, the steps as dots, next.
-fn ways_ui(ui: &mut Ui, course: &Course, state: &mut AppState) {
-    let Some(open) = &course.open else { return };
+fn ways_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
+    let Some(open) = &mut course.open else { return };
+    let onward = std::mem::take(&mut open.draft.onward);
     let (step, count) = (open.step, open.lesson.steps.len());
     ui.add_space(4.0);
     ui.horizontal(|ui| {
@@ -113,11 +114,11 @@ fn ways_ui(ui: &mut Ui, course: &Course, state: &mut AppState) {
                 text!("course-finish")
             };
             let button = Button::new(RichText::new(next).strong());
-            if ui
-                .add(button)
-                .on_hover_text(text!("course-next.tip"))
-                .clicked()
-            {
+            let button = ui.add(button).on_hover_text(text!("course-next.tip"));
+            if onward {
+                button.request_focus();
+            }
+            if button.clicked() {
                 state.ask(Action::Course(Turn::Step(1)));
             }
             ui.centered_and_justified(|ui| dots_ui(ui, course, state, step, count));
