@@ -34,7 +34,7 @@ use super::place::{ProbePoint, ProfileLine};
 use super::state::AppState;
 use crate::lesson::{Kind, LESSONS, Lesson, OVERLAYS, Staged, find};
 use crate::text::text;
-use eframe::egui::{Ui, vec2};
+use eframe::egui::{Context, Ui, vec2};
 use std::sync::Arc;
 
 /// The list of lessons, or the step of the one that is open.
@@ -172,6 +172,23 @@ impl AppState {
             self.show_answer();
         }
         self.gliding = Glide::between(&before, &self.document.scene);
+    }
+
+    /// Moves on towards the scene of the step.
+    pub fn glide(&mut self, ctx: &Context) {
+        let Some(glide) = &mut self.gliding else {
+            return;
+        };
+        let (scene, last) = glide.now(ctx);
+        if last {
+            self.gliding = None;
+        } else {
+            ctx.request_repaint();
+        }
+        self.document.scene = scene;
+        // It is no change that could be lost.
+        self.saved.scene.clone_from(&self.document.scene);
+        self.derive();
     }
 
     /// Shows the settings that the right answer is about, and the one that was sought.

@@ -1,6 +1,5 @@
 //! The way from one scene of a lesson to the next: camera, lights and n move there, so that the eye can follow.
 
-use crate::app::state::AppState;
 use crate::scene::Scene;
 use eframe::egui::{Context, Event};
 use glam::{DVec3, FloatExt as _};
@@ -30,6 +29,20 @@ impl Glide {
             to: to.clone(),
             begun: None,
         })
+    }
+
+    /// The scene that is shown now, and whether it is the last: at once where nothing is to move on its own or somebody does
+    /// something.
+    pub fn now(&mut self, ctx: &Context) -> (Scene, bool) {
+        let now = ctx.input(|input| input.time);
+        let share = (now - *self.begun.get_or_insert(now)) / DURATION;
+        let still = ctx.global_style().animation_time == 0.0;
+        let scene = self.at(share * share * (3.0 - 2.0 * share));
+        if share >= 1.0 || still || is_in_use(ctx) || scene.validate().is_err() {
+            (self.at(1.0), true)
+        } else {
+            (scene, false)
+        }
     }
 
     /// The scene at a share of the way. All that does not move is as it is at the end.
@@ -64,29 +77,6 @@ fn turned(from: DVec3, to: DVec3, share: f64) -> DVec3 {
         return to;
     }
     from.slerp(to, share)
-}
-
-impl AppState {
-    /// Moves on to the end of the way, at once where nothing is to move on its own or somebody does something.
-    pub fn glide(&mut self, ctx: &Context) {
-        let Some(glide) = &mut self.gliding else {
-            return;
-        };
-        let now = ctx.input(|input| input.time);
-        let share = (now - *glide.begun.get_or_insert(now)) / DURATION;
-        let still = ctx.global_style().animation_time == 0.0;
-        let scene = glide.at(share * share * (3.0 - 2.0 * share));
-        let whole = share >= 1.0 || still || is_in_use(ctx) || scene.validate().is_err();
-        self.document.scene = if whole { glide.at(1.0) } else { scene };
-        if whole {
-            self.gliding = None;
-        } else {
-            ctx.request_repaint();
-        }
-        // It is no change that could be lost.
-        self.saved.scene.clone_from(&self.document.scene);
-        self.derive();
-    }
 }
 
 /// Whether there is more than a pointer that moves or something that is let go.
