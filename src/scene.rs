@@ -58,23 +58,38 @@ pub type Rgb = glam::DVec3;
 pub struct Scene {
     /// Version of the file format; 1.
     pub version: u32,
+    /// `[about]`: title, sentence and topic.
     pub about: About,
+    /// `[camera]`: where the picture is seen from.
     pub camera: Camera,
+    /// `[image]`: its size and background.
     pub image: Image,
+    /// `[object]`: the shape and its polygons.
     pub object: Object,
+    /// `[material]`: the coefficients of the equation.
     pub material: Material,
+    /// `[pattern]`: a second colour of the surface.
     pub pattern: Pattern,
+    /// `[transparency]`: light that passes through the surface.
     pub transparency: Transparency,
+    /// `[reflection]`: the specular model, and what happens on the side away from a light.
     pub reflection: Reflection,
+    /// `[shading]`: where the equation is evaluated, and shadows.
     pub shading: Shading,
+    /// `[display]`: how intensities become stored values.
     pub display: Display,
+    /// `[ground]`: a level floor.
     pub ground: Ground,
+    /// `[backdrop]`: a patterned wall behind the object.
     pub backdrop: Backdrop,
+    /// `[depth_cueing]`: fading with the depth.
     pub depth_cueing: DepthCueing,
+    /// `[ambient]`: the light that arrives from all sides.
     pub ambient: Ambient,
     /// The lights, whose contributions are summed. A file without any `[[light]]` gets the default one; `light = []`
     /// means darkness.
     pub lights: Vec<Light>,
+    /// `[compare]`: panes that differ in some keys.
     pub compare: Compare,
 }
 

@@ -27,14 +27,17 @@ pub use fluent_bundle::FluentValue as Value;
 /// A language of the catalogue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Language {
+    /// English.
     #[default]
     #[serde(rename = "en")]
     English,
+    /// Chinese in traditional characters, with the usage of Taiwan.
     #[serde(rename = "zh-Hant")]
     TraditionalChinese,
 }
 
 impl Language {
+    /// Every language, English first.
     pub const ALL: [Self; 2] = [Self::English, Self::TraditionalChinese];
 
     /// Its tag by BCP 47, as `--language` takes it.
@@ -106,6 +109,7 @@ pub fn in_language<T>(language: Language, work: impl FnOnce() -> T) -> T {
 pub struct Message(pub &'static str);
 
 impl Message {
+    /// What the message says in the language of the moment.
     pub fn text(self) -> &'static str {
         message(self.0)
     }

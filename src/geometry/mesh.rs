@@ -53,6 +53,7 @@ pub struct Mesh<C = Corner> {
     pub normals: Vec<Vec3>,
     /// Face f has the corners `corners[starts[f]..starts[f + 1]]`; one entry more than faces.
     pub starts: Vec<u32>,
+    /// The corners of all faces, face by face.
     pub corners: Vec<C>,
     /// Points at which the shape goes on beyond its border as its own mirror image in x: averaged normals there are
     /// those of both together.

@@ -17,6 +17,7 @@ use glam::DVec3;
 /// Half a line: the points `origin + t · direction` for t > 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
+    /// Where the ray starts, world units.
     pub origin: DVec3,
     /// Of any length but zero; `t` counts in multiples of it.
     pub direction: DVec3,

@@ -258,6 +258,7 @@ pub enum NormalOrigin {
 /// A face that meets a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FaceShare {
+    /// The face's number in the mesh, from 0.
     pub face: u32,
     /// Unit; zero for a face without area.
     pub normal: DVec3,
@@ -271,6 +272,7 @@ pub struct FaceShare {
 /// The faces round a vertex and the sum of their normals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VertexShares {
+    /// Where the vertex's normal comes from.
     pub origin: NormalOrigin,
     /// In the order of the mesh. Where the normal is given, all that meet at the point, without weights.
     pub faces: Vec<FaceShare>,

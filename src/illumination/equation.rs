@@ -36,6 +36,7 @@ pub struct LightResponse<R> {
 pub struct Reached<'a> {
     /// One row of bits a source, `stride` words each, and one word more at the end.
     pub words: &'a [u64],
+    /// Words in a row of `words`: those of one source.
     pub stride: usize,
     /// The bit of the first lane's shading point.
     pub first: usize,
@@ -399,7 +400,9 @@ pub struct LightAt {
     pub l: DVec3,
     /// V, R and H there, unit.
     pub v: DVec3,
+    /// L mirrored at N: `2N(N·L) − L`.
     pub r: DVec3,
+    /// Halfway between L and V; zero where these are opposite.
     pub h: DVec3,
     /// f; the mean of an area light's samples.
     pub attenuation: f64,

@@ -15,6 +15,7 @@ impl<S: Simd> Lanes<S> {
     /// Number of lanes.
     pub const LEN: usize = <S::f32s as SimdBase<S>>::LEN;
 
+    /// The same number in every lane.
     #[inline(always)]
     pub fn splat(simd: S, value: f32) -> Self {
         Self(S::f32s::simd_from(simd, value))

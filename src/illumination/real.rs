@@ -52,6 +52,7 @@ pub trait Real:
 
     /// The constant in every lane; `self` only tells how many lanes there are.
     fn constant(self, value: Self::Scalar) -> Self;
+    /// `value`, rounded to this precision, in every lane of `self`'s kind.
     #[inline(always)]
     fn number(self, value: f64) -> Self {
         self.constant(Self::Scalar::from_f64(value))
@@ -60,8 +61,11 @@ pub trait Real:
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b
     }
+    /// The greater of two numbers, lane by lane.
     fn max(self, other: Self) -> Self;
+    /// The lesser of two numbers, lane by lane.
     fn min(self, other: Self) -> Self;
+    /// The magnitude.
     fn abs(self) -> Self;
     /// The greatest whole number that is not greater.
     fn floor(self) -> Self;
@@ -80,8 +84,11 @@ pub trait Real:
     /// Base-2 logarithm of `1 − t` for 0 ≤ t ≤ 0.29, relative error 2·10⁻⁷ in single precision: no digits are lost as
     /// t → 0.
     fn log2_one_minus(t: Self) -> Self;
+    /// Whether `self > other`, lane by lane; false for NaN.
     fn greater_than(self, other: Self) -> Self::Mask;
+    /// `if_true` where the mask holds, `if_false` elsewhere.
     fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
+    /// Whether the mask holds in any lane.
     fn any(mask: Self::Mask) -> bool;
     /// The truth values of as many lanes as there are, the lowest bit the first lane's.
     fn mask_of_bits(self, bits: u64) -> Self::Mask;
@@ -153,12 +160,16 @@ impl Real for f64 {
 /// A vector of three [`Real`]s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct V3<R> {
+    /// Component along x.
     pub x: R,
+    /// Component along y.
     pub y: R,
+    /// Component along z.
     pub z: R,
 }
 
 impl<R> V3<R> {
+    /// From its components.
     #[inline(always)]
     pub const fn new(x: R, y: R, z: R) -> Self {
         Self { x, y, z }
@@ -176,12 +187,14 @@ impl<R: Real> V3<R> {
         )
     }
 
+    /// `x·x' + y·y' + z·z'`, by fused multiply and add where the machine has it.
     #[inline(always)]
     pub fn dot(self, other: Self) -> R {
         self.x
             .mul_add(other.x, self.y.mul_add(other.y, self.z * other.z))
     }
 
+    /// Each component times `factor`.
     #[inline(always)]
     pub fn scale(self, factor: R) -> Self {
         Self::new(self.x * factor, self.y * factor, self.z * factor)

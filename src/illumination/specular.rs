@@ -16,6 +16,7 @@ use std::f64::consts::{FRAC_PI_2, LN_2, LOG2_E};
 pub struct ShadingPoint<R> {
     /// N, unit unless the shading mode forgets to make it so.
     pub normal: V3<R>,
+    /// Relative to the eye, in camera distances.
     pub position: V3<R>,
     /// V, unit.
     pub view: V3<R>,
@@ -28,9 +29,13 @@ pub struct ShadingPoint<R> {
 pub enum SpecularForm {
     /// No light is reflected specularly.
     None,
+    /// `(R·V)^n` from the cosine, for n below [`Self::CHORD_FROM`] or normals that are not unit.
     PhongCosine,
+    /// `(R·V)^n` from the chord between R and V, which keeps its digits where n is large.
     PhongChord,
+    /// `(N·H)^n` from the cosine.
     BlinnCosine,
+    /// `(N·H)^n` from the chord between N and H.
     BlinnChord,
     /// Cook and Torrance's model with Beckmann's distribution.
     Beckmann,
@@ -100,8 +105,10 @@ macro_rules! with_form {
 
 /// The specular factor of one light, a type for each form so that loops carry no choice.
 pub trait Specular: 'static {
+    /// The form that the type stands for.
     const FORM: SpecularForm;
 
+    /// Whether there is a specular term at all.
     const PRESENT: bool = !matches!(Self::FORM, SpecularForm::None);
 
     /// Whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
@@ -155,7 +162,10 @@ pub trait Specular: 'static {
 
 macro_rules! forms {
     ($($type:ident $variant:ident),*) => {
-        $(pub struct $type;
+        $(
+        #[doc = concat!("Stands for [`SpecularForm::", stringify!($variant), "`].")]
+        #[derive(Clone, Copy, Debug)]
+        pub struct $type;
 
         impl Specular for $type {
             const FORM: SpecularForm = SpecularForm::$variant;

@@ -10,7 +10,9 @@ use toml::{Spanned, Value};
 
 /// The field of a scene that holds a value. `usize` is the number of the light or the pane that it belongs to.
 pub struct Access<T: 'static> {
+    /// The value, in the list's entry of this number; none where the list is shorter.
     pub get: fn(&Scene, usize) -> Option<&T>,
+    /// The same to be changed.
     pub get_mut: fn(&mut Scene, usize) -> Option<&mut T>,
 }
 
@@ -71,8 +73,11 @@ impl<T: Datum> Field for Access<T> {
 
 /// A field that holds one of several values, by their places among the options.
 pub trait ChoiceField: Field {
+    /// The values that it can have.
     fn options(&self) -> &'static [ChoiceOption];
+    /// The place of its value among the options; none where the scene has no such light or pane.
     fn chosen(&self, scene: &Scene, index: usize) -> Option<usize>;
+    /// Sets it to the option at this place; nothing happens where there is none.
     fn choose(&self, scene: &mut Scene, index: usize, option: usize);
 }
 
@@ -95,7 +100,9 @@ impl<T: Choice + Datum> ChoiceField for Access<T> {
 /// A list of a scene whose elements are tables of keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum List {
+    /// `Scene::lights`.
     Lights,
+    /// `Scene::compare.panes`.
     Panes,
 }
 
@@ -116,6 +123,7 @@ impl List {
         })
     }
 
+    /// How many entries it has in a scene.
     pub fn len(self, scene: &Scene) -> usize {
         match self {
             Self::Lights => scene.lights.len(),

@@ -12,9 +12,13 @@ use std::ops::RangeInclusive;
 table! {
     /// What a scene shows, for its readers. All of it may be empty.
     pub struct About = [about] in about {
+        /// What the scene is called; one line of at most 80 characters.
         TITLE title: String = String::new(), Text(80);
+        /// What to look at and what to try; one line of at most 300 characters.
         SENTENCE sentence: String = String::new(), Text(300);
+        /// The chapter that it belongs to; one line of at most 80 characters.
         TOPIC topic: String = String::new(), Text(80);
+        /// The window's view that opens with it, one of [`VIEWS`](crate::link::VIEWS).
         VIEW view: String = String::new(), Text(80);
     }
 }
@@ -25,16 +29,25 @@ const FIELD_OF_VIEW: Slider = Slider::linear(5.0, 120.0).decimals(1);
 table! {
     /// The camera: where the picture is seen from, and where the equation's viewer stands.
     pub struct Camera = [camera] in camera {
+        /// Position of the eye, world.
         EYE eye: DVec3 = DVec3::new(0.0, 0.0, 4.0), Point.measured_in(Unit::World);
+        /// The point at the picture's centre, world; not the eye.
         TARGET target: DVec3 = DVec3::ZERO, Point.measured_in(Unit::World);
+        /// What points upwards in the picture; of any length but zero, not parallel to the viewing direction.
         UP up: DVec3 = DVec3::Y, Direction(|_, _| true);
+        /// Turn of the picture about its centre, degrees counter-clockwise.
         ROLL roll: f64 = 0.0, Number(Limits::FINITE, ANGLE).measured_in(Unit::Degrees);
+        /// Perspective or orthographic.
         PROJECTION projection: Projection = Projection::Perspective, Choice;
+        /// Angle of view in perspective projection, degrees, 0.001 to 179, across the side that `framing` names.
         FOV_Y fov_y: f64 = 40.0, Number(Limits::within(&Camera::FOV_Y), FIELD_OF_VIEW)
             .measured_in(Unit::Degrees).idle(no_perspective);
+        /// Size of what is seen in orthographic projection, world units, across the side that `framing` names.
         HEIGHT height: f64 = 2.5, Number(Limits::new(LEAST_LENGTH, GREATEST_LENGTH), Slider::logarithmic(0.1, 20.0))
             .measured_in(Unit::World).idle(not_orthographic);
+        /// Which side of the picture `fov_y` and `height` span.
         FRAMING framing: Framing = Framing::Height, Choice;
+        /// Where the equation's V points.
         VIEWER viewer: Viewer = Viewer::Local, Choice.letter("V", Symbol::Viewer).idle(no_viewer);
     }
 }
@@ -78,8 +91,11 @@ impl Camera {
 }
 
 choices! {
+    /// How points are projected onto the picture plane.
     pub enum Projection = "projection" {
+        /// As seen by an eye: what is farther away is smaller.
         Perspective = "perspective";
+        /// Parallel rays: no foreshortening.
         Orthographic = "orthographic";
     }
 }
@@ -87,7 +103,9 @@ choices! {
 choices! {
     /// Which side of the picture the field of view or the height spans.
     pub enum Framing = "framing" {
+        /// From bottom to top: a narrow picture shows less.
         Height = "height";
+        /// The shorter side: a picture of any shape shows all that a square one does.
         Whole = "whole";
     }
 }
@@ -95,7 +113,9 @@ choices! {
 choices! {
     /// Where the equation's V points.
     pub enum Viewer = "viewer" {
+        /// From each point to the eye.
         Local = "local";
+        /// From the target to the eye, the same at every point.
         Infinite = "infinite";
     }
 }
@@ -103,7 +123,9 @@ choices! {
 table! {
     /// The picture's size and background.
     pub struct Image = [image] in image {
+        /// Width and height in pixels, each 1 to 16384, with at most [`Self::MAX_PIXELS`] together.
         SIZE size: [u32; 2] = [768, 768], Other("kind-two-whole", picture_sizes).measured_in(Unit::Pixels);
+        /// Linear colour where nothing is seen, 0 to 10³⁰.
         BACKGROUND background: Rgb = Rgb::ZERO, Colour(Limits::INTENSITY);
     }
 }
@@ -127,7 +149,9 @@ impl Image {
 table! {
     /// How intensities become what is stored and shown.
     pub struct Display = [display] in display {
+        /// What is shown where an intensity is above 1.
         OVERFLOW overflow: Overflow = Overflow::Clamp, Choice.symbol(Symbol::Intensity);
+        /// How linear intensity becomes the stored value.
         ENCODING encoding: Encoding = Encoding::Raw, Choice.letter("I", Symbol::Intensity);
     }
 }
@@ -135,8 +159,11 @@ table! {
 choices! {
     /// What happens where I > 1.
     pub enum Overflow = "overflow" {
+        /// Values above 1 are stored as 1.
         Clamp = "clamp";
+        /// The whole picture is divided by its greatest value.
         Scale = "scale";
+        /// Pixels with a channel above 1 are hatched.
         Mark = "mark";
     }
 }
@@ -144,7 +171,9 @@ choices! {
 choices! {
     /// From linear intensity to the stored value.
     pub enum Encoding = "encoding" {
+        /// Value × 255, rounded.
         Raw = "raw";
+        /// The transfer function of IEC 61966-2-1, × 255, rounded.
         Srgb = "srgb";
     }
 }

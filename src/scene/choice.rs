@@ -25,6 +25,7 @@ impl ChoiceOption {
 
 /// An enumeration whose values can be chosen.
 pub trait Choice: Copy + PartialEq + 'static {
+    /// Every value, in the order of menus.
     const VALUES: &'static [Self];
     /// What the values are called, in the same order.
     const OPTIONS: &'static [ChoiceOption];
@@ -52,6 +53,7 @@ pub trait Choice: Copy + PartialEq + 'static {
         Self::OPTIONS[self.place()].help()
     }
 
+    /// The value of a word in a scene file.
     fn from_word(word: &str) -> Option<Self> {
         Self::OPTIONS
             .iter()
@@ -69,7 +71,11 @@ macro_rules! choices {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum $name {
-            $($(#[$detail])* $value,)+
+            $(
+                $(#[$detail])*
+                #[doc = concat!("\n\n`", $word, "` in files and on the command line.")]
+                $value,
+            )+
         }
 
         impl $crate::scene::Choice for $name {

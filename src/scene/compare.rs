@@ -15,16 +15,22 @@ use crate::text::text;
 
 table! {
     /// What is compared and how. The first pane is the scene itself; one is the reference that the others are measured against.
-    pub struct Compare = [compare] in compare with (panes: Vec<Pane> = vec![]) {
+    pub struct Compare = [compare] in compare with (/// The panes beside the scene itself, at most [`Self::MAX_PANES`].
+        panes: Vec<Pane> = vec![]) {
+        /// How the panes are shown.
         COMPARE_VIEW view: CompareView = CompareView::Single, Choice;
-        /// Of the pane that is the scene itself.
+        /// What the pane is called that is the scene itself; at most 64 characters.
         SCENE_NAME name: String = String::new(), Text(Pane::MAX_NAME).idle(no_panes);
+        /// Number of the pane that the others are measured against; 0 is the scene itself.
         REFERENCE reference: u32 = 0,
             Whole(|scene| Limits::new(0.0, scene.pane_count() as f64), PANE_NUMBERS).idle(no_panes);
-        /// The reference is seen to its right, the first other pane to its left.
+        /// Place of the line as a part of the picture's width. The reference is seen to its right, the first other pane to
+        /// its left.
         WIPE wipe: f64 = 0.5, Number(Limits::UNIT, Slider::UNIT)
             .idle(|scene, _| (scene.compare.view != CompareView::Wipe).then(|| text!("idle-no-wipe")));
+        /// What the difference picture shows.
         DIFFERENCE difference: DifferenceKind = DifferenceKind::Signed, Choice.idle(no_difference);
+        /// Factor of the difference, 1 to 64.
         GAIN gain: f64 = 8.0, Number(Limits::new(1.0, Compare::MAX_GAIN), GAINS).idle(no_difference);
     }
 }
@@ -56,9 +62,13 @@ impl Compare {
 choices! {
     /// How the panes are shown.
     pub enum CompareView = "compare" {
+        /// The scene alone.
         Single = "single";
+        /// Side by side.
         Panes = "panes";
+        /// The first pane and the reference on either side of a line.
         Wipe = "wipe";
+        /// The first pane minus the reference.
         Difference = "difference";
     }
 }
@@ -66,8 +76,11 @@ choices! {
 choices! {
     /// What a difference picture shows of each pixel's difference d.
     pub enum DifferenceKind = "difference" {
+        /// gain·d of the luminance, from blue (darker) through white to orange (brighter).
         Signed = "signed";
+        /// gain·|d| of each channel.
         Absolute = "absolute";
+        /// gain·|d| of the channel that differs most, from dark blue to yellow.
         FalseColor = "false-color";
     }
 }
@@ -75,7 +88,9 @@ choices! {
 table! {
     /// A pane beside the scene itself: what is different in it.
     pub struct Pane = [compare.pane.N] in [compare.panes] {
+        /// What it is called; at most 64 characters.
         PANE_NAME name: String = String::new(), Text(Pane::MAX_NAME);
+        /// What differs from the scene, `KEY=VALUE` as `--set` takes it; at most 64.
         PANE_SET set: Vec<String> = vec![], Other("kind-settings", || at_most(Compare::MAX_SETTINGS));
     }
 }

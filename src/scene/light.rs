@@ -20,33 +20,52 @@ table! {
     /// One light source. Fields that its kind or its attenuation does not read keep their value, so that switching back
     /// and forth loses nothing.
     pub struct Light = [light.N] in [lights] {
+        /// What it is called; at most 64 characters.
         NAME name: String = String::new(), Text(Light::MAX_NAME).symbol(Symbol::Lights);
+        /// Which kind of source.
         KIND kind: LightKind = LightKind::Point, Choice.symbol(Symbol::Lights);
+        /// Whether it is off.
         MUTE mute: bool = false, Switch.symbol(Symbol::Lights);
+        /// Whether only soloed lights shine.
         SOLO solo: bool = false, Switch.symbol(Symbol::Lights);
+        /// Where it stands, world; the centre of an area light. Not read of directional lights.
         POSITION position: DVec3 = DVec3::new(2.0, 2.0, 3.0), Point.letter("L", Symbol::Light).measured_in(Unit::World)
             .idle(|scene, index| unless(scene, index, |light| light.kind.has_position(), "idle-no-position"));
+        /// Where its light goes: the axis of a spot light, the normal of a rectangle; of any length but zero.
         DIRECTION direction: DVec3 = DVec3::new(-2.0, -2.0, -3.0), Direction(has_direction).letter("D", Symbol::Light)
             .idle(|scene, index| unless(scene, index, Light::has_direction, "idle-no-direction"));
+        /// Intensity Ip, linear, 0 to 10³⁰.
         COLOR color: Rgb = Rgb::ONE, Colour(Limits::INTENSITY).letter("Ip", Symbol::Ip);
+        /// Angle δ from the axis to the edge of a spot light, degrees, 0.1 to 90.
         CONE cone: f64 = 20.0, Number(Limits::within(&Light::CONE), ANGLE)
             .letter("δ", Symbol::Light).measured_in(Unit::Degrees).idle(no_spot);
+        /// Exponent e of a spot light: it falls off with the e-th power of the cosine of the angle to its axis; 0 to 1000.
         EXPONENT exponent: f64 = 4.0, Number(Limits::new(0.0, Light::MAX_EXPONENT), EXPONENTS)
             .letter("e", Symbol::Light).idle(no_spot);
+        /// Outer part of a spot light's cone over which it fades, 0 to 1; 0 is a hard edge.
         SOFTNESS softness: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).symbol(Symbol::Light).idle(no_spot);
+        /// Shape of an area light.
         SHAPE shape: AreaShape = AreaShape::Rectangle, Choice.symbol(Symbol::Light).idle(no_area);
+        /// Width and height of a rectangle, world units.
         EXTENT extent: [f64; 2] = [1.0, 1.0], Pair(Limits::LENGTH, LENGTHS)
             .symbol(Symbol::Light).measured_in(Unit::World).idle(no_rectangle);
+        /// Radius of a sphere, world units.
         RADIUS radius: f64 = 0.5, Number(Limits::LENGTH, LENGTHS)
             .symbol(Symbol::Light).measured_in(Unit::World).idle(no_sphere);
+        /// Points N that stand for an area light, 1 to 1024.
         SAMPLES samples: u32 = 16, Whole(|_| Limits::new(1.0, Light::MAX_SAMPLES as f64), COUNT)
             .letter("N", Symbol::Light).idle(no_area);
+        /// Which f(d).
         ATTENUATION attenuation: Attenuation = Attenuation::None, Choice.letter("f", Symbol::Attenuation);
+        /// Constant k of 1/(r + k), world units.
         K k: f64 = 1.0, Number(Limits::LENGTH, CONSTANT)
             .letter("k", Symbol::Attenuation).measured_in(Unit::World).idle(no_sum);
+        /// Constant c1 of the quadratic attenuation.
         C1 c1: f64 = 0.25, Number(Limits::LENGTH, CONSTANT).letter("c1", Symbol::Attenuation).idle(no_quadratic);
+        /// Constant c2 of the quadratic attenuation, 1/world unit.
         C2 c2: f64 = 0.1, Number(Limits::LENGTH, CONSTANT)
             .letter("c2", Symbol::Attenuation).measured_in(Unit::PerWorld).idle(no_quadratic);
+        /// Constant c3 of the quadratic attenuation, 1/world unit².
         C3 c3: f64 = 0.05, Number(Limits::LENGTH, CONSTANT)
             .letter("c3", Symbol::Attenuation).measured_in(Unit::PerWorldSquared).idle(no_quadratic);
     }
@@ -139,10 +158,15 @@ pub fn viewer_far(scene: &Scene, index: usize) -> bool {
 }
 
 choices! {
+    /// The kinds of light sources.
     pub enum LightKind = "light-kind" {
+        /// From a point in all directions.
         Point = "point";
+        /// Parallel rays, as sunlight.
         Directional = "directional";
+        /// From a point into a cone.
         Spot = "spot";
+        /// A rectangle or a sphere, by points spread evenly over it.
         Area = "area";
     }
 }
@@ -210,7 +234,9 @@ impl Scene {
 choices! {
     /// The shape of an area light.
     pub enum AreaShape = "area-shape" {
+        /// Its points shine to all sides.
         Rectangle = "rectangle";
+        /// A globe.
         Sphere = "sphere";
     }
 }

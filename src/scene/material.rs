@@ -16,22 +16,29 @@ const INDEX: Slider = Slider::linear(0.0, 5.0);
 table! {
     /// The reflecting material: the coefficients of the illumination equation.
     pub struct Material = [material] in material {
+        /// Ambient coefficient Ka, 0 to 10⁶ a channel.
         KA ka: Rgb = Rgb::splat(0.1), Coefficient(COEFFICIENT, Slider::UNIT)
             .letter("Ka", Symbol::Ka).idle(|scene, _| no_ambient(scene));
+        /// Diffuse coefficient Kd, 0 to 10⁶ a channel.
         KD kd: Rgb = Rgb::splat(0.7), Coefficient(COEFFICIENT, Slider::UNIT).letter("Kd", Symbol::Kd).idle(no_light);
+        /// Specular coefficient Ks, 0 to 10⁶ a channel.
         KS ks: Rgb = Rgb::splat(0.4), Coefficient(COEFFICIENT, Slider::UNIT).letter("Ks", Symbol::Ks).idle(no_light);
+        /// Specular exponent n of Phong and Blinn, 0 or more.
         N n: f64 = 32.0, Number(Limits::new(0.0, f64::INFINITY), EXPONENTS).letter("n", Symbol::Exponent).idle(no_exponent);
+        /// Colour Od of the surface, linear: it tints ambient and diffuse light.
         COLOR color: Rgb = Rgb::new(0.9, 0.3, 0.2), Colour(COEFFICIENT).letter("Od", Symbol::Od).idle(colourless);
+        /// Colour Os of the highlight, linear.
         SPECULAR_COLOR specular_color: Rgb = Rgb::ONE, Colour(COEFFICIENT).letter("Os", Symbol::Os).idle(no_highlight);
-        /// Cook–Torrance only.
+        /// Root mean square slope m of the microfacets, 0.001 to 1. Cook–Torrance only.
         ROUGHNESS roughness: f64 = 0.25, Number(Limits::within(&Material::ROUGHNESS), SLOPES)
             .letter("m", Symbol::Facets).idle(no_facets);
+        /// How W(θ) is found.
         REFLECTANCE reflectance: Reflectance = Reflectance::Constant, Choice
             .letter("W", Symbol::Reflectance).idle(no_highlight);
-        /// `reflectance = "custom"` only.
+        /// Index of refraction η, 0.01 to 100 a channel. `reflectance = "custom"` only.
         IOR ior: Rgb = Rgb::splat(1.5), Channels(Limits::within(&Material::IOR), INDEX)
             .letter("η", Symbol::Reflectance).idle(no_index);
-        /// `reflectance = "custom"` only.
+        /// Extinction coefficient k, 0 to 100 a channel. `reflectance = "custom"` only.
         EXTINCTION extinction: Rgb = Rgb::ZERO, Channels(Limits::new(0.0, *Material::IOR.end()), INDEX)
             .letter("k", Symbol::Reflectance).idle(no_index);
     }
@@ -89,10 +96,15 @@ fn colourless(scene: &Scene, _: usize) -> Option<&'static str> {
 choices! {
     /// W(θ): the part of the light that is reflected at the angle of incidence θ.
     pub enum Reflectance = "reflectance" {
+        /// W = 1 at every angle, as in Phong's model.
         Constant = "constant";
+        /// Fresnel's formulas with the index of crown glass, N-BK7.
         Glass = "glass";
+        /// With the index of silver (Johnson and Christy 1972).
         Silver = "silver";
+        /// With the index of gold (Johnson and Christy 1972).
         Gold = "gold";
+        /// With [`Material::ior`] and [`Material::extinction`].
         Custom = "custom";
     }
 }
@@ -100,10 +112,12 @@ choices! {
 table! {
     /// The specular term, and what happens on the side away from a light.
     pub struct Reflection = [reflection] in reflection {
+        /// The specular term.
         MODEL model: ReflectionModel = ReflectionModel::Phong, Choice.symbol(Symbol::Reflected).idle(no_highlight);
-        /// Cook–Torrance only.
+        /// D of the microfacets. Cook–Torrance only.
         DISTRIBUTION distribution: Distribution = Distribution::Beckmann, Choice
             .letter("D", Symbol::Masking).idle(no_facets);
+        /// What a light behind the surface does.
         BACKFACING backfacing: Backfacing = Backfacing::Clamp, Choice.symbol(Symbol::Normal).idle(no_light);
     }
 }
@@ -133,7 +147,9 @@ choices! {
 choices! {
     /// What happens where N·L < 0.
     pub enum Backfacing = "backfacing" {
+        /// The light adds nothing.
         Clamp = "clamp";
+        /// N is turned towards the light: a two-sided surface.
         Flip = "flip";
     }
 }
@@ -141,8 +157,10 @@ choices! {
 table! {
     /// The light that arrives from all sides.
     pub struct Ambient = [ambient] in ambient {
+        /// Ia, linear, 0 to 10³⁰.
         AMBIENT_COLOR color: Rgb = Rgb::ONE, Colour(Limits::INTENSITY).letter("Ia", Symbol::Ia)
             .idle(|scene, _| (scene.material.ka == Rgb::ZERO).then(|| text!("idle-no-ambient-reflected")));
+        /// Whether Ia is constant or gathered from other surfaces.
         AMBIENT_SOURCE source: AmbientSource = AmbientSource::Constant, Choice.letter("Ia", Symbol::Bounce).idle(no_bounce);
     }
 }
@@ -166,8 +184,11 @@ impl Ambient {
 choices! {
     /// What stands for the light that arrives from all sides.
     pub enum AmbientSource = "ambient-source" {
+        /// Ia everywhere.
         Constant = "constant";
+        /// Light that other surfaces of the scene have scattered once.
         Bounce = "bounce";
+        /// Constant in the left half of the picture, one bounce in the right half.
         Split = "split";
     }
 }
@@ -175,10 +196,12 @@ choices! {
 table! {
     /// A second colour of the surface, laid out by object coordinates, so that no picture file is needed.
     pub struct Pattern = [pattern] in pattern {
+        /// Which pattern.
         PATTERN_KIND kind: PatternKind = PatternKind::None, Choice.symbol(Symbol::Od).idle(colourless);
-        /// The material's colour is seen between.
+        /// Its second colour, linear. The material's colour is seen between.
         PATTERN_COLOR color: Rgb = Rgb::new(0.95, 0.92, 0.85), Colour(COEFFICIENT)
             .letter("Od", Symbol::Od).idle(no_pattern);
+        /// Width of a field, world units, 10⁻⁴ to 10⁴.
         PATTERN_SCALE scale: f64 = 0.25, Number(FIELD, FIELD_SLIDER)
             .measured_in(Unit::World).symbol(Symbol::Od).idle(no_pattern);
     }
@@ -201,9 +224,13 @@ fn no_pattern(scene: &Scene, index: usize) -> Option<&'static str> {
 choices! {
     /// The patterns. Fields are counted from the origin, the first of them centred there.
     pub enum PatternKind = "pattern" {
+        /// No pattern.
         None = "none";
+        /// Cubes of alternating colour.
         Checker = "checker";
+        /// Horizontal layers.
         Stripes = "stripes";
+        /// Concentric shells round the axis.
         Rings = "rings";
     }
 }
@@ -211,9 +238,12 @@ choices! {
 table! {
     /// Light that passes through the surface.
     pub struct Transparency = [transparency] in transparency {
+        /// Transparency Kt: the part of the light from behind that passes, 0 to 1.
         KT kt: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).letter("Kt", Symbol::Kt);
+        /// Index of refraction η of the inside relative to the outside, 0.1 to 10.
         TRANSPARENCY_IOR ior: f64 = 1.5, Number(Limits::within(&Transparency::IOR), Slider::linear(0.5, 3.0))
             .letter("η", Symbol::Transmitted).idle(opaque);
+        /// Whether the ray is refracted once or also where it leaves.
         THROUGH through: Through = Through::Solid, Choice.symbol(Symbol::Transmitted).idle(opaque);
     }
 }
@@ -230,7 +260,9 @@ fn opaque(scene: &Scene, _: usize) -> Option<&'static str> {
 choices! {
     /// How far a transmitted ray is followed.
     pub enum Through = "through" {
+        /// Refracted once: everything behind the surface is inside the material.
         Surface = "surface";
+        /// Refracted on entry and exit, with total reflection inside.
         Solid = "solid";
     }
 }

@@ -15,21 +15,30 @@ const DIVISIONS: Slider = Slider::logarithmic(1.0, 512.0).decimals(0);
 table! {
     /// The object: which shape, how finely it is made of polygons, and where its vertex normals come from.
     pub struct Object = [object] in object {
+        /// Which shape.
         KIND kind: ObjectKind = ObjectKind::Sphere, Choice;
+        /// Polygons round the axis, 3 to 4096 (a plane's from 1, a corrugated sheet's from 2).
         SEGMENTS segments: u32 = 32, Whole(|scene| divisions(scene.object.min_segments()), DIVISIONS)
             .symbol(Symbol::Normal).idle(polygons_unused);
+        /// Polygons along the axis, up to 4096; [`Self::min_rings`] has the fewest.
         RINGS rings: u32 = 16, Whole(|scene| divisions(scene.object.min_rings()), DIVISIONS)
             .symbol(Symbol::Normal).idle(polygons_unused);
+        /// Where vertex normals come from.
         NORMALS normals: NormalSource = NormalSource::Averaged, Choice.symbol(Symbol::Normal).idle(normals_unused);
+        /// Weight of each polygon in an averaged normal.
         WEIGHTING weighting: Weighting = Weighting::Equal, Choice.symbol(Symbol::Normal).idle(not_averaged);
+        /// Wavefront OBJ file of a model, for the kind `obj`.
         PATH path: Option<PathBuf> = None, Other("kind-path", String::new);
+        /// Whether a model is centred and scaled into the unit sphere.
         FIT fit: bool = true, Switch
             .idle(|scene, _| (scene.object.kind != ObjectKind::Obj).then(|| text!("idle-no-model")));
+        /// Vertices of the scene's own polygons, world, for the kind `polygons`; at most 16384.
         VERTICES vertices: Shared<DVec3> = Shared::default(), Other("kind-points", || at_most(Object::MAX_POLYGONS))
             .measured_in(Unit::World);
+        /// Its own polygons: numbers of vertices from 0, counter-clockwise from outside.
         FACES faces: Shared<Shared<u32>> = Shared::default(),
             Other("kind-faces", || text!("range-faces", count = Object::MAX_POLYGONS, corners = Object::MAX_ALL_CORNERS));
-        /// Of any length but zero.
+        /// Normals at its own vertices, none or one each, for `normals = "file"`. Of any length but zero.
         VERTEX_NORMALS vertex_normals: Shared<DVec3> = Shared::default(),
             Other("kind-directions", || text!("range-vertex-normals").to_owned());
     }
@@ -141,9 +150,13 @@ impl ObjectKind {
 choices! {
     /// Where vertex normals come from.
     pub enum NormalSource = "normals" {
+        /// The weighted mean over the polygons that meet at the vertex.
         Averaged = "averaged";
+        /// Those of the true surface.
         Exact = "exact";
+        /// Those of the model or of the scene; averaged where it gives none.
         File = "file";
+        /// Each polygon's own: no smoothing.
         Facet = "facet";
     }
 }
@@ -151,8 +164,11 @@ choices! {
 choices! {
     /// The weight of each polygon in an averaged vertex normal.
     pub enum Weighting = "weighting" {
+        /// The same for each polygon (Gouraud 1971).
         Equal = "equal";
+        /// The polygon's area.
         Area = "area";
+        /// The polygon's angle at the vertex (Thürmer and Wüthrich 1998).
         Angle = "angle";
     }
 }

@@ -3,6 +3,8 @@
 //! Validation, the window's controls, undo, `docs/scene-file.md` and `shading-lab parameters` all read this table. No other
 //! place states a parameter's limits. Each is a line of the `table!` that defines its struct, and a constant beside it, for
 //! example `material::N`. What several parameters must be together is in `validation.rs`.
+//!
+#![doc = include_str!("../../docs/scene-file.md")]
 
 pub use super::access::{Access, ChoiceField, Field, List};
 use super::choice::ChoiceOption;
@@ -29,12 +31,12 @@ pub const GREATEST_INTENSITY: f64 = 1e30;
 
 /// A key of a scene file and the keys of its messages in the catalogue.
 #[derive(Clone, Copy, Debug)]
-pub struct Keys {
+pub(super) struct Keys {
     /// As in the scene file.
-    pub key: &'static str,
-    pub name: &'static str,
-    pub label: &'static str,
-    pub help: &'static str,
+    pub(super) key: &'static str,
+    pub(super) name: &'static str,
+    pub(super) label: &'static str,
+    pub(super) help: &'static str,
 }
 
 /// One key of a scene. What people read about it is in the catalogue: its name, a label for its row in the window and a
@@ -47,7 +49,9 @@ pub struct Parameter {
     pub letter: &'static str,
     /// The symbol of the equation that it belongs to.
     pub symbol: Option<Symbol>,
+    /// What it is measured in; none for pure numbers, colours and everything that is no number.
     pub unit: Option<Unit>,
+    /// What values it has, and where they live.
     pub kind: Kind,
     messages: Keys,
     /// Why it has no effect in a scene at present; for a light's parameters, on the light of this number.
@@ -57,6 +61,7 @@ pub struct Parameter {
 /// What values a parameter has, where they live, the limits of a number and its slider.
 #[derive(Debug)]
 pub enum Kind {
+    /// A number.
     Number(&'static Access<f64>, Limits, Slider),
     /// A whole number; its limits may depend on the scene.
     Whole(&'static Access<u32>, fn(&Scene) -> Limits, Slider),
@@ -66,11 +71,15 @@ pub enum Kind {
     Coefficient(&'static Access<Rgb>, Limits, Slider),
     /// RGB values that are no colour.
     Channels(&'static Access<Rgb>, Limits, Slider),
+    /// A linear colour, no channel negative.
     Colour(&'static Access<Rgb>, Limits),
+    /// A point, world units.
     Point(&'static Access<DVec3>),
     /// Of any length but zero where that is needed.
     Direction(&'static Access<DVec3>, fn(&Scene, usize) -> bool),
+    /// One of a few words.
     Choice(&'static dyn ChoiceField),
+    /// True or false.
     Switch(&'static Access<bool>),
     /// A line of so many characters at most.
     Text(&'static Access<String>, usize),
@@ -81,14 +90,20 @@ pub enum Kind {
 /// What a number is measured in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
+    /// Pixels of the picture.
     Pixels,
+    /// Degrees of an angle.
     Degrees,
+    /// World units, of a length.
     World,
+    /// One over world units, as `c2` of an attenuation.
     PerWorld,
+    /// One over world units squared, as `c3` of an attenuation.
     PerWorldSquared,
 }
 
 impl Unit {
+    /// Its name in the language of the moment.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pixels => text!("unit-pixels"),
@@ -117,7 +132,7 @@ pub(super) trait Table: Sized + 'static {
 macro_rules! table {
     (
         $(#[$about:meta])*
-        pub struct $struct:ident = $table:tt in $place:tt $(with ($other:ident: $other_type:ty = $none:expr))? {
+        pub struct $struct:ident = $table:tt in $place:tt $(with ($(#[$other_detail:meta])* $other:ident: $other_type:ty = $none:expr))? {
             $(
                 $(#[$detail:meta])*
                 $NAME:ident $field:ident: $type:ty = $default:expr,
@@ -128,8 +143,12 @@ macro_rules! table {
         $(#[$about])*
         #[derive(Clone, Debug, PartialEq)]
         pub struct $struct {
-            $($(#[$detail])* pub $field: $type,)+
-            $(pub $other: $other_type,)?
+            $(
+                $(#[$detail])*
+                #[doc = concat!("\n\n`", $crate::scene::parameter::table!(@key $table $field), "` in a scene file; by default `", stringify!($default), "`.")]
+                pub $field: $type,
+            )+
+            $($(#[$other_detail])* pub $other: $other_type,)?
         }
 
         impl Default for $struct {
@@ -139,6 +158,7 @@ macro_rules! table {
         }
 
         $(
+            #[doc = concat!("The key `", $crate::scene::parameter::table!(@key $table $field), "` of a scene file: [`", stringify!($struct), "::", stringify!($field), "`].")]
             pub static $NAME: $crate::scene::parameter::Parameter = $crate::scene::parameter::Parameter::new(
                 $crate::scene::parameter::table!(@keys $table $field),
                 $crate::scene::parameter::Kind::$kind(
@@ -160,11 +180,14 @@ macro_rules! table {
     };
     (@keys [$($table:ident).+] $field:ident) => {
         $crate::scene::parameter::Keys {
-            key: concat!($(stringify!($table), ".",)+ stringify!($field)),
+            key: $crate::scene::parameter::table!(@key [$($table).+] $field),
             name: concat!("parameter-", $(stringify!($table), "-",)+ stringify!($field)),
             label: concat!("parameter-", $(stringify!($table), "-",)+ stringify!($field), ".label"),
             help: concat!("parameter-", $(stringify!($table), "-",)+ stringify!($field), ".help"),
         }
+    };
+    (@key [$($table:ident).+] $field:ident) => {
+        concat!($(stringify!($table), ".",)+ stringify!($field))
     };
     (@place $struct:ident $parameters:tt [$($list:ident).+]) => {
         impl $crate::scene::parameter::Table for $struct {
@@ -216,24 +239,30 @@ static VERSION: Parameter = Parameter::new(
 /// The least and the greatest value that a scene may have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
+    /// The least value.
     pub least: f64,
+    /// The greatest value.
     pub greatest: f64,
 }
 
 impl Limits {
+    /// 0 to 1.
     pub const UNIT: Self = Self::new(0.0, 1.0);
     /// A length or a distance.
     pub const LENGTH: Self = Self::new(0.0, GREATEST_LENGTH);
     /// A coordinate.
     pub const COORDINATE: Self = Self::new(-GREATEST_LENGTH, GREATEST_LENGTH);
+    /// Intensity of a light or of the background: 0 to [`GREATEST_INTENSITY`].
     pub const INTENSITY: Self = Self::new(0.0, GREATEST_INTENSITY);
     /// Any finite number.
     pub const FINITE: Self = Self::new(f64::MIN, f64::MAX);
 
+    /// Both ends belong to it.
     pub const fn new(least: f64, greatest: f64) -> Self {
         Self { least, greatest }
     }
 
+    /// Those of a range.
     pub const fn within(range: &RangeInclusive<f64>) -> Self {
         Self::new(*range.start(), *range.end())
     }
@@ -247,16 +276,21 @@ impl Limits {
 /// What a slider spans. More can be typed, within the limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider {
+    /// Value at the left end.
     pub from: f64,
+    /// Value at the right end.
     pub to: f64,
+    /// Whether equal ways multiply the value instead of adding to it.
     pub logarithmic: bool,
     /// Digits after the point at most.
     pub decimals: usize,
 }
 
 impl Slider {
+    /// 0 to 1.
     pub const UNIT: Self = Self::linear(0.0, 1.0);
 
+    /// Equal ways add equal amounts; three decimals.
     pub const fn linear(from: f64, to: f64) -> Self {
         Self {
             from,
@@ -266,6 +300,7 @@ impl Slider {
         }
     }
 
+    /// Equal ways multiply by equal factors; three decimals. `from` is above 0.
     pub const fn logarithmic(from: f64, to: f64) -> Self {
         Self {
             from,
@@ -275,6 +310,7 @@ impl Slider {
         }
     }
 
+    /// The same with so many digits after the point at most.
     pub const fn decimals(self, decimals: usize) -> Self {
         Self { decimals, ..self }
     }

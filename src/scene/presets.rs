@@ -26,6 +26,7 @@ impl Preset {
         }
     }
 
+    /// What the scene is called, in the language of the moment.
     pub fn title(&self) -> &'static str {
         text!(self.messages[0])
     }

@@ -68,9 +68,11 @@ impl fmt::Display for SceneError {
 /// One thing that is wrong with a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
+    /// Where it was met.
     pub place: Place,
     /// The key as `--set` takes it, for example `light.0.position`; empty where the whole text is meant.
     pub key: String,
+    /// What is wrong there.
     pub cause: Cause,
 }
 
@@ -78,7 +80,12 @@ pub struct Problem {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
     /// In a text, at a line counted from 1.
-    Line { file: String, line: usize },
+    Line {
+        /// What the text is called: its file's path, or a built-in scene's name.
+        file: String,
+        /// Counted from 1.
+        line: usize,
+    },
     /// In an override, `KEY=VALUE`.
     Override(String),
     /// In a scene without a text.
@@ -88,8 +95,11 @@ pub enum Place {
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cause {
-    /// No such key in a table; the keys that it has.
-    UnknownKey { known: Vec<&'static str> },
+    /// A table has no such key.
+    UnknownKey {
+        /// The keys that the table has.
+        known: Vec<&'static str>,
+    },
     /// What is wrong with a key: the words that follow it in a message.
     Key(String),
     /// What is wrong with a text as a whole, in a sentence.

@@ -10,11 +10,16 @@ use crate::text::text;
 table! {
     /// Where the equation is evaluated, and how values get from vertices to pixels.
     pub struct Shading = [shading] in shading {
+        /// Where the equation is evaluated.
         MODE mode: ShadingMode = ShadingMode::Phong, Choice.symbol(Symbol::Normal);
+        /// Where a flat polygon takes its shade from.
         FLAT_AT flat_at: FlatAt = FlatAt::Centre, Choice.symbol(Symbol::Normal).idle(not_flat);
+        /// How values between vertices are found.
         INTERPOLATION interpolation: Interpolation = Interpolation::Perspective, Choice
             .symbol(Symbol::Normal).idle(not_interpolated);
+        /// Whether Phong shading scales interpolated normals to unit length.
         RENORMALISE renormalise: bool = true, Switch.symbol(Symbol::Normal).idle(not_phong);
+        /// Whether light is blocked by the object.
         SHADOWS shadows: bool = false, Switch.symbol(Symbol::Shadows).idle(no_light);
     }
 }
@@ -35,10 +40,15 @@ fn not_phong(scene: &Scene, _: usize) -> Option<&'static str> {
 choices! {
     /// Where the illumination equation is evaluated.
     pub enum ShadingMode = "shading" {
+        /// Once a polygon.
         Flat = "flat";
+        /// At the vertices with the polygon's own normal; intensities are interpolated.
         Interpolated = "interpolated";
+        /// At the vertices with their normals; intensities are interpolated (Gouraud 1971).
         Gouraud = "gouraud";
+        /// At every pixel with the interpolated normal (Phong 1975).
         Phong = "phong";
+        /// At every pixel on the true surface, with its own normal and outline.
         Exact = "exact";
     }
 }
@@ -46,8 +56,11 @@ choices! {
 choices! {
     /// Where a flat polygon takes its one shade from.
     pub enum FlatAt = "flat-at" {
+        /// At the polygon's centre with its own normal.
         Centre = "centre";
+        /// The mean of the intensities at its vertices, with their normals.
         VertexMean = "vertex-mean";
+        /// The intensity at its first vertex, as OpenGL may do.
         ProvokingVertex = "provoking-vertex";
     }
 }
@@ -55,8 +68,11 @@ choices! {
 choices! {
     /// How values between vertices are found.
     pub enum Interpolation = "interpolation" {
+        /// Linear on the polygon in space.
         Perspective = "perspective";
+        /// Linear on the triangle in the picture.
         Affine = "affine";
+        /// Linear along the edges, then along the scan line, in the picture.
         Scanline = "scanline";
     }
 }

@@ -11,13 +11,18 @@ table! {
     /// A level floor that receives light and shadows: it is seen from above, behind the object, and before what of the wall
     /// is farther away.
     pub struct Ground = [ground] in ground {
+        /// Whether there is one.
         GROUND_VISIBLE visible: bool = false, Switch;
+        /// Its y, world units.
         GROUND_HEIGHT height: f64 = -1.0, Number(Limits::COORDINATE, Slider::linear(-3.0, 3.0))
             .measured_in(Unit::World).idle(no_ground);
+        /// Its ambient coefficient Ka, 0 to 10⁶.
         GROUND_KA ka: f64 = 0.1, Number(COEFFICIENT, Slider::UNIT)
             .idle(|scene, index| no_ground(scene, index).or(no_ambient(scene)));
+        /// Its diffuse coefficient Kd, 0 to 10⁶.
         GROUND_KD kd: f64 = 0.7, Number(COEFFICIENT, Slider::UNIT)
             .idle(|scene, index| no_ground(scene, index).or(no_light(scene, index)));
+        /// Its colour Od, linear.
         GROUND_COLOR color: Rgb = Rgb::new(0.8, 0.8, 0.8), Colour(COEFFICIENT).idle(no_ground);
     }
 }
@@ -30,9 +35,13 @@ table! {
     /// A patterned wall behind the object, upright to the viewing direction, without end. Between the pattern it has the
     /// background's colour; it hides what of the ground lies beyond it.
     pub struct Backdrop = [backdrop] in backdrop {
+        /// Its pattern; none is no wall.
         BACKDROP_PATTERN pattern: PatternKind = PatternKind::None, Choice;
+        /// Colour of the pattern, linear: what the eye sees, not lit.
         BACKDROP_COLOR color: Rgb = Rgb::new(0.85, 0.83, 0.78), Colour(Limits::INTENSITY).idle(no_backdrop);
+        /// Width of a field, world units.
         BACKDROP_SCALE scale: f64 = 0.4, Number(FIELD, FIELD_SLIDER).measured_in(Unit::World).idle(no_backdrop);
+        /// Distance behind the target along the viewing direction, world units.
         BACKDROP_DISTANCE distance: f64 = 2.0, Number(Limits::COORDINATE, Slider::linear(0.0, 10.0))
             .measured_in(Unit::World).idle(no_backdrop);
     }
@@ -52,13 +61,19 @@ table! {
     /// fades; ground, backdrop and background keep their colours.
     #[derive(Copy)]
     pub struct DepthCueing = [depth_cueing] in depth_cueing {
+        /// Where s0 is evaluated, or that nothing fades.
         CUED_BY by: CuedBy = CuedBy::Off, Choice.symbol(Symbol::Depth);
+        /// Depth at which fading begins, world units.
         FRONT front: f64 = 3.0, Number(Limits::LENGTH, DEPTHS)
             .letter("z", Symbol::Depth).measured_in(Unit::World).idle(no_cueing);
+        /// Depth at which it ends, world units.
         BACK back: f64 = 5.0, Number(Limits::LENGTH, DEPTHS)
             .letter("z", Symbol::Depth).measured_in(Unit::World).idle(no_cueing);
+        /// s0 up to [`Self::front`], 0 to 1.
         FRONT_SCALE front_scale: f64 = 1.0, Number(Limits::UNIT, Slider::UNIT).letter("s0", Symbol::Depth).idle(no_cueing);
+        /// s0 from [`Self::back`] on, 0 to 1.
         BACK_SCALE back_scale: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).letter("s0", Symbol::Depth).idle(no_cueing);
+        /// The colour Idc that things fade to, linear.
         CUE_COLOR color: Rgb = Rgb::ZERO, Colour(Limits::INTENSITY).letter("Idc", Symbol::Depth).idle(no_cueing);
     }
 }
@@ -79,10 +94,12 @@ impl DepthCueing {
 choices! {
     /// Where s0 is evaluated.
     pub enum CuedBy = "depth-cueing" {
+        /// Nothing fades.
         Off = "off";
         /// Where intensities live at vertices or faces, they fade there, before they are interpolated; in Phong shading s0
         /// itself is interpolated between the vertices. Exact shading has no vertices and takes each pixel's.
         Vertex = "vertex";
+        /// By the depth of each pixel.
         Pixel = "pixel";
     }
 }

@@ -4,11 +4,11 @@ use crate::text::text;
 
 /// Defines the symbols, each with the messages of its meaning and of what its numbers are measured in.
 macro_rules! symbols {
-    ($($name:ident = $meaning:literal, $unit:literal;)+) => {
+    ($($(#[$detail:meta])* $name:ident = $meaning:literal, $unit:literal;)+) => {
         /// A symbol of the equation that something in the window controls.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Symbol {
-            $($name,)+
+            $($(#[$detail])* $name,)+
         }
 
         impl Symbol {
@@ -30,27 +30,50 @@ macro_rules! symbols {
 }
 
 symbols! {
+    /// I, what a pixel has before the display.
     Intensity = "symbol-intensity", "measure-intensity";
+    /// Ka, the ambient coefficient.
     Ka = "symbol-ka", "measure-none";
+    /// Od, the colour of the surface.
     Od = "symbol-od", "measure-none";
+    /// Ia, the ambient light.
     Ia = "symbol-ia", "measure-intensity";
+    /// Σ, the sum over the lights.
     Lights = "symbol-lights", "measure-intensity";
+    /// f, the attenuation by distance.
     Attenuation = "symbol-attenuation", "measure-distances";
+    /// Ip, the intensity of a light.
     Ip = "symbol-ip", "measure-intensity";
+    /// Kd, the diffuse coefficient.
     Kd = "symbol-kd", "measure-none";
+    /// N, the surface normal.
     Normal = "symbol-normal", "measure-vector";
+    /// L, the direction to the light.
     Light = "symbol-light", "measure-vector";
+    /// Ks, the specular coefficient.
     Ks = "symbol-ks", "measure-none";
+    /// R or H, which the highlight is about.
     Reflected = "symbol-reflected", "measure-vector";
+    /// V, the direction to the viewer.
     Viewer = "symbol-viewer", "measure-vector";
+    /// n, the specular exponent.
     Exponent = "symbol-exponent", "measure-none";
+    /// Os, the colour of the highlight.
     Os = "symbol-os", "measure-none";
+    /// W, the reflectance by angle.
     Reflectance = "symbol-reflectance", "measure-none";
+    /// D of microfacets, and their roughness m.
     Facets = "symbol-facets", "measure-none";
+    /// G of microfacets.
     Masking = "symbol-masking", "measure-none";
+    /// Kt, the transparency.
     Kt = "symbol-kt", "measure-none";
+    /// It, what is seen through the surface.
     Transmitted = "symbol-transmitted", "measure-intensity";
+    /// S, whether light arrives.
     Shadows = "symbol-shadows", "measure-none";
+    /// Light that other surfaces have scattered once.
     Bounce = "symbol-bounce", "measure-intensity";
+    /// s0, what depth cueing leaves.
     Depth = "symbol-depth", "measure-none";
 }

@@ -32,6 +32,7 @@ pub struct View {
     /// Perspective: pixels per unit of tangent, which is the distance of the picture's plane in pixels. Orthographic:
     /// pixels per world unit.
     pub scale: f64,
+    /// Perspective or orthographic.
     pub projection: Projection,
 }
 

@@ -13,16 +13,27 @@ use std::io::{self, BufRead, Read, Write};
 /// Why a model could not be read. The message says what is wrong and what was expected, [`ObjError::line`] where.
 #[derive(Debug, thiserror::Error)]
 pub enum ObjError {
+    /// The file or stream could not be read.
     #[error("{}", text!("obj-unreadable", error = .0.to_string()))]
     Read(#[from] io::Error),
+    /// A line that is not Wavefront OBJ, or that names what is not there.
     #[error("{what}")]
-    Line { line: u64, what: String },
+    Line {
+        /// Counted from 1.
+        line: u64,
+        /// A sentence that says what is wrong and what was expected.
+        what: String,
+    },
+    /// There is nothing in the file.
     #[error("{}", text!("obj-empty"))]
     Empty,
+    /// There are points but no face.
     #[error("{}", text!("obj-no-face"))]
     NoFace,
+    /// More points or corners than `u32` counts.
     #[error("{}", text!("obj-too-large", most = u32::MAX))]
     TooLarge,
+    /// What `tobj` refused without saying where.
     #[error("{}", text!("obj-refused", error = .0.to_string()))]
     Refused(tobj::LoadError),
 }

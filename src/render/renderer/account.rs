@@ -17,7 +17,9 @@ use std::fmt::{self, Display, Formatter};
 /// One term of the equation, or one step of a stage.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Term {
+    /// The stage that evaluates it.
     pub stage: Stage,
+    /// A step of the stage or a part of the equation, with its light.
     pub name: TermName,
     /// How often it is evaluated.
     pub per: Per,

@@ -3,7 +3,9 @@
 /// A picture as stored: 8 bits a channel, rows from the top.
 #[derive(Clone, Debug, Default, serde::Serialize, serde::Deserialize)]
 pub struct Frame {
+    /// Pixels in a row.
     pub width: u32,
+    /// Rows.
     pub height: u32,
     /// `[r, g, b, 255]`, row by row, `width * height` of them.
     pub pixels: Vec<[u8; 4]>,
@@ -63,6 +65,7 @@ impl Stage {
 /// One stage of one frame.
 #[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
 pub struct StageRun {
+    /// Which stage it is.
     pub stage: Stage,
     /// False where the last output still held.
     pub ran: bool,
@@ -75,7 +78,9 @@ pub struct StageRun {
 /// What the last call of `render` did.
 #[derive(Clone, Debug, Default, serde::Serialize, serde::Deserialize)]
 pub struct Report {
+    /// Every stage in its order, those that did not run too.
     pub stages: Vec<StageRun>,
+    /// Time of the whole call by the renderer's clock; 0 without a clock.
     pub nanoseconds: u64,
     /// Triangles of the mesh, before culling.
     pub triangles: u64,

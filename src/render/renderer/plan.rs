@@ -23,9 +23,13 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Per {
+    /// Once a picture.
     Frame,
+    /// Once a face.
     Face,
+    /// Once a vertex.
     Vertex,
+    /// Once a pixel that shows the object.
     Pixel,
     /// Not at all.
     None,
@@ -34,6 +38,7 @@ pub enum Per {
 /// Where the intensity is made to fade with the depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Cued {
+    /// Depth cueing is off, or changes nothing.
     Nowhere,
     /// Where the equation is evaluated, at vertices or faces: the intensity fades before it is carried to the pixels.
     AtPoints,
@@ -60,7 +65,9 @@ pub struct Plan {
     pub depth_test: bool,
     /// Interpolation is perspective-correct.
     pub perspective: bool,
+    /// Interpolation goes along the edges and then along the rows, as in Gouraud 1971.
     pub scanline: bool,
+    /// Interpolated normals are scaled to unit length before the equation is evaluated.
     pub renormalise: bool,
     /// For each light of the scene whether it can add anything.
     pub lights: Vec<bool>,
