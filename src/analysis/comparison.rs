@@ -23,7 +23,9 @@ const CHUNK: usize = 1 << 14;
 /// A picture before the display: linear red, green, blue and the part of each pixel that shows the object, row by row.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearPicture<'a> {
+    /// Pixels in a row.
     pub width: u32,
+    /// `[red, green, blue, part]`, row by row from the top.
     pub pixels: &'a [[f32; 4]],
     /// Whether the display clamps at 1: differences above are then not seen, and not counted.
     pub clamps: bool,
@@ -191,6 +193,7 @@ pub fn region_errors(
 pub struct Brightest {
     /// Its luminance (Rec. 709), linear and not clamped.
     pub value: f64,
+    /// Its column and row, from 0.
     pub at: [u32; 2],
 }
 
@@ -226,7 +229,9 @@ pub struct PaneFigures {
     /// Its number, from 0.
     #[serde(skip)]
     pub pane: usize,
+    /// What the pane is called.
     pub name: String,
+    /// The brightest pixel; none where no pixel shows the object.
     pub brightest: Option<Brightest>,
     /// Against the reference, which has none.
     pub error: Option<ErrorFigures>,

@@ -60,7 +60,9 @@ pub struct CurvesQuestion {
 /// What the curves are of. The plots are made when they are asked for, in the language of the moment.
 #[derive(Clone, Debug, Default)]
 pub struct Curves {
+    /// The pixel whose point the curves belong to.
     pub pixel: [u32; 2],
+    /// The light whose attenuation is plotted, by its number from 0.
     pub light: usize,
     /// The plots that there are.
     pub kinds: Vec<PlotKind>,
@@ -272,7 +274,9 @@ fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
 pub struct Distances {
     /// The nearest and the farthest point seen.
     pub nearest: Option<f64>,
+    /// The distance of the farthest point seen.
     pub farthest: Option<f64>,
+    /// The distance of the point that the probe is at.
     pub probe: Option<f64>,
 }
 

@@ -29,14 +29,19 @@ pub type Finding<T> = Result<T, &'static str>;
 /// What was measured in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Defects {
+    /// The outline, which is that of the polygons.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub silhouette: Finding<Silhouette>,
+    /// How far intensities that are interpolated in the picture lie from perspective-correct ones.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub perspective: Finding<PerspectiveDistortion>,
+    /// How much an interpolated intensity changes while the picture turns.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub orientation: Finding<Orientation>,
+    /// Breaks of intensity at vertices that one side of an edge lacks.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub shared_vertices: Finding<SharedVertices>,
+    /// Angles between vertex normals and polygons, and the contrast that averaging costs.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub vertex_normals: Finding<VertexNormals>,
 }
@@ -123,7 +128,9 @@ pub struct DefectsQuestion {
 /// The defects, and the pixel whose point was followed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeasuredDefects {
+    /// The pixel whose point was followed while the picture turned.
     pub pixel: [u32; 2],
+    /// What was measured.
     pub defects: Defects,
 }
 
@@ -153,6 +160,7 @@ pub struct Defect {
     keys: [&'static str; 3],
     /// The built-in scene about it.
     pub scene: &'static str,
+    /// The plot that shows it, where there is one.
     pub plot: Option<PlotKind>,
     figures: fn(&Defects) -> Finding<Figures>,
 }
@@ -161,6 +169,7 @@ pub struct Defect {
 type Figures = Vec<(String, String)>;
 
 impl Defect {
+    /// What it is called, in the language of the moment.
     pub fn title(&self) -> &'static str {
         text!(self.keys[0])
     }

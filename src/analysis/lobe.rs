@@ -11,7 +11,9 @@ const UPRIGHT: f64 = 1e-9;
 /// What a viewer in one direction sees of a light's reflection, as luminance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Response {
+    /// Luminance by the diffuse term, the same in every direction.
     pub diffuse: f64,
+    /// Luminance by the specular term.
     pub specular: f64,
 }
 

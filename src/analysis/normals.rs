@@ -27,7 +27,9 @@ const BEHIND: f64 = 0.5;
 pub struct NormalField {
     mesh: Arc<Mesh>,
     vertices: VertexMesh,
+    /// Where the vertices' normals come from.
     pub source: NormalSource,
+    /// The weight of each polygon in an averaged normal.
     pub weighting: Weighting,
     /// The centre, world, and the unit normal of each face.
     faces: Vec<[DVec3; 2]>,
@@ -38,12 +40,15 @@ pub struct NormalField {
 /// A vertex, its normal, and the faces that this comes from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct VertexNormal {
+    /// The vertex's number in the mesh, from 0.
     pub vertex: u32,
     /// World.
     pub position: DVec3,
     /// Unit.
     pub normal: DVec3,
+    /// Whether it is averaged, given or the true surface's.
     pub origin: NormalOrigin,
+    /// The faces that meet at the vertex.
     pub faces: Vec<VertexFace>,
     /// Whether the faces' mirror images in x count as much.
     pub mirrored: bool,
@@ -56,6 +61,7 @@ pub struct VertexNormal {
 /// A face at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct VertexFace {
+    /// The face's number in the mesh, from 0.
     pub face: u32,
     /// Mean of its corners, world.
     pub centre: DVec3,
@@ -87,7 +93,9 @@ pub struct SeenNormal {
 /// What a picture shows of a field, before it is asked what hides what.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SeenNormals {
+    /// The faces' normals, at their centres.
     pub faces: Vec<SeenNormal>,
+    /// The vertices' normals.
     pub vertices: Vec<SeenNormal>,
 }
 
@@ -141,6 +149,7 @@ impl NormalField {
         self.vertices.positions.len()
     }
 
+    /// Faces of the mesh.
     pub fn face_count(&self) -> usize {
         self.faces.len()
     }

@@ -95,6 +95,7 @@ pub enum Halo {
 /// How an overlay is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OverlayOptions {
+    /// What is drawn, the later over the earlier.
     pub layers: Vec<OverlayLayer>,
     /// The light whose L is emphasised and whose R, H, θ, φ and construction are shown, by its index in the scene. With
     /// nothing chosen it is the first that the point faces, or else the first.
@@ -104,6 +105,7 @@ pub struct OverlayOptions {
     pub length: Option<f64>,
     /// Shows H for every model; without it for Blinn's alone.
     pub half_vector: bool,
+    /// What lines and letters are set off from the picture by.
     pub halo: Halo,
     /// What else is drawn over the picture, pixels: labels keep off it.
     pub covered: Vec<Area>,

@@ -5,6 +5,7 @@ use serde::de::DeserializeOwned;
 
 /// How a value becomes bytes, and bytes that value again.
 pub struct Parcel<T> {
+    /// The value as bytes.
     pub pack: fn(&T) -> Vec<u8>,
     /// Nothing where the bytes are no such value.
     pub unpack: fn(&[u8]) -> Option<T>,
@@ -33,6 +34,7 @@ pub fn pack<T: Serialize>(value: &T) -> Vec<u8> {
     postcard::to_stdvec(value).unwrap_or_default()
 }
 
+/// The value that [`pack`] made these bytes of; none where they are no such value.
 pub fn unpack<T: DeserializeOwned>(bytes: &[u8]) -> Option<T> {
     postcard::from_bytes(bytes).ok()
 }

@@ -25,8 +25,9 @@ pub struct Viewing {
 }
 
 impl Viewing {
-    /// Least and greatest distance and density that are accepted.
+    /// Least and greatest distance, millimetres.
     pub const DISTANCE: [f64; 2] = [100.0, 5000.0];
+    /// Least and greatest density, pixels a millimetre.
     pub const DENSITY: [f64; 2] = [0.5, 40.0];
 
     /// The same with what is out of bounds, or no number, put back to its default.
@@ -95,6 +96,7 @@ impl ResponseModel {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Perception {
+    /// How the eye is modelled.
     pub model: ResponseModel,
     /// σc, the width of the centre, degrees of visual angle.
     pub centre: f64,
@@ -119,9 +121,11 @@ impl Default for Perception {
 }
 
 impl Perception {
-    /// Bounds of σc and σs, of w and of ρ.
+    /// Least and greatest σc and σs, degrees of visual angle.
     pub const WIDTH: [f64; 2] = [0.001, 2.0];
+    /// Least and greatest w.
     pub const WEIGHT: [f64; 2] = [0.0, 10.0];
+    /// Least and greatest ρ.
     pub const SATURATION: [f64; 2] = [1e-4, 10.0];
 
     /// The same with what is out of bounds, or no number, put back to its default.

@@ -22,9 +22,11 @@ pub struct PlanQuestion {
 /// A frame's plan; with times only where it was measured for them.
 #[derive(Clone, Debug)]
 pub struct FramePlan {
+    /// Every term and step, in the order of the stages.
     pub terms: Vec<Term>,
     /// What the last frame ran.
     pub runs: Vec<StageRun>,
+    /// Times with and without what is left out, where they were measured.
     pub measured: Option<Saved>,
 }
 

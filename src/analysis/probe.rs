@@ -99,6 +99,7 @@ pub struct CueTerms {
 /// One light's part. JSON has its angles in degrees.
 #[derive(Clone, Debug, Serialize)]
 pub struct LightTerms {
+    /// Which kind of source it is.
     pub kind: LightKind,
     /// Unit vector to the light, world.
     pub l: DVec3,
@@ -106,6 +107,7 @@ pub struct LightTerms {
     pub r: DVec3,
     /// Half-way between L and V, world, unit.
     pub h: DVec3,
+    /// N·L, the cosine of θ; not clamped.
     pub n_dot_l: f64,
     /// Angle between N and L, radians.
     #[serde(serialize_with = "in_degrees")]

@@ -35,9 +35,13 @@ use thiserror::Error;
 pub struct ProfileQuestion {
     /// The line's ends in pixels, a pixel's centre at +0.5; inside the picture.
     pub from: DVec2,
+    /// Where the line ends, pixels.
     pub to: DVec2,
+    /// The modes to be compared, at least one.
     pub modes: Vec<ShadingMode>,
+    /// How large a pixel is for the eye.
     pub viewing: Viewing,
+    /// The model of the eye.
     pub perception: Perception,
 }
 
@@ -88,10 +92,16 @@ impl ProfileQuestion {
 /// Why there is no profile.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ProfileError {
+    /// An end lies outside the picture.
     #[error("{}", outside(*.size))]
-    Outside { size: [u32; 2] },
+    Outside {
+        /// Width and height of the picture.
+        size: [u32; 2],
+    },
+    /// Both ends are the same point.
     #[error("{}", text!("line-error-no-length"))]
     NoLength,
+    /// No mode is asked for.
     #[error("{}", text!("line-error-no-mode"))]
     NoMode,
 }
@@ -103,6 +113,7 @@ fn outside([width, height]: [u32; 2]) -> String {
 /// The profile along a line.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
+    /// Places along the line, evenly spaced: pixels' centres, and places between them on short lines.
     pub samples: Vec<Sample>,
     /// One per mode, in the order asked for.
     pub traces: Vec<Trace>,
@@ -117,11 +128,14 @@ pub struct Profile {
 /// One mode's values, one per sample.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trace {
+    /// The shading.
     pub mode: ShadingMode,
+    /// Luminance, linear and before the display.
     pub intensity: Vec<f64>,
     /// Per pixel along the line. It is taken within the polygon that the sample sees and never across its border, so that a
     /// corner stays a jump of the slope.
     pub slope: Vec<f64>,
+    /// What the eye makes of it, by the question's model.
     pub perceived: Vec<f64>,
     /// What happens at each border; nothing where the mode knows no polygons.
     pub corners: Vec<Option<Corner>>,
@@ -130,8 +144,11 @@ pub struct Trace {
 /// A border between polygons on the line.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Border {
+    /// Pixels from the picture's left.
     pub x: f64,
+    /// Pixels from the picture's top.
     pub y: f64,
+    /// 0 at the line's beginning, 1 at its end.
     pub t: f64,
     /// The faces before and after it; none is the background. Twice the same is the diagonal along which a polygon was cut.
     pub faces: [Option<u32>; 2],
@@ -219,7 +236,9 @@ pub fn profile(
 /// The profile, and how it was asked.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TakenProfile {
+    /// The profile.
     pub profile: Profile,
+    /// How it was asked.
     pub question: ProfileQuestion,
 }
 

@@ -15,6 +15,7 @@ use std::sync::Arc;
 pub trait Question:
     Clone + Debug + PartialEq + Serialize + DeserializeOwned + Send + Sync + 'static
 {
+    /// What it is answered by.
     type Answer: Answer + Clone + 'static;
 
     /// How the answer comes back from a worker of a web page; without it the page finds it itself.
@@ -34,6 +35,7 @@ pub trait Question:
 /// What a question is about.
 #[derive(Clone, Debug)]
 pub struct Subject {
+    /// The scene.
     pub scene: Scene,
     /// The mesh of an object of kind `obj`.
     pub model: Option<Arc<Mesh>>,
@@ -73,9 +75,13 @@ pub fn unwatched(_share: f32) -> bool {
 choices! {
     /// A way to write an answer; its word is what names of such files end in.
     pub enum Format = "format" {
+        /// The figure as pixels.
         Png = "png";
+        /// The figure as a vector drawing.
         Svg = "svg";
+        /// The table.
         Csv = "csv";
+        /// One JSON object.
         Json = "json";
     }
 }

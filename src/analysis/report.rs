@@ -18,6 +18,7 @@ use std::fmt::Debug;
 pub struct About<'a> {
     /// What the scene is called.
     pub name: &'a str,
+    /// The scene.
     pub scene: &'a Scene,
 }
 
@@ -68,13 +69,18 @@ pub trait Answer: Debug + Send + Sync {
 /// A figure to be written.
 #[derive(Clone, Debug)]
 pub enum Figure {
+    /// Lines and texts.
     Drawing {
+        /// What is drawn.
         drawing: Drawing,
+        /// What the figure is called in files that have a place for it.
         title: String,
     },
     /// Pixels alone, and the scene that they show, where it is one.
     Picture {
+        /// The pixels.
         frame: Frame,
+        /// The scene that they show.
         scene: Option<Box<Scene>>,
     },
 }
@@ -82,7 +88,9 @@ pub enum Figure {
 /// Everything that is said about an analysis, in reading order.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
+    /// What heads it.
     pub title: String,
+    /// In reading order.
     pub sections: Vec<Section>,
     /// Why a command that asked fails, although there is an answer.
     pub failure: Option<String>,
@@ -91,26 +99,34 @@ pub struct Report {
 /// A part of a report under a heading of its own, which may be empty.
 #[derive(Clone, Debug, Default)]
 pub struct Section {
+    /// What heads it; may be empty.
     pub title: String,
+    /// In reading order.
     pub parts: Vec<Part>,
 }
 
 /// A piece of a report.
 #[derive(Clone, Debug)]
 pub enum Part {
+    /// A sentence or more.
     Text(String),
     /// An explanation or a remark.
     Note(String),
     /// A number with its unit, and what it is.
     Quantity {
+        /// The number with its unit, as it is written.
         value: String,
+        /// What it is the value of.
         name: String,
     },
+    /// Rows under headed columns.
     Table(Table),
+    /// Curves.
     Plot(Box<Plot>),
 }
 
 impl Report {
+    /// A report without sections.
     pub fn new(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),
@@ -132,6 +148,7 @@ impl Report {
         self.sections.iter().flat_map(|section| &section.parts)
     }
 
+    /// Every plot, in reading order.
     pub fn plots(&self) -> impl Iterator<Item = &Plot> {
         self.parts().filter_map(|part| {
             if let Part::Plot(plot) = part {
@@ -190,14 +207,17 @@ impl dyn Answer + '_ {
 }
 
 impl Section {
+    /// Adds a sentence.
     pub fn line(&mut self, text: impl Into<String>) -> &mut Self {
         self.push(Part::Text(text.into()))
     }
 
+    /// Adds a remark.
     pub fn note(&mut self, text: impl Into<String>) -> &mut Self {
         self.push(Part::Note(text.into()))
     }
 
+    /// Adds a number with its unit, and what it is.
     pub fn quantity(&mut self, value: impl Into<String>, name: impl Into<String>) -> &mut Self {
         self.push(Part::Quantity {
             value: value.into(),
@@ -205,6 +225,7 @@ impl Section {
         })
     }
 
+    /// Adds a part.
     pub fn push(&mut self, part: Part) -> &mut Self {
         self.parts.push(part);
         self
@@ -288,7 +309,9 @@ pub fn word(choice: &impl serde::Serialize) -> String {
 /// A table; a column may be for people, for files, or for both.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
+    /// The columns, from the left.
     pub columns: Vec<Column>,
+    /// The rows; each has a cell for every column.
     pub rows: Vec<Vec<Cell>>,
     /// Whether its rows are things to choose from in the window.
     pub to_choose: bool,
@@ -313,9 +336,13 @@ pub type Filled<T> = (Column, fn(&T) -> Cell);
 /// What stands in a row under a column.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
+    /// Nothing is known or defined there.
     Empty,
+    /// A word or a sentence.
     Text(String),
+    /// A number; as files have it, with all its digits.
     Number(f64),
+    /// A whole number.
     Count(u64),
 }
 
@@ -393,6 +420,7 @@ impl Column {
 }
 
 impl Table {
+    /// A table without rows.
     pub fn new(columns: impl IntoIterator<Item = Column>) -> Self {
         Self {
             columns: columns.into_iter().collect(),

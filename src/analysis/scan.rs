@@ -47,11 +47,13 @@ pub struct Scan {
     pub face: u32,
     /// The shading; `exact`, which has no polygons, is shown as Phong's.
     pub mode: ShadingMode,
+    /// What is interpolated.
     pub carried: Carried,
     /// Whether an interpolated normal is made a unit vector before the equation is evaluated.
     pub renormalise: bool,
     /// The interpolation that each pixel's value is compared with.
     pub compared: Rule,
+    /// Where the polygon lies on the grid.
     pub grid: Grid,
     /// In the polygon's order, which is counter-clockwise from outside.
     pub corners: Vec<ScanCorner>,
@@ -79,7 +81,9 @@ pub enum Carried {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rule {
+    /// Linear on the triangle in the picture.
     Affine,
+    /// Linear on the triangle in space.
     Perspective,
 }
 
@@ -104,7 +108,9 @@ pub fn corner_name(index: usize) -> String {
 pub struct ScanEdge {
     /// Indices of the corners: the upper one, the lower one.
     pub corners: [usize; 2],
+    /// y of the upper end, pixels of the grid.
     pub y_top: f64,
+    /// y of the lower end, pixels of the grid.
     pub y_bottom: f64,
     /// x at the upper end.
     pub x_top: f64,
@@ -133,7 +139,9 @@ impl ScanLine {
 /// What lies between two crossings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ScanSpan {
+    /// Where the scan line enters the polygon.
     pub p: Crossing,
+    /// Where it leaves it.
     pub q: Crossing,
     /// From left to right; none where P and Q lie between two centres.
     pub pixels: Vec<ScanPixel>,
@@ -144,9 +152,11 @@ pub struct ScanSpan {
 pub struct Crossing {
     /// Index into the edge table.
     pub edge: usize,
+    /// Where the crossing lies, pixels of the grid.
     pub x: f64,
     /// 0 at the edge's upper end, 1 at its lower one.
     pub alpha: f64,
+    /// What is interpolated, there: an intensity or a normal.
     pub value: DVec3,
     /// The intensity as stored in a picture, where it is an intensity that is carried.
     pub stored: Option<[u8; 3]>,
@@ -155,6 +165,7 @@ pub struct Crossing {
 /// A pixel of a span.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ScanPixel {
+    /// Column of the grid.
     pub x: u32,
     /// 0 at P, 1 at Q.
     pub alpha: f64,
@@ -173,15 +184,31 @@ pub struct ScanPixel {
 #[serde(tag = "does", rename_all = "kebab-case")]
 pub enum ScanStep {
     /// A new scan line, its active edges sorted.
-    Line { line: usize },
+    Line {
+        /// Index into the scan's lines.
+        line: usize,
+    },
     /// P is found.
-    P { line: usize, span: usize },
+    P {
+        /// Index into the scan's lines.
+        line: usize,
+        /// Index into the line's spans.
+        span: usize,
+    },
     /// Q is found.
-    Q { line: usize, span: usize },
+    Q {
+        /// Index into the scan's lines.
+        line: usize,
+        /// Index into the line's spans.
+        span: usize,
+    },
     /// A pixel is shaded.
     Pixel {
+        /// Index into the scan's lines.
         line: usize,
+        /// Index into the line's spans.
         span: usize,
+        /// Index into the span's pixels.
         pixel: usize,
     },
 }
@@ -190,12 +217,16 @@ pub enum ScanStep {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ScanLevel {
+    /// To the next pixel.
     Pixel,
+    /// To the next crossing.
     Edge,
+    /// To the next scan line.
     Line,
 }
 
 impl ScanStep {
+    /// How large it is.
     pub const fn level(self) -> ScanLevel {
         match self {
             Self::Line { .. } => ScanLevel::Line,
@@ -208,27 +239,52 @@ impl ScanStep {
 /// What stands at a step: the line, and of its span what has been found so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScanPoint<'a> {
+    /// How large the step is.
     pub level: ScanLevel,
+    /// The scan line.
     pub line: &'a ScanLine,
+    /// The span; none while the line has just begun.
     pub span: Option<&'a ScanSpan>,
+    /// P, once it is found.
     pub p: Option<&'a Crossing>,
+    /// Q, once it is found.
     pub q: Option<&'a Crossing>,
+    /// The pixel, once it is shaded.
     pub pixel: Option<&'a ScanPixel>,
 }
 
 /// Why a polygon cannot be scanned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum ScanError {
+    /// The mesh has no such face.
     #[error("{}", no_face(*.face, *.count))]
-    NoFace { face: u32, count: usize },
+    NoFace {
+        /// The face asked for.
+        face: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// The object has no polygons.
     #[error("{}", text!("line-scan-error-empty"))]
     Empty,
+    /// A grid has [`Scan::ROWS`] rows.
     #[error("{}", wrong_rows(*.rows))]
-    Rows { rows: u32 },
+    Rows {
+        /// The rows asked for.
+        rows: u32,
+    },
+    /// A corner lies behind the eye.
     #[error("{}", of_face("line-scan-error-behind", *.face))]
-    BehindTheEye { face: u32 },
+    BehindTheEye {
+        /// The face asked for.
+        face: u32,
+    },
+    /// The polygon is seen from its edge, or covers no pixel's centre.
     #[error("{}", of_face("line-scan-error-edge-on", *.face))]
-    EdgeOn { face: u32 },
+    EdgeOn {
+        /// The face asked for.
+        face: u32,
+    },
 }
 
 fn no_face(face: u32, count: usize) -> String {

@@ -38,8 +38,11 @@ choices! {
 choices! {
     /// How the two ways came out.
     pub enum Verdict = "verdict" {
+        /// The engine is within half a code value, the naive renderer is not.
         RobustHolds = "robust-holds";
+        /// Both are within half a code value.
         BothHold = "both-hold";
+        /// The engine is off by more than half a code value.
         Fails = "fails";
     }
 }
@@ -47,6 +50,7 @@ choices! {
 /// How much greater a relative error becomes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Condition {
+    /// The factor.
     pub value: f64,
     /// Of what in what.
     pub of: Message,
@@ -64,7 +68,9 @@ impl fmt::Display for Condition {
 pub struct Case {
     /// Lower case, joined by hyphens.
     pub name: &'static str,
+    /// What it is about.
     pub topic: Topic,
+    /// How badly conditioned the exact problem is, where that is known.
     pub condition: Option<Condition>,
     /// The scene that all three draw, and a change of it.
     make: fn() -> Scene,
@@ -157,11 +163,14 @@ struct Pictures {
 /// What became of a case.
 #[derive(Clone, Debug, Serialize)]
 pub struct CaseResult {
+    /// The case.
     #[serde(flatten)]
     pub case: &'static Case,
     /// Greatest error in code values, 0 to 255.
     pub naive_error: f64,
+    /// Greatest error of the engine, code values.
     pub robust_error: f64,
+    /// What that says of the two renderers.
     pub verdict: Verdict,
     /// Pixels compared.
     pub pixels: u64,

@@ -81,10 +81,12 @@ impl Method {
 /// What a study compares.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StudyQuestion {
+    /// The methods.
     pub methods: Vec<Method>,
     /// Polygons round the axis; those along it go with them as the scene has it. Of a shape that is not divided by number
     /// only its own polygons are measured.
     pub segments: Vec<u32>,
+    /// How values are interpolated, where it makes a difference.
     pub interpolations: Vec<Interpolation>,
     /// Exponents; none is the scene's own.
     pub n: Vec<f64>,
@@ -131,11 +133,15 @@ impl StudyQuestion {
 /// One way to draw the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Setting {
+    /// The method.
     pub method: Method,
+    /// Polygons round the axis.
     pub segments: u32,
+    /// Polygons along the axis.
     pub rings: u32,
     /// None where it makes no difference.
     pub interpolation: Option<Interpolation>,
+    /// The specular exponent.
     pub n: f64,
 }
 
@@ -185,33 +191,42 @@ fn title(method: Method, interpolation: Option<Interpolation>) -> String {
 /// What is not measured, and why.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Omission {
+    /// The method.
     pub method: Method,
+    /// The interpolation; none where it makes no difference.
     pub interpolation: Option<Interpolation>,
+    /// Why it is not measured.
     pub reason: Message,
 }
 
 /// What was measured of one setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StudyRow {
+    /// How the scene was drawn.
     pub setting: Setting,
     /// The longest edge of a polygon, world units: the spacing of the vertices.
     pub spacing: f64,
     /// Inside: root mean square, greatest and 99th percentile, linear intensity before the display: values above 1 count in
     /// full.
     pub error_rms: f64,
+    /// Inside: the greatest error.
     pub error_max: f64,
+    /// Inside: the error that 99 % of the pixels do not exceed.
     pub error_p99: f64,
     /// Inside: root mean square and greatest of the values as shown: where the display clamps, what is above 1 counts as 1, as
     /// in the figures of a comparison.
     pub error_rms_shown: f64,
+    /// The greatest of them.
     pub error_max_shown: f64,
     /// The pixels inside.
     pub interior_pixels: u64,
     /// Pixels that show the object here or in the exact picture, but not in both; the root mean square over them.
     pub outline_pixels: u64,
+    /// The root mean square over them.
     pub outline_rms: f64,
     /// Median of a frame in milliseconds, and the width of the middle half of the samples.
     pub time_ms: f64,
+    /// Width of the middle half of the samples, milliseconds.
     pub spread_ms: f64,
     /// Frames timed.
     pub samples: u32,
@@ -226,8 +241,11 @@ pub struct StudyRow {
 /// How the errors of one method go with the tessellation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
+    /// The method.
     pub method: Method,
+    /// The interpolation; none where it makes no difference.
     pub interpolation: Option<Interpolation>,
+    /// The specular exponent.
     pub n: f64,
     /// The order p of the greatest error, which goes as hᵖ with the spacing h; none of fewer than three tessellations.
     pub order: Option<Fit>,
@@ -240,7 +258,9 @@ pub struct Series {
 pub struct Study {
     /// Those of one method, interpolation and n together, from coarse to fine.
     pub rows: Vec<StudyRow>,
+    /// The orders of convergence.
     pub series: Vec<Series>,
+    /// What was left out.
     pub omitted: Vec<Omission>,
     /// Whether nothing was cut short.
     pub complete: bool,

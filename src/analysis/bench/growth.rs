@@ -62,6 +62,7 @@ pub struct Series {
 /// How the time grows.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Growth {
+    /// Time by the pixels of the picture.
     pub pixels: Series,
     /// None for objects whose polygons are given.
     pub triangles: Option<Series>,

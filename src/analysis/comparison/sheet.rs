@@ -41,6 +41,7 @@ const STEPS: u32 = 128;
 pub struct PaneArea {
     /// Top left pixel.
     pub min: [u32; 2],
+    /// Width and height.
     pub size: [u32; 2],
 }
 
@@ -86,12 +87,15 @@ pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
 /// A pane as drawn.
 #[derive(Clone, Debug)]
 pub struct DrawnPane {
+    /// The picture as stored.
     pub frame: Frame,
     /// Before the display; empty where nothing is compared.
     pub linear: Vec<[f32; 4]>,
+    /// Whether the display clamps at 1; see [`LinearPicture`](super::LinearPicture).
     pub clamps: bool,
     /// Its number, from 0.
     pub pane: usize,
+    /// What the pane is called.
     pub name: String,
     /// Whether the others are measured against it.
     pub reference: bool,

@@ -19,7 +19,9 @@ const SHORT: f64 = 0.3;
 pub struct DefectMark {
     /// The built-in scene about the defect.
     pub scene: &'static str,
+    /// Lines to be drawn, each through its points; pixels.
     pub lines: Vec<Vec<DVec2>>,
+    /// What stands beside them.
     pub label: String,
     /// The middle of the label.
     pub label_at: DVec2,

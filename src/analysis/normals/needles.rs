@@ -58,24 +58,29 @@ const BEHIND: &[f32] = &[2.0, 2.0];
 /// Whose normal a needle is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NeedleKind {
+    /// A face's, at its centre.
     Face,
+    /// A vertex's.
     Vertex,
 }
 
 /// A normal in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Needle {
+    /// Of a face or of a vertex.
     pub kind: NeedleKind,
     /// The face's or the vertex's number.
     pub index: u32,
     /// Where its point appears, pixels.
     pub foot: DVec2,
+    /// Where the needle's end appears, pixels.
     pub tip: DVec2,
 }
 
 /// The needles of a picture, laid out.
 #[derive(Clone, Debug)]
 pub struct Needles {
+    /// Those that are drawn.
     pub needles: Vec<Needle>,
     /// Length of every needle, world units.
     pub length: f64,

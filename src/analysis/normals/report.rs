@@ -22,10 +22,15 @@ pub struct NormalsQuestion {
 /// The vertex, and how many there are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundNormal {
+    /// The vertex with its normal and faces.
     pub vertex: VertexNormal,
+    /// Where vertex normals come from in the scene.
     pub source: NormalSource,
+    /// The weight of each polygon in an averaged normal.
     pub weighting: Weighting,
+    /// Vertices of the mesh.
     pub vertices: usize,
+    /// Faces of the mesh.
     pub faces: usize,
 }
 

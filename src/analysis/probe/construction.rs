@@ -21,6 +21,7 @@ pub enum ConstructionStep {
 }
 
 impl ConstructionStep {
+    /// Every step, in its order.
     pub const ALL: [Self; 5] = [
         Self::Cosine,
         Self::Projection,
@@ -44,6 +45,7 @@ impl ConstructionStep {
 /// A step with its numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorkedStep {
+    /// Which step it is.
     pub step: ConstructionStep,
     /// With its letters in braces; see [`plain_formula`](super::plain_formula).
     pub formula: &'static str,

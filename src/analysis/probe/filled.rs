@@ -28,22 +28,33 @@ const LARGE: f64 = 1e5;
 /// A piece of the filled-in equation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FilledPart {
+    /// A remark, a sentence or two.
     Note(String),
     /// Where the equation is evaluated, if not once at the pixel.
     Evaluated(String),
+    /// A line of letters.
     Formula(String),
     /// The name of a term, and its share of the pixel's luminance.
     Heading {
+        /// The term's name.
         name: &'static str,
+        /// The term's colour.
         tone: Tone,
+        /// Its share, in percent; none where the pixel is black.
         share: Option<String>,
     },
+    /// A product, factor by factor.
     Product {
+        /// What it makes.
         name: String,
+        /// Its columns.
         product: Product,
+        /// The colour of its letters.
         letters: Tone,
+        /// The colour of its value.
         value: Tone,
     },
+    /// A line of the sum.
     Line(FilledLine),
     /// The line under a written sum.
     Rule,
@@ -54,10 +65,13 @@ pub enum FilledPart {
 pub struct FilledLine {
     /// + or =, or nothing.
     pub sign: &'static str,
+    /// What is added.
     pub name: String,
     /// A formula that stands for the name; empty for none.
     pub letters: &'static str,
+    /// What it comes to.
     pub value: LineValue,
+    /// The colour of its value.
     pub tone: Tone,
     /// The light that it is about.
     pub light: Option<usize>,
@@ -68,7 +82,9 @@ pub struct FilledLine {
 /// What a line comes to.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LineValue {
+    /// Red, green and blue, as they are written.
     Channels([String; 3]),
+    /// Why there is no number, in a phrase.
     Words(String),
 }
 
@@ -89,9 +105,11 @@ impl LineValue {
 /// What one term has in the pixel's brightness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Share {
+    /// What the term is called.
     pub name: String,
     /// Where the full name does not fit.
     pub short: String,
+    /// The term's colour.
     pub tone: Tone,
     /// Luminance, as it enters the pixel.
     pub weight: f64,

@@ -11,9 +11,13 @@ use crate::text;
 /// How something is coloured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tone {
+    /// As text.
     Plain,
+    /// As remarks.
     Weak,
+    /// As headings.
     Strong,
+    /// The colour of a vector, and of the term that it makes.
     Of(Vector),
 }
 

@@ -31,9 +31,13 @@ const UNIT_LENGTH: f64 = 0.19;
 /// Labels lie inside the picture and do not overlap; one that finds no room is left out. All coordinates are finite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Overlay {
+    /// The vectors at the point.
     pub arrows: Vec<Arrow>,
+    /// The angles between them.
     pub arcs: Vec<Arc>,
+    /// The lights in the picture.
     pub lights: Vec<LightHandle>,
+    /// The letters of vectors and angles.
     pub labels: Vec<Label>,
     /// Each with its own halos, the later over the earlier.
     drawings: Vec<Drawing>,

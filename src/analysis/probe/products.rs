@@ -16,6 +16,7 @@ use crate::scene::{
 pub struct TermColumn {
     /// Formulas with the letters in braces; see [`plain_formula`](super::plain_formula).
     pub factors: Vec<&'static str>,
+    /// Their product, linear.
     pub values: Rgb,
     /// Whether it is a mean over several evaluations.
     pub mean: bool,
@@ -37,24 +38,31 @@ impl TermColumn {
 /// A term: columns that make its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Product {
+    /// From left to right.
     pub columns: Vec<TermColumn>,
+    /// The product of the columns, linear.
     pub value: Rgb,
 }
 
 /// The scene and what its probe has hit.
 #[derive(Clone, Copy)]
 pub struct Here<'a> {
+    /// The scene.
     pub scene: &'a Scene,
+    /// What the probe's pixel shows.
     pub hit: &'a ProbeHit,
 }
 
 /// One light of [`Here`].
 #[derive(Clone, Copy)]
 pub struct LightHere<'a> {
+    /// The point that it shines on.
     pub here: Here<'a>,
     /// Its place in the scene's list.
     pub index: usize,
+    /// The light.
     pub source: &'a Light,
+    /// What it does there.
     pub terms: &'a LightTerms,
 }
 

@@ -25,6 +25,7 @@ pub struct ProbeQuestion {
 /// The probe, with the error of each area light's points over the picture.
 #[derive(Clone, Debug)]
 pub struct Probed {
+    /// What the probe found.
     pub probe: Probe,
     /// One for each light; none where it is no area light that shines.
     pub sampling: Vec<Option<SamplingError>>,

@@ -11,7 +11,9 @@ use serde::{Serialize, Serializer};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ZeroCause {
+    /// The light is muted.
     Muted,
+    /// Another light is soloed.
     NotSoloed,
     /// Ip is 0.
     Black,
@@ -21,7 +23,9 @@ pub enum ZeroCause {
     NoChannel,
     /// N·L ≤ 0, or above 0 by no more than rounding.
     FacesAway,
+    /// The point lies outside a spot light's cone.
     OutsideCone,
+    /// Something stands between the point and the light.
     InShadow,
     /// R·V ≤ 0 or N·H ≤ 0, or for microfacets N·V ≤ −¼.
     MissesViewer,
@@ -85,11 +89,13 @@ impl ZeroCauses {
     const NONE: Self = Self(0);
     const ALL: Self = Self(u16::MAX);
 
+    /// Those that hold, in their order.
     pub fn iter(self) -> impl Iterator<Item = ZeroCause> {
         let holds = move |cause: &ZeroCause| self.0 & Self::from(*cause).0 != 0;
         CAUSES.into_iter().filter(holds)
     }
 
+    /// Whether none holds.
     pub fn is_empty(self) -> bool {
         self == Self::NONE
     }

@@ -25,7 +25,9 @@ const TOGETHER: f64 = 1e-9;
 /// A place of the line.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sample {
+    /// Pixels from the picture's left.
     pub x: f64,
+    /// Pixels from the picture's top.
     pub y: f64,
     /// 0 at the line's beginning, 1 at its end.
     pub t: f64,

@@ -86,6 +86,7 @@ pub fn profile_plots(profile: &Profile, request: &ProfileQuestion) -> Vec<Plot> 
 pub struct Compared {
     /// The mode whose curve stands out from the others.
     pub own: ShadingMode,
+    /// What the plot's x is.
     pub abscissa: Abscissa,
     /// Whether it is marked where polygons meet.
     pub edges: bool,

@@ -70,7 +70,9 @@ pub fn scan_in_grid(
 /// Enlarged pixels: (0, 0) is the top left one, the centre of (x, y) is (x + 0.5, y + 0.5).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Grid {
+    /// Pixels in a row.
     pub columns: u32,
+    /// Rows.
     pub rows: u32,
     /// Pixels of the grid to one of the picture, across and down; the same unless the polygon is very long.
     pub scale: DVec2,

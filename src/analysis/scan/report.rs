@@ -29,6 +29,7 @@ pub struct ScanQuestion {
     pub pixel: Option<[u32; 2]>,
     /// Rows of enlarged pixels.
     pub rows: u32,
+    /// Where it is looked at.
     pub stop: Stop,
 }
 
@@ -38,16 +39,20 @@ pub enum Stop {
     /// At the pixel asked for, or one in the middle.
     #[default]
     Pixel,
+    /// At the step of this number, from 0.
     Step(usize),
     /// At the end of a row of the grid.
     Line(u32),
+    /// At the end of the conversion.
     Last,
 }
 
 /// A scan, and the step that is looked at.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ScanStop {
+    /// The step, from 0.
     pub step: usize,
+    /// The whole conversion.
     #[serde(flatten)]
     pub scan: Scan,
 }
@@ -199,11 +204,15 @@ pub struct Mix<'a> {
     pub places: [f64; 3],
     /// x of what is found, pixels of the grid.
     pub x: f64,
+    /// The part of the way from the first point to the second, 0 to 1.
     pub alpha: f64,
+    /// What is interpolated, at the two points.
     pub values: [DVec3; 2],
+    /// What comes of it.
     pub value: DVec3,
     /// As stored in a picture, where it is an intensity.
     pub stored: Option<[u8; 3]>,
+    /// The pixel that it is for; none for P and Q.
     pub pixel: Option<&'a ScanPixel>,
 }
 

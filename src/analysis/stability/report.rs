@@ -25,6 +25,7 @@ pub struct StabilityQuestion {
 /// What became of the cases.
 #[derive(Clone, Debug, Default)]
 pub struct Catalogue {
+    /// One for each case that has been run, in the catalogue's order.
     pub results: Vec<Arc<CaseResult>>,
 }
 

@@ -11,11 +11,14 @@ const ROUNDING: f64 = 2e-6;
 /// A straight line through points, by least squares: `y = offset + slope·x`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Fit {
+    /// Growth of y with x.
     pub slope: f64,
+    /// y at x = 0.
     pub offset: f64,
     /// The slope is within ± this with a probability of 95 %, as far as the points scatter independently about a line
     /// with normally distributed errors: Student's t times the slope's standard error.
     pub confidence: f64,
+    /// How many points there are.
     pub points: usize,
 }
 

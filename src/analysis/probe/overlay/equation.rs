@@ -37,6 +37,7 @@ pub enum ArrowHead {
 /// A vector of the equation in the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrow {
+    /// Which vector it is.
     pub vector: Vector,
     /// The light that it belongs to; none for N and V.
     pub light: Option<usize>,
@@ -44,6 +45,7 @@ pub struct Arrow {
     pub tail: DVec2,
     /// Where the vector's end appears, which may be outside the picture.
     pub tip: DVec2,
+    /// What it ends in.
     pub head: ArrowHead,
     /// False for the lights that are not chosen.
     pub emphasised: bool,
@@ -65,6 +67,7 @@ pub enum Angle {
 /// An arc between two vectors in the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arc {
+    /// Which angle it is.
     pub angle: Angle,
     /// Points along it, pixels.
     pub points: Vec<DVec2>,
