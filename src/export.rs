@@ -45,14 +45,19 @@ pub struct Part {
     pub title: Message,
     /// The usual ending of such a file's name, without the dot.
     pub ending: &'static str,
+    /// The whole of it, ASCII.
     pub text: String,
 }
 
 /// Why a scene has no text in the language asked for.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ExportError {
+    /// The polygons do not fit into a program's text.
     #[error("{}", crate::text!("export-too-large", triangles = *triangles, most = MAX_PROGRAM_TRIANGLES))]
-    MeshTooLarge { triangles: usize },
+    MeshTooLarge {
+        /// How many triangles they are; at most [`MAX_PROGRAM_TRIANGLES`] fit.
+        triangles: usize,
+    },
 }
 
 /// The mesh with the vertex normals that the scene's shading mode evaluates the equation with.

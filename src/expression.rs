@@ -26,8 +26,11 @@ const CHAIN: usize = 256;
 /// What an expression is worth.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
+    /// A number.
     Number(f64),
+    /// The result of a comparison.
     Truth(bool),
+    /// A list, as `[*]` makes it.
     List(Vec<Self>),
 }
 
@@ -36,6 +39,7 @@ pub enum Value {
 pub enum Part {
     /// `.name`, or the entry of a list that is called so: `["name"]`.
     Name(String),
+    /// `[number]`, from 0.
     Index(usize),
     /// `[*]`: what follows, of every entry.
     All,

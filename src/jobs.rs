@@ -35,6 +35,7 @@ pub fn nanoseconds() -> u64 {
 
 /// Something to be done.
 pub trait Work: Send + Sync + Sized + 'static {
+    /// What comes of it.
     type Answer: Clone + Send + Sync + 'static;
 
     /// How the work goes to a worker of a web page, and its answer comes back. What does not travel is done on the page.
@@ -52,6 +53,7 @@ pub type Answered<W> = (Arc<W>, Result<<W as Work>::Answer, String>);
 
 /// Work under way. Dropping it cancels it.
 pub struct Job<W: Work> {
+    /// The work.
     pub work: Arc<W>,
     progress: Arc<Progress>,
     news: Receiver<News<W::Answer>>,
@@ -64,6 +66,7 @@ pub struct Job<W: Work> {
 pub enum News<A> {
     /// What is known so far.
     SoFar(A),
+    /// The answer, or why there is none.
     Over(Result<A, String>),
 }
 
@@ -203,7 +206,7 @@ impl<W: Work> Job<W> {
         self.sent.into_iter().for_each(page::cancel);
     }
 
-    pub fn is_cancelled(&self) -> bool {
+    fn is_cancelled(&self) -> bool {
         self.progress.cancel.load(Ordering::Relaxed)
     }
 
@@ -363,14 +366,18 @@ impl<W: Work> Background<W> {
 /// A question about a scene in a picture of some size.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Asked<Q> {
+    /// The question.
     pub question: Q,
+    /// The scene.
     pub scene: Scene,
+    /// The mesh of an object of kind `obj`.
     #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
     pub model: Option<Arc<Mesh>>,
     size: [u32; 2],
 }
 
 impl<Q: PartialEq> Asked<Q> {
+    /// Of a scene whose picture is to be of `size` pixels.
     pub fn new(question: Q, scene: &Scene, model: Option<&Arc<Mesh>>, size: [u32; 2]) -> Self {
         Self {
             question,
@@ -407,11 +414,16 @@ impl<Q: PartialEq> Asked<Q> {
 }
 
 /// A model travels with the question.
-pub fn pack_model<S: Serializer>(model: &Option<Arc<Mesh>>, into: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn pack_model<S: Serializer>(
+    model: &Option<Arc<Mesh>>,
+    into: S,
+) -> Result<S::Ok, S::Error> {
     model.as_deref().serialize(into)
 }
 
-pub fn unpack_model<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Arc<Mesh>>, D::Error> {
+pub(crate) fn unpack_model<'de, D: Deserializer<'de>>(
+    from: D,
+) -> Result<Option<Arc<Mesh>>, D::Error> {
     let model: Option<Mesh> = Deserialize::deserialize(from)?;
     Ok(model.map(Arc::new))
 }

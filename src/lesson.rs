@@ -53,12 +53,15 @@ use std::path::{Path, PathBuf};
 pub struct Lesson {
     /// Lower-case words with hyphens.
     pub name: String,
+    /// What heads it.
     pub title: String,
     /// The chapter that it belongs to.
     pub topic: String,
+    /// How long it takes.
     pub minutes: u32,
     /// A sentence about it; may be empty.
     pub about: String,
+    /// Its steps, at least one.
     pub steps: Vec<Step>,
     /// Where the files lie that it names; none for a built-in lesson.
     pub folder: Option<PathBuf>,
@@ -69,10 +72,13 @@ pub struct Lesson {
 /// A step of a lesson.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
+    /// What heads it.
     pub title: String,
     /// CommonMark, with numbers that the engine fills in.
     pub text: Prose,
+    /// The scene, and what is shown of it.
     pub stage: Stage,
+    /// What is asked; nothing in a step that only shows.
     pub question: Option<Question>,
     /// Where it begins in the file, from 1.
     pub line: u64,
@@ -81,6 +87,7 @@ pub struct Step {
 /// What is wrong with a lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LessonError {
+    /// At least one, by their lines.
     pub problems: Vec<LessonProblem>,
 }
 
@@ -117,10 +124,17 @@ impl fmt::Display for LessonError {
 /// Why a lesson could not be opened. Displayed, each problem takes a line with the file and the line in it.
 #[derive(Debug, thiserror::Error)]
 pub enum OpenError {
+    /// Its file could not be read.
     #[error(transparent)]
     File(#[from] LoadError),
+    /// What it says is wrong.
     #[error("{}", in_file(.path, .error))]
-    Lesson { path: PathBuf, error: LessonError },
+    Lesson {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong, line by line.
+        error: LessonError,
+    },
 }
 
 fn in_file(path: &Path, error: &LessonError) -> String {

@@ -45,12 +45,14 @@ pub struct Link {
     pub scene: Scene,
     /// What to call it: the built-in scene that it names, if it is still about the same, or "link".
     pub name: String,
+    /// What is shown of the scene.
     pub shown: Shown,
 }
 
 /// Why a text is not a link to a scene: one problem or more. Displayed, each takes a line with the place and the key.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinkError {
+    /// At least one, in the order of the link.
     pub problems: Vec<LinkProblem>,
 }
 

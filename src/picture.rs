@@ -27,6 +27,7 @@ pub enum PictureError {
     /// A text chunk does not hold text, or too many bytes of it.
     #[error("{}", text!("png-unreadable-text", error = .error.to_string(), limit = .most >> 20))]
     UnreadableText {
+        /// What is wrong with it.
         error: png::DecodingError,
         /// In bytes.
         most: usize,

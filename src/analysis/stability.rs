@@ -27,10 +27,15 @@ pub const HALF_A_CODE_VALUE: f64 = 0.5;
 choices! {
     /// What cases are about.
     pub enum Topic = "stability-topic" {
+        /// The power and the microfacets.
         Highlight = "highlight";
+        /// Light in the plane of the surface or behind it.
         Cosines = "cosines";
+        /// Vectors without a direction, or whose square overflows.
         Vectors = "vectors";
+        /// Extreme places and intensities.
         Lights = "lights";
+        /// Extreme eyes, vertices and polygons.
         Geometry = "geometry";
     }
 }

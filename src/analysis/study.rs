@@ -22,14 +22,23 @@ use serde::{Deserialize, Serialize};
 choices! {
     /// A way of shading: one of the engine's modes, or one of the historic ones, in scalar code.
     pub enum Method = "method" {
+        /// Flat, at the centre of each polygon.
         Flat = "flat";
+        /// Flat, by the mean of the vertices.
         FlatVertexMean = "flat-vertex-mean";
+        /// With the polygon's own normal at the vertices.
         Interpolated = "interpolated";
+        /// Gouraud 1971.
         Gouraud = "gouraud";
+        /// Phong 1975, normals scaled to unit length at each pixel.
         Phong = "phong";
+        /// Normals interpolated and left as they are.
         PhongUnnormalised = "phong-unnormalised";
+        /// Phong shading in the same scalar code as the two below.
         PhongScalar = "phong-scalar";
+        /// Bishop and Weimer 1986: the cosines by Taylor expansion over each triangle.
         Taylor = "taylor";
+        /// Kuijk and Blake 1989: normals turn by equal angles along edges and spans.
         Angular = "angular";
     }
 }

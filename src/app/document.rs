@@ -14,9 +14,11 @@ use std::sync::Arc;
 /// A scene with its model.
 #[derive(Clone, Debug, Default)]
 pub struct Document {
+    /// The scene.
     pub scene: Scene,
     /// The mesh of an object of kind `obj`.
     pub model: Option<Arc<Mesh>>,
+    /// Where both came from.
     pub origin: Origin,
 }
 
@@ -28,6 +30,7 @@ pub enum Origin {
     New,
     /// A scene that comes with the program, by its name.
     BuiltIn(String),
+    /// A file, or a picture with a scene inside.
     File(PathBuf),
 }
 
@@ -126,6 +129,7 @@ impl Document {
 }
 
 impl Origin {
+    /// What the window's title calls it: the name of the file or of the built-in scene.
     pub fn name(&self) -> String {
         match self {
             Self::New => "untitled".to_owned(),

@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Look {
+    /// Dark, light, or as the system has it.
     pub theme: ThemeChoice,
     /// Size of the interface; 1 is 14-point text.
     pub scale: f32,
@@ -33,9 +34,11 @@ pub struct Look {
     pub channels: bool,
     /// The view that is open.
     pub view: ViewName,
+    /// What is drawn over the picture.
     pub overlay: OverlayLook,
     /// Whether a picture that rests is drawn with several samples a pixel.
     pub smooth_edges: bool,
+    /// How profiles are looked at.
     pub profile: ProfileLook,
     /// Files opened or saved, the latest first.
     pub recent: Vec<PathBuf>,
@@ -149,16 +152,26 @@ impl Default for Look {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ViewName {
+    /// The equation filled in at the probe's pixel.
     #[default]
     Equation,
+    /// Curves of the terms.
     Curves,
+    /// Intensity along a line.
     Profile,
+    /// Panes and their figures.
     Compare,
+    /// The defects of interpolated shading.
     Defects,
+    /// A polygon's conversion to pixels.
     ScanLine,
+    /// What a frame evaluates, and what it leaves out.
     Plan,
+    /// Error against run time.
     Study,
+    /// Cases that break a naive renderer.
     Stability,
+    /// Lessons.
     Course,
 }
 
@@ -173,12 +186,17 @@ impl ViewName {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct OverlayLook {
+    /// N, L, R or H, and V at the probe's point.
     pub vectors: bool,
+    /// The angles between them.
     pub angles: bool,
+    /// How R is constructed.
     pub construction: bool,
+    /// The plane of N and L, seen from its side.
     pub side_view: bool,
     /// What the point reflects to every side.
     pub lobe: bool,
+    /// H, for models too that do not need it.
     pub half_vector: bool,
     /// The handles of lights and of vertices.
     pub handles: bool,

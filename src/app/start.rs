@@ -23,7 +23,9 @@ const ICON: &[u8] = include_bytes!("../../assets/web/icon-192.png");
 
 /// What the window begins with.
 pub struct Start {
+    /// The scene.
     pub loaded: Loaded,
+    /// A lesson from a file, opened.
     pub lesson: Option<Lesson>,
     /// Decides what is drawn at random in lessons.
     pub seed: Option<u64>,

@@ -30,11 +30,15 @@ use std::path::PathBuf;
 /// The state of the window. What is written to disk between two sessions is its look alone.
 #[derive(Default)]
 pub struct AppState {
+    /// How the window looks.
     pub look: Look,
+    /// The scene that is open.
     pub document: Document,
     /// The document as the active pane shows it; the controls edit its scene, see [`AppState::commit`].
     pub shown: Document,
+    /// What undo and redo go through.
     pub history: History,
+    /// The panes of a comparison, and which of them is active.
     pub panes: Panes,
     /// The document as last opened or saved.
     pub saved: Document,
@@ -42,6 +46,7 @@ pub struct AppState {
     pub opened: Scene,
     /// Whether another scene has been opened since the controls were last shown.
     pub just_opened: bool,
+    /// The pixel that is probed.
     pub probe: ProbePoint,
     /// Whether the probe is to be put beside the highlight, once the picture is drawn.
     pub seek_highlight: bool,
@@ -59,9 +64,11 @@ pub struct AppState {
     pub sampling: Sampling,
     /// Pictures of the named materials.
     pub gallery: Gallery,
+    /// What is being dragged in the picture.
     pub drag: Option<Drag>,
     /// What handles and captions cover in the active pane, in its pixels: the letters of vectors keep off it.
     pub covered: Vec<Area>,
+    /// The faces at the pointed vertex, drawn brighter.
     pub lit: Lit,
     /// Shows the open view alone.
     pub enlarged: bool,
@@ -73,9 +80,11 @@ pub struct AppState {
     pub picture_alone: bool,
     /// Size of the picture with all its panes, pixels.
     pub room: [u32; 2],
+    /// The dialog that is open.
     pub dialog: Option<Dialog>,
     /// The path that the desktop's own dialog gave, which has asked whether to replace the file.
     pub agreed: Option<PathBuf>,
+    /// Whether the window is about to close, and what was asked about that.
     pub leaving: Leaving,
     /// The lessons, and what was answered.
     pub course: Course,

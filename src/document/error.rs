@@ -19,13 +19,17 @@ pub enum LoadError {
     /// The text of the scene, or an override.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// The link.
     #[error(transparent)]
     Link(#[from] LinkError),
     /// The file itself, at a line counted from 1 where the problem has one.
     #[error("{}:{} {problem}", .path.display(), .line.map(|line| format!("{line}:")).unwrap_or_default())]
     File {
+        /// The file.
         path: PathBuf,
+        /// Counted from 1; none where the whole file is meant.
         line: Option<u64>,
+        /// A sentence that says what is wrong and what was expected.
         problem: String,
     },
 }
@@ -55,12 +59,32 @@ impl LoadError {
 /// Why a file could not be written. The target is then as it was before.
 #[derive(Debug, thiserror::Error)]
 pub enum SaveError {
+    /// The target is not what can be written to: a folder, say, or a name too long.
     #[error("{}: {}", .path.display(), .problem.text())]
-    Target { path: PathBuf, problem: Message },
+    Target {
+        /// The target.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: Message,
+    },
+    /// The system refused to write.
     #[error("{}: {}", .path.display(), text!("document-unwritable", error = .source.to_string()))]
-    Unwritable { path: PathBuf, source: io::Error },
+    Unwritable {
+        /// The target.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// An answer that has no figure.
     #[error("{}: {}", .path.display(), text!("document-nothing-to-draw"))]
-    Nothing { path: PathBuf },
+    Nothing {
+        /// The target.
+        path: PathBuf,
+    },
+    /// A figure of more pixels than can be drawn.
     #[error("{}: {}", .path.display(), text!("document-figure-too-large"))]
-    TooLarge { path: PathBuf },
+    TooLarge {
+        /// The target.
+        path: PathBuf,
+    },
 }

@@ -98,6 +98,7 @@ impl Area {
 /// A connected part of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
+    /// Its points, pixels.
     pub points: Vec<DVec2>,
     /// Length of the line up to this part, so that dashes stay in step.
     pub start: f64,

@@ -12,6 +12,7 @@ const CIRCLE_CORNERS: u32 = 96;
 /// A line or an area.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
+    /// Its corners, units of the drawing.
     pub points: Vec<DVec2>,
     /// Whether the last point is joined to the first.
     pub closed: bool,
@@ -21,6 +22,7 @@ pub struct Shape {
     pub width: f64,
     /// Lengths of dashes and gaps in turn, in widths; empty is solid.
     pub dashes: &'static [f32],
+    /// Red, green and blue as stored.
     pub colour: Rgb8,
     /// From 0 to 1.
     pub opacity: f64,
@@ -136,7 +138,9 @@ pub struct Text {
     pub align: f64,
     /// Units an em.
     pub size: f64,
+    /// Red, green and blue as stored.
     pub colour: Rgb8,
+    /// Whether its strokes are thickened.
     pub strong: bool,
     /// Breadth of its halo, 0 for none.
     pub halo: f64,
@@ -227,6 +231,7 @@ impl Scale {
 /// Lines, areas and texts, on a ground of their own or over a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
+    /// Width and height, in the units of its shapes.
     pub size: DVec2,
     /// What it stands on; nothing over a picture.
     pub ground: Option<Rgb8>,
@@ -236,6 +241,7 @@ pub struct Drawing {
     pub breadth: f64,
     /// The later over the earlier, and the texts over all.
     pub shapes: Vec<Shape>,
+    /// The texts.
     pub texts: Vec<Text>,
     /// One for each plot that had room.
     pub(crate) scales: Vec<Scale>,

@@ -21,11 +21,13 @@ const CHORDS: usize = 12;
 /// A text in the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
+    /// What it says.
     pub text: String,
     /// What it covers, halo included.
     pub area: Area,
     /// Size of the type, pixels an em.
     pub size: f64,
+    /// Red, green and blue as stored.
     pub colour: Rgb8,
 }
 

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 pub enum Answer {
     /// The number of an option, from 0.
     Choice(usize),
+    /// A number.
     Value(f64),
     /// From the middle of the picture to the right and down, in units of its shorter side.
     Point([f64; 2]),
@@ -28,6 +29,7 @@ pub enum Answer {
 /// How right an answer is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Grade {
+    /// Whether it is right, within the question's tolerance.
     pub right: bool,
     /// From 0 to 1.
     pub score: f64,

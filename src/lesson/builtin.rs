@@ -5,6 +5,7 @@ use crate::text::{Language, language};
 
 /// A lesson that comes with the program.
 pub struct BuiltIn {
+    /// Lower-case words with hyphens.
     pub name: &'static str,
     /// Its file in each language.
     texts: [&'static str; 2],

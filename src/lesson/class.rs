@@ -14,13 +14,16 @@ use std::path::Path;
 /// Everything that was handed in.
 #[derive(Debug, Default)]
 pub struct Class {
+    /// By lesson.
     pub groups: Vec<Group>,
+    /// Files that do not count.
     pub unreadable: Vec<Unreadable>,
 }
 
 /// A file that does not count.
 #[derive(Clone, Debug)]
 pub struct Unreadable {
+    /// The file's name.
     pub file: String,
     /// In the language of the moment.
     pub why: String,
@@ -31,8 +34,11 @@ pub struct Unreadable {
 /// Those who worked through the same lesson.
 #[derive(Debug)]
 pub struct Group {
+    /// The lesson.
     pub lesson: Lesson,
+    /// Its questions, in their order.
     pub questions: Vec<Asked>,
+    /// The hand-ins, by the names of their files.
     pub students: Vec<Student>,
     /// Whether the lesson came inside a hand-in: it may open no file then.
     foreign: bool,
@@ -43,7 +49,9 @@ pub struct Group {
 pub struct Asked {
     /// The step, from 0.
     pub step: usize,
+    /// What was asked.
     pub ask: String,
+    /// Why the answer is right; may be empty.
     pub why: String,
     /// The texts of options or items.
     pub options: Vec<String>,
@@ -60,6 +68,7 @@ pub struct Asked {
 pub struct Student {
     /// Which of the files, from 0.
     pub index: usize,
+    /// The file's name.
     pub file: String,
     /// May be empty.
     pub name: String,
@@ -71,6 +80,7 @@ pub struct Student {
 /// An answer, graded.
 #[derive(Clone, Debug)]
 pub struct Given {
+    /// The answer, with the tries before it.
     pub answered: Answered,
     /// None where the question has no right answer.
     pub grade: Option<Grade>,
@@ -94,6 +104,7 @@ impl Student {
 }
 
 impl Given {
+    /// Whether it is right, within the question's tolerance.
     pub fn is_right(&self) -> bool {
         self.grade.is_some_and(|grade| grade.right)
     }

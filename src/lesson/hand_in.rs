@@ -32,25 +32,32 @@ pub struct HandIn {
     pub name: String,
     /// The lesson's title when it was worked through.
     pub title: String,
+    /// The language that the lesson was worked through in.
     pub language: Language,
     /// Of the lesson's text.
     pub digest: String,
     /// The lesson's text, unless the lesson comes with the program.
     pub source: Option<String>,
+    /// The answers.
     pub record: Record,
 }
 
 /// Why a picture does not count as answers handed in.
 #[derive(Debug, thiserror::Error)]
 pub enum HandInError {
+    /// No picture, or one that cannot be read.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// A picture without answers.
     #[error("{}", text!("class-no-answers"))]
     NoAnswers,
+    /// Answers of another version of the form.
     #[error("{}", text!("class-version", version = VERSION))]
     Version,
+    /// The answers or the scene were changed after they were handed in.
     #[error("{}", text!("class-changed"))]
     Changed,
+    /// What stands there is no form of answers.
     #[error("{}", text!("class-not-answers", error = .0.to_string()))]
     Form(serde_json::Error),
 }

@@ -8,7 +8,9 @@ use serde::{Deserialize, Serialize};
 /// A question, asked before its answer can be seen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Question {
+    /// What kind of answer it wants.
     pub kind: Kind,
+    /// What is asked, with numbers that the engine fills in.
     pub ask: Prose,
     /// Why the answer is right; may be empty.
     pub why: Prose,
@@ -25,43 +27,69 @@ pub struct Question {
 pub enum Kind {
     /// One of several; `by` where the scenes of the options decide.
     Choice {
+        /// What can be chosen.
         options: Vec<ChoiceOption>,
+        /// The option is right whose scene has the greatest or the least value of this.
         by: Option<(Extreme, Expression)>,
     },
     /// A number from a field that takes `from` to `to`.
     Value {
+        /// Its value is right.
         answer: Expression,
+        /// Greatest distance from it that counts as right.
         tolerance: f64,
+        /// Least number that can be entered.
         from: f64,
+        /// Greatest number that can be entered.
         to: f64,
+        /// What stands behind the field; may be empty.
         unit: String,
     },
     /// A place in the picture; the tolerance in units of its shorter side.
-    Point { find: Find, tolerance: f64 },
+    Point {
+        /// What is looked for.
+        find: Find,
+        /// Greatest distance from it that counts as right.
+        tolerance: f64,
+    },
     /// A curve drawn over `x`; the tolerance is the mean distance as a share of `y`.
     Curve {
+        /// Where the abscissae begin and end.
         x: [f64; 2],
+        /// Where the ordinates begin and end.
         y: [f64; 2],
+        /// What the horizontal axis measures.
         x_name: Prose,
+        /// What the vertical axis measures.
         y_name: Prose,
+        /// The right curve.
         of: CurveOf,
+        /// The greatest mean distance that counts as right.
         tolerance: f64,
     },
     /// A setting of one control that makes something so.
     Settings {
         /// A key.
         control: String,
+        /// What is to become so.
         reach: Expression,
+        /// What it is to become.
         goal: Goal,
         /// Of what is reached, or for an extreme of the control's own value.
         tolerance: f64,
     },
     /// Things from the least to the greatest.
-    Order { items: Vec<Item>, by: Expression },
+    Order {
+        /// What is to be sorted.
+        items: Vec<Item>,
+        /// What they are sorted by, evaluated in the scene of each.
+        by: Expression,
+    },
     /// Settings that make a picture like another one.
     Match {
         /// Keys.
         controls: Vec<String>,
+        /// Where the values come from.
         values: MatchValues,
         /// Root mean square of the difference.
         tolerance: f64,
@@ -72,23 +100,33 @@ pub enum Kind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Term {
+    /// The ambient term.
     Ambient,
+    /// The diffuse term.
     Diffuse,
+    /// The specular term.
     Specular,
+    /// The factor f.
     Attenuation,
+    /// What comes through the surface.
     Transmission,
+    /// The sum over the lights.
     Lights,
 }
 
+/// Which end of a range is looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extreme {
+    /// The greatest value.
     Greatest,
+    /// The least value.
     Least,
 }
 
 /// An option of a choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChoiceOption {
+    /// What it says.
     pub text: Prose,
     /// Whether it is right, where the lesson says so or an expression decides.
     pub right: Option<RightIf>,
@@ -99,15 +137,20 @@ pub struct ChoiceOption {
 /// What makes an option right.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RightIf {
+    /// The lesson says whether.
     Said(bool),
+    /// It is right where this is true.
     Holds(Expression),
 }
 
 /// Where the right place of a point lies.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Find {
+    /// The pixel of the greatest luminance.
     Brightest,
+    /// The pixel of the object of the least luminance.
     Darkest,
+    /// Where this is greatest or least in the picture.
     Extreme(Extreme, Expression),
     /// Anywhere that its sign changes.
     Zero(Expression),
@@ -115,6 +158,7 @@ pub enum Find {
     Corner(ShadingMode),
 }
 
+/// Which curve is to be drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CurveOf {
     /// Of `x`.
@@ -123,16 +167,21 @@ pub enum CurveOf {
     Profile(ShadingMode),
 }
 
+/// What a setting is to reach.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Goal {
+    /// This value.
     Equals(Expression),
+    /// The greatest or the least value.
     Extreme(Extreme),
 }
 
 /// One of the things to be sorted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
+    /// What it says.
     pub text: Prose,
+    /// Settings of its scene.
     pub set: Vec<String>,
 }
 

@@ -20,12 +20,17 @@ const TRIED: usize = 49;
 pub enum Solution {
     /// The number of an option, from 0.
     Choice(usize),
+    /// The number.
     Value(f64),
     /// Any of these is right, the first as good as any.
     Places(Vec<DVec2>),
+    /// `[x, y]` at [`CURVE_POINTS`] abscissae, evenly.
     Curve(Vec<[f64; 2]>),
+    /// The value of the control.
     Setting(f64),
+    /// The items by their numbers from 0, the least first.
     Order(Vec<usize>),
+    /// The values of the controls.
     Match(Vec<f64>),
 }
 

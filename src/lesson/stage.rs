@@ -20,12 +20,15 @@ pub struct Stage {
     pub scene: String,
     /// Settings as `--set` takes them, those of the steps before that go on first.
     pub set: Vec<String>,
+    /// How many lights the scene has.
     pub lights: Option<usize>,
     /// The panes of a comparison, each its settings with semicolons between.
     pub panes: Option<Vec<String>>,
+    /// The view that opens, one of [`VIEWS`].
     pub view: Option<&'static str>,
     /// From the middle of the picture to the right and down, in units of its shorter side.
     pub probe: Option<DVec2>,
+    /// The ends of the profile's line, as `probe` counts.
     pub line: Option<[DVec2; 2]>,
     /// Some of [`OVERLAYS`].
     pub overlays: Vec<&'static str>,
@@ -40,12 +43,15 @@ pub struct Stage {
 /// The scene of a step, ready to be drawn.
 #[derive(Clone, Debug)]
 pub struct Staged {
+    /// The scene, with the step's settings.
     pub scene: Scene,
+    /// The mesh of an object of kind `obj`.
     pub model: Option<Arc<Mesh>>,
     /// The built-in scene or the file that it was made from.
     pub name: String,
     /// The file, where it is one.
     pub path: Option<PathBuf>,
+    /// What is shown of it.
     pub shown: Shown,
 }
 

@@ -25,6 +25,7 @@ pub const VIEWS: [&str; 9] = [
 pub struct Shown {
     /// One of [`VIEWS`].
     pub view: Option<&'static str>,
+    /// The place of the probe.
     pub probe: Option<DVec2>,
     /// Where the profile is taken.
     pub line: Option<[DVec2; 2]>,
@@ -32,6 +33,7 @@ pub struct Shown {
     pub embed: bool,
     /// A lesson of the course by its name, and the number of a step in it, from 1.
     pub lesson: Option<String>,
+    /// The number of the step.
     pub step: Option<u32>,
     /// The controls of an embedded page, by words of lower-case letters, digits, dots and hyphens.
     pub controls: Vec<String>,

@@ -11,6 +11,7 @@ use std::path::PathBuf;
 /// A link, and what it says nothing of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Written {
+    /// The whole link, at most 2000 characters before `#`.
     pub link: String,
     /// The model's file that does not travel: in the link the teapot stands in its place.
     pub left_out: Option<PathBuf>,

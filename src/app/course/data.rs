@@ -20,9 +20,11 @@ const RECORDS: usize = 200;
 
 /// The course in the window.
 pub struct Course {
+    /// The lesson that is open.
     pub open: Option<Open>,
     /// A lesson from a file, first in the list.
     pub own: Option<Arc<Lesson>>,
+    /// What is kept between two sessions.
     pub kept: Kept,
     /// Decides what is drawn at random.
     pub seed: u64,
@@ -211,6 +213,7 @@ impl Open {
 }
 
 impl Kept {
+    /// The answers to the lesson of that name.
     pub fn record(&self, lesson: &str) -> Option<&Record> {
         self.records.iter().find(|record| record.lesson == lesson)
     }

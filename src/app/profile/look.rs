@@ -20,7 +20,9 @@ pub struct ProfileLook {
     pub edges: bool,
     /// Whether the perceived brightness is plotted beside the intensity.
     pub brightness: bool,
+    /// How large a pixel is for the eye.
     pub viewing: Viewing,
+    /// The model of the eye.
     pub perception: Perception,
 }
 

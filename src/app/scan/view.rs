@@ -29,6 +29,7 @@ pub struct ScanView {
     taken: Option<Taken>,
     /// The step, the style, the width and the greatest height that the drawing was laid out for.
     laid_out: Option<(usize, PlotStyle, [f32; 2])>,
+    /// The drawing of the step, once it is laid out.
     pub drawing: Option<Drawing>,
 }
 
@@ -142,6 +143,7 @@ impl ScanView {
         self.playing = Playing::No;
     }
 
+    /// Whether the steps go on by themselves.
     pub fn is_playing(&self) -> bool {
         self.playing != Playing::No
     }

@@ -47,13 +47,17 @@ impl PlotKind {
 /// Curves over one pair of axes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plot {
+    /// Which plot it is.
     pub kind: PlotKind,
     /// What is plotted, in a few words.
     pub title: String,
     /// The formula, and what else the reader must know.
     pub note: String,
+    /// The horizontal axis; of a polar plot, the angle.
     pub x: Axis,
+    /// The vertical axis; of a polar plot, the distance from the middle.
     pub y: Axis,
+    /// The curves, the later over the earlier.
     pub curves: Vec<Curve>,
     /// What each of the curves' notes says.
     pub legend: Vec<String>,
@@ -103,8 +107,11 @@ impl Plot {
 /// One axis: what it measures, and the part of it that is worth showing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Axis {
+    /// What it measures, with its unit.
     pub name: String,
+    /// Its lower end.
     pub low: f64,
+    /// Its upper end.
     pub high: f64,
     /// Whether it measures degrees, whose round numbers are multiples of 15.
     pub degrees: bool,
@@ -148,6 +155,7 @@ impl Axis {
 /// A sampled curve.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Curve {
+    /// What the legend calls it.
     pub name: String,
     /// What it is called in files, where that is not its name.
     #[serde(skip)]
@@ -156,7 +164,9 @@ pub struct Curve {
     pub notes: Vec<String>,
     /// x and y; x never decreases, unless the curve is read nowhere.
     pub points: Vec<[f64; 2]>,
+    /// What its colour means.
     pub ink: Ink,
+    /// How its line is broken.
     pub dash: Dash,
     /// The curve that the scene itself has, against which the others are measured.
     pub emphasised: bool,
@@ -195,15 +205,20 @@ impl Curve {
 /// A name beside a curve, its right edge at `at`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Tag {
+    /// What it says.
     pub text: String,
+    /// x and y.
     pub at: [f64; 2],
 }
 
 /// A point with a name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Point {
+    /// x and y.
     pub at: [f64; 2],
+    /// What it is called.
     pub name: String,
+    /// What its colour means.
     pub ink: Ink,
     /// A ring and not a disc.
     pub hollow: bool,
@@ -217,7 +232,9 @@ pub struct Point {
 /// A value of x, a line across the plot.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Mark {
+    /// Where the line is.
     pub x: f64,
+    /// What it is called.
     pub label: String,
     /// The values there: a curve's index and y.
     pub values: Vec<(usize, f64)>,
@@ -228,11 +245,13 @@ pub struct Mark {
 /// An arrow from the middle of a polar plot.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Direction {
+    /// N, L, R, V or H.
     pub letter: &'static str,
     /// Degrees clockwise from the vertical.
     pub angle: f64,
     /// 1 in the plot's plane, less where the vector leaves it.
     pub length: f64,
+    /// What its colour means.
     pub ink: Ink,
 }
 
@@ -242,9 +261,13 @@ pub struct Direction {
 pub enum Ink {
     /// The colours of the vectors, and of the terms that they make.
     N,
+    /// The colour of L.
     L,
+    /// The colour of R.
     R,
+    /// The colour of V.
     V,
+    /// The colour of H.
     H,
     /// Red, green or blue.
     Channel(u8),
@@ -262,9 +285,14 @@ pub enum Ink {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Dash {
+    /// Not at all.
     Solid,
+    /// In long dashes.
     Long,
+    /// In dashes.
     Dashed,
+    /// In dashes and dots by turns.
     DashDot,
+    /// In dots.
     Dotted,
 }

@@ -16,10 +16,13 @@ const HISTORIC: [Rgb8; 3] = [[0x7A, 0x4F, 0xB5], [0xE6, 0x9F, 0x00], [0x56, 0xB4
 /// The greys of a plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Paper {
+    /// What the plot stands on.
     pub ground: Rgb8,
+    /// Of titles and emphasised texts.
     pub text: Rgb8,
     /// Of what explains: axes, notes, marks.
     pub weak: Rgb8,
+    /// Of the grid's lines.
     pub grid: Rgb8,
 }
 
@@ -68,6 +71,7 @@ impl Paper {
 /// How plots are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlotStyle {
+    /// The greys.
     pub paper: Paper,
     /// Size of the letters, in units of the drawing an em. All else goes by it.
     pub text: f64,
