@@ -25,6 +25,8 @@ use egui_commonmark::CommonMarkCache;
 
 /// The mark in front of an option or behind it, points.
 const MARK: f32 = 16.0;
+/// Height of an option of one line, points.
+const CHOICE: f32 = 22.0;
 
 /// The question of the step, with its answer so far, and the right one once that may be seen.
 pub fn question_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
@@ -180,8 +182,14 @@ impl Card<'_> {
         let width = ui.available_width();
         let outer = ui.available_rect_before_wrap();
         let ground = ui.painter().add(Shape::Noop);
+        // In the middle of a card that is high enough for fingers; buttons are so themselves.
+        let pad = match self.role {
+            Role::RadioButton => 0.5 * (ui.spacing().interact_size.y - CHOICE),
+            _ => 0.0,
+        };
+        let pad = pad.max(5.0);
         let room = Rect::from_min_size(
-            outer.min + vec2(8.0, 5.0),
+            outer.min + vec2(8.0, pad),
             vec2(width - 16.0, f32::INFINITY),
         );
         let layout = Layout::left_to_right(Align::Min);
@@ -208,7 +216,7 @@ impl Card<'_> {
             );
             caption_ui(ui, state, cache, self.words);
         });
-        let height = inside.min_rect().max.y + 5.0 - outer.min.y;
+        let height = inside.min_rect().max.y + pad - outer.min.y;
         let size = vec2(width, height.max(ui.spacing().interact_size.y));
         let rect = Rect::from_min_size(outer.min, size);
         ui.advance_cursor_after_rect(rect);
@@ -264,7 +272,7 @@ fn choice_ui(ui: &mut Ui, open: &mut Open, state: &mut AppState, names: &[String
             enabled: !revealed,
         };
         let response = card.show(ui, state, &mut open.markdown, |ui| {
-            let (rect, _) = ui.allocate_exact_size(vec2(16.0, 22.0), Sense::hover());
+            let (rect, _) = ui.allocate_exact_size(vec2(16.0, CHOICE), Sense::hover());
             let visuals = ui.visuals();
             let stroke = Stroke::new(1.5, visuals.text_color());
             ui.painter().circle_stroke(rect.center(), 6.0, stroke);
