@@ -24,12 +24,16 @@ fn window() -> Harness<'static, App> {
 }
 
 fn window_with(lesson: Lesson) -> Harness<'static, App> {
+    window_of(lesson, [1280.0, 800.0])
+}
+
+fn window_of(lesson: Lesson, size: [f32; 2]) -> Harness<'static, App> {
     let look = Look {
         smooth_edges: false,
         ..Look::default()
     };
     let loaded = hands::built_in("sphere");
-    let mut harness = hands::window_looking(loaded, [1280.0, 800.0], &look, |app| {
+    let mut harness = hands::window_looking(loaded, size, &look, |app| {
         app.with_lesson(Some(lesson), Some(5))
     });
     ready(&mut harness);
@@ -462,4 +466,25 @@ fn so_does_a_scene_from_a_file() {
     hands::enter(&mut harness, "Kd diffuse coefficient", 0.9);
     press(&mut harness, "Check");
     assert!(revealed(&harness));
+}
+
+#[test]
+fn a_question_out_of_sight_has_a_way_down_to_it() {
+    let seen = |harness: &Harness<'_, App>| {
+        harness
+            .query_by_role_and_label(Role::Button, "To the question")
+            .is_some()
+    };
+    let mut high = window();
+    go(&mut high, 1);
+    assert!(!seen(&high));
+    let mut low = window_of(lesson(), [1280.0, 260.0]);
+    go(&mut low, 1);
+    assert!(seen(&low));
+    low.get_by_role_and_label(Role::Button, "To the question")
+        .click();
+    for _ in 0..3 {
+        low.run_ok();
+    }
+    assert!(!seen(&low));
 }

@@ -122,6 +122,10 @@ pub struct Draft {
     pub along: Option<f64>,
     /// Whether the step is to be scrolled to its begin.
     pub fresh: bool,
+    /// Where the question begins, points from the top of the window.
+    pub top: Option<f32>,
+    /// Whether the question is to be scrolled into sight.
+    pub seek: bool,
     /// Whether what is said of the answer is to be scrolled into sight.
     pub told: bool,
     /// Whether the way to the next step is to have the focus: what had it went away with the right answer.

@@ -31,7 +31,7 @@ const CHOICE: f32 = 22.0;
 /// The question of the step, with its answer so far, and the right one once that may be seen.
 pub fn question_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
     let stroke = Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color);
-    Frame::new()
+    let card = Frame::new()
         .stroke(stroke)
         .corner_radius(8.0)
         .inner_margin(Margin::same(10))
@@ -39,6 +39,13 @@ pub fn question_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engin
             ui.set_width(ui.available_width());
             contents_ui(ui, course, state, engine);
         });
+    if let Some(open) = &mut course.open {
+        let rect = card.response.rect;
+        open.draft.top = Some(rect.min.y);
+        if std::mem::take(&mut open.draft.seek) {
+            ui.scroll_to_rect(rect, Some(Align::Min));
+        }
+    }
     if course.revealed()
         && state.lit.next.is_none()
         && let Some(open) = &course.open

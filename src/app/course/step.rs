@@ -16,11 +16,13 @@ use crate::lesson::Kind;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, Frame, Label, Layout, Panel, RichText, ScrollArea, Sense, Ui, vec2,
+    Align, Button, Frame, Label, Layout, Panel, Rect, RichText, ScrollArea, Sense, Ui, vec2,
 };
 
 /// Radius of the dots of the steps, points.
 const DOT: f32 = 3.5;
+/// Width of the way down to the question, points.
+const DOWN: f32 = 108.0;
 
 /// The step that is open.
 pub fn step_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
@@ -37,12 +39,36 @@ pub fn step_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &
     if fresh {
         area = area.vertical_scroll_offset(0.0);
     }
-    area.show(ui, |ui| {
+    let shown = area.show(ui, |ui| {
         // Not under the scroll bar.
         ui.set_max_width(ui.available_width() - 4.0);
         body_ui(ui, course, state, engine);
         ui.add_space(8.0);
     });
+    if let Some(open) = &mut course.open {
+        down_ui(ui, open, shown.inner_rect);
+    }
+}
+
+/// The way down to a question that is out of sight below `seen`: without it nobody might look for one.
+fn down_ui(ui: &mut Ui, open: &mut Open, seen: Rect) {
+    let high = ui.spacing().interact_size.y;
+    if open.draft.top.is_none_or(|top| top + high < seen.max.y) {
+        return;
+    }
+    let size = vec2(DOWN, high);
+    let rect = Rect::from_center_size(seen.center_bottom() - vec2(0.0, 0.5 * high + 4.0), size);
+    let button = Button::new(format!("▼ {}", text!("course-question")));
+    let button = named(
+        ui.put(rect, button),
+        Role::Button,
+        text!("course-to-question"),
+    );
+    aside(&button);
+    if button.clicked() {
+        open.draft.seek = true;
+        ui.ctx().request_repaint();
+    }
 }
 
 /// Has the engine fill in the numbers and find the answer.
