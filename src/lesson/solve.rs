@@ -215,12 +215,15 @@ impl Find {
             Self::Zero(of) => {
                 let values = grid(place, of)?;
                 let step = 1.5 / TRIED as f64;
-                let above: Vec<DVec2> = side(&values, |value| value > 0.0);
-                let below: Vec<DVec2> = side(&values, |value| value <= 0.0);
+                let side = |holds: fn(f64) -> bool| values.iter().filter(move |(_, v)| holds(*v));
                 let mut places = Vec::new();
-                for a in &above {
-                    let near = below.iter().filter(|b| a.distance(**b) < step);
-                    places.extend(near.map(|b| (*a + *b) / 2.0));
+                for (a, over) in side(|value| value > 0.0) {
+                    // Where a straight line between the two values is zero.
+                    for (b, under) in side(|value| value <= 0.0) {
+                        if a.distance(*b) < step {
+                            places.push(a.lerp(*b, over / (over - under)));
+                        }
+                    }
                 }
                 if places.is_empty() {
                     return Err(text!("lesson-no-zero").to_owned());
@@ -234,14 +237,6 @@ impl Find {
             }
         }
     }
-}
-
-fn side(values: &[(DVec2, f64)], holds: impl Fn(f64) -> bool) -> Vec<DVec2> {
-    values
-        .iter()
-        .filter(|(_, value)| holds(*value))
-        .map(|(place, _)| *place)
-        .collect()
 }
 
 /// An expression at places all over the object.
