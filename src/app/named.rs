@@ -75,6 +75,8 @@ fn row_ui(ui: &mut Ui, state: &mut AppState, control: Named) {
     let view = View {
         index,
         numbered: last > 0 && matches!(control, Named::Row(_, Some(_))),
+        // Apart from the floor's other rows nothing else says whose coefficient it is.
+        in_full: parameter.section() == "ground",
         ..View::default()
     };
     parameter_with(ui, lit, &mut shown.scene, parameter, &view);

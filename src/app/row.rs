@@ -37,6 +37,8 @@ pub struct View {
     pub index: usize,
     /// Whether the row says which light it belongs to.
     pub numbered: bool,
+    /// Whether the label says what it belongs to.
+    pub in_full: bool,
     /// Whether coefficients always have a field for each channel.
     pub channels: bool,
     pub slider: Option<Slider>,
@@ -49,6 +51,7 @@ impl Default for View {
         Self {
             index: 0,
             numbered: false,
+            in_full: false,
             channels: false,
             slider: None,
             offered: |_, _| true,
@@ -74,7 +77,11 @@ pub fn parameter_with(
             parameter.letter
         },
         tint: tint(ui, scene, parameter),
-        label: parameter.label(),
+        label: if view.in_full {
+            &name
+        } else {
+            parameter.label()
+        },
         name: &name,
         tip: &tip,
         symbol: parameter.symbol,

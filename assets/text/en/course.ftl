@@ -75,7 +75,7 @@ course-looked-up =
        *[other] Looked up after { $count } tries.
     }
 course-wrong = Not right yet.
-course-nearly = Not right yet, but near: { $share } %.
+course-nearly = Not right yet. Closeness: { $share } %
 course-try-again = Change your answer and check again, or show the answer.
 course-values = Right: { $right } · yours: { $own }
 course-place = The ring in the picture marks the right place.

@@ -15,6 +15,8 @@ use std::rc::Rc;
 
 /// Size of formulas: a little larger than the text, as their small letters need it.
 const FORMULA: f32 = TEXT + 1.0;
+/// Letters and signs of a formula that stays on one line.
+const WHOLE: usize = 18;
 /// What brings its baseline to that of the text, points.
 const RAISED: f32 = 1.0;
 
@@ -64,7 +66,11 @@ fn shown_ui(
 
 fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usize>, live: bool) {
     let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 0.0);
-    let mut runs = pieces(ui.visuals(), formula).into_iter().peekable();
+    let mut runs = pieces(ui.visuals(), formula);
+    if formula.chars().count() <= WHOLE {
+        runs = vec![runs.concat()];
+    }
+    let mut runs = runs.into_iter().peekable();
     while let Some(mut run) = runs.next() {
         if !live {
             run.iter_mut().for_each(|piece| piece.symbol = None);

@@ -360,24 +360,27 @@ fn order_ui(ui: &mut Ui, open: &mut Open, state: &mut AppState, names: &[String]
                 ui.label(RichText::new(number).weak());
                 return;
             }
-            ui.spacing_mut().item_spacing.x = 2.0;
-            for (sign, to, name) in [
-                ("▲", place.checked_sub(1), "course-up"),
-                (
-                    "▼",
-                    Some(place + 1).filter(|to| *to < order.len()),
-                    "course-down",
-                ),
-            ] {
-                let side = ui.spacing().interact_size.y;
-                let button = Button::new(sign).min_size(vec2(side, side));
-                let response = ui.add_enabled(to.is_some(), button);
-                let name = text!(name, item = words.as_str());
-                if named(response, Role::Button, &name).clicked() {
-                    moved = to.map(|to| (place, to));
+            let side = ui.spacing().interact_size.y;
+            let size = vec2(2.0 * side + 2.0, side);
+            // As high as the buttons, whose signs stand in their middle.
+            ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+                ui.spacing_mut().item_spacing.x = 2.0;
+                for (sign, to, name) in [
+                    ("▲", place.checked_sub(1), "course-up"),
+                    (
+                        "▼",
+                        Some(place + 1).filter(|to| *to < order.len()),
+                        "course-down",
+                    ),
+                ] {
+                    let button = Button::new(sign).min_size(vec2(side, side));
+                    let response = ui.add_enabled(to.is_some(), button);
+                    let name = text!(name, item = words.as_str());
+                    if named(response, Role::Button, &name).clicked() {
+                        moved = to.map(|to| (place, to));
+                    }
                 }
-            }
-            ui.add_space(4.0);
+            });
         };
         let response = card.show(ui, state, &mut open.markdown, ways);
         places.push(response.rect);
