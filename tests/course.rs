@@ -167,6 +167,11 @@ fn a_lesson_alone_says_what_its_scenes_show() {
         harness.query_by_label(&document.title()).is_some()
     };
     assert!(!titled(&harness));
+    // The probe is marked where the step speaks of it.
+    let probe = |harness: &Harness<'_, App>| harness.state().state().course.shows_probe();
+    assert!(probe(&harness));
+    next(&mut harness);
+    assert!(!probe(&harness));
     press(&mut harness, "Lessons");
     harness.run_ok();
     assert!(titled(&harness));

@@ -8,7 +8,7 @@ use crate::lesson::{
     Staged, Step, find, value_of,
 };
 use crate::scene::Scene;
-use crate::text::{Language, language};
+use crate::text::{Language, in_language, language, text};
 use egui_commonmark::CommonMarkCache;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -406,17 +406,23 @@ impl Course {
         self.open.as_ref().is_some_and(shows)
     }
 
-    /// Whether the step speaks of the place of the probe, so that it is marked without vectors too. Where a place is asked
-    /// for, a mark would look like an answer.
+    /// Whether the step speaks of the probe, in either language, so that its place is marked without vectors too. Where a place
+    /// is asked for, a mark would look like an answer.
     pub fn shows_probe(&self) -> bool {
         let Some(open) = &self.open else { return false };
-        let stage = &open.current().stage;
         let asks = open
             .question()
             .is_some_and(|question| matches!(question.kind, Kind::Point { .. }));
-        stage.probe.is_some()
-            && matches!(stage.view, Some("equation" | "curves" | "compare"))
-            && !asks
+        let Some(Ok(known)) = open.known() else {
+            return false;
+        };
+        let speaks = |language: Language| {
+            let word = in_language(language, || text!("course-probe"));
+            [&known.text, &known.ask]
+                .iter()
+                .any(|words| words.to_lowercase().contains(word))
+        };
+        open.current().stage.probe.is_some() && !asks && Language::ALL.into_iter().any(speaks)
     }
 
     /// The lesson that is open, or that was answered last, with its answers, where there are any.
