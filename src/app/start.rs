@@ -16,8 +16,6 @@ const X11_LIBRARIES: [(&str, &str); 5] = [
     ("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
 ];
 
-/// What desktops know the window by, as in `packaging/`.
-const APP_ID: &str = "io.github.shading_lab.shading_lab";
 /// A picture of the program's own.
 const ICON: &[u8] = include_bytes!("../../assets/web/icon-192.png");
 
@@ -50,7 +48,7 @@ pub fn run(start: Start) -> Result<(), String> {
     check_environment()?;
     let viewport = ViewportBuilder::default()
         .with_title("shading-lab")
-        .with_app_id(APP_ID)
+        .with_app_id("shading-lab")
         .with_inner_size([1280.0, 800.0])
         .with_min_inner_size([360.0, 360.0]);
     let viewport = match eframe::icon_data::from_png_bytes(ICON) {
