@@ -104,10 +104,12 @@ impl Look {
         (self.scale, self.projector) = (1.0, false);
     }
 
-    /// The size of text for a room, and back. The panels fold, so that the picture is seen.
+    /// The size of text for a room, and back. The panels fold, so that the picture is seen; the course stays, which the room
+    /// is there for.
     pub fn projector(&mut self) {
         (self.scale, self.projector) = (1.0, !self.projector);
-        (self.controls, self.views) = (!self.projector, !self.projector);
+        self.controls = !self.projector && self.view != ViewName::Course;
+        self.views = !self.projector || self.view == ViewName::Course && self.views;
     }
 
     /// The scale of the interface in a window so many points of the screen high.
