@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A scene with all that it needs to be drawn.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Loaded {
     /// Sound, as [`Scene::validate`] has it; a model's path is absolute.
     pub scene: Scene,
@@ -49,6 +49,21 @@ pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
 /// Opens a scene: a `.toml` file; a `.obj` model in the default scene, fitted; a `.png` with its scene inside; a link, which
 /// begins with `https://` or with `?`; or a built-in scene by its name, which goes before a file of the same name without
 /// such an ending.
+///
+/// # Examples
+/// ```
+/// use shading_lab::document::load;
+/// use std::path::Path;
+///
+/// let teapot = load(Path::new("teapot"))?;
+/// let link = load(Path::new("?scene=teapot&set=material.n=5"))?;
+/// assert_eq!(link.scene.material.n, 5.0);
+/// assert_eq!(teapot.scene.object, link.scene.object);
+///
+/// let error = load(Path::new("teapto")).expect_err("a misspelt name");
+/// assert!(error.to_string().contains("teapot"), "{error}");
+/// # Ok::<(), shading_lab::document::LoadError>(())
+/// ```
 ///
 /// # Errors
 /// See [`LoadError`].

@@ -50,7 +50,8 @@ pub struct Part {
 }
 
 /// Why a scene has no text in the language asked for.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExportError {
     /// The polygons do not fit into a program's text.
     #[error("{}", crate::text!("export-too-large", triangles = *triangles, most = MAX_PROGRAM_TRIANGLES))]

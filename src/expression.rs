@@ -239,6 +239,13 @@ impl Expression {
 }
 
 /// The number that arithmetic stands for; none where it is no arithmetic, or its value is not a number.
+///
+/// ```
+/// use shading_lab::expression::arithmetic;
+///
+/// assert_eq!(arithmetic("2*(3 + 4)"), Some(14.0));
+/// assert_eq!(arithmetic("2*("), None);
+/// ```
 pub fn arithmetic(text: &str) -> Option<f64> {
     match Expression::read(text).ok()?.value(&Plain).ok()? {
         Value::Number(number) => Some(number).filter(|number| !number.is_nan()),

@@ -63,6 +63,7 @@ pub struct Job<W: Work> {
 }
 
 /// What comes from a job.
+#[derive(Clone, Debug)]
 pub enum News<A> {
     /// What is known so far.
     SoFar(A),

@@ -49,6 +49,25 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// A lesson that has been read.
+///
+/// ```
+/// use shading_lab::lesson::{Answer, Lab, LESSONS};
+///
+/// let lesson = LESSONS[0].lesson();
+/// let (step, question) = lesson
+///     .steps
+///     .iter()
+///     .find_map(|step| Some((step, step.question.as_ref()?)))
+///     .expect("a lesson asks something");
+///
+/// // The engine works the answer out from the step's scene.
+/// let staged = step.stage.load(None)?;
+/// let lab = Lab::new(&staged);
+/// let solution = question.solve(lab.place(&staged), 1)?;
+/// let grade = Answer::right(&solution).grade(question, &solution, lab.place(&staged));
+/// assert!(grade.expect("an answer of the right kind").right);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lesson {
     /// Lower-case words with hyphens.
@@ -123,6 +142,7 @@ impl fmt::Display for LessonError {
 
 /// Why a lesson could not be opened. Displayed, each problem takes a line with the file and the line in it.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum OpenError {
     /// Its file could not be read.
     #[error(transparent)]

@@ -22,6 +22,10 @@
 //! let middle = picture.pixel(32, 32).expect("a pixel inside the picture");
 //! assert!(middle[0] > middle[2], "the sphere is red");
 //! ```
+//!
+//! More examples are in `docs/library.md`, and at the items that most programs begin with: [`document::load`],
+//! [`scene::Scene`], [`render::Renderer`], [`analysis::probe`], [`analysis::Question`], [`figure::Plot`], [`geometry::Mesh`],
+//! [`picture::write_png`], [`link::read`], [`export::glsl_330`] and [`lesson::Lesson`].
 
 pub mod analysis;
 #[cfg(feature = "app")]
@@ -42,3 +46,11 @@ mod properties;
 pub mod render;
 pub mod scene;
 pub mod text;
+
+/// Vectors of the public interface.
+pub use glam;
+
+/// The examples of the page are compiled and run with those of the sources.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/library.md")]
+struct Library;

@@ -87,6 +87,7 @@ impl fmt::Display for LinkError {
 
 /// Why a scene cannot be written as a link.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum WriteError {
     /// It has too many polygons.
     #[error("{}", text!("link-scene-too-large", limit = MOST_TEXT >> 10))]

@@ -17,6 +17,7 @@ const ANCILLARY_LIMIT: usize = 64 << 20;
 
 /// Why a picture could not be read or written.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum PictureError {
     /// Not a PNG file, or a damaged one.
     #[error("{}", text!("png-damaged", error = .0.to_string()))]
@@ -42,6 +43,24 @@ pub type PictureText<'t> = (&'t str, &'t str);
 
 /// Writes `frame` as a PNG that holds `scene`, if it shows one, and other `texts`, compressed: three channels where every pixel is opaque, else four. A picture encoded
 /// as sRGB says so; a raw one says nothing about its colours.
+///
+/// # Examples
+/// ```
+/// use shading_lab::picture::{read_scene_text, write_png};
+/// use shading_lab::render::Renderer;
+/// use shading_lab::scene::Scene;
+/// use std::io::Cursor;
+///
+/// let mut scene = Scene::default();
+/// scene.image.size = [32, 32];
+/// let frame = Renderer::default().render(&scene).clone();
+/// let mut png = Vec::new();
+/// write_png(&mut png, &frame, Some(&scene), &[])?;
+///
+/// let text = read_scene_text(Cursor::new(png))?;
+/// assert_eq!(Scene::parse(&text, "a picture")?, scene);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`PictureError::Unwritten`], when `out` refuses or the frame has no pixels.

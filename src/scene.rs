@@ -54,6 +54,25 @@ pub use view::View;
 pub type Rgb = glam::DVec3;
 
 /// Everything that a picture depends on.
+///
+/// Fields can be set as they are; [`Scene::validate`] says what is wrong then. [`Scene::parse`], [`Scene::to_toml`] and
+/// [`Scene::with_overrides`] go by the keys of [`parameter`].
+///
+/// ```
+/// use shading_lab::scene::{LightKind, Scene};
+///
+/// let mut scene = Scene::parse("[material]\nn = 80\n", "mine.toml")?;
+/// scene.lights[0].kind = LightKind::Directional;
+/// let scene = scene.with_override("shading.mode=gouraud")?;
+/// scene.validate()?;
+///
+/// let again = Scene::parse(&scene.to_toml(), "again.toml")?;
+/// assert_eq!(again, scene);
+///
+/// let error = Scene::parse("[material]\nm = 80\n", "mine.toml").expect_err("there is no such key");
+/// assert!(error.to_string().starts_with("mine.toml:2"));
+/// # Ok::<(), shading_lab::scene::SceneError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Version of the file format; 1.

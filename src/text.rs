@@ -26,6 +26,7 @@ pub use fluent_bundle::FluentValue as Value;
 
 /// A language of the catalogue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum Language {
     /// English.
     #[default]

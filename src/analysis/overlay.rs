@@ -23,6 +23,7 @@ pub fn overlay_letters(side: f64) -> f64 {
 /// What an overlay may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum OverlayLayer {
     /// N, L, R, V and, for Blinn's model, H at the probe's point.
     Vectors,

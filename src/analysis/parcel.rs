@@ -4,6 +4,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 /// How a value becomes bytes, and bytes that value again.
+#[derive(Debug)]
 pub struct Parcel<T> {
     /// The value as bytes.
     pub pack: fn(&T) -> Vec<u8>,

@@ -35,7 +35,7 @@ const SEARCH_GRID: u32 = 64;
 const APART: RangeInclusive<f64> = 15.0..=65.0;
 
 /// The equation at one pixel.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Probe {
     /// The pixel, (0, 0) top left.
     pub pixel: [u32; 2],
@@ -46,7 +46,7 @@ pub struct Probe {
 }
 
 /// What the pixel shows of the object.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProbeHit {
     /// The point seen, world.
     pub position: DVec3,
@@ -97,7 +97,7 @@ pub struct CueTerms {
 }
 
 /// One light's part. JSON has its angles in degrees.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LightTerms {
     /// Which kind of source it is.
     pub kind: LightKind,
@@ -193,6 +193,22 @@ fn in_degrees<S: Serializer>(radians: &f64, serializer: S) -> Result<S::Ok, S::E
 /// evaluates it. Where that is not at the pixel (flat, interpolated and Gouraud shading), `diffuse` and `specular` are the
 /// weighted sums over those places, while the vectors and angles are those at the pixel itself, with the normal that the
 /// mode has there. A pixel outside the picture sees nothing.
+///
+/// ```
+/// use shading_lab::analysis::probe;
+/// use shading_lab::render::Renderer;
+/// use shading_lab::scene::Scene;
+///
+/// let mut scene = Scene::default();
+/// scene.image.size = [64, 64];
+/// let mut renderer = Renderer::default();
+/// let hit = probe(&mut renderer, &scene, 36, 28).hit.expect("the sphere");
+/// assert!((hit.normal.length() - 1.0).abs() < 1e-6);
+/// let light = &hit.lights[0];
+/// assert!((light.n_dot_l - light.theta.cos()).abs() < 1e-6);
+///
+/// assert!(probe(&mut renderer, &scene, 0, 0).hit.is_none(), "the background");
+/// ```
 pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
     let frame = renderer.render(scene);
     let stored = frame.pixel(x, y);

@@ -91,6 +91,7 @@ impl ProfileQuestion {
 
 /// Why there is no profile.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ProfileError {
     /// An end lies outside the picture.
     #[error("{}", outside(*.size))]

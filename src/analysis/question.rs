@@ -12,6 +12,22 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 /// What is asked of a scene: plain data, so that it can be kept, compared and sent elsewhere.
+///
+/// ```
+/// use shading_lab::analysis::{About, Answer, NormalsQuestion, Question, Subject, unwatched};
+/// use shading_lab::scene::{Scene, presets};
+///
+/// let scene = presets::find("vertex-normals").expect("a built-in scene").scene();
+/// let question = NormalsQuestion { vertex: Some(0), pixel: None };
+/// let subject = Subject::new(scene);
+/// let answer = question.answer(&subject, &unwatched)?;
+///
+/// let about = About { name: "vertex-normals", scene: &subject.scene };
+/// let answer: &dyn Answer = &answer;
+/// println!("{}", answer.text(&about)); // as the command `normals` prints it
+/// assert!(answer.object(&about)["faces"].is_array()); // as with `--json`
+/// # Ok::<(), String>(())
+/// ```
 pub trait Question:
     Clone + Debug + PartialEq + Serialize + DeserializeOwned + Send + Sync + 'static
 {
@@ -44,6 +60,15 @@ pub struct Subject {
 }
 
 impl Subject {
+    /// A scene without a model and without a clock: what measures times finds 0.
+    pub fn new(scene: Scene) -> Self {
+        Self {
+            scene,
+            model: None,
+            clock: || 0,
+        }
+    }
+
     /// A renderer that has the model and the clock.
     pub fn renderer(&self) -> Renderer {
         let mut renderer = Renderer::with_clock(self.clock);
@@ -87,7 +112,7 @@ choices! {
 }
 
 /// An analysis.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Analysis {
     /// The command.
     pub name: &'static str,

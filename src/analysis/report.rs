@@ -68,6 +68,7 @@ pub trait Answer: Debug + Send + Sync {
 
 /// A figure to be written.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Figure {
     /// Lines and texts.
     Drawing {
@@ -107,6 +108,7 @@ pub struct Section {
 
 /// A piece of a report.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Part {
     /// A sentence or more.
     Text(String),
@@ -335,6 +337,7 @@ pub type Filled<T> = (Column, fn(&T) -> Cell);
 
 /// What stands in a row under a column.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Cell {
     /// Nothing is known or defined there.
     Empty,

@@ -255,6 +255,7 @@ pub struct ScanPoint<'a> {
 
 /// Why a polygon cannot be scanned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum ScanError {
     /// The mesh has no such face.
     #[error("{}", no_face(*.face, *.count))]

@@ -15,6 +15,7 @@ pub(super) const PICTURE: Message = Message("document-picture");
 /// Why something could not be opened. Displayed, it names the file, and the line where there is one; several problems
 /// take a line each.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum LoadError {
     /// The text of the scene, or an override.
     #[error(transparent)]
@@ -58,6 +59,7 @@ impl LoadError {
 
 /// Why a file could not be written. The target is then as it was before.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum SaveError {
     /// The target is not what can be written to: a folder, say, or a name too long.
     #[error("{}: {}", .path.display(), .problem.text())]

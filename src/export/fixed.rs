@@ -69,6 +69,21 @@ pub fn opengl_c_snippet(scene: &Scene, mesh: &Mesh) -> Export {
 /// A whole program in C99: the same functions, the polygons and a `main` that draws them off screen through EGL and
 /// writes a binary PPM picture to the path it is given.
 ///
+/// # Examples
+/// ```
+/// use shading_lab::export::opengl_c;
+/// use shading_lab::geometry::tessellate;
+/// use shading_lab::scene::Scene;
+///
+/// let scene = Scene::default();
+/// let export = opengl_c(&scene, &tessellate(&scene.object))?;
+/// assert!(export.parts[0].text.contains("glLightfv"));
+/// for limit in &export.limits {
+///     println!("{limit:?}"); // what OpenGL cannot express
+/// }
+/// # Ok::<(), shading_lab::export::ExportError>(())
+/// ```
+///
 /// # Errors
 /// A mesh of more than [`MAX_PROGRAM_TRIANGLES`] triangles.
 pub fn opengl_c(scene: &Scene, mesh: &Mesh) -> Result<Export, ExportError> {

@@ -37,6 +37,16 @@ const DIRECTION: &str = "    float d = max(length(to_light), 1e-9);\n    vec3 L 
 /// A pair of shaders, `#version 330 core`, that evaluates the scene's equation where its shading mode does. They need
 /// positions (location 0) and unit normals (location 1) in the world and nothing else: the uniforms have the scene's
 /// values as defaults.
+///
+/// # Examples
+/// ```
+/// use shading_lab::export::glsl_330;
+/// use shading_lab::scene::Scene;
+///
+/// let export = glsl_330(&Scene::default());
+/// let [vertex, fragment] = &export.parts[..] else { unreachable!("two shaders") };
+/// assert!(vertex.text.contains("#version 330 core") && fragment.text.contains("#version 330 core"));
+/// ```
 pub fn glsl_330(scene: &Scene) -> Export {
     let mut limits = surroundings(scene);
     let shading = match scene.shading.mode {

@@ -229,6 +229,18 @@ impl Scale {
 }
 
 /// Lines, areas and texts, on a ground of their own or over a picture.
+///
+/// ```
+/// use shading_lab::figure::{Drawing, Shape, Text};
+/// use shading_lab::glam::DVec2;
+///
+/// let mut drawing = Drawing::new(DVec2::new(60.0, 40.0), [255; 3]);
+/// drawing.shapes.push(Shape::disc(DVec2::new(20.0, 20.0), 12.0, [200, 40, 40]));
+/// drawing.texts.push(Text::new("N", DVec2::new(40.0, 24.0), 12.0, [0; 3]));
+/// assert!(drawing.to_svg("a disc").contains("N"));
+/// let frame = drawing.to_frame().expect("it is small enough");
+/// assert_eq!(frame.pixel(20, 20), Some([200, 40, 40]));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
     /// Width and height, in the units of its shapes.

@@ -43,7 +43,7 @@ pub(crate) const FAR: f64 = 1000.0;
 /// Polygons are counter-clockwise seen from outside. Faces that meet at a point share its position, creases included,
 /// so that averaging sees them all; `normals` may give each corner its own. Drawn as triangles, a polygon is a fan from
 /// its first corner.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mesh<C = Corner> {
     /// World position of (0, 0, 0) in `positions`: large offsets stay in double precision.
     pub origin: DVec3,

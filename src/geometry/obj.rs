@@ -26,6 +26,19 @@ use std::io::{BufRead, BufReader};
 ///
 /// Memory stays below six times the size of the file: `tobj` gets the faces in pieces.
 ///
+/// # Examples
+/// ```
+/// use shading_lab::geometry::read_obj;
+///
+/// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+/// let mesh = read_obj(text.as_bytes(), &mut |_bytes| {})?;
+/// assert_eq!((mesh.positions.len(), mesh.face_count()), (3, 1));
+///
+/// let error = read_obj("v 0 0 0\nf 1 2 3\n".as_bytes(), &mut |_| {}).expect_err("two points are missing");
+/// assert_eq!(error.line(), Some(2));
+/// # Ok::<(), shading_lab::geometry::ObjError>(())
+/// ```
+///
 /// # Errors
 /// [`ObjError`], with the line where there is one.
 pub fn read_obj(reader: impl BufRead, progress: &mut dyn FnMut(u64)) -> Result<Mesh, ObjError> {

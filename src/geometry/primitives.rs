@@ -40,7 +40,7 @@ pub fn tessellate(object: &Object) -> Mesh {
         ObjectKind::Cube => shapes::cube((segments / 4).max(1), rings),
         ObjectKind::Plane => shapes::plane(divisions(object.segments, 1), rings),
         ObjectKind::Corrugated => shapes::corrugated(divisions(object.segments, 2), rings),
-        ObjectKind::Polygons => shapes::polygons(object),
+        ObjectKind::Polygons => Mesh::from(&object.polygons()),
         ObjectKind::Teapot => teapot::teapot((rings / 4).max(1), (segments / 4).max(1)),
         ObjectKind::Obj => Mesh {
             starts: vec![0],

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 /// An answer to a question.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Answer {
     /// The number of an option, from 0.
     Choice(usize),

@@ -4,6 +4,7 @@ use super::Lesson;
 use crate::text::{Language, language};
 
 /// A lesson that comes with the program.
+#[derive(Clone, Copy, Debug)]
 pub struct BuiltIn {
     /// Lower-case words with hyphens.
     pub name: &'static str,

@@ -44,6 +44,7 @@ pub struct HandIn {
 
 /// Why a picture does not count as answers handed in.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum HandInError {
     /// No picture, or one that cannot be read.
     #[error(transparent)]

@@ -99,6 +99,7 @@ pub enum Kind {
 /// The part of the equation that a question is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Term {
     /// The ambient term.
     Ambient,
@@ -145,6 +146,7 @@ pub enum RightIf {
 
 /// Where the right place of a point lies.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Find {
     /// The pixel of the greatest luminance.
     Brightest,
@@ -160,6 +162,7 @@ pub enum Find {
 
 /// Which curve is to be drawn.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum CurveOf {
     /// Of `x`.
     Expression(Expression),
@@ -169,6 +172,7 @@ pub enum CurveOf {
 
 /// What a setting is to reach.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Goal {
     /// This value.
     Equals(Expression),

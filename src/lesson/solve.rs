@@ -17,6 +17,7 @@ const TRIED: usize = 49;
 
 /// The right answer to a question.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum Solution {
     /// The number of an option, from 0.
     Choice(usize),

@@ -47,6 +47,22 @@ fn bare(text: &str) -> &str {
 
 /// Reads a link: what is before `?` is not looked at.
 ///
+/// # Examples
+/// ```
+/// use shading_lab::link::{Shown, read, write};
+/// use shading_lab::scene::presets;
+///
+/// let mut scene = presets::find("highlight").expect("a built-in scene").scene();
+/// scene.material.n = 5.0;
+/// let written = write("https://example.org/lab/", &scene, None, &Shown::default())?;
+/// assert_eq!(written.link, "https://example.org/lab/?scene=highlight&set=material.n=5");
+/// assert_eq!(read(&written.link)?.scene, scene);
+///
+/// let error = read("?scene=highlight&set=material.m=5").expect_err("there is no such key");
+/// assert_eq!(error.problems[0].key, "material.m");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Guarantees
 /// The scene is one that [`Scene::validate`] accepts, and names no file.
 ///

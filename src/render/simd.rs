@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// A SIMD level that the kernels are compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum SimdLevel {
     /// 512-bit vectors of x86-64.
     #[serde(rename = "avx512")]

@@ -99,6 +99,7 @@ impl<T: Choice + Datum> ChoiceField for Access<T> {
 
 /// A list of a scene whose elements are tables of keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum List {
     /// `Scene::lights`.
     Lights,

@@ -42,6 +42,21 @@ pub(super) struct Keys {
 /// One key of a scene. What people read about it is in the catalogue: its name, a label for its row in the window and a
 /// sentence that says what it means.
 #[derive(Debug)]
+///
+/// ```
+/// use shading_lab::scene::parameter::Parameter;
+/// use shading_lab::scene::{Scene, material};
+///
+/// let n = Parameter::by_word("n").expect("a key");
+/// assert_eq!((n.key, n.letter), ("material.n", "n"));
+/// assert!(n.limits(&Scene::default()).expect("a number").contains(1e9));
+/// assert_eq!(n.key, material::N.key);
+///
+/// let other = Scene::default().with_override("material.n=5")?;
+/// let changed: Vec<_> = Scene::default().differences(&other).map(|(parameter, _)| parameter.key).collect();
+/// assert_eq!(changed, ["material.n"]);
+/// # Ok::<(), shading_lab::scene::SceneError>(())
+/// ```
 pub struct Parameter {
     /// As in the scene file, for example `material.n`. `light.N.` stands for the light of any number.
     pub key: &'static str,
@@ -89,6 +104,7 @@ pub enum Kind {
 
 /// What a number is measured in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Unit {
     /// Pixels of the picture.
     Pixels,

@@ -78,6 +78,7 @@ pub struct Problem {
 
 /// Where a problem was met.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Place {
     /// In a text, at a line counted from 1.
     Line {
@@ -94,6 +95,7 @@ pub enum Place {
 
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Cause {
     /// A table has no such key.
     UnknownKey {

@@ -7,6 +7,7 @@ macro_rules! symbols {
     ($($(#[$detail:meta])* $name:ident = $meaning:literal, $unit:literal;)+) => {
         /// A symbol of the equation that something in the window controls.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
         pub enum Symbol {
             $($(#[$detail])* $name,)+
         }

@@ -45,7 +45,7 @@ pub struct Product {
 }
 
 /// The scene and what its probe has hit.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Here<'a> {
     /// The scene.
     pub scene: &'a Scene,
@@ -54,7 +54,7 @@ pub struct Here<'a> {
 }
 
 /// One light of [`Here`].
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct LightHere<'a> {
     /// The point that it shines on.
     pub here: Here<'a>,

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 /// The curves of local illumination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum PlotKind {
     /// The family cosⁿ φ.
     Exponent,
@@ -45,6 +46,25 @@ impl PlotKind {
 }
 
 /// Curves over one pair of axes.
+///
+/// ```
+/// use shading_lab::figure::{Axis, Curve, Ink, Paper, Plot, PlotKind, PlotStyle, lay_out};
+/// use shading_lab::glam::DVec2;
+///
+/// let power = |n: f64| (0..=90).map(move |degrees| {
+///     let angle = f64::from(degrees);
+///     [angle, angle.to_radians().cos().powf(n)]
+/// });
+/// let curve = Curve::new("n = 20", power(20.0).collect(), Ink::R);
+/// let axes = [Axis::degrees("φ", 0.0, 90.0), Axis::new("cosⁿ φ", 0.0, 1.0)];
+/// let plot = Plot::new(PlotKind::Exponent, "A highlight", "", axes, vec![curve]);
+///
+/// let drawing = lay_out(&plot, DVec2::new(480.0, 320.0), &PlotStyle::of([480, 320], 1, Paper::LIGHT));
+/// let svg = drawing.to_svg(&plot.title);
+/// assert!(svg.starts_with("<svg"));
+/// let frame = drawing.to_frame().expect("it is small enough");
+/// assert_eq!((frame.width, frame.height), (480, 320));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plot {
     /// Which plot it is.
@@ -258,6 +278,7 @@ pub struct Direction {
 /// What a curve's colour means; which colour that is depends on the paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Ink {
     /// The colours of the vectors, and of the terms that they make.
     N,
@@ -284,6 +305,7 @@ pub enum Ink {
 /// How a line is broken, so that curves are told apart without colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Dash {
     /// Not at all.
     Solid,

@@ -12,6 +12,7 @@ use std::io::{self, BufRead, Read, Write};
 
 /// Why a model could not be read. The message says what is wrong and what was expected, [`ObjError::line`] where.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ObjError {
     /// The file or stream could not be read.
     #[error("{}", text!("obj-unreadable", error = .0.to_string()))]

@@ -1,7 +1,19 @@
 //! A finished picture, the report of how it was made, and how coarse it is drawn while something is dragged.
 
 /// A picture as stored: 8 bits a channel, rows from the top.
-#[derive(Clone, Debug, Default, serde::Serialize, serde::Deserialize)]
+///
+/// ```
+/// use shading_lab::render::Renderer;
+/// use shading_lab::scene::Scene;
+///
+/// let mut scene = Scene::default();
+/// scene.image.size = [48, 32];
+/// let frame = Renderer::default().render(&scene).clone();
+/// assert_eq!(frame.pixels.len(), 48 * 32);
+/// assert_eq!(frame.pixel(0, 0), Some([0, 0, 0]), "the background");
+/// assert_eq!(frame.pixel(48, 0), None, "outside");
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Frame {
     /// Pixels in a row.
     pub width: u32,
@@ -23,6 +35,7 @@ impl Frame {
 /// The stages of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Stage {
     /// Tessellation, or the model as loaded, with its vertex normals.
     Geometry,
@@ -63,7 +76,7 @@ impl Stage {
 }
 
 /// One stage of one frame.
-#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct StageRun {
     /// Which stage it is.
     pub stage: Stage,
@@ -76,7 +89,7 @@ pub struct StageRun {
 }
 
 /// What the last call of `render` did.
-#[derive(Clone, Debug, Default, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Report {
     /// Every stage in its order, those that did not run too.
     pub stages: Vec<StageRun>,

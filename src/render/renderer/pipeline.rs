@@ -22,6 +22,22 @@ use std::mem::take;
 use std::sync::Arc;
 
 /// Draws scenes, keeping each step's output for the next call.
+///
+/// ```
+/// use shading_lab::render::{Renderer, Stage};
+/// use shading_lab::scene::Scene;
+///
+/// let mut scene = Scene::default();
+/// scene.image.size = [64, 64];
+/// let mut renderer = Renderer::default();
+/// renderer.render(&scene);
+///
+/// // Another n shades the same pixels again: nothing is tessellated, transformed or covered.
+/// scene.material.n = 200.0;
+/// renderer.render(&scene);
+/// let ran: Vec<Stage> = renderer.report().stages.iter().filter(|run| run.ran).map(|run| run.stage).collect();
+/// assert!(ran.contains(&Stage::PixelShading) && !ran.contains(&Stage::Transform));
+/// ```
 #[derive(Default)]
 pub struct Renderer {
     /// None for the machine's best.
