@@ -41,8 +41,8 @@ pub enum PictureError {
 /// A text to go into a picture, by its keyword.
 pub type PictureText<'t> = (&'t str, &'t str);
 
-/// Writes `frame` as a PNG that holds `scene`, if it shows one, and other `texts`, compressed: three channels where every pixel is opaque, else four. A picture encoded
-/// as sRGB says so; a raw one says nothing about its colours.
+/// Writes `frame` as a PNG that holds `scene`, if it shows one, and other `texts`, compressed: three channels where every pixel is
+/// opaque, else four. A picture encoded as sRGB says so; a raw one says nothing about its colours.
 ///
 /// # Examples
 /// ```

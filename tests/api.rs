@@ -65,8 +65,9 @@ fn a_renderer_and_a_question_s_subject_move_to_another_thread() {
 
 #[test]
 fn an_error_is_downcast_from_a_box_to_its_cause() {
-    let boxed: Box<dyn Error + Send + Sync> =
-        load(Path::new("?set=material.n=x")).expect_err("x is no number").into();
+    let boxed: Box<dyn Error + Send + Sync> = load(Path::new("?set=material.n=x"))
+        .expect_err("x is no number")
+        .into();
     let error = boxed.downcast_ref::<LoadError>();
     let Some(LoadError::Link(link)) = error else {
         panic!("{error:?} is no error of a link");

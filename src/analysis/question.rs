@@ -25,7 +25,7 @@ use std::sync::Arc;
 /// let about = About { name: "vertex-normals", scene: &subject.scene };
 /// let answer: &dyn Answer = &answer;
 /// println!("{}", answer.text(&about)); // as the command `normals` prints it
-/// assert!(answer.object(&about)["faces"].is_array()); // as with `--json`
+/// assert_eq!(answer.object(&about)["vertex"]["vertex"], 0); // as with `--json`
 /// # Ok::<(), String>(())
 /// ```
 pub trait Question:
