@@ -14,13 +14,12 @@ mod specular;
 
 pub use equation::{Equation, LightAt, LightResponse, Reached};
 pub use fresnel::{Index, critical_angle, mirror, refract};
-pub use lanes::Lanes;
+pub use lanes::{COUNT, LANES, Lanes};
 pub use pattern::Fields;
 pub use real::{Real, Scalar, V3};
 pub(crate) use source::direction;
 pub use source::{BRIGHTEST, Source, area_hull, area_samples, attenuation_at, rectangle_axes};
 pub use specular::{
-    Beckmann, BlinnChord, BlinnCosine, Ggx, Lobe, NoSpecular, PhongChord, PhongCosine,
-    ShadingPoint, Specular, SpecularForm, blinn_from_phong, half_width, phong_from_blinn,
+    Lobe, ShadingPoint, SpecularForm, blinn_from_phong, half_width, phong_from_blinn,
     roughness_from_exponent,
 };

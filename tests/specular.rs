@@ -13,11 +13,8 @@ mod simd;
 use dice::Dice;
 use fearless_simd::{Level, dispatch, prelude::*};
 use glam::DVec3;
-use shading_lab::illumination::{
-    Lanes, Lobe, PhongChord, PhongCosine, ShadingPoint, Specular, SpecularForm, V3,
-};
+use shading_lab::illumination::{LANES, Lanes, Lobe, ShadingPoint, SpecularForm, V3};
 use shading_lab::scene::{Material, ReflectionModel, Scene};
-use shading_lab::with_form;
 use simd::levels;
 use std::f64::consts::TAU;
 
@@ -100,9 +97,14 @@ fn directions(dice: &mut Dice, model: ReflectionModel, n: f64) -> Directions {
 }
 
 #[inline(always)]
-fn factors<S: Simd, F: Specular>(simd: S, lobe: &Lobe<f32>, directions: &[Directions]) -> Vec<f32> {
+fn factors<S: Simd>(
+    simd: S,
+    form: SpecularForm,
+    lobe: &Lobe<f32>,
+    directions: &[Directions],
+) -> Vec<f32> {
     let mut all = Vec::with_capacity(directions.len());
-    for chunk in directions.chunks(Lanes::<S>::LEN) {
+    for chunk in directions.chunks(LANES) {
         let component = |vector: usize, axis: usize| {
             let mut numbers = [0.0; 16];
             for (number, Directions(vectors)) in numbers.iter_mut().zip(chunk) {
@@ -118,7 +120,7 @@ fn factors<S: Simd, F: Specular>(simd: S, lobe: &Lobe<f32>, directions: &[Direct
             view,
             inverse_distance: Lanes::splat(simd, 1.0),
         };
-        let factor = F::factor(&site, l, normal.dot(l), lobe);
+        let factor = form.factor(&site, l, normal.dot(l), lobe);
         all.extend(&factor.0.as_slice()[..chunk.len()]);
     }
     all
@@ -146,9 +148,8 @@ fn the_factor_is_right_at_every_exponent_and_level() {
             (0..EACH).map(|_| directions(&mut dice, model, n)).collect();
         let lobe = Lobe::of(&scene.material);
         for &level in &levels {
-            let factors = with_form!(SpecularForm::of(&scene), F => {
-                dispatch!(level, simd => factors::<_, F>(simd, &lobe, &directions))
-            });
+            let form = SpecularForm::of(&scene);
+            let factors = dispatch!(level, simd => factors(simd, form, &lobe, &directions));
             for (factor, directions) in factors.iter().zip(&directions) {
                 let cosine = directions.cosine(model);
                 if n > 0.0 && n < RIM.0 && cosine.abs() < RIM.1 {
@@ -196,10 +197,9 @@ fn the_cosine_alone_would_lose_a_stiff_lobe() {
             .map(|(got, at)| (f64::from(*got) - truth(at)).abs());
         errors.fold(0.0, f64::max)
     };
-    let (cosine, chord) = dispatch!(Level::new(), simd => {
-        (factors::<_, PhongCosine>(simd, &lobe, &directions), factors::<_, PhongChord>(simd, &lobe, &directions))
-    });
-    let [cosine, chord] = [cosine, chord].map(worst);
+    let [cosine, chord] = [SpecularForm::PhongCosine, SpecularForm::PhongChord]
+        .map(|form| dispatch!(Level::new(), simd => factors(simd, form, &lobe, &directions)))
+        .map(worst);
     assert!(
         chord < WITHIN && cosine > 0.1,
         "chord {chord}, cosine {cosine}"

@@ -4,11 +4,10 @@ use super::fresnel::{Fresnel, Index};
 use super::pattern::Fields;
 use super::source::{BRIGHTEST, Share};
 use super::specular::{greatest_factor, halfway, reflect};
-use super::{Lobe, Real, Scalar, ShadingPoint, Source, Specular, SpecularForm, V3};
+use super::{Lobe, Real, Scalar, ShadingPoint, Source, SpecularForm, V3};
 use crate::scene::{
     Backfacing, Projection, ReflectionModel, Rgb, Scene, ShadingMode, View, Viewer,
 };
-use crate::with_form;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -271,8 +270,9 @@ impl<T: Scalar> Equation<T> {
 
     /// What `source` does at `shading point`: direction, attenuation, Lambert's cosine and the specular factor.
     #[inline(always)]
-    pub fn respond<R: Real<Scalar = T>, F: Specular>(
+    pub fn respond<R: Real<Scalar = T>>(
         &self,
+        form: SpecularForm,
         source: &Source<T>,
         site: &ShadingPoint<R>,
     ) -> LightResponse<R> {
@@ -290,8 +290,8 @@ impl<T: Scalar> Equation<T> {
         }
         let [height, cosine] = self.grazing.map(|least| zero.constant(least));
         let lit = n_dot_l.greater_than(nearness.mul_add(height, cosine));
-        let specular = if F::PRESENT && R::any(lit) {
-            let factor = F::factor(&turned, l, n_dot_l, &self.lobe);
+        let specular = if form != SpecularForm::None && R::any(lit) {
+            let factor = form.factor(&turned, l, n_dot_l, &self.lobe);
             R::select(lit, factor * strength, zero)
         } else {
             zero
@@ -304,14 +304,25 @@ impl<T: Scalar> Equation<T> {
             n_dot_l,
             diffuse,
             specular,
-            incidence: F::incidence(site, l, n_dot_l),
+            incidence: form.incidence(site, l, n_dot_l),
         }
     }
 
     /// I at `shading point`, per channel. Sources that are not among `reached` are in shadow; none casts a shadow without it.
     #[inline(always)]
-    pub fn illuminate<R: Real<Scalar = T>, F: Specular>(
+    pub fn illuminate<R: Real<Scalar = T>>(
         &self,
+        site: &ShadingPoint<R>,
+        reached: Option<Reached<'_>>,
+    ) -> [R; 3] {
+        self.illuminate_by(self.form, site, reached)
+    }
+
+    /// The same with the form of the specular factor given: where it is a constant, the others are not compiled in.
+    #[inline(always)]
+    pub fn illuminate_by<R: Real<Scalar = T>>(
+        &self,
+        form: SpecularForm,
         site: &ShadingPoint<R>,
         reached: Option<Reached<'_>>,
     ) -> [R; 3] {
@@ -329,7 +340,7 @@ impl<T: Scalar> Equation<T> {
             if reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
                 continue;
             }
-            let mut response = self.respond::<R, F>(source, site);
+            let mut response = self.respond(form, source, site);
             if let Some(reached) = reached {
                 let (lit, zero) = (like.mask_of_bits(reached.bits(index)), like.number(0.0));
                 response.diffuse = R::select(lit, response.diffuse, zero);
@@ -342,7 +353,7 @@ impl<T: Scalar> Equation<T> {
                 }
                 add(&mut sum, response.diffuse, diffuse);
             }
-            if F::PRESENT {
+            if form != SpecularForm::None {
                 let mut specular = V3::constant(like, source.specular);
                 if let Some(fresnel) = &self.fresnel {
                     let [r, g, b] = fresnel.reflectance(response.incidence);
@@ -467,12 +478,12 @@ impl Equation<f64> {
     /// I at a point of the world with normal `n`, per channel: the reference. Without `reached` all sources reach it.
     pub fn illuminate_world(&self, point: DVec3, n: DVec3, reached: Option<Reached<'_>>) -> Rgb {
         let site = self.site_at(point, n);
-        Rgb::from_array(with_form!(self.form, F => self.illuminate::<f64, F>(&site, reached)))
+        Rgb::from_array(self.illuminate(&site, reached))
     }
 
     /// [`Self::respond`] with the scene's specular form.
     pub fn respond_to(&self, source: &Source<f64>, site: &ShadingPoint<f64>) -> LightResponse<f64> {
-        with_form!(self.form, F => self.respond::<f64, F>(source, site))
+        self.respond(self.form, source, site)
     }
 
     /// What the light of index `light` does at a point of the world with normal `n`.

@@ -4,40 +4,45 @@
 //! Mathematical Functions*, 1989; `logf`, `exp2f`), evaluated in lanes.
 
 use super::Real;
-use fearless_simd::prelude::*;
+use fearless_simd::{f32x16, i32x16, mask32x16, prelude::*};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The machine's widest vector of `f32` at SIMD level `S`.
+/// Lanes of a vector.
+pub const LANES: usize = 16;
+
+/// 0, 1, 2 and so on.
+pub const COUNT: [f32; LANES] = [
+    0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
+];
+
+/// Sixteen numbers: one vector of AVX-512, two of AVX2, four of 128 bits.
+///
+/// The equation is a long chain in which each step waits for the last. Where vectors are narrower, several chains side by side
+/// keep the machine busy, and what is the same for all lanes is done once for more of them.
 #[derive(Clone, Copy, Debug)]
-pub struct Lanes<S: Simd>(pub S::f32s);
+pub struct Lanes<S: Simd>(pub f32x16<S>);
 
 impl<S: Simd> Lanes<S> {
-    /// Number of lanes.
-    pub const LEN: usize = <S::f32s as SimdBase<S>>::LEN;
-
     /// The same number in every lane.
     #[inline(always)]
     pub fn splat(simd: S, value: f32) -> Self {
-        Self(S::f32s::simd_from(simd, value))
+        Self(f32x16::simd_from(simd, value))
     }
 
-    /// The first [`Self::LEN`] numbers of `values`.
+    /// The first [`LANES`] numbers of `values`.
     #[inline(always)]
     pub fn load(simd: S, values: &[f32]) -> Self {
-        Self(S::f32s::from_slice(simd, &values[..Self::LEN]))
+        Self(f32x16::from_slice(simd, &values[..LANES]))
     }
 
     /// 0, 1, 2 and so on.
     #[inline(always)]
     pub fn count_up(simd: S) -> Self {
-        const COUNT: [f32; 16] = [
-            0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
-        ];
         Self::load(simd, &COUNT)
     }
 
     #[inline(always)]
-    fn bits(self) -> S::i32s {
+    fn bits(self) -> i32x16<S> {
         self.0.bitcast()
     }
 }
@@ -124,11 +129,11 @@ macro_rules! in_lanes {
 
 impl<S: Simd> Real for Lanes<S> {
     type Scalar = f32;
-    type Mask = S::mask32s;
+    type Mask = mask32x16<S>;
 
     #[inline(always)]
     fn constant(self, value: f32) -> Self {
-        Self(S::f32s::simd_from(self.0.token(), value))
+        Self(f32x16::simd_from(self.0.token(), value))
     }
 
     #[inline(always)]
@@ -149,8 +154,8 @@ impl<S: Simd> Real for Lanes<S> {
     #[inline(always)]
     fn inverse_sqrt_of_sound(self) -> Self {
         let simd = self.0.token();
-        let halved: S::i32s = self.bits() >> 1;
-        let guess = S::i32s::simd_from(simd, 0x5f37_59df) - halved;
+        let halved: i32x16<S> = self.bits() >> 1;
+        let guess = i32x16::simd_from(simd, 0x5f37_59df) - halved;
         let mut y = Self(guess.bitcast());
         let half = self * -0.5;
         for _ in 0..3 {
@@ -169,7 +174,6 @@ impl<S: Simd> Real for Lanes<S> {
             2.402_264_8e-1,
             6.931_472e-1,
         ];
-        let simd = self.0.token();
         let clamped = self.max(self.constant(-126.0)).min(self.constant(126.0));
         let whole = Self((clamped.0 + 0.5).floor());
         let x = clamped - whole;
@@ -177,8 +181,9 @@ impl<S: Simd> Real for Lanes<S> {
         let low = line(x, P[2], P[3]).mul_add(square, line(x, P[4], P[5]));
         let p = line(x, P[0], P[1]).mul_add(fourth, low);
         let mantissa = p.mul_add(x, x.constant(1.0));
-        let exponent = (S::i32s::truncate_from(whole.0) + S::i32s::simd_from(simd, 127)) << 23;
-        mantissa * Self(exponent.bitcast())
+        // Added to 2²³, a whole number is the lowest bits of the sum; the rest is shifted out.
+        let biased: i32x16<S> = (whole.0 + (127.0 + 8_388_608.0)).bitcast();
+        mantissa * Self((biased << 23).bitcast())
     }
 
     #[inline(always)]
@@ -186,13 +191,13 @@ impl<S: Simd> Real for Lanes<S> {
         let simd = self.0.token();
         let bits = self.bits();
         // Shifted so that the mantissa falls into √½..√2, where the polynomial is good and log2(1) is exactly 0.
-        let shifted = bits - S::i32s::simd_from(simd, 0x3f35_04f3);
+        let shifted = bits - i32x16::simd_from(simd, 0x3f35_04f3);
         let exponent = shifted >> 23;
         let mantissa = bits - (exponent << 23);
         let x = Self(mantissa.bitcast()) - self.constant(1.0);
         ln_one_plus(x).mul_add(
             x.constant(std::f32::consts::LOG2_E),
-            Self(S::f32s::float_from(exponent)),
+            Self(f32x16::float_from(exponent)),
         )
     }
 
@@ -218,11 +223,11 @@ impl<S: Simd> Real for Lanes<S> {
 
     #[inline(always)]
     fn mask_of_bits(self, bits: u64) -> Self::Mask {
-        S::mask32s::from_bitmask(self.0.token(), bits)
+        mask32x16::from_bitmask(self.0.token(), bits)
     }
 
     #[inline(always)]
     fn holds_none(self, bits: u64) -> bool {
-        bits << (64 - Self::LEN) == 0
+        bits << (64 - LANES) == 0
     }
 }

@@ -8,7 +8,6 @@
 
 use super::{Real, Scalar, V3};
 use crate::scene::{Distribution, Material, ReflectionModel, Rgb, Scene, ShadingMode};
-use crate::with_form;
 use std::f64::consts::{FRAC_PI_2, LN_2, LOG2_E};
 
 /// A point where the equation is evaluated. Lengths are camera distances, positions relative to the eye.
@@ -65,9 +64,60 @@ impl SpecularForm {
         }
     }
 
-    /// Whether W depends on the angle between L and H instead of that between L and N.
+    /// Whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
+    #[inline(always)]
     pub fn at_halfway(self) -> bool {
-        with_form!(self, F => F::AT_HALFWAY)
+        matches!(
+            self,
+            Self::BlinnCosine | Self::BlinnChord | Self::Beckmann | Self::Ggx
+        )
+    }
+
+    /// S at a shading point for the unit direction `l` to the light and `n_dot_l` = N·L.
+    ///
+    /// The form is chosen here, once for so many points as there are lanes, so that the kernels are compiled only once.
+    #[inline(always)]
+    pub fn factor<R: Real>(
+        self,
+        site: &ShadingPoint<R>,
+        l: V3<R>,
+        n_dot_l: R,
+        lobe: &Lobe<R::Scalar>,
+    ) -> R {
+        let (n, v) = (site.normal, site.view);
+        match self {
+            Self::None => n_dot_l.number(0.0),
+            // R·V without R: 2(N·L)(N·V) − L·V.
+            Self::PhongCosine => {
+                power_of_cosine((n_dot_l + n_dot_l).mul_add(n.dot(v), -l.dot(v)), lobe)
+            }
+            Self::PhongChord => power_of_chord(reflect(n, l, n_dot_l), v, lobe),
+            Self::BlinnCosine => power_of_cosine(n.dot(halfway(l, v)), lobe),
+            Self::BlinnChord => power_of_chord(n, halfway(l, v), lobe),
+            Self::Beckmann => {
+                let f = Facet::new(site, l);
+                f.factor(
+                    beckmann(f.gap, lobe),
+                    geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h),
+                )
+            }
+            Self::Ggx => {
+                let f = Facet::new(site, l);
+                f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
+            }
+        }
+    }
+
+    /// The cosine of the angle of incidence.
+    #[inline(always)]
+    pub(super) fn incidence<R: Real>(self, site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R) -> R {
+        if self.at_halfway() {
+            // |L + V|/2 is the cosine of half the angle between them.
+            let sum = l + site.view;
+            sum.dot(sum).sqrt() * R::Scalar::from_f64(0.5)
+        } else {
+            n_dot_l
+        }
     }
 
     /// The form that `scene` would need whatever its coefficients.
@@ -85,96 +135,6 @@ impl SpecularForm {
         }
     }
 }
-
-/// Evaluates an expression that is compiled once for each [`SpecularForm`], with the type `$type` that stands for it.
-#[macro_export]
-macro_rules! with_form {
-    ($form:expr, $type:ident => $body:expr) => {
-        $crate::with_form!($form, $type => $body; None NoSpecular, PhongCosine PhongCosine, PhongChord PhongChord,
-            BlinnCosine BlinnCosine, BlinnChord BlinnChord, Beckmann Beckmann, Ggx Ggx)
-    };
-    ($form:expr, $type:ident => $body:expr; $($variant:ident $stands:ident),*) => {
-        match $form {
-            $($crate::illumination::SpecularForm::$variant => {
-                type $type = $crate::illumination::$stands;
-                $body
-            })*
-        }
-    };
-}
-
-/// The specular factor of one light, a type for each form so that loops carry no choice.
-pub trait Specular: 'static {
-    /// The form that the type stands for.
-    const FORM: SpecularForm;
-
-    /// Whether there is a specular term at all.
-    const PRESENT: bool = !matches!(Self::FORM, SpecularForm::None);
-
-    /// Whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
-    const AT_HALFWAY: bool = matches!(
-        Self::FORM,
-        SpecularForm::BlinnCosine
-            | SpecularForm::BlinnChord
-            | SpecularForm::Beckmann
-            | SpecularForm::Ggx
-    );
-
-    /// S at a shading point for the unit direction `l` to the light and `n_dot_l` = N·L.
-    #[inline(always)]
-    fn factor<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R, lobe: &Lobe<R::Scalar>) -> R {
-        let (n, v) = (site.normal, site.view);
-        match Self::FORM {
-            SpecularForm::None => n_dot_l.number(0.0),
-            // R·V without R: 2(N·L)(N·V) − L·V.
-            SpecularForm::PhongCosine => {
-                power_of_cosine((n_dot_l + n_dot_l).mul_add(n.dot(v), -l.dot(v)), lobe)
-            }
-            SpecularForm::PhongChord => power_of_chord(reflect(n, l, n_dot_l), v, lobe),
-            SpecularForm::BlinnCosine => power_of_cosine(n.dot(halfway(l, v)), lobe),
-            SpecularForm::BlinnChord => power_of_chord(n, halfway(l, v), lobe),
-            SpecularForm::Beckmann => {
-                let f = Facet::new(site, l);
-                f.factor(
-                    beckmann(f.gap, lobe),
-                    geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h),
-                )
-            }
-            SpecularForm::Ggx => {
-                let f = Facet::new(site, l);
-                f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
-            }
-        }
-    }
-
-    /// The cosine of the angle of incidence.
-    #[inline(always)]
-    fn incidence<R: Real>(site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R) -> R {
-        if Self::AT_HALFWAY {
-            // |L + V|/2 is the cosine of half the angle between them.
-            let sum = l + site.view;
-            sum.dot(sum).sqrt() * R::Scalar::from_f64(0.5)
-        } else {
-            n_dot_l
-        }
-    }
-}
-
-macro_rules! forms {
-    ($($type:ident $variant:ident),*) => {
-        $(
-        #[doc = concat!("Stands for [`SpecularForm::", stringify!($variant), "`].")]
-        #[derive(Clone, Copy, Debug)]
-        pub struct $type;
-
-        impl Specular for $type {
-            const FORM: SpecularForm = SpecularForm::$variant;
-        })*
-    };
-}
-
-forms!(NoSpecular None, PhongCosine PhongCosine, PhongChord PhongChord, BlinnCosine BlinnCosine, BlinnChord BlinnChord);
-forms!(Beckmann Beckmann, Ggx Ggx);
 
 /// `R = 2N(N·L) − L`, L mirrored at N.
 #[inline(always)]

@@ -7,7 +7,7 @@
 //!
 //! A row starts with a block of its own; what its last block has beyond the picture is never shown.
 
-use crate::illumination::Lanes;
+use crate::illumination::{COUNT, LANES, Lanes};
 use fearless_simd::{f32x4, prelude::*};
 use std::ops::Range;
 
@@ -20,8 +20,8 @@ pub const GAP: Fragment = [0.0, 0.0, 0.0, f32::MIN];
 /// The component of a fragment that is its depth key.
 const KEY: usize = 3;
 
-/// Pixels of a block: the widest vector's lanes.
-const PIXELS: usize = 16;
+/// Pixels of a block: as many as the kernels take at once.
+const PIXELS: usize = LANES;
 
 /// Runs up to this length are written number by number.
 const SHORT: usize = 3;
@@ -42,7 +42,6 @@ impl Block {
             [GAP[KEY]; PIXELS],
         ],
     };
-    pub const PIXELS: usize = PIXELS;
 
     /// Blocks of a row of `width` pixels.
     pub const fn count(width: u32) -> usize {
@@ -66,15 +65,15 @@ impl Block {
         }
     }
 
-    /// The lanes of each component from pixel `first` on.
+    /// The lanes of each component.
     #[inline(always)]
-    pub fn load<S: Simd>(&self, simd: S, first: usize) -> [Lanes<S>; 4] {
+    pub fn load<S: Simd>(&self, simd: S) -> [Lanes<S>; 4] {
         let [a, b, c, key] = &self.planes;
         [
-            Lanes::load(simd, &a[first..]),
-            Lanes::load(simd, &b[first..]),
-            Lanes::load(simd, &c[first..]),
-            Lanes::load(simd, &key[first..]),
+            Lanes::load(simd, a),
+            Lanes::load(simd, b),
+            Lanes::load(simd, c),
+            Lanes::load(simd, key),
         ]
     }
 }
@@ -144,8 +143,9 @@ pub fn fill<S: Simd>(
         splat(simd, steps[2]),
         splat(simd, steps[3]),
     ];
-    let count = Lanes::count_up(simd).0;
-    let lanes = Lanes::<S>::LEN;
+    // The machine's own vectors: most runs are short.
+    let lanes = <S::f32s as SimdBase<S>>::LEN;
+    let count = S::f32s::from_slice(simd, &COUNT[..lanes]);
     // From the vector that the first pixel lies in.
     let mut x = x0 / lanes * lanes;
     while x < x1 {

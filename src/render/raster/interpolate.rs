@@ -9,7 +9,7 @@ use super::fragments::{self, Block, Fragment, join};
 use super::grid::{BandPlace, HALF, SUBPIXELS};
 use super::scan_line::{Crossing, Outlines, crossing_pair};
 use super::triangles::Triangles;
-use crate::illumination::Lanes;
+use crate::illumination::{LANES, Lanes};
 use fearless_simd::{Level, dispatch, f32x4, prelude::*};
 use rayon::prelude::*;
 
@@ -56,11 +56,10 @@ fn carry_chunk<S: Simd>(
     first: usize,
     carried: &mut [Fragment],
 ) {
-    let lanes = Lanes::<S>::LEN;
     let one = Lanes::splat(simd, 1.0);
     for (start, carried) in (first..)
-        .step_by(lanes)
-        .zip(carried.chunks_exact_mut(lanes))
+        .step_by(LANES)
+        .zip(carried.chunks_exact_mut(LANES))
     {
         let key = Lanes::load(simd, &keys[start..]);
         let factor = if by_key { key } else { one };

@@ -4,11 +4,11 @@
 //! that is nearer than the near plane or farther out than the guard band has no place and sends its triangles to the clipper.
 
 use super::grid::{BAND, GUARD, Place, SUBPIXELS, UNPLACED};
-use crate::illumination::{Lanes, Real, V3};
+use crate::illumination::{LANES, Lanes, Real, V3};
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
 use crate::render::node::{Memory, room};
-use fearless_simd::{Level, dispatch, prelude::*};
+use fearless_simd::{Level, dispatch, i32x16, mask32x16, prelude::*};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::OnceLock;
@@ -116,9 +116,9 @@ fn component<S: Simd>(p: V3<Lanes<S>>, [a, b, c, d]: [f32; 4]) -> Lanes<S> {
 
 /// Pixels to fixed point; [`UNPLACED`] where `outside`.
 #[inline(always)]
-fn fixed<S: Simd>(v: Lanes<S>, outside: S::mask32s) -> S::i32s {
+fn fixed<S: Simd>(v: Lanes<S>, outside: mask32x16<S>) -> i32x16<S> {
     let rounded = Lanes((v * SUBPIXELS as f32).0.round_ties_even());
-    S::i32s::truncate_from(Lanes::select(outside, v.constant(UNPLACED as f32), rounded).0)
+    i32x16::truncate_from(Lanes::select(outside, v.constant(UNPLACED as f32), rounded).0)
 }
 
 #[inline(always)]
@@ -129,12 +129,11 @@ fn transform<S: Simd>(
     places: &mut [Place],
     keys: &mut [f32],
 ) {
-    let lanes = Lanes::<S>::LEN;
     let [right, up, forward] = rows.rows;
     let one = Lanes::splat(simd, 1.0);
     let guard = Lanes::splat(simd, GUARD as f32);
     let near = Lanes::splat(simd, NEAR as f32);
-    for start in (0..places.len()).step_by(lanes) {
+    for start in (0..places.len()).step_by(LANES) {
         let [px, py, pz] = position;
         let p = V3::new(
             Lanes::<S>::load(simd, &px[start..]),
@@ -153,8 +152,8 @@ fn transform<S: Simd>(
         let outside =
             near.greater_than(depth) | !guard.greater_than(x.abs()) | !guard.greater_than(y.abs());
         let (fx, fy) = (fixed(x, outside), fixed(y, outside));
-        key.0.store_slice(&mut keys[start..start + lanes]);
-        for (lane, place) in places[start..start + lanes].iter_mut().enumerate() {
+        key.0.store_slice(&mut keys[start..start + LANES]);
+        for (lane, place) in places[start..start + LANES].iter_mut().enumerate() {
             *place = [fx[lane], fy[lane]];
         }
     }

@@ -7,7 +7,7 @@
 
 use super::packet::{Packet, RAYS};
 use super::world::{Beyond, DiffuseSurface, FloorScratch, LightScratch, World, in_range};
-use crate::illumination::{Lanes, Real, V3};
+use crate::illumination::{LANES, Lanes, Real, V3};
 use crate::render::lens::FARTHEST;
 use crate::render::node::{Memory, room};
 use crate::render::raster::{Coverage, ROWS};
@@ -315,11 +315,10 @@ impl Grid {
     /// The weighted mean of the grid's points about each pixel of row `y`; NaN where none lies on the same surface.
     #[inline(always)]
     fn carry_row<S: Simd>(&self, simd: S, y: usize, receivers: &[Receiver], light: &mut [Vec3]) {
-        let lanes = Lanes::<S>::LEN;
         let rows = self.around(y, y, self.points.len() / self.columns);
         for (x, (receivers, light)) in (0..)
-            .step_by(lanes)
-            .zip(receivers.chunks(lanes).zip(light.chunks_mut(lanes)))
+            .step_by(LANES)
+            .zip(receivers.chunks(LANES).zip(light.chunks_mut(LANES)))
         {
             if !receivers.iter().any(Receiver::is_there) {
                 continue;

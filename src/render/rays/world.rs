@@ -4,7 +4,7 @@
 use super::packet::{PointRow, RAYS};
 use super::shadow::{ShadowCaster, Waiting};
 use super::solid::{PrimaryHits, Solid};
-use crate::illumination::{BRIGHTEST, Equation, Fields, Lanes, NoSpecular, Reached, V3};
+use crate::illumination::{BRIGHTEST, Equation, Fields, LANES, Lanes, Reached, V3};
 use crate::render::lens::{FARTHEST, Lens};
 use crate::scene::{Ground, Material, Pattern, PatternKind, Reflectance, Rgb, Scene};
 use fearless_simd::{dispatch, f64x8, prelude::*};
@@ -412,10 +412,9 @@ impl World<'_> {
         reached: Option<Reached<'_>>,
         line: &mut [Vec3],
     ) {
-        let lanes = Lanes::<S>::LEN;
         let (zero, one) = (Lanes::splat(simd, 0.0), Lanes::splat(simd, 1.0));
-        for (x, pixels) in (0..).step_by(lanes).zip(line.chunks_mut(lanes)) {
-            let present = row.present[x / RAYS] >> (x % RAYS) & (u32::MAX >> (32 - lanes));
+        for (x, pixels) in (0..).step_by(LANES).zip(line.chunks_mut(LANES)) {
+            let present = row.present[x / RAYS] >> (x % RAYS) & (u32::MAX >> (32 - LANES));
             if present == 0 {
                 continue;
             }
@@ -426,9 +425,7 @@ impl World<'_> {
             );
             let point = self.floor_lanes.site(position, V3::new(zero, one, zero));
             let reached = Reached::starting_at(reached, x);
-            let [r, g, b] = self
-                .floor_lanes
-                .illuminate::<Lanes<S>, NoSpecular>(&point, reached);
+            let [r, g, b] = self.floor_lanes.illuminate(&point, reached);
             for (lane, pixel) in pixels
                 .iter_mut()
                 .enumerate()

@@ -1,8 +1,8 @@
 //! Puts the linear picture together and turns its intensities into stored values.
 
-use crate::illumination::{BRIGHTEST, Lanes, Real};
+use crate::illumination::{BRIGHTEST, LANES, Lanes, Real};
 use crate::scene::{AmbientSource, Display, Encoding, Overflow, Rgb, Scene};
-use fearless_simd::{Level, dispatch, f32x4, i32x4, prelude::*};
+use fearless_simd::{Level, dispatch, f32x4, i32x4, i32x16, mask32x16, prelude::*, u8x64};
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -103,9 +103,9 @@ fn encode<S: Simd>(v: Lanes<S>, encoding: Encoding) -> Lanes<S> {
 
 /// Intensities to code values: clamped, encoded, rounded.
 #[inline(always)]
-fn code<S: Simd>(v: Lanes<S>, encoding: Encoding) -> S::i32s {
+fn code<S: Simd>(v: Lanes<S>, encoding: Encoding) -> i32x16<S> {
     let clamped = v.max(v.constant(0.0)).min(v.constant(1.0));
-    S::i32s::truncate_from(encode(clamped, encoding).0)
+    i32x16::truncate_from(encode(clamped, encoding).0)
 }
 
 /// The pixel of a colour that is stored as it is: bit for bit what [`pack`] makes of it.
@@ -124,17 +124,17 @@ pub fn raw<S: Simd>(simd: S, [r, g, b]: [f32; 3]) -> [u8; 4] {
 pub fn pack<S: Simd>(
     simd: S,
     color: [Lanes<S>; 3],
-    covered: S::mask32s,
-    background: S::i32s,
+    covered: mask32x16<S>,
+    background: i32x16<S>,
     encoding: Encoding,
-) -> (S::u8s, u64) {
+) -> (u8x64<S>, u64) {
     let one = Lanes::splat(simd, 1.0);
     let peak = color[0].max(color[1]).max(color[2]);
     let over = (peak.greater_than(one) & covered).to_bitmask();
     let [r, g, b] = color;
     let (r, g, b) = (code(r, encoding), code(g, encoding), code(b, encoding));
     let pixel =
-        r | (g << 8) | (b << 16) | S::i32s::simd_from(simd, i32::from_le_bytes([0, 0, 0, 255]));
+        r | (g << 8) | (b << 16) | i32x16::simd_from(simd, i32::from_le_bytes([0, 0, 0, 255]));
     (covered.select(pixel, background).bitcast(), over)
 }
 
@@ -168,7 +168,7 @@ pub fn display(
 /// The greatest of some numbers and 1.
 #[inline(always)]
 fn greatest<S: Simd>(simd: S, values: &[f32]) -> f32 {
-    let vectors = values.chunks_exact(Lanes::<S>::LEN);
+    let vectors = values.chunks_exact(LANES);
     let rest = vectors.remainder().iter().copied().fold(1.0, f32::max);
     let mut most = Lanes::splat(simd, rest);
     for vector in vectors {
@@ -185,12 +185,11 @@ fn store_line<S: Simd>(
     policy: &Display,
     pixels: &mut [[u8; 4]],
 ) {
-    let lanes = Lanes::<S>::LEN;
-    let (all, nothing) = (S::mask32s::splat(simd, true), S::i32s::simd_from(simd, 0));
-    let mut planes = [[0.0; WIDEST]; 4];
+    let (all, nothing) = (mask32x16::splat(simd, true), i32x16::simd_from(simd, 0));
+    let mut planes = [[0.0; LANES]; 4];
     for (first, (colors, pixels)) in (0..)
-        .step_by(lanes)
-        .zip(line.chunks(lanes).zip(pixels.chunks_mut(lanes)))
+        .step_by(LANES)
+        .zip(line.chunks(LANES).zip(pixels.chunks_mut(LANES)))
     {
         separate(simd, colors, &mut planes);
         let [r, g, b, _] = &planes;
@@ -213,12 +212,9 @@ fn store_line<S: Simd>(
     }
 }
 
-/// The widest vector's lanes.
-pub const WIDEST: usize = 16;
-
 /// Colours to one plane a component.
 #[inline(always)]
-fn separate<S: Simd>(simd: S, colors: &[Linear], planes: &mut [[f32; WIDEST]; 4]) {
+fn separate<S: Simd>(simd: S, colors: &[Linear], planes: &mut [[f32; LANES]; 4]) {
     let quads = colors.chunks_exact(4);
     let (rest, whole) = (quads.remainder(), colors.len() / 4 * 4);
     for (quad, start) in quads.zip((0..).step_by(4)) {

@@ -15,7 +15,6 @@ use crate::render::model::{MeshSource, Model, Planes};
 use crate::render::node::{Memory, Node, room, room_of_planes};
 use crate::render::raster::{Band, Coverage, PlacedTriangles};
 use crate::scene::{AmbientSource, Object, ObjectKind, Scene, Weighting};
-use crate::with_form;
 use fearless_simd::Level;
 use glam::DVec2;
 use std::mem::take;
@@ -328,11 +327,15 @@ impl Renderer {
         let ran = points.update(key, |intensity| {
             let (inputs, model) = (self.inputs(job), &self.model.output);
             let [centre, facing] = &self.faces.output;
-            let at = if at_faces { [centre, facing] } else { [&model.position, &model.normal] };
+            let at = if at_faces {
+                [centre, facing]
+            } else {
+                [&model.position, &model.normal]
+            };
             if plan.double {
                 shade_points_in_double(&inputs, at, intensity);
             } else {
-                with_form!(equation.form(), F => shade_points::<F>(&inputs, equation, at, intensity));
+                shade_points(&inputs, equation, at, intensity);
             }
             if plan.cued == Cued::AtPoints {
                 inputs.fade_points(model.origin, at[0], intensity);

@@ -1,17 +1,16 @@
 //! The equation at vertices or faces, and at the pixels of a band's fragments; or the interpolated intensities.
 
-use super::display::{Linear, WIDEST, pack, raw};
+use super::display::{Linear, pack, raw};
 use super::plan::Inputs;
-use crate::illumination::{BRIGHTEST, Equation, Lanes, Reached, Real, Specular, V3};
+use crate::illumination::{BRIGHTEST, Equation, LANES, Lanes, Reached, Real, SpecularForm, V3};
 use crate::render::lens::{FARTHEST, pixel_centre};
 use crate::render::model::{Model, PADDING, Planes};
 use crate::render::raster::{Band, Block, SHORTEST_NORMAL, join};
 use crate::render::rays::BLOCK;
 use crate::scene::Encoding;
-use fearless_simd::{dispatch, prelude::*};
+use fearless_simd::{dispatch, i32x16, mask32x16, prelude::*};
 use glam::DVec3;
 use rayon::prelude::*;
-use std::marker::PhantomData;
 use std::ops::Range;
 
 /// The square of [`SHORTEST_NORMAL`].
@@ -63,9 +62,10 @@ impl Colour for Carried {
 
 /// The carried numbers are normals, and the equation is evaluated at the points that the pixels' rays see. Lengths are camera
 /// distances, places relative to the eye.
-pub struct Evaluated<'a, F> {
+pub struct Evaluated<'a> {
     inputs: &'a Inputs<'a>,
     equation: &'a Equation<f32>,
+    form: SpecularForm,
     perspective: bool,
     by_key: bool,
     renormalise: bool,
@@ -77,15 +77,16 @@ pub struct Evaluated<'a, F> {
     least_key: f32,
     /// The bits of the present row.
     reached: Option<Reached<'a>>,
-    form: PhantomData<F>,
 }
 
-impl<'a, F: Specular> Evaluated<'a, F> {
-    pub fn new(inputs: &'a Inputs<'a>, equation: &'a Equation<f32>) -> Self {
+impl<'a> Evaluated<'a> {
+    #[inline(always)]
+    pub fn new(inputs: &'a Inputs<'a>, equation: &'a Equation<f32>, form: SpecularForm) -> Self {
         let Inputs { plan, lens, .. } = inputs;
         Self {
             inputs,
             equation,
+            form,
             perspective: lens.perspective,
             by_key: plan.perspective && !plan.true_surface,
             renormalise: plan.renormalise,
@@ -94,7 +95,6 @@ impl<'a, F: Specular> Evaluated<'a, F> {
             forward: lens.forward.as_vec3().to_array(),
             least_key: lens.least_key() as f32,
             reached: None,
-            form: PhantomData,
         }
     }
 
@@ -118,7 +118,7 @@ fn within_reach(v: DVec3) -> [f32; 3] {
         .to_array()
 }
 
-impl<F: Specular> Colour for Evaluated<'_, F> {
+impl Colour for Evaluated<'_> {
     #[inline(always)]
     fn row(&mut self, y: u32) {
         let Inputs {
@@ -154,8 +154,11 @@ impl<F: Specular> Colour for Evaluated<'_, F> {
         };
         let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
         let point = self.equation.site(self.positions(simd, x, key), normal);
-        self.equation
-            .illuminate::<Lanes<S>, F>(&point, Reached::starting_at(self.reached, column))
+        self.equation.illuminate_by(
+            self.form,
+            &point,
+            Reached::starting_at(self.reached, column),
+        )
     }
 }
 
@@ -172,7 +175,7 @@ pub trait Target {
         first: usize,
         count: usize,
         color: [Lanes<S>; 3],
-        covered: S::mask32s,
+        covered: mask32x16<S>,
     ) -> u32;
     /// A linear colour as pixels hold it, and whether it overflows.
     fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> (Self::Pixel, bool);
@@ -220,12 +223,12 @@ impl Target for Stored<'_> {
         first: usize,
         count: usize,
         color: [Lanes<S>; 3],
-        covered: S::mask32s,
+        covered: mask32x16<S>,
     ) -> u32 {
-        let background = S::i32s::simd_from(simd, i32::from_le_bytes(self.background));
+        let background = i32x16::simd_from(simd, i32::from_le_bytes(self.background));
         let (packed, over) = pack(simd, color, covered, background, self.encoding);
         let bytes = self.pixels[first..first + count].as_flattened_mut();
-        if count == Lanes::<S>::LEN {
+        if count == LANES {
             packed.store_slice(bytes);
             over.count_ones()
         } else {
@@ -244,7 +247,7 @@ impl Target for Stored<'_> {
             pixels: &mut pixel,
             ..*self
         };
-        let covered = S::mask32s::from_bitmask(simd, 1);
+        let covered = mask32x16::from_bitmask(simd, 1);
         let [r, g, b] = color;
         let color = [
             Lanes::splat(simd, r),
@@ -277,7 +280,7 @@ impl Target for Unstored<'_> {
         first: usize,
         count: usize,
         color: [Lanes<S>; 3],
-        covered: S::mask32s,
+        covered: mask32x16<S>,
     ) -> u32 {
         let one = Lanes::splat(simd, 1.0);
         let [red, green, blue, _] = self.background;
@@ -296,11 +299,11 @@ impl Target for Unstored<'_> {
             Lanes::select(covered, one, one.constant(0.0)),
         ];
         let pixels = &mut self.pixels[first..first + count];
-        if count == Lanes::<S>::LEN {
+        if count == LANES {
             join(simd, &planes, pixels);
         } else {
-            let mut whole = [self.background; WIDEST];
-            join(simd, &planes, &mut whole[..Lanes::<S>::LEN]);
+            let mut whole = [self.background; LANES];
+            join(simd, &planes, &mut whole);
             pixels.copy_from_slice(&whole[..count]);
         }
         over.count_ones()
@@ -334,18 +337,17 @@ pub fn shade<S: Simd>(
             target.clear(start..start + width);
             continue;
         }
-        // Whole vectors: what they have beyond the extent are gaps.
-        let lanes = Lanes::<S>::LEN;
-        let first = extent.start as usize / lanes * lanes;
-        let end = (extent.end as usize).next_multiple_of(lanes).min(width);
+        // Whole blocks: what they have beyond the extent are gaps.
+        let first = extent.start as usize / LANES * LANES;
+        let end = (extent.end as usize).next_multiple_of(LANES).min(width);
         target.clear(start..start + first);
         target.clear(start + end..start + width);
         colour.row(place.first_row + row as u32);
         let limit = Lanes::splat(simd, f32::MIN);
-        for x in (first..end).step_by(lanes) {
-            let [a, b, c, key] = line[x / Block::PIXELS].load(simd, x % Block::PIXELS);
+        for x in (first..end).step_by(LANES) {
+            let [a, b, c, key] = line[x / LANES].load(simd);
             let rgb = colour.at(simd, x, [a, b, c], key);
-            let count = lanes.min(width - x);
+            let count = LANES.min(width - x);
             over += u64::from(target.put(simd, start + x, count, rgb, key.greater_than(limit)));
         }
     }
@@ -376,7 +378,7 @@ pub fn face_points(model: &Model) -> [Planes; 2] {
 }
 
 /// Evaluates the equation at the vertices or faces of the model, [`BLOCK`] of them a task.
-pub fn shade_points<F: Specular>(
+pub fn shade_points(
     inputs: &Inputs<'_>,
     equation: &Equation<f32>,
     [position, normal]: [&Planes; 2],
@@ -410,7 +412,7 @@ pub fn shade_points<F: Specular>(
             normal,
             reached,
         };
-        dispatch!(inputs.level, simd => points.shade::<_, F>(simd, [r, g, b]));
+        dispatch!(inputs.level, simd => points.shade(simd, [r, g, b]));
     });
 }
 
@@ -461,20 +463,19 @@ struct Points<'a> {
 
 impl Points<'_> {
     #[inline(always)]
-    fn shade<S: Simd, F: Specular>(&self, simd: S, out: [&mut [f32]; 3]) {
-        let lanes = Lanes::<S>::LEN;
+    fn shade<S: Simd>(&self, simd: S, out: [&mut [f32]; 3]) {
         let scale = Lanes::splat(simd, self.scale);
         let [r, g, b] = out;
-        for start in (0..r.len()).step_by(lanes) {
+        for start in (0..r.len()).step_by(LANES) {
             let position =
                 load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
             let point = self.equation.site(position, load(simd, self.normal, start));
             let rgb = self
                 .equation
-                .illuminate::<Lanes<S>, F>(&point, Reached::starting_at(self.reached, start));
-            rgb[0].0.store_slice(&mut r[start..start + lanes]);
-            rgb[1].0.store_slice(&mut g[start..start + lanes]);
-            rgb[2].0.store_slice(&mut b[start..start + lanes]);
+                .illuminate(&point, Reached::starting_at(self.reached, start));
+            rgb[0].0.store_slice(&mut r[start..start + LANES]);
+            rgb[1].0.store_slice(&mut g[start..start + LANES]);
+            rgb[2].0.store_slice(&mut b[start..start + LANES]);
         }
     }
 }
