@@ -13,5 +13,5 @@ mod vertex_normals;
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use obj::{ObjError, read_obj};
 pub use primitives::{divisions_for, tessellate, triangles};
-pub use surface::{Ray, Surface, SurfaceHit};
+pub use surface::{Ray, Surface, SurfaceHit, TOGETHER};
 pub use vertex_normals::{FaceShare, NormalOrigin, VertexShares};

@@ -24,20 +24,30 @@ pub(crate) struct Jet<P> {
     pub along_v: P,
 }
 
-/// Bernstein's cubic polynomials at `t`.
-fn bernstein(t: f64) -> [f64; 4] {
-    let s = 1.0 - t;
-    [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t]
+/// A parameter, or several in lanes.
+pub(crate) trait Parameter:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Mul<f64, Output = Self>
+{
+}
+impl<T> Parameter for T where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Mul<f64, Output = T>
+{
 }
 
-/// Their derivatives at `t`.
-fn bernstein_slopes(t: f64) -> [f64; 4] {
-    let s = 1.0 - t;
+/// Bernstein's cubic polynomials at `t`, of which `s` is 1 − `t`.
+#[inline(always)]
+pub(crate) fn bernstein<T: Parameter>(t: T, s: T) -> [T; 4] {
+    [s * s * s, s * 3.0 * s * t, s * 3.0 * t * t, t * t * t]
+}
+
+/// Their derivatives.
+#[inline(always)]
+pub(crate) fn bernstein_slopes<T: Parameter>(t: T, s: T) -> [T; 4] {
     [
-        -3.0 * s * s,
-        3.0 * s * (s - 2.0 * t),
-        3.0 * t * (2.0 * s - t),
-        3.0 * t * t,
+        s * -3.0 * s,
+        s * 3.0 * (s - t * 2.0),
+        t * 3.0 * (s * 2.0 - t),
+        t * 3.0 * t,
     ]
 }
 
@@ -50,7 +60,7 @@ fn blend<P: Point>(points: [P; 4], weights: &[f64; 4]) -> P {
 
 /// The point at `t` on the cubic with four control points.
 pub(crate) fn on_curve<P: Point>(points: [P; 4], t: f64) -> P {
-    blend(points, &bernstein(t))
+    blend(points, &bernstein(t, 1.0 - t))
 }
 
 /// Cuts a cubic in the middle (de Casteljau).
@@ -88,18 +98,18 @@ impl<P: Point> Patch<P> {
     }
 
     pub fn at(&self, u: f64, v: f64) -> P {
-        self.weighted(&bernstein(u), &bernstein(v))
+        self.weighted(&bernstein(u, 1.0 - u), &bernstein(v, 1.0 - v))
     }
 
     /// The point at (u, v) and ∂S/∂u, ∂S/∂v there.
     pub fn jet(&self, u: f64, v: f64) -> Jet<P> {
-        let (bv, dv) = (bernstein(v), bernstein_slopes(v));
+        let (bv, dv) = (bernstein(v, 1.0 - v), bernstein_slopes(v, 1.0 - v));
         let rows = [0, 1, 2, 3].map(|i| blend(self.row(i), &bv));
         let row_slopes = [0, 1, 2, 3].map(|i| blend(self.row(i), &dv));
-        let bu = bernstein(u);
+        let bu = bernstein(u, 1.0 - u);
         Jet {
             point: blend(rows, &bu),
-            along_u: blend(rows, &bernstein_slopes(u)),
+            along_u: blend(rows, &bernstein_slopes(u, 1.0 - u)),
             along_v: blend(row_slopes, &bu),
         }
     }
@@ -149,7 +159,7 @@ impl Patch<DVec3> {
         if normal.length_squared() > VANISHED {
             return normal.normalize();
         }
-        let twist = self.weighted(&bernstein_slopes(u), &bernstein_slopes(v));
+        let twist = self.weighted(&bernstein_slopes(u, 1.0 - u), &bernstein_slopes(v, 1.0 - v));
         twist.cross(jet.along_u).normalize_or(DVec3::Y)
     }
 }

@@ -4,18 +4,24 @@
 //! surface lies within [`Surface::BOUND`] of the world's origin, so a ray is first brought to unit direction and to its point
 //! nearest the origin: the equations then see numbers about 1 however far away the eye is.
 
+mod leaf;
 mod patch_ray;
 mod patches;
 mod polynomial;
 mod solids;
 
-use self::solids::UnitRay;
+use self::solids::{Meeting, UnitRay};
 use super::sizes::{CONE, CUBE_HALF_EDGE, CYLINDER};
 use crate::scene::{Object, ObjectKind};
+use fearless_simd::{Level, dispatch};
 use glam::DVec3;
+use std::slice;
+
+/// Rays that are asked about at a time, at most.
+pub const TOGETHER: usize = 8;
 
 /// Half a line: the points `origin + t · direction` for t > 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ray {
     /// Where the ray starts, world units.
     pub origin: DVec3,
@@ -70,34 +76,67 @@ impl Surface {
     /// Closed forms are exact to rounding, about 10⁻¹⁵; the torus and the teapot are iterated until they are. A direction
     /// that is zero or not finite meets nothing.
     pub fn intersect(&self, ray: &Ray, t_min: f64) -> Option<SurfaceHit> {
-        let length = ray.direction.length();
-        let direction = ray.direction / length;
-        let shift = -ray.origin.dot(direction);
-        let origin = ray.origin + shift * direction;
-        // Also false, and rightly, where any of it is not a number.
-        let comes_near = origin.length_squared() <= Self::BOUND * Self::BOUND;
-        if !comes_near {
-            return None;
+        self.intersect_all(Level::new(), slice::from_ref(ray), t_min)[0]
+    }
+
+    /// The same for [`TOGETHER`] rays at most; neither the level nor the company changes an answer.
+    pub fn intersect_all(
+        &self,
+        level: Level,
+        rays: &[Ray],
+        t_min: f64,
+    ) -> [Option<SurfaceHit>; TOGETHER] {
+        let mut near = [UnitRay::default(); TOGETHER];
+        // What t is from the length along the unit ray.
+        let mut scale = [(0.0, 1.0); TOGETHER];
+        let mut asked = 0;
+        for (k, ray) in rays.iter().enumerate().take(TOGETHER) {
+            let length = ray.direction.length();
+            let direction = ray.direction / length;
+            let shift = -ray.origin.dot(direction);
+            let origin = ray.origin + shift * direction;
+            // Also false, and rightly, where any of it is not a number.
+            if origin.length_squared() <= Self::BOUND * Self::BOUND {
+                near[k] = UnitRay {
+                    origin,
+                    direction,
+                    s_min: t_min * length - shift,
+                };
+                scale[k] = (shift, length);
+                asked |= 1 << k;
+            }
         }
-        let ray = UnitRay {
-            origin,
-            direction,
-            s_min: t_min * length - shift,
-        };
-        let meeting = match self.kind {
-            ObjectKind::Sphere => solids::sphere(&ray),
-            ObjectKind::Torus => solids::torus(&ray),
-            ObjectKind::Cylinder => solids::frustum(&CYLINDER, &ray),
-            ObjectKind::Cone => solids::frustum(&CONE, &ray),
-            ObjectKind::Cube => solids::cube(&ray),
-            ObjectKind::Plane => solids::plane(&ray),
-            ObjectKind::Teapot => patches::teapot(&ray),
-            ObjectKind::Corrugated => solids::corrugated(&ray, self.slopes),
-            ObjectKind::Obj | ObjectKind::Polygons => None,
-        }?;
-        Some(SurfaceHit {
-            t: (meeting.s + shift) / length,
-            normal: meeting.normal.normalize_or(DVec3::Y),
-        })
+        let mut meetings = [None; TOGETHER];
+        if self.kind == ObjectKind::Teapot {
+            if asked != 0 {
+                meetings = dispatch!(level, simd => patches::teapot(simd, &near, asked));
+            }
+        } else {
+            for k in (0..TOGETHER).filter(|k| asked >> k & 1 == 1) {
+                meetings[k] = self.meet(&near[k]);
+            }
+        }
+        let mut hits = [None; TOGETHER];
+        for (k, (meeting, (shift, length))) in meetings.into_iter().zip(scale).enumerate() {
+            hits[k] = meeting.map(|meeting: Meeting| SurfaceHit {
+                t: (meeting.s + shift) / length,
+                normal: meeting.normal.normalize_or(DVec3::Y),
+            });
+        }
+        hits
+    }
+
+    /// Where one ray meets a surface that is not made of patches.
+    fn meet(&self, ray: &UnitRay) -> Option<Meeting> {
+        match self.kind {
+            ObjectKind::Sphere => solids::sphere(ray),
+            ObjectKind::Torus => solids::torus(ray),
+            ObjectKind::Cylinder => solids::frustum(&CYLINDER, ray),
+            ObjectKind::Cone => solids::frustum(&CONE, ray),
+            ObjectKind::Cube => solids::cube(ray),
+            ObjectKind::Plane => solids::plane(ray),
+            ObjectKind::Corrugated => solids::corrugated(ray, self.slopes),
+            ObjectKind::Teapot | ObjectKind::Obj | ObjectKind::Polygons => None,
+        }
     }
 }

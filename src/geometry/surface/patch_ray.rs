@@ -13,7 +13,7 @@ use crate::geometry::bezier::Patch;
 use glam::DVec2;
 
 /// Beyond its edge by so much of its size a cell still meets the ray, so that rounding opens no crack between cells.
-const EDGE: f64 = 1e-9;
+pub const EDGE: f64 = 1e-9;
 
 /// A cell that is no larger than this in the plane, in world units, is a point.
 const POINT: f64 = 1e-11;

@@ -3,11 +3,15 @@
 //! A box holds the control points of its patches and with them the patches themselves, so the tree loses nothing of the
 //! outline.
 
+use super::TOGETHER;
+use super::leaf::{Leaf, QUAD, Quad};
 use super::patch_ray::meet;
 use super::solids::{Meeting, UnitRay};
 use crate::geometry::bezier::Patch;
 use crate::geometry::teapot::TEAPOT;
+use fearless_simd::{f64x8, prelude::*};
 use glam::{DVec2, DVec3};
+use std::array;
 use std::sync::LazyLock;
 
 /// Each patch is quartered so often: 32 · 4⁴ leaves, small enough that nearly all are met by one Newton iteration.
@@ -21,7 +25,7 @@ const LEAST_COMPONENT: f64 = 1e-100;
 
 struct Tree {
     nodes: Vec<Node>,
-    leaves: Vec<Patch<DVec3>>,
+    leaves: Vec<Leaf>,
 }
 
 struct Node {
@@ -34,8 +38,25 @@ struct Node {
 
 static TREE: LazyLock<Tree> = LazyLock::new(Tree::of_teapot);
 
-pub fn teapot(ray: &UnitRay) -> Option<Meeting> {
-    TREE.nearest(ray)
+/// The nearest meetings of the rays whose bits are set in `asked`.
+#[inline(always)]
+pub fn teapot<S: Simd>(
+    simd: S,
+    rays: &[UnitRay; TOGETHER],
+    asked: u32,
+) -> [Option<Meeting>; TOGETHER] {
+    let tree = &*TREE;
+    let found = tree.nearest(simd, rays, asked);
+    let meeting = |ray: usize| {
+        let Place { leaf, uv, .. } = found.0[ray];
+        let patch = &tree.leaves.get(leaf?)?.patch;
+        let s = (patch.at(uv.x, uv.y) - rays[ray].origin).dot(rays[ray].direction);
+        Some(Meeting {
+            s,
+            normal: patch.normal(uv.x, uv.y),
+        })
+    };
+    array::from_fn(meeting)
 }
 
 fn box_of(patch: &Patch<DVec3>) -> (DVec3, DVec3) {
@@ -46,65 +67,91 @@ fn box_of(patch: &Patch<DVec3>) -> (DVec3, DVec3) {
         .fold((first, first), |(low, high), &p| (low.min(p), high.max(p)))
 }
 
-/// A ray prepared for boxes and patches.
-struct Caster {
-    origin: DVec3,
-    direction: DVec3,
-    reciprocal: DVec3,
-    /// With the direction an orthonormal basis.
-    across: [DVec3; 2],
-    s_min: f64,
+/// Where a ray meets a leaf.
+#[derive(Clone, Copy)]
+struct Place {
+    s: f64,
+    leaf: Option<usize>,
+    uv: DVec2,
 }
 
-impl Caster {
-    fn of(ray: &UnitRay) -> Self {
-        let (a, b) = ray.direction.any_orthonormal_pair();
-        let component = |d: f64| {
-            if d.abs() < LEAST_COMPONENT {
-                LEAST_COMPONENT.copysign(d)
-            } else {
-                d
+/// The nearest meeting of each ray so far.
+struct Found([Place; TOGETHER]);
+
+/// Rays prepared for boxes.
+struct Rays<S: Simd> {
+    origin: [f64x8<S>; 3],
+    reciprocal: [f64x8<S>; 3],
+    s_min: f64x8<S>,
+}
+
+impl<S: Simd> Rays<S> {
+    #[inline(always)]
+    fn new(simd: S, rays: &[UnitRay; TOGETHER]) -> Self {
+        let (mut origin, mut reciprocal, mut s_min) =
+            ([[0.0; TOGETHER]; 3], [[0.0; TOGETHER]; 3], [0.0; TOGETHER]);
+        for (k, ray) in rays.iter().enumerate() {
+            for axis in 0..3 {
+                let d = ray.direction[axis];
+                let component = if d.abs() < LEAST_COMPONENT {
+                    LEAST_COMPONENT.copysign(d)
+                } else {
+                    d
+                };
+                origin[axis][k] = ray.origin[axis];
+                reciprocal[axis][k] = 1.0 / component;
             }
-        };
-        let d = ray.direction;
-        let reciprocal = DVec3::new(component(d.x), component(d.y), component(d.z)).recip();
+            s_min[k] = ray.s_min;
+        }
+        let [ox, oy, oz] = &origin;
+        let [rx, ry, rz] = &reciprocal;
         Self {
-            origin: ray.origin,
-            direction: d,
-            reciprocal,
-            across: [a, b],
-            s_min: ray.s_min,
+            origin: [
+                f64x8::from_slice(simd, ox),
+                f64x8::from_slice(simd, oy),
+                f64x8::from_slice(simd, oz),
+            ],
+            reciprocal: [
+                f64x8::from_slice(simd, rx),
+                f64x8::from_slice(simd, ry),
+                f64x8::from_slice(simd, rz),
+            ],
+            s_min: f64x8::from_slice(simd, &s_min),
         }
     }
 
-    /// Where the ray enters a box, if it does so before `s_max`.
-    fn enters(&self, node: &Node, s_max: f64) -> Option<f64> {
-        let low = (node.low - self.origin) * self.reciprocal;
-        let high = (node.high - self.origin) * self.reciprocal;
-        let enter = low.min(high).max_element().max(self.s_min);
-        let leave = low.max(high).min_element().min(s_max);
-        (enter <= leave).then_some(enter)
+    /// Which rays enter a box before `s_max`, and where.
+    #[inline(always)]
+    fn enter(&self, simd: S, node: &Node, s_max: f64x8<S>) -> (u32, f64x8<S>) {
+        let (mut enter, mut leave) = (self.s_min, s_max);
+        for axis in 0..3 {
+            let low =
+                (f64x8::splat(simd, node.low[axis]) - self.origin[axis]) * self.reciprocal[axis];
+            let high =
+                (f64x8::splat(simd, node.high[axis]) - self.origin[axis]) * self.reciprocal[axis];
+            enter = enter.max(low.min(high));
+            leave = leave.min(low.max(high));
+        }
+        (enter.simd_le(leave).to_bitmask() as u32, enter)
     }
+}
 
-    /// The nearest meeting with a patch before `s_max`.
-    fn meets(&self, leaf: &Patch<DVec3>, s_max: f64) -> Option<Meeting> {
-        let flat = leaf.map(|p| {
-            let p = p - self.origin;
-            DVec2::new(p.dot(self.across[0]), p.dot(self.across[1]))
-        });
-        let mut nearest = (s_max, None);
-        meet(&flat, |u, v| {
-            let s = (leaf.at(u, v) - self.origin).dot(self.direction);
-            if s > self.s_min && s < nearest.0 {
-                nearest = (s, Some((u, v)));
-            }
-        });
-        let (s, uv) = nearest;
-        uv.map(|(u, v)| Meeting {
-            s,
-            normal: leaf.normal(u, v),
-        })
-    }
+/// The nearest meeting with a patch beyond the ray's beginning and before `s_max`, found by halving where it may fold.
+fn meet_folded(ray: &UnitRay, patch: &Patch<DVec3>, s_max: f64) -> Option<(f64, DVec2)> {
+    let (a, b) = ray.direction.any_orthonormal_pair();
+    let flat = patch.map(|p| {
+        let p = p - ray.origin;
+        DVec2::new(p.dot(a), p.dot(b))
+    });
+    let mut nearest = (s_max, None);
+    meet(&flat, |u, v| {
+        let s = (patch.at(u, v) - ray.origin).dot(ray.direction);
+        if s > ray.s_min && s < nearest.0 {
+            nearest = (s, Some(DVec2::new(u, v)));
+        }
+    });
+    let (s, uv) = nearest;
+    uv.map(|uv| (s, uv))
 }
 
 impl Tree {
@@ -118,7 +165,7 @@ impl Tree {
         let mut order: Vec<u32> = (0..leaves.len() as u32).collect();
         let mut tree = Self {
             nodes: Vec::with_capacity(2 * leaves.len()),
-            leaves,
+            leaves: leaves.into_iter().map(Leaf::new).collect(),
         };
         tree.nodes.push(Node {
             low: DVec3::ZERO,
@@ -134,7 +181,7 @@ impl Tree {
     fn build(&mut self, at: usize, order: &mut [u32]) {
         let boxes = order
             .iter()
-            .map(|&leaf| box_of(&self.leaves[leaf as usize]));
+            .map(|&leaf| box_of(&self.leaves[leaf as usize].patch));
         let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (low, high) = boxes
             .clone()
@@ -150,7 +197,7 @@ impl Tree {
         }
         let axis = (middles.1 - middles.0).max_position();
         let middle = |leaf: &u32| {
-            let (low, high) = box_of(&self.leaves[*leaf as usize]);
+            let (low, high) = box_of(&self.leaves[*leaf as usize].patch);
             low[axis] + high[axis]
         };
         let half = order.len() / 2;
@@ -170,47 +217,157 @@ impl Tree {
         self.build(children + 1, right);
     }
 
-    /// Walks the boxes that the ray enters, nearer ones first, and leaves out those behind the nearest meeting so far.
-    fn nearest(&self, ray: &UnitRay) -> Option<Meeting> {
+    /// Walks the boxes that the rays enter, nearer ones first, and leaves out those behind the nearest meetings so far.
+    #[inline(always)]
+    fn nearest<S: Simd>(&self, simd: S, rays: &[UnitRay; TOGETHER], asked: u32) -> Found {
         /// The tree is halved at every level, so its depth is the logarithm of its leaves.
         const DEPTH: usize = 40;
-        let caster = Caster::of(ray);
-        let mut nearest: Option<Meeting> = None;
-        let mut waiting = [(0, 0.0); DEPTH];
+        let lanes = Rays::new(simd, rays);
+        let mut found = Found(
+            [Place {
+                s: f64::INFINITY,
+                leaf: None,
+                uv: DVec2::ZERO,
+            }; TOGETHER],
+        );
+        let mut s_max = f64x8::splat(simd, f64::INFINITY);
+        let mut waiting = [(0, 0); DEPTH];
         let mut count = 0;
-        let mut next = caster
-            .enters(&self.nodes[0], f64::INFINITY)
-            .map(|enter| (0, enter));
-        while let Some((node, enter)) = next {
-            let s_max = nearest.map_or(f64::INFINITY, |meeting| meeting.s);
-            let node = &self.nodes[node as usize];
-            next = None;
-            if enter > s_max {
-            } else if node.is_leaf {
-                nearest = caster
-                    .meets(&self.leaves[node.index as usize], s_max)
-                    .or(nearest);
-            } else {
-                let entered = |child: u32| {
-                    caster
-                        .enters(&self.nodes[child as usize], s_max)
-                        .map(|s| (child, s))
-                };
-                next = match (entered(node.index), entered(node.index + 1)) {
-                    (Some(a), Some(b)) => {
-                        let (near, far) = if a.1 <= b.1 { (a, b) } else { (b, a) };
-                        waiting[count] = far;
-                        count += 1;
-                        Some(near)
-                    }
-                    (a, b) => a.or(b),
-                };
+        let (mut here, mut among) = (0, asked & lanes.enter(simd, &self.nodes[0], s_max).0);
+        loop {
+            let node = &self.nodes[here as usize];
+            if among != 0 && node.is_leaf {
+                if self.meet_leaf(simd, rays, node.index as usize, among, &mut found) {
+                    s_max = found.ends(simd);
+                }
+            } else if among != 0 {
+                let (left, right) = (node.index, node.index + 1);
+                let (in_left, at_left) = lanes.enter(simd, &self.nodes[left as usize], s_max);
+                let (in_right, at_right) = lanes.enter(simd, &self.nodes[right as usize], s_max);
+                let (in_left, in_right) = (in_left & among, in_right & among);
+                let lead = among.trailing_zeros() as usize;
+                let (mut next, mut other) = ((left, in_left), (right, in_right));
+                if in_right != 0 && (in_left == 0 || at_left[lead] > at_right[lead]) {
+                    (next, other) = (other, next);
+                }
+                if other.1 != 0 {
+                    waiting[count] = other;
+                    count += 1;
+                }
+                if next.1 != 0 {
+                    (here, among) = next;
+                    continue;
+                }
             }
-            if next.is_none() && count > 0 {
-                count -= 1;
-                next = Some(waiting[count]);
+            if count == 0 {
+                return found;
+            }
+            count -= 1;
+            (here, among) = waiting[count];
+            // Some may have met something nearer meanwhile.
+            among &= lanes.enter(simd, &self.nodes[here as usize], s_max).0;
+        }
+    }
+
+    /// Meets rays with a leaf; tells whether any met it nearer than what was found.
+    #[inline(always)]
+    fn meet_leaf<S: Simd>(
+        &self,
+        simd: S,
+        rays: &[UnitRay; TOGETHER],
+        index: usize,
+        among: u32,
+        found: &mut Found,
+    ) -> bool {
+        let leaf = &self.leaves[index];
+        let mut nearer = false;
+        for first in [0, QUAD] {
+            let asked = among >> first & (1 << QUAD) - 1;
+            if asked == 0 {
+                continue;
+            }
+            let quad = Quad::solve(simd, leaf, &rays[first..first + QUAD], asked);
+            for lane in 0..QUAD {
+                let (ray, place) = (&rays[first + lane], &mut found.0[first + lane]);
+                let met = if quad.roots >> lane & 1 == 1 {
+                    let s = quad.s[lane];
+                    (s > ray.s_min && s < place.s)
+                        .then(|| (s, DVec2::new(quad.uv[0][lane], quad.uv[1][lane])))
+                } else if quad.undecided >> lane & 1 == 1 {
+                    meet_folded(ray, &leaf.patch, place.s)
+                } else {
+                    None
+                };
+                if let Some((s, uv)) = met {
+                    let leaf = Some(index);
+                    *place = Place { s, leaf, uv };
+                    nearer = true;
+                }
             }
         }
-        nearest
+        nearer
+    }
+}
+
+impl Found {
+    /// Where the rays end.
+    #[inline(always)]
+    fn ends<S: Simd>(&self, simd: S) -> f64x8<S> {
+        let mut s = [0.0; TOGETHER];
+        for (s, place) in s.iter_mut().zip(&self.0) {
+            *s = place.s;
+        }
+        f64x8::from_slice(simd, &s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fearless_simd::{Level, dispatch};
+
+    /// A ray at the teapot, from k.
+    fn ray(k: usize) -> UnitRay {
+        let part = |factor: f64| (k as f64 * factor).fract() * 2.0 - 1.0;
+        let direction = DVec3::new(part(0.618_034), part(0.754_877), part(0.569_84)).normalize();
+        let through = DVec3::new(part(0.438_579), 0.5 * part(0.324_718), part(0.220_744)) * 0.8;
+        UnitRay {
+            origin: through - direction * through.dot(direction),
+            direction,
+            s_min: -3.0,
+        }
+    }
+
+    #[test]
+    fn rays_side_by_side_meet_what_each_meets_alone_leaf_by_leaf() {
+        let mut met = 0;
+        for first in (0..1600).step_by(TOGETHER) {
+            let rays: [UnitRay; TOGETHER] = array::from_fn(|k| ray(first + k));
+            for level in [Level::new(), Level::baseline()] {
+                let together = dispatch!(level, simd => teapot(simd, &rays, 0xff));
+                for (ray, meeting) in rays.iter().zip(together) {
+                    let alone = [*ray; TOGETHER];
+                    let alone = dispatch!(level, simd => teapot(simd, &alone, 1))[0];
+                    let bits = |meeting: Option<Meeting>| meeting.map(|m| (m.s, m.normal));
+                    assert_eq!(bits(alone), bits(meeting));
+                }
+            }
+            if first % 64 != 0 {
+                continue;
+            }
+            let together = dispatch!(Level::new(), simd => teapot(simd, &rays, 0xff));
+            for (ray, meeting) in rays.iter().zip(together) {
+                let nearest = TREE.leaves.iter().fold(f64::INFINITY, |nearest, leaf| {
+                    meet_folded(ray, &leaf.patch, nearest).map_or(nearest, |(s, _)| s)
+                });
+                let found = meeting.map_or(f64::INFINITY, |meeting| meeting.s);
+                assert!(
+                    found == nearest || (found - nearest).abs() < 1e-9,
+                    "{found} {nearest}"
+                );
+                met += usize::from(nearest.is_finite());
+            }
+        }
+        assert!(met > 50, "{met}");
     }
 }

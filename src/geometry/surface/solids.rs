@@ -12,7 +12,7 @@ use crate::geometry::sizes::{
 use glam::DVec3;
 
 /// A ray as the shapes see it: unit direction, origin nearest to the world's origin, `s` the length along it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct UnitRay {
     pub origin: DVec3,
     pub direction: DVec3,

@@ -4,8 +4,9 @@
 use super::fragments::{Block, Fragment, fragment, open, put};
 use super::grid::{BAND, BandPlace, HALF, Place, SUBPIXELS, scan};
 use super::triangles::Triangles;
-use crate::geometry::{Ray, Surface, SurfaceHit};
+use crate::geometry::{Ray, Surface, SurfaceHit, TOGETHER};
 use crate::render::lens::{Lens, NEAR, pixel_centre};
+use fearless_simd::Level;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -281,35 +282,61 @@ impl<'a> Coverage<'a> {
     }
 }
 
-/// Where the ray through a place in the picture meets the surface: the depth in camera distances and the hit.
-pub fn meet(lens: &Lens, surface: &Surface, place: DVec2) -> Option<(DVec3, SurfaceHit)> {
+/// The ray through a place in the picture; t counts camera distances.
+fn ray_through(lens: &Lens, place: DVec2) -> Ray {
     let (point, direction) = lens.ray(place);
-    let ray = Ray {
+    Ray {
         origin: lens.world(point),
         direction: direction * lens.unit,
-    };
+    }
+}
+
+/// Where the ray through a place in the picture meets the surface: the depth in camera distances and the hit.
+pub fn meet(lens: &Lens, surface: &Surface, place: DVec2) -> Option<(DVec3, SurfaceHit)> {
+    let ray = ray_through(lens, place);
     let hit = surface.intersect(&ray, NEAR)?;
     Some((ray.origin + ray.direction * hit.t, hit))
 }
 
 /// Fills the fragments of a band and its extents.
-pub fn meet_band(lens: &Lens, surface: &Surface, band: &mut Band, fragments: &mut [Block]) {
+pub fn meet_band(
+    level: Level,
+    lens: &Lens,
+    surface: &Surface,
+    band: &mut Band,
+    fragments: &mut [Block],
+) {
+    /// Columns and rows of what is met at a time: two squares of four pixels.
+    const TILE: [usize; 2] = [4, 2];
     band.begin(true);
     let place = band.place;
-    for (row, line) in fragments
-        .chunks_exact_mut(Block::count(place.width))
-        .take(place.rows as usize)
-        .enumerate()
-    {
-        open(line);
-        for x in 0..place.width as usize {
-            let centre = pixel_centre(x, place.first_row as usize + row);
-            let Some((_, hit)) = meet(lens, surface, centre) else {
-                continue;
+    let [width, rows] = [place.width, place.rows].map(|count| count as usize);
+    let blocks = Block::count(place.width);
+    fragments.chunks_exact_mut(blocks).take(rows).for_each(open);
+    let mut rays = Vec::with_capacity(TOGETHER);
+    for first_row in (0..rows).step_by(TILE[1]) {
+        for first in (0..width).step_by(TILE[0]) {
+            // Square by square.
+            let pixel = |k: usize| [first + k % 2 + k / 4 * 2, first_row + k / 2 % 2];
+            let pixels = || {
+                (0..TOGETHER)
+                    .map(pixel)
+                    .filter(|[x, row]| *x < width && *row < rows)
             };
-            let [nx, ny, nz] = hit.normal.as_vec3().to_array();
-            put(line, x, [nx, ny, nz, lens.key_from_depth(hit.t) as f32]);
-            band.extend(row, x as u32, x as u32 + 1);
+            rays.clear();
+            rays.extend(pixels().map(|[x, row]| {
+                ray_through(lens, pixel_centre(x, place.first_row as usize + row))
+            }));
+            let hits = surface.intersect_all(level, &rays, NEAR);
+            for ([x, row], hit) in pixels().zip(hits) {
+                let Some(hit) = hit else {
+                    continue;
+                };
+                let [nx, ny, nz] = hit.normal.as_vec3().to_array();
+                let line = &mut fragments[row * blocks..(row + 1) * blocks];
+                put(line, x, [nx, ny, nz, lens.key_from_depth(hit.t) as f32]);
+                band.extend(row, x as u32, x as u32 + 1);
+            }
         }
     }
 }

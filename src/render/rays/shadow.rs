@@ -39,9 +39,13 @@ pub struct ShadowCaster<'a> {
     own: bool,
 }
 
-/// Rays that wait for their packet to be full, with the source and the point that they are of.
+/// Rays that wait for their packet to be full. Each light has its own, since rays to one place go through the same boxes.
 #[derive(Default)]
-pub struct Waiting {
+pub struct Waiting(Vec<Queue>);
+
+/// Rays of one light, with the source and the point that they are of.
+#[derive(Default)]
+struct Queue {
     packet: Packet,
     marks: [(u32, u32); RAYS],
     count: usize,
@@ -51,7 +55,6 @@ pub struct Waiting {
 struct Sheet<'a> {
     stride: usize,
     words: &'a mut [u64],
-    waiting: &'a mut Waiting,
 }
 
 impl Sheet<'_> {
@@ -205,11 +208,8 @@ impl<'a> ShadowCaster<'a> {
         words: &mut [u64],
         waiting: &mut Waiting,
     ) {
-        let mut sheet = Sheet {
-            stride,
-            words,
-            waiting,
-        };
+        let mut sheet = Sheet { stride, words };
+        waiting.0.resize_with(self.lamps.len(), Queue::default);
         let least = if self.own {
             self.least_height()
         } else {
@@ -233,12 +233,14 @@ impl<'a> ShadowCaster<'a> {
                     side,
                     points,
                 };
-                for lamp in &self.lamps {
-                    self.mark_lamp(simd, &group, lamp, &mut sheet);
+                for (lamp, queue) in self.lamps.iter().zip(&mut waiting.0) {
+                    self.mark_lamp(simd, &group, lamp, &mut sheet, queue);
                 }
             }
         }
-        self.follow(simd, &mut sheet);
+        for queue in &mut waiting.0 {
+            self.follow(simd, &mut sheet, queue);
+        }
     }
 
     /// Asks about one light at sixteen points.
@@ -249,6 +251,7 @@ impl<'a> ShadowCaster<'a> {
         group: &Group<'_, S>,
         lamp: &Lamp,
         sheet: &mut Sheet<'_>,
+        queue: &mut Queue,
     ) {
         let Group {
             row,
@@ -287,7 +290,7 @@ impl<'a> ShadowCaster<'a> {
             if unknown != 0 {
                 let [open, shut] = points.decide(simd, &way, target, self.balls);
                 dark |= unknown & shut;
-                self.wait(simd, group, unknown & !open & !shut, source, sheet);
+                self.wait(simd, group, unknown & !open & !shut, source, sheet, queue);
             }
             sheet.darken(source, *first, dark);
         }
@@ -302,6 +305,7 @@ impl<'a> ShadowCaster<'a> {
         mut rays: u32,
         source: usize,
         sheet: &mut Sheet<'_>,
+        queue: &mut Queue,
     ) {
         let Target {
             place: to,
@@ -319,31 +323,27 @@ impl<'a> ShadowCaster<'a> {
             } else {
                 (start, to - start, 1.0)
             };
-            let Waiting {
-                packet,
-                marks,
-                count,
-            } = sheet.waiting;
-            packet.set(*count, origin, direction, t_max);
-            marks[*count] = (source as u32, point as u32);
-            *count += 1;
-            if *count == RAYS {
-                self.follow(simd, sheet);
+            let count = queue.count;
+            queue.packet.set(count, origin, direction, t_max);
+            queue.marks[count] = (source as u32, point as u32);
+            queue.count += 1;
+            if queue.count == RAYS {
+                self.follow(simd, sheet, queue);
             }
         }
     }
 
     /// Follows the rays that wait.
     #[inline(always)]
-    fn follow<S: Simd>(&self, simd: S, sheet: &mut Sheet<'_>) {
-        let count = std::mem::take(&mut sheet.waiting.count);
+    fn follow<S: Simd>(&self, simd: S, sheet: &mut Sheet<'_>, queue: &mut Queue) {
+        let count = std::mem::take(&mut queue.count);
         if count == 0 {
             return;
         }
         let asked = u32::MAX >> (32 - count);
-        let mut blocked = self.solid.blocked(simd, &sheet.waiting.packet, asked);
+        let mut blocked = self.solid.blocked(simd, &queue.packet, asked);
         while blocked != 0 {
-            let (source, point) = sheet.waiting.marks[blocked.trailing_zeros() as usize];
+            let (source, point) = queue.marks[blocked.trailing_zeros() as usize];
             blocked &= blocked - 1;
             sheet.darken(source as usize, point as usize, 1);
         }

@@ -2,8 +2,8 @@
 //! rays start.
 
 use super::bvh::Bvh;
-use super::packet::{Packet, rays_of};
-use crate::geometry::{Ray, Surface};
+use super::packet::{Packet, RAYS, rays_of};
+use crate::geometry::{Ray, Surface, SurfaceHit, TOGETHER};
 use crate::render::lens::{Lens, pixel_centre};
 use crate::render::model::Model;
 use crate::render::raster::{Band, Block, Fragment, Triangles, fragment, is_seen};
@@ -87,15 +87,37 @@ impl Solid<'_> {
         let Some(surface) = self.surface else {
             return self.bvh.blocked(simd, packet, asked);
         };
-        let blocks = |ray: &usize| {
-            let (origin, direction, t_max) = packet.ray(*ray);
-            surface
-                .intersect(&Ray { origin, direction }, 0.0)
-                .is_some_and(|hit| hit.t < t_max)
-        };
+        let mut blocked = 0;
+        self.meet_surface(surface, packet, asked, DVec3::ZERO, |ray, hit| {
+            blocked |= u32::from(hit.is_some_and(|hit| hit.t < packet.t_max[ray])) << ray;
+        });
+        blocked
+    }
+
+    /// Calls `each` with every ray whose bit is set in `asked` and where it meets the surface; rays are relative to `middle`.
+    fn meet_surface(
+        &self,
+        surface: &Surface,
+        packet: &Packet,
+        asked: u32,
+        middle: DVec3,
+        mut each: impl FnMut(usize, Option<SurfaceHit>),
+    ) {
+        let mut rays = [Ray::default(); RAYS];
+        for (slot, ray) in rays.iter_mut().zip(rays_of(asked)) {
+            let (origin, direction, _) = packet.ray(ray);
+            *slot = Ray {
+                origin: middle + origin,
+                direction,
+            };
+        }
+        let count = asked.count_ones() as usize;
+        let hits = rays[..count]
+            .chunks(TOGETHER)
+            .flat_map(|rays| surface.intersect_all(self.level, rays, 0.0));
         rays_of(asked)
-            .filter(blocks)
-            .fold(0, |blocked, ray| blocked | 1 << ray)
+            .zip(hits)
+            .for_each(|(ray, hit)| each(ray, hit));
     }
 
     /// Calls `each` with every ray whose bit is set in `asked` and the first point that it meets; rays are relative to the middle.
@@ -107,20 +129,15 @@ impl Solid<'_> {
     ) {
         let (middle, _) = self.ball();
         if let Some(surface) = self.surface {
-            for ray in rays_of(asked) {
+            self.meet_surface(surface, packet, asked, middle, |ray, hit| {
                 let (start, direction, _) = packet.ray(ray);
-                let origin = middle + start;
-                let hit = surface.intersect(&Ray { origin, direction }, 0.0);
-                let point = |t: f64| origin + direction * t;
-                each(
-                    ray,
-                    hit.map(|hit| SolidHit {
-                        point: point(hit.t),
-                        normal: hit.normal,
-                        facing: hit.normal,
-                    }),
-                );
-            }
+                let seen = |hit: SurfaceHit| SolidHit {
+                    point: middle + start + direction * hit.t,
+                    normal: hit.normal,
+                    facing: hit.normal,
+                };
+                each(ray, hit.map(seen));
+            });
             return;
         }
         let nearest = dispatch!(self.level, simd => self.bvh.nearest(simd, packet, asked));

@@ -194,7 +194,7 @@ impl BandPainter<'_> {
         } = self.inputs;
         if plan.true_surface {
             if let Some(surface) = surface {
-                meet_band(lens, surface, band, fragments);
+                meet_band(level, lens, surface, band, fragments);
             }
             return;
         }
