@@ -22,6 +22,7 @@ mod engine;
 mod equation;
 mod files;
 mod filled;
+mod film;
 mod focus;
 mod handles;
 mod heading;
@@ -363,6 +364,8 @@ impl App {
                     shape: None,
                     samples: if phone { 4 } else { 16 },
                     overlay: true,
+                    film: None,
+                    wrong: None,
                 };
                 let path = self.state.document.suggested("png");
                 self.ask_file(ctx, FileTask::Export(form), path);

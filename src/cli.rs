@@ -4,26 +4,31 @@
 //! the line that they are about.
 
 mod analyse;
+mod animate;
+mod check;
 mod class;
 mod errors;
+mod examples;
 mod help;
 mod input;
 mod lesson;
 mod link;
+mod manual;
 mod output;
 mod render;
 mod simple;
 
 use analyse::{Analyse, Catalogued};
+use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use input::SceneArguments;
 use output::Failure;
 use shading_lab::document::load;
 use shading_lab::lesson::Lesson;
-use shading_lab::scene::presets;
+use shading_lab::scene::{nearest, presets};
 use shading_lab::text::{Language, set_language, text};
 use std::env;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// What was asked for. The words of the help are in the catalogue: see [`help`].
@@ -45,6 +50,7 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     Render(render::Render),
+    Animate(animate::Animate),
     Probe(Analyse<analyse::Probe>),
     Profile(Analyse<analyse::Profile>),
     Compare(Analyse<analyse::Compare>),
@@ -61,10 +67,13 @@ enum Command {
     Scenes(simple::List),
     Materials(simple::List),
     Parameters(simple::List),
-    Check(simple::Check),
+    Check(check::Check),
     Lesson(lesson::LessonCommand),
     Collect(class::Collect),
     Bench(Analyse<analyse::Bench>),
+    Completions(manual::Completions),
+    Manual(manual::Manual),
+    Help(manual::Help),
 }
 
 impl Command {
@@ -77,6 +86,9 @@ impl Command {
             Self::Stability(_) => Some("stability"),
             Self::Lesson(_) => Some("lesson"),
             Self::Collect(_) => Some("collect"),
+            Self::Completions(_) => Some("completions"),
+            Self::Manual(_) => Some("manual"),
+            Self::Help(_) => Some("help"),
             _ => None,
         }
     }
@@ -85,15 +97,16 @@ impl Command {
 /// Does what the command line asks for, reports what goes wrong, and says how the process should end.
 pub fn run() -> ExitCode {
     set_language(language_asked_for().unwrap_or_else(Language::of_system));
-    let command = help::worded(Arguments::command());
+    let command = help::worded(Arguments::command(), Some(help::line_width()));
     let arguments = command
         .try_get_matches()
         .and_then(|matches| Arguments::from_arg_matches(&matches));
     let result = match arguments {
         Ok(arguments) => perform(arguments),
-        Err(error) => match errors::worded(&error) {
-            Some(message) => Err(Failure::input(message)),
-            None => error.exit(),
+        Err(error) => match (misspelt_command(&error), errors::worded(&error)) {
+            (Some(failure), _) => Err(failure),
+            (None, Some(message)) => Err(Failure::input(message)),
+            (None, None) => error.exit(),
         },
     };
     result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
@@ -113,6 +126,26 @@ fn language_asked_for() -> Option<Language> {
         }
     }
     None
+}
+
+/// Of arguments that make no sense after a word that is neither a command nor a scene: what is wrong is that word.
+fn misspelt_command(error: &clap::Error) -> Option<Failure> {
+    if error.kind() != ErrorKind::UnknownArgument {
+        return None;
+    }
+    let lenient = Arguments::command().ignore_errors(true);
+    let matches = lenient.try_get_matches().ok()?;
+    let source = matches.get_one::<PathBuf>("source")?;
+    (matches.subcommand_name().is_none() && is_unknown_word(source))
+        .then(|| manual::no_command(&Arguments::command(), &source.to_string_lossy()))
+}
+
+/// Whether a word names neither a file, by its ending or because it is there, nor a scene, nor a link.
+fn is_unknown_word(word: &Path) -> bool {
+    word.to_str().is_some_and(|name| {
+        let letter = |c: char| c.is_alphanumeric() || c == '-';
+        name != "-" && name.chars().all(letter) && presets::find(name).is_none()
+    }) && !word.exists()
 }
 
 fn parse_language(tag: &str) -> Result<Language, String> {
@@ -143,6 +176,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Link(link)) => link.run(&earlier, url),
         Some(_) if url.is_some() => Err(Failure::input(text!("cli-url-before-command"))),
         Some(Command::Render(render)) => render.run(&earlier),
+        Some(Command::Animate(animate)) => animate.run(&earlier),
         Some(Command::Probe(probe)) => probe.run(&earlier),
         Some(Command::Profile(profile)) => profile.run(&earlier),
         Some(Command::Compare(compare)) => compare.run(&earlier),
@@ -162,7 +196,19 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Materials(list)) => list.materials(),
         Some(Command::Parameters(list)) => list.parameters(),
         Some(Command::Stability(stability)) => stability.run_alone(),
+        Some(Command::Completions(completions)) => completions.run(Arguments::command()),
+        Some(Command::Manual(manual)) => manual.run(Arguments::command()),
+        Some(Command::Help(help)) => help.run(Arguments::command()),
     }
+}
+
+/// Whether a word that names no scene is nearer to a command than to any scene.
+fn nearest_is_command(word: &Path) -> bool {
+    let program = Arguments::command();
+    let commands = || program.get_subcommands().map(clap::Command::get_name);
+    let known = commands().chain(presets::ALL.iter().map(|preset| preset.name));
+    let meant = nearest(&word.to_string_lossy(), known);
+    is_unknown_word(word) && meant.is_some_and(|meant| commands().any(|name| name == meant))
 }
 
 /// Opens the window on a scene or a lesson, or on the default scene; in `language`, and with `page` in its links, whatever these were last
@@ -176,6 +222,12 @@ fn open_window(
         Some(source) if Lesson::is_file(source) => {
             let lesson = Lesson::open(source).map_err(|error| Failure::input(error.to_string()))?;
             (load(Path::new(presets::DEFAULT))?, Some(lesson))
+        }
+        Some(source) if nearest_is_command(source) => {
+            return Err(manual::no_command(
+                &Arguments::command(),
+                &source.to_string_lossy(),
+            ));
         }
         _ => (arguments.load(&[])?, None),
     };

@@ -10,6 +10,7 @@ mod disk;
 mod error;
 
 use crate::analysis::{About as Analysed, Answer, Figure, Format};
+use crate::animation::{FilmFormat, Sweep, write_film};
 use crate::export::Export;
 use crate::figure::{Drawing, Paper};
 use crate::geometry::{Mesh, ObjError, read_obj};
@@ -18,13 +19,15 @@ use crate::picture::{PictureError, PictureText, read_scene_text, write_png};
 use crate::render::Frame;
 use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, nearest, presets};
 use crate::text::{Message, text};
+#[cfg(not(target_arch = "wasm32"))]
+pub use disk::STDOUT;
 #[cfg(target_arch = "wasm32")]
 pub use disk::give;
 pub use disk::{check_target, write_whole};
 pub use error::{LoadError, SaveError};
 use error::{MODEL, PICTURE, SCENE_FILE};
 use std::ffi::OsStr;
-use std::io::{self, BufRead, BufReader, Read, Seek};
+use std::io::{self, BufRead, BufReader, Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -81,13 +84,62 @@ pub fn load_with(
     overrides: &[impl AsRef<str>],
     progress: Progress<'_>,
 ) -> Result<Loaded, LoadError> {
+    completed(read_scene(source)?, overrides, progress)
+}
+
+/// The same for what came by another way than a file: the text of a scene file, a picture with its scene inside, or a link.
+/// Messages call it `name`; a model's path in it is relative to the working directory.
+///
+/// # Errors
+/// See [`LoadError`].
+pub fn load_bytes(
+    name: &str,
+    bytes: Vec<u8>,
+    overrides: &[impl AsRef<str>],
+    progress: Progress<'_>,
+) -> Result<Loaded, LoadError> {
+    let path = Path::new(name);
+    let (scene, shown) = if is_picture(&bytes) {
+        let text = read_scene_text(Cursor::new(bytes));
+        let text = text.map_err(|error| LoadError::file(path, error))?;
+        (Scene::parse(&text, name)?, Shown::default())
+    } else {
+        let text = utf_8(path, bytes)?;
+        if link::is_link(text.trim()) {
+            let Link { scene, shown, .. } = link::read(text.trim())?;
+            (scene, shown)
+        } else {
+            (Scene::parse(&text, name)?, Shown::default())
+        }
+    };
+    let loaded = Loaded {
+        scene,
+        model: None,
+        name: name.trim_matches(['<', '>']).to_owned(),
+        path: None,
+        shown,
+    };
+    completed(loaded, overrides, progress)
+}
+
+/// Whether a file's content is a PNG picture.
+fn is_picture(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\x89PNG")
+}
+
+/// With its overrides and its model.
+fn completed(
+    loaded: Loaded,
+    overrides: &[impl AsRef<str>],
+    progress: Progress<'_>,
+) -> Result<Loaded, LoadError> {
     let Loaded {
         mut scene,
         name,
         path,
         shown,
         ..
-    } = read_scene(source)?;
+    } = loaded;
     if !overrides.is_empty() {
         scene = scene.with_overrides(overrides)?;
     }
@@ -195,6 +247,11 @@ pub fn read_text(path: &Path, what: Message, most: usize) -> Result<String, Load
     let mut bytes = Vec::new();
     let read = file.take(most as u64 + 1).read_to_end(&mut bytes);
     read.map_err(|error| LoadError::unreadable(path, what, &error))?;
+    utf_8(path, bytes)
+}
+
+/// A file's content as text.
+fn utf_8(path: &Path, bytes: Vec<u8>) -> Result<String, LoadError> {
     String::from_utf8(bytes).map_err(|error| {
         let valid = error.utf8_error().valid_up_to();
         let before = error.as_bytes().get(..valid).unwrap_or_default();
@@ -287,6 +344,20 @@ pub fn save_picture_with(
     texts: &[PictureText<'_>],
 ) -> Result<(), SaveError> {
     write_picture(path, frame, Some(scene), texts)
+}
+
+/// Draws and writes a film, frame by frame: see [`write_film`].
+///
+/// # Errors
+/// See [`SaveError`]. Nothing is left behind where `draw` has stopped it.
+pub fn save_film(
+    path: &Path,
+    format: FilmFormat,
+    sweep: &Sweep,
+    seconds: f64,
+    draw: &mut dyn FnMut(&Scene) -> Option<Frame>,
+) -> Result<(), SaveError> {
+    write_whole(path, |out| write_film(out, format, sweep, seconds, draw))
 }
 
 /// A picture's file as [`crate::picture::read_texts`] takes it.

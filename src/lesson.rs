@@ -24,8 +24,8 @@ pub use answer::{Answer, Grade};
 pub use builtin::{BuiltIn, LESSONS, find};
 pub use check::check;
 pub use class::{
-    Asked, Class, Given, Group, Student, Unreadable, collect, letter, short_answer, short_solution,
-    spread,
+    Asked, Class, Given, Group, Handed, Student, Unreadable, collect, letter, short_answer,
+    short_solution, spread,
 };
 pub use class_sheet::class_sheet;
 pub use hand_in::{

@@ -28,6 +28,7 @@
 //! [`picture::write_png`], [`link::read`], [`export::glsl_330`] and [`lesson::Lesson`].
 
 pub mod analysis;
+pub mod animation;
 #[cfg(feature = "app")]
 pub mod app;
 pub mod document;

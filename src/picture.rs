@@ -71,23 +71,8 @@ pub fn write_png(
     texts: &[PictureText<'_>],
 ) -> Result<(), PictureError> {
     let opaque = frame.pixels.iter().all(|pixel| pixel[3] == 255);
-    let mut encoder = png::Encoder::new(out, frame.width, frame.height);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_color(if opaque {
-        png::ColorType::Rgb
-    } else {
-        png::ColorType::Rgba
-    });
-    if scene.is_some_and(|scene| scene.display.encoding == Encoding::Srgb) {
-        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    }
-    encoder.add_text_chunk(
-        "Software".into(),
-        concat!("shading-lab ", env!("CARGO_PKG_VERSION")).into(),
-    )?;
-    if let Some(scene) = scene {
-        encoder.add_itxt_chunk(SCENE_KEYWORD.into(), scene.to_toml())?;
-    }
+    let size = [frame.width, frame.height];
+    let encoder = encoder(out, size, opaque, scene)?;
     let mut writer = encoder.write_header()?;
     for (keyword, text) in texts {
         let mut chunk = ITXtChunk::new(*keyword, *text);
@@ -107,6 +92,76 @@ pub fn write_png(
     stream.finish()?;
     writer.finish()?;
     Ok(())
+}
+
+/// The head of a picture of three channels or four.
+fn encoder<'w>(
+    out: &'w mut dyn Write,
+    [width, height]: [u32; 2],
+    opaque: bool,
+    scene: Option<&Scene>,
+) -> Result<png::Encoder<'static, &'w mut dyn Write>, PictureError> {
+    let mut encoder = png::Encoder::new(out, width, height);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_color(if opaque {
+        png::ColorType::Rgb
+    } else {
+        png::ColorType::Rgba
+    });
+    if scene.is_some_and(|scene| scene.display.encoding == Encoding::Srgb) {
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    }
+    encoder.add_text_chunk(
+        "Software".into(),
+        concat!("shading-lab ", env!("CARGO_PKG_VERSION")).into(),
+    )?;
+    if let Some(scene) = scene {
+        encoder.add_itxt_chunk(SCENE_KEYWORD.into(), scene.to_toml())?;
+    }
+    Ok(encoder)
+}
+
+/// An animated PNG, written frame by frame: what a program that knows of no animation shows is the first one.
+pub struct Apng<'w> {
+    writer: png::Writer<&'w mut dyn Write>,
+    size: [u32; 2],
+}
+
+impl<'w> Apng<'w> {
+    /// Of so many frames, for ever repeated, with a scene inside.
+    ///
+    /// # Errors
+    /// [`PictureError::Unwritten`], when `out` refuses or there are no pixels or no frames.
+    pub fn new(
+        out: &'w mut dyn Write,
+        size: [u32; 2],
+        frames: u32,
+        scene: &Scene,
+    ) -> Result<Self, PictureError> {
+        let mut encoder = encoder(out, size, true, Some(scene))?;
+        encoder.set_animated(frames, 0)?;
+        encoder.validate_sequence(true);
+        let writer = encoder.write_header()?;
+        Ok(Self { writer, size })
+    }
+
+    /// Writes the next frame, which stands for so many milliseconds.
+    ///
+    /// # Errors
+    /// [`PictureError::Unwritten`], also for a frame of another size, or one too many.
+    pub fn add(&mut self, frame: &Frame, milliseconds: u16) -> Result<(), PictureError> {
+        let same = [frame.width, frame.height] == self.size;
+        let shown = if same { &frame.pixels[..] } else { &[] };
+        let bytes: Vec<u8> = shown.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
+        self.writer.set_frame_delay(milliseconds, 1000)?;
+        Ok(self.writer.write_image_data(&bytes)?)
+    }
+
+    /// # Errors
+    /// [`PictureError::Unwritten`], also where frames are missing.
+    pub fn finish(self) -> Result<(), PictureError> {
+        Ok(self.writer.finish()?)
+    }
 }
 
 /// The text of the scene in a PNG.

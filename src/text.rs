@@ -154,7 +154,7 @@ macro_rules! files {
 
 files! {
     "parameters" "scenes" "problems" "render" "export" "document" "cli" "report" "point" "line" "picture" "engine"
-    "controls" "lights" "files" "window" "links" "lesson" "course" "class"
+    "controls" "lights" "files" "window" "links" "lesson" "course" "class" "animation"
 }
 
 /// A font with the Chinese characters of the catalogue: Noto Sans CJK TC, cut down by `.ci/font`. A web page fetches it when

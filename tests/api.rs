@@ -1,6 +1,7 @@
 //! What the types of the library promise to programs that use it.
 
 use shading_lab::analysis::{Probe, ProfileError, ProfileQuestion, ScanError, Subject};
+use shading_lab::animation::SweepError;
 use shading_lab::document::{LoadError, Loaded, SaveError, load};
 use shading_lab::export::{Export, ExportError};
 use shading_lab::figure::{Drawing, Plot};
@@ -35,6 +36,7 @@ fn every_error_can_be_boxed_and_sent() {
     error::<HandInError>();
     error::<ProfileError>();
     error::<ScanError>();
+    error::<SweepError>();
 }
 
 #[test]

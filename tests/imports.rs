@@ -9,7 +9,7 @@ use std::path::Path;
 use syn::{Attribute, Item, UseTree, Visibility};
 
 /// Folders and files right below `src`, from the bottom up: each may import from those before it.
-const ORDER: [&str; 16] = [
+const ORDER: [&str; 17] = [
     "text",
     "expression",
     "scene",
@@ -17,6 +17,7 @@ const ORDER: [&str; 16] = [
     "geometry",
     "render",
     "picture",
+    "animation",
     "figure",
     "analysis",
     "export",

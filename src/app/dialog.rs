@@ -1,5 +1,6 @@
 //! What is asked or told in front of everything else, and the widgets that all dialogs share.
 
+use super::film::FilmForm;
 use super::focus::named;
 use super::theme::text_field;
 use crate::analysis::Format;
@@ -81,6 +82,10 @@ pub struct ExportForm {
     pub samples: u32,
     /// With the vectors as they are shown.
     pub overlay: bool,
+    /// A value that changes from frame to frame.
+    pub film: Option<FilmForm>,
+    /// What is wrong with that.
+    pub wrong: Option<String>,
 }
 
 /// Which text of the scene as code is looked at, and what is done with it.
@@ -148,11 +153,15 @@ impl FileTask {
                 &["toml"],
                 "scene.toml",
             ),
-            Self::Export(_) => (
+            Self::Export(form) => (
                 text!("file-export"),
                 text!("export"),
                 text!("file-picture"),
-                &["png"],
+                if form.film.is_some() {
+                    &["png", "apng", "gif"]
+                } else {
+                    &["png"]
+                },
                 "picture.png",
             ),
             Self::HandIn(_) => (

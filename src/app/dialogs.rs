@@ -5,6 +5,7 @@ use super::code::{self, Writer, code_ui};
 use super::commands::SECTIONS;
 use super::dialog::{Choice, Dialog, ExportForm, FileTask, both, buttons_ui, path_ui, question_ui};
 use super::files::Files;
+use super::film::film_ui;
 use super::focus::named;
 use super::links;
 use super::report;
@@ -13,7 +14,7 @@ use super::state::{AppState, Leaving};
 use super::system;
 use super::theme::text_field;
 use crate::lesson::MAX_NAME;
-use crate::scene::Image;
+use crate::scene::{Image, Scene};
 use crate::text::{has, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -133,7 +134,13 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
             FileTask::Open => state.ask(Action::OpenFile(PathBuf::from(path.trim()))),
             FileTask::SaveScene => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
             FileTask::HandIn(name) => files.hand_in(ctx, state, name, PathBuf::from(path)),
-            FileTask::Export(form) => files.export(ctx, state, &form, PathBuf::from(path)),
+            FileTask::Export(mut form) => {
+                if let Err(why) = files.export(ctx, state, &form, PathBuf::from(&path)) {
+                    form.wrong = Some(why);
+                    let task = FileTask::Export(form);
+                    state.dialog = Some(Dialog::File { task, path });
+                }
+            }
             FileTask::SaveAnswer(_) => {
                 if let Err(text) = report::save(state, Path::new(path.trim())) {
                     state.dialog = Some(Dialog::message(text!("analysis-not-saved"), text));
@@ -161,7 +168,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
         Dialog::Message { title, text } => {
             question_ui(ui, title, text, &[(text!("close"), Choice::Leave)])
         }
-        Dialog::File { task, path } => file_ui(ui, task, path, state.room),
+        Dialog::File { task, path } => file_ui(ui, task, path, (state.room, &state.document.scene)),
         Dialog::Code(form) => {
             let mut writer = state.own.take();
             let choice = code_ui(ui, form, &mut writer, &state.document);
@@ -212,11 +219,22 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
     }
 }
 
-fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, window: [u32; 2]) -> Choice {
+fn file_ui(
+    ui: &mut Ui,
+    task: &mut FileTask,
+    path: &mut String,
+    (window, scene): ([u32; 2], &Scene),
+) -> Choice {
     let kind = task.file_kind();
     ui.heading(kind.title);
     if let FileTask::Export(form) = task {
         export_ui(ui, form, window);
+        ui.add_space(8.0);
+        film_ui(ui, &mut form.film, scene, path);
+        if let Some(wrong) = &form.wrong {
+            ui.add_space(8.0);
+            ui.colored_label(ui.visuals().error_fg_color, wrong);
+        }
     }
     if let FileTask::HandIn(name) = task {
         ui.label(RichText::new(text!("course-hand-in.sentence")).weak());

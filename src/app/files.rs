@@ -5,6 +5,7 @@ use super::background::{Task, wake};
 use super::dialog::{Dialog, ExportForm, FileTask};
 use super::document::Document;
 use super::engine::overlay_options;
+use super::film::FilmForm;
 use super::look::{OverlayLook, ViewName};
 use super::place::{ProbePoint, ProfileLine};
 use super::profile::look::ProfileLook;
@@ -15,7 +16,8 @@ use crate::analysis::{
     NormalField, Parcel, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay,
     draw_panes, draw_profile, panes_on_sheet, probe, profile,
 };
-use crate::document::{load_with, save_picture};
+use crate::animation::write_film;
+use crate::document::{load_with, save_film, save_picture, write_whole};
 use crate::geometry::Mesh;
 use crate::jobs::{Job, Work, pack_model, unpack_model};
 use crate::lesson::{Lesson, hand_in};
@@ -40,6 +42,7 @@ type Outcome = Arc<dyn Fn(&mut AppState) + Send + Sync>;
 pub struct Files {
     job: Option<Job<Task<Outcome>>>,
     drawing: Option<Job<Exported>>,
+    filming: Option<Job<Filmed>>,
     /// What is under way.
     title: String,
     /// What it is if it does not work.
@@ -136,6 +139,57 @@ impl Work for Exported {
     }
 }
 
+/// An animation to be exported.
+#[derive(Serialize, Deserialize)]
+pub struct Filmed {
+    /// The first frame's scene, its samples, its path and so on.
+    first: Exported,
+    form: FilmForm,
+}
+
+impl Work for Filmed {
+    /// On a page the file, which only the page itself can save; elsewhere it is written already.
+    type Answer = Option<Vec<u8>>;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> =
+        Some((Parcel::plain(), Parcel::plain()));
+
+    fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
+        let Exported {
+            scene,
+            model,
+            samples,
+            over,
+            path,
+        } = &self.first;
+        check_memory(scene).map_err(|error| error.to_string())?;
+        let (sweep, format) = self.form.sweep(scene, path)?;
+        let mut renderer = Renderer::default();
+        renderer.set_model(model.clone());
+        let count = f64::from(sweep.count());
+        let mut done = 0.0;
+        let mut draw = |scene: &Scene| {
+            let share = (done / count) as f32;
+            done += 1.0;
+            let mut progress = |_| watch.at(share);
+            if !progress(0) {
+                return None;
+            }
+            picture(&mut renderer, scene, *samples, over.as_ref(), &mut progress)
+        };
+        let seconds = self.form.seconds;
+        if !system::PAGE {
+            let saved = save_film(path, format, &sweep, seconds, &mut draw);
+            return saved.map(|()| None).map_err(|error| error.to_string());
+        }
+        let mut bytes = Vec::new();
+        let written = write_film(&mut bytes, format, &sweep, seconds, &mut draw);
+        written
+            .map(|()| Some(bytes))
+            .map_err(|error| error.to_string())
+    }
+}
+
 /// The picture of a scene, or the sheet of what it compares; none where `progress` has stopped it.
 pub fn picture(
     renderer: &mut Renderer,
@@ -172,13 +226,14 @@ impl Files {
     /// What is under way, and how far it is from 0 to 1.
     pub fn progress(&self) -> Option<(&str, f32)> {
         let drawing = self.drawing.as_ref().map(Job::share);
+        let drawing = drawing.or(self.filming.as_ref().map(Job::share));
         let share = self.job.as_ref().map(Job::share).or(drawing);
         share.map(|share| (&*self.title, share))
     }
 
     /// Cancels the work under way: what is drawn stops at its next sample and is not written, other outcomes are ignored.
     pub fn cancel(&mut self) {
-        (self.job, self.drawing) = (None, None);
+        (self.job, self.drawing, self.filming) = (None, None, None);
     }
 
     /// Begins work in place of what is under way; what `run` returns is done to the window.
@@ -281,21 +336,39 @@ impl Files {
         });
     }
 
-    /// Draws a picture of the document; when it is done it is written.
-    pub fn export(&mut self, ctx: &Context, state: &AppState, form: &ExportForm, path: PathBuf) {
+    /// Draws a picture or an animation of the document; when it is done it is written.
+    ///
+    /// # Errors
+    /// What is wrong with the animation that is asked for.
+    pub fn export(
+        &mut self,
+        ctx: &Context,
+        state: &AppState,
+        form: &ExportForm,
+        path: PathBuf,
+    ) -> Result<(), String> {
         let Document {
             mut scene, model, ..
         } = state.document.clone();
         scene.image.size = form.size;
+        if let Some(film) = &form.film {
+            film.sweep(&scene, &path)?;
+        }
         self.title = text!("drawing-file", path = path.display().to_string());
-        let work = Exported {
+        let first = Exported {
             scene,
             model,
             samples: form.samples,
             over: form.overlay.then(|| Over::new(state)),
             path,
         };
-        self.drawing = Some(Job::start(work, wake(ctx)));
+        match form.film.clone() {
+            Some(form) => {
+                self.filming = Some(Job::start(Filmed { first, form }, wake(ctx)));
+            }
+            None => self.drawing = Some(Job::start(first, wake(ctx))),
+        }
+        Ok(())
     }
 
     /// Writes the picture that was drawn, beside the window: it may take a while.
@@ -304,6 +377,20 @@ impl Files {
         self.start(ctx, title, text!("not-exported"), move |_| {
             save_picture(&work.path, &frame, &work.scene).map_err(|error| error.to_string())?;
             let notice = text!("exported", path = work.path.display().to_string());
+            Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
+        });
+    }
+
+    /// Writes the animation that was drawn, where that is not done yet.
+    fn write_film(&mut self, ctx: &Context, work: Arc<Filmed>, file: Option<Vec<u8>>) {
+        let title = std::mem::take(&mut self.title);
+        self.start(ctx, title, text!("not-exported"), move |_| {
+            let path = &work.first.path;
+            if let Some(bytes) = &file {
+                let written = write_whole(path, |out| out.write_all(bytes));
+                written.map_err(|error| error.to_string())?;
+            }
+            let notice = text!("exported", path = path.display().to_string());
             Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
         });
     }
@@ -342,6 +429,13 @@ impl Files {
     pub fn poll(&mut self, ctx: &Context, state: &mut AppState) {
         match Job::take(&mut self.drawing) {
             Some((work, Ok(frame))) => self.write(ctx, work, frame),
+            Some((_, Err(text))) => {
+                state.dialog = Some(Dialog::message(text!("not-exported"), text));
+            }
+            None => {}
+        }
+        match Job::take(&mut self.filming) {
+            Some((work, Ok(file))) => self.write_film(ctx, work, file),
             Some((_, Err(text))) => {
                 state.dialog = Some(Dialog::message(text!("not-exported"), text));
             }

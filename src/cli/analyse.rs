@@ -1,10 +1,10 @@
 //! The analyses on the command line: a scene, arguments that become a question, and where the answer goes.
 
 use super::input::{
-    PaneArguments, SceneArguments, inside_picture, one_of, output_name, parse_choice, parse_pixel,
-    parse_place, parse_size, parse_vertex, picture_name, whole,
+    PaneArguments, SceneArguments, choice, inside_picture, one_of, output_file, output_name,
+    parse_pixel, parse_place, parse_size, parse_vertex, picture_name, whole,
 };
-use super::output::{Failure, print, progress_bar};
+use super::output::{Failure, check_picture_target, print, progress_bar};
 use clap::Args;
 use glam::DVec2;
 use shading_lab::analysis::{
@@ -68,7 +68,7 @@ pub struct Catalogued<A: Args> {
 struct OutputArguments {
     #[arg(long)]
     json: bool,
-    #[arg(long, value_name = "FILE.csv")]
+    #[arg(long, value_name = "FILE.csv", value_parser = output_file())]
     csv: Option<PathBuf>,
     #[arg(short, long, value_name = "FILE", value_parser = output_name())]
     output: Option<PathBuf>,
@@ -112,9 +112,12 @@ impl<A: Asks> Catalogued<A> {
         for target in [output, csv].into_iter().flatten() {
             check_target(target)?;
         }
-        let formats = Analysis::find(A::NAME).map_or(&[][..], |analysis| analysis.formats);
-        match output.as_deref().map(format_of) {
-            Some(format) if !formats.contains(&format) => {
+        let formats = formats_of(A::NAME);
+        match output
+            .as_deref()
+            .map(|path| (path, format_of(path, formats)))
+        {
+            Some((_, format)) if !formats.contains(&format) => {
                 let endings: Vec<_> = formats
                     .iter()
                     .map(|format| format!(".{}", format.word()))
@@ -127,6 +130,7 @@ impl<A: Asks> Catalogued<A> {
                     expected = expected
                 )))
             }
+            Some((path, Format::Png)) => check_picture_target(path),
             _ => Ok(()),
         }
     }
@@ -151,7 +155,6 @@ impl<A: Asks> Catalogued<A> {
         let answer = pool
             .install(|| question.answer(&subject, &watch))
             .map_err(Failure::input);
-        bar.finish_and_clear();
         let answer: &dyn shading_lab::analysis::Answer = &answer?;
         let mut silent = asked.also(&subject)?;
         let about = About {
@@ -167,11 +170,15 @@ impl<A: Asks> Catalogued<A> {
             },
         );
         let csv = output.csv.map(|path| (path, Format::Csv));
-        let file = output.output.map(|path| (path.clone(), format_of(&path)));
+        let file = output.output.map(|path| {
+            let format = format_of(&path, formats_of(A::NAME));
+            (path, format)
+        });
         for (path, format) in [csv, file].into_iter().flatten() {
             save_answer(&path, format, answer, &about, look)?;
             silent = true;
         }
+        drop(bar);
         if output.json {
             print(&json_text(answer, &about))?;
         } else if !silent {
@@ -184,9 +191,16 @@ impl<A: Asks> Catalogued<A> {
     }
 }
 
-/// What a name's ending says; a device or a pipe takes PNG.
-fn format_of(path: &Path) -> Format {
-    Format::from_path(path).unwrap_or(Format::Png)
+/// What an analysis can write.
+fn formats_of(name: &str) -> &'static [Format] {
+    Analysis::find(name).map_or(&[], |analysis| analysis.formats)
+}
+
+/// What a name's ending says; a device or a pipe takes PNG, or a table where there is no figure.
+fn format_of(path: &Path, formats: &[Format]) -> Format {
+    let usual = [Format::Png, Format::Csv];
+    let usual = usual.into_iter().find(|format| formats.contains(format));
+    Format::from_path(path).or(usual).unwrap_or(Format::Png)
 }
 
 /// A pixel that may be given, inside the picture.
@@ -231,7 +245,7 @@ impl Asks for Compare {
 
 #[derive(Args)]
 pub struct Curves {
-    #[arg(long, value_parser = |text: &str| parse_choice(text, &PlotKind::ALL))]
+    #[arg(long, value_parser = choice(&PlotKind::ALL))]
     kind: Option<PlotKind>,
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
     pixel: Option<[u32; 2]>,
@@ -370,7 +384,7 @@ pub struct Bench {
     threads: Option<u16>,
     #[arg(long)]
     growth: bool,
-    #[arg(long, value_name = "LEVEL", value_parser = |text: &str| parse_choice(text, SimdLevel::ALL))]
+    #[arg(long, value_name = "LEVEL", value_parser = choice(&SimdLevel::ALL))]
     simd: Option<SimdLevel>,
 }
 
@@ -393,7 +407,7 @@ impl Asks for Bench {
 
 #[derive(Args)]
 pub struct Study {
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = |text: &str| parse_choice(text, Method::VALUES))]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = choice(Method::VALUES))]
     methods: Vec<Method>,
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "8,16,32,64,128,256",
           value_parser = whole::<u32>(3..=Object::MAX_DIVISIONS))]
@@ -401,7 +415,7 @@ pub struct Study {
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     n: Vec<f64>,
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "perspective,affine",
-          value_parser = |text: &str| parse_choice(text, Interpolation::VALUES))]
+          value_parser = choice(Interpolation::VALUES))]
     interpolation: Vec<Interpolation>,
     #[arg(long, value_name = "N", default_value_t = 9, value_parser = whole::<u32>(1..=10_000))]
     repeats: u32,
@@ -472,7 +486,7 @@ pub struct Profile {
     #[arg(long, value_name = "X,Y", value_parser = parse_place, allow_hyphen_values = true)]
     to: DVec2,
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "flat,gouraud,phong,exact",
-          value_parser = |text: &str| parse_choice(text, ShadingMode::VALUES))]
+          value_parser = choice(ShadingMode::VALUES))]
     modes: Vec<ShadingMode>,
     #[arg(long, value_name = "FILE.png", value_parser = picture_name())]
     picture: Option<PathBuf>,
@@ -481,7 +495,7 @@ pub struct Profile {
     #[arg(long, value_name = "PER_MM", default_value_t = Viewing::default().density)]
     density: f64,
     #[arg(long, default_value = "lateral-inhibition",
-          value_parser = |text: &str| parse_choice(text, &ResponseModel::ALL))]
+          value_parser = choice(&ResponseModel::ALL))]
     response: ResponseModel,
     #[arg(long, value_name = "DEGREES", default_value_t = Perception::default().centre)]
     centre: f64,
@@ -550,7 +564,10 @@ impl Asks for Profile {
     const SIZES_FIGURE: bool = true;
 
     fn question(&self, scene: &mut Scene) -> Result<ProfileQuestion, Failure> {
-        self.picture.as_deref().map_or(Ok(()), check_target)?;
+        if let Some(picture) = &self.picture {
+            check_target(picture)?;
+            check_picture_target(picture)?;
+        }
         let (viewing, perception) = self.eye()?;
         let [_, surround] = perception.widths(viewing.pixels_per_degree());
         if self.picture.is_some() && surround > PERCEIVED_WIDTH {

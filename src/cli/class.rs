@@ -1,11 +1,12 @@
 //! `collect`: the answers of a class, as a table for people, as JSON, CSV and a page.
 
-use super::output::{Failure, print, progress_bar};
+use super::input::{STDIN, is_stdin, output_file, stdin};
+use super::output::{Failure, columns, print, progress_bar};
 use clap::Args;
 use serde_json::{Value, json};
 use shading_lab::document::{check_target, write_whole};
 use shading_lab::lesson::{
-    Asked, Class, Given, Group, Lesson, Student, answer_parts, class_sheet, collect, short_answer,
+    Asked, Class, Given, Group, Handed, Student, answer_parts, class_sheet, collect, short_answer,
     short_solution, spread, without_marks,
 };
 use shading_lab::text::text;
@@ -19,7 +20,7 @@ pub struct Collect {
     lesson: Option<PathBuf>,
     #[arg(long)]
     json: bool,
-    #[arg(long, value_name = "FILE.csv")]
+    #[arg(long, value_name = "FILE.csv", value_parser = output_file())]
     csv: Option<PathBuf>,
     #[arg(short, long, value_name = "FILE.html", value_parser = super::lesson::page_name())]
     output: Option<PathBuf>,
@@ -30,13 +31,15 @@ impl Collect {
         for target in [&self.csv, &self.output].into_iter().flatten() {
             check_target(target)?;
         }
-        let lesson = self.lesson.as_deref().map(Lesson::open).transpose();
-        let lesson = lesson.map_err(Failure::input)?;
-        let bar = progress_bar(self.files.len() as u64, text!("cli-reading"));
+        let lesson = self.lesson.as_deref().map(super::lesson::open_file);
+        let lesson = lesson.transpose()?;
+        let handed: Result<Vec<_>, _> = self.files.iter().map(|path| handed(path)).collect();
+        let handed = handed?;
+        let bar = progress_bar(handed.len() as u64, text!("cli-reading"));
         let mut progress = || bar.inc(1);
         let pictures = self.output.is_some();
-        let class = collect(&self.files, lesson.as_ref(), pictures, &mut progress);
-        bar.finish_and_clear();
+        let class = collect(&handed, lesson.as_ref(), pictures, &mut progress);
+        drop(bar);
         if let Some(target) = &self.csv {
             write_text(target, &csv(&class))?;
         }
@@ -65,6 +68,16 @@ impl Collect {
             Err(Failure::Input(failures.join("\n")))
         }
     }
+}
+
+/// A file, or the standard input.
+fn handed(path: &Path) -> Result<Handed, Failure> {
+    let (path, bytes) = if is_stdin(path) {
+        (PathBuf::from(STDIN), Some(stdin()?))
+    } else {
+        (path.to_owned(), None)
+    };
+    Ok(Handed { path, bytes })
 }
 
 fn write_text(target: &Path, text: &str) -> Result<(), Failure> {
@@ -252,11 +265,10 @@ fn table(group: &Group) -> String {
     let count = group.questions.len();
     right.extend((0..count).map(|index| format!("{:.0} %", 100.0 * group.share_right(index))));
     rows.push(right);
-    let columns = count + 2;
-    let widths: Vec<usize> = (0..columns)
+    let widths: Vec<usize> = (0..count + 2)
         .map(|column| {
             let cells = rows.iter().filter_map(|row| row.get(column));
-            cells.map(|cell| width(cell)).max().unwrap_or(0)
+            cells.map(|cell| columns(cell)).max().unwrap_or(0)
         })
         .collect();
     let title = text!(
@@ -269,7 +281,7 @@ fn table(group: &Group) -> String {
         let mut line = String::new();
         for (cell, most) in row.iter().zip(&widths) {
             line.push_str(cell);
-            line.extend(std::iter::repeat_n(' ', most + 2 - width(cell)));
+            line.extend(std::iter::repeat_n(' ', most + 2 - columns(cell)));
         }
         out.push_str(line.trim_end());
         out.push('\n');
@@ -325,10 +337,4 @@ fn question_line(group: &Group, index: usize) -> String {
 fn one_line(text: &str) -> String {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     words.chars().filter(|c| !c.is_control()).collect()
-}
-
-/// Columns of a terminal; Chinese characters take two.
-fn width(text: &str) -> usize {
-    let wide = |c: char| matches!(c, '\u{1100}'..='\u{115f}' | '\u{2e80}'..='\u{a4cf}' | '\u{ac00}'..='\u{d7a3}' | '\u{f900}'..='\u{faff}' | '\u{fe30}'..='\u{fe6f}' | '\u{ff00}'..='\u{ff60}' | '\u{1f300}'..='\u{1faff}' | '\u{20000}'..='\u{3fffd}');
-    text.chars().map(|c| 1 + usize::from(wide(c))).sum()
 }

@@ -1,22 +1,64 @@
 //! Arguments that several commands share.
 
-use super::output::{Failure, progress_bar};
+use super::output::{Failure, did_you_mean, progress_bar};
 use clap::Args;
-use clap::builder::{PathBufValueParser, TypedValueParser};
+use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser};
 use glam::DVec2;
 use serde::Serialize;
-use shading_lab::analysis::{Format, word};
-use shading_lab::document::{Loaded, load_with};
+use shading_lab::analysis::word;
+use shading_lab::document::{LoadError, Loaded, STDOUT, load_bytes, load_with};
 use shading_lab::scene::materials::{self, NamedMaterial};
 use shading_lab::scene::parameter::Parameter;
-use shading_lab::scene::{CompareView, Image, Pane, Scene, nearest, presets};
-use shading_lab::text::text;
+use shading_lab::scene::{CompareView, Image, Pane, Scene, presets};
+use shading_lab::text::{interned, text};
+use std::ffi::OsStr;
+use std::io::{self, Read};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::sync::OnceLock;
 
 /// Files from this many bytes on get a progress bar while they are read.
 const LARGE_FILE: u64 = 4 << 20;
+
+/// What stands on a command line for the standard input, and for the standard output.
+const STANDARD: &str = "-";
+
+/// What messages call the standard input.
+pub const STDIN: &str = "<stdin>";
+
+/// Most bytes that are taken from the standard input: more than any picture of this program has.
+const MOST_INPUT: u64 = 1 << 30;
+
+/// Whether a file's name means the standard input.
+pub fn is_stdin(path: &Path) -> bool {
+    path == Path::new(STANDARD)
+}
+
+/// All of the standard input, read once however often it is asked for.
+pub fn stdin() -> Result<Vec<u8>, LoadError> {
+    static READ: OnceLock<Result<Vec<u8>, String>> = OnceLock::new();
+    let read = || {
+        let mut bytes = Vec::new();
+        let read = io::stdin().lock().take(MOST_INPUT).read_to_end(&mut bytes);
+        read.map(|_| bytes).map_err(|error| error.to_string())
+    };
+    READ.get_or_init(read).clone().map_err(|error| {
+        refused(
+            Path::new(STDIN),
+            text!("cli-input-unreadable", error = error),
+        )
+    })
+}
+
+/// What is wrong with a file as a whole.
+fn refused(path: &Path, problem: String) -> LoadError {
+    LoadError::File {
+        path: path.to_owned(),
+        line: None,
+        problem,
+    }
+}
 
 /// Which scene, and what is different in it.
 #[derive(Args)]
@@ -40,7 +82,7 @@ impl SceneArguments {
     }
 
     /// Opens the scene, or the default one, with the overrides of both sides of the command's name.
-    pub fn load(&self, earlier: &[String]) -> Result<Loaded, Failure> {
+    pub fn load(&self, earlier: &[String]) -> Result<Loaded, LoadError> {
         let own = self.overrides();
         let overrides: Vec<&String> = earlier.iter().chain(&own).collect();
         let mut bar = None;
@@ -56,14 +98,12 @@ impl SceneArguments {
             .unwrap_or(Path::new(presets::DEFAULT));
         if source.extension().is_some_and(|ending| ending == "md") {
             let name = source.display().to_string();
-            let problem = text!("cli-scene-is-lesson", name = &*name);
-            return Err(Failure::input(format!("{name}: {problem}")));
+            return Err(refused(source, text!("cli-scene-is-lesson", name = name)));
         }
-        let loaded = load_with(source, &overrides, &mut progress);
-        if let Some(bar) = bar {
-            bar.finish_and_clear();
+        if is_stdin(source) {
+            return load_bytes(STDIN, stdin()?, &overrides, &mut progress);
         }
-        Ok(loaded?)
+        load_with(source, &overrides, &mut progress)
     }
 }
 
@@ -96,12 +136,6 @@ fn parse_material(text: &str) -> Result<&'static NamedMaterial, String> {
         let meant = did_you_mean(text, materials::NAMED.iter().map(|named| named.name));
         text!("cli-no-material", meant = meant)
     })
-}
-
-fn did_you_mean<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> String {
-    nearest(text, known)
-        .map(|meant| text!("document-did-you-mean", name = meant))
-        .unwrap_or_default()
 }
 
 /// `a, b or c`.
@@ -204,6 +238,36 @@ pub fn parse_choice<T: Serialize + Copy>(text: &str, choices: &[T]) -> Result<T,
     }
 }
 
+/// [`parse_choice`] with its choices known to completions.
+pub fn choice<T: Serialize + Copy + Send + Sync + 'static>(
+    choices: &'static [T],
+) -> impl TypedValueParser<Value = T> {
+    Choices(choices)
+}
+
+#[derive(Clone)]
+struct Choices<T: 'static>(&'static [T]);
+
+impl<T: Serialize + Copy + Send + Sync + 'static> TypedValueParser for Choices<T> {
+    type Value = T;
+
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        argument: Option<&clap::Arg>,
+        value: &OsStr,
+    ) -> Result<T, clap::Error> {
+        let choices = self.0;
+        let parse = move |text: &str| parse_choice(text, choices);
+        parse.parse_ref(command, argument, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let known = |choice| PossibleValue::new(interned(&word(choice)));
+        Some(Box::new(self.0.iter().map(known)))
+    }
+}
+
 /// Refuses a pixel outside a picture of `size`; `argument` is what names it.
 pub fn inside_picture(
     argument: &str,
@@ -221,27 +285,48 @@ pub fn inside_picture(
     )))
 }
 
+/// The standard output, a device or a pipe, whose name says nothing of a format.
 pub fn is_device(path: &Path) -> bool {
+    if path == Path::new(STDOUT) {
+        return true;
+    }
     path.metadata()
         .is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
-/// The name of a figure or a table.
-pub fn output_name() -> impl TypedValueParser<Value = PathBuf> {
-    PathBufValueParser::new().try_map(|path| match Format::from_path(&path) {
-        None if !is_device(&path) => Err(text!("cli-expected-output")),
-        _ => Ok(path),
+/// The name of a file to write; `-` is the standard output.
+pub fn output_file() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().map(|path| {
+        if path == Path::new(STANDARD) {
+            PathBuf::from(STDOUT)
+        } else {
+            path
+        }
     })
 }
 
-/// The name of a picture: its ending says PNG, or it is a device or a pipe.
-pub fn picture_name() -> impl TypedValueParser<Value = PathBuf> {
-    PathBufValueParser::new().try_map(|path| {
-        let picture = Format::from_path(&path) == Some(Format::Png) || is_device(&path);
-        if picture {
+/// The same with one of these endings, unless it is a device or a pipe; `expected` is the message that names them.
+pub fn output_ending_in(
+    endings: &'static [&'static str],
+    expected: &'static str,
+) -> impl TypedValueParser<Value = PathBuf> {
+    output_file().try_map(move |path| {
+        let ending = path.extension().map(OsStr::to_ascii_lowercase);
+        let known = ending.is_some_and(|ending| endings.iter().any(|known| ending == *known));
+        if known || is_device(&path) {
             Ok(path)
         } else {
-            Err(text!("cli-expected-png"))
+            Err(text!(expected))
         }
     })
+}
+
+/// The name of a figure or a table.
+pub fn output_name() -> impl TypedValueParser<Value = PathBuf> {
+    output_ending_in(&["json", "png", "svg", "csv"], "cli-expected-output")
+}
+
+/// The name of a picture.
+pub fn picture_name() -> impl TypedValueParser<Value = PathBuf> {
+    output_ending_in(&["png"], "cli-expected-png")
 }

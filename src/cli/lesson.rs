@@ -1,8 +1,9 @@
 //! `lesson`: the lessons that there are, one in words, or its worksheet.
 
-use super::output::{Failure, print, progress_bar};
+use super::input::{STDIN, is_stdin, output_ending_in, stdin};
+use super::output::{Failure, print, progress_bar, spinner};
 use clap::Args;
-use clap::builder::{PathBufValueParser, TypedValueParser};
+use clap::builder::TypedValueParser;
 use serde_json::{Value, json};
 use shading_lab::document::{check_target, write_whole};
 use shading_lab::lesson::{
@@ -29,19 +30,9 @@ pub struct LessonCommand {
     json: bool,
 }
 
-/// The name of a page: its ending says HTML, or it is a device or a pipe.
+/// The name of a page.
 pub fn page_name() -> impl TypedValueParser<Value = PathBuf> {
-    PathBufValueParser::new().try_map(|path| {
-        let ending = path
-            .extension()
-            .map(|ending| ending.to_string_lossy().to_lowercase());
-        let page = ending.is_some_and(|ending| ending == "html" || ending == "htm");
-        if page || super::input::is_device(&path) {
-            Ok(path)
-        } else {
-            Err(text!("cli-expected-html"))
-        }
-    })
+    output_ending_in(&["html", "htm"], "cli-expected-html")
 }
 
 impl LessonCommand {
@@ -54,10 +45,12 @@ impl LessonCommand {
         }
         let lesson = open(name)?;
         let wrong = |error: LessonError| {
-            Failure::input(OpenError::Lesson {
-                path: name.clone(),
-                error,
-            })
+            let path = if is_stdin(name) {
+                PathBuf::from(STDIN)
+            } else {
+                name.clone()
+            };
+            Failure::input(OpenError::Lesson { path, error })
         };
         let answers = !self.without_answers;
         if let Some(target) = &self.output {
@@ -68,23 +61,25 @@ impl LessonCommand {
             };
             let bar = progress_bar(lesson.steps.len() as u64, text!("cli-drawing"));
             let page = worksheet(&lesson, sheet, &mut || bar.inc(1)).map_err(wrong)?;
-            bar.finish_and_clear();
             return Ok(write_whole(target, |out| out.write_all(page.as_bytes()))?);
         }
         if self.json {
             return print(&format!("{:#}\n", steps(&lesson)));
         }
-        print(&in_words(&lesson, self.seed, answers).map_err(wrong)?)
+        let working = spinner(text!("cli-working"));
+        let words = in_words(&lesson, self.seed, answers).map_err(wrong)?;
+        drop(working);
+        print(&words)
     }
 }
 
-/// A built-in lesson or a file.
-pub fn open(name: &Path) -> Result<Lesson, Failure> {
+/// A built-in lesson, a file, or the standard input.
+fn open(name: &Path) -> Result<Lesson, Failure> {
     if let Some(lesson) = name.to_str().and_then(find) {
         return Ok(lesson.lesson());
     }
-    if name.extension().is_some_and(|ending| ending == "md") {
-        return Lesson::open(name).map_err(Failure::input);
+    if is_stdin(name) || name.extension().is_some_and(|ending| ending == "md") {
+        return open_file(name);
     }
     let name: String = name.to_string_lossy().escape_debug().collect();
     let meant = nearest(&name, LESSONS.iter().map(|lesson| lesson.name));
@@ -94,6 +89,22 @@ pub fn open(name: &Path) -> Result<Lesson, Failure> {
         name = name,
         meant = meant.unwrap_or_default()
     )))
+}
+
+/// A lesson's file, or the standard input.
+pub fn open_file(path: &Path) -> Result<Lesson, Failure> {
+    read(path).map_err(Failure::input)
+}
+
+pub fn read(path: &Path) -> Result<Lesson, OpenError> {
+    if !is_stdin(path) {
+        return Lesson::open(path);
+    }
+    let text = stdin()?;
+    Lesson::read(&String::from_utf8_lossy(&text), None).map_err(|error| OpenError::Lesson {
+        path: PathBuf::from(STDIN),
+        error,
+    })
 }
 
 fn list(as_json: bool) -> String {

@@ -1,16 +1,13 @@
 //! `link`: a scene as a link, and as a QR code.
 
-use super::input::SceneArguments;
-use super::output::{Failure, print};
+use super::input::{SceneArguments, output_ending_in};
+use super::output::{Failure, check_picture_target, note, print};
 use clap::Args;
-use clap::builder::{PathBufValueParser, TypedValueParser};
 use serde_json::json;
-use shading_lab::analysis::Format;
 use shading_lab::document::{Loaded, check_target, save_drawing};
 use shading_lab::figure::QrCode;
 use shading_lab::link::{self, PAGE, Written};
 use shading_lab::text::text;
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 /// Pixels of a module in a picture.
@@ -22,7 +19,7 @@ pub struct Link {
     scene: SceneArguments,
     #[arg(long, value_name = "BASE", value_parser = parse_page)]
     url: Option<String>,
-    #[arg(short, long, value_name = "FILE", value_parser = qr_name())]
+    #[arg(short, long, value_name = "FILE", value_parser = output_ending_in(&["png", "svg"], "cli-expected-qr"))]
     output: Option<PathBuf>,
     #[arg(long)]
     json: bool,
@@ -33,19 +30,12 @@ pub fn parse_page(address: &str) -> Result<String, String> {
     link::page(address)
 }
 
-/// The name of a QR code's file.
-fn qr_name() -> impl TypedValueParser<Value = PathBuf> {
-    PathBufValueParser::new().try_map(|path| match Format::from_path(&path) {
-        Some(Format::Png | Format::Svg) => Ok(path),
-        _ => Err(text!("cli-expected-qr")),
-    })
-}
-
 impl Link {
     /// `earlier` and `page` are what stood before the command.
     pub fn run(self, earlier: &[String], page: Option<String>) -> Result<(), Failure> {
         if let Some(target) = &self.output {
             check_target(target)?;
+            check_picture_target(target)?;
         }
         let Loaded {
             scene,
@@ -73,8 +63,7 @@ impl Link {
         }
         if let Some(model) = model {
             let message = text!("link-model-stays", path = model);
-            // Without stderr there is nowhere to say so.
-            let _ = writeln!(io::stderr(), "{}", text!("cli-note", message = message));
+            note(&message);
         }
         Ok(())
     }

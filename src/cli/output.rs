@@ -1,11 +1,17 @@
 //! Results to stdout, progress to a terminal, and what ends a command early.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use shading_lab::document::{LoadError, SaveError};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
+use shading_lab::document::{LoadError, STDOUT, SaveError};
+use shading_lab::scene::nearest;
 use shading_lab::text::text;
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
+use std::path::Path;
 use std::process::ExitCode;
+use std::time::Duration;
+
+/// How often a bar shows that the work goes on.
+const TICK: Duration = Duration::from_millis(120);
 
 /// Why a command did not do what it was asked for.
 #[derive(Debug)]
@@ -62,26 +68,73 @@ impl From<SaveError> for Failure {
     }
 }
 
+impl From<io::Error> for Failure {
+    /// Of the standard output.
+    fn from(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::Closed,
+            _ => Self::work(text!("cli-output-unwritable", error = error.to_string())),
+        }
+    }
+}
+
 /// Writes `text` to stdout.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes())
-        .and_then(|()| out.flush())
-        .map_err(|error| match error.kind() {
-            io::ErrorKind::BrokenPipe => Failure::Closed,
-            _ => Failure::work(text!("cli-output-unwritable", error = error.to_string())),
-        })
+    out.write_all(text.as_bytes())?;
+    Ok(out.flush()?)
 }
 
-/// A bar on stderr, or nothing where that is no terminal.
+/// Refuses to write a picture on a terminal, which takes its bytes for commands.
+pub fn check_picture_target(path: &Path) -> Result<(), Failure> {
+    if path == Path::new(STDOUT) && io::stdout().is_terminal() {
+        return Err(Failure::input(text!("cli-picture-on-terminal")));
+    }
+    Ok(())
+}
+
+/// A note on stderr, beside results that are as they were asked for.
+pub fn note(message: &str) {
+    // Without stderr there is nowhere to say so.
+    let _ = writeln!(io::stderr(), "{}", text!("cli-note", message = message));
+}
+
+/// A bar on stderr until it is dropped, or nothing where that is no terminal.
 pub fn progress_bar(total: u64, doing: &'static str) -> ProgressBar {
-    let visible = io::stderr().is_terminal();
-    let target = if visible {
-        ProgressDrawTarget::stderr()
-    } else {
-        ProgressDrawTarget::hidden()
-    };
-    let bar = ProgressBar::with_draw_target(Some(total), target).with_message(doing);
-    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent} % {eta}");
-    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    shown(Some(total), doing, "{msg} {wide_bar} {percent} % {eta}")
+}
+
+/// The same for work whose length is not known.
+pub fn spinner(doing: &'static str) -> ProgressBar {
+    shown(None, doing, "{spinner} {msg} {elapsed}")
+}
+
+fn shown(total: Option<u64>, doing: &'static str, template: &str) -> ProgressBar {
+    if !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template(template);
+    let bar = ProgressBar::with_draw_target(total, ProgressDrawTarget::stderr())
+        .with_message(doing)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        .with_finish(ProgressFinish::AndClear);
+    bar.enable_steady_tick(TICK);
+    bar
+}
+
+/// A question after an unknown word: whether the nearest of those that are known was meant.
+pub fn did_you_mean<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> String {
+    nearest(text, known)
+        .map(|meant| text!("document-did-you-mean", name = meant))
+        .unwrap_or_default()
+}
+
+/// Columns of a terminal that a text takes; Chinese characters take two.
+pub fn columns(text: &str) -> usize {
+    text.chars().map(|c| 1 + usize::from(is_wide(c))).sum()
+}
+
+pub fn is_wide(c: char) -> bool {
+    matches!(c, '\u{1100}'..='\u{115f}' | '\u{2e80}'..='\u{a4cf}' | '\u{ac00}'..='\u{d7a3}' | '\u{f900}'..='\u{faff}'
+        | '\u{fe30}'..='\u{fe6f}' | '\u{ff00}'..='\u{ff60}' | '\u{1f300}'..='\u{1faff}' | '\u{20000}'..='\u{3fffd}')
 }

@@ -1,10 +1,10 @@
 //! `render`: a scene into a PNG file, and the overlays that the picture gets.
 
 use super::input::{
-    PaneArguments, SceneArguments, inside_picture, parse_choice, parse_pixel, parse_place,
+    PaneArguments, SceneArguments, choice, inside_picture, parse_choice, parse_pixel, parse_place,
     parse_size, parse_vertex, picture_name, whole,
 };
-use super::output::{Failure, progress_bar};
+use super::output::{Failure, check_picture_target, progress_bar};
 use clap::Args;
 use glam::DVec2;
 use shading_lab::analysis::{
@@ -20,7 +20,7 @@ use std::path::PathBuf;
 use tiny_skia::PixmapMut;
 
 /// Most samples a pixel: beyond, 8 bits show no difference.
-const MAX_SAMPLES: u32 = 4096;
+pub const MAX_SAMPLES: u32 = 4096;
 
 #[derive(Args)]
 pub struct Render {
@@ -32,7 +32,7 @@ pub struct Render {
     size: Option<[u32; 2]>,
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1..=MAX_SAMPLES))]
     samples: u32,
-    #[arg(long, value_parser = |text: &str| parse_choice(text, CompareView::VALUES))]
+    #[arg(long, value_parser = choice(CompareView::VALUES))]
     compare: Option<CompareView>,
     #[command(flatten)]
     panes: PaneArguments,
@@ -52,6 +52,7 @@ impl Render {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
         let mut loaded = self.scene.load(earlier)?;
         check_target(&self.output)?;
+        check_picture_target(&self.output)?;
         let scene = &mut loaded.scene;
         scene.image.size = self.size.unwrap_or(scene.image.size);
         self.panes.apply(scene, self.compare)?;
@@ -92,7 +93,6 @@ impl Render {
             )?;
             comparison_sheet(scene, &panes, !self.no_captions)
         };
-        bar.finish_and_clear();
         Ok(save_picture(&self.output, &frame, scene)?)
     }
 

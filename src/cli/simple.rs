@@ -1,20 +1,18 @@
-//! Commands that analyse nothing: `scenes`, `materials` and `parameters` list what there is, `check` opens a file, `code` writes
-//! a scene as OpenGL calls or as shaders.
+//! Commands that analyse nothing: `scenes`, `materials` and `parameters` list what there is, `code` writes a scene as OpenGL calls
+//! or as shaders.
 
-use super::input::SceneArguments;
-use super::output::{Failure, print};
+use super::input::{SceneArguments, output_file};
+use super::output::{Failure, note, print, spinner};
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
-use shading_lab::document::{Loaded, save_code};
+use shading_lab::document::{Loaded, STDOUT, save_code};
 use shading_lab::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
-use shading_lab::lesson::Lesson;
 use shading_lab::scene::materials::{NAMED, NamedMaterial};
 use shading_lab::scene::parameter::{Kind, Parameter};
 use shading_lab::scene::presets::{self, Preset};
-use shading_lab::scene::{Choice, Rgb, Scene};
+use shading_lab::scene::{Rgb, Scene};
 use shading_lab::text::{Language, in_language, text};
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -137,64 +135,15 @@ impl List {
 }
 
 #[derive(Args)]
-pub struct Check {
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
-    #[arg(long, value_name = "KEY=VALUE", allow_hyphen_values = true)]
-    set: Vec<String>,
-}
-
-impl Check {
-    pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
-        let name = self.file.display().to_string();
-        if is_lesson(&self.file) {
-            let lesson = Lesson::open_checked(&self.file).map_err(Failure::input)?;
-            let questions = lesson.steps.iter().filter(|step| step.question.is_some());
-            let sound = text!(
-                "cli-check-lesson",
-                name = name,
-                steps = lesson.steps.len(),
-                questions = questions.count()
-            );
-            return print(&(sound + "\n"));
-        }
-        let loaded = SceneArguments {
-            source: Some(self.file),
-            set: self.set,
-            material: None,
-        }
-        .load(earlier)?;
-        let scene = &loaded.scene;
-        let [width, height] = scene.image.size;
-        let polygons = loaded.model.map_or_else(String::new, |model| {
-            let count = model.starts.len().saturating_sub(1);
-            text!("cli-check-polygons", count = count)
-        });
-        let sound = text!(
-            "cli-check-sound",
-            name = name,
-            object = scene.object.kind.label(),
-            polygons = polygons,
-            lights = scene.lights.len(),
-            mode = scene.shading.mode.label(),
-            size = format!("{width}×{height}")
-        );
-        print(&(sound + "\n"))
-    }
-}
-
-fn is_lesson(file: &Path) -> bool {
-    file.extension().is_some_and(|ending| ending == "md")
-}
-
-#[derive(Args)]
 pub struct Code {
     #[command(flatten)]
     scene: SceneArguments,
     #[arg(long, value_enum, default_value_t = Target::CSnippet)]
     target: Target,
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", value_parser = output_file())]
     output: Option<PathBuf>,
+    #[arg(long, conflicts_with = "output")]
+    json: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -209,6 +158,7 @@ impl Code {
         let Loaded {
             scene, model, name, ..
         } = self.scene.load(earlier)?;
+        let working = spinner(text!("cli-working"));
         let mesh = || model.unwrap_or_else(|| Arc::new(tessellate(&scene.object)));
         let export = match self.target {
             Target::C => opengl_c(&scene, &mesh())
@@ -216,20 +166,36 @@ impl Code {
             Target::CSnippet => opengl_c_snippet(&scene, &mesh()),
             Target::Glsl => glsl_330(&scene),
         };
-        match &self.output {
-            None => print(&joined(&export))?,
-            Some(target) => save_code(target, &export)?,
+        if self.json {
+            drop(working);
+            return print(&format!("{:#}\n", object(self.target, &export)));
+        }
+        let file = self.output.filter(|path| path != Path::new(STDOUT));
+        match file {
+            None => {
+                let text = joined(&export);
+                drop(working);
+                print(&text)?;
+            }
+            Some(target) => save_code(&target, &export)?,
         }
         for limit in &export.limits {
-            // Without stderr there is nowhere to say so.
-            let _ = writeln!(
-                io::stderr(),
-                "{}",
-                text!("cli-note", message = limit.to_string())
-            );
+            note(&limit.to_string());
         }
         Ok(())
     }
+}
+
+/// The code for programs: its parts, and what the target cannot express.
+fn object(target: Target, export: &Export) -> Value {
+    in_language(Language::English, || {
+        let part = |part: &Part| json!({ "title": part.title.text(), "ending": part.ending, "text": part.text });
+        let parts: Vec<_> = export.parts.iter().map(part).collect();
+        let limits: Vec<_> = export.limits.iter().map(ToString::to_string).collect();
+        let target = target.to_possible_value();
+        let target = target.map(|value| value.get_name().to_owned());
+        json!({ "target": target, "parts": parts, "limits": limits })
+    })
 }
 
 /// All parts one after the other, each of several under its title.

@@ -55,19 +55,57 @@ pub fn write_whole(
     })
 }
 
-/// Where Linux and the BSDs keep the standard output. It may be a file that others write to as well, which must not be
-/// replaced, or a socket, which cannot be opened.
+/// The standard output, by the name that Linux and the BSDs have for it; meant everywhere. It may be a file that others write to
+/// as well, which must not be replaced, or a socket, which cannot be opened.
+pub const STDOUT: &str = "/dev/stdout";
+
 fn is_stdout(path: &Path) -> bool {
-    cfg!(unix) && path == Path::new("/dev/stdout")
+    path == Path::new(STDOUT)
 }
 
 fn fill(
     target: impl Write,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    let mut out = BufWriter::new(target);
-    content(&mut out)?;
-    out.flush()
+    let mut target = Told {
+        target,
+        failed: None,
+    };
+    let mut out = BufWriter::new(&mut target);
+    let written = content(&mut out).and_then(|()| out.flush());
+    // What is left is of no use now, and would be written when the buffer goes.
+    let _ = out.into_parts();
+    written.map_err(|error| match target.failed {
+        Some(kind) => io::Error::new(kind, error),
+        None => error,
+    })
+}
+
+/// A target that keeps why it has failed: encoders wrap it in errors of their own.
+struct Told<W> {
+    target: W,
+    failed: Option<io::ErrorKind>,
+}
+
+impl<W: Write> Told<W> {
+    fn told<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
+        result.inspect_err(|error| {
+            let again = error.kind() == io::ErrorKind::Interrupted;
+            self.failed = (!again).then(|| error.kind());
+        })
+    }
+}
+
+impl<W: Write> Write for Told<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.target.write(bytes);
+        self.told(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let flushed = self.target.flush();
+        self.told(flushed)
+    }
 }
 
 /// The file that a link leads to, which need not exist.

@@ -9,7 +9,17 @@ use crate::document::open_picture;
 use crate::render::Frame;
 use crate::text::{Language, in_language, text};
 use std::collections::HashMap;
-use std::path::Path;
+use std::io::Cursor;
+use std::path::PathBuf;
+
+/// A picture that was handed in.
+#[derive(Clone, Debug)]
+pub struct Handed {
+    /// What it is called.
+    pub path: PathBuf,
+    /// Its content, where that is not in the file.
+    pub bytes: Option<Vec<u8>>,
+}
 
 /// Everything that was handed in.
 #[derive(Debug, Default)]
@@ -167,20 +177,19 @@ pub fn spread(sorted: &[f64]) -> Option<[f64; 5]> {
 /// Reads files that were handed in and grades them. With a `lesson` all must be answers to that one. `pictures`: whether
 /// those of questions about places are drawn. `progress` is told of each file and each question that is done.
 pub fn collect(
-    files: &[impl AsRef<Path>],
+    files: &[Handed],
     lesson: Option<&Lesson>,
     pictures: bool,
     progress: &mut dyn FnMut(),
 ) -> Class {
     let mut class = Class::default();
-    for (index, path) in files.iter().enumerate() {
-        let path = path.as_ref();
-        let file = path.display().to_string();
-        if let Err(why) = class.take(index, path, lesson) {
+    for (index, handed) in files.iter().enumerate() {
+        if let Err(why) = class.take(index, handed, lesson) {
             let english = in_language(Language::English, || {
-                let again = Class::default().take(index, path, lesson);
+                let again = Class::default().take(index, handed, lesson);
                 again.err().unwrap_or_else(|| why.clone())
             });
+            let file = handed.path.display().to_string();
             class.unreadable.push(Unreadable { file, why, english });
         }
         progress();
@@ -193,14 +202,25 @@ pub fn collect(
 
 impl Class {
     /// Reads a file and puts it with those of its lesson.
-    fn take(&mut self, index: usize, path: &Path, lesson: Option<&Lesson>) -> Result<(), String> {
-        let file = path.display().to_string();
+    fn take(
+        &mut self,
+        index: usize,
+        handed: &Handed,
+        lesson: Option<&Lesson>,
+    ) -> Result<(), String> {
+        let file = handed.path.display().to_string();
         let without_name = |error: String| {
             let own = error.strip_prefix(&format!("{file}: ")).map(str::to_owned);
             own.unwrap_or(error)
         };
-        let png = open_picture(path).map_err(|error| without_name(error.to_string()))?;
-        let hand_in = read_hand_in(png).map_err(|error| error.to_string())?;
+        let hand_in = match &handed.bytes {
+            Some(bytes) => read_hand_in(Cursor::new(bytes)),
+            None => {
+                let png = open_picture(&handed.path);
+                read_hand_in(png.map_err(|error| without_name(error.to_string()))?)
+            }
+        };
+        let hand_in = hand_in.map_err(|error| error.to_string())?;
         let place = match self
             .groups
             .iter()

@@ -1,9 +1,29 @@
 # Headings and other words of the help.
 cli-usage = Usage:
-cli-commands = Commands:
+cli-example = Example:
+cli-examples = Examples:
 cli-arguments = Arguments:
 cli-options = Options:
+cli-heading-scene = Scene:
+cli-heading-output = Output:
+cli-heading-window = Window:
+cli-heading-general = General options:
+cli-group-draw = Draw:
+cli-group-explain = Explain a picture:
+cli-group-measure = Measure:
+cli-group-teach = Teach:
+cli-group-scenes = Scenes and files:
+cli-group-program = This program:
 cli-default = {" "}[default: { $value }]
+
+# Manual pages.
+cli-manual = Shading Lab
+cli-manual-name = NAME
+cli-manual-synopsis = SYNOPSIS
+cli-manual-examples = EXAMPLES
+cli-manual-description = DESCRIPTION
+cli-manual-commands = COMMANDS
+cli-manual-version = VERSION
 
 # Messages before their text.
 cli-error = error: { $message }
@@ -26,6 +46,7 @@ cli-unknown-argument = unknown argument '{ $argument }'{ $meant }; see --help
 cli-missing-arguments = missing: { $arguments }; see --help
 cli-conflict = '{ $argument }' cannot be used with '{ $other }'
 cli-no-language = expected { $first } or { $second }
+cli-no-command = no command “{ $name }”{ $meant }; see `shading-lab help`
 cli-no-material = no material of that name{ $meant }; see `shading-lab materials`
 cli-no-such-output = --output: { $name } does not write .{ $ending }, expected { $expected }
 cli-no-window = built without a window, expected a command: see shading-lab --help
@@ -43,6 +64,7 @@ cli-expected-place = expected X,Y in pixels from the top left, as in 100.5,80.5
 cli-expected-vertex = expected the number of a vertex, counted from 0
 cli-expected-output = expected a name that ends in .json, .png, .svg or .csv
 cli-expected-png = expected a name that ends in .png
+cli-expected-film = expected a name that ends in .png or .gif
 cli-expected-qr = expected a name that ends in .png or .svg
 cli-expected-html = expected a name that ends in .html
 cli-no-lesson = no lesson “{ $name }”{ $meant }; see `shading-lab lesson`
@@ -61,6 +83,8 @@ cli-pixel-alone = a pixel alone, expected what to draw there, as in vectors,angl
 
 # What cannot be done.
 cli-no-threads = the threads cannot be started ({ $error })
+cli-input-unreadable = cannot be read ({ $error })
+cli-picture-on-terminal = a picture cannot be shown in a terminal, expected a file or a pipe
 cli-output-unwritable = the output cannot be written ({ $error })
 cli-too-large-for-overlays = the picture is too large for overlays
 
@@ -78,18 +102,19 @@ cli-check-polygons =
 
 # Help: a command `cli-help-NAME`, its argument `cli-help-NAME-ARGUMENT`, an argument of several commands `cli-help-shared-ARGUMENT`.
 cli-help-program = A laboratory for local illumination and polygon shading.
-    .long = Without a command it opens the window. SCENE is a scene file (.toml), a model (.obj), a picture that this program exported (.png), the name of a built-in scene (`shading-lab scenes`), a lesson (.md), or a link (in quotation marks).
+    .long = Without a command it opens the window. SCENE is a scene file (.toml), a model (.obj), a picture that this program exported (.png), the name of a built-in scene (`shading-lab scenes`), a lesson (.md), a link (in quotation marks), or `-`: a scene file, a picture or a link from the standard input. Where a file is written, `-` is the standard output. `shading-lab help COMMAND` says more about a command.
 cli-help-shared-help = Print help
 cli-help-shared-version = Print version
 cli-help-shared-language = Language of the texts, instead of the system's
-cli-help-shared-source = A .toml, .obj, .png or .md file, the name of a built-in scene, or a link
+cli-help-shared-source = A .toml, .obj or .png file, the name of a built-in scene, a link, or - for standard input
+cli-help-program-source = A .toml, .obj, .png or .md file, the name of a built-in scene, a link, or - for standard input
 cli-help-shared-set = Override one key of the scene, as in material.n=1005 or light.0.position=[2,2,3]
 cli-help-shared-material = Use a named material (see `materials`); --set can then change it further
 cli-help-shared-url = Address of the page that links begin with, as in https://example.org/shading-lab/; the window remembers it
 cli-help-shared-seed = Number that decides what the questions of lessons draw at random
 cli-help-shared-json = Print one JSON object
-cli-help-shared-csv = Write the table as CSV
-cli-help-shared-output = Write the figure as .png or .svg, the table as .csv, or the JSON object
+cli-help-shared-csv = Write the table as CSV; - is standard output
+cli-help-shared-output = Write the figure as .png or .svg, the table as .csv, or the JSON object; - is standard output, as PNG where there is a figure
 cli-help-shared-size = Width and height of the picture in pixels, instead of the scene's; for curves, profile and scanline those of the figure
 cli-help-shared-dark = Draw the figure with light lines on a dark background
 cli-help-shared-pane = Add a pane beside the scene, instead of the scene's own panes: its settings, as in shading.mode=exact, separated by semicolons. The last pane is the reference unless compare.reference names another
@@ -105,6 +130,18 @@ cli-help-render-overlay = Drawings over the picture: vectors, angles, constructi
 cli-help-render-from = Start of the line of --overlay profile, in pixels; without a line it is horizontal, through the probe or the centre
 cli-help-render-to = End of that line
 cli-help-render-vertex = The vertex whose faces --overlay vertex-normals highlights, each with its weight
+cli-help-animate = Draw a scene whose numbers change from frame to frame
+    .long = Any number changes, and each number of a point, a direction, a coefficient or a colour. Frames are written as they are drawn. An animated PNG keeps every colour and holds the scene of its first frame; a GIF has at most 256 colours a frame, which can show bands that the picture does not have. A name such as frame-%03d.png writes one picture a frame, counted from 1.
+cli-help-animate-set-from = A key and its value in the first frame, as in material.n=5; may be repeated
+cli-help-animate-set-to = The same key and its value in the last frame
+cli-help-animate-frames = Frames from the first to the last
+cli-help-animate-logarithmic = Equal ratios from frame to frame instead of equal steps
+cli-help-animate-back-and-forth = Return to the first frame the same way
+cli-help-animate-seconds = How long the animation takes; otherwise 30 frames a second
+cli-help-animate-fps = Frames per second
+cli-help-animate-output = The animation to write, .png (APNG) or .gif, or a name such as frame-%03d.png for numbered pictures
+cli-help-animate-size = Width and height in pixels, instead of the scene's
+cli-help-animate-samples = Samples per pixel
 cli-help-probe = Fill in the equation at one pixel
 cli-help-probe-pixel = The pixel, (0,0) at the top left
 cli-help-profile = Take the intensity along a line, its slope and what is perceived
@@ -163,11 +200,11 @@ cli-help-scenes = List the built-in scenes
 cli-help-materials = List the named materials of the OpenGL tradition, for --material
 cli-help-parameters = List every key of the scene file with its default, limits and meaning
 cli-help-check = Read a scene, a model, a picture or a lesson, and report what is wrong with it
-cli-help-check-file = A .toml, .obj, .png or .md file, or the name of a built-in scene
+cli-help-check-file = A .toml, .obj, .png or .md file, the name of a built-in scene, or - for standard input
 cli-help-check-set = Override one key of the scene first
 cli-help-lesson = List the lessons, print one in words, or write its worksheet
     .long = The worksheet is one page that prints well: text, pictures drawn by the engine, questions with room to write, and the answers on pages of their own.
-cli-help-lesson-lesson = The name of a lesson, or a file that ends in .md
+cli-help-lesson-lesson = The name of a lesson, a file that ends in .md, or - for standard input
 cli-help-lesson-output = Write the worksheet, .html
 cli-help-lesson-without-answers = Leave out the answers
 cli-help-lesson-seed = Decides what questions draw at random
@@ -176,6 +213,14 @@ cli-help-collect = Grade the pictures that students handed in
 cli-help-collect-files = Pictures from File > Hand in
 cli-help-collect-lesson = Expect answers to this lesson, and take its text from this file instead of from the pictures
 cli-help-collect-output = Write a page with the table and the answers to each question, .html
+cli-help-completions = Write the completions for a shell
+    .long = They belong where the shell looks for them; bash, for one, in ~/.local/share/bash-completion/completions. In zsh a folder of $fpath takes them as _shading-lab, in fish ~/.config/fish/completions as shading-lab.fish; in PowerShell the profile runs them.
+cli-help-completions-shell = bash, zsh, fish, powershell or elvish
+cli-help-manual = Write the manual page of the program, or of a command
+cli-help-manual-command = The command; otherwise the program
+cli-help-manual-output = Write the pages of the program and of every command into this folder
+cli-help-help = Print the help of the program, or of a command
+cli-help-help-command = The command; otherwise the program
 cli-help-bench = Measure the time of a frame and of its stages
     .long = A frame of `full` is transformed, covered, shaded and displayed anew; the tessellation is kept, as a graphics card keeps it in its buffers. A frame of `changes` differs from the one before in one thing: the position of the first light, n, ka, the eye on an orbit, or the number of segments.
 cli-help-bench-growth = Also measure how the time grows with the pixels, up to 8 million, and with the triangles, up to 4 million

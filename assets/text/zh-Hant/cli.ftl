@@ -1,9 +1,29 @@
 # 說明的標題與用語。
 cli-usage = 用法：
-cli-commands = 指令：
+cli-example = 範例：
+cli-examples = 範例：
 cli-arguments = 引數：
 cli-options = 選項：
+cli-heading-scene = 場景：
+cli-heading-output = 輸出：
+cli-heading-window = 視窗：
+cli-heading-general = 一般選項：
+cli-group-draw = 繪製：
+cli-group-explain = 說明圖片：
+cli-group-measure = 量測：
+cli-group-teach = 教學：
+cli-group-scenes = 場景與檔案：
+cli-group-program = 本程式：
 cli-default = ［預設：{ $value }］
+
+# 使用說明頁。
+cli-manual = 著色實驗室
+cli-manual-name = 名稱
+cli-manual-synopsis = 用法
+cli-manual-examples = 範例
+cli-manual-description = 說明
+cli-manual-commands = 指令
+cli-manual-version = 版本
 
 # 訊息的開頭。
 cli-error = 錯誤：{ $message }
@@ -26,6 +46,7 @@ cli-unknown-argument = 未知的引數 { $argument }{ $meant }；見 --help
 cli-missing-arguments = 缺少 { $arguments }；見 --help
 cli-conflict = { $argument } 不能與 { $other } 同時使用
 cli-no-language = 應為 { $first } 或 { $second }
+cli-no-command = 沒有指令「{ $name }」{ $meant }；見 `shading-lab help`
 cli-no-material = 沒有這個名稱的材質{ $meant }；見 `shading-lab materials`
 cli-no-such-output = --output：{ $name } 不能寫出 .{ $ending }，應為 { $expected }
 cli-no-window = 這個版本不含視窗，請給一個指令：見 shading-lab --help
@@ -43,6 +64,7 @@ cli-expected-place = 應為從左上角起算的像素 X,Y，例如 100.5,80.5
 cli-expected-vertex = 應為從 0 起算的頂點編號
 cli-expected-output = 檔名應以 .json、.png、.svg 或 .csv 結尾
 cli-expected-png = 檔名應以 .png 結尾
+cli-expected-film = 檔名應以 .png 或 .gif 結尾
 cli-expected-qr = 應為以 .png 或 .svg 結尾的檔名
 cli-expected-html = 檔名應以 .html 結尾
 cli-no-lesson = 沒有課程「{ $name }」{ $meant }；請見 `shading-lab lesson`
@@ -61,6 +83,8 @@ cli-pixel-alone = 只有像素，還要指定畫什麼，例如 vectors,angles,p
 
 # 無法完成的工作。
 cli-no-threads = 無法啟動執行緒（{ $error }）
+cli-input-unreadable = 無法讀取（{ $error }）
+cli-picture-on-terminal = 圖片無法顯示在終端機上，應為檔案或管線
 cli-output-unwritable = 無法寫出結果（{ $error }）
 cli-too-large-for-overlays = 圖片太大，無法加上圖層
 
@@ -70,18 +94,19 @@ cli-check-polygons = ，{ $count } 個多邊形
 
 # 說明：指令為 cli-help-名稱，其引數為 cli-help-名稱-引數，多個指令共用的引數為 cli-help-shared-引數。
 cli-help-program = 區域照明與多邊形著色實驗室。
-    .long = 不加指令則開啟視窗。SCENE 是場景檔（.toml）、模型（.obj）、本程式匯出的圖片（.png），內建場景的名稱（`shading-lab scenes`）、課程（.md），或連結（加上引號）。
+    .long = 不加指令則開啟視窗。SCENE 是場景檔（.toml）、模型（.obj）、本程式匯出的圖片（.png），內建場景的名稱（`shading-lab scenes`）、課程（.md）、連結（加上引號），或 `-`：從標準輸入讀取場景檔、圖片或連結。寫出檔案時，`-` 為標準輸出。各指令的說明見 `shading-lab help COMMAND`。
 cli-help-shared-help = 顯示說明
 cli-help-shared-version = 顯示版本
 cli-help-shared-language = 文字的語言，取代系統語言
-cli-help-shared-source = .toml、.obj、.png 或 .md 檔、內建場景的名稱，或連結
+cli-help-shared-source = .toml、.obj 或 .png 檔、內建場景的名稱、連結，或代表標準輸入的 -
+cli-help-program-source = .toml、.obj、.png 或 .md 檔、內建場景的名稱、連結，或代表標準輸入的 -
 cli-help-shared-set = 覆寫場景的一個鍵，例如 material.n=1005 或 light.0.position=[2,2,3]
 cli-help-shared-material = 使用具名材質（見 `materials`）；之後可再用 --set 修改
 cli-help-shared-url = 連結開頭的網頁位址，例如 https://example.org/shading-lab/；視窗會記住
 cli-help-shared-seed = 決定課程題目隨機取值的數字
 cli-help-shared-json = 輸出一個 JSON 物件
-cli-help-shared-csv = 將表格寫成 CSV
-cli-help-shared-output = 將圖形寫成 .png 或 .svg、表格寫成 .csv，或寫出 JSON 物件
+cli-help-shared-csv = 將表格寫成 CSV；- 為標準輸出
+cli-help-shared-output = 將圖形寫成 .png 或 .svg、表格寫成 .csv，或寫出 JSON 物件；- 為標準輸出，有圖形時為 PNG
 cli-help-shared-size = 圖片的寬與高（像素），取代場景的設定；用於 curves、profile、scanline 時為圖形的大小
 cli-help-shared-dark = 以深色背景、淺色線條繪製圖形
 cli-help-shared-pane = 在場景旁加一個窗格，取代場景自己的窗格：寫出不同的設定，例如 shading.mode=exact，以分號隔開。最後一個窗格是比較的基準，除非 compare.reference 另行指定
@@ -97,6 +122,18 @@ cli-help-render-overlay = 疊在圖片上的圖層：vectors、angles、construc
 cli-help-render-from = --overlay profile 的線段起點（像素）；未指定時為水平線，通過探測點或中央
 cli-help-render-to = 線段終點
 cli-help-render-vertex = --overlay vertex-normals 標示這個頂點的各面及其權重
+cli-help-animate = 繪製數值逐格變化的場景
+    .long = 任何數字都可以變化，點、方向、係數與顏色的各個數字也可以。畫格邊畫邊寫出。動畫 PNG 保留所有顏色，並含有第一個畫格的場景；GIF 每個畫格最多 256 色，可能出現圖片中沒有的色帶。frame-%03d.png 這樣的檔名會將每個畫格寫成一張圖片，從 1 起算。
+cli-help-animate-set-from = 一個鍵與其在第一個畫格的值，例如 material.n=5；可重複
+cli-help-animate-set-to = 同一個鍵與其在最後一個畫格的值
+cli-help-animate-frames = 從第一個到最後一個的畫格數
+cli-help-animate-logarithmic = 畫格之間為等比，而非等差
+cli-help-animate-back-and-forth = 再反向回到第一個畫格
+cli-help-animate-seconds = 動畫的長度；未指定則每秒 30 個畫格
+cli-help-animate-fps = 每秒的畫格數
+cli-help-animate-output = 要寫出的動畫，.png（APNG）或 .gif；frame-%03d.png 這樣的名稱則寫出編號的圖片
+cli-help-animate-size = 寬與高（像素），取代場景的設定
+cli-help-animate-samples = 每像素取樣數
 cli-help-probe = 代入一個像素的數值，列出方程式各項
 cli-help-probe-pixel = 像素，左上角為 (0,0)
 cli-help-profile = 求一條線上的亮度、斜率與感知亮度
@@ -155,11 +192,11 @@ cli-help-scenes = 列出內建場景
 cli-help-materials = 列出 OpenGL 傳統的具名材質，供 --material 使用
 cli-help-parameters = 列出場景檔的每個鍵及其預設值、範圍與意義
 cli-help-check = 讀取場景、模型、圖片或課程，並回報其中的錯誤
-cli-help-check-file = .toml、.obj、.png 或 .md 檔，或內建場景的名稱
+cli-help-check-file = .toml、.obj、.png 或 .md 檔、內建場景的名稱，或代表標準輸入的 -
 cli-help-check-set = 先覆寫場景的一個鍵
 cli-help-lesson = 列出課程、以文字印出一課，或寫出學習單
     .long = 學習單是一個適合列印的網頁：文字、由引擎繪製的圖片、附書寫空間的問題，解答另起新頁。
-cli-help-lesson-lesson = 課程名稱，或以 .md 結尾的檔案
+cli-help-lesson-lesson = 課程名稱、以 .md 結尾的檔案，或代表標準輸入的 -
 cli-help-lesson-output = 寫出學習單（.html）
 cli-help-lesson-without-answers = 不附解答
 cli-help-lesson-seed = 決定問題中的隨機數值
@@ -168,6 +205,14 @@ cli-help-collect = 批改學生繳交的圖片
 cli-help-collect-files = 由「檔案 > 繳交」產生的圖片
 cli-help-collect-lesson = 只收這一課的答案，課程內容以這個檔案為準，不用圖片中的
 cli-help-collect-output = 寫出附有成績表與各題答案分佈的網頁（.html）
+cli-help-completions = 寫出命令列介面的自動完成設定
+    .long = 請放在命令列介面尋找設定的位置：bash 為 ~/.local/share/bash-completion/completions；zsh 為 $fpath 中的資料夾，檔名 _shading-lab；fish 為 ~/.config/fish/completions，檔名 shading-lab.fish；PowerShell 則由設定檔執行。
+cli-help-completions-shell = bash、zsh、fish、powershell 或 elvish
+cli-help-manual = 寫出本程式或某個指令的使用說明頁
+cli-help-manual-command = 指令；未指定則為本程式
+cli-help-manual-output = 將本程式與各指令的使用說明頁寫到這個資料夾
+cli-help-help = 顯示本程式或某個指令的說明
+cli-help-help-command = 指令；未指定則為本程式
 cli-help-bench = 量測畫格及其各階段的時間
     .long = `full` 的每個畫格重新投影、覆蓋、著色並顯示；細分結果保留，如同顯示卡保留在緩衝區中。`changes` 的每個畫格與前一個只差一項：第一個光源的位置、n、ka、環繞物體的眼睛，或分段數。
 cli-help-bench-growth = 另量測時間隨像素數（至 800 萬）與三角形數（至 400 萬）的成長

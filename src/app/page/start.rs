@@ -3,7 +3,7 @@
 use super::course::{Likeness, Prepare, Target};
 use super::dialog::Dialog;
 use super::engine::Supersampled;
-use super::files::Exported;
+use super::files::{Exported, Filmed};
 use super::material::Spheres;
 use super::profile::Perceived;
 use super::sampling::AreaLight;
@@ -91,6 +91,7 @@ fn workers() -> Vec<Served> {
         served::<Asked<StabilityQuestion>>(),
         served::<Asked<StudyQuestion>>(),
         served::<Exported>(),
+        served::<Filmed>(),
         served::<Likeness>(),
         served::<Perceived>(),
         served::<Prepare>(),

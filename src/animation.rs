@@ -1,0 +1,436 @@
+//! Moving pictures: a scene whose numbers go from one value to another, frame by frame, as an animated PNG or as a GIF.
+//!
+//! A [`Sweep`] says what each frame shows; whoever draws the frames hands them to [`write_film`] one after the other, so that one
+//! frame at a time is in memory.
+
+use crate::picture::{Apng, PictureError};
+use crate::render::Frame;
+use crate::scene::parameter::{Kind, Parameter};
+use crate::scene::{Scene, SceneError};
+use crate::text::text;
+use gif::Repeat;
+use std::ffi::OsStr;
+use std::io::{self, Write};
+use std::path::Path;
+use toml::Value;
+
+/// Most frames of a sweep from one end to the other.
+pub const MOST_FRAMES: u32 = 10_000;
+/// Frames of a sweep, unless somebody says otherwise.
+pub const USUAL_FRAMES: u32 = 60;
+/// Frames a second, unless somebody says otherwise.
+pub const USUAL_RATE: f64 = 30.0;
+/// The longest that a frame may stand, seconds: APNG has 16 bits for the milliseconds.
+const LONGEST: f64 = 60.0;
+/// Of NeuQuant: how few of the pixels it learns a palette from, 1 to 30. From here on fewer cannot be told apart.
+const PALETTE_EFFORT: i32 = 5;
+
+/// How the frames lie between the two ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Course {
+    /// From one end to the other, both with it.
+    pub frames: u32,
+    /// Equal ratios from frame to frame instead of equal steps.
+    pub logarithmic: bool,
+    /// Back to the beginning afterwards.
+    pub back_and_forth: bool,
+}
+
+/// A scene with numbers that change from frame to frame.
+///
+/// ```
+/// use shading_lab::animation::{Course, Sweep};
+/// use shading_lab::scene::Scene;
+///
+/// let course = Course { frames: 3, logarithmic: false, back_and_forth: false };
+/// let sweep = Sweep::new(&Scene::default(), &["material.n=5"], &["material.n=15"], course)?;
+/// let exponents: Vec<f64> = sweep.scenes().map(|scene| scene.material.n).collect();
+/// assert_eq!(exponents, [5.0, 10.0, 15.0]);
+/// # Ok::<(), shading_lab::animation::SweepError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    scene: Scene,
+    tracks: Vec<Track>,
+    course: Course,
+}
+
+/// A key with its numbers at both ends.
+#[derive(Clone, Debug)]
+struct Track {
+    key: String,
+    whole: bool,
+    ends: Vec<[f64; 2]>,
+    /// Written without the brackets of a list.
+    single: bool,
+}
+
+/// Why a sweep cannot be drawn.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SweepError {
+    /// The settings of the beginning.
+    #[error("{0}")]
+    Beginning(SceneError),
+    /// The settings of the end.
+    #[error("{0}")]
+    End(SceneError),
+    /// A key that is set at one end only.
+    #[error("{}", text!("animation-one-end", key = .0.as_str()))]
+    OneEnd(String),
+    /// A key that is no number, and changes.
+    #[error("{}", text!("animation-no-number", key = .0.as_str()))]
+    NoNumber(String),
+    /// A key that is infinite at an end.
+    #[error("{}", text!("animation-infinite", key = .0.as_str()))]
+    Infinite(String),
+    /// A key with more numbers at one end.
+    #[error("{}", text!("animation-lengths", key = .0.as_str()))]
+    Lengths(String),
+    /// A key that cannot go in equal ratios.
+    #[error("{}", text!("animation-sign", key = .0.as_str()))]
+    Sign(String),
+    /// No number changes.
+    #[error("{}", text!("animation-nothing"))]
+    Nothing,
+    /// Fewer than two frames, or more than [`MOST_FRAMES`].
+    #[error("{}", text!("animation-frames", most = MOST_FRAMES))]
+    Frames,
+    /// A frame between the ends is no sound scene.
+    #[error("{}", text!("animation-frame", frame = .frame, error = .error.to_string()))]
+    Frame {
+        /// From 0.
+        frame: u32,
+        /// What is wrong with it.
+        error: SceneError,
+    },
+    /// Frames would stand too briefly or too long.
+    #[error("{}", text!("animation-seconds", least = format!("{least:.2}"), most = format!("{most:.0}")))]
+    Seconds {
+        /// The shortest that the film may take.
+        least: f64,
+        /// The longest.
+        most: f64,
+    },
+}
+
+impl Sweep {
+    /// From a scene with the settings of the beginning to the same scene with those of the end, `KEY=VALUE` as
+    /// [`Scene::with_overrides`] takes them. Every number that differs then changes from frame to frame: coefficients, colours,
+    /// points and directions in each of their numbers.
+    ///
+    /// # Errors
+    /// See [`SweepError`]; every frame is known to be a sound scene.
+    pub fn new(
+        scene: &Scene,
+        from: &[impl AsRef<str>],
+        to: &[impl AsRef<str>],
+        course: Course,
+    ) -> Result<Self, SweepError> {
+        if !(2..=MOST_FRAMES).contains(&course.frames) {
+            return Err(SweepError::Frames);
+        }
+        let (begins, ends) = (keys(from), keys(to));
+        let lonely = begins
+            .iter()
+            .find(|key| !ends.contains(key))
+            .or_else(|| ends.iter().find(|key| !begins.contains(key)));
+        if let Some(key) = lonely {
+            let key = (*key).to_owned();
+            return Err(SweepError::OneEnd(key));
+        }
+        let first = scene.with_overrides(from).map_err(SweepError::Beginning)?;
+        let last = scene.with_overrides(to).map_err(SweepError::End)?;
+        let tracks: Result<Vec<Track>, SweepError> = first
+            .differences(&last)
+            .map(|(parameter, index)| Track::new(parameter, index, [&first, &last], course))
+            .collect();
+        let sweep = Self {
+            tracks: tracks?,
+            scene: first,
+            course,
+        };
+        if sweep.tracks.is_empty() {
+            return Err(SweepError::Nothing);
+        }
+        for frame in 0..course.frames {
+            let sound = sweep.at(frame);
+            sound.map_err(|error| SweepError::Frame { frame, error })?;
+        }
+        Ok(sweep)
+    }
+
+    /// The scene at its beginning.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// How many frames are shown in all.
+    pub fn count(&self) -> u32 {
+        let frames = self.course.frames;
+        if self.course.back_and_forth {
+            2 * frames - 2
+        } else {
+            frames
+        }
+    }
+
+    /// What is shown, in its order.
+    pub fn scenes(&self) -> impl Iterator<Item = Scene> {
+        let forth = 0..self.course.frames;
+        let back = (1..self.course.frames - 1).rev();
+        let back = back.filter(|_| self.course.back_and_forth);
+        // Every one of them was sound when the sweep was made.
+        forth.chain(back).filter_map(|frame| self.at(frame).ok())
+    }
+
+    /// The scene of a frame between the ends.
+    fn at(&self, frame: u32) -> Result<Scene, SceneError> {
+        let share = f64::from(frame) / f64::from(self.course.frames - 1);
+        let setting = |track: &Track| track.setting(share, self.course.logarithmic);
+        let settings: Vec<String> = self.tracks.iter().map(setting).collect();
+        self.scene.with_overrides(&settings)
+    }
+}
+
+impl Track {
+    fn new(
+        parameter: &'static Parameter,
+        index: usize,
+        scenes: [&Scene; 2],
+        course: Course,
+    ) -> Result<Self, SweepError> {
+        let key = parameter.key(index);
+        if !is_number(parameter) {
+            return Err(SweepError::NoNumber(key));
+        }
+        let [first, last] = scenes.map(|scene| parameter.value(scene, index));
+        let (Some(mut first), Some(mut last)) = (numbers(first), numbers(last)) else {
+            return Err(SweepError::NoNumber(key));
+        };
+        let length = first.len().max(last.len());
+        for end in [&mut first, &mut last] {
+            // One number stands for all channels.
+            if end.len() == 1 {
+                end.resize(length, end[0]);
+            }
+        }
+        if first.len() != last.len() {
+            return Err(SweepError::Lengths(key));
+        }
+        let ends: Vec<[f64; 2]> = first.into_iter().zip(last).map(|(a, b)| [a, b]).collect();
+        if !ends.as_flattened().iter().all(|value| value.is_finite()) {
+            return Err(SweepError::Infinite(key));
+        }
+        if course.logarithmic && ends.iter().any(|[a, b]| a != b && a * b <= 0.0) {
+            return Err(SweepError::Sign(key));
+        }
+        Ok(Self {
+            key,
+            whole: matches!(parameter.kind, Kind::Whole(..)),
+            ends,
+            single: length == 1,
+        })
+    }
+
+    fn setting(&self, share: f64, logarithmic: bool) -> String {
+        let number = |ends: &[f64; 2]| {
+            let value = between(*ends, share, logarithmic);
+            if self.whole {
+                format!("{:.0}", value.round())
+            } else {
+                format!("{value:?}")
+            }
+        };
+        let numbers: Vec<String> = self.ends.iter().map(number).collect();
+        let numbers = numbers.join(",");
+        if self.single {
+            format!("{}={numbers}", self.key)
+        } else {
+            format!("{}=[{numbers}]", self.key)
+        }
+    }
+}
+
+/// What lies between two numbers; the ends are themselves.
+fn between([a, b]: [f64; 2], share: f64, logarithmic: bool) -> f64 {
+    if share <= 0.0 || a == b {
+        a
+    } else if share >= 1.0 {
+        b
+    } else if logarithmic {
+        a.signum() * ((1.0 - share) * a.abs().ln() + share * b.abs().ln()).exp()
+    } else {
+        (1.0 - share) * a + share * b
+    }
+}
+
+/// The keys of settings.
+fn keys(settings: &[impl AsRef<str>]) -> Vec<&str> {
+    let texts = settings.iter().map(AsRef::as_ref);
+    let key = |text: &'_ str| text.find('=').unwrap_or(text.len());
+    texts.map(|text: &str| text[..key(text)].trim()).collect()
+}
+
+/// Whether a parameter is a number, or several.
+pub fn is_number(parameter: &Parameter) -> bool {
+    matches!(
+        parameter.kind,
+        Kind::Number(..)
+            | Kind::Whole(..)
+            | Kind::Pair(..)
+            | Kind::Coefficient(..)
+            | Kind::Channels(..)
+            | Kind::Colour(..)
+            | Kind::Point(_)
+            | Kind::Direction(..)
+    )
+}
+
+#[expect(clippy::cast_precision_loss, reason = "counts of a scene are small")]
+fn numbers(value: Option<Value>) -> Option<Vec<f64>> {
+    match value? {
+        Value::Float(number) => Some(vec![number]),
+        Value::Integer(number) => Some(vec![number as f64]),
+        Value::Array(list) => {
+            let all: Option<Vec<_>> = list.into_iter().map(|value| numbers(Some(value))).collect();
+            Some(all?.concat())
+        }
+        _ => None,
+    }
+}
+
+/// How a film is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilmFormat {
+    /// An animated PNG: every colour as it is.
+    Apng,
+    /// 256 colours, chosen for each frame.
+    Gif,
+}
+
+impl FilmFormat {
+    /// What a name's ending says.
+    pub fn from_path(path: &Path) -> Option<Self> {
+        let ending = path.extension().map(OsStr::to_ascii_lowercase)?;
+        match ending.to_str()? {
+            "png" | "apng" => Some(Self::Apng),
+            "gif" => Some(Self::Gif),
+            _ => None,
+        }
+    }
+
+    /// Units of time in a second.
+    fn units(self) -> f64 {
+        match self {
+            Self::Apng => 1000.0,
+            Self::Gif => 100.0,
+        }
+    }
+
+    /// The shortest that a frame may stand, seconds: browsers show a GIF's shorter ones far longer.
+    fn shortest(self) -> f64 {
+        match self {
+            Self::Apng => 0.001,
+            Self::Gif => 0.02,
+        }
+    }
+
+    /// Checks how long a film of `count` frames takes.
+    ///
+    /// # Errors
+    /// [`SweepError::Seconds`] for frames that would stand too briefly or too long.
+    pub fn check_seconds(self, count: u32, seconds: f64) -> Result<(), SweepError> {
+        let count = f64::from(count);
+        let (least, most) = (count * self.shortest(), count * LONGEST);
+        // A rounding of the division is no reason.
+        if seconds >= least * (1.0 - 1e-9) && seconds <= most {
+            return Ok(());
+        }
+        Err(SweepError::Seconds { least, most })
+    }
+}
+
+/// Writes `sweep` as a film of `seconds`, for ever repeated; `draw` draws each of its scenes, or returns nothing to stop. An
+/// animated PNG has the scene of its beginning inside.
+///
+/// # Errors
+/// What `out` reports, or [`io::ErrorKind::Interrupted`] where drawing was stopped.
+pub fn write_film(
+    out: &mut dyn Write,
+    format: FilmFormat,
+    sweep: &Sweep,
+    seconds: f64,
+    draw: &mut dyn FnMut(&Scene) -> Option<Frame>,
+) -> io::Result<()> {
+    let count = sweep.count();
+    // Rounded as a whole, so that the film takes as long as it should.
+    let moment = |frame: u32| {
+        (seconds * format.units() * f64::from(frame) / f64::from(count)).round() as u32
+    };
+    let mut drawn = sweep.scenes().zip(0..).map(|(scene, number)| {
+        let stopped = || io::Error::from(io::ErrorKind::Interrupted);
+        let delay = moment(number + 1) - moment(number);
+        let delay = u16::try_from(delay).unwrap_or(u16::MAX);
+        Ok((draw(&scene).ok_or_else(stopped)?, delay))
+    });
+    match format {
+        FilmFormat::Apng => write_apng(out, sweep, &mut drawn),
+        FilmFormat::Gif => write_gif(out, &mut drawn),
+    }
+}
+
+/// Frames, each with how long it stands.
+type Frames<'f> = &'f mut dyn Iterator<Item = io::Result<(Frame, u16)>>;
+
+fn write_apng(out: &mut dyn Write, sweep: &Sweep, frames: Frames<'_>) -> io::Result<()> {
+    let refused = |error| match error {
+        PictureError::Unwritten(png::EncodingError::IoError(error)) => error,
+        error => io::Error::other(error),
+    };
+    let mut out = Some(out);
+    let mut film: Option<Apng<'_>> = None;
+    for frame in frames {
+        let (frame, delay) = frame?;
+        if let Some(out) = out.take() {
+            let size = [frame.width, frame.height];
+            film = Some(Apng::new(out, size, sweep.count(), sweep.scene()).map_err(refused)?);
+        }
+        if let Some(film) = &mut film {
+            film.add(&frame, delay).map_err(refused)?;
+        }
+    }
+    film.map_or(Ok(()), |film| film.finish().map_err(refused))
+}
+
+fn write_gif(out: &mut dyn Write, frames: Frames<'_>) -> io::Result<()> {
+    let refused = |error| match error {
+        gif::EncodingError::Io(error) => error,
+        error => io::Error::other(error),
+    };
+    let mut out = Some(out);
+    let mut film = None;
+    for frame in frames {
+        let (frame, delay) = frame?;
+        let side = |pixels: u32| u16::try_from(pixels).map_err(io::Error::other);
+        let (width, height) = (side(frame.width)?, side(frame.height)?);
+        if let Some(out) = out.take() {
+            let mut begun = gif::Encoder::new(out, width, height, &[]).map_err(refused)?;
+            begun.set_repeat(Repeat::Infinite).map_err(refused)?;
+            film = Some(begun);
+        }
+        if let Some(film) = &mut film {
+            let pixels: Vec<u8> = frame
+                .pixels
+                .iter()
+                .flat_map(|[r, g, b, _]| [*r, *g, *b])
+                .collect();
+            let mut shown = gif::Frame::from_rgb_speed(width, height, &pixels, PALETTE_EFFORT);
+            shown.delay = delay;
+            film.write_frame(&shown).map_err(refused)?;
+        }
+    }
+    let trailer = film.map(gif::Encoder::into_inner).transpose();
+    trailer.map_err(|error| io::Error::other(error.to_string()))?;
+    Ok(())
+}
