@@ -60,7 +60,7 @@ fn data_can_be_copied_compared_printed_and_sent() {
 
 #[test]
 fn a_renderer_and_a_question_s_subject_move_to_another_thread() {
-    fn sent<T: Send + 'static>() {}
+    fn sent<T: Debug + Send + 'static>() {}
     sent::<Renderer>();
     sent::<Subject>();
 }

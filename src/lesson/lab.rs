@@ -18,6 +18,7 @@ use glam::DVec2;
 use serde_json::{Value as Json, json};
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::fmt;
 use std::sync::Arc;
 
 /// Scenes, and what was asked of them.
@@ -34,8 +35,14 @@ struct Inner {
     known: HashMap<String, Arc<Json>>,
 }
 
+impl fmt::Debug for Lab {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Lab").finish_non_exhaustive()
+    }
+}
+
 /// A scene of a lab with a probe and a line: what quantities are taken of.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct LabPlace<'l> {
     lab: &'l Lab,
     scene: usize,

@@ -17,6 +17,7 @@ use crate::render::raster::{Band, Coverage, PlacedTriangles};
 use crate::scene::{AmbientSource, Object, ObjectKind, Scene, Weighting};
 use fearless_simd::Level;
 use glam::DVec2;
+use std::fmt;
 use std::mem::take;
 use std::sync::Arc;
 
@@ -65,6 +66,15 @@ pub struct Renderer {
     /// What the last picture was drawn from.
     pub(super) drawn: Option<Job>,
     report: Report,
+}
+
+impl fmt::Debug for Renderer {
+    /// What the last picture took; what is kept for the next one is too much to print.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Renderer")
+            .field("report", &self.report)
+            .finish_non_exhaustive()
+    }
 }
 
 #[derive(Default)]
