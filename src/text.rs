@@ -173,6 +173,7 @@ mod page_font {
 
     static FONT: OnceLock<Vec<u8>> = OnceLock::new();
 
+    /// The font, empty until it has been fetched.
     pub fn chinese_font() -> &'static [u8] {
         FONT.get().map_or(&[], Vec::as_slice)
     }
