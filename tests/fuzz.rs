@@ -68,7 +68,7 @@ struct Format {
     sound: Vec<Vec<u8>>,
     words: &'static [&'static str],
     read: fn(&[u8]) -> bool,
-    /// Whether inputs are PNGs, whose chunks are changed within.
+    /// Whether inputs are PNG files, whose chunks are changed within.
     png: bool,
 }
 

@@ -133,8 +133,8 @@ impl Quad {
             let jacobian = dot(along_u, over_v);
             let step_u = open.select(dot(from, over_v) / jacobian, zero);
             let step_v = open.select(dot(from, over_u) / jacobian, zero);
-            u = u - step_u;
-            v = v - step_v;
+            u -= step_u;
+            v -= step_v;
             let here = dot(from, direction)
                 - (step_u * dot(along_u, direction) + step_v * dot(along_v, direction));
             s = open.select(here, s);
@@ -178,9 +178,9 @@ fn jet<S: Simd>(simd: S, patch: &Patch<DVec3>, u: f64x4<S>, v: f64x4<S>) -> [Fou
             let [a, b, c, d] = [row[0][axis], row[1][axis], row[2][axis], row[3][axis]];
             let place = bv[0] * a + bv[1] * b + bv[2] * c + bv[3] * d;
             let slope = sv[0] * a + sv[1] * b + sv[2] * c + sv[3] * d;
-            point[axis] = point[axis] + bu[i] * place;
-            along_u[axis] = along_u[axis] + su[i] * place;
-            along_v[axis] = along_v[axis] + bu[i] * slope;
+            point[axis] += bu[i] * place;
+            along_u[axis] += su[i] * place;
+            along_v[axis] += bu[i] * slope;
         }
     }
     [point, along_u, along_v]

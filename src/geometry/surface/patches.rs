@@ -282,7 +282,7 @@ impl Tree {
         let leaf = &self.leaves[index];
         let mut nearer = false;
         for first in [0, QUAD] {
-            let asked = among >> first & (1 << QUAD) - 1;
+            let asked = (among >> first) & ((1 << QUAD) - 1);
             if asked == 0 {
                 continue;
             }
