@@ -21,7 +21,9 @@ mod words;
 mod worksheet;
 
 pub use answer::{Answer, Grade};
-pub use builtin::{BuiltIn, LESSONS, find};
+#[cfg(target_arch = "wasm32")]
+pub use builtin::take_texts;
+pub use builtin::{BuiltIn, LESSONS, are_there, find};
 pub use check::check;
 pub use class::{
     Asked, Class, Given, Group, Handed, Student, Unreadable, collect, letter, short_answer,

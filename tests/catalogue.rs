@@ -287,8 +287,9 @@ const CODE: [&str; 8] = [
 ];
 
 /// Macros and methods whose literals nobody reads but programmers.
-const UNREAD: [&str; 11] = [
+const UNREAD: [&str; 12] = [
     "expect",
+    "debug_struct",
     "text",
     "unreachable",
     "panic",

@@ -110,6 +110,8 @@ pub enum Turn {
     Start,
     /// A lesson of the program, by its name.
     Open(String),
+    /// Opens the built-in lesson of that name at a step, from 0.
+    OpenAt(String, usize),
     /// The lesson that was opened from a file.
     Own,
     /// So many steps further.

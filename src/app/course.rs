@@ -32,7 +32,7 @@ use super::engine::Engine;
 use super::look::ViewName;
 use super::place::{ProbePoint, ProfileLine};
 use super::state::AppState;
-use crate::lesson::{Kind, LESSONS, Lesson, OVERLAYS, Staged, find};
+use crate::lesson::{Kind, LESSONS, Lesson, OVERLAYS, Staged, are_there, find};
 use crate::text::text;
 use eframe::egui::{Context, Ui, vec2};
 use std::sync::Arc;
@@ -64,6 +64,12 @@ impl AppState {
 
     /// Does what is asked of the course.
     pub fn turn(&mut self, turn: Turn) {
+        let needs_texts = matches!(turn, Turn::Start | Turn::Open(_) | Turn::OpenAt(..));
+        if needs_texts && !are_there() {
+            // A web page is fetching them.
+            self.ask(Action::Course(turn));
+            return;
+        }
         match turn {
             Turn::Start => match LESSONS.first() {
                 Some(first) => self.open_lesson(Arc::new(first.lesson()), true),
@@ -73,6 +79,10 @@ impl AppState {
                 if let Some(lesson) = find(&name) {
                     self.open_lesson(Arc::new(lesson.lesson()), true);
                 }
+            }
+            Turn::OpenAt(name, step) => {
+                self.turn(Turn::Open(name));
+                self.turn(Turn::To(step));
             }
             Turn::Own => {
                 if let Some(lesson) = self.course.own.clone() {

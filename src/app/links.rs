@@ -73,9 +73,8 @@ impl AppState {
         if let Some(lesson) = &shown.lesson {
             match crate::lesson::find(lesson) {
                 Some(found) => {
-                    self.open_lesson(Arc::new(found.lesson()), true);
                     let step = shown.step.unwrap_or(1).saturating_sub(1);
-                    self.turn(Turn::To(step as usize));
+                    self.turn(Turn::OpenAt(found.name.to_owned(), step as usize));
                 }
                 None => {
                     let words = text!("link-no-lesson", name = lesson.as_str());

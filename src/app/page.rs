@@ -8,6 +8,7 @@ mod widgets;
 use super::dialog::FileKind;
 use super::theme;
 use crate::document::give;
+use crate::lesson::{are_there, take_texts};
 use crate::text::{Language, language, set_chinese_font};
 use eframe::egui::{Context, DroppedFile, InputState};
 use js_sys::{ArrayBuffer, Function, Promise, Reflect, Uint8Array};
@@ -24,6 +25,9 @@ use web_sys::{ClipboardEvent, Event, File, FileList, HtmlInputElement, Response}
 pub const PAGE: bool = true;
 /// Beside the page.
 const CHINESE_FONT: &str = "chinese.otf";
+const LESSONS: &str = "lessons.txt";
+/// After this long lessons that did not come are asked for again, seconds.
+const LESSONS_PAUSE: f64 = 5.0;
 /// The page's own object, and what scripts can call in it.
 const OWN: &str = "shadingLab";
 const PICTURE: &str = "picture";
@@ -43,6 +47,8 @@ thread_local! {
     /// Whether what points is a finger, as the page's script has found.
     static COARSE: Cell<bool> = const { Cell::new(false) };
     static UNSAVED: Cell<bool> = const { Cell::new(false) };
+    /// When the lessons were last asked for, seconds.
+    static LESSONS_ASKED: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
     /// Those who have asked for the picture.
     static ASKED: RefCell<Vec<Function>> = const { RefCell::new(Vec::new()) };
 }
@@ -197,6 +203,7 @@ pub fn end_frame(
         want_letters(ctx);
     }
     UNSAVED.set(unsaved);
+    want_lessons(ctx);
     let (held, now) = ctx.input(|input| (input.pointer.any_down(), input.time));
     let wait = ADDRESS_PAUSE - (now - LOOKED_AT.get());
     if wait > 0.0 && !held {
@@ -265,6 +272,22 @@ fn want_letters(ctx: &Context) {
             }
             // Until then the browser draws the characters. The next choice of the language asks again.
             Err(_) => FONT_ASKED.set(false),
+        }
+    });
+}
+
+/// Fetches the lessons, which the first picture does not wait for.
+fn want_lessons(ctx: &Context) {
+    let now = ctx.input(|input| input.time);
+    if are_there() || now - LESSONS_ASKED.get() < LESSONS_PAUSE {
+        return;
+    }
+    LESSONS_ASKED.set(now);
+    let ctx = ctx.clone();
+    spawn_local(async move {
+        if let Ok(texts) = fetch(LESSONS).await {
+            take_texts(&String::from_utf8_lossy(&texts));
+            ctx.request_repaint();
         }
     });
 }

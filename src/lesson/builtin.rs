@@ -8,7 +8,8 @@ use crate::text::{Language, language};
 pub struct BuiltIn {
     /// Lower-case words with hyphens.
     pub name: &'static str,
-    /// Its file in each language.
+    /// Its file in each language; a web page fetches them.
+    #[cfg(not(target_arch = "wasm32"))]
     texts: [&'static str; 2],
 }
 
@@ -18,9 +19,18 @@ impl BuiltIn {
         self.lesson_in(language())
     }
 
-    /// The text of its file in a language.
+    /// The text of its file in a language; on a web page empty until it [is there](are_there).
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn source(&self, language: Language) -> &'static str {
         self.texts[language as usize]
+    }
+
+    /// The text of its file in a language, empty until it [is there](are_there).
+    #[cfg(target_arch = "wasm32")]
+    pub fn source(&self, language: Language) -> &'static str {
+        let file = format!("{}/{}.md", language.tag(), self.name);
+        let texts = TEXTS.get().and_then(|texts| texts.get(&file));
+        texts.map_or("", String::as_str)
     }
 
     /// The lesson in a language.
@@ -34,6 +44,7 @@ macro_rules! lessons {
     ($($name:literal)*) => {
         [$(BuiltIn {
             name: $name,
+            #[cfg(not(target_arch = "wasm32"))]
             texts: [
                 include_str!(concat!("../../assets/lessons/en/", $name, ".md")),
                 include_str!(concat!("../../assets/lessons/zh-Hant/", $name, ".md")),
@@ -82,4 +93,26 @@ pub static LESSONS: [BuiltIn; 33] = lessons! {
 /// The lesson of that name.
 pub fn find(name: &str) -> Option<&'static BuiltIn> {
     LESSONS.iter().find(|lesson| lesson.name == name)
+}
+
+/// Whether the lessons' texts are there: always, but on a web page that has not fetched them yet.
+pub fn are_there() -> bool {
+    #[cfg(target_arch = "wasm32")]
+    return TEXTS.get().is_some();
+    #[cfg(not(target_arch = "wasm32"))]
+    true
+}
+
+#[cfg(target_arch = "wasm32")]
+static TEXTS: std::sync::OnceLock<std::collections::HashMap<String, String>> =
+    std::sync::OnceLock::new();
+
+/// Takes the texts that a page has fetched, once: each file after a record separator (U+001E) and its name.
+#[cfg(target_arch = "wasm32")]
+pub fn take_texts(files: &str) {
+    let named = files
+        .split('\u{1e}')
+        .filter_map(|file| file.split_once('\n'));
+    let named = named.map(|(name, text)| (name.to_owned(), text.to_owned()));
+    let _ = TEXTS.set(named.collect());
 }

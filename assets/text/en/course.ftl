@@ -100,3 +100,4 @@ course-target-ask =
        *[other] Find the { $count } values that make your picture like the target.
     }
 course-target-file = The scene could not be made a target. Save it as a scene file and open that.
+course-loading = Loading the lessons…

@@ -88,3 +88,4 @@ course-target-title = 配對：{ $scene }
 course-target-level = 第 { $level } 級
 course-target-ask = 找出 { $count } 個數值，使你的圖片與目標相同。
 course-target-file = 無法將這個場景設為目標。請先存成場景檔，再開啟該檔。
+course-loading = 正在讀取課程…

@@ -5,7 +5,7 @@ use crate::app::look::OverlayLook;
 use crate::jobs::Background;
 use crate::lesson::{
     Answer, Answered, CURVE_POINTS, Grade, Kind, LESSONS, Lab, Lesson, Question, Record, Solution,
-    Staged, Step, find, value_of,
+    Staged, Step, are_there, find, value_of,
 };
 use crate::scene::Scene;
 use crate::text::{Language, in_language, language, text};
@@ -431,7 +431,7 @@ impl Course {
         let last = || {
             let name = &self.kept.records.last()?.lesson;
             let own = self.own.clone().filter(|own| own.name == *name);
-            own.or_else(|| Some(Arc::new(find(name)?.lesson())))
+            own.or_else(|| Some(Arc::new(find(name).filter(|_| are_there())?.lesson())))
         };
         let lesson = open.or_else(last)?;
         let record = self.kept.record(&lesson.name)?.clone();
@@ -440,6 +440,9 @@ impl Course {
 
     /// The lessons of the program, in the present language.
     pub fn listed(&mut self) -> &[Listed] {
+        if !are_there() {
+            return &[];
+        }
         if self
             .list
             .as_ref()

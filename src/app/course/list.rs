@@ -5,15 +5,20 @@ use crate::app::action::{Action, Turn};
 use crate::app::focus::named;
 use crate::app::sign::tick;
 use crate::app::state::AppState;
+use crate::lesson::are_there;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui,
     UiBuilder, vec2,
 };
+use std::time::Duration;
 
 /// The chapters of the course, in their order.
 const TOPICS: [&str; 4] = ["light", "reflection", "shading", "engine"];
+
+/// How often a web page looks whether its lessons are there.
+const LOADING: Duration = Duration::from_millis(200);
 
 fn topic_title(topic: &str) -> &str {
     match topic {
@@ -39,6 +44,10 @@ pub fn list_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
                     state.ask(Action::Course(Turn::Own));
                 }
                 ui.add_space(8.0);
+            }
+            if !are_there() {
+                ui.label(text!("course-loading"));
+                ui.ctx().request_repaint_after(LOADING);
             }
             let mut topics: Vec<&str> = Vec::new();
             for lesson in &lessons {
