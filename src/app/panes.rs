@@ -218,7 +218,21 @@ fn halves(ui: &Ui, state: &AppState, pane: &PanePlace, captioned: bool, font: &F
     ] {
         let x = place.center().x + way * place.width();
         let at = pos2(x, place.min.y + MARGIN + top);
-        letter(&painter, at, Align2::CENTER_TOP, text, font, Color32::WHITE);
+        // Word below word where they are wider than their half.
+        let line = painter.layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE);
+        let text = if line.size().x > 0.5 * place.width() - MARGIN {
+            text.replace(' ', "\n")
+        } else {
+            text.to_owned()
+        };
+        letter(
+            &painter,
+            at,
+            Align2::CENTER_TOP,
+            &text,
+            font,
+            Color32::WHITE,
+        );
     }
     let x = place.center().x;
     for stroke in [
