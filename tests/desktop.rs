@@ -271,9 +271,9 @@ fn export_and_compare(desktop: &Desktop) {
     desktop.run("xdotool", &["key", "ctrl+e"]);
     desktop.settle();
     // The window's own size, the first of those to choose from; then the path, which goes.
-    desktop.run("xdotool", &["mousemove", "434", "322", "click", "1"]);
+    desktop.run("xdotool", &["mousemove", "434", "305", "click", "1"]);
     desktop.settle();
-    desktop.run("xdotool", &["mousemove", "560", "488", "click", "1"]);
+    desktop.run("xdotool", &["mousemove", "560", "505", "click", "1"]);
     desktop.run("xdotool", &["key", "ctrl+a"]);
     desktop.run(
         "xdotool",
