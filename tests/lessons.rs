@@ -216,7 +216,7 @@ fn every_lesson_asks_before_it_tells() {
         let place = Lab::new(&lab);
         let text = last.text.filled(&place.place(&lab)).expect("a text");
         assert!(
-            text.contains("alone"),
+            text.contains("Find out for yourself"),
             "{} ends without a task",
             lesson.name
         );
