@@ -29,6 +29,16 @@ test("a link opens its scene, and the address follows the state", async () => {
   });
 });
 
+test("a link opens a lesson, whose text comes after the first picture", async () => {
+  await here.on("?lesson=exponent&step=2", async (page) => {
+    await until(async () => (await widgets(page)).some(({ name }) => name === "Check"));
+    const names = (await widgets(page)).map(({ name }) => name);
+    assert.ok(names.some((name) => name.startsWith("Drawing of")), "the question is to be drawn");
+    await page.keyboard.press("PageDown");
+    await until(async () => (await address(page)).includes("step=3"));
+  });
+});
+
 test("a wrong link is told by its key, and the default scene opens", async () => {
   const wrong = [["?scene=no-such-scene", "`scene` is \"no-such-scene\""], ["?scene=gold&set=material.n=-1", "`material.n` is -1"]];
   for (const [link, words] of wrong) {
