@@ -437,18 +437,23 @@ fn answers_are_handed_in_as_a_picture() {
     assert_eq!(answers, [&Answer::Value(0.9)]);
 }
 
+/// Makes the scene the target of a match, and finds its Kd again.
+fn meet_target(harness: &mut Harness<'_, App>) {
+    hands::enter(harness, "Kd diffuse coefficient", 0.9);
+    press(harness, "File");
+    press(harness, "Set as target");
+    harness.run_ok();
+    ready(harness);
+    assert_eq!(scene(harness).material.kd.x, 0.5);
+    hands::enter(harness, "Kd diffuse coefficient", 0.9);
+    press(harness, "Check");
+    assert!(revealed(harness));
+}
+
 #[test]
 fn the_scene_in_view_becomes_the_target_of_a_match() {
     let mut harness = hands::window("sphere");
-    hands::enter(&mut harness, "Kd diffuse coefficient", 0.9);
-    press(&mut harness, "File");
-    press(&mut harness, "Set as target");
-    harness.run_ok();
-    ready(&mut harness);
-    assert_eq!(scene(&harness).material.kd.x, 0.5);
-    hands::enter(&mut harness, "Kd diffuse coefficient", 0.9);
-    press(&mut harness, "Check");
-    assert!(revealed(&harness));
+    meet_target(&mut harness);
     go(&mut harness, 3);
     let open = harness.state().state().course.open.as_ref();
     assert_eq!(open.expect("a lesson").lesson.steps.len(), 4);
@@ -461,16 +466,8 @@ fn so_does_a_scene_from_a_file() {
     let own = built_in.scene.with_overrides(&["material.n=77"]);
     save_scene(&path, &own.expect("settings")).expect("a file");
     let mut harness = hands::window_of(load(&path).expect("a scene"));
-    hands::enter(&mut harness, "Kd diffuse coefficient", 0.9);
-    press(&mut harness, "File");
-    press(&mut harness, "Set as target");
-    harness.run_ok();
-    ready(&mut harness);
-    assert_eq!(scene(&harness).material.kd.x, 0.5);
+    meet_target(&mut harness);
     assert_eq!(scene(&harness).material.n, 77.0);
-    hands::enter(&mut harness, "Kd diffuse coefficient", 0.9);
-    press(&mut harness, "Check");
-    assert!(revealed(&harness));
 }
 
 #[test]
