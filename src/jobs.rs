@@ -17,7 +17,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt::{self, Debug, Formatter};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 use web_time::Instant;
 
@@ -55,8 +55,8 @@ pub type Answered<W> = (Arc<W>, Result<<W as Work>::Answer, String>);
 pub struct Job<W: Work> {
     /// The work.
     pub work: Arc<W>,
-    progress: Arc<Progress>,
-    news: Receiver<News<W::Answer>>,
+    progress: Arc<Progress<W::Answer>>,
+    over: Receiver<Result<W::Answer, String>>,
     /// The number of what was sent to a worker.
     #[cfg(target_arch = "wasm32")]
     sent: Option<u64>,
@@ -71,11 +71,28 @@ pub enum News<A> {
     Over(Result<A, String>),
 }
 
-#[derive(Debug, Default)]
-struct Progress {
+struct Progress<A> {
     cancel: AtomicBool,
     /// In thousandths.
     share: AtomicU32,
+    /// The latest of what is known so far, until it is taken: nobody may look for a long time.
+    so_far: Mutex<Option<A>>,
+}
+
+impl<A> Default for Progress<A> {
+    fn default() -> Self {
+        Self {
+            cancel: AtomicBool::default(),
+            share: AtomicU32::default(),
+            so_far: Mutex::new(None),
+        }
+    }
+}
+
+impl<A> Progress<A> {
+    fn so_far(&self) -> MutexGuard<'_, Option<A>> {
+        self.so_far.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 /// Asks whoever waits to look again after a while.
@@ -83,8 +100,8 @@ type Wake = Arc<dyn Fn(Duration) + Send + Sync>;
 
 /// The job's side of it.
 struct Teller<A> {
-    progress: Arc<Progress>,
-    news: Sender<News<A>>,
+    progress: Arc<Progress<A>>,
+    over: Sender<Result<A, String>>,
     wake: Wake,
 }
 
@@ -98,8 +115,7 @@ impl<A: Clone + Send + Sync> Watch<A> for Teller<A> {
     }
 
     fn found(&self, so_far: &A) {
-        // The receiver may be gone; dropping the answer is fine.
-        let _ = self.news.send(News::SoFar(so_far.clone()));
+        *self.progress.so_far() = Some(so_far.clone());
     }
 }
 
@@ -113,8 +129,8 @@ impl<A> Drop for Teller<A> {
 /// Hears what a worker says about a job.
 #[cfg(target_arch = "wasm32")]
 struct Listener<W: Work> {
-    progress: Arc<Progress>,
-    news: Sender<News<W::Answer>>,
+    progress: Arc<Progress<W::Answer>>,
+    over: Sender<Result<W::Answer, String>>,
     /// What is known when the worker is stopped.
     latest: Option<W::Answer>,
     answers: Parcel<W::Answer>,
@@ -133,15 +149,15 @@ impl<W: Work> Listener<W> {
                 }
                 page::Said::SoFar(answer) => {
                     self.latest = (self.answers.unpack)(answer).or(self.latest.take());
-                    // The receiver may be gone; dropping the answer is fine.
-                    let _ = self.latest.clone().map(|a| self.news.send(News::SoFar(a)));
+                    self.progress.so_far().clone_from(&self.latest);
                     None
                 }
                 page::Said::Over(answer) => Some((self.answers.unpack)(answer).ok_or_else(ended)),
                 page::Said::Failed(why) => Some(Err(why)),
                 page::Said::Stopped => Some(self.latest.take().ok_or_else(ended)),
             };
-            let _ = over.map(|answer| self.news.send(News::Over(answer)));
+            // The receiver may be gone; dropping the answer is fine.
+            let _ = over.map(|answer| self.over.send(answer));
             wake(Duration::ZERO);
         }
     }
@@ -150,13 +166,13 @@ impl<W: Work> Listener<W> {
 impl<W: Work> Job<W> {
     /// Starts on a thread. `wake` is called, with how long to wait, when there is something to take.
     pub fn start(work: W, wake: impl Fn(Duration) + Send + Sync + 'static) -> Self {
-        let (sender, news) = channel();
+        let (sender, over) = channel();
         let (work, progress) = (Arc::new(work), Arc::new(Progress::default()));
         #[cfg(target_arch = "wasm32")]
         if let Some((parcel, answers)) = W::TRAVELS {
             let listener = Listener::<W> {
                 progress: Arc::clone(&progress),
-                news: sender,
+                over: sender,
                 latest: None,
                 answers,
             };
@@ -165,26 +181,27 @@ impl<W: Work> Job<W> {
             return Self {
                 work,
                 progress,
-                news,
+                over,
                 sent: Some(sent),
             };
         }
         let job = Self {
             work: Arc::clone(&work),
             progress: Arc::clone(&progress),
-            news,
+            over,
             #[cfg(target_arch = "wasm32")]
             sent: None,
         };
         let teller = Teller {
             progress,
-            news: sender,
+            over: sender,
             wake: Arc::new(wake),
         };
         let run = move || {
             if !teller.progress.cancel.load(Ordering::Relaxed) {
                 let answer = work.run(&teller);
-                let _ = teller.news.send(News::Over(answer));
+                // The receiver may be gone; dropping the answer is fine.
+                let _ = teller.over.send(answer);
             }
         };
         #[cfg(not(target_arch = "wasm32"))]
@@ -213,27 +230,20 @@ impl<W: Work> Job<W> {
 
     /// The latest that has come since the last call.
     pub fn news(&self) -> Option<News<W::Answer>> {
-        let mut latest = None;
-        loop {
-            match self.news.try_recv() {
-                Ok(News::SoFar(answer)) => latest = Some(News::SoFar(answer)),
-                Ok(over) => return Some(over),
-                Err(TryRecvError::Empty) => return latest,
-                Err(TryRecvError::Disconnected) => {
-                    return Some(News::Over(Err(text!("render-job-ended").to_owned())));
-                }
+        match self.over.try_recv() {
+            Ok(over) => Some(News::Over(over)),
+            Err(TryRecvError::Empty) => self.progress.so_far().take().map(News::SoFar),
+            Err(TryRecvError::Disconnected) => {
+                Some(News::Over(Err(text!("render-job-ended").to_owned())))
             }
         }
     }
 
     /// Waits until it is over. A page cannot wait: there what has not begun never will.
     pub fn wait(self) {
+        // What comes of it does not matter here, nor whether it panics.
         #[cfg(not(target_arch = "wasm32"))]
-        while self
-            .news
-            .recv()
-            .is_ok_and(|news| matches!(news, News::SoFar(_)))
-        {}
+        let _ = self.over.recv();
     }
 
     /// Takes a job out of `slot` when it is over.
@@ -254,7 +264,7 @@ impl<W: Work> Drop for Job<W> {
 impl<W: Work> Debug for Job<W> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.debug_struct("Job")
-            .field("progress", &self.progress)
+            .field("share", &self.share())
             .finish_non_exhaustive()
     }
 }

@@ -143,18 +143,19 @@ pub fn interned(key: &str) -> &'static str {
 }
 
 macro_rules! files {
-    ($($name:literal)*) => {
+    ($($(#[$where:meta])* $name:literal)*) => {
         /// The catalogue's files, by language: name and content.
         pub const FILES: [&[(&str, &str)]; 2] = [
-            &[$(($name, include_str!(concat!("../assets/text/en/", $name, ".ftl")))),*],
-            &[$(($name, include_str!(concat!("../assets/text/zh-Hant/", $name, ".ftl")))),*],
+            &[$($(#[$where])* ($name, include_str!(concat!("../assets/text/en/", $name, ".ftl")))),*],
+            &[$($(#[$where])* ($name, include_str!(concat!("../assets/text/zh-Hant/", $name, ".ftl")))),*],
         ];
     };
 }
 
 files! {
-    "parameters" "scenes" "problems" "render" "export" "document" "cli" "report" "point" "line" "picture" "engine"
+    "parameters" "scenes" "problems" "render" "export" "document" "report" "point" "line" "picture" "engine"
     "controls" "lights" "files" "window" "links" "lesson" "course" "class" "animation"
+    #[cfg(not(target_arch = "wasm32"))] "cli"
 }
 
 /// A font with the Chinese characters of the catalogue: Noto Sans CJK TC, cut down by `.ci/font`. A web page fetches it when

@@ -1113,8 +1113,9 @@ fn an_interrupted_write_leaves_nothing() {
             );
             std::thread::sleep(std::time::Duration::from_millis(1));
         }
-        let kill = std::process::Command::new("kill")
-            .args(["-s", signal, &child.id().to_string()])
+        // The shell's own: a bare system has no program of that name.
+        let kill = std::process::Command::new("sh")
+            .args(["-c", &format!("kill -s {signal} {}", child.id())])
             .status();
         assert!(kill.expect("kill").success() && !child.wait().expect("an end").success());
         assert!(folder.names().is_empty(), "{signal}: {:?}", folder.names());

@@ -2,6 +2,7 @@
 
 use shading_lab::analysis::Watch;
 use shading_lab::jobs::{Background, Job, News, Work, nanoseconds};
+use std::sync::Arc;
 use std::thread;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -29,7 +30,23 @@ impl Work for Sum {
     }
 }
 
-fn outcome(mut slot: Option<Job<Sum>>) -> Result<u64, String> {
+/// Finds one thing again and again, and says in how many places that is kept while nobody looks.
+struct Copies;
+
+impl Work for Copies {
+    type Answer = (Arc<()>, usize);
+
+    fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
+        let found = (Arc::new(()), 0);
+        for _ in 0..1000 {
+            watch.found(&found);
+        }
+        let places = Arc::strong_count(&found.0);
+        Ok((found.0, places))
+    }
+}
+
+fn outcome<W: Work>(mut slot: Option<Job<W>>) -> Result<W::Answer, String> {
     loop {
         if let Some((_, answer)) = Job::take(&mut slot) {
             assert!(slot.is_none());
@@ -75,4 +92,10 @@ fn the_latest_question_is_answered_and_a_known_one_not_asked_again() {
         thread::yield_now();
     };
     assert_eq!((ask(4), ask(5), ask(5)), (Ok(10), Ok(15), Ok(15)));
+}
+
+#[test]
+fn only_the_latest_of_what_is_known_waits_for_a_reader() {
+    let (_, places) = outcome(Some(Job::start(Copies, |_| ()))).expect("an answer");
+    assert_eq!(places, 2, "its own, and one that waits");
 }

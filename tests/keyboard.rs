@@ -233,3 +233,52 @@ fn projector_size_follows_the_windows_height() {
         assert_eq!(harness.ctx.zoom_factor(), 1.0);
     }
 }
+
+#[test]
+fn tab_through_fields_keeps_the_digits_that_are_not_shown() {
+    let mut harness = window("attenuation");
+    let before = scene(&harness).clone();
+    assert!(
+        before.lights[0].color.y == 0.4275,
+        "the field shows 0.43 of {}",
+        before.lights[0].color
+    );
+    let mut fields = Vec::new();
+    for _ in 0..60 {
+        key(&mut harness, Key::Tab);
+        fields.extend(focused(&harness));
+    }
+    assert!(
+        fields.iter().any(|name| name.contains("green")),
+        "{fields:?}"
+    );
+    assert_eq!(scene(&harness), &before);
+}
+
+#[test]
+fn shift_leads_back_the_way_that_tab_came() {
+    let mut harness = window("attenuation");
+    let focus = |harness: &Harness<'_, App>| harness.ctx.memory(|memory| memory.focused());
+    let mut way = Vec::new();
+    while way.len() < 200 {
+        key(&mut harness, Key::Tab);
+        let stop = (focus(&harness), focused(&harness));
+        if way.first() == Some(&stop) {
+            break;
+        }
+        way.push(stop);
+    }
+    assert!(way.len() > 10 && way.len() < 200, "{way:?}");
+    let back: Vec<_> = way
+        .iter()
+        .map(|_| {
+            harness.key_press_modifiers(Modifiers::SHIFT, Key::Tab);
+            harness.run();
+            let stop = (focus(&harness), focused(&harness));
+            way.iter().position(|one| *one == stop)
+        })
+        .collect();
+    let expected: Vec<_> = (0..way.len()).rev().map(Some).collect();
+    let names: Vec<_> = way.iter().map(|(_, name)| name).collect();
+    assert_eq!(back, expected, "{names:?}");
+}

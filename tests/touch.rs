@@ -3,11 +3,13 @@
 #[path = "common/window.rs"]
 mod hands;
 
+use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Event, Modifiers, PointerButton, Pos2, TouchDeviceId, TouchId, TouchPhase, vec2,
+    Event, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, vec2,
 };
 use egui_kittest::Harness;
-use hands::{picture_place, scene, window};
+use egui_kittest::kittest::Queryable;
+use hands::{folded, picture_place, press, scene, window};
 use shading_lab::app::App;
 
 /// A finger goes down, moves or is lifted, told as a browser tells it: the first is the pointer as well.
@@ -106,4 +108,54 @@ fn a_long_press_sets_the_probe() {
     touch(&mut harness, 0, TouchPhase::End, at);
     assert_ne!(harness.state().state().probe, before.0);
     assert_eq!(*scene(&harness), before.1, "the camera stays");
+}
+
+#[test]
+fn a_field_stays_in_sight_when_the_keyboard_takes_half_of_the_screen() {
+    const N: &str = "n specular exponent";
+    for ([width, height], keyboard) in [
+        ([390.0, 844.0], 400.0),
+        ([844.0, 390.0], 200.0),
+        ([360.0, 640.0], 330.0),
+    ] {
+        let mut harness = folded("sphere");
+        harness.set_size(vec2(width, height));
+        harness.run();
+        if harness
+            .query_by_role_and_label(Role::SpinButton, N)
+            .is_none()
+        {
+            press(&mut harness, "Scene");
+        }
+        // While it is typed in, it is a field of text.
+        let place = |harness: &Harness<'_, App>| {
+            harness
+                .query_by(|node| node.is_focused())
+                .map(|node| node.rect())
+        };
+        harness
+            .get_by_role_and_label(Role::SpinButton, N)
+            .scroll_to_me();
+        harness.run();
+        harness.get_by_role_and_label(Role::SpinButton, N).click();
+        harness.run();
+        assert!(
+            place(&harness).is_some(),
+            "{width} × {height}: n is typed in"
+        );
+        harness.set_size(vec2(width, height - keyboard));
+        // A browser takes its keyboard away once a single frame has nothing to type in.
+        harness.step();
+        let seen = Rect::from_min_max(
+            picture_place(&harness).min,
+            Pos2::new(width, height - keyboard),
+        );
+        assert!(
+            harness.output().platform_output.ime.is_some(),
+            "{width} × {height}: n is out of sight"
+        );
+        harness.run();
+        assert!(harness.output().platform_output.ime.is_some());
+        assert!(seen.contains_rect(place(&harness).unwrap()));
+    }
 }

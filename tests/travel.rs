@@ -10,8 +10,14 @@ use shading_lab::scene::{Interpolation, Scene, ShadingMode};
 use std::fmt::Debug;
 use std::sync::Arc;
 
+/// A value in words, without the addresses of functions: one function may have several.
 fn text(value: &impl Debug) -> String {
-    format!("{value:?}")
+    let words = format!("{value:?}");
+    let mut parts = words.split("0x");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |text, part| {
+        text + part.trim_start_matches(|c: char| c.is_ascii_hexdigit())
+    })
 }
 
 /// Sends a question about a scene, and its answer back; both arrive as they were sent.

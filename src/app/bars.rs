@@ -34,10 +34,10 @@ pub fn menus_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
             mode_list_ui(ui, state);
         } else {
             let menus = ui.horizontal(|ui| each_menu_ui(ui, state));
-            one_stop(ui.ctx(), menus.response.rect);
+            one_stop(ui, menus.response.rect);
             ui.separator();
             let modes = ui.horizontal(|ui| modes_ui(ui, state));
-            one_stop(ui.ctx(), modes.response.rect);
+            one_stop(ui, modes.response.rect);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let name = if low {
@@ -127,7 +127,7 @@ pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
         equation::equation_ui(ui, state);
         ui.horizontal_wrapped(|ui| terms::switches_ui(ui, state, false));
     }
-    one_stop(ui.ctx(), ui.min_rect());
+    one_stop(ui, ui.min_rect());
     ui.add_space(3.0);
 }
 

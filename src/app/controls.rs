@@ -5,7 +5,7 @@ mod object;
 
 use super::action::Action;
 use super::engine::Engine;
-use super::focus::named;
+use super::focus::{keep_in_sight, named};
 use super::material::{gallery_ui, matching_ui};
 use super::plan::grouped;
 use super::row::{About, View, parameter_with, row};
@@ -315,6 +315,7 @@ pub fn controls_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             }
         });
         ui.add_space(12.0);
+        keep_in_sight(ui);
     });
 }
 

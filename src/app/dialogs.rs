@@ -6,7 +6,7 @@ use super::commands::SECTIONS;
 use super::dialog::{Choice, Dialog, ExportForm, FileTask, both, buttons_ui, path_ui, question_ui};
 use super::files::Files;
 use super::film::film_ui;
-use super::focus::named;
+use super::focus::{keep_in_sight, named};
 use super::links;
 use super::report;
 use super::scenes::scenes_ui;
@@ -64,7 +64,11 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
             .max_height(most)
             .min_scrolled_height(most)
             .auto_shrink([false, true])
-            .show(ui, |ui| contents_ui(ui, &mut dialog, state))
+            .show(ui, |ui| {
+                let choice = contents_ui(ui, &mut dialog, state);
+                keep_in_sight(ui);
+                choice
+            })
             .inner
     });
     let leave = shown.should_close();

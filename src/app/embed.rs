@@ -3,6 +3,7 @@
 use super::App;
 use super::action::Action;
 use super::engine::Engine;
+use super::focus::keep_in_sight;
 use super::look::Look;
 use super::named::{Named, rows_ui};
 use super::picture::{self, Room};
@@ -46,7 +47,10 @@ pub fn embedded_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Ro
                 .max_height(most)
                 .min_scrolled_height(0.0)
                 .auto_shrink([false, true])
-                .show(ui, |ui| rows_ui(ui, state, &controls));
+                .show(ui, |ui| {
+                    rows_ui(ui, state, &controls);
+                    keep_in_sight(ui);
+                });
         }
         for word in words.iter().filter(|word| Named::find(word).is_none()) {
             let words = text!("embed-unknown", name = word.as_str());

@@ -4,9 +4,10 @@
 //! slider beside its field, and for a group ([`one_stop`]), which is one stop: the arrows go on from there.
 
 use eframe::egui::accesskit::Role;
+use eframe::egui::style::ScrollAnimation;
 use eframe::egui::{
-    Context, FocusDirection, Id, Key, LayerId, Modifiers, Rect, Response, Stroke, StrokeKind, Ui,
-    WidgetInfo, WidgetRect,
+    Context, Event, FocusDirection, Id, Key, LayerId, Modifiers, Rect, Response, Stroke,
+    StrokeKind, Ui, WidgetInfo, WidgetRect,
 };
 
 /// Width of the ring, and its distance from what it surrounds; points.
@@ -20,8 +21,8 @@ const ESCAPE: u8 = 2;
 struct Passed {
     /// Widgets beside a stop.
     aside: Vec<Id>,
-    /// The rectangles of groups.
-    groups: Vec<Rect>,
+    /// The rectangles of groups, and what is seen of where they stand.
+    groups: Vec<[Rect; 2]>,
 }
 
 /// What is kept from one frame to the next.
@@ -33,6 +34,10 @@ struct Kept {
     by_key: bool,
     /// Whether a key moved it in this frame.
     moved: bool,
+    /// Height of the window, points, and whether it has just become lower about a field that is typed in: the keyboard of a
+    /// phone takes half of the screen.
+    height: f32,
+    lower: bool,
     /// Frames since Escape was pressed, while a field that it left may still take its text over.
     escaped: Option<u8>,
     /// Whether the row with the focus is to be reset.
@@ -66,8 +71,9 @@ pub fn aside(response: &Response) {
 }
 
 /// Makes all widgets within `rect` one stop of Tab, the first of them.
-pub fn one_stop(ctx: &Context, rect: Rect) {
-    kept(ctx, |kept| kept.now.groups.push(rect));
+pub fn one_stop(ui: &Ui, rect: Rect) {
+    let seen = ui.clip_rect();
+    kept(ui.ctx(), |kept| kept.now.groups.push([rect, seen]));
 }
 
 /// The widgets of the panels in the order in which they were shown, and whether each is a stop.
@@ -76,7 +82,10 @@ fn stops(ctx: &Context, passed: &Passed) -> Vec<(Id, bool)> {
     let mut is_stop = |widget: &WidgetRect| {
         let centre = widget.rect.center();
         let mut groups = passed.groups.iter().zip(&mut entered);
-        let group = groups.find(|(group, _)| group.contains(centre));
+        // What is scrolled out of sight lies behind other groups, but is not in them.
+        let seen = widget.interact_rect.is_positive();
+        let group = groups
+            .find(|([group, clip], _)| group.contains(centre) && (seen || !clip.contains(centre)));
         !passed.aside.contains(&widget.id)
             && group.is_none_or(|(_, entered)| !std::mem::replace(entered, true))
     };
@@ -109,8 +118,11 @@ fn next(stops: &[(Id, bool)], focused: Option<Id>, back: bool) -> Option<Id> {
 pub fn listen(ctx: &Context, in_front: bool) {
     let (pointed, escape) =
         ctx.input(|input| (input.pointer.any_pressed(), input.key_pressed(Key::Escape)));
+    let (height, typing) = (ctx.content_rect().height(), ctx.text_edit_focused());
     let passed = kept(ctx, |kept| {
         kept.last = std::mem::take(&mut kept.now);
+        kept.lower = typing && height < kept.height;
+        kept.height = height;
         (kept.moved, kept.by_key) = (false, kept.by_key && !pointed);
         kept.escaped = match kept.escaped {
             _ if escape => Some(0),
@@ -127,7 +139,12 @@ pub fn listen(ctx: &Context, in_front: bool) {
     if response.is_some_and(|response| response.layer_id != LayerId::background()) {
         return;
     }
-    let back = ctx.input(|input| input.modifiers.shift);
+    // Held when Tab came: by the end of a slow frame it may be up again.
+    let back = ctx.input(|input| {
+        input.events.iter().any(|event| {
+            matches!(event, Event::Key { key: Key::Tab, pressed: true, modifiers, .. } if modifiers.shift)
+        })
+    });
     let held = if back {
         Modifiers::SHIFT
     } else {
@@ -168,34 +185,35 @@ pub fn ask_reset(ctx: &Context) {
     kept(ctx, |kept| kept.reset = true);
 }
 
-/// What becomes of a row by the keyboard.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ByKey {
-    /// The focus has come to it and it must be in sight.
-    pub arrived: bool,
-    /// It is to be reset.
-    pub reset: bool,
+/// Where the widget that has the focus stands, if that is in `rect`.
+fn focused_in(ui: &Ui, rect: Rect) -> Option<Rect> {
+    let id = ui.memory(|memory| memory.focused())?;
+    let response = ui.ctx().read_response(id)?;
+    let inside = response.layer_id == ui.layer_id() && rect.contains(response.rect.center());
+    inside.then_some(response.rect)
 }
 
-/// What the keyboard does with the row in `rect`.
-pub fn by_key(ui: &Ui, rect: Rect) -> ByKey {
-    let ctx = ui.ctx();
-    let (arrived, reset) = kept(ctx, |kept| (kept.moved, kept.reset));
-    if !arrived && !reset {
-        return ByKey::default();
+/// Whether the keyboard resets the row in `rect`.
+pub fn resets(ui: &Ui, rect: Rect) -> bool {
+    let reset = kept(ui.ctx(), |kept| kept.reset) && focused_in(ui, rect).is_some();
+    if reset {
+        kept(ui.ctx(), |kept| kept.reset = false);
     }
-    let focused = ctx.memory(|memory| memory.focused());
-    let inside = focused
-        .and_then(|id| ctx.read_response(id))
-        .is_some_and(|response| {
-            response.layer_id == ui.layer_id() && rect.contains(response.rect.center())
-        });
-    if inside {
-        kept(ctx, |kept| kept.reset = false);
-    }
-    ByKey {
-        arrived: arrived && inside,
-        reset: reset && inside,
+    reset
+}
+
+/// At the end of what scrolls: scrolls to what has the focus if a key has just moved it, or the window has become lower.
+pub fn keep_in_sight(ui: &Ui) {
+    let (moved, lower) = kept(ui.ctx(), |kept| (kept.moved, kept.lower));
+    let Some(rect) = focused_in(ui, ui.min_rect()).filter(|_| moved || lower) else {
+        return;
+    };
+    if lower {
+        // In this very frame: a browser takes its keyboard away from a field that is not drawn.
+        ui.scroll_to_rect_animation(rect, None, ScrollAnimation::none());
+        ui.ctx().request_discard("keep-in-sight");
+    } else {
+        ui.scroll_to_rect(rect, None);
     }
 }
 

@@ -38,12 +38,16 @@ const LESSON: f32 = 250.0;
 const BELOW: f32 = 0.4;
 /// Below this height, points, only what is needed stands over the picture.
 const LOW: f32 = 520.0;
+/// Below this height not even the equation: half of a phone's screen may be a keyboard.
+const LOWEST: f32 = 380.0;
 
 /// What the layout remembers.
 #[derive(Debug, Default)]
 pub struct Layout {
     /// Whether controls and a view were open in the last frame.
     open: [bool; 2],
+    /// Whether the window is higher than wide, or was before a phone's keyboard made it lower: what is typed in keeps its place.
+    tall: bool,
     /// Where the picture was, points.
     pub picture: Option<Rect>,
 }
@@ -57,6 +61,9 @@ impl Layout {
         }
         let narrow = size.x < NARROW;
         let low = size.y < LOW;
+        if !ui.ctx().text_edit_focused() {
+            self.tall = size.y > size.x;
+        }
         Panel::top("menus").show(ui, |ui| bars::menus_ui(ui, state, low));
         if state.enlarged && state.look.views {
             CentralPanel::default().show(ui, |ui| views::view_ui(ui, state, engine, narrow));
@@ -66,7 +73,7 @@ impl Layout {
         state.enlarged = false;
         self.make_room(state, size);
         // A narrow window with a lesson has room for picture and question only.
-        if state.look.equation && !(narrow && reads_lesson(state)) {
+        if state.look.equation && size.y >= LOWEST && !(narrow && reads_lesson(state)) {
             Panel::top("equation").show(ui, |ui| bars::equation_ui(ui, state));
         }
         // A card over the picture leaves no room for a drawer.
@@ -74,7 +81,7 @@ impl Layout {
             (state.look.controls, state.look.views) = (false, false);
         }
         if narrow {
-            drawer_ui(ui, state, engine, size);
+            drawer_ui(ui, state, engine, size, self.tall);
         } else {
             panels_ui(ui, state, engine, size);
         }
@@ -174,8 +181,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
 }
 
 /// The rail at the bottom, and a drawer for what it opens: below a tall window's picture, beside or over a flat one's.
-fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2) {
-    let tall = size.y > size.x;
+fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2, tall: bool) {
     if tall {
         Panel::bottom("rail-below").show(ui, |ui| {
             ui.horizontal(|ui| views::rail_ui(ui, state, true, views::narrow_size(size.x)));

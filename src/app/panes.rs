@@ -8,17 +8,18 @@ use super::letter::letter;
 use super::palette;
 use super::place::Place;
 use super::state::{AppState, Grip};
-use crate::analysis::{caption, error_line, pane_areas};
+use crate::analysis::{PaneFigures, caption, error_line, pane_areas};
 use crate::figure::palette::Vector;
 use crate::scene::{AmbientSource, CompareView, View};
 use crate::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::text::{LayoutJob, TextWrapping};
+use eframe::egui::text::LayoutJob;
 use eframe::egui::{
-    Align2, Color32, CursorIcon, FontId, Painter, Popup, Pos2, Rect, Sense, Stroke, StrokeKind,
-    TextStyle, Ui, pos2, vec2,
+    Align2, Color32, CursorIcon, FontId, Galley, Painter, Popup, Pos2, Rect, Sense, Stroke,
+    StrokeKind, TextStyle, Ui, Vec2, pos2, vec2,
 };
 use glam::DVec2;
+use std::sync::Arc;
 
 /// Points between a caption and the edge of its pane.
 const MARGIN: f32 = 10.0;
@@ -30,8 +31,12 @@ const LEAST_BESIDE: f32 = 600.0;
 const KNOB: f32 = 9.0;
 /// Points about a handle that captions leave free.
 const CLEAR: f32 = 16.0;
-/// Points between a caption's name and the edge of its ground.
-const PADDING: [f32; 2] = [6.0, 3.0];
+/// Points between a caption's letters and the edge of its ground, and how dark that is.
+const PADDING: Vec2 = vec2(6.0, 3.0);
+const GROUND: u8 = 170;
+/// How much smaller the type of a caption may be where its pane is narrow, and lines of a name.
+const LEAST_TYPE: f32 = 0.7;
+const NAME_LINES: usize = 3;
 
 /// A pane and where its picture is shown. In a wipe or a difference two panes share one place.
 #[derive(Clone, Copy, Debug)]
@@ -144,7 +149,7 @@ pub fn captions_ui(
                 if room.height() < LEAST_CAPTIONED || hidden {
                     continue;
                 }
-                let text = fitting(&painter, &caption(one, figures), &font, room.width());
+                let text = caption_in(&painter, one, figures, &font, room);
                 let corners = [Align2::LEFT_BOTTOM, Align2::RIGHT_BOTTOM];
                 measured(&painter, state, pane, (room, name), &text, corners, &font);
             }
@@ -162,7 +167,7 @@ pub fn captions_ui(
                 if hidden {
                     continue;
                 }
-                let text = fitting(&painter, &caption(one, figures), &font, room.width());
+                let text = caption_in(&painter, one, figures, &font, room);
                 let corners = [bottom, bottom];
                 measured(&painter, state, pane, (room, name), &text, corners, &font);
             }
@@ -174,20 +179,32 @@ pub fn captions_ui(
                 return;
             };
             let title = format!("{} − {}", figures[0].name, figures[1].name);
-            let (at, align) = (rect.min, Align2::LEFT_TOP);
-            letter(&painter, at, align, &title, &font, Color32::WHITE);
+            let width = rect.width() - 2.0 * PADDING.x;
+            let galley = fitting(&painter, &[title], &font, width);
+            let name = Rect::from_min_size(rect.min, galley.size() + 2.0 * PADDING);
+            plate(&painter, galley, name);
             if hidden {
                 return;
             }
             let line = error_line(&error);
-            let below = rect.with_min_y(rect.min.y + 1.4 * font.size);
+            let parts: Vec<String> = line.split("   ").map(str::to_owned).collect();
             if rect.width() < LEAST_BESIDE {
                 // The scale takes the bottom.
-                letter(&painter, below.min, align, &line, &font, Color32::WHITE);
+                let galley = fitting(&painter, &parts, &font, width);
+                let at = name.left_bottom() + vec2(0.0, 4.0);
+                let below = Rect::from_min_size(at, galley.size() + 2.0 * PADDING);
+                plate(&painter, galley, below);
             } else {
-                let room = (rect, rect.with_max_y(below.min.y));
                 let corners = [Align2::LEFT_BOTTOM; 2];
-                measured(&painter, state, &panes[0], room, &line, corners, &font);
+                measured(
+                    &painter,
+                    state,
+                    &panes[0],
+                    (rect, name),
+                    &parts,
+                    corners,
+                    &font,
+                );
             }
             if let Some([x, y]) = error.at {
                 // A small square round the greatest difference.
@@ -243,6 +260,30 @@ fn halves(ui: &Ui, state: &AppState, pane: &PanePlace, captioned: bool, font: &F
     }
 }
 
+/// A name with the sign of a menu. Where it is too wide, the sign goes, the type gets smaller, and it takes another line, so
+/// that what tells the panes apart can be read.
+fn name_galley(ui: &Ui, name: &str, room: f32) -> Arc<Galley> {
+    let font = TextStyle::Body.resolve(ui.style());
+    let lay = |text: String, font: FontId| ui.painter().layout_no_wrap(text, font, Color32::WHITE);
+    let signed = lay(format!("{name} ▾"), font.clone());
+    if signed.size().x <= room {
+        return signed;
+    }
+    let width = lay(name.to_owned(), font.clone()).size().x;
+    let font = smaller(&font, room / width.max(1.0));
+    let mut job = LayoutJob::simple(name.to_owned(), font, Color32::WHITE, room.max(1.0));
+    job.wrap.max_rows = NAME_LINES;
+    ui.painter().layout_job(job)
+}
+
+/// The same type in the share of its size that fits, within what can be read.
+fn smaller(font: &FontId, share: f32) -> FontId {
+    FontId {
+        size: font.size * share.clamp(LEAST_TYPE, 1.0),
+        ..font.clone()
+    }
+}
+
 /// A pane's name, by which it is dragged to the place of another; a click opens its menu. Returns where it stands.
 fn name_ui(
     ui: &mut Ui,
@@ -252,27 +293,23 @@ fn name_ui(
     name: &str,
     (room, align): (Rect, Align2),
 ) -> Rect {
-    let font = TextStyle::Body.resolve(ui.style());
-    let [x, y] = PADDING;
     let mark = if pane.pane == state.document.scene.reference_pane() {
         "◆ "
     } else {
         ""
     };
-    let mut job = LayoutJob::simple_singleline(format!("{mark}{name} ▾"), font, Color32::WHITE);
-    job.wrap = TextWrapping::truncate_at_width((room.width() - 2.0 * x).max(1.0));
-    let galley = ui.painter().layout_job(job);
-    let rect = align.align_size_within_rect(galley.size() + 2.0 * vec2(x, y), room);
+    let galley = name_galley(ui, &format!("{mark}{name}"), room.width() - 2.0 * PADDING.x);
+    let rect = align.align_size_within_rect(galley.size() + 2.0 * PADDING, room);
     let id = focus::picture_id().with(("caption", pane.pane));
     let response = ui.interact(rect, id, Sense::click_and_drag());
     let label = text!("picture-caption", number = pane.pane + 1, name = name);
     let response = focus::named(response, Role::Button, &label)
         .on_hover_text(text!("picture-caption-tip"))
         .on_hover_cursor(CursorIcon::Grab);
-    let alpha = if response.hovered() { 210 } else { 140 };
+    let alpha = if response.hovered() { 210 } else { GROUND };
     let painter = ui.painter().with_clip_rect(pane.seen);
     painter.rect_filled(rect, 4.0, Color32::from_black_alpha(alpha));
-    painter.galley(rect.min + vec2(x, y), galley.clone(), Color32::WHITE);
+    painter.galley(rect.min + PADDING, galley.clone(), Color32::WHITE);
     if response.clicked() {
         state.ask(Action::Activate(pane.pane));
     }
@@ -291,7 +328,7 @@ fn name_ui(
             }
             let shown = Rect::from_center_size(at, rect.size());
             painter.rect_filled(shown, 4.0, Color32::from_black_alpha(210));
-            painter.galley(shown.min + vec2(x, y), galley, Color32::WHITE);
+            painter.galley(shown.min + PADDING, galley, Color32::WHITE);
         }
         if let Some(target) = target.filter(|_| response.drag_stopped()) {
             state.ask(Action::MovePane(pane.pane, target.pane));
@@ -335,15 +372,42 @@ pub fn menu_ui(ui: &mut Ui, state: &mut AppState, pane: usize) {
     state.asked.extend(asked);
 }
 
-/// Parts of a caption in one line, or where the room is too narrow in a line each.
-fn fitting(painter: &Painter, parts: &[String], font: &FontId, room: f32) -> String {
-    let line = parts.join("   ");
-    let galley = painter.layout_no_wrap(line.clone(), font.clone(), Color32::WHITE);
-    if galley.size().x > room {
-        parts.join("\n")
-    } else {
-        line
+/// Parts of a caption in one line, or where the room is too narrow in a line each, and in smaller type if need be.
+fn fitting(painter: &Painter, parts: &[String], font: &FontId, room: f32) -> Arc<Galley> {
+    let lay = |text: String, font: FontId| painter.layout_no_wrap(text, font, Color32::WHITE);
+    let line = lay(parts.join("   "), font.clone());
+    if line.size().x <= room {
+        return line;
     }
+    let lines = lay(parts.join("\n"), font.clone());
+    if lines.size().x <= room {
+        return lines;
+    }
+    let font = smaller(font, room / lines.size().x);
+    painter.layout(parts.join("\n"), font, Color32::WHITE, room.max(1.0))
+}
+
+/// The caption of a pane; where it is too wide even in small type, without the reference's value, which stands in its pane.
+fn caption_in(
+    painter: &Painter,
+    one: &PaneFigures,
+    all: &[PaneFigures],
+    font: &FontId,
+    room: Rect,
+) -> Vec<String> {
+    let whole = caption(one, all);
+    let small = smaller(font, 0.0);
+    let lines = painter.layout_no_wrap(whole.join("\n"), small, Color32::WHITE);
+    if lines.size().x > room.width() - 2.0 * PADDING.x {
+        return caption(one, &[]);
+    }
+    whole
+}
+
+/// Letters on a dark ground, which keeps them readable on any picture.
+fn plate(painter: &Painter, galley: Arc<Galley>, rect: Rect) {
+    painter.rect_filled(rect, 4.0, Color32::from_black_alpha(GROUND));
+    painter.galley(rect.min + PADDING, galley, Color32::WHITE);
 }
 
 /// Writes what is measured of a pane into one of the corners or below its name, whichever no handle stands in.
@@ -352,13 +416,12 @@ fn measured(
     state: &AppState,
     pane: &PanePlace,
     (room, name): (Rect, Rect),
-    text: &str,
+    parts: &[String],
     corners: [Align2; 2],
     font: &FontId,
 ) {
-    let size = painter
-        .layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE)
-        .size();
+    let galley = fitting(painter, parts, font, room.width() - 2.0 * PADDING.x);
+    let size = galley.size() + 2.0 * PADDING;
     let view = View::new(&state.panes.scene(pane.pane).camera, pane.place.size);
     let grips = handles::grips(state, &view, pane.place);
     let free = |rect: Rect| {
@@ -376,14 +439,7 @@ fn measured(
         .into_iter()
         .find(|(align, room)| free(align.align_size_within_rect(size, *room)));
     let (align, room) = found.unwrap_or(places[0]);
-    letter(
-        painter,
-        align.pos_in_rect(&room),
-        align,
-        text,
-        font,
-        Color32::WHITE,
-    );
+    plate(painter, galley, align.align_size_within_rect(size, room));
 }
 
 /// The line of a wipe with its handle.
@@ -407,5 +463,33 @@ fn wipe(painter: &Painter, x: f32, whole: Place, held: bool) {
             [tip, tip + vec2(back.x, -back.y)],
             Stroke::new(1.5, Color32::WHITE),
         );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::__run_test_ui;
+
+    #[test]
+    fn a_name_too_wide_for_its_pane_is_shown_whole() {
+        __run_test_ui(|ui| {
+            let wide = |text: &str| {
+                let font = TextStyle::Body.resolve(ui.style());
+                let line = ui
+                    .painter()
+                    .layout_no_wrap(text.to_owned(), font, Color32::WHITE);
+                line.size().x
+            };
+            let name = "Vertex normals: averaged";
+            let room = wide(name);
+            assert!(name_galley(ui, name, 1.5 * room).text().ends_with('▾'));
+            for share in [1.0, 0.8, 0.5] {
+                let galley = name_galley(ui, name, share * room);
+                assert!(!galley.elided && galley.text() == name, "{share}");
+                assert!(galley.size().x <= share * room + 1.0, "{share}");
+                assert_eq!(galley.rows.len() > 1, share < LEAST_TYPE, "{share}");
+            }
+        });
     }
 }

@@ -10,6 +10,7 @@ mod number;
 mod widgets;
 
 pub use expression::evaluate;
+use layout::width_of;
 pub use layout::{About, row, value_row};
 pub use number::{NumberRow, SliderRange, display, number, whole};
 pub use widgets::{axes, swatch};
@@ -22,9 +23,14 @@ use crate::scene::parameter::{Access, Kind, Limits, Parameter, Slider, Unit, def
 use crate::scene::{ChoiceOption, Rgb, Scene};
 use eframe::egui::{Color32, Ui};
 use number::{
-    CHANNELS, SIDES, channels_row, coefficient_slider, fields, slider_and_field, whole_slider,
+    CHANNELS, FIELDS, SIDES, channels_row, coefficient_slider, fields, slider_and_field,
+    whole_slider,
 };
 use widgets::{choice, swatch_button, text, toggle};
+
+/// Width that three fields need beside a swatch, and a list's sign with the space about its words, points.
+const SWATCHED: f32 = 166.0;
+const LIST: f32 = 40.0;
 
 /// A row for a parameter of the scene.
 pub fn parameter(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, parameter: &'static Parameter) {
@@ -86,6 +92,7 @@ pub fn parameter_with(
         tip: &tip,
         symbol: parameter.symbol,
         idle: (parameter.idle)(scene, index),
+        room: room(ui, scene, parameter, index),
     };
     let (name, range) = (&*name, range(scene, parameter, view));
     let spec = |default| NumberRow {
@@ -186,6 +193,19 @@ impl Edited<'_> {
                 control(ui, value, &default);
             });
         }
+    }
+}
+
+/// Width that the control of a parameter needs, points.
+fn room(ui: &Ui, scene: &Scene, parameter: &Parameter, index: usize) -> f32 {
+    match parameter.kind {
+        Kind::Colour(..) => SWATCHED,
+        Kind::Point(_) | Kind::Direction(..) | Kind::Channels(..) => FIELDS,
+        Kind::Choice(access) => access.chosen(scene, index).map_or(0.0, |chosen| {
+            let option = access.options().get(chosen);
+            option.map_or(0.0, |option| width_of(ui, option.label())) + LIST
+        }),
+        _ => 0.0,
     }
 }
 

@@ -5,7 +5,7 @@ use super::course::{course_ui, head_ui, hidden_ui};
 use super::curves::curves_ui;
 use super::defects::defects_ui;
 use super::engine::Engine;
-use super::focus::{one_stop, switch_named};
+use super::focus::{keep_in_sight, one_stop, switch_named};
 use super::look::ViewName;
 use super::plan::plan_ui;
 use super::point::point_ui;
@@ -235,7 +235,7 @@ pub fn rail_ui(ui: &mut Ui, state: &mut AppState, narrow: bool, size: Vec2) {
             state.look.controls &= !narrow;
         }
     }
-    one_stop(ui.ctx(), ui.min_rect());
+    one_stop(ui, ui.min_rect());
 }
 
 /// A sign over its name; whether it was clicked.
@@ -311,7 +311,10 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
     ScrollArea::vertical()
         .id_salt(view.name)
         .auto_shrink(false)
-        .show(&mut inside, |ui| show(ui, state, engine));
+        .show(&mut inside, |ui| {
+            show(ui, state, engine);
+            keep_in_sight(ui);
+        });
 }
 
 /// Closes, enlarges or moves the view.

@@ -15,7 +15,7 @@ pub fn worded(error: &Error) -> Option<String> {
         Some(ContextValue::Strings(texts)) => texts.clone(),
         _ => Vec::new(),
     };
-    let arguments = all(ContextKind::InvalidArg).join(text!("cli-comma"));
+    let arguments = all(ContextKind::InvalidArg).join(text!("comma"));
     let value = all(ContextKind::InvalidValue).concat();
     Some(match error.kind() {
         ErrorKind::InvalidValue | ErrorKind::ValueValidation if value.is_empty() => {
@@ -58,7 +58,7 @@ pub fn worded(error: &Error) -> Option<String> {
         }
         ErrorKind::MissingRequiredArgument => text!("cli-missing-arguments", arguments = arguments),
         ErrorKind::ArgumentConflict => {
-            let other = all(ContextKind::PriorArg).join(text!("cli-comma"));
+            let other = all(ContextKind::PriorArg).join(text!("comma"));
             text!("cli-conflict", argument = arguments, other = other)
         }
         _ => return None,

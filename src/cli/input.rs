@@ -143,7 +143,7 @@ pub fn one_of(words: &[impl AsRef<str>]) -> String {
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
     match words.split_last() {
         Some((last, others)) if !others.is_empty() => {
-            let others = others.join(text!("cli-comma"));
+            let others = others.join(text!("comma"));
             text!("cli-or", others = others, last = *last)
         }
         _ => words.concat(),

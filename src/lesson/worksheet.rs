@@ -379,7 +379,7 @@ pub(super) fn answer_words(asked: &Asked, question: &Question, solution: &Soluti
                     format!("{} = {}", plain_control_name(control), shown(*value, 2))
                 })
                 .collect();
-            pairs.join(text!("cli-comma"))
+            pairs.join(text!("comma"))
         }
         (Solution::Places(places), _) => {
             let place = places.first().copied().unwrap_or_default();

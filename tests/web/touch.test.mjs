@@ -33,8 +33,8 @@ for (const [width, height] of [[390, 844], [844, 390]]) {
       };
 
       // Before the first touch already: the letters of the equation and of the table below are read rather than pressed.
-      const low = (await widgets(page)).filter((one) => TARGETS.includes(one.role) && !/ (in the equation|at the probe)$/.test(one.name) && one.height < TARGET - 0.5);
-      assert.deepEqual(low.map(({ name, height }) => `${name}: ${height}`), []);
+      const small = (await widgets(page)).filter((one) => TARGETS.includes(one.role) && !/ (in the equation|at the probe)$/.test(one.name) && one.height < TARGET - 0.5);
+      assert.deepEqual(small.map(({ name, height }) => `${name}: ${height}`), []);
 
       let [x, y] = await inPicture();
       assert.ok((await pixels(page, await picture(page))).width >= width / 2);
@@ -60,6 +60,21 @@ for (const [width, height] of [[390, 844], [844, 390]]) {
       await until(async () => (await widget(page, "Kd diffuse coefficient", "Slider")) !== undefined);
       const slider = await widget(page, "Kd diffuse coefficient", "Slider");
       assert.ok(slider.x >= 0 && slider.x + slider.width <= width, "it is in sight");
+
+      // The system's keyboard takes half of the screen, and neither covers what is typed nor goes away again.
+      const field = () => widget(page, "Ks specular coefficient", "SpinButton");
+      await tap(await field());
+      const typing = () => page.evaluate(() => document.activeElement.tagName === "INPUT");
+      await until(typing);
+      const low = Math.round(height * 0.5);
+      await page.setViewportSize({ width, height: low });
+      await until(async () => (await field()).y + TARGET <= low);
+      await page.waitForTimeout(500);
+      assert.ok(await typing(), "the keyboard stays");
+      await page.keyboard.type("0.25");
+      await page.keyboard.press("Enter");
+      await until(async () => (await set(page, "material.ks"))?.endsWith("=0.25"));
+      await page.setViewportSize({ width, height });
       assert.deepEqual(problems, []);
     } finally {
       await phone.close();

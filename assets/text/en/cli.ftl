@@ -35,7 +35,6 @@ cli-reading = reading
 cli-drawing = drawing
 
 # Lists of words: a, b or c.
-cli-comma = ,{" "}
 cli-or = { $others } or { $last }
 cli-expected = expected { $choices }
 

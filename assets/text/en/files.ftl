@@ -3,6 +3,7 @@ save = Save
 cancel = Cancel
 back = Back
 and = { $first } and { $second }
+comma = ,{" "}
 file-open = Open a scene, a model or an exported picture
 file-open-kinds = Scenes, models, pictures
 file-open-example = scene.toml, model.obj or picture.png

@@ -35,7 +35,6 @@ cli-reading = 讀取中
 cli-drawing = 繪製中
 
 # 列舉：a、b 或 c。
-cli-comma = 、
 cli-or = { $others } 或 { $last }
 cli-expected = 應為 { $choices }
 

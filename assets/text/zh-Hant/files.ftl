@@ -3,6 +3,7 @@ save = 儲存
 cancel = 取消
 back = 返回
 and = { $first } 和 { $second }
+comma = 、
 file-open = 開啟場景、模型或匯出的圖片
 file-open-kinds = 場景、模型、圖片
 file-open-example = scene.toml、model.obj 或 picture.png

@@ -127,8 +127,8 @@ pub fn pane_figures(panes: &[DrawnPane]) -> Vec<PaneFigures> {
     panes.iter().map(figures).collect()
 }
 
-/// What is measured of a pane, for its caption: its brightest value and its error beside those of the reference, which is
-/// among `all`.
+/// What is measured of a pane, for its caption: its brightest value and its error, beside those of the reference among `all`;
+/// of none, nothing stands beside them.
 pub fn caption(figures: &PaneFigures, all: &[PaneFigures]) -> Vec<String> {
     let mut words = Vec::new();
     if figures.error.is_none() {

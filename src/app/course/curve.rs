@@ -44,7 +44,7 @@ impl Room {
     }
 }
 
-/// The drawing; `names` are those of the axes.
+/// The drawing; `names` are those of the axes. Returns whether Enter was pressed in it.
 pub fn curve_ui(
     ui: &mut Ui,
     open: &mut Open,
@@ -52,7 +52,7 @@ pub fn curve_ui(
     names: &[String],
     profile: bool,
     revealed: bool,
-) {
+) -> bool {
     let font = FontId::proportional(TextStyle::Body.resolve(ui.style()).size * 0.9);
     let names = [0, 1].map(|axis| {
         names
@@ -129,17 +129,19 @@ pub fn curve_ui(
         painter.vline(x, rect.y_range(), stroke);
     }
     if response.has_focus() && !revealed {
-        let value = open.draft.curve[open.draft.cursor].unwrap_or(0.5 * (y[0] + y[1]));
+        let value = height(&open.draft.curve, open.draft.cursor, y);
         let at = room.at(open.draft.cursor, value);
         painter.circle_filled(at, 4.5, ui.visuals().strong_text_color());
     }
-    ui.horizontal_wrapped(|ui| {
-        if revealed {
-            ui.label(RichText::new(text!("course-curve-yours")).color(own_colour));
-            ui.label(RichText::new(text!("course-curve-right")).color(right_colour(ui)));
-        } else if own.is_empty() {
-            ui.label(RichText::new(text!("course-curve")).weak());
-        } else {
+    if !revealed && own.is_empty() {
+        ui.label(RichText::new(text!("course-curve")).weak());
+    } else {
+        ui.horizontal_wrapped(|ui| {
+            if revealed {
+                ui.label(RichText::new(text!("course-curve-yours")).color(own_colour));
+                ui.label(RichText::new(text!("course-curve-right")).color(right_colour(ui)));
+                return;
+            }
             if 10 * own.len() < 9 * CURVE_POINTS {
                 ui.label(RichText::new(text!("course-curve-whole")).weak());
             }
@@ -147,8 +149,9 @@ pub fn curve_ui(
                 open.draft.curve = vec![None; CURVE_POINTS];
                 open.draft.grade = None;
             }
-        }
-    });
+        });
+    }
+    response.has_focus() && ui.input(|input| input.key_pressed(Key::Enter))
 }
 
 /// The value at an end of an axis, without the zeros behind its point.
@@ -218,7 +221,7 @@ fn draw(ui: &Ui, open: &mut Open, room: &Room, response: &eframe::egui::Response
     if rise != 0.0 {
         let [low, high] = room.y;
         let at = draft.cursor;
-        let value = draft.curve[at].unwrap_or(0.5 * (low + high));
+        let value = height(&draft.curve, at, room.y);
         lift(
             &mut draft.curve,
             at,
@@ -226,6 +229,13 @@ fn draw(ui: &Ui, open: &mut Open, room: &Room, response: &eframe::egui::Response
         );
         draft.grade = None;
     }
+}
+
+/// The value of a point; of one that is not drawn that of the nearest drawn one, and the middle where nothing is drawn.
+fn height(curve: &[Option<f64>], at: usize, [low, high]: [f64; 2]) -> f64 {
+    let drawn = points(curve).into_iter();
+    let nearest = drawn.min_by_key(|(index, _)| index.abs_diff(at));
+    nearest.map_or(0.5 * (low + high), |(_, value)| value)
 }
 
 /// Puts one point where it is wanted; those up to the next stride on either side go along a straight line, and what was not
@@ -328,7 +338,7 @@ fn between(painter: &Painter, room: &Room, own: &[(usize, f64)], right: &[f64], 
 
 #[cfg(test)]
 mod tests {
-    use super::end;
+    use super::{end, height, lift};
 
     #[test]
     fn ends_of_axes_have_no_idle_zeros() {
@@ -337,5 +347,18 @@ mod tests {
             ends.map(end),
             ["0", "1", "0.25", "0.5", "90", "120", "−1.5", "1.0×10⁻⁷"]
         );
+    }
+
+    #[test]
+    fn a_key_goes_on_from_the_nearest_point_that_is_drawn() {
+        let mut curve = vec![None; 20];
+        assert_eq!(height(&curve, 7, [0.0, 3.0]), 1.5);
+        curve[2] = Some(0.25);
+        curve[9] = Some(2.5);
+        let heights = [0, 2, 5, 6, 19].map(|at| height(&curve, at, [0.0, 3.0]));
+        assert_eq!(heights, [0.25, 0.25, 0.25, 2.5, 2.5]);
+        lift(&mut curve, 19, 2.6);
+        assert_eq!([curve[19], curve[9], curve[2]], [2.6, 2.5, 0.25].map(Some));
+        assert_eq!(curve[12], Some(2.6), "level beside what was not drawn");
     }
 }

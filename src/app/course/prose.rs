@@ -23,12 +23,20 @@ const RAISED: f32 = 1.0;
 /// How far slanted letters at the end of a formula stand out to the right, points.
 const SLANT: f32 = 1.5;
 
+/// Stands at the end of a formula that a space follows: spaces would end no formula.
+const SPACED: char = '\u{200b}';
+/// What may not begin a line.
+const CLOSING: &[char] = &[
+    ',', '.', ';', ':', '!', '?', '，', '。', '；', '：', '！', '？', '、',
+];
+const BRACKETS: &[char] = &[')', '）', '」'];
+
 /// Shows a text; the letters of its formulas light up what they stand for.
 pub fn prose_ui(ui: &mut Ui, state: &mut AppState, cache: &mut CommonMarkCache, words: &str) {
     let top = ui.cursor().min;
     shown_ui(ui, state, cache, words, true);
     let rect = ui.min_rect();
-    one_stop(ui.ctx(), rect.with_min_y(top.y));
+    one_stop(ui, rect.with_min_y(top.y));
 }
 
 /// Shows a text on a button: its letters do nothing of themselves.
@@ -56,7 +64,7 @@ fn shown_ui(
     let row = std::mem::replace(&mut ui.spacing_mut().interact_size.y, line);
     CommonMarkViewer::new()
         .render_math_fn(Some(&math))
-        .show(ui, cache, words);
+        .show(ui, cache, &joined(words));
     ui.spacing_mut().interact_size.y = row;
     drop(math);
     if let Some(lent) = Rc::into_inner(lent) {
@@ -64,8 +72,58 @@ fn shown_ui(
     }
 }
 
+/// The same text with what closes a sentence, and the space behind, inside the formula or the emphasis that it follows: each is
+/// laid out for itself, and the next line would begin with it.
+fn joined(words: &str) -> String {
+    let mut all = String::with_capacity(words.len());
+    let mut rest = words;
+    // Text between marks and what marks enclose take turns.
+    while let Some((mark, at)) = next_mark(rest) {
+        let (before, inside) = rest.split_at(at);
+        all.push_str(before);
+        let inside = &inside[mark.len()..];
+        let Some(length) = inside.find(mark).filter(|length| *length > 0) else {
+            all.push_str(mark);
+            rest = inside;
+            continue;
+        };
+        let after = &inside[length + mark.len()..];
+        // A bracket stands as its other half does.
+        let behind = match mark {
+            "`" => after,
+            "$" => after.trim_start_matches([CLOSING, BRACKETS].concat().as_slice()),
+            _ => after.trim_start_matches(CLOSING),
+        };
+        let moved = &after[..after.len() - behind.len()];
+        all.extend([mark, &inside[..length], moved]);
+        rest = &after[moved.len()..];
+        if let Some(behind) = rest.strip_prefix(' ').filter(|_| mark == "$") {
+            all.push(SPACED);
+            rest = behind;
+        }
+        all.push_str(mark);
+    }
+    all.push_str(rest);
+    all
+}
+
+/// The next mark of a formula, of emphasis or of code, and where it is.
+fn next_mark(words: &str) -> Option<(&'static str, usize)> {
+    let marks = ["`", "$", "**", "*"].into_iter();
+    let found = marks.filter_map(|mark| Some((mark, words.find(mark)?)));
+    // Of two at one place the longer one.
+    found.min_by_key(|(mark, at)| (*at, usize::MAX - mark.len()))
+}
+
 fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usize>, live: bool) {
     let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 0.0);
+    let (formula, space) = match formula.strip_suffix(SPACED) {
+        Some(formula) => (
+            formula,
+            ui.fonts_mut(|fonts| fonts.glyph_width(&TextStyle::Body.resolve(ui.style()), ' ')),
+        ),
+        None => (formula, 0.0),
+    };
     let mut runs = pieces(ui.visuals(), formula);
     if formula.chars().count() <= WHOLE {
         runs = vec![runs.concat()];
@@ -83,8 +141,9 @@ fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usi
         let laid = Run::new(ui, &run, FORMULA);
         // As high as a line of text, so that lines stay evenly apart.
         let slanted = run.last().is_some_and(|last| last.low.is_empty());
-        let ends = runs.peek().is_none() && slanted;
-        let beyond = if ends { SLANT } else { 0.0 };
+        let last = runs.peek().is_none();
+        let beyond = if last && slanted { SLANT } else { 0.0 };
+        let beyond = if last { beyond + space } else { beyond };
         let size = vec2(
             laid.width() + beyond,
             ui.text_style_height(&TextStyle::Body),
@@ -95,4 +154,28 @@ fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usi
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.trim()));
     }
     ui.spacing_mut().item_spacing.x = spacing;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::joined;
+
+    #[test]
+    fn no_line_begins_with_what_closes_the_one_before() {
+        for (words, expected) in [
+            ("$K_s$, n", "$K_s,\u{200b}$n"),
+            ("where $N$ points", "where $N\u{200b}$points"),
+            ("($R·V$).", "($R·V).$"),
+            (
+                "of the **light**, and *here*.",
+                "of the **light,** and *here.*",
+            ),
+            ("(*affine*); then", "(*affine*); then"),
+            ("`a$b`, $c$", "`a$b`, $c$"),
+            ("* one\n* two", "* one\n* two"),
+            ("5 $ and 2 * 3", "5 $ and 2 * 3"),
+        ] {
+            assert_eq!(joined(words), expected);
+        }
+    }
 }

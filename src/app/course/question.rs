@@ -7,7 +7,7 @@ use super::matching::match_ui;
 use super::parts::{cross, error_ui, right_colour, waiting_ui};
 use super::prose::{caption_ui, prose_ui};
 use crate::app::engine::Engine;
-use crate::app::focus::{named, switch_named};
+use crate::app::focus::{named, picture_id, switch_named};
 use crate::app::row::evaluate;
 use crate::app::sign::tick;
 use crate::app::state::AppState;
@@ -87,9 +87,9 @@ fn contents_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &
     match &question.kind {
         Kind::Choice { .. } => choice_ui(ui, open, state, &names, revealed),
         Kind::Value { unit, .. } => entered = value_ui(ui, open, unit, revealed),
-        Kind::Point { .. } => point_ui(ui, open, revealed),
+        Kind::Point { .. } => entered = point_ui(ui, open, revealed),
         Kind::Curve { x, y, of, .. } => {
-            curve_ui(ui, open, (*x, *y), &names, of.is_profile(), revealed);
+            entered = curve_ui(ui, open, (*x, *y), &names, of.is_profile(), revealed);
         }
         Kind::Settings { .. } => {
             ui.label(RichText::new(text!("course-settings")).weak());
@@ -126,7 +126,10 @@ fn check_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, entered: boo
         .draft
         .answer(&question.kind, &state.document.scene, evaluate);
     let ready = answer.is_some() && open.solution().is_some() && open.staged.is_some();
-    let given = course.answered().is_some();
+    let given = course.answered();
+    // What was said of another answer.
+    let stale = answer.is_some() && given.map(|given| &given.answer) != answer.as_ref();
+    let given = given.is_some();
     let mut check = false;
     let mut show = false;
     let mut typed = entered;
@@ -153,6 +156,12 @@ fn check_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, entered: boo
         let now = ui.input(|input| input.time);
         course.put(answer, grade, now);
         ui.ctx().request_repaint();
+    }
+    if stale
+        && !check
+        && let Some(open) = &mut course.open
+    {
+        open.draft.grade = None;
     }
     if show {
         course.look_up();
@@ -307,6 +316,10 @@ fn value_ui(ui: &mut Ui, open: &mut Open, unit: &str, revealed: bool) -> bool {
             open.draft.grade = None;
         }
         entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        if entered {
+            // For the next try; what is right gives it to the way on.
+            field.request_focus();
+        }
         if !unit.is_empty() {
             ui.label(unit);
         }
@@ -319,9 +332,10 @@ fn value_ui(ui: &mut Ui, open: &mut Open, unit: &str, revealed: bool) -> bool {
     entered
 }
 
-fn point_ui(ui: &mut Ui, open: &Open, revealed: bool) {
+/// Where a place is clicked in the picture. Returns whether Enter was pressed there.
+fn point_ui(ui: &mut Ui, open: &Open, revealed: bool) -> bool {
     if revealed {
-        return;
+        return false;
     }
     let words = if open.draft.point.is_some() {
         text!("course-point-set")
@@ -329,6 +343,8 @@ fn point_ui(ui: &mut Ui, open: &Open, revealed: bool) {
         text!("course-point")
     };
     ui.add(Label::new(RichText::new(words).weak()).wrap());
+    ui.memory(|memory| memory.has_focus(picture_id()))
+        && ui.input(|input| input.key_pressed(Key::Enter))
 }
 
 /// Cards that are moved by dragging or by their buttons, the least first.

@@ -8,7 +8,7 @@ use super::work::{Prepare, Prepared};
 use crate::app::action::{Action, Turn};
 use crate::app::background::wake;
 use crate::app::engine::Engine;
-use crate::app::focus::{aside, named, switch_named};
+use crate::app::focus::{aside, keep_in_sight, named, switch_named};
 use crate::app::look::ViewName;
 use crate::app::named::{Named, rows_ui};
 use crate::app::state::AppState;
@@ -44,6 +44,7 @@ pub fn step_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &
         ui.set_max_width(ui.available_width() - 4.0);
         body_ui(ui, course, state, engine);
         ui.add_space(8.0);
+        keep_in_sight(ui);
     });
     if let Some(open) = &mut course.open {
         down_ui(ui, open, shown.inner_rect);

@@ -14,6 +14,8 @@ const LABEL: [f32; 2] = [101.0, 152.0];
 const LABEL_SHARE: f32 = 0.36;
 /// How much smaller the type of a label may be where it does not fit.
 const LEAST_LABEL: f32 = 0.85;
+/// Points between a label and the control.
+const GAP: f32 = 4.0;
 /// Width of the letter in front of a label, points.
 const LETTER: f32 = 24.0;
 /// Width kept for the reset button, points.
@@ -38,6 +40,8 @@ pub struct About<'a> {
     pub symbol: Option<Symbol>,
     /// Why the control has no effect at present.
     pub idle: Option<&'a str>,
+    /// Width that the control needs, points. In a row too narrow for it beside its label the control stands below.
+    pub room: f32,
 }
 
 impl About<'_> {
@@ -77,7 +81,16 @@ pub fn row(
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let [least, greatest] = LABEL;
     let label_width = (LABEL_SHARE * size.x).clamp(least, greatest);
-    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    // A control that needs a little more gets it from a label that is shorter.
+    let left = size.x - RESET - about.room;
+    let stacked = left < label_width && left < least_width(ui, about);
+    let (label_width, from, lines) = if stacked {
+        (size.x, LETTER, 2.0)
+    } else {
+        let width = label_width.min(left);
+        (width, width, 1.0)
+    };
+    let (rect, _) = ui.allocate_exact_size(vec2(size.x, lines * size.y), Sense::hover());
     if about.symbol.is_some() && ui.rect_contains_pointer(rect) {
         lit.next = about.symbol;
     }
@@ -93,7 +106,7 @@ pub fn row(
         Rect::from_min_size(rect.min, vec2(label_width, size.y)),
     );
     let inner = Rect::from_min_max(
-        pos2(rect.min.x + label_width, rect.min.y),
+        pos2(rect.min.x + from, rect.max.y - size.y),
         pos2(rect.max.x - RESET, rect.max.y),
     );
     let mut child = part(
@@ -119,13 +132,10 @@ pub fn row(
         lit.next = Some(symbol);
         lit.seek = None;
     }
-    let by_key = focus::by_key(ui, rect);
-    if by_key.arrived {
-        ui.scroll_to_rect(rect, None);
-    }
-    let reset_rect = Rect::from_min_max(pos2(rect.max.x - RESET, rect.min.y), rect.max);
+    let by_key = focus::resets(ui, rect);
+    let reset_rect = inner.with_min_x(rect.max.x - RESET).with_max_x(rect.max.x);
     let by_pointer = changed && reset(ui, about, reset_rect);
-    by_pointer || reset_here || by_key.reset
+    by_pointer || reset_here || by_key
 }
 
 /// A part of a row, laid out in `rect`, whose widgets keep their identity whatever rows come and go.
@@ -213,12 +223,22 @@ fn reset(ui: &mut Ui, about: &About<'_>, rect: Rect) -> bool {
 
 /// Size of type with which `label` fits into the rest of the line: a long one is set a little smaller.
 fn fitting(ui: &Ui, label: &str) -> f32 {
+    let size = TextStyle::Body.resolve(ui.style()).size;
+    let width = width_of(ui, label);
+    (size * (ui.available_width() - GAP) / width.max(1.0)).clamp(LEAST_LABEL * size, size)
+}
+
+/// Width of a line of text, points.
+pub fn width_of(ui: &Ui, text: &str) -> f32 {
     let font = TextStyle::Body.resolve(ui.style());
-    let size = font.size;
-    let width = ui
+    let galley = ui
         .painter()
-        .layout_no_wrap(label.to_owned(), font, Color32::WHITE)
-        .size()
-        .x;
-    (size * ui.available_width() / width.max(1.0)).clamp(LEAST_LABEL * size, size)
+        .layout_no_wrap(text.to_owned(), font, Color32::WHITE);
+    galley.size().x
+}
+
+/// The least width that letter and label take, points.
+fn least_width(ui: &Ui, about: &About<'_>) -> f32 {
+    let letter = if about.letter.is_empty() { 0.0 } else { LETTER };
+    letter + LEAST_LABEL * width_of(ui, about.label) + GAP
 }

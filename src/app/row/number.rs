@@ -20,6 +20,11 @@ pub const CHANNELS: [&str; 3] = ["controls-red", "controls-green", "controls-blu
 pub const AXES: [&str; 3] = ["controls-x", "controls-y", "controls-z"];
 /// The keys of the names of two lengths.
 pub const SIDES: [&str; 2] = ["controls-width", "controls-height"];
+/// Least width of a slider, and of the field beside it, points.
+const SLIDER: f32 = 40.0;
+const LEAST_FIELD: f32 = 52.0;
+/// Width that three fields need, points: where all are negative, a little less than they take.
+pub const FIELDS: f32 = 138.0;
 /// Width of the switch that makes a number infinite, points.
 const INFINITY_SWITCH: f32 = 26.0;
 
@@ -122,6 +127,7 @@ pub fn channels_row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, value: &mut R
         letter: "",
         label: "",
         name: &name,
+        room: FIELDS,
         ..about.clone()
     };
     row(ui, lit, &channels, false, |ui| {
@@ -164,7 +170,9 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     } else {
         0.0
     };
-    ui.spacing_mut().slider_width = (ui.available_width() - FIELD - space - switch).max(40.0);
+    let room = ui.available_width() - space - switch;
+    let width = (room - SLIDER).clamp(LEAST_FIELD, FIELD);
+    ui.spacing_mut().slider_width = (room - width).max(SLIDER);
     if let Some(tint) = spec.about.tint {
         ui.visuals_mut().selection.bg_fill = tint;
     }
@@ -187,7 +195,7 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     response.widget_info(|| WidgetInfo::slider(enabled, shown, name));
     aside(&response);
     response.on_hover_text(tip);
-    field(ui, name, value, range, FIELD).on_hover_text(tip);
+    field(ui, name, value, range, width).on_hover_text(tip);
     if reaches_infinity {
         let on = *value == f64::INFINITY;
         ui.spacing_mut().button_padding.x = 4.0;
@@ -239,6 +247,10 @@ pub fn field(
     let parse = |text: &str| {
         if dropped {
             return None;
+        }
+        // Left as it was shown, a value keeps the digits that are not shown.
+        if text.trim() == display(before, decimals) {
+            return Some(before);
         }
         let number = evaluate(text);
         if number.is_none() && !text.trim().is_empty() {

@@ -131,6 +131,7 @@ pub fn choice(
     let list = ComboBox::from_id_salt(about.name())
         .selected_text(shown)
         .width(ui.available_width())
+        .truncate()
         .height(420.0);
     let response = list.show_ui(ui, |ui| {
         for (place, option) in options {
