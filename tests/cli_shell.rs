@@ -328,8 +328,8 @@ fn a_terminal_has_colours_unless_it_wants_none() {
         refused.contains("cannot be shown in a terminal"),
         "{refused}"
     );
-    // Progress is for terminals.
-    let shown = on_terminal("bench cube --size 64x64 --frames 2", None);
+    // Progress is for terminals, and for work that one waits for.
+    let shown = on_terminal("bench sphere --size 800x800 --frames 100", None);
     assert!(shown.contains("working"), "{shown}");
     assert!(folder.names().is_empty());
 }
