@@ -39,6 +39,15 @@ impl<T> Node<T> {
     pub fn forget(&mut self) {
         self.key = None;
     }
+
+    /// The same, and the memory of the output is given back.
+    pub fn release(&mut self)
+    where
+        T: Default,
+    {
+        self.forget();
+        self.output = T::default();
+    }
 }
 
 /// The memory that a renderer holds between frames, bytes, each buffer under what it grows with.

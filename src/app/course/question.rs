@@ -242,6 +242,10 @@ impl Card<'_> {
             Sense::hover()
         };
         let response = ui.interact(rect, self.id, sense);
+        if response.clicked() {
+            // Tab goes on from here.
+            response.request_focus();
+        }
         let response = switch_named(response, self.role, self.on, self.words);
         let visuals = ui.visuals();
         let fill = if self.enabled && response.hovered() {

@@ -153,6 +153,10 @@ impl PaneEngine {
             }
         } else if !self.whole.shows(wanted, size) {
             let parts = self.whole.changed_parts(wanted.scene);
+            // The next drag may be of anything else.
+            if parts.contains(&"all") || parts.contains(&"object") {
+                self.draft = None;
+            }
             self.whole.draw(wanted, size);
             self.remember(parts, self.whole.report.nanoseconds);
         }

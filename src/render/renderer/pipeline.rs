@@ -21,6 +21,9 @@ use std::fmt;
 use std::mem::take;
 use std::sync::Arc;
 
+/// Buffers are given back once less than this part of the pixels or triangles is left that they were made for.
+const LEAST_USE: f64 = 0.5;
+
 /// Draws scenes, keeping each step's output for the next call.
 ///
 /// ```
@@ -164,7 +167,13 @@ impl Renderer {
         linear: bool,
     ) -> &Frame {
         let began = self.now();
+        let Frame { width, height, .. } = self.picture.output.frame;
+        let before = self.extent([width, height]);
         self.mesh(scene);
+        let wanted = self.extent(size);
+        if (0..2).any(|of| wanted[of] < LEAST_USE * before[of]) {
+            self.give_back();
+        }
         let job = self.plan_frame(scene, size, offset, linear);
         self.place(&job);
         self.points(&job);
@@ -178,6 +187,29 @@ impl Renderer {
         self.drawn = Some(job);
         self.report.nanoseconds = self.since(began);
         &self.picture.output.frame
+    }
+
+    /// The pixels of a picture of `size`, and the triangles.
+    fn extent(&self, size: [u32; 2]) -> [f64; 2] {
+        let [width, height] = size.map(f64::from);
+        [width * height, self.model.output.triangles.len() as f64]
+    }
+
+    /// Gives back all buffers but the geometry's.
+    fn give_back(&mut self) {
+        let all = take(self);
+        *self = Self {
+            level: all.level,
+            clock: all.clock,
+            given: all.given,
+            mesh: all.mesh,
+            model: all.model,
+            surface: all.surface,
+            keeps_linear: all.keeps_linear,
+            leaves_nothing_out: all.leaves_nothing_out,
+            report: all.report,
+            ..Self::default()
+        };
     }
 
     /// The polygons, with their vertex normals; the true surface, if that is shown.
@@ -229,6 +261,8 @@ impl Renderer {
             ran |= self
                 .surface
                 .update(shape, |surface| *surface = Surface::of(object));
+        } else if ran {
+            self.surface.release();
         }
         self.note(Stage::Geometry, ran, began, 0);
         let (model, report) = (&self.model.output, &mut self.report);
@@ -373,6 +407,19 @@ impl Renderer {
         self.stale.coverage = self
             .bands
             .outdate((scene.image.size, source, lens, plan.depth_test));
+        // What is of another object or view, and not needed for this one.
+        if self.stale.coverage {
+            self.rays.release_unused(scene, plan);
+            if plan.per == Per::Pixel {
+                self.points.release();
+            }
+            if plan.per != Per::Face {
+                self.faces.release();
+            }
+            if !plan.cues_pixels() {
+                self.cue.release();
+            }
+        }
     }
 
     /// What is carried to each pixel.

@@ -120,6 +120,23 @@ impl RayNodes {
         self.bounced.forget();
     }
 
+    /// Gives back the memory of what this plan does not need.
+    pub fn release_unused(&mut self, scene: &Scene, plan: &Plan) {
+        let bounces = scene.ambient.source != AmbientSource::Constant;
+        if !plan.shadows {
+            self.visibility.release();
+        }
+        if !plan.composes {
+            self.background.release();
+        }
+        if !bounces {
+            self.bounced.release();
+        }
+        if !(plan.shadows || plan.follows_rays()) {
+            self.boxes.release();
+        }
+    }
+
     /// Adds the memory held; shadow bits are stored per vertex, face or pixel.
     pub fn count(&self, per: Per, memory: &mut Memory) {
         let bits = match per {
