@@ -226,6 +226,14 @@ impl History {
         }
     }
 
+    /// Whether undo or redo lead to a document of this origin.
+    pub fn reaches(&self, origin: &Origin) -> bool {
+        let steps = self.past.iter().chain(&self.future);
+        steps
+            .chain([&self.settled])
+            .any(|document| document.origin == *origin)
+    }
+
     /// What undo would take back.
     pub fn undoable(&self) -> Option<String> {
         self.past.back().map(|before| change(before, &self.settled))

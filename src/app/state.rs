@@ -143,8 +143,9 @@ impl AppState {
 
     /// Remembers how the document was opened or saved, for when undo comes back to it.
     pub fn begin(&mut self) {
-        let origin = &self.saved.origin;
-        self.begun.retain(|(saved, _)| saved.origin != *origin);
+        let (origin, history) = (&self.saved.origin, &self.history);
+        self.begun
+            .retain(|(saved, _)| saved.origin != *origin && history.reaches(&saved.origin));
         self.begun.push((self.saved.clone(), self.opened.clone()));
     }
 
