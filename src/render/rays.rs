@@ -2,6 +2,7 @@
 
 mod bounce;
 mod bvh;
+mod outline;
 mod packet;
 mod proof;
 mod shadow;

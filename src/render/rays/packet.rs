@@ -46,6 +46,8 @@ pub struct PointRow {
     pub normal: [Vec<f64>; 3],
     /// A bit for each of [`RAYS`] points: whether it is there.
     pub present: Vec<u32>,
+    /// The same: whether it lies on a triangle, and starts in a direction that the normals at its corners span.
+    pub on_triangle: Vec<u32>,
 }
 
 impl PointRow {
@@ -55,8 +57,10 @@ impl PointRow {
         for plane in self.start.iter_mut().chain(&mut self.normal) {
             plane.resize(packets * RAYS, 0.0);
         }
-        self.present.clear();
-        self.present.resize(packets, 0);
+        for bits in [&mut self.present, &mut self.on_triangle] {
+            bits.clear();
+            bits.resize(packets, 0);
+        }
     }
 
     pub fn set(&mut self, index: usize, start: DVec3, normal: DVec3) {
@@ -65,6 +69,12 @@ impl PointRow {
             self.normal[axis][index] = normal[axis];
         }
         self.present[index / RAYS] |= 1 << (index % RAYS);
+    }
+
+    /// The same for a point of the object; `on_triangle` says whether it surely lies on a triangle.
+    pub fn set_own(&mut self, index: usize, start: DVec3, normal: DVec3, on_triangle: bool) {
+        self.set(index, start, normal);
+        self.on_triangle[index / RAYS] |= u32::from(on_triangle) << (index % RAYS);
     }
 
     /// The point, `clearance` away along its normal.

@@ -197,6 +197,8 @@ pub struct PrimaryHit {
     /// Where rays start that leave to the side of the normal: lifted from the polygon to the rounding that its vertex
     /// normals stand for, so that a smooth surface's facets cast no shadow on each other.
     pub lifted: DVec3,
+    /// Whether the point surely lies on a polygon whose vertex normals its own is of, and not beyond an edge.
+    pub on_triangle: bool,
 }
 
 /// How a picture's pixels see the object.
@@ -263,6 +265,7 @@ impl PrimaryHits<'_> {
             point,
             normal,
             lifted: point,
+            on_triangle: false,
         }
     }
 
@@ -369,6 +372,7 @@ impl<'a> Facet<'a> {
                 point,
                 normal,
                 lifted: point,
+                on_triangle: false,
             },
             None => {
                 let normal = mean(&self.normals, share)
@@ -382,6 +386,7 @@ impl<'a> Facet<'a> {
                     point,
                     normal,
                     lifted: self.lifted(point, share),
+                    on_triangle: share.min_element() >= 0.0,
                 }
             }
         }
