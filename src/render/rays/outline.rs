@@ -10,8 +10,8 @@
 //! - One sheet that faces the light, and those that face away lie behind it: the object's own points that face the light are lit.
 //!   Such a point starts on a triangle of this sheet, for triangles that face away have no normal that faces the light; all
 //!   others are taken for outlines. From there it is raised in a direction that its triangle's vertex normals span. All of these
-//!   normals lie on the outer side of every triangle of the sheet in the block, and a lift that might leave the block makes its
-//!   triangle an outline. So the lift leads away from the sheet, towards the light, and meets it nowhere; the ray goes through
+//!   normals lie on the outer side of every triangle of the sheet in the block, and points whose lift might leave the block are
+//!   not asked about. So the lift leads away from the sheet, towards the light, and meets it nowhere; the ray goes through
 //!   the sheet once, and that is behind the point.
 //!
 //! Margins are wider than the rounding, and than the seam by which rays widen triangles.
@@ -25,6 +25,8 @@ use std::collections::HashMap;
 
 /// Cells along a side of a light's view.
 const SIDE: usize = 256;
+/// Cells along a side of the larger ones in which the normals are compared.
+const COARSE: usize = 2;
 /// Cells that stay free along each border.
 const BORDER: f64 = 2.0;
 /// Where in its cell the sheets are counted: off the symmetries that objects and lights have.
@@ -41,6 +43,8 @@ const FARTHEST_OBJECT: f64 = 1e4;
 const EDGE_ON: f64 = 0.01;
 /// Twice a triangle's area over the square of its longest edge; below, its normal and its seams are rounded too much.
 const SLIVER: f64 = 1e-3;
+/// The object's own points that maps know are raised by less than this from their triangles, in radii.
+pub const LIFT: f64 = 1.0 / 400.0;
 /// The least cosine between any two normals of a block.
 const ALIKE: f32 = 0.25;
 
@@ -102,8 +106,8 @@ struct Projection {
     /// Cells per unit of length at the middle.
     right: DVec3,
     up: DVec3,
-    /// No lift up to this length leaves a block, or changes which triangles face the light.
-    lift: f64,
+    /// Whether no lift of the object's own points leaves a block, or changes which triangles face the light.
+    lifts: bool,
 }
 
 impl Projection {
@@ -141,7 +145,7 @@ impl Projection {
             shrink: nearer * inverse,
             right: right * scale,
             up: nearer.cross(right) * scale,
-            lift: turn.min(0.9 / longest),
+            lifts: LIFT * radius < turn.min(0.9 / longest),
         })
     }
 
@@ -176,13 +180,8 @@ impl Projection {
                 ways.iter()
                     .all(|way| normal.dot(*way) < -EDGE_ON * way.length())
             };
-            let drop = |k: usize| {
-                let above = corners.map(|corner| (corner - corners[k]).dot(normals[k]));
-                -above[0].min(above[1]).min(above[2])
-            };
             let unit = normals.iter().all(|normal| normal.length_squared() > 0.99);
-            let low = (0..3).all(|k| drop(k) <= self.lift);
-            if !(unit && low) || away && !normals.iter().all(faces_away) {
+            if !unit || away && !normals.iter().all(faces_away) {
                 return Facing::Undecided;
             }
         }
@@ -233,6 +232,9 @@ impl LightMap {
             return None;
         }
         let projection = Projection::new(target, radius)?;
+        if own && !projection.lifts {
+            return None;
+        }
         let above = 2.0 * solid.clearance();
         let floor = ground.map_or(f64::INFINITY, |ground| ground - middle.y + above);
         let casts = if target.parallel {
@@ -295,7 +297,7 @@ fn draw(solid: &Solid<'_>, projection: &Projection, floor: f64, own: bool) -> Op
         SIDE * SIDE
     ];
     let empty = [Vec4::INFINITY, Vec4::NEG_INFINITY];
-    let mut bounds: Vec<Bounds> = vec![empty; if own { SIDE * SIDE } else { 0 }];
+    let mut bounds: Vec<Bounds> = vec![empty; if own { (SIDE / COARSE).pow(2) } else { 0 }];
     // Whether any of what faces the light, or faces away, reaches down to the floor.
     let mut low = [floor == f64::INFINITY; 2];
     for (index, &facing) in facings.iter().enumerate() {
@@ -305,7 +307,7 @@ fn draw(solid: &Solid<'_>, projection: &Projection, floor: f64, own: bool) -> Op
             return None;
         }
         if facing == Facing::Undecided {
-            spans(&places, |range| {
+            spans(&places, 1, |range| {
                 cells[range].iter_mut().for_each(|cell| cell.outline = true);
             });
             continue;
@@ -316,7 +318,7 @@ fn draw(solid: &Solid<'_>, projection: &Projection, floor: f64, own: bool) -> Op
             let other = neighbours[index][edge] as usize;
             if facings.get(other) != Some(&facing) {
                 let ends = [places[edge], places[(edge + 1) % 3]];
-                spans(&ends, |range| {
+                spans(&ends, 1, |range| {
                     cells[range].iter_mut().for_each(|cell| cell.outline = true);
                 });
                 wind(ends, away, &mut cells);
@@ -324,21 +326,26 @@ fn draw(solid: &Solid<'_>, projection: &Projection, floor: f64, own: bool) -> Op
         }
         if own {
             let [least, greatest] = bounds_of(&corners, &normals_of(index), away, projection);
-            spans(&places, |range| {
+            spans(&places, COARSE, |range| {
                 for [low, high] in &mut bounds[range] {
                     (*low, *high) = (low.min(least), high.max(greatest));
                 }
             });
         }
     }
-    let margin = (2.0 * projection.lift) as f32;
+    let margin = (2.0 * LIFT * solid.ball().1) as f32;
     let mut sheets = [0; 2];
     let known = |(index, draft): (usize, &Draft)| {
         if index % SIDE == 0 {
             sheets = [0; 2];
         }
         sheets = [0, 1].map(|side| sheets[side] + draft.sheets[side]);
-        let single = || own && sheets[0] == 1 && is_single(&bounds[index], margin);
+        let single = || {
+            own && sheets[0] == 1 && {
+                let (row, column) = (index / SIDE / COARSE, index % SIDE / COARSE);
+                is_single(&bounds[row * (SIDE / COARSE) + column], margin)
+            }
+        };
         let shadows = || !own && (0..2).any(|side| sheets[side] > 0 && !low[side]);
         match draft.outline {
             true => Cell::Unknown,
@@ -376,17 +383,19 @@ fn is_single(&[low, high]: &Bounds, margin: f32) -> bool {
     least.truncate().element_sum() > ALIKE && high.w + margin < low.w
 }
 
-/// Calls `each` with the cells of each row that a convex polygon passes, or that lie beside such cells.
-fn spans(corners: &[DVec2], mut each: impl FnMut(std::ops::Range<usize>)) {
+/// Calls `each` with the cells of each row, `size` by `size` of the view's in one, that a convex polygon passes less than a cell of
+/// the view away.
+fn spans(corners: &[DVec2], size: usize, mut each: impl FnMut(std::ops::Range<usize>)) {
     // Whatever is no number lies in the first cell.
-    let cell = |x: f64| x.clamp(0.0, SIDE as f64 - 1.0) as usize;
+    let cell = |x: f64| x.clamp(0.0, SIDE as f64 - 1.0) as usize / size;
     let (low, high) = corners
         .iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), corner| {
             (low.min(corner.y), high.max(corner.y))
         });
     for row in cell(low - 1.0)..=cell(high + 1.0) {
-        let strip = [(row as f64 - 1.0, 0.0), (row as f64 + 2.0, 1.0)];
+        let begin = (row * size) as f64;
+        let strip = [(begin - 1.0, 0.0), (begin + size as f64 + 1.0, 1.0)];
         let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
         for (k, &corner) in corners.iter().enumerate() {
             let next = corners[(k + 1) % corners.len()];
@@ -399,14 +408,15 @@ fn spans(corners: &[DVec2], mut each: impl FnMut(std::ops::Range<usize>)) {
                 continue;
             }
             for (y, end) in strip {
-                let part = (y.clamp(p.y, q.y) - p.y) / (q.y - p.y);
+                let part = (y.max(p.y).min(q.y) - p.y) / (q.y - p.y);
                 // A level edge has both its ends in the strip.
                 let x = p.x + (q.x - p.x) * if part.is_nan() { end } else { part };
                 (first, last) = (first.min(x), last.max(x));
             }
         }
         if first <= last {
-            each(row * SIDE + cell(first - 1.0)..row * SIDE + cell(last + 1.0) + 1);
+            let row = row * (SIDE / size);
+            each(row + cell(first - 1.0)..row + cell(last + 1.0) + 1);
         }
     }
 }
@@ -423,3 +433,6 @@ fn wind([p, q]: [DVec2; 2], away: bool, cells: &mut [Draft]) {
         cells[row * SIDE + column].sheets[usize::from(away)] += if begins { 1 } else { -1 };
     }
 }
+
+#[cfg(test)]
+mod tests;

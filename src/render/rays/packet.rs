@@ -46,7 +46,7 @@ pub struct PointRow {
     pub normal: [Vec<f64>; 3],
     /// A bit for each of [`RAYS`] points: whether it is there.
     pub present: Vec<u32>,
-    /// The same: whether it lies on a triangle, and starts in a direction that the normals at its corners span.
+    /// The same: whether it lies on a triangle, raised a little from there as the normals at its corners lead.
     pub on_triangle: Vec<u32>,
 }
 
@@ -74,7 +74,9 @@ impl PointRow {
     /// The same for a point of the object; `on_triangle` says whether it surely lies on a triangle.
     pub fn set_own(&mut self, index: usize, start: DVec3, normal: DVec3, on_triangle: bool) {
         self.set(index, start, normal);
-        self.on_triangle[index / RAYS] |= u32::from(on_triangle) << (index % RAYS);
+        let bits = &mut self.on_triangle[index / RAYS];
+        *bits &= !(1 << (index % RAYS));
+        *bits |= u32::from(on_triangle) << (index % RAYS);
     }
 
     /// The point, `clearance` away along its normal.

@@ -2,6 +2,7 @@
 //! rays start.
 
 use super::bvh::Bvh;
+use super::outline::LIFT;
 use super::packet::{Packet, RAYS, rays_of};
 use crate::geometry::{Ray, Surface, SurfaceHit, TOGETHER};
 use crate::render::lens::{Lens, pixel_centre};
@@ -197,7 +198,7 @@ pub struct PrimaryHit {
     /// Where rays start that leave to the side of the normal: lifted from the polygon to the rounding that its vertex
     /// normals stand for, so that a smooth surface's facets cast no shadow on each other.
     pub lifted: DVec3,
-    /// Whether the point surely lies on a polygon whose vertex normals its own is of, and not beyond an edge.
+    /// Whether the point surely lies on a smooth polygon, not beyond an edge, and is lifted only a little.
     pub on_triangle: bool,
 }
 
@@ -312,6 +313,8 @@ struct Facet<'a> {
     constants: [f64; 3],
     /// How far corner j lies above the tangent plane at corner k: `above[k][j]`.
     above: [DVec3; 3],
+    /// The longest lift that maps of a light's view allow.
+    reach: f64,
 }
 
 impl<'a> Facet<'a> {
@@ -350,6 +353,7 @@ impl<'a> Facet<'a> {
             slopes,
             constants,
             above,
+            reach: LIFT * model.radius,
         }
     }
 
@@ -382,11 +386,12 @@ impl<'a> Facet<'a> {
                         let [a, b, c] = self.corners;
                         (b - a).cross(c - a).normalize_or_zero()
                     });
+                let lifted = self.lifted(point, share);
                 PrimaryHit {
                     point,
                     normal,
-                    lifted: self.lifted(point, share),
-                    on_triangle: share.min_element() >= 0.0,
+                    lifted,
+                    on_triangle: share.min_element() >= 0.0 && lifted.distance(point) < self.reach,
                 }
             }
         }
