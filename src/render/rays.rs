@@ -1,5 +1,6 @@
 //! Rays: boxes, shadows, light through the object, one bounce, and the surroundings.
 
+mod adjacency;
 mod bounce;
 mod bvh;
 mod outline;

@@ -3,7 +3,7 @@
 //! Boxes are split where the surface area heuristic is least over a few bins (I. Wald, *On fast construction of SAH-based
 //! bounding volume hierarchies*, 2007). Coordinates are those of the model, relative to its origin.
 
-use super::outline::Adjacency;
+use super::adjacency::Adjacency;
 use crate::render::model::Model;
 use crate::render::node::{Memory, room};
 use glam::Vec3;

@@ -2,7 +2,6 @@
 //! rays start.
 
 use super::bvh::Bvh;
-use super::outline::LIFT;
 use super::packet::{Packet, RAYS, rays_of};
 use crate::geometry::{Ray, Surface, SurfaceHit, TOGETHER};
 use crate::render::lens::{Lens, pixel_centre};
@@ -17,6 +16,9 @@ use std::ops::Range;
 const CLEAR_OF_POLYGONS: f64 = 1e-6;
 /// The teapot's patches are iterated to about 10⁻⁹.
 const CLEAR_OF_SURFACE: f64 = 1e-5;
+
+/// The object's own points that maps know are raised by less than this from their triangles, in radii.
+pub const LIFT: f64 = 1.0 / 400.0;
 
 /// The object as rays see it.
 #[derive(Clone, Copy)]
