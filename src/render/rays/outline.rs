@@ -186,7 +186,8 @@ impl LightMap {
     pub fn new(solid: &Solid<'_>, target: &Target, ground: Option<f64>, own: bool) -> Option<Self> {
         let (middle, radius) = solid.ball();
         let sized = radius > f64::from(RADII[0]) && radius < f64::from(RADII[1]);
-        if !sized || !(middle.length() < FARTHEST_OBJECT * radius) {
+        let near = middle.length() < FARTHEST_OBJECT * radius;
+        if !(sized && near) {
             return None;
         }
         let projection = Projection::new(target, radius)?;
