@@ -1,9 +1,7 @@
 //! Rays: boxes, shadows, light through the object, one bounce, and the surroundings.
 
-mod adjacency;
 mod bounce;
 mod bvh;
-mod outline;
 mod packet;
 mod proof;
 mod shadow;

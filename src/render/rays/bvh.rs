@@ -3,12 +3,10 @@
 //! Boxes are split where the surface area heuristic is least over a few bins (I. Wald, *On fast construction of SAH-based
 //! bounding volume hierarchies*, 2007). Coordinates are those of the model, relative to its origin.
 
-use super::adjacency::Adjacency;
 use crate::render::model::Model;
 use crate::render::node::{Memory, room};
 use glam::Vec3;
 use rayon::join;
-use std::sync::OnceLock;
 
 /// Triangles in a leaf at most.
 const LEAF: usize = 4;
@@ -52,8 +50,6 @@ pub struct Bvh {
     pub order: Vec<u32>,
     /// Radius of a ball about the model's origin that lies within the solid; 0 if none is known.
     pub inner_radius: f64,
-    /// Found when shadows first need it.
-    adjacency: OnceLock<Adjacency>,
 }
 
 #[derive(Clone, Copy)]
@@ -129,20 +125,11 @@ impl Bvh {
             corners,
             order,
             inner_radius,
-            adjacency: OnceLock::new(),
         }
     }
 
     pub fn count(&self, memory: &mut Memory) {
         memory.triangles += room(&self.nodes) + room(&self.corners) + room(&self.order);
-        if let Some(Adjacency(neighbours)) = self.adjacency.get() {
-            memory.triangles += room(neighbours);
-        }
-    }
-
-    /// Which triangles are neighbours, in the order of the leaves.
-    pub fn adjacency(&self) -> &Adjacency {
-        self.adjacency.get_or_init(|| Adjacency::new(&self.corners))
     }
 
     /// The height of the lowest corner.

@@ -46,8 +46,6 @@ pub struct PointRow {
     pub normal: [Vec<f64>; 3],
     /// A bit for each of [`RAYS`] points: whether it is there.
     pub present: Vec<u32>,
-    /// The same: whether it lies on a triangle, raised a little from there as the normals at its corners lead.
-    pub on_triangle: Vec<u32>,
 }
 
 impl PointRow {
@@ -57,10 +55,8 @@ impl PointRow {
         for plane in self.start.iter_mut().chain(&mut self.normal) {
             plane.resize(packets * RAYS, 0.0);
         }
-        for bits in [&mut self.present, &mut self.on_triangle] {
-            bits.clear();
-            bits.resize(packets, 0);
-        }
+        self.present.clear();
+        self.present.resize(packets, 0);
     }
 
     pub fn set(&mut self, index: usize, start: DVec3, normal: DVec3) {
@@ -69,14 +65,6 @@ impl PointRow {
             self.normal[axis][index] = normal[axis];
         }
         self.present[index / RAYS] |= 1 << (index % RAYS);
-    }
-
-    /// The same for a point of the object; `on_triangle` says whether it surely lies on a triangle.
-    pub fn set_own(&mut self, index: usize, start: DVec3, normal: DVec3, on_triangle: bool) {
-        self.set(index, start, normal);
-        let bits = &mut self.on_triangle[index / RAYS];
-        *bits &= !(1 << (index % RAYS));
-        *bits |= u32::from(on_triangle) << (index % RAYS);
     }
 
     /// The point, `clearance` away along its normal.

@@ -15,7 +15,7 @@ const ROUNDINGS: f32 = 16.0 * f32::EPSILON;
 /// Outside by more than any rounding.
 const WIDER: f64 = 1.0 + 1e-5;
 /// Radii of the object and squares of lengths whose products stay far from the ends of single precision.
-pub const RADII: [f32; 2] = [1e-6, 1e9];
+const RADII: [f32; 2] = [1e-6, 1e9];
 const SQUARES: [f32; 2] = [1e-24, 1e24];
 
 /// A source as rays see it.
@@ -76,14 +76,14 @@ pub struct Balls {
 /// Sixteen points.
 pub struct Points<S: Simd> {
     /// Where their rays start, relative to the middle of the balls.
-    pub from: Vectors<S>,
+    from: Vectors<S>,
     normal: Vectors<S>,
     /// From the middle of the balls.
-    pub distance: f32x16<S>,
+    distance: f32x16<S>,
     /// How far the rounding may move a point of a ray.
     error: f32x16<S>,
     /// Above the floor; infinitely without one.
-    pub above: f32x16<S>,
+    above: f32x16<S>,
 }
 
 impl<S: Simd> Points<S> {

@@ -2,7 +2,6 @@
 //!
 //! Sixteen points are asked about together. What [`super::proof`] cannot decide waits until it fills a packet of rays.
 
-use super::outline::LightMap;
 use super::packet::{BLOCK, Packet, PointRow, RAYS, Visibility};
 use super::proof::{AreaLight, Balls, Points, Target};
 use super::solid::{PrimaryHit, PrimaryHits, Solid};
@@ -13,21 +12,9 @@ use fearless_simd::{Simd, dispatch};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::Range;
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A point so many times farther than the light is rounded by as much as the model's details: its ray starts at the light.
 const FAR_POINT: f64 = 1e9;
-
-/// Triangles to a ray: after so many rays to a source, its map is worth the time it takes.
-const TRIANGLES_A_RAY: usize = 4;
-
-/// A source's map, made once enough rays have been asked for.
-#[derive(Default)]
-struct LazyMap {
-    asked: AtomicUsize,
-    map: OnceLock<Option<LightMap>>,
-}
 
 /// One light of the scene.
 struct Lamp {
@@ -45,7 +32,6 @@ pub struct ShadowCaster<'a> {
     ground: Option<f64>,
     flip: bool,
     targets: Vec<Target>,
-    maps: Vec<LazyMap>,
     lamps: Vec<Lamp>,
     balls: Balls,
     middle: DVec3,
@@ -124,7 +110,6 @@ impl<'a> ShadowCaster<'a> {
         };
         Self {
             lamps: (0..equation.light_count()).map(lamp).collect(),
-            maps: targets.iter().map(|_| LazyMap::default()).collect(),
             targets,
             balls: Balls {
                 outer: radius as f32,
@@ -179,9 +164,8 @@ impl<'a> ShadowCaster<'a> {
         bands.for_each_init(<(Vec<PointRow>, Waiting)>::default, |(rows, waiting), (words, (band, fragments))| {
             rows.resize_with(ROWS, PointRow::default);
             rows.iter_mut().for_each(|row| row.clear(width));
-            hits.walk(band, fragments, |x, row, hit| {
-                let PrimaryHit { normal, lifted, on_triangle, .. } = hit;
-                rows[row].set_own(x, self.relative(lifted), normal, on_triangle);
+            hits.walk(band, fragments, |x, row, PrimaryHit { normal, lifted, .. }| {
+                rows[row].set(x, self.relative(lifted), normal);
             });
             for (row, words) in rows.iter().zip(words.chunks_mut(block)) {
                 dispatch!(self.solid.level, simd => self.mark_row(simd, row, stride, words, waiting));
@@ -203,7 +187,7 @@ impl<'a> ShadowCaster<'a> {
             row.clear(BLOCK);
             for index in 0..BLOCK.min(count - chunk * BLOCK) {
                 let (point, normal) = point(chunk * BLOCK + index);
-                row.set_own(index, self.relative(point), normal, true);
+                row.set(index, self.relative(point), normal);
             }
             dispatch!(self.solid.level, simd => self.mark_row(simd, row, stride, words, waiting));
         });
@@ -306,44 +290,10 @@ impl<'a> ShadowCaster<'a> {
             if unknown != 0 {
                 let [open, shut] = points.decide(simd, &way, target, self.balls);
                 dark |= unknown & shut;
-                let mut left = unknown & !open & !shut;
-                if left != 0
-                    && lamp.area.is_none()
-                    && let Some(map) = self.map(source, left)
-                {
-                    // A map of the object's own points knows those that start on its triangles.
-                    let asked = match self.own {
-                        true if *side < 0.0 => 0,
-                        true => left & row.on_triangle[first / RAYS],
-                        false => left,
-                    };
-                    let [lit, hidden] = map.decide(simd, points, asked);
-                    dark |= hidden;
-                    left &= !(lit | hidden);
-                }
-                self.wait(simd, group, left, source, sheet, queue);
+                self.wait(simd, group, unknown & !open & !shut, source, sheet, queue);
             }
             sheet.darken(source, *first, dark);
         }
-    }
-
-    /// The map of a source that is about to be asked for the rays in `rays`, once it is there.
-    fn map(&self, source: usize, rays: u32) -> Option<&LightMap> {
-        let LazyMap { asked, map } = &self.maps[source];
-        if map.get().is_none() {
-            if self.solid.surface.is_some() || self.own && !self.solid.smooth {
-                return None;
-            }
-            let enough = self.solid.model.triangles.len() / TRIANGLES_A_RAY;
-            let rays = rays.count_ones() as usize;
-            let before = asked.fetch_add(rays, Ordering::Relaxed);
-            // One thread makes the map; the others go on with rays until it is there.
-            if before <= enough && before + rays > enough {
-                let target = &self.targets[source];
-                let _ = map.set(LightMap::new(&self.solid, target, self.ground, self.own));
-            }
-        }
-        map.get()?.as_ref()
     }
 
     /// Lets rays wait for their packet.

@@ -17,9 +17,6 @@ const CLEAR_OF_POLYGONS: f64 = 1e-6;
 /// The teapot's patches are iterated to about 10⁻⁹.
 const CLEAR_OF_SURFACE: f64 = 1e-5;
 
-/// The object's own points that maps know are raised by less than this from their triangles, in radii.
-pub const LIFT: f64 = 1.0 / 400.0;
-
 /// The object as rays see it.
 #[derive(Clone, Copy)]
 pub struct Solid<'a> {
@@ -200,8 +197,6 @@ pub struct PrimaryHit {
     /// Where rays start that leave to the side of the normal: lifted from the polygon to the rounding that its vertex
     /// normals stand for, so that a smooth surface's facets cast no shadow on each other.
     pub lifted: DVec3,
-    /// Whether the point surely lies on a smooth polygon, not beyond an edge, and is lifted only a little.
-    pub on_triangle: bool,
 }
 
 /// How a picture's pixels see the object.
@@ -268,7 +263,6 @@ impl PrimaryHits<'_> {
             point,
             normal,
             lifted: point,
-            on_triangle: false,
         }
     }
 
@@ -315,8 +309,6 @@ struct Facet<'a> {
     constants: [f64; 3],
     /// How far corner j lies above the tangent plane at corner k: `above[k][j]`.
     above: [DVec3; 3],
-    /// The longest lift that maps of a light's view allow.
-    reach: f64,
 }
 
 impl<'a> Facet<'a> {
@@ -355,7 +347,6 @@ impl<'a> Facet<'a> {
             slopes,
             constants,
             above,
-            reach: LIFT * model.radius,
         }
     }
 
@@ -378,7 +369,6 @@ impl<'a> Facet<'a> {
                 point,
                 normal,
                 lifted: point,
-                on_triangle: false,
             },
             None => {
                 let normal = mean(&self.normals, share)
@@ -388,12 +378,10 @@ impl<'a> Facet<'a> {
                         let [a, b, c] = self.corners;
                         (b - a).cross(c - a).normalize_or_zero()
                     });
-                let lifted = self.lifted(point, share);
                 PrimaryHit {
                     point,
                     normal,
-                    lifted,
-                    on_triangle: share.min_element() >= 0.0 && lifted.distance(point) < self.reach,
+                    lifted: self.lifted(point, share),
                 }
             }
         }
