@@ -1,6 +1,7 @@
 //! The pixel probe: the equation at one pixel, in double precision.
 
 mod construction;
+mod digits;
 mod filled;
 mod letters;
 mod overlay;
@@ -9,7 +10,8 @@ mod report;
 mod zero;
 
 pub use construction::{ConstructionStep, WorkedStep};
-pub use filled::{FilledLine, FilledPart, LineValue, Share, digits, digits_below, percent};
+pub use digits::{digits, digits_below, percent};
+pub use filled::{FilledLine, FilledPart, LineValue, Share};
 pub use letters::{Letters, Tone, equation_letters, plain_formula, specular_vector};
 pub(super) use letters::{attenuation_law, exponent};
 pub use overlay::{

@@ -1,6 +1,6 @@
 //! How R and H are built from N, L and V, step by step, with the numbers of one pixel.
 
-use super::filled::{coordinates, digits, fixed};
+use super::digits::{coordinates, digits, fixed};
 use super::products::LightHere;
 use crate::text;
 use glam::DVec3;

@@ -4,12 +4,14 @@
 //! polygon or over the points of an area light, the factors that differ from one summand to the next are taken together:
 //! what is shown for them is their mean, by which the product is exact again.
 
+use super::digits::triple;
 use super::{LightTerms, ProbeHit};
 use crate::illumination::Equation;
 use crate::scene::{
     Attenuation, Backfacing, CuedBy, Light, LightKind, PatternKind, Reflectance, ReflectionModel,
     Rgb, Scene, ShadingMode,
 };
+use crate::text;
 
 /// Some factors with their product, per channel.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +33,22 @@ impl TermColumn {
             values,
             mean: false,
             added: false,
+        }
+    }
+
+    /// The factors in letters, side by side.
+    pub fn formula(&self) -> String {
+        self.factors.concat()
+    }
+
+    /// What they come to, in a sentence.
+    pub fn words(&self) -> String {
+        let values = triple(self.values);
+        match (self.factors.len() == 1, self.mean) {
+            (true, false) => text!("point-here", values = values),
+            (true, true) => text!("point-here-mean", values = values),
+            (false, false) => text!("point-here-product", values = values),
+            (false, true) => text!("point-here-product-mean", values = values),
         }
     }
 }

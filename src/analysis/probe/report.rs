@@ -1,6 +1,7 @@
 //! What the probe says, and how it is asked.
 
-use super::filled::{FilledPart, digits, fixed};
+use super::digits::{digits, fixed};
+use super::filled::FilledPart;
 use super::letters::{attenuation_law, equation_letters, plain_formula};
 use super::products::{Here, LightHere, Product};
 use super::{CueTerms, Probe, ProbeHit, probe};

@@ -1,5 +1,7 @@
 //! The renderer: a picture in nine steps, each of which runs only when what it reads has changed.
 
+mod kept;
+
 use super::account::{Account, Term};
 use super::bands::{BandPainter, Interpolated, Stale};
 use super::cue::{CueLayer, fade_pixels};
@@ -12,7 +14,7 @@ use crate::geometry::{Mesh, Surface};
 use crate::illumination::Equation;
 use crate::render::lens::Lens;
 use crate::render::model::{MeshSource, Model, Planes};
-use crate::render::node::{Memory, Node, room, room_of_planes};
+use crate::render::node::Node;
 use crate::render::raster::{Band, Coverage, PlacedTriangles};
 use crate::scene::{AmbientSource, Object, ObjectKind, Scene, Weighting};
 use fearless_simd::Level;
@@ -20,9 +22,6 @@ use glam::DVec2;
 use std::fmt;
 use std::mem::take;
 use std::sync::Arc;
-
-/// Buffers are given back once less than this part of the pixels or triangles is left that they were made for.
-const LEAST_USE: f64 = 0.5;
 
 /// Draws scenes, keeping each step's output for the next call.
 ///
@@ -118,26 +117,6 @@ impl Renderer {
         }
     }
 
-    /// Forgets every output, so that the next picture is drawn from nothing. Buffers are kept.
-    pub fn invalidate(&mut self) {
-        self.mesh.forget();
-        self.model.forget();
-        self.faces.forget();
-        self.surface.forget();
-        self.redraw();
-    }
-
-    /// Forgets every output but the geometry's: the next picture is transformed, covered and shaded anew.
-    pub fn redraw(&mut self) {
-        self.placed.forget();
-        self.points.forget();
-        self.bands.forget();
-        self.interpolated.forget();
-        self.rays.forget();
-        self.cue.forget();
-        self.picture.forget();
-    }
-
     /// Has the picture before the display kept from the next call on, for [`Renderer::linear`].
     pub fn keep_linear(&mut self, keep: bool) {
         self.keeps_linear = keep;
@@ -167,13 +146,9 @@ impl Renderer {
         linear: bool,
     ) -> &Frame {
         let began = self.now();
-        let Frame { width, height, .. } = self.picture.output.frame;
-        let before = self.extent([width, height]);
+        let before = self.extent();
         self.mesh(scene);
-        let wanted = self.extent(size);
-        if (0..2).any(|of| wanted[of] < LEAST_USE * before[of]) {
-            self.give_back();
-        }
+        self.give_back_unused(before, size);
         let job = self.plan_frame(scene, size, offset, linear);
         self.place(&job);
         self.points(&job);
@@ -187,29 +162,6 @@ impl Renderer {
         self.drawn = Some(job);
         self.report.nanoseconds = self.since(began);
         &self.picture.output.frame
-    }
-
-    /// The pixels of a picture of `size`, and the triangles.
-    fn extent(&self, size: [u32; 2]) -> [f64; 2] {
-        let [width, height] = size.map(f64::from);
-        [width * height, self.model.output.triangles.len() as f64]
-    }
-
-    /// Gives back all buffers but the geometry's.
-    fn give_back(&mut self) {
-        let all = take(self);
-        *self = Self {
-            level: all.level,
-            clock: all.clock,
-            given: all.given,
-            mesh: all.mesh,
-            model: all.model,
-            surface: all.surface,
-            keeps_linear: all.keeps_linear,
-            leaves_nothing_out: all.leaves_nothing_out,
-            report: all.report,
-            ..Self::default()
-        };
     }
 
     /// The polygons, with their vertex normals; the true surface, if that is shown.
@@ -684,53 +636,5 @@ impl Renderer {
             inks,
         }
         .terms()
-    }
-
-    /// The memory that is held for the next picture. A model's polygons, which its owner shares, count as well.
-    pub fn memory(&self) -> Memory {
-        let per = self.plan().map_or(Per::Pixel, |plan| plan.per);
-        let Picture { frame, linear } = &self.picture.output;
-        let mut memory = Memory::default();
-        self.mesh.output.count(&mut memory);
-        self.model.output.count(&mut memory);
-        self.placed.output.count(&mut memory);
-        self.interpolated.output.count(&mut memory);
-        self.cue.output.count(&mut memory);
-        self.rays.count(per, &mut memory);
-        memory.triangles += self.faces.output.iter().map(room_of_planes).sum::<u64>();
-        let points = if per == Per::Face {
-            &mut memory.triangles
-        } else {
-            &mut memory.vertices
-        };
-        *points += room_of_planes(&self.points.output);
-        // Each run has a pixel of its own at least, so that runs grow with the pixels.
-        memory.pixels += self
-            .bands
-            .output
-            .iter()
-            .map(|band| room(&band.runs) + room(&band.extents))
-            .sum::<u64>();
-        memory.pixels += room(&frame.pixels) + room(linear);
-        memory
-    }
-}
-
-impl Picture {
-    /// Gives the buffers their size; the room of a linear picture that is not wanted is let go.
-    fn canvas(
-        &mut self,
-        [width, height]: [u32; 2],
-        whole: bool,
-    ) -> (&mut [[u8; 4]], &mut [Linear]) {
-        let Self { frame, linear } = self;
-        let pixels = width as usize * height as usize;
-        (frame.width, frame.height) = (width, height);
-        frame.pixels.resize(pixels, [0; 4]);
-        if !whole {
-            *linear = Vec::new();
-        }
-        linear.resize(if whole { pixels } else { 0 }, [0.0; 4]);
-        (&mut frame.pixels, linear)
     }
 }

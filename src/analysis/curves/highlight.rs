@@ -1,0 +1,352 @@
+//! How the highlight falls with the angle φ: the family cosⁿ φ, and the polar lobe of a point.
+
+use crate::analysis::probe::exponent;
+use crate::analysis::{
+    Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, ProbeHit, ReflectionLobe, Tag,
+};
+use crate::figure::short;
+use crate::illumination::half_width;
+use crate::scene::{Distribution, ReflectionModel, Scene};
+use crate::text;
+use glam::DVec3;
+use std::f64::consts::{FRAC_PI_2, SQRT_2};
+
+/// The exponents that the course plots, their dashes, and the heights at which their curves carry their names: where there
+/// is room between one curve and the next.
+pub const COURSE: [f64; 4] = [5.0, 15.0, 45.0, 1005.0];
+const DASHES: [Dash; 4] = [Dash::Long, Dash::Dashed, Dash::DashDot, Dash::Dotted];
+const TAGS: [f64; 4] = [0.44, 0.36, 0.28, 0.05];
+/// The course's highlight as a function of φ.
+const LOBE: &str = "cosⁿφ";
+/// Even steps of an angle in a right angle, a half of a degree each.
+const EVEN: i32 = 180;
+/// Steps in which a half-width is divided, and how many of them are sampled on each side: of the lobe, and of cosⁿ φ.
+const FINE: [[i32; 2]; 2] = [[16, 80], [12, 60]];
+/// The narrowest half-width that is sampled finely; a mirror's is none at all.
+const NARROW: f64 = 1e-4;
+/// Out of the plane by less than this, degrees, V counts as in it.
+const IN_PLANE: f64 = 0.5;
+
+/// Angles from −90° to 90°, radians: even, and finer on both sides of some, each of which comes with its half-width.
+fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
+    let mut angles: Vec<f64> = (-EVEN..=EVEN)
+        .map(|i| FRAC_PI_2 * f64::from(i) / f64::from(EVEN))
+        .collect();
+    for (middle, half_width) in finer {
+        let step = half_width / f64::from(parts);
+        let near = (-count..=count).map(|i| middle + step * f64::from(i));
+        angles.extend(near.filter(|angle| angle.abs() < FRAC_PI_2));
+    }
+    angles.sort_by(f64::total_cmp);
+    angles.dedup();
+    angles
+}
+
+/// The lobe cut by the plane of incidence, with the vectors: what the point of `hit` reflects of the light of index
+/// `light`, for viewers in the plane of N and L. Nothing where the light does not reach the surface from the front.
+pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
+    let lobe = ReflectionLobe::at(scene, hit, light)?;
+    let mirror = lobe.mirror_angle();
+    let angles = angles(
+        &[(mirror, highlight_half_width(scene).max(NARROW))],
+        FINE[0],
+    );
+    let responses = angles.into_iter().map(|angle| {
+        // R itself, not R to rounding: a mirror sends nothing elsewhere.
+        let v = if angle == mirror {
+            lobe.r
+        } else {
+            lobe.in_plane(angle)
+        };
+        (angle.to_degrees(), lobe.towards(v))
+    });
+    let responses: Vec<_> = responses.collect();
+    let most = responses
+        .iter()
+        .map(|(_, response)| response.total())
+        .fold(0.0, f64::max);
+    let total = responses
+        .iter()
+        .map(|(angle, response)| [*angle, response.total()])
+        .collect();
+    let diffuse = responses
+        .iter()
+        .map(|(angle, response)| [*angle, response.diffuse])
+        .collect();
+    let curves = vec![
+        Curve {
+            notes: vec![short(most)],
+            name: text!("point-both-terms").to_owned(),
+            ..Curve::new("diffuse + specular", total, specular_ink(scene))
+        },
+        Curve {
+            dash: Dash::Dashed,
+            emphasised: false,
+            notes: vec![short(lobe.towards(lobe.n).diffuse)],
+            name: text!("point-diffuse").to_owned(),
+            ..Curve::new("diffuse", diffuse, Ink::L)
+        },
+    ];
+    let top = if most > 0.0 && most.is_finite() {
+        most
+    } else {
+        1.0
+    };
+    let axes = [
+        Axis::degrees(text!("point-axis-from-normal"), -90.0, 90.0),
+        Axis::new("I", 0.0, top),
+    ];
+    let out = out_of_plane(&lobe, lobe.v).abs();
+    let at_v = short(lobe.towards(lobe.v).total());
+    let mut note = text!("point-note-lobe", theta = degrees(mirror), intensity = at_v);
+    if out >= IN_PLANE {
+        note += text!("point-sentence-gap");
+        note += &text!("point-note-out-of-plane", angle = format!("{out:.0}°"));
+    }
+    Some(Plot {
+        legend: vec![text!("point-legend-greatest").to_owned()],
+        directions: directions(&lobe),
+        ..Plot::new(PlotKind::Lobe, text!("point-plot-lobe"), note, axes, curves)
+    })
+}
+
+/// Degrees between `vector` and the plane of incidence.
+fn out_of_plane(lobe: &ReflectionLobe, vector: DVec3) -> f64 {
+    vector
+        .dot(lobe.n.cross(lobe.across))
+        .clamp(-1.0, 1.0)
+        .asin()
+        .to_degrees()
+}
+
+/// N, L and R lie in the plane; V is shown by its shadow on it.
+fn directions(lobe: &ReflectionLobe) -> Vec<Direction> {
+    let vectors = [
+        ("N", lobe.n, Ink::N),
+        ("L", lobe.l, Ink::L),
+        ("R", lobe.r, Ink::R),
+        ("V", lobe.v, Ink::V),
+    ];
+    let seen = vectors.into_iter().map(|(letter, vector, ink)| {
+        let (x, y) = (vector.dot(lobe.across), vector.dot(lobe.n));
+        let length = if out_of_plane(lobe, vector).abs() < IN_PLANE {
+            1.0
+        } else {
+            x.hypot(y)
+        };
+        Direction {
+            letter,
+            angle: x.atan2(y).to_degrees(),
+            length,
+            ink,
+        }
+    });
+    // Below the surface there is nothing to point at.
+    seen.filter(|direction| direction.angle.abs() <= 90.0 && direction.length.is_finite())
+        .collect()
+}
+
+/// The present falling of the highlight with φ, beside the course's exponents; `phi` is the probe's, radians.
+///
+/// For Cook and Torrance's model, which has no exponent, the present curve is the distribution of its microfacets, D(φ)/D(0).
+pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
+    let (falling, model) = (Falling::new(scene), scene.reflection.model);
+    let finer: Vec<_> = COURSE
+        .into_iter()
+        .chain([falling.like_power()])
+        .map(|n| (0.0, half_width(n)))
+        .collect();
+    let grid = angles(&finer, FINE[1]);
+    let sampled = |falling: &Falling| {
+        grid.iter()
+            .map(|phi| [phi.to_degrees(), falling.at(*phi)])
+            .collect::<Vec<_>>()
+    };
+    let (name, symbol, formula) = falling.words(model);
+    let notes = vec![degrees(falling.half_width())];
+    let present = Curve {
+        name: text!("point-now", name = &name[..]),
+        notes,
+        ..Curve::new(name, sampled(&falling), specular_ink(scene))
+    };
+    let top = present
+        .points
+        .iter()
+        .fold(1.0, |top: f64, [_, y]| top.max(*y));
+    let marks = phi
+        .filter(|phi| phi.is_finite() && *phi <= FRAC_PI_2)
+        .map(|phi| {
+            let value = falling.at(phi);
+            let probe = text!("point-mark-probe");
+            let label = format!("{probe}: φ = {}, {}", degrees(phi), short(value));
+            Mark {
+                x: phi.to_degrees(),
+                label,
+                values: vec![(0, value)],
+                probe: true,
+            }
+        });
+    let mut curves = vec![present];
+    for ((n, dash), height) in COURSE.into_iter().zip(DASHES).zip(TAGS) {
+        if falling != Falling::Power(n) {
+            let left = -height.powf(1.0 / n).acos().to_degrees();
+            curves.push(Curve {
+                notes: vec![degrees(half_width(n))],
+                emphasised: false,
+                dash,
+                tag: Some(Tag {
+                    text: n.to_string(),
+                    at: [left, height],
+                }),
+                ..Curve::new(
+                    format!("n = {n}"),
+                    sampled(&Falling::Power(n)),
+                    Ink::Reference,
+                )
+            });
+        }
+    }
+    let angle = if model == ReflectionModel::Phong {
+        text!("point-axis-phi", a = "R", b = "V")
+    } else {
+        text!("point-axis-phi", a = "N", b = "H")
+    };
+    let axes = [
+        Axis::degrees(angle, -90.0, 90.0),
+        Axis::new(symbol, 0.0, top),
+    ];
+    Plot {
+        legend: vec![text!("point-legend-half-width").to_owned()],
+        marks: marks.into_iter().collect(),
+        ..Plot::new(
+            PlotKind::Exponent,
+            text!("point-plot-exponent", lobe = LOBE),
+            formula,
+            axes,
+            curves,
+        )
+    }
+}
+
+/// The angle between V and the middle of the highlight at which the specular term has fallen to about a half, radians:
+/// exact for Phong's model, and in the plane of incidence for those that measure N·H, where H turns half as fast as V.
+pub fn highlight_half_width(scene: &Scene) -> f64 {
+    let own = Falling::new(scene).half_width();
+    if scene.reflection.model == ReflectionModel::Phong {
+        own
+    } else {
+        2.0 * own
+    }
+}
+
+/// How the highlight falls with φ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Falling {
+    Power(f64),
+    Beckmann(f64),
+    Ggx(f64),
+}
+
+impl Falling {
+    fn new(scene: &Scene) -> Self {
+        let m = scene.material.roughness;
+        match (scene.reflection.model, scene.reflection.distribution) {
+            (ReflectionModel::CookTorrance, Distribution::Beckmann) => Self::Beckmann(m),
+            (ReflectionModel::CookTorrance, Distribution::Ggx) => Self::Ggx(m),
+            _ => Self::Power(scene.material.n),
+        }
+    }
+
+    /// 1 at φ = 0, 0 beyond a right angle.
+    fn at(self, phi: f64) -> f64 {
+        let cosine = cosine(phi);
+        match self {
+            Self::Power(n) if n.is_infinite() => f64::from(u8::from(phi == 0.0)),
+            Self::Power(n) => cosine.powf(n),
+            Self::Beckmann(_) | Self::Ggx(_) if cosine == 0.0 => 0.0,
+            Self::Beckmann(m) => (-(phi.tan() / m).powi(2)).exp() / cosine.powi(4),
+            Self::Ggx(a) => (a * a / (a * a * cosine * cosine + phi.sin().powi(2))).powi(2),
+        }
+    }
+
+    /// Where it has fallen to one half for good, radians.
+    fn half_width(self) -> f64 {
+        if let Self::Power(n) = self {
+            return half_width(n);
+        }
+        // Above its half before, below after: a very rough Beckmann surface first rises.
+        let (mut above, mut below) = (0.0, FRAC_PI_2);
+        for _ in 0..60 {
+            let middle = 0.5 * (above + below);
+            if self.at(middle) > 0.5 {
+                above = middle;
+            } else {
+                below = middle;
+            }
+        }
+        0.5 * (above + below)
+    }
+
+    /// The exponent whose samples suit it.
+    fn like_power(self) -> f64 {
+        match self {
+            Self::Power(n) => n,
+            Self::Beckmann(m) | Self::Ggx(m) => SQRT_2 / (m * m),
+        }
+    }
+
+    /// Its parameter, what is plotted, and the formula.
+    fn words(self, model: ReflectionModel) -> (String, &'static str, String) {
+        let vectors = if model == ReflectionModel::Phong {
+            "(R·V)ⁿ = cosⁿφ"
+        } else {
+            "(N·H)ⁿ = cosⁿφ"
+        };
+        match self {
+            Self::Power(n) => (format!("n = {}", exponent(n)), "cosⁿφ", vectors.to_owned()),
+            Self::Beckmann(m) => (
+                format!("m = {}", short(m)),
+                "D(φ)/D(0)",
+                text!(
+                    "point-note-distribution",
+                    lobe = LOBE,
+                    name = "Beckmann",
+                    formula = "D = exp(−tan²φ/m²)/(m² cos⁴φ)"
+                ),
+            ),
+            Self::Ggx(a) => (
+                format!("α = {}", short(a)),
+                "D(φ)/D(0)",
+                text!(
+                    "point-note-distribution",
+                    lobe = LOBE,
+                    name = "GGX",
+                    formula = "D = α²/(α² cos²φ + sin²φ)²"
+                ),
+            ),
+        }
+    }
+}
+
+/// An angle in degrees with one decimal.
+pub fn degrees(radians: f64) -> String {
+    format!("{:.1}°", radians.to_degrees()).replace('-', "−")
+}
+
+/// The ink of what is specular.
+pub fn specular_ink(scene: &Scene) -> Ink {
+    if scene.reflection.model == ReflectionModel::Phong {
+        Ink::R
+    } else {
+        Ink::H
+    }
+}
+
+/// cos θ, 0 at a right angle: there the cosine is 6·10⁻¹⁷ in double precision.
+pub fn cosine(theta: f64) -> f64 {
+    if theta.abs() >= FRAC_PI_2 - 1e-15 {
+        0.0
+    } else {
+        theta.cos()
+    }
+}

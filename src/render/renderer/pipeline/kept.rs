@@ -1,0 +1,113 @@
+//! What a renderer keeps from one picture to the next: forgetting it, giving its memory back, and counting it.
+
+use super::{Picture, Renderer};
+use crate::render::node::{Memory, room, room_of_planes};
+use crate::render::renderer::display::Linear;
+use crate::render::renderer::frame::Frame;
+use crate::render::renderer::plan::Per;
+use std::mem::take;
+
+/// Buffers are given back once less than this part of the pixels or triangles is left that they were made for.
+const LEAST_USE: f64 = 0.5;
+
+impl Renderer {
+    /// Forgets every output, so that the next picture is drawn from nothing. Buffers are kept.
+    pub fn invalidate(&mut self) {
+        self.mesh.forget();
+        self.model.forget();
+        self.faces.forget();
+        self.surface.forget();
+        self.redraw();
+    }
+
+    /// Forgets every output but the geometry's: the next picture is transformed, covered and shaded anew.
+    pub fn redraw(&mut self) {
+        self.placed.forget();
+        self.points.forget();
+        self.bands.forget();
+        self.interpolated.forget();
+        self.rays.forget();
+        self.cue.forget();
+        self.picture.forget();
+    }
+
+    /// The pixels of the last picture, and the triangles of the model.
+    pub(super) fn extent(&self) -> [f64; 2] {
+        let Frame { width, height, .. } = self.picture.output.frame;
+        [
+            f64::from(width) * f64::from(height),
+            self.model.output.triangles.len() as f64,
+        ]
+    }
+
+    /// Gives back all buffers but the geometry's, where a picture of `size` uses little of what had the extent `before`.
+    pub(super) fn give_back_unused(&mut self, before: [f64; 2], size: [u32; 2]) {
+        let [width, height] = size.map(f64::from);
+        let [_, triangles] = self.extent();
+        let wanted = [width * height, triangles];
+        if (0..2).all(|of| wanted[of] >= LEAST_USE * before[of]) {
+            return;
+        }
+        let all = take(self);
+        *self = Self {
+            level: all.level,
+            clock: all.clock,
+            given: all.given,
+            mesh: all.mesh,
+            model: all.model,
+            surface: all.surface,
+            keeps_linear: all.keeps_linear,
+            leaves_nothing_out: all.leaves_nothing_out,
+            report: all.report,
+            ..Self::default()
+        };
+    }
+
+    /// The memory that is held for the next picture. A model's polygons, which its owner shares, count as well.
+    pub fn memory(&self) -> Memory {
+        let per = self.plan().map_or(Per::Pixel, |plan| plan.per);
+        let Picture { frame, linear } = &self.picture.output;
+        let mut memory = Memory::default();
+        self.mesh.output.count(&mut memory);
+        self.model.output.count(&mut memory);
+        self.placed.output.count(&mut memory);
+        self.interpolated.output.count(&mut memory);
+        self.cue.output.count(&mut memory);
+        self.rays.count(per, &mut memory);
+        memory.triangles += self.faces.output.iter().map(room_of_planes).sum::<u64>();
+        let points = if per == Per::Face {
+            &mut memory.triangles
+        } else {
+            &mut memory.vertices
+        };
+        *points += room_of_planes(&self.points.output);
+        // Each run has a pixel of its own at least, so that runs grow with the pixels.
+        memory.pixels += self
+            .bands
+            .output
+            .iter()
+            .map(|band| room(&band.runs) + room(&band.extents))
+            .sum::<u64>();
+        memory.pixels += room(&frame.pixels) + room(linear);
+        memory
+    }
+}
+
+impl Picture {
+    /// Gives the buffers their size; the room of a linear picture that is not wanted is let go.
+    pub(super) fn canvas(
+        &mut self,
+        [width, height]: [u32; 2],
+        whole: bool,
+    ) -> (&mut [[u8; 4]], &mut [Linear]) {
+        let Self { frame, linear } = self;
+        let pixels = width as usize * height as usize;
+        (frame.width, frame.height) = (width, height);
+        frame.pixels.resize(pixels, [0; 4]);
+        if !whole {
+            *linear = Vec::new();
+        }
+        linear.resize(if whole { pixels } else { 0 }, [0.0; 4]);
+        (&mut frame.pixels, linear)
+    }
+}
