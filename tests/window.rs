@@ -2,23 +2,24 @@
 
 #[path = "common/window.rs"]
 mod hands;
+#[path = "window/lights.rs"]
+mod lights;
+#[path = "window/materials.rs"]
+mod materials;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Shape, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use hands::{
-    built_in, choose, drag, enter, folded, open_view, picture, picture_place, press, scene, undo,
-    unfold, wait, window, window_looking,
+    built_in, choose, drag, enter, open_view, picture, picture_place, press, scene, undo, window,
+    window_looking,
 };
 use shading_lab::analysis::NormalField;
 use shading_lab::app::{App, Look, ProfileLook, ViewName};
 use shading_lab::geometry::tessellate;
-use shading_lab::scene::{
-    Choice as _, CompareView, Distribution, Light, LightKind, Pane, PatternKind, ReflectionModel,
-    Rgb, Scene, ShadingMode, View,
-};
+use shading_lab::scene::{Choice, CompareView, Pane, Rgb, ShadingMode, View};
 use std::sync::Arc;
 
 /// Sets a slider by its accessible name, sees the picture change, and takes it back.
@@ -102,24 +103,6 @@ fn a_number_can_be_infinite() {
     harness.run();
     assert_eq!(scene(&harness).material.n, f64::INFINITY);
     assert!(picture(&harness) != before);
-}
-
-#[test]
-fn lights_are_added_and_removed() {
-    let mut harness = window("sphere");
-    let before = picture(&harness);
-    harness
-        .get_by_role_and_label(Role::Button, "Add light")
-        .click_accesskit();
-    harness.run();
-    assert_eq!(scene(&harness).lights.len(), 2);
-    let lit = picture(&harness);
-    assert!(lit != before, "another light changes the picture");
-    harness
-        .get_by_role_and_label(Role::Button, "Remove light 2")
-        .click_accesskit();
-    harness.run();
-    assert!(picture(&harness) == before);
 }
 
 #[test]
@@ -296,269 +279,6 @@ fn typed_numbers_change_the_picture() {
 }
 
 #[test]
-fn a_spot_lights_cone_is_typed() {
-    let mut harness = window("sphere");
-    assert!(
-        harness
-            .query_by_role_and_label(Role::SpinButton, "Light 1 cone")
-            .is_none(),
-        "a point has no cone"
-    );
-    choose(&mut harness, "Light 1 kind", "spotlight");
-    for (name, value) in [
-        ("Light 1 cone", 6.0),
-        ("Light 1 softness", 0.8),
-        ("Light 1 exponent", 90.0),
-        ("Light 1 direction x", -2.0),
-    ] {
-        let before = picture(&harness);
-        enter(&mut harness, name, value);
-        assert!(
-            picture(&harness) != before,
-            "{name} = {value} changes nothing"
-        );
-    }
-    assert_eq!(
-        (
-            scene(&harness).lights[0].kind,
-            scene(&harness).lights[0].cone
-        ),
-        (LightKind::Spot, 6.0)
-    );
-    enter(&mut harness, "Light 1 cone", 500.0);
-    assert_eq!(
-        scene(&harness).lights[0].cone,
-        6.0,
-        "a cone is at most a half-space, so this is refused"
-    );
-    let reason = harness.state().state().notice.as_deref();
-    assert_eq!(
-        reason,
-        Some("`light.0.cone` is 500, expected 0.1 to 90 degrees"),
-        "as a scene file would be"
-    );
-    // What would take all memory is refused before it is drawn.
-    let before = scene(&harness).clone();
-    enter(&mut harness, "Segments", 4e9);
-    assert_eq!(*scene(&harness), before);
-}
-
-#[test]
-fn lights_are_muted_and_soloed() {
-    let mut harness = window("three-lights");
-    let all = picture(&harness);
-    press(&mut harness, "Mute light 1");
-    let muted = picture(&harness);
-    assert!(scene(&harness).lights[0].mute && muted != all);
-    assert!(
-        harness
-            .query_by_role_and_label(Role::ComboBox, "Light 1 kind")
-            .is_some(),
-        "its controls stay"
-    );
-    press(&mut harness, "Mute light 1");
-    assert!(picture(&harness) == all);
-    press(&mut harness, "Light 2");
-    press(&mut harness, "Solo light 2");
-    assert!(scene(&harness).lights[1].solo);
-    assert!(picture(&harness) != all && picture(&harness) != muted);
-    undo(&mut harness);
-    assert!(picture(&harness) == all);
-}
-
-#[test]
-fn a_light_is_named() {
-    let mut harness = window("sphere");
-    let before = picture(&harness);
-    harness
-        .get_by_role_and_label(Role::TextInput, "Light 1 name")
-        .focus();
-    harness.run();
-    harness
-        .get_by_role_and_label(Role::TextInput, "Light 1 name")
-        .type_text("Key\u{7} lamp");
-    harness.run();
-    assert_eq!(scene(&harness).lights[0].name, "Key lamp");
-    assert!(
-        harness
-            .query_by_role_and_label(Role::Button, "Light 1, Key lamp")
-            .is_some(),
-        "its chip says so"
-    );
-    harness
-        .get_by_role_and_label(Role::TextInput, "Light 1 name")
-        .type_text(&"x".repeat(100));
-    harness.run();
-    assert_eq!(scene(&harness).lights[0].name.chars().count(), 64);
-    assert_eq!(scene(&harness).validate(), Ok(()));
-    assert!(picture(&harness) == before, "a name is not seen");
-}
-
-#[test]
-fn an_area_lights_points_and_their_error_are_shown() {
-    let mut harness = window("sphere");
-    choose(&mut harness, "Light 1 kind", "area");
-    let shown = |text: &'static str| {
-        move |harness: &Harness<'_, App>| harness.query_by_label_contains(text).is_some()
-    };
-    assert!(
-        wait(&mut harness, shown("N = 16: error ")),
-        "the error of the default"
-    );
-    let before = picture(&harness);
-    enter(&mut harness, "Light 1 samples", 1.0);
-    assert!(picture(&harness) != before);
-    assert!(
-        wait(&mut harness, shown("N = 1: error ")),
-        "the error of one point"
-    );
-    choose(&mut harness, "Light 1 shape", "sphere");
-    assert!(
-        harness
-            .query_by_role_and_label(Role::SpinButton, "Light 1 extent width")
-            .is_none(),
-        "a sphere has no width"
-    );
-    enter(&mut harness, "Light 1 radius", 1.5);
-    assert_eq!(scene(&harness).lights[0].radius, 1.5);
-    press(&mut harness, "Mute light 1");
-    assert!(
-        wait(&mut harness, shown("does not reach the picture")),
-        "a muted light has no error"
-    );
-}
-
-#[test]
-fn microfacets_have_a_roughness_instead_of_n() {
-    let mut harness = window("sphere");
-    let is_there = |harness: &Harness<'_, App>, name| {
-        harness
-            .query_by_role_and_label(Role::Slider, name)
-            .is_some()
-    };
-    assert!(is_there(&harness, "n specular exponent") && !is_there(&harness, "m roughness"));
-    choose(&mut harness, "Reflection model", "Cook–Torrance  D·G");
-    assert!(!is_there(&harness, "n specular exponent") && is_there(&harness, "m roughness"));
-    let before = picture(&harness);
-    enter(&mut harness, "m roughness", 0.5);
-    let rough = picture(&harness);
-    assert!(rough != before);
-    choose(&mut harness, "D microfacet distribution", "GGX");
-    assert_eq!(scene(&harness).reflection.distribution, Distribution::Ggx);
-    assert!(picture(&harness) != rough);
-}
-
-#[test]
-fn another_model_with_an_equally_wide_highlight_is_one_step() {
-    let mut harness = window("sphere");
-    let before = scene(&harness).clone();
-    press(&mut harness, "Equivalent exponent for Blinn");
-    assert_eq!(scene(&harness).reflection.model, ReflectionModel::Blinn);
-    assert!(
-        (scene(&harness).material.n / before.material.n - 4.0).abs() < 0.1,
-        "n = {}",
-        scene(&harness).material.n
-    );
-    undo(&mut harness);
-    assert_eq!(*scene(&harness), before);
-    press(&mut harness, "Equivalent roughness");
-    assert_eq!(
-        scene(&harness).reflection.model,
-        ReflectionModel::CookTorrance
-    );
-}
-
-#[test]
-fn the_reflectance_of_a_metal_changes_the_picture() {
-    for entry in ["glass", "silver", "gold"] {
-        choice_changes_the_picture("sphere", &[], "W reflectance by angle", entry);
-    }
-    let mut harness = window("sphere");
-    assert!(
-        harness
-            .query_by_role_and_label(Role::SpinButton, "k extinction red")
-            .is_none()
-    );
-    choose(&mut harness, "W reflectance by angle", "custom η and k");
-    let before = picture(&harness);
-    enter(&mut harness, "k extinction red", 4.0);
-    assert!(picture(&harness) != before);
-}
-
-#[test]
-fn a_pattern_and_a_highlight_colour_change_the_picture() {
-    let mut harness = window("sphere");
-    let plain = picture(&harness);
-    enter(&mut harness, "Os highlight colour green", 0.0);
-    assert!(picture(&harness) != plain);
-    undo(&mut harness);
-    choose(&mut harness, "Pattern", "checker");
-    assert_eq!(scene(&harness).pattern.kind, PatternKind::Checker);
-    let coarse = picture(&harness);
-    assert!(coarse != plain);
-    enter(&mut harness, "Pattern scale", 0.1);
-    assert!(picture(&harness) != coarse);
-}
-
-#[test]
-fn transparency_and_surroundings_unfold() {
-    let mut harness = folded("sphere");
-    assert!(
-        harness
-            .query_by_role_and_label(Role::SpinButton, "Kt transparency")
-            .is_none(),
-        "the section is folded at first"
-    );
-    unfold(&mut harness, "Transparency");
-    let index = harness.get_by_role_and_label(Role::SpinButton, "η relative index");
-    assert!(
-        index.accesskit_node().is_disabled(),
-        "nothing is transmitted"
-    );
-    enter(&mut harness, "Kt transparency", 0.5);
-    enter(&mut harness, "η relative index", 1.33);
-    assert_eq!(
-        (
-            scene(&harness).transparency.kt,
-            scene(&harness).transparency.ior
-        ),
-        (0.5, 1.33)
-    );
-    assert!(
-        harness
-            .query_by_role_and_label(Role::Button, "Transmitted in the equation")
-            .is_some()
-    );
-    unfold(&mut harness, "Surroundings");
-    press(&mut harness, "Shadows on");
-    press(&mut harness, "Ground on");
-    enter(&mut harness, "Ground height", -0.5);
-    choose(&mut harness, "Backdrop", "stripes");
-    enter(&mut harness, "Backdrop distance", 3.0);
-    choose(&mut harness, "Ia ambient source", "one bounce");
-    let scene = scene(&harness);
-    assert!(scene.shading.shadows && scene.ground.visible);
-    assert_eq!((scene.ground.height, scene.backdrop.distance), (-0.5, 3.0));
-    assert_eq!(scene.backdrop.pattern, PatternKind::Stripes);
-    assert_eq!(scene.validate(), Ok(()));
-}
-
-#[test]
-fn a_named_material_is_one_step() {
-    let mut harness = window("sphere");
-    let before = scene(&harness).clone();
-    press(&mut harness, "Materials");
-    press(&mut harness, "Gold");
-    assert_eq!(
-        scene(&harness).material.ka,
-        Rgb::new(0.24725, 0.1995, 0.0745)
-    );
-    assert_eq!(scene(&harness).material.n, 51.2);
-    undo(&mut harness);
-    assert_eq!(*scene(&harness), before);
-}
-
-#[test]
 fn the_pixels_above_one_are_counted() {
     let mut harness = window("flat-facets");
     enter(&mut harness, "Light 1 intensity red", 0.5);
@@ -569,41 +289,6 @@ fn the_pixels_above_one_are_counted() {
             .query_by_label_contains("pixels are above 1")
             .is_some()
     );
-}
-
-#[test]
-fn a_spot_lights_arrow_is_dragged() {
-    let mut harness = window("sphere");
-    choose(&mut harness, "Light 1 kind", "spotlight");
-    let before = scene(&harness).clone();
-    // The light has been aimed at the camera's target, so that its arrow ends in the picture's middle.
-    let middle = harness
-        .get_by_role_and_label(Role::Image, "Picture, Phong shading")
-        .rect()
-        .center();
-    drag(&mut harness, middle, middle + vec2(60.0, 20.0));
-    let turned = scene(&harness).clone();
-    assert!(
-        turned.lights[0]
-            .direction
-            .angle_between(before.lights[0].direction)
-            > 0.02,
-        "the arrow was turned"
-    );
-    assert_eq!(
-        (turned.camera, turned.lights[0].position),
-        (before.camera.clone(), before.lights[0].position)
-    );
-    undo(&mut harness);
-    assert_eq!(*scene(&harness), before, "a drag is one step");
-    // Beside the handles the camera turns.
-    drag(
-        &mut harness,
-        middle - vec2(0.0, 150.0),
-        middle - vec2(50.0, 150.0),
-    );
-    assert_eq!(scene(&harness).lights, before.lights);
-    assert!(scene(&harness).camera != before.camera);
 }
 
 #[test]
@@ -819,64 +504,6 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     assert!(
         picture(&harness) == before,
         "needles are no part of the picture"
-    );
-}
-
-#[test]
-fn a_new_light_goes_where_it_is_seen_and_no_other_is() {
-    for name in ["sphere", "spotlight"] {
-        let mut harness = window(name);
-        for count in scene(&harness).lights.len() + 1..14 {
-            press(
-                &mut harness,
-                if count < 8 { "Add light" } else { "Duplicate" },
-            );
-            let Scene { lights, camera, .. } = scene(&harness);
-            assert_eq!(lights.len(), count);
-            let size = [
-                harness.state().frame().width,
-                harness.state().frame().height,
-            ];
-            let at = |light: &Light| {
-                View::new(camera, size)
-                    .project(light.position)
-                    .map(|(pixel, _)| pixel)
-            };
-            let added = at(&lights[count - 1]).expect("before the eye");
-            let inside = added.cmpgt(DVec2::ZERO).all()
-                && added.cmplt(DVec2::from_array(size.map(f64::from))).all();
-            assert!(
-                inside,
-                "light {count} is out of sight at {added} of {size:?}"
-            );
-            let nearest = lights[..count - 1]
-                .iter()
-                .filter_map(at)
-                .map(|at| at.distance(added))
-                .fold(f64::MAX, f64::min);
-            assert!(
-                nearest > 16.0,
-                "light {count} is {nearest} pixels from another"
-            );
-        }
-    }
-}
-
-#[test]
-fn a_light_from_afar_is_doubled_to_another_direction() {
-    let mut harness = window("sun");
-    for _ in 0..12 {
-        press(&mut harness, "Duplicate");
-    }
-    let directions: Vec<DVec3> = scene(&harness)
-        .lights
-        .iter()
-        .map(|light| light.direction.normalize())
-        .collect();
-    let close = |i: usize, j: usize| directions[i].dot(directions[j]) > 0.9999;
-    assert!(
-        (0..directions.len()).all(|i| (0..i).all(|j| !close(i, j))),
-        "{directions:?}"
     );
 }
 
