@@ -28,8 +28,6 @@ fn snippet(scene: &Scene) -> Export {
     opengl_c_snippet(scene, &tessellate(&scene.object))
 }
 
-// ---- what the texts say ----
-
 #[test]
 fn every_built_in_scene_is_exported_alike_each_time() {
     for preset in presets::ALL {
