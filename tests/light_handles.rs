@@ -3,14 +3,14 @@
 #[path = "common/window.rs"]
 mod common;
 
-use common::{choose, drag, press, scene, undo, window};
+use common::{built_in, choose, drag, press, scene, undo, window, window_of};
 use eframe::egui::{Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 use shading_lab::app::App;
 use shading_lab::geometry::tessellate;
-use shading_lab::scene::{Camera, View};
+use shading_lab::scene::{Camera, Projection, View};
 
 fn picture_rect(harness: &Harness<'_, App>) -> eframe::egui::Rect {
     harness
@@ -87,4 +87,18 @@ fn the_camera_comes_back_and_shows_another_shape_whole() {
             .min(f64::from(size[1]) - at.y);
         assert!(room > least, "{p} at {at}");
     }
+}
+
+/// The number beside a light's handle stands away from the object's middle, which may be seen farther out than `f32` reaches.
+#[test]
+fn lights_have_handles_where_the_object_is_seen_extremely_far_out() {
+    let mut loaded = built_in("sphere");
+    let scene = &mut loaded.scene;
+    scene.camera.target = DVec3::new(1e10, 0.0, 0.0);
+    scene.camera.eye = DVec3::new(1e10, 0.0, 1e4);
+    scene.camera.projection = Projection::Orthographic;
+    scene.camera.height = 1e-30;
+    scene.lights[0].position = scene.camera.target;
+    scene.validate().expect("a sound scene");
+    window_of(loaded).run();
 }

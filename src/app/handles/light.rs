@@ -129,11 +129,10 @@ pub fn area(rect: Rect) -> Area {
 impl Marker {
     /// Where its number would stand, as seen from the handle at `at`, and how far away: clear of the line to the object's
     /// middle, which is at `foot`.
-    fn number(self, at: Pos2, foot: Option<Pos2>) -> (Vec2, f32) {
+    fn number(self, at: Pos2, foot: Option<DVec2>) -> (Vec2, f32) {
         let away = foot
-            .map(|foot| (at - foot).normalized())
-            .filter(|away| *away != Vec2::ZERO)
-            .unwrap_or(vec2(0.0, 1.0));
+            .and_then(|foot| (exact(at) - foot).try_normalize())
+            .map_or(vec2(0.0, 1.0), |away| vec2(away.x as f32, away.y as f32));
         match self {
             Self::Point => (away, RADIUS + 2.0),
             Self::Directional { .. } => (away, RADIUS + 7.0),
@@ -142,9 +141,9 @@ impl Marker {
     }
 }
 
-/// Where the object's middle is on the screen.
-fn foot(view: &View, middle: DVec3, place: Place) -> Option<Pos2> {
-    Some(place.point(view.project(middle)?.0))
+/// Where the object's middle is on the screen, or far out of it.
+fn foot(view: &View, middle: DVec3, place: Place) -> Option<DVec2> {
+    Some(place.exact_point(view.project(middle)?.0))
 }
 
 /// What each handle covers with its number, points.
@@ -194,7 +193,7 @@ fn paint_numbers(
     state: &AppState,
     place: Place,
     markers: &[(Pos2, Marker)],
-    foot: Option<Pos2>,
+    foot: Option<DVec2>,
 ) {
     let mut taken: Vec<Area> = markers
         .iter()
