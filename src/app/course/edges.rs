@@ -2,10 +2,12 @@
 
 use crate::analysis::NormalField;
 use crate::app::engine::Engine;
+use crate::app::lines::line;
 use crate::app::place::Place;
 use crate::app::state::AppState;
 use crate::scene::View;
-use eframe::egui::{Color32, Painter, Pos2, Stroke};
+use eframe::egui::{Color32, Painter, Stroke};
+use glam::DVec2;
 
 /// More polygons than this would hide the picture.
 const MOST: usize = 6000;
@@ -35,9 +37,9 @@ pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
     let faces = u32::try_from(field.face_count()).unwrap_or(0);
     for face in 0..faces {
         let corners = field.outline(face);
-        let projected: Option<Vec<Pos2>> = corners
+        let projected: Option<Vec<DVec2>> = corners
             .iter()
-            .map(|corner| view.project(*corner).map(|(pixel, _)| place.point(pixel)))
+            .map(|corner| Some(place.exact_point(view.project(*corner)?.0)))
             .collect();
         let Some(points) = projected.filter(|points| points.len() > 2 && faces_eye(points)) else {
             continue;
@@ -49,19 +51,15 @@ pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
         ] {
             let next = points.iter().cycle().skip(1);
             for (from, to) in points.iter().zip(next) {
-                painter.line_segment([*from, *to], stroke);
+                line(painter, [*from, *to], stroke, &[]);
             }
         }
     }
 }
 
 /// Whether corners go round counter-clockwise, as those of a polygon do that turns its front to the eye.
-fn faces_eye(points: &[Pos2]) -> bool {
+fn faces_eye(points: &[DVec2]) -> bool {
     let next = points.iter().cycle().skip(1);
-    let area: f32 = points
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.x * b.y - b.x * a.y)
-        .sum();
+    let area: f64 = points.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();
     area < 0.0
 }
