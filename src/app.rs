@@ -117,6 +117,8 @@ pub struct App {
     layout: Layout,
     room: Room,
     title: String,
+    /// Pixels to a point of the letters in memory.
+    letters: Option<f32>,
     /// Whether a dialog, or the progress of work on a file, stands in front of everything else: the keys are for that.
     in_front: bool,
     recovery: Option<Recovery>,
@@ -155,6 +157,7 @@ impl App {
                 pane: [1, 1],
             },
             title: String::new(),
+            letters: None,
             in_front: false,
             recovery: None,
             started_in: None,
@@ -304,6 +307,7 @@ impl App {
         // In points of the screen, rounded: what is shown must not depend on the last digit.
         let size = (ctx.content_rect().size() * ctx.zoom_factor()).round();
         ctx.set_zoom_factor(self.state.look.zoom(size.y));
+        theme::forget_letters(ctx, &mut self.letters);
         let fingers = system::fingers(ctx);
         theme::touch(ctx, fingers || size.x < theme::NARROW);
         let chosen = self.state.look.language;

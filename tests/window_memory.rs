@@ -1,13 +1,16 @@
-//! What the window holds: the largest scenes, meshes and windows leave nothing behind.
+//! What the window holds: the largest scenes, meshes and windows leave nothing behind, nor do letters of other sizes and
+//! pictures of a dialog that is closed.
 
 #[path = "common/window.rs"]
 mod hands;
 
-use eframe::egui::{Event, vec2};
+use eframe::egui::{Event, Key, vec2};
 use egui_kittest::Harness;
 use hands::{wait, window};
 use peak_alloc::PeakAlloc;
 use shading_lab::app::App;
+use shading_lab::scene::presets;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 #[global_allocator]
 static HEAP: PeakAlloc = PeakAlloc;
@@ -21,6 +24,13 @@ const LARGE: [&str; 6] = [
     "sphere&pane=shading.mode=flat&pane=shading.mode=exact&pane=material.n=4",
     "sphere&set=object.segments=1000&set=object.rings=500",
 ];
+/// Tests take turns: each counts every byte.
+static TURN: Mutex<()> = Mutex::new(());
+
+fn turn() -> MutexGuard<'static, ()> {
+    TURN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// What may be left of them: fonts that were first used there, steps of undo.
 const LEFT: usize = 4_000_000;
 
@@ -29,14 +39,20 @@ fn open(harness: &mut Harness<'_, App>, scene: &str) {
     harness.run_ok();
 }
 
+/// Waits until the cube is drawn, in fewer than `most` bytes; returns how many.
+fn at_rest(harness: &mut Harness<'_, App>, most: usize) -> usize {
+    let smooth = |harness: &Harness<'_, App>| harness.state().samples() > 1;
+    assert!(wait(harness, smooth), "the cube's edges get smooth");
+    // The work beside the window is over a little later than its picture comes.
+    assert!(wait(harness, |_| HEAP.current_usage() < most));
+    HEAP.current_usage()
+}
+
 #[test]
 fn large_scenes_leave_nothing_behind() {
+    let _turn = turn();
     let mut harness = window("cube");
-    let smooth = |harness: &Harness<'_, App>| harness.state().samples() > 1;
-    assert!(wait(&mut harness, smooth), "the cube's edges get smooth");
-    // The work beside the window is over a little later than its picture comes.
-    assert!(wait(&mut harness, |_| HEAP.current_usage() < 20_000_000));
-    let before = HEAP.current_usage();
+    let before = at_rest(&mut harness, 20_000_000);
     for size in [vec2(1280.0, 800.0), vec2(2560.0, 1600.0)] {
         for scene in LARGE {
             harness.set_size(size);
@@ -50,4 +66,60 @@ fn large_scenes_leave_nothing_behind() {
     open(&mut harness, "cube");
     let over = wait(&mut harness, |_| HEAP.current_usage() < before + LEFT);
     assert!(over, "{} of {before}", HEAP.current_usage());
+}
+
+/// At projector size the letters grow with the window: each height has letters of its own.
+#[test]
+fn letters_of_other_sizes_leave_nothing_behind() {
+    let _turn = turn();
+    let mut harness = window("cube");
+    // As large as graphics cards take them.
+    harness.input_mut().max_texture_side = Some(16_384);
+    harness.run_ok();
+    let atlas = |harness: &Harness<'_, App>| harness.ctx.fonts(|fonts| fonts.font_image_size());
+    let before = atlas(&harness);
+    harness.key_press(Key::F9);
+    harness.run_ok();
+    for height in (800..1600).step_by(25) {
+        harness.set_size(vec2(1280.0, height as f32) / harness.ctx.zoom_factor());
+        harness.run_ok();
+    }
+    assert!(harness.ctx.zoom_factor() > 1.5, "the letters have grown");
+    harness.key_press(Key::F9);
+    harness.run_ok();
+    harness.set_size(vec2(1280.0, 800.0));
+    harness.run_ok();
+    assert_eq!(harness.ctx.zoom_factor(), 1.0);
+    assert_eq!(atlas(&harness), before);
+}
+
+#[test]
+fn pictures_of_scenes_leave_nothing_behind() {
+    let _turn = turn();
+    let mut harness = window("cube");
+    // Where rays meet the teapot is worked out once, and stays.
+    open(&mut harness, "teapot&set=shading.mode=exact");
+    open(&mut harness, "cube");
+    let before = at_rest(&mut harness, 25_000_000);
+    let textures = |harness: &Harness<'_, App>| harness.ctx.tex_manager().read().num_allocated();
+    let all = textures(&harness) + presets::ALL.len();
+    // A fine screen: the pictures take four times the memory.
+    let screen = |harness: &mut Harness<'_, App>, scale: f32| {
+        for viewport in harness.input_mut().viewports.values_mut() {
+            viewport.native_pixels_per_point = Some(scale);
+        }
+    };
+    for come in [0, all] {
+        screen(&mut harness, 2.0);
+        harness.key_press(Key::F2);
+        harness.run_ok();
+        assert!(wait(&mut harness, |harness| textures(harness) >= come));
+        harness.key_press(Key::Escape);
+        screen(&mut harness, 1.0);
+        // Buffers that were larger go with the next scene.
+        open(&mut harness, "sphere");
+        open(&mut harness, "cube");
+        let over = wait(&mut harness, |_| HEAP.current_usage() < before + LEFT);
+        assert!(over, "{} of {before}", HEAP.current_usage());
+    }
 }

@@ -3,7 +3,7 @@
 use crate::analysis::{Parcel, Watch, pack, unpack};
 use crate::jobs::{Background, Work};
 use crate::text::text;
-use eframe::egui::{Button, ColorImage, Context, ProgressBar, Ui};
+use eframe::egui::{Button, ColorImage, Context, ProgressBar, TextureHandle, TextureOptions, Ui};
 use std::time::Duration;
 
 /// Draws the window again when there is something new.
@@ -46,6 +46,55 @@ pub const PICTURES: Parcel<Vec<ColorImage>> = Parcel {
         pictures.into_iter().map(picture).collect()
     },
 };
+
+/// Small pictures, drawn in the background, which go to the graphics card as they come.
+pub struct Pictures<W: Work> {
+    /// In their order, as far as they have come.
+    pub textures: Vec<TextureHandle>,
+    wanted: Option<W>,
+    work: Background<W>,
+}
+
+impl<W: Work> Default for Pictures<W> {
+    fn default() -> Self {
+        Self {
+            textures: Vec::new(),
+            wanted: None,
+            work: Background::default(),
+        }
+    }
+}
+
+impl<W: Work<Answer = Vec<ColorImage>> + Clone + PartialEq> Pictures<W> {
+    /// Begins to draw the `count` pictures that are `wanted`, or takes those that have come. Once all are there, only the
+    /// graphics card holds them.
+    pub fn prepare(&mut self, ctx: &Context, wanted: &W, count: usize) {
+        if self.wanted.as_ref() != Some(wanted) {
+            *self = Self::default();
+            self.wanted = Some(wanted.clone());
+        }
+        if self.textures.len() == count {
+            return;
+        }
+        self.work.ask(wake(ctx), |_| true, || wanted.clone());
+        let pictures = self.work.answer().map_or(&[][..], Vec::as_slice);
+        for image in pictures.iter().skip(self.textures.len()) {
+            let options = TextureOptions::LINEAR;
+            let texture = ctx.load_texture("small picture", image.clone(), options);
+            self.textures.push(texture);
+        }
+        if self.textures.len() == count {
+            self.work = Background::default();
+        }
+    }
+
+    /// Forgets pictures that are still being drawn: nobody looks at them any more.
+    pub fn leave(&mut self) {
+        if self.work.progress().is_some() {
+            *self = Self::default();
+        }
+    }
+}
 
 /// How far the work is, with a button that stops it; returns whether any runs.
 pub fn progress_ui<W: Work>(ui: &mut Ui, background: &Background<W>, tip: &str) -> bool {

@@ -9,7 +9,7 @@ use super::film::film_ui;
 use super::focus::{keep_in_sight, named};
 use super::links;
 use super::report;
-use super::scenes::scenes_ui;
+use super::scenes::{Gallery, scenes_ui};
 use super::state::{AppState, Leaving};
 use super::system;
 use super::theme::text_field;
@@ -93,6 +93,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
                 });
             }
             state.own.put(Writer::default());
+            state.own.change(Gallery::leave);
             state.leaving = Leaving::No;
             ctx.request_repaint();
         }

@@ -1,13 +1,13 @@
 //! The material's own controls: the named materials to choose by eye, small spheres drawn in the background once somebody looks;
 //! and the n or m of the other models that makes a highlight as wide as the present one.
 
-use super::background::{PICTURES, wake};
+use super::background::{PICTURES, Pictures};
 use super::focus::{named, switch_named};
 use super::row::{About, display, row, value_row};
 use super::symbol::{Lit, Symbol};
 use crate::analysis::{Parcel, Watch};
 use crate::illumination::{blinn_from_phong, phong_from_blinn, roughness_from_exponent};
-use crate::jobs::{Background, Work};
+use crate::jobs::Work;
 use crate::render::Renderer;
 use crate::scene::material::no_highlight;
 use crate::scene::materials::{NAMED, NamedMaterial, OF_A_KIND, recognise};
@@ -18,8 +18,8 @@ use crate::scene::{
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Button, Color32, ColorImage, Context, Grid, Popup, PopupCloseBehavior, Rect, RichText,
-    Sense, StrokeKind, TextStyle, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
+    Align2, Button, Color32, ColorImage, Grid, Popup, PopupCloseBehavior, Rect, RichText, Sense,
+    StrokeKind, TextStyle, TextureHandle, Ui, Vec2, pos2, vec2,
 };
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -32,16 +32,11 @@ const CELL: Vec2 = Vec2::new(104.0, 72.0);
 /// Samples a pixel of the pictures: 2 × 2.
 const SAMPLES: u32 = 4;
 
-/// The pictures of the named materials.
-#[derive(Default)]
-pub struct Gallery {
-    /// In the order of [`NAMED`], as far as they have come.
-    textures: Vec<TextureHandle>,
-    work: Background<Spheres>,
-}
+/// The pictures of the named materials, in the order of [`NAMED`].
+pub type Gallery = Pictures<Spheres>;
 
 /// The spheres in pictures of so many pixels on a side.
-#[derive(PartialEq, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Serialize, Deserialize)]
 pub struct Spheres(u32);
 
 impl Work for Spheres {
@@ -59,23 +54,6 @@ impl Work for Spheres {
             }
         }
         Ok(pictures)
-    }
-}
-
-impl Gallery {
-    /// Begins to draw the pictures, or takes those that have come.
-    fn prepare(&mut self, ctx: &Context) {
-        let side = Spheres((SPHERE * ctx.pixels_per_point()).round().clamp(16.0, 512.0) as u32);
-        self.work.keep_only(|known| *known == side);
-        self.work
-            .ask(wake(ctx), |known| *known == side, || Spheres(side.0));
-        let pictures = self.work.answer().map_or(&[][..], Vec::as_slice);
-        self.textures.truncate(pictures.len());
-        for (index, image) in pictures.iter().enumerate().skip(self.textures.len()) {
-            let name = format!("material {index}");
-            self.textures
-                .push(ctx.load_texture(name, image.clone(), TextureOptions::LINEAR));
-        }
     }
 }
 
@@ -159,8 +137,10 @@ pub fn gallery_ui(ui: &mut Ui, lit: &mut Lit, gallery: &mut Gallery, material: &
                 .min_size(vec2(92.0, 0.0));
         let response = named(ui.add(button), Role::Button, name).on_hover_text(tip);
         let popup = Popup::menu(&response).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-        popup.show(|ui| {
-            gallery.prepare(ui.ctx());
+        let open = popup.show(|ui| {
+            let side = (SPHERE * ui.ctx().pixels_per_point()).round();
+            let wanted = Spheres(side.clamp(16.0, 512.0) as u32);
+            gallery.prepare(ui.ctx(), &wanted, NAMED.len());
             Grid::new("materials")
                 .num_columns(KINDS.len())
                 .spacing([6.0, 6.0])
@@ -186,6 +166,9 @@ pub fn gallery_ui(ui: &mut Ui, lit: &mut Lit, gallery: &mut Gallery, material: &
                     }
                 });
         });
+        if open.is_none() {
+            gallery.leave();
+        }
     });
 }
 

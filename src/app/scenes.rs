@@ -1,20 +1,20 @@
 //! The gallery of built-in scenes: a small picture of each, drawn in the background while the gallery is open.
 
 use super::action::Action;
-use super::background::{PICTURES, wake};
+use super::background::{PICTURES, Pictures};
 use super::dialog::Choice;
 use super::focus::named;
 use super::state::AppState;
 use super::theme::text_field;
 use crate::analysis::{Parcel, Watch};
-use crate::jobs::{Background, Work};
+use crate::jobs::Work;
 use crate::render::Renderer;
 use crate::scene::presets::{self, Preset};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align2, Color32, ColorImage, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextStyle,
-    TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
+    TextureHandle, Ui, Vec2, pos2, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -27,13 +27,18 @@ const CARD: Vec2 = Vec2::new(156.0, 156.0);
 #[derive(Default)]
 pub struct Gallery {
     sought: String,
-    /// In the order of the scenes, as far as they have come.
-    textures: Vec<TextureHandle>,
-    work: Background<Thumbnails>,
+    pictures: Pictures<Thumbnails>,
+}
+
+impl Gallery {
+    /// Forgets what is still being drawn.
+    pub fn leave(&mut self) {
+        self.pictures.leave();
+    }
 }
 
 /// The scenes in pictures of this size, in pixels.
-#[derive(PartialEq, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Serialize, Deserialize)]
 pub struct Thumbnails([u32; 2]);
 
 impl Work for Thumbnails {
@@ -73,21 +78,9 @@ pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
     let mut gallery: Gallery = state.own.take();
     let size = (PICTURE * ui.ctx().pixels_per_point()).round();
     let wanted = Thumbnails([size.x as u32, size.y as u32]);
-    gallery.work.keep_only(|known| *known == wanted);
-    gallery.work.ask(
-        wake(ui.ctx()),
-        |known| *known == wanted,
-        || Thumbnails(wanted.0),
-    );
-    let pictures = gallery.work.answer().map_or(&[][..], Vec::as_slice);
-    gallery.textures.truncate(pictures.len());
-    for (index, image) in pictures.iter().enumerate().skip(gallery.textures.len()) {
-        let name = format!("scene {index}");
-        let texture = ui
-            .ctx()
-            .load_texture(name, image.clone(), TextureOptions::LINEAR);
-        gallery.textures.push(texture);
-    }
+    gallery
+        .pictures
+        .prepare(ui.ctx(), &wanted, presets::ALL.len());
     let mut choice = Choice::Stay;
     ui.horizontal(|ui| {
         ui.heading(text!("scenes"));
@@ -125,7 +118,7 @@ pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
                     // Two stand side by side in a narrow window.
                     let width = (0.5 * (ui.available_width() - 8.0)).clamp(100.0, CARD.x);
                     for (index, preset) in scenes {
-                        if card_ui(ui, width, preset, gallery.textures.get(index)) {
+                        if card_ui(ui, width, preset, gallery.pictures.textures.get(index)) {
                             state.ask(Action::OpenBuiltIn(preset.name.to_owned()));
                             choice = Choice::Leave;
                         }

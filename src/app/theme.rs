@@ -50,6 +50,19 @@ pub fn install_fonts(ctx: &Context) {
     ctx.set_fonts(fonts());
 }
 
+/// Forgets letters of another size than those in sight; `known` is theirs, pixels to a point. egui keeps every size that was ever
+/// shown, in memory and on the graphics card, until they fill 16 384 pixels squared.
+pub fn forget_letters(ctx: &Context, known: &mut Option<f32>) {
+    let now = ctx.pixels_per_point();
+    if known
+        .replace(now)
+        .is_some_and(|before| before.to_bits() != now.to_bits())
+    {
+        // There are none; to set them anew clears the letters.
+        ctx.set_font_providers(Vec::new());
+    }
+}
+
 /// Makes controls high enough for a finger, or for a pointer.
 pub fn touch(ctx: &Context, on: bool) {
     let height = CONTROL[usize::from(on)];
