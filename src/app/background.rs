@@ -80,7 +80,7 @@ impl<W: Work<Answer = Vec<ColorImage>> + Clone + PartialEq> Pictures<W> {
         let pictures = self.work.answer().map_or(&[][..], Vec::as_slice);
         for image in pictures.iter().skip(self.textures.len()) {
             let options = TextureOptions::LINEAR;
-            let texture = ctx.load_texture("small picture", image.clone(), options);
+            let texture = ctx.load_texture("picture", image.clone(), options);
             self.textures.push(texture);
         }
         if self.textures.len() == count {
