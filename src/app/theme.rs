@@ -58,7 +58,7 @@ pub fn forget_letters(ctx: &Context, known: &mut Option<f32>) {
         .replace(now)
         .is_some_and(|before| before.to_bits() != now.to_bits())
     {
-        // There are none; to set them anew clears the letters.
+        // The window has no font providers; setting none again clears the letters.
         ctx.set_font_providers(Vec::new());
     }
 }
