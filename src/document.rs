@@ -46,6 +46,21 @@ pub struct Loaded {
     pub shown: Shown,
 }
 
+impl Loaded {
+    /// Says what its model's file has that is not drawn, if anything.
+    pub fn warning(&self) -> Option<String> {
+        undrawn(&self.scene.object, self.model.as_deref())
+    }
+}
+
+/// Says what the file of a scene's model has that is not drawn, if anything.
+pub fn undrawn(object: &Object, model: Option<&Mesh>) -> Option<String> {
+    model.filter(|mesh| mesh.names_materials)?;
+    let name = object.path.as_deref().and_then(Path::file_name);
+    let name = name.unwrap_or_default().to_string_lossy();
+    Some(text!("document-no-materials", name = name.as_ref()))
+}
+
 /// Is told how many bytes of a model have been read, and how many there are.
 pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
 

@@ -8,10 +8,52 @@ mod outputs;
 mod program;
 
 use program::{Folder, pixels_of, size_of};
+use serde_json::Value;
 use shading_lab::scene::{Scene, ShadingMode, presets};
 use std::fs;
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+#[test]
+fn a_model_drawn_without_its_materials_says_so_once() {
+    let folder = Folder::new("materials-of-a-model");
+    folder.write("plain.obj", TRIANGLE);
+    folder.write("red.obj", format!("mtllib red.mtl\nusemtl red\n{TRIANGLE}"));
+    let note = "note: red.obj: the materials that the model names are not drawn; all of it has the scene's material\n";
+    for arguments in [
+        &["check", "MODEL"][..],
+        &["render", "MODEL", "-o", "a.png", "--size", "8x8"],
+        &[
+            "probe", "MODEL", "--pixel", "4,4", "--size", "8x8", "--json",
+        ],
+        &["explain", "MODEL"],
+    ] {
+        for (model, expected) in [("plain.obj", ""), ("red.obj", note)] {
+            let words: Vec<String> = arguments
+                .iter()
+                .map(|word| word.replace("MODEL", model))
+                .collect();
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            let output = folder.run(&words);
+            let errors = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(
+                (output.status.code(), &*errors),
+                (Some(0), expected),
+                "{words:?}"
+            );
+        }
+    }
+    for (model, count) in [("plain.obj", 0), ("red.obj", 1)] {
+        let output = folder.run(&["check", model, "--json"]);
+        let object: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!(
+            object["warnings"].as_array().map(Vec::len),
+            Some(count),
+            "{model}"
+        );
+        assert_eq!(object["ok"], true);
+    }
+}
 
 #[test]
 fn every_built_in_scene_is_listed_and_drawn() {

@@ -8,6 +8,7 @@ use proptest::prelude::*;
 use shading_lab::geometry::{Mesh, NO_NORMAL, ObjError, read_obj};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{NormalSource, ObjectKind, Projection, Scene, Weighting};
+use shading_lab::text::{Language, in_language};
 use std::io::{BufReader, Cursor};
 
 fn read(file: impl AsRef<[u8]>) -> Result<Mesh, ObjError> {
@@ -394,6 +395,49 @@ fn many_faces_come_in_pieces_and_make_one_mesh() {
     }
     assert!(told.len() > file.len() >> 18 && told.is_sorted());
     assert_eq!(told.last(), Some(&(file.len() as u64)));
+}
+
+#[test]
+fn an_index_into_a_list_of_none_or_one_is_refused_in_words_that_make_sense() {
+    for (file, line, expected) in [
+        (
+            "f 1 2 3\nv 0 0 0\n",
+            1,
+            "the face names vertex 1, but there are no vertices yet",
+        ),
+        (
+            "v 0 0 0\nf -1 -2 1\n",
+            2,
+            "the face names vertex -2, expected 1 or -1, as one comes before this line",
+        ),
+        (
+            &square("f 1//1 2//1 3//1\nvn 0 0 1\n"),
+            5,
+            "the face names normal 1, but there are no normals yet",
+        ),
+    ] {
+        assert_eq!(bad(file), (expected.to_owned(), Some(line)), "{file:?}");
+        let (chinese, _) = in_language(Language::TraditionalChinese, || bad(file));
+        assert!(
+            !chinese.contains('0') && !chinese.contains("1 到 1"),
+            "{chinese}"
+        );
+    }
+}
+
+#[test]
+fn a_model_says_whether_its_file_names_materials() {
+    for (rest, names) in [
+        ("f 1 2 3\n", false),
+        ("mtllib a.mtl\nf 1 2 3\n", true),
+        ("usemtl red\nf 1 2 3\n", true),
+        ("f 1 2 3\nusemtl\n", true),
+        ("# mtllib a.mtl\no usemtl\ng mtllib\nf 1 2 3\n", false),
+    ] {
+        let mesh = good(square(rest));
+        assert_eq!(mesh.names_materials, names, "{rest:?}");
+        assert_eq!(mesh.fitted().names_materials, names, "{rest:?}");
+    }
 }
 
 #[test]

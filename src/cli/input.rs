@@ -1,6 +1,6 @@
 //! Arguments that several commands share.
 
-use super::output::{Failure, did_you_mean, progress_bar};
+use super::output::{Failure, did_you_mean, note, progress_bar};
 use clap::Args;
 use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser};
 use glam::DVec2;
@@ -81,8 +81,17 @@ impl SceneArguments {
             .collect()
     }
 
-    /// Opens the scene, or the default one, with the overrides of both sides of the command's name.
+    /// Opens the scene, or the default one, with the overrides of both sides of the command's name. What is not drawn of it is
+    /// noted on stderr.
     pub fn load(&self, earlier: &[String]) -> Result<Loaded, LoadError> {
+        let loaded = self.load_quietly(earlier)?;
+        if let Some(warning) = loaded.warning() {
+            note(&warning);
+        }
+        Ok(loaded)
+    }
+
+    fn load_quietly(&self, earlier: &[String]) -> Result<Loaded, LoadError> {
         let own = self.overrides();
         let overrides: Vec<&String> = earlier.iter().chain(&own).collect();
         let mut bar = None;

@@ -62,6 +62,8 @@ pub struct Mesh<C = Corner> {
     pub closed: bool,
     /// Closed and convex: from outside no two front faces cover the same pixel.
     pub convex: bool,
+    /// The file names materials of its own (`mtllib`, `usemtl`), which are not drawn.
+    pub names_materials: bool,
 }
 
 /// A mesh ready to be shaded: a vertex is a point with one normal, at the same place in `positions` and in `normals`, and a

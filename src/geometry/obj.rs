@@ -4,15 +4,16 @@
 //! line: `prepare` checks every vertex, normal and face and writes them anew, plainly, for the crate `tobj`, which reads them
 //! into pieces; here these are put together over shared points.
 //!
-//! Texture coordinates, materials, groups, lines, points and free-form surfaces are passed over.
+//! Texture coordinates, materials, groups, lines, points and free-form surfaces are passed over; that there are materials is
+//! kept ([`Mesh::names_materials`]), so that whoever shows the model can say so.
 
 mod prepare;
 
 use super::concave::fan_or_triangles;
 use super::mesh::{Corner, Mesh, NO_NORMAL};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 pub use prepare::ObjError;
-use prepare::{Lines, Prepared};
+use prepare::{About, Lines, Prepared};
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader};
 
@@ -50,19 +51,20 @@ pub fn read_obj(reader: impl BufRead, progress: &mut dyn FnMut(u64)) -> Result<M
         &tobj::LoadOptions::default(),
         no_materials,
     );
-    let origin = prepared.finish()?;
+    let about = prepared.finish()?;
     let (pieces, _) = loaded.map_err(ObjError::Refused)?;
-    put_together(pieces, origin)
+    put_together(pieces, about)
 }
 
-/// The mesh of all pieces, with positions relative to `origin`. Each piece is let go once it is in.
-fn put_together(pieces: Vec<tobj::Model>, origin: DVec3) -> Result<Mesh, ObjError> {
+/// The mesh of all pieces, with positions relative to the origin. Each piece is let go once it is in.
+fn put_together(pieces: Vec<tobj::Model>, about: About) -> Result<Mesh, ObjError> {
     let corners: usize = pieces.iter().map(|piece| piece.mesh.indices.len()).sum();
     if u32::try_from(corners).is_err() {
         return Err(ObjError::TooLarge);
     }
     let mut mesh = Mesh {
-        origin,
+        origin: about.origin,
+        names_materials: about.names_materials,
         starts: vec![0],
         ..Mesh::default()
     };

@@ -44,6 +44,7 @@ impl Mesh {
             origin,
             closed,
             convex,
+            names_materials,
             ..
         } = self;
         VertexMesh {
@@ -55,6 +56,7 @@ impl Mesh {
             mirrored: vec![],
             closed,
             convex,
+            names_materials,
         }
     }
 

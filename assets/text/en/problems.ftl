@@ -92,8 +92,16 @@ obj-weight = a weight
 obj-normal-component = a component of a normal
 obj-three-components = three components of a normal
 obj-corner = a corner of a face, v, v/vt, v//vn or v/vt/vn with whole numbers
-obj-no-such-vertex = the face names vertex { $number }, expected 1 to { $count } or -{ $count } to -1, as { $count } of them come before this line
-obj-no-such-normal = the face names normal { $number }, expected 1 to { $count } or -{ $count } to -1, as { $count } of them come before this line
+obj-no-such-vertex = the face names vertex { $number }, { $count ->
+    [0] but there are no vertices yet
+    [1] expected 1 or -1, as one comes before this line
+   *[other] expected 1 to { $count } or -{ $count } to -1, as { $count } of them come before this line
+ }
+obj-no-such-normal = the face names normal { $number }, { $count ->
+    [0] but there are no normals yet
+    [1] expected 1 or -1, as one comes before this line
+   *[other] expected 1 to { $count } or -{ $count } to -1, as { $count } of them come before this line
+ }
 
 # Pictures with a scene inside.
 png-damaged = not a valid PNG picture ({ $error }), expected one that shading-lab exported

@@ -18,3 +18,5 @@ document-target-no-folder = 所在的資料夾不存在，應為現有資料夾�
 document-unwritable = 無法寫入（{ $error }）
 document-nothing-to-draw = 沒有可繪製的內容
 document-figure-too-large = 圖形太大
+# 在標準錯誤輸出與視窗中，隨圖一起出現。
+document-no-materials = { $name }：模型本身的材質不會繪出，整個模型使用場景的材質

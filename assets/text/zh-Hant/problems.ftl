@@ -92,8 +92,16 @@ obj-weight = 權重
 obj-normal-component = 法向量的分量
 obj-three-components = 法向量的三個分量
 obj-corner = 面的角點 v、v/vt、v//vn 或 v/vt/vn（整數）
-obj-no-such-vertex = 面使用頂點 { $number }，此行之前有 { $count } 個，應為 1 到 { $count } 或 -{ $count } 到 -1
-obj-no-such-normal = 面使用法向量 { $number }，此行之前有 { $count } 個，應為 1 到 { $count } 或 -{ $count } 到 -1
+obj-no-such-vertex = 面使用頂點 { $number }，{ $count ->
+    [0] 但此行之前還沒有頂點
+    [1] 此行之前只有一個，應為 1 或 -1
+   *[other] 此行之前有 { $count } 個，應為 1 到 { $count } 或 -{ $count } 到 -1
+ }
+obj-no-such-normal = 面使用法向量 { $number }，{ $count ->
+    [0] 但此行之前還沒有法向量
+    [1] 此行之前只有一個，應為 1 或 -1
+   *[other] 此行之前有 { $count } 個，應為 1 到 { $count } 或 -{ $count } 到 -1
+ }
 
 # 內含場景的圖片。
 png-damaged = 不是有效的 PNG 圖片（{ $error }），應為 shading-lab 匯出的圖片

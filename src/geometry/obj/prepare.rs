@@ -180,6 +180,15 @@ pub struct Prepared<'a, R> {
     outcome: Result<(), ObjError>,
 }
 
+/// What a model's file says beside its polygons.
+#[derive(Clone, Copy, Default)]
+pub struct About {
+    /// What positions are relative to.
+    pub origin: DVec3,
+    /// Whether it names a library of materials, or one of them.
+    pub names_materials: bool,
+}
+
 #[derive(Default)]
 struct Writer {
     text: Vec<u8>,
@@ -187,7 +196,7 @@ struct Writer {
     normals: u64,
     faces: u64,
     corners_in_piece: usize,
-    origin: DVec3,
+    about: About,
     /// The corners of a face: position, and normal or 0.
     corners: Vec<(u64, u64)>,
 }
@@ -202,8 +211,8 @@ impl<'a, R: BufRead> Prepared<'a, R> {
         }
     }
 
-    /// After the last byte: the origin that positions are relative to, or what was wrong.
-    pub fn finish(self) -> Result<DVec3, ObjError> {
+    /// Returns what the file says beside its polygons, after the last byte, or what was wrong.
+    pub fn finish(self) -> Result<About, ObjError> {
         self.outcome?;
         if self.lines.bytes == 0 {
             return Err(ObjError::Empty);
@@ -211,7 +220,7 @@ impl<'a, R: BufRead> Prepared<'a, R> {
         if self.writer.faces == 0 {
             Err(ObjError::NoFace)
         } else {
-            Ok(self.writer.origin)
+            Ok(self.writer.about)
         }
     }
 
@@ -252,6 +261,10 @@ impl Writer {
             Some(b"v") => self.position(line.number, words),
             Some(b"vn") => self.normal(line.number, words),
             Some(b"f" | b"fo") => self.face(line, words),
+            Some(b"mtllib" | b"usemtl") => {
+                self.about.names_materials = true;
+                Ok(())
+            }
             _ => Ok(()),
         }
     }
@@ -271,9 +284,9 @@ impl Writer {
             };
         }
         if self.positions == 0 && point.is_finite() && point.abs().max_element() > FAR {
-            self.origin = point.round();
+            self.about.origin = point.round();
         }
-        let relative = (point - self.origin).as_vec3();
+        let relative = (point - self.about.origin).as_vec3();
         if let Some(k) = (0..3).find(|&k| !relative[k].is_finite()) {
             let word = quoted(xyz[k]);
             return Err(at(line, text!("obj-not-finite", word = word)));
