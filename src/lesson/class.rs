@@ -232,17 +232,86 @@ impl Class {
                 self.groups.len() - 1
             }
         };
-        let group = &mut self.groups[place];
+        // The lecturer's own lesson may have changed since.
+        self.groups[place].add(index, file, hand_in, lesson.is_some())
+    }
+}
+
+/// Finds the lesson that a hand-in answers: `lesson`, where that is given, the program's own, or the one inside the hand-in; with
+/// whether it is that one.
+///
+/// # Errors
+/// A hand-in to another lesson, to another version of it, or to none that is known.
+pub fn lesson_of(hand_in: &HandIn, lesson: Option<&Lesson>) -> Result<(Lesson, bool), String> {
+    let name = &*hand_in.record.lesson;
+    let mut foreign = false;
+    let lesson = match (lesson, find(name), &hand_in.source) {
+        (Some(lesson), ..) if lesson.name == name => lesson.clone(),
+        (Some(lesson), ..) => {
+            return Err(text!(
+                "class-other-lesson",
+                lesson = name,
+                expected = &*lesson.name
+            ));
+        }
+        (None, Some(built_in), None) => {
+            let mut sources = Language::ALL
+                .into_iter()
+                .map(|language| built_in.source(language));
+            if !sources.any(|source| digest([source]) == hand_in.digest) {
+                return Err(text!("class-other-version", lesson = name));
+            }
+            built_in.lesson()
+        }
+        (None, _, Some(source)) => {
+            foreign = true;
+            let read = Lesson::read(source, None);
+            let read = read.map_err(|error| text!("class-bad-lesson", error = error.to_string()));
+            read?
+        }
+        (None, None, None) => return Err(text!("class-no-lesson", lesson = name)),
+    };
+    if lesson.name != name {
+        return Err(text!("class-no-lesson", lesson = name));
+    }
+    Ok((lesson, foreign))
+}
+
+/// Grades a single hand-in. `foreign`: whether its lesson came inside it, so that it may open no file. `progress` is told of each
+/// question that is done.
+///
+/// # Errors
+/// An answer that fits no question of the lesson.
+pub fn mark(
+    hand_in: HandIn,
+    lesson: Lesson,
+    foreign: bool,
+    progress: &mut dyn FnMut(),
+) -> Result<Group, String> {
+    let mut group = Group::new(lesson, foreign);
+    group.add(0, String::new(), hand_in, false)?;
+    group.grade(false, progress);
+    Ok(group)
+}
+
+impl Group {
+    /// Adds a hand-in. An answer that fits no question is left out where it `may` be, and an error elsewhere.
+    fn add(
+        &mut self,
+        index: usize,
+        file: String,
+        hand_in: HandIn,
+        may: bool,
+    ) -> Result<(), String> {
         let mut record = hand_in.record;
         let count = record.answers.len();
-        record.fit(&group.lesson);
-        // The lecturer's own lesson may have changed since.
-        if count != record.answers.len() && lesson.is_none() {
+        record.fit(&self.lesson);
+        if count != record.answers.len() && !may {
             return Err(text!("class-unfit").to_owned());
         }
-        let mut given = vec![None; group.questions.len()];
+        let mut given = vec![None; self.questions.len()];
         for answered in record.answers {
-            let question = group
+            let question = self
                 .questions
                 .iter()
                 .position(|asked| asked.step == answered.step);
@@ -254,7 +323,7 @@ impl Class {
                 });
             }
         }
-        group.students.push(Student {
+        self.students.push(Student {
             index,
             file,
             name: hand_in.name,
@@ -263,54 +332,24 @@ impl Class {
         });
         Ok(())
     }
-}
 
-impl Group {
     /// A group for the lesson of a hand-in.
     fn of(hand_in: &HandIn, lesson: Option<&Lesson>) -> Result<Self, String> {
-        let name = &*hand_in.record.lesson;
-        let mut foreign = false;
-        let lesson = match (lesson, find(name), &hand_in.source) {
-            (Some(lesson), ..) if lesson.name == name => lesson.clone(),
-            (Some(lesson), ..) => {
-                return Err(text!(
-                    "class-other-lesson",
-                    lesson = name,
-                    expected = &*lesson.name
-                ));
-            }
-            (None, Some(built_in), None) => {
-                let mut sources = Language::ALL
-                    .into_iter()
-                    .map(|language| built_in.source(language));
-                if !sources.any(|source| digest([source]) == hand_in.digest) {
-                    return Err(text!("class-other-version", lesson = name));
-                }
-                built_in.lesson()
-            }
-            (None, _, Some(source)) => {
-                foreign = true;
-                let read = Lesson::read(source, None);
-                let read =
-                    read.map_err(|error| text!("class-bad-lesson", error = error.to_string()));
-                read?
-            }
-            (None, None, None) => return Err(text!("class-no-lesson", lesson = name)),
-        };
-        if lesson.name != name {
-            return Err(text!("class-no-lesson", lesson = name));
-        }
+        lesson_of(hand_in, lesson).map(|(lesson, foreign)| Self::new(lesson, foreign))
+    }
+
+    fn new(lesson: Lesson, foreign: bool) -> Self {
         let asked = |(step, of): (usize, &Step)| {
             let question = of.question.as_ref();
             question.map(|_| Asked::empty(step))
         };
         let questions = lesson.steps.iter().enumerate().filter_map(asked).collect();
-        Ok(Self {
+        Self {
             lesson,
             questions,
             students: Vec::new(),
             foreign,
-        })
+        }
     }
 
     /// Whether a hand-in belongs to it.

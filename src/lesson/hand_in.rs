@@ -26,7 +26,7 @@ const MAX_TEXT: usize = 4 << 20;
 pub const MAX_NAME: usize = 100;
 
 /// What a student handed in. The answers are as they were given, and may fit no question.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HandIn {
     /// Without control characters; empty where none was given.
     pub name: String,
@@ -40,6 +40,13 @@ pub struct HandIn {
     pub source: Option<String>,
     /// The answers.
     pub record: Record,
+}
+
+impl HandIn {
+    /// Whether a lesson is the one that was answered, word for word.
+    pub fn is_of(&self, lesson: &Lesson) -> bool {
+        digest([&lesson.source]) == self.digest
+    }
 }
 
 /// Why a picture does not count as answers handed in.
