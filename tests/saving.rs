@@ -10,7 +10,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use hands::{enter, open_view, press, scene, undo, wait, window, window_with};
 use shading_lab::app::{App, Origin, ViewName};
-use shading_lab::document::load;
+use shading_lab::document::{load, save_scene};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -489,4 +489,56 @@ fn the_form_of_an_export_has_usual_sizes_and_keeps_proportions() {
     press(&mut window, "Window");
     let [width, height] = sides(&window).map(|side| side.parse::<u32>().expect("a number"));
     assert_eq!([width, height], window.state().state().room);
+}
+
+/// Set for the run of this program without a desktop.
+#[cfg(target_os = "linux")]
+const ALONE: &str = "SHADING_LAB_WITHOUT_DESKTOP";
+
+/// The desktop is found by the environment, so that the test runs once more in one without any.
+#[cfg(target_os = "linux")]
+#[test]
+fn browsing_without_a_desktop_says_what_is_missing_and_a_path_can_be_typed() {
+    if std::env::var_os(ALONE).is_some() {
+        return browse_without_a_desktop();
+    }
+    let own = std::env::current_exe().expect("this program");
+    let name = "browsing_without_a_desktop_says_what_is_missing_and_a_path_can_be_typed";
+    let output = std::process::Command::new(own)
+        .args(["--exact", name])
+        .env(ALONE, "1")
+        .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere")
+        .env("PATH", "/nowhere")
+        .output()
+        .expect("this program");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        output.status.success() && said.contains("1 passed"),
+        "{said}"
+    );
+}
+
+#[cfg(target_os = "linux")]
+fn browse_without_a_desktop() {
+    let folder = Folder::new("browsing");
+    let none = "This desktop has no file dialog for programs";
+    let mut window = window("sphere");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    window.run();
+    assert!(!asks(&window, none));
+    window
+        .get_by_role_and_label(Role::Button, "Browse…")
+        .click_accesskit();
+    assert!(wait(&mut window, |window| asks(window, none)));
+    // The dialog is still there, for a path.
+    save_scene(&folder.0.join("cube.toml"), &hands::built_in("cube").scene).expect("a file");
+    fill_in(&mut window, &folder.path("cube.toml"), "Open");
+    let opened = Origin::File(folder.0.join("cube.toml"));
+    assert!(wait(&mut window, |window| {
+        window.state().state().document.origin == opened
+    }));
+    // Wherever a path is asked for.
+    window.key_press_modifiers(SAVE_AS.0, SAVE_AS.1);
+    window.run();
+    assert!(asks(&window, none));
 }

@@ -189,7 +189,7 @@ pub fn code_ui(
     ui: &mut Ui,
     form: &mut CodeForm,
     writer: &mut Writer,
-    document: &Document,
+    (document, no_dialog): (&Document, bool),
 ) -> Choice {
     ui.heading(text!("code"));
     ui.add_space(6.0);
@@ -252,7 +252,7 @@ pub fn code_ui(
     let Some(path) = &mut form.path else {
         return actions_ui(ui, form, ready, document);
     };
-    let entered = path_ui(ui, path, form.language.file_kind().example);
+    let entered = path_ui(ui, path, form.language.file_kind().example, no_dialog);
     let sound = ready.filter(|_| !path.trim().is_empty());
     if let Some(written) = sound.filter(|written| written.export.parts.len() > 1) {
         ui.label(

@@ -7,8 +7,8 @@ use crate::analysis::Format;
 use crate::figure::QrCode;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Button, Key, ScrollArea, Ui};
-use std::path::Path;
+use eframe::egui::{Button, Key, Label, RichText, ScrollArea, Ui};
+use std::path::{Path, PathBuf};
 
 /// A dialog.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,6 +120,15 @@ pub struct FileKind {
     pub endings: &'static [&'static str],
     /// A name with the usual ending.
     pub example: &'static str,
+}
+
+/// What became of the desktop's own dialog for a file.
+pub enum Picked {
+    File(PathBuf),
+    /// It was cancelled.
+    Nothing,
+    /// The desktop has none.
+    NoDialog,
 }
 
 /// What the user has decided.
@@ -313,8 +322,9 @@ pub fn question_ui(ui: &mut Ui, title: &str, text: &str, answers: &[(&str, Choic
     chosen.inner.map_or(Choice::Stay, |(_, choice)| *choice)
 }
 
-/// A field for a path, with the desktop's dialog a button away: there may be none. Accepts when Enter is pressed in it.
-pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str) -> Choice {
+/// A field for a path, with the desktop's dialog a button away; where there turned out to be none, it says so. Accepts when Enter is
+/// pressed in it.
+pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str, no_dialog: bool) -> Choice {
     let mut choice = Choice::Stay;
     ui.horizontal(|ui| {
         let field = text_field(path)
@@ -334,6 +344,10 @@ pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str) -> Choice {
             choice = Choice::Browse;
         }
     });
+    if no_dialog {
+        let words = RichText::new(text!("browse-none")).color(ui.visuals().error_fg_color);
+        ui.add(Label::new(words).wrap());
+    }
     choice
 }
 

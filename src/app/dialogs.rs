@@ -14,7 +14,7 @@ use super::state::{AppState, Leaving};
 use super::system;
 use super::theme::text_field;
 use crate::lesson::MAX_NAME;
-use crate::scene::{Image, Scene};
+use crate::scene::Image;
 use crate::text::{has, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -173,10 +173,10 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
         Dialog::Message { title, text } => {
             question_ui(ui, title, text, &[(text!("close"), Choice::Leave)])
         }
-        Dialog::File { task, path } => file_ui(ui, task, path, (state.room, &state.document.scene)),
+        Dialog::File { task, path } => file_ui(ui, task, path, state),
         Dialog::Code(form) => {
             let mut writer = state.own.take();
-            let choice = code_ui(ui, form, &mut writer, &state.document);
+            let choice = code_ui(ui, form, &mut writer, (&state.document, state.no_dialog));
             state.own.put(writer);
             choice
         }
@@ -224,18 +224,13 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
     }
 }
 
-fn file_ui(
-    ui: &mut Ui,
-    task: &mut FileTask,
-    path: &mut String,
-    (window, scene): ([u32; 2], &Scene),
-) -> Choice {
+fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState) -> Choice {
     let kind = task.file_kind();
     ui.heading(kind.title);
     if let FileTask::Export(form) = task {
-        export_ui(ui, form, window);
+        export_ui(ui, form, state.room);
         ui.add_space(8.0);
-        film_ui(ui, &mut form.film, scene, path);
+        film_ui(ui, &mut form.film, &state.document.scene, path);
         if let Some(wrong) = &form.wrong {
             ui.add_space(8.0);
             ui.colored_label(ui.visuals().error_fg_color, wrong);
@@ -261,7 +256,7 @@ fn file_ui(
     }
     ui.add_space(8.0);
     let entered = if !system::PAGE {
-        path_ui(ui, path, kind.example)
+        path_ui(ui, path, kind.example, state.no_dialog)
     } else if ui.memory(|memory| memory.focused().is_none())
         && ui.input(|input| input.key_pressed(Key::Enter))
     {

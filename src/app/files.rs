@@ -2,7 +2,7 @@
 
 use super::action::Action;
 use super::background::{Task, wake};
-use super::dialog::{Dialog, ExportForm, FileTask};
+use super::dialog::{Dialog, ExportForm, FileTask, Picked};
 use super::document::Document;
 use super::engine::overlay_options;
 use super::film::FilmForm;
@@ -414,11 +414,12 @@ impl Files {
             move |_| {
                 let picked = system::pick(opens, &kind);
                 Ok(move |state: &mut AppState| {
-                    if let (Some(path), Some((typed, _))) =
+                    state.no_dialog = matches!(picked, Picked::NoDialog);
+                    if let (Picked::File(path), Some((typed, _))) =
                         (&picked, state.dialog.as_mut().and_then(Dialog::file))
                     {
                         *typed = path.display().to_string();
-                        state.agreed.clone_from(&picked);
+                        state.agreed = Some(path.clone());
                     }
                 })
             },

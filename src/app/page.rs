@@ -5,7 +5,7 @@ mod scripts;
 #[path = "page/widgets.rs"]
 mod widgets;
 
-use super::dialog::FileKind;
+use super::dialog::{FileKind, Picked};
 use super::theme;
 use crate::document::give;
 use crate::lesson::{are_there, take_texts};
@@ -155,8 +155,12 @@ fn listen() {
 }
 
 /// Shows the browser's dialog for files; what is chosen comes as what is [dropped].
-pub fn pick(_opens: bool, kind: &FileKind) -> Option<PathBuf> {
-    let input: HtmlInputElement = document()?.create_element("input").ok()?.unchecked_into();
+pub fn pick(_opens: bool, kind: &FileKind) -> Picked {
+    let input = document().and_then(|document| document.create_element("input").ok());
+    let Some(input) = input else {
+        return Picked::NoDialog;
+    };
+    let input: HtmlInputElement = input.unchecked_into();
     input.set_type("file");
     input.set_multiple(true);
     let endings: Vec<String> = kind.endings.iter().map(|e| format!(".{e}")).collect();
@@ -167,7 +171,7 @@ pub fn pick(_opens: bool, kind: &FileKind) -> Option<PathBuf> {
     };
     input.set_onchange(Some(chosen.unchecked_ref()));
     input.click();
-    None
+    Picked::Nothing
 }
 
 /// Whether fingers do what elsewhere the mouse does: the browser says so before the first touch.

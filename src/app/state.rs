@@ -84,6 +84,8 @@ pub struct AppState {
     pub dialog: Option<Dialog>,
     /// The path that the desktop's own dialog gave, which has asked whether to replace the file.
     pub agreed: Option<PathBuf>,
+    /// Whether the desktop turned out to have no dialog for files.
+    pub no_dialog: bool,
     /// Whether the window is about to close, and what was asked about that.
     pub leaving: Leaving,
     /// The lessons, and what was answered.

@@ -1,8 +1,10 @@
 //! What the system does for a window. A web page has its own, `page.rs`.
 
-use super::dialog::FileKind;
+use super::dialog::{FileKind, Picked};
 use eframe::egui::{Context, InputState, ViewportCommand};
+use log::{Level, LevelFilter, Log, Metadata, Record};
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Whether this is a web page.
 pub const PAGE: bool = false;
@@ -19,8 +21,46 @@ pub fn dropped(ctx: &Context) -> Vec<PathBuf> {
         .collect()
 }
 
+/// Hears that neither the desktop nor zenity has a dialog: for the caller of `rfd` that is the same as a dialog that was cancelled.
+struct Listener {
+    failed: AtomicBool,
+}
+
+/// Where `rfd` logs, as an error, that its last way to a dialog has failed.
+const LAST_WAY: &str = "rfd::backend::xdg_desktop_portal";
+
+static LISTENER: Listener = Listener {
+    failed: AtomicBool::new(false),
+};
+
+impl Log for Listener {
+    fn enabled(&self, metadata: &Metadata<'_>) -> bool {
+        metadata.level() == Level::Error && metadata.target() == LAST_WAY
+    }
+
+    fn log(&self, record: &Record<'_>) {
+        if self.enabled(record.metadata()) {
+            self.failed.store(true, Ordering::Relaxed);
+        }
+    }
+
+    fn flush(&self) {}
+}
+
 /// Shows the desktop's own dialog for a file, to open it or to write it, and waits for the answer.
-pub fn pick(opens: bool, kind: &FileKind) -> Option<PathBuf> {
+pub fn pick(opens: bool, kind: &FileKind) -> Picked {
+    // It is there from the second time on.
+    let _ = log::set_logger(&LISTENER);
+    log::set_max_level(LevelFilter::Error);
+    LISTENER.failed.store(false, Ordering::Relaxed);
+    match shown(opens, kind) {
+        Some(path) => Picked::File(path),
+        None if LISTENER.failed.load(Ordering::Relaxed) => Picked::NoDialog,
+        None => Picked::Nothing,
+    }
+}
+
+fn shown(opens: bool, kind: &FileKind) -> Option<PathBuf> {
     let all = rfd::FileDialog::new();
     let dialog = if kind.endings.is_empty() {
         all
