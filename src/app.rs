@@ -34,6 +34,7 @@ mod look;
 mod material;
 mod menu;
 mod named;
+mod notice;
 mod orbit;
 mod palette;
 mod panes;
@@ -437,7 +438,6 @@ impl App {
         let leaving = std::mem::take(&mut self.state.leaving);
         match crate::document::save_scene(&path, &self.state.document.scene) {
             Ok(()) => {
-                self.state.notice = Some(text!("saved", path = path.display().to_string()));
                 let origin = Origin::File(path.clone());
                 if self.state.document.origin != origin {
                     self.state.opened = self.state.document.scene.clone();
@@ -445,6 +445,7 @@ impl App {
                     self.state.activate(self.state.panes.active);
                 }
                 self.state.document.origin = origin;
+                self.state.notice = Some(text!("saved", path = path.display().to_string()));
                 self.state.saved = self.state.document.clone();
                 self.state.begin();
                 if leaving == Leaving::OnceSaved {

@@ -5,12 +5,12 @@ mod hands;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Color32, Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Shape, pos2,
+    Color32, Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Shape, ViewportId, pos2,
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
-use hands::{enter, open_view, press, scene, undo, window, window_of, window_with};
+use hands::{enter, open_view, press, scene, undo, wait, window, window_of, window_with};
 use shading_lab::app::{App, ProbePoint, ProfileLine, ViewName};
 use shading_lab::document::load;
 use shading_lab::link::read;
@@ -220,6 +220,53 @@ fn without_a_page_its_address_is_asked_for() {
     field(&mut harness, PAGE);
     assert_eq!(harness.state().state().look.page, PAGE);
     assert!(decoded(&harness).starts_with("https://example.org/lab/?scene=gold&"));
+}
+
+#[test]
+fn a_notice_goes_after_four_seconds_and_no_frame_is_drawn_for_it_after_that() {
+    let mut harness = with_page("gold");
+    copied(&mut harness);
+    harness.run();
+    let says = |harness: &Harness<'_, App>| harness.query_by_label("Copied the link").is_some();
+    let waits = |harness: &Harness<'_, App>| {
+        harness.output().viewport_output[&ViewportId::ROOT].repaint_delay
+    };
+    assert!(says(&harness));
+    let left = waits(&harness).as_secs_f64();
+    assert!(
+        (3.0..=4.0).contains(&left),
+        "one frame, when it goes: {left}"
+    );
+    // A frame of the test is a quarter of a second.
+    let frames = (0..40).take_while(|_| {
+        harness.step();
+        says(&harness)
+    });
+    let frames = frames.count();
+    assert!((10..=18).contains(&frames), "{frames}");
+    let rests = wait(&mut harness, |harness| waits(harness).as_secs() > 60);
+    assert!(rests, "nothing is drawn at rest");
+}
+
+#[test]
+fn a_notice_goes_with_what_it_speaks_of() {
+    let mut harness = with_page("gold");
+    copied(&mut harness);
+    harness.run();
+    press(&mut harness, "Next scene");
+    assert_eq!(harness.state().state().notice, None);
+    // The one of a link that was opened is about what is open now.
+    paste(&mut harness, "?scene=torus");
+    assert_eq!(
+        harness.state().state().notice.as_deref(),
+        Some("Opened the link")
+    );
+    undo(&mut harness);
+    assert_eq!(
+        harness.state().state().notice,
+        None,
+        "and not about what was before"
+    );
 }
 
 /// At projector size there is no bar at the bottom that says what was done.

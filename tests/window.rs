@@ -1,5 +1,7 @@
 //! The window's controls: each is found by role and name, changes the picture, and undo takes that back.
 
+#[path = "common/dice.rs"]
+mod dice;
 #[path = "common/window.rs"]
 mod hands;
 #[path = "window/lights.rs"]

@@ -9,6 +9,7 @@ use super::equation;
 use super::focus::{named, one_stop};
 use super::look::ViewName;
 use super::menu::commands_ui;
+use super::notice::said_ui;
 use super::plan::{grouped, left_out};
 use super::state::AppState;
 use super::system;
@@ -19,7 +20,9 @@ use crate::render::StageRun;
 use crate::scene::{Choice, ShadingMode};
 use crate::text::{Language, text};
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align, Button, ComboBox, Label, Layout, MenuBar, RichText, Sense, Ui, vec2};
+use eframe::egui::{
+    Align, Button, ComboBox, Label, Layout, MenuBar, RichText, Sense, TextWrapMode, Ui, vec2,
+};
 
 /// Below this width the menus fold into one, and the modes into a list.
 const NARROW: f32 = 860.0;
@@ -237,6 +240,9 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             if state.shows(ViewName::Course) {
                 ui.label(RichText::new(text!("course-hidden")).weak());
             }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                said_ui(ui, state, TextWrapMode::Truncate)
+            });
         });
         ui.add_space(2.0);
         return;
@@ -255,7 +261,7 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             ui.label(text).on_hover_text(text!("coarser-tip"));
         }
         // A notice takes the room of the counts; so does a narrow window.
-        let room = if state.notice.is_none() {
+        let room = if state.said().is_none() {
             ui.available_width()
         } else {
             0.0
@@ -283,9 +289,7 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             {
                 state.show_view(ViewName::Plan);
             }
-            if let Some(notice) = &state.notice {
-                ui.add(Label::new(RichText::new(notice).weak()).truncate());
-            }
+            said_ui(ui, state, TextWrapMode::Truncate);
         });
     });
     ui.add_space(2.0);

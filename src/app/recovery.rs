@@ -119,7 +119,7 @@ impl Recovery {
     /// Keeps the document a while after it has changed, and nothing once it is saved. Nothing runs in between.
     pub fn keep(&mut self, ctx: &Context, state: &mut AppState) {
         if let Some((_, Err(error))) = Job::take(&mut self.writing) {
-            state.notice = Some(text!("not-kept", error = error));
+            state.warning = Some(text!("not-kept", error = error));
         }
         if !state.modified() {
             self.forget();

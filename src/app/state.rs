@@ -18,6 +18,7 @@ use super::material::Gallery;
 use super::place::{ProbePoint, ProfileLine};
 use super::sampling::Sampling;
 use super::symbol::Lit;
+use crate::document::undrawn;
 use crate::figure::Area;
 use crate::scene::parameter::Parameter;
 use crate::scene::{Compare, Scene, SceneError};
@@ -94,8 +95,10 @@ pub struct AppState {
     pub gliding: Option<Glide>,
     /// What views and dialogs remember for themselves.
     pub own: Own,
-    /// A line in the bottom bar about what was last done.
+    /// What was last done, said for a few seconds; another document that is opened takes it away.
     pub notice: Option<String>,
+    /// What is wrong with what is open, said until it is dismissed or another document is opened.
+    pub warning: Option<String>,
     /// What was asked for in this frame, by button, menu or key.
     pub asked: Vec<Action>,
 }
@@ -130,15 +133,15 @@ impl AppState {
     /// Puts another document in the place of this one.
     pub fn replace(&mut self, document: Document) {
         self.document = document;
+        (self.notice, self.warning) = (None, None);
         self.gliding = None;
         self.saved = self.document.clone();
         self.opened = self.document.scene.clone();
         self.just_opened = true;
         self.look.profile.begin();
         self.begin();
-        self.light = 0;
+        (self.light, self.vertex) = (0, 0);
         self.panes.active = 0;
-        self.vertex = 0;
         self.derive();
         self.lit.opened.clone_from(&self.opened);
     }
@@ -154,15 +157,15 @@ impl AppState {
     /// After undo or redo: what was opened or saved may have been another document.
     pub fn return_to_origin(&mut self) {
         let origin = &self.document.origin;
-        if *origin == self.saved.origin {
-            return;
-        }
         let begun = self.begun.iter().find(|(saved, _)| saved.origin == *origin);
-        if let Some((saved, opened)) = begun.cloned() {
+        if let Some((saved, opened)) = begun.filter(|_| *origin != self.saved.origin).cloned() {
             (self.saved, self.opened) = (saved, opened);
+            self.notice = None;
             (self.light, self.vertex) = (0, 0);
             self.derive();
             self.take_opened();
+        } else {
+            self.derive();
         }
     }
 
@@ -197,7 +200,8 @@ impl AppState {
         document.scene.validate()
     }
 
-    /// Derives the panes' scenes from the document's.
+    /// Derives from the document all that follows from it: the panes' scenes, what is chosen in them, and what is wrong with
+    /// the model. Whatever changes the document ends here, undo and redo too.
     pub fn derive(&mut self) {
         let Self {
             document,
@@ -220,9 +224,24 @@ impl AppState {
                 ..panes.scene(panes.active).clone()
             };
         }
-        if document.model_differs(shown) || document.origin != shown.origin {
-            (shown.model, shown.origin) = (document.model.clone(), document.origin.clone());
+        if document.model_differs(shown) {
+            self.warning = undrawn(&document.scene.object, document.model.as_deref());
         }
+        (shown.model, shown.origin) = (document.model.clone(), document.origin.clone());
+        self.keep_chosen();
+    }
+
+    /// Keeps the chosen light and the chosen vertex among those that there are.
+    pub fn keep_chosen(&mut self) {
+        let Scene { lights, object, .. } = &self.shown.scene;
+        let vertices = object.polygons().vertices.len();
+        self.light = self.light.min(lights.len().saturating_sub(1));
+        self.vertex = self.vertex.min(vertices.saturating_sub(1));
+    }
+
+    /// What is said at present: what was last done goes before what is wrong.
+    pub fn said(&self) -> Option<&str> {
+        self.notice.as_deref().or(self.warning.as_deref())
     }
 
     /// Makes another pane the active one.

@@ -1,13 +1,17 @@
 //! Lights in the window: added, named, muted, dragged.
 
-use super::hands::{choose, drag, enter, picture, press, scene, undo, wait, window};
+use super::dice::Dice;
+use super::hands::{choose, drag, enter, open_view, picture, press, scene, undo, wait, window};
 use eframe::egui::accesskit::Role;
-use eframe::egui::vec2;
+use eframe::egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DVec2, DVec3};
 use shading_lab::app::App;
 use shading_lab::scene::{Light, LightKind, Scene, View};
+
+/// Random steps among lights and back.
+const LIGHT_STEPS: usize = 60;
 
 #[test]
 fn lights_are_added_and_removed() {
@@ -251,4 +255,91 @@ fn a_light_from_afar_is_doubled_to_another_direction() {
         (0..directions.len()).all(|i| (0..i).all(|j| !close(i, j))),
         "{directions:?}"
     );
+}
+
+/// Buttons whose names begin so, by their numbers.
+fn numbered(harness: &Harness<'_, App>, name: &str) -> Vec<usize> {
+    let numbers = harness.query_all_by_role(Role::Button).filter_map(|node| {
+        node.accesskit_node()
+            .label()?
+            .strip_prefix(name)?
+            .parse()
+            .ok()
+    });
+    numbers.collect()
+}
+
+/// What the window says of its lights, beside those that the scene has.
+fn check_lights(harness: &Harness<'_, App>, done: &[&str]) {
+    let count = scene(harness).lights.len();
+    let all: Vec<usize> = (1..=count).collect();
+    assert_eq!(numbered(harness, "Light "), all, "{done:?}");
+    assert_eq!(numbered(harness, "Remove light "), all, "{done:?}");
+    let chosen = harness.state().state().light + 1;
+    assert!(
+        chosen <= count.max(1),
+        "light {chosen} of {count}: {done:?}"
+    );
+    let none = harness.query_by_label_contains("There is no light");
+    assert_eq!(none.is_some(), count == 0, "{done:?}");
+    let duplicate = harness.get_by_role_and_label(Role::Button, "Duplicate");
+    let disabled = duplicate.accesskit_node().is_disabled();
+    assert_eq!(disabled, count == 0, "{done:?}");
+    // The rows are those of the chosen one, and of no other; so are the vectors.
+    let kinds = (1..=count.max(4)).filter(|number| {
+        let kind = format!("Light {number} kind");
+        harness
+            .query_by_role_and_label(Role::ComboBox, &kind)
+            .is_some()
+    });
+    let expected = if count == 0 { vec![] } else { vec![chosen] };
+    assert_eq!(kinds.collect::<Vec<_>>(), expected, "{done:?}");
+    let vectors = format!("Vectors, light {chosen}");
+    let shown = harness.query_by_label(&vectors).is_some();
+    assert_eq!(shown, count > 1, "{done:?}");
+}
+
+#[test]
+fn the_chosen_light_is_one_that_there_is_after_every_step_back() {
+    let mut harness = window("sphere");
+    open_view(&mut harness, "Equation");
+    press(&mut harness, "Add light");
+    press(&mut harness, "Add light");
+    check_lights(&harness, &["added", "added"]);
+    undo(&mut harness);
+    undo(&mut harness);
+    check_lights(&harness, &[]);
+    let mut dice = Dice(11);
+    let mut done: Vec<&str> = vec![];
+    let before = scene(&harness).lights.clone();
+    for _ in 0..LIGHT_STEPS {
+        let count = scene(&harness).lights.len();
+        let step = dice.of(&["add", "double", "choose", "remove", "undo", "undo", "redo"]);
+        match step {
+            "add" => press(&mut harness, "Add light"),
+            "double" if count > 0 => press(&mut harness, "Duplicate"),
+            "choose" | "remove" if count > 0 => {
+                let number = dice.between(1.0, count as f64 + 1.0) as usize;
+                let word = if step == "remove" {
+                    "Remove light"
+                } else {
+                    "Light"
+                };
+                press(&mut harness, &format!("{word} {number}"));
+            }
+            "undo" => undo(&mut harness),
+            "redo" => {
+                harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+                harness.run();
+            }
+            _ => continue,
+        }
+        done.push(step);
+        check_lights(&harness, &done);
+    }
+    while harness.state().state().history.undoable().is_some() {
+        undo(&mut harness);
+    }
+    check_lights(&harness, &[]);
+    assert_eq!(scene(&harness).lights, before);
 }

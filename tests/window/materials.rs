@@ -1,12 +1,15 @@
 //! The material, the pattern and what surrounds the object, in the window.
 
 use super::choice_changes_the_picture;
-use super::hands::{choose, enter, folded, picture, press, scene, undo, unfold, window};
+use super::hands::{choose, enter, folded, picture, press, scene, undo, unfold, window, window_of};
 use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::App;
+use shading_lab::document::load;
 use shading_lab::scene::{Distribution, PatternKind, ReflectionModel, Rgb};
+use std::path::Path;
 
 #[test]
 fn microfacets_have_a_roughness_instead_of_n() {
@@ -136,4 +139,33 @@ fn a_named_material_is_one_step() {
     assert_eq!(scene(&harness).material.n, 51.2);
     undo(&mut harness);
     assert_eq!(*scene(&harness), before);
+}
+
+#[test]
+fn a_model_drawn_without_its_materials_says_so_until_it_is_dismissed_or_gone() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window-materials-of-a-model");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let path = folder.join("red.obj");
+    let model = "mtllib red.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::fs::write(&path, model).expect("a model");
+    let warning = "red.obj: the materials that the model names are not drawn";
+    let mut harness = window_of(load(&path).expect("a model"));
+    let says = |harness: &Harness<'_, App>| harness.query_by_label_contains(warning).is_some();
+    // Not for four seconds only, and what is said for four seconds goes before it.
+    harness.run_steps(40);
+    assert!(says(&harness));
+    harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::L);
+    harness.step();
+    harness.step();
+    assert!(!says(&harness));
+    harness.run_steps(40);
+    assert!(says(&harness));
+    press(&mut harness, "Next scene");
+    assert!(!says(&harness), "it speaks of what is not shown");
+    undo(&mut harness);
+    assert!(says(&harness));
+    press(&mut harness, "Dismiss");
+    assert!(!says(&harness));
+    harness.run_steps(4);
+    assert!(!says(&harness), "once is enough");
 }

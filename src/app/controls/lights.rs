@@ -91,11 +91,9 @@ fn list_ui(ui: &mut Ui, state: &mut AppState) {
         }
     }
     if let Some(index) = removed {
-        let lights = &mut state.shown.scene.lights;
-        lights.remove(index);
-        if state.light > index || state.light == lights.len() {
-            state.light = state.light.saturating_sub(1);
-        }
+        state.shown.scene.lights.remove(index);
+        state.light -= usize::from(state.light > index);
+        state.keep_chosen();
     }
     ui.horizontal(|ui| {
         if ui.button(text!("lights-add")).clicked() {

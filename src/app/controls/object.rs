@@ -166,7 +166,6 @@ fn polygons_ui(ui: &mut Ui, lit: &mut Lit, vertex: &mut usize, object: &mut Obje
         text!("lights-polygons-many")
     };
     ui.label(RichText::new(how).weak());
-    *vertex = (*vertex).min(count.saturating_sub(1));
     let Some(at) = polygons.vertices.get(*vertex).copied() else {
         return;
     };
