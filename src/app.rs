@@ -67,7 +67,7 @@ mod views;
 mod welcome;
 
 pub use course::{Course, Kept};
-pub use document::{Document, Origin};
+pub use document::{CoursePart, Document, Origin};
 pub use look::{Look, OverlayLook, ViewName};
 pub use place::{ProbePoint, ProfileLine};
 pub use profile::Profiles;

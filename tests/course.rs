@@ -1,7 +1,11 @@
 //! The course in the window: a lesson with each kind of question, gone through by mouse and by keyboard alone.
 
+#[path = "course/handed_in.rs"]
+mod handed_in;
 #[path = "common/window.rs"]
 mod hands;
+#[path = "course/left.rs"]
+mod left;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, Style, pos2, vec2};

@@ -4,6 +4,7 @@
 use super::action::Action;
 use super::commands::{MENUS, SECTIONS};
 use super::compare::VIEWS;
+use super::course::back_ui;
 use super::engine::Engine;
 use super::equation;
 use super::focus::{named, one_stop};
@@ -176,6 +177,10 @@ fn scene_buttons_ui(ui: &mut Ui, state: &mut AppState) {
         if button.on_hover_text(name).clicked() {
             state.ask(Action::NextScene(step));
         }
+    }
+    // The course's own view has it too.
+    if state.has_left_lesson() && !state.shows(ViewName::Course) {
+        back_ui(ui, state);
     }
 }
 

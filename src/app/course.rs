@@ -6,8 +6,10 @@ mod edges;
 mod feedback;
 mod formula;
 mod glide;
+mod handed_in;
 mod list;
 mod mark;
+mod marking;
 mod matching;
 mod parts;
 mod prose;
@@ -16,22 +18,27 @@ mod step;
 mod target;
 mod work;
 
+use data::Open;
 pub use data::{Course, Kept};
 pub use edges::{paint as paint_edges, watch as watch_edges};
 pub use glide::Glide;
+use handed_in::handed_in_ui;
 pub use mark::{from_pixel, paint};
 #[cfg(target_arch = "wasm32")]
+pub use marking::Marking;
+#[cfg(target_arch = "wasm32")]
 pub use matching::{Likeness, Target};
-pub use step::head_ui;
+pub use step::{back_ui, head_ui};
 #[cfg(target_arch = "wasm32")]
 pub use work::Prepare;
 
 use super::action::{Action, Turn};
-use super::document::{Document, Origin};
+use super::document::{CoursePart, Document, Origin};
 use super::engine::Engine;
 use super::look::ViewName;
 use super::place::{ProbePoint, ProfileLine};
 use super::state::AppState;
+use crate::jobs::Background;
 use crate::lesson::{Kind, LESSONS, Lesson, OVERLAYS, Staged, are_there, find};
 use crate::text::text;
 use eframe::egui::{Context, Ui, vec2};
@@ -41,7 +48,9 @@ use std::sync::Arc;
 pub fn course_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     ui.spacing_mut().item_spacing = vec2(8.0, 6.0);
     let mut course = std::mem::take(&mut state.course);
-    if course.open.is_some() {
+    if course.shown_hand_in().is_some() {
+        handed_in_ui(ui, &mut course, state);
+    } else if course.open.is_some() {
         step::step_ui(ui, &mut course, state, engine);
     } else {
         list::list_ui(ui, &mut course, state);
@@ -54,8 +63,8 @@ impl AppState {
     pub fn open_lesson(&mut self, lesson: Arc<Lesson>, built_in: bool) {
         self.welcome = false;
         self.look.welcomed = true;
-        let overlay = self.look.overlay.clone();
-        let step = self.course.begin(lesson, built_in, overlay);
+        self.leave_view();
+        let step = self.course.begin(lesson, built_in);
         // The step's own controls stand beside its text.
         self.look.controls = false;
         self.picture_alone = false;
@@ -109,6 +118,7 @@ impl AppState {
                     .and_then(|open| open.staged.clone());
                 if let Some(staged) = staged {
                     self.show_stage(&staged, false);
+                    self.show_view(ViewName::Course);
                 }
             }
             Turn::List => self.close_lesson(),
@@ -153,6 +163,11 @@ impl AppState {
     fn show_stage(&mut self, staged: &Staged, answered: bool) {
         let view = (self.look.views, self.look.view);
         let before = self.document.scene.clone();
+        let lesson = self
+            .course
+            .open
+            .as_ref()
+            .map(|open| open.lesson.name.clone());
         self.replace(Document {
             scene: staged.scene.clone(),
             model: staged.model.clone(),
@@ -160,28 +175,60 @@ impl AppState {
                 Some(path) => Origin::File(path.clone()),
                 None => Origin::BuiltIn(staged.name.clone()),
             },
+            part: lesson.map_or(CoursePart::None, CoursePart::Step),
         });
         (self.look.views, self.look.view) = view;
         self.seek_highlight = false;
         self.probe = staged.shown.probe.map_or(self.probe, ProbePoint);
         self.line = staged.shown.line.map_or(self.line, ProfileLine);
+        self.show_overlays();
+        if answered && self.course.revealed() {
+            self.show_answer();
+        }
+        self.gliding = Glide::between(&before, &self.document.scene);
+    }
+
+    /// Draws over the picture what the step names.
+    fn show_overlays(&mut self) {
         let Some(open) = &self.course.open else {
             return;
         };
-        let hides = self.course.hides();
         let shown = |name: &str| {
             debug_assert!(OVERLAYS.contains(&name));
             open.current().stage.overlays.contains(&name)
         };
         let overlay = &mut self.look.overlay;
         overlay.vectors = shown("vectors");
-        overlay.angles = open.overlay.angles && !hides;
+        overlay.angles = open.overlay.angles && !self.course.hides();
         overlay.face_normals = shown("normals");
         overlay.vertex_normals = shown("vertices");
-        if answered && self.course.revealed() {
-            self.show_answer();
+    }
+
+    /// Follows a change of the document into the lesson or out of it: what a lesson hides, locks and draws holds for its own
+    /// scenes alone.
+    pub fn follow_document(&mut self) {
+        let part = &self.document.part;
+        self.course.follow_hand_in(part);
+        let Some(open) = &mut self.course.open else {
+            return;
+        };
+        let in_view = matches!(part, CoursePart::Step(lesson) if *lesson == open.lesson.name);
+        if in_view && !open.in_view {
+            open.in_view = true;
+            open.overlay = self.look.overlay.clone();
+            self.show_overlays();
+        } else if !in_view {
+            self.leave_view();
         }
-        self.gliding = Glide::between(&before, &self.document.scene);
+    }
+
+    /// Draws over the picture again what was drawn before the lesson came into view.
+    fn leave_view(&mut self) {
+        if let Some(open) = &mut self.course.open
+            && std::mem::take(&mut open.in_view)
+        {
+            self.look.overlay = open.overlay.clone();
+        }
     }
 
     /// Moves on towards the scene of the step.
@@ -233,14 +280,20 @@ impl AppState {
     }
 
     fn close_lesson(&mut self) {
-        if let Some(open) = self.course.open.take() {
-            self.look.overlay = open.overlay;
+        self.leave_view();
+        self.course.open = None;
+        if let Some(handed_in) = &mut self.course.handed_in {
+            handed_in.closed = true;
         }
         self.show_view(ViewName::Course);
     }
 
     /// The lesson follows the language.
     pub fn translate_lesson(&mut self) {
+        if let Some(handed_in) = &mut self.course.handed_in {
+            // Its texts are in the language before.
+            handed_in.work = Background::default();
+        }
         let Some(open) = &mut self.course.open else {
             return;
         };
@@ -254,16 +307,12 @@ impl AppState {
 
     /// Whether the picture is that of a lesson's step.
     pub fn shows_step(&self) -> bool {
-        let staged = self
-            .course
-            .open
-            .as_ref()
-            .and_then(|open| open.staged.as_ref());
-        staged.is_some_and(|staged| match (&self.document.origin, &staged.path) {
-            (Origin::File(shown), Some(path)) => shown == path,
-            (Origin::BuiltIn(shown), None) => *shown == staged.name,
-            _ => false,
-        })
+        self.course.in_view().is_some()
+    }
+
+    /// Whether a lesson is open whose step is not what is shown.
+    pub fn has_left_lesson(&self) -> bool {
+        self.course.open.as_ref().is_some_and(Open::is_left)
     }
 
     /// Whether numbers are hidden until a question is answered.

@@ -1,7 +1,8 @@
 //! What is open: a scene, the model it shows, and where both came from; with undo and redo, one step a gesture.
 
-use crate::document::Loaded;
+use crate::document::{Loaded, open_picture};
 use crate::geometry::Mesh;
+use crate::lesson::{HandIn, HandInError, read_hand_in};
 use crate::scene::Scene;
 use crate::scene::presets::{self, Preset};
 use crate::text::{Language, in_language, text};
@@ -20,6 +21,31 @@ pub struct Document {
     pub model: Option<Arc<Mesh>>,
     /// Where both came from.
     pub origin: Origin,
+    /// What it is in the course.
+    pub part: CoursePart,
+}
+
+/// What a document is in the course.
+#[derive(Clone, Debug, Default)]
+pub enum CoursePart {
+    /// A scene like any other.
+    #[default]
+    None,
+    /// The scene of a step of the lesson of this name.
+    Step(String),
+    /// The last picture of answers that were handed in; or why these do not count.
+    HandIn(Arc<Result<HandIn, HandInError>>),
+}
+
+impl PartialEq for CoursePart {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::None, Self::None) => true,
+            (Self::Step(a), Self::Step(b)) => a == b,
+            (Self::HandIn(a), Self::HandIn(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
 }
 
 /// Where a document came from.
@@ -47,7 +73,9 @@ impl From<Loaded> for Document {
             scene,
             model,
             origin: path.map_or(Origin::BuiltIn(name), Origin::File),
+            part: CoursePart::None,
         }
+        .with_hand_in()
     }
 }
 
@@ -57,9 +85,22 @@ impl Document {
         let scene = presets::find(name)?.scene();
         Some(Self {
             scene,
-            model: None,
             origin: Origin::BuiltIn(name.to_owned()),
+            ..Self::default()
         })
+    }
+
+    /// The same document with the answers that its picture holds, where it is one that was handed in.
+    fn with_hand_in(mut self) -> Self {
+        if let Origin::File(path) = &self.origin
+            && let Ok(picture) = open_picture(path)
+        {
+            self.part = match read_hand_in(picture) {
+                Err(HandInError::NoAnswers | HandInError::Picture(_)) => CoursePart::None,
+                read => CoursePart::HandIn(Arc::new(read)),
+            };
+        }
+        self
     }
 
     /// What its scene is called: its title, or the name of its file.
@@ -152,7 +193,10 @@ pub fn same_model(a: Option<&Arc<Mesh>>, b: Option<&Arc<Mesh>>) -> bool {
 
 impl PartialEq for Document {
     fn eq(&self, other: &Self) -> bool {
-        self.scene == other.scene && !self.model_differs(other) && self.origin == other.origin
+        self.scene == other.scene
+            && !self.model_differs(other)
+            && self.origin == other.origin
+            && self.part == other.part
     }
 }
 
@@ -247,7 +291,8 @@ impl History {
 
 /// The name of what differs between two documents.
 fn change(before: &Document, after: &Document) -> String {
-    if before.origin != after.origin || before.model_differs(after) {
+    let same = before.origin == after.origin && before.part == after.part;
+    if !same || before.model_differs(after) {
         return text!("change-opening").to_owned();
     }
     let (a, b) = (&before.scene, &after.scene);

@@ -38,7 +38,7 @@ impl AppState {
         let view = VIEWS.into_iter().find(|view| is_open(view));
         // A lecturer's own lesson is a file, which does not travel.
         let lesson = self.course.open.as_ref().filter(|open| open.built_in);
-        let lesson = lesson.filter(|_| self.shows(ViewName::Course));
+        let lesson = lesson.filter(|open| open.in_view && self.shows(ViewName::Course));
         Shown {
             view: view.filter(|_| self.look.views),
             probe: Some(self.probe.0),
@@ -90,8 +90,8 @@ impl AppState {
             Ok(Link { scene, name, shown }) => {
                 self.open(Document {
                     scene,
-                    model: None,
                     origin: Origin::BuiltIn(name),
+                    ..Document::default()
                 });
                 self.seek_highlight = shown.probe.is_none();
                 self.show(&shown);

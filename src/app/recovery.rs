@@ -189,10 +189,12 @@ pub fn restore(path: &Path) -> Result<(Document, Document, Around), String> {
         Origin::BuiltIn(name) => Document::built_in(name),
         Origin::File(path) => load(path).ok().map(Document::from),
     };
+    let original = original.unwrap_or_default();
     let document = Document {
         scene: loaded.scene,
         model: loaded.model,
         origin: around.origin.clone(),
+        part: original.part.clone(),
     };
-    Ok((document, original.unwrap_or_default(), around))
+    Ok((document, original, around))
 }

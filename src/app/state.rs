@@ -12,7 +12,7 @@
 use super::action::Action;
 use super::course::{Course, Glide};
 use super::dialog::Dialog;
-use super::document::{Document, History, Origin};
+use super::document::{CoursePart, Document, History, Origin};
 use super::look::{Look, ViewName};
 use super::material::Gallery;
 use super::place::{ProbePoint, ProfileLine};
@@ -124,6 +124,9 @@ impl AppState {
         if let Ok(view) = serde_json::from_value(document.scene.about.view.as_str().into()) {
             self.show_view(view);
         }
+        if let CoursePart::HandIn(_) = document.part {
+            self.show_view(ViewName::Course);
+        }
         if let Origin::File(path) = &document.origin {
             self.look.remember(path);
         }
@@ -200,8 +203,8 @@ impl AppState {
         document.scene.validate()
     }
 
-    /// Derives from the document all that follows from it: the panes' scenes, what is chosen in them, and what is wrong with
-    /// the model. Whatever changes the document ends here, undo and redo too.
+    /// Derives from the document all that follows from it: the panes' scenes, what is chosen in them, what is wrong with the
+    /// model, and whether a lesson is in view. Whatever changes the document ends here, undo and redo too.
     pub fn derive(&mut self) {
         let Self {
             document,
@@ -229,6 +232,7 @@ impl AppState {
         }
         (shown.model, shown.origin) = (document.model.clone(), document.origin.clone());
         self.keep_chosen();
+        self.follow_document();
     }
 
     /// Keeps the chosen light and the chosen vertex among those that there are.

@@ -268,7 +268,7 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         // A lesson has its own head, and is alone in its group.
-        if state.look.view == ViewName::Course && state.course.open.is_some() {
+        if state.look.view == ViewName::Course && state.course.heading().is_some() {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 place_ui(ui, state, narrow);
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {

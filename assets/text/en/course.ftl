@@ -28,6 +28,9 @@ course-again = Back to the step’s scene
     .tip = Put everything back as the step shows it
 course-hidden = Numbers are hidden until you have answered the question.
 course-to-question = To the question
+course-left = Another scene is open. The lesson waits where you left it.
+course-return = Back to the lesson
+    .tip = Show the scene of the lesson’s step again
 course-camera-still = The camera stays still until the question is answered.
 
 course-question = Question
@@ -91,6 +94,21 @@ course-hand-in-name = Your name
 course-hand-in-nothing = There are no answers yet: open a lesson and answer a question first.
 course-not-handed-in = Answers not written
 course-handed-in = Answers written to { $path }
+
+course-answers = Answers handed in
+course-answers-void = These answers do not count: { $why }.
+course-answers-marking = Marking the answers …
+course-answers-right = { $right } of { $count } right
+course-answers-question = Question { $number }
+course-answers-first = First answer
+course-answers-given = Answer
+course-answers-solution = Right answer
+course-answers-none = none
+course-answers-curve = a drawn curve
+course-answers-wrong = wrong
+course-answers-close = closeness { $share } %
+course-answers-tries = { $count } tries
+course-answers-seconds = { $seconds } s
 
 course-target-title = Match: { $scene }
 course-target-level = Level { $level }

@@ -28,6 +28,9 @@ course-again = 回到這一步的場景
     .tip = 全部恢復成這一步顯示的樣子
 course-hidden = 回答問題之前，數值會先隱藏。
 course-to-question = 前往問題
+course-left = 目前開啟的是另一個場景。課程停在你離開的地方。
+course-return = 回到課程
+    .tip = 重新顯示課程這一步的場景
 course-camera-still = 回答問題之前，相機保持不動。
 
 course-question = 問題
@@ -83,6 +86,21 @@ course-hand-in-name = 你的姓名
 course-hand-in-nothing = 還沒有答案：請先開啟課程並回答問題。
 course-not-handed-in = 答案未寫入
 course-handed-in = 答案已寫入 { $path }
+
+course-answers = 繳交的答案
+course-answers-void = 這些答案不計分：{ $why }。
+course-answers-marking = 正在評分……
+course-answers-right = 答對 { $right } 題，共 { $count } 題
+course-answers-question = 第 { $number } 題
+course-answers-first = 最初的答案
+course-answers-given = 答案
+course-answers-solution = 正確答案
+course-answers-none = 未作答
+course-answers-curve = 手繪的曲線
+course-answers-wrong = 錯誤
+course-answers-close = 接近程度 { $share } %
+course-answers-tries = 試了 { $count } 次
+course-answers-seconds = { $seconds } 秒
 
 course-target-title = 配對：{ $scene }
 course-target-level = 第 { $level } 級

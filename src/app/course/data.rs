@@ -1,6 +1,8 @@
 //! What the window remembers of the course: the lesson that is open, and what was answered.
 
+use super::marking::HandedIn;
 use super::work::{Prepare, Prepared};
+use crate::app::document::CoursePart;
 use crate::app::look::OverlayLook;
 use crate::jobs::Background;
 use crate::lesson::{
@@ -24,6 +26,8 @@ pub struct Course {
     pub open: Option<Open>,
     /// A lesson from a file, first in the list.
     pub own: Option<Arc<Lesson>>,
+    /// The answers that the document was handed in with.
+    pub handed_in: Option<HandedIn>,
     /// What is kept between two sessions.
     pub kept: Kept,
     /// Decides what is drawn at random.
@@ -39,6 +43,7 @@ impl Default for Course {
         Self {
             open: None,
             own: None,
+            handed_in: None,
             kept: Kept::default(),
             seed: 1,
             list: None,
@@ -98,7 +103,9 @@ pub struct Open {
     pub prepared: BTreeMap<usize, Result<Prepared, String>>,
     pub draft: Draft,
     pub markdown: CommonMarkCache,
-    /// What was drawn over the picture before.
+    /// Whether what is shown is one of its scenes, and not another that was opened meanwhile.
+    pub in_view: bool,
+    /// What was drawn over the picture before it came into view.
     pub overlay: OverlayLook,
 }
 
@@ -193,6 +200,11 @@ impl Open {
         self.current().question.as_ref()
     }
 
+    /// Whether another scene was opened in place of the step's.
+    pub fn is_left(&self) -> bool {
+        self.staged.is_some() && !self.in_view
+    }
+
     /// The step's texts, once they are known.
     pub fn known(&self) -> Option<&Result<Prepared, String>> {
         self.prepared.get(&self.step)
@@ -246,7 +258,7 @@ impl Course {
     }
 
     /// Opens a lesson at the step that it was left at.
-    pub fn begin(&mut self, lesson: Arc<Lesson>, built_in: bool, overlay: OverlayLook) -> usize {
+    pub fn begin(&mut self, lesson: Arc<Lesson>, built_in: bool) -> usize {
         if !built_in {
             self.own = Some(Arc::clone(&lesson));
         }
@@ -261,7 +273,6 @@ impl Course {
         }
         let left = self.kept.left.get(&lesson.name).copied().unwrap_or(0);
         let left = left.min(lesson.steps.len() - 1);
-        let overlay = self.open.take().map_or(overlay, |open| open.overlay);
         self.open = Some(Open {
             lesson,
             built_in,
@@ -273,7 +284,8 @@ impl Course {
             prepared: BTreeMap::new(),
             draft: Draft::default(),
             markdown: CommonMarkCache::default(),
-            overlay,
+            in_view: false,
+            overlay: OverlayLook::default(),
         });
         left
     }
@@ -344,10 +356,35 @@ impl Course {
         }
     }
 
+    /// Takes over the answers that another document was handed in with.
+    pub fn follow_hand_in(&mut self, part: &CoursePart) {
+        let known = self.handed_in.take();
+        let known = known.filter(|known| known.is_of(part));
+        self.handed_in = known.or_else(|| HandedIn::of(part));
+    }
+
+    /// The answers that are shown beside their picture.
+    pub fn shown_hand_in(&self) -> Option<&HandedIn> {
+        let shown = |handed_in: &&HandedIn| !handed_in.closed;
+        self.handed_in.as_ref().filter(shown)
+    }
+
+    /// What heads the panel of the course, where that is not the list of lessons.
+    pub fn heading(&self) -> Option<&str> {
+        let lesson = || self.open.as_ref().map(|open| &*open.lesson.title);
+        let handed_in = self.shown_hand_in().map(|_| text!("course-answers"));
+        handed_in.or_else(lesson)
+    }
+
+    /// The lesson that is open, if what is shown is one of its scenes.
+    pub fn in_view(&self) -> Option<&Open> {
+        self.open.as_ref().filter(|open| open.in_view)
+    }
+
     /// Whether numbers are hidden until the question is answered.
     pub fn hides(&self) -> bool {
         let hides = |open: &Open| open.current().stage.hide && open.question().is_some();
-        self.open.as_ref().is_some_and(hides) && !self.revealed()
+        self.in_view().is_some_and(hides) && !self.revealed()
     }
 
     /// Whether a click in the picture is the answer to a question.
@@ -362,12 +399,12 @@ impl Course {
                     })
                 )
         };
-        self.open.as_ref().is_some_and(asks) && !self.revealed()
+        self.in_view().is_some_and(asks) && !self.revealed()
     }
 
     /// The place that the student has marked in the picture.
     pub fn mark(&self) -> Option<DVec2> {
-        let open = self.open.as_ref()?;
+        let open = self.in_view()?;
         let asks = matches!(open.question()?.kind, Kind::Point { .. });
         open.draft.point.filter(|_| asks)
     }
@@ -381,7 +418,7 @@ impl Course {
 
     /// The right places, once they are shown.
     pub fn right_places(&self) -> &[DVec2] {
-        let solution = self.open.as_ref().and_then(Open::solution);
+        let solution = self.in_view().and_then(Open::solution);
         match solution {
             Some(Solution::Places(places)) if self.revealed() => places,
             _ => &[],
@@ -390,7 +427,7 @@ impl Course {
 
     /// The step's line, where one is shown, and the place on it that is pointed at.
     pub fn line(&self) -> Option<([DVec2; 2], Option<f64>)> {
-        let open = self.open.as_ref()?;
+        let open = self.in_view()?;
         let line = open.staged.as_ref()?.shown.line?;
         let drawn = match open.question().map(|question| &question.kind) {
             Some(Kind::Curve { of, .. }) => of.is_profile(),
@@ -403,13 +440,15 @@ impl Course {
     /// Whether the edges of polygons are drawn over the picture.
     pub fn shows_edges(&self) -> bool {
         let shows = |open: &Open| open.current().stage.overlays.contains(&"edges");
-        self.open.as_ref().is_some_and(shows)
+        self.in_view().is_some_and(shows)
     }
 
     /// Whether the step speaks of the probe, in either language, so that its place is marked without vectors too. Where a place
     /// is asked for, a mark would look like an answer.
     pub fn shows_probe(&self) -> bool {
-        let Some(open) = &self.open else { return false };
+        let Some(open) = self.in_view() else {
+            return false;
+        };
         let asks = open
             .question()
             .is_some_and(|question| matches!(question.kind, Kind::Point { .. }));

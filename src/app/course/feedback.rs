@@ -1,14 +1,14 @@
 //! What is said of an answer, and why the right one is right.
 
 use super::data::{Course, Open};
+use super::marking::control_name;
 use super::parts::right_colour;
 use super::prose::prose_ui;
 use crate::app::engine::Engine;
 use crate::app::focus::named;
 use crate::app::state::AppState;
 use crate::figure::short;
-use crate::lesson::{Answered, Grade, Kind, Solution, slider};
-use crate::scene::parameter::Parameter;
+use crate::lesson::{Answered, Grade, Kind, Solution};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Grid, Label, Rect, RichText, Ui, vec2};
@@ -115,7 +115,7 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState)
         (Kind::Settings { control, .. }, Solution::Setting(right)) => {
             let values = text!(
                 "course-values",
-                right = format!("{} = {}", name_of(control), short(*right)).as_str(),
+                right = format!("{} = {}", control_name(control), short(*right)).as_str(),
                 own = match &answered.answer {
                     crate::lesson::Answer::Settings(own) => short(*own),
                     _ => String::new(),
@@ -140,7 +140,7 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState)
                     ui.label(RichText::new(text!("course-target")).weak());
                     ui.end_row();
                     for ((key, own), right) in controls.iter().zip(own).zip(right) {
-                        ui.label(name_of(key));
+                        ui.label(control_name(key));
                         ui.monospace(short(own));
                         ui.monospace(short(*right));
                         ui.end_row();
@@ -152,18 +152,6 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState)
         }
         _ => {}
     }
-}
-
-/// A control as its row calls it.
-fn name_of(key: &str) -> String {
-    let named = |(parameter, index, _): (&'static Parameter, usize, _)| {
-        if parameter.letter.is_empty() {
-            parameter.full_name(index)
-        } else {
-            parameter.letter.to_owned()
-        }
-    };
-    slider(key).map_or_else(|| key.to_owned(), named)
 }
 
 fn set(state: &mut AppState, settings: &[String]) {

@@ -38,6 +38,11 @@ pub fn list_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
         .id_salt("lessons")
         .auto_shrink(false)
         .show(ui, |ui| {
+            if let Some(handed_in) = &mut course.handed_in
+                && ui.link(text!("course-answers")).clicked()
+            {
+                handed_in.closed = false;
+            }
             if let Some(own) = &own {
                 ui.label(RichText::new(text!("course-own")).strong());
                 if card_ui(ui, own, course) {

@@ -110,12 +110,12 @@ fn prepare(ui: &Ui, course: &mut Course) {
     }
 }
 
-/// The way to the list, and which step of which lesson it is.
+/// The way to the list, and which lesson it is, or that these are answers.
 pub fn head_ui(ui: &mut Ui, state: &mut AppState) {
-    let Some(open) = &state.course.open else {
+    let Some(heading) = state.course.heading() else {
         return;
     };
-    let title = RichText::new(&open.lesson.title).weak();
+    let title = RichText::new(heading).weak();
     let back = ui.button(format!("‹ {}", text!("course-lessons")));
     ui.add(Label::new(title).wrap());
     if named(back, Role::Button, text!("course-lessons")).clicked() {
@@ -217,6 +217,13 @@ fn body_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engi
         None => waiting_ui(ui, text!("course-preparing")),
     }
     ui.add_space(6.0);
+    if open.is_left() {
+        // Its controls and its question are about another scene than what is shown.
+        open.draft.top = None;
+        ui.add(Label::new(RichText::new(text!("course-left")).weak()).wrap());
+        back_ui(ui, state);
+        return;
+    }
     controls_ui(ui, open, state);
     if let Some(view) = open.staged.as_ref().and_then(|staged| staged.shown.view)
         && let Some(key) = ViewName::named(view)
@@ -269,6 +276,15 @@ fn controls_ui(ui: &mut Ui, open: &Open, state: &mut AppState) {
     ui.push_id("controls", |ui| rows_ui(ui, state, &controls));
     state.commit();
     ui.add_space(4.0);
+}
+
+/// The way back to the lesson, from another scene that was opened meanwhile.
+pub fn back_ui(ui: &mut Ui, state: &mut AppState) {
+    let back = ui.button(format!("‹ {}", text!("course-return")));
+    let back = named(back, Role::Button, text!("course-return"));
+    if back.on_hover_text(text!("course-return.tip")).clicked() {
+        state.ask(Action::Course(Turn::Again));
+    }
 }
 
 /// The way back to the step's scene, where it was changed.

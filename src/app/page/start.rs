@@ -1,6 +1,6 @@
 //! Opening the window as a web page.
 
-use super::course::{Likeness, Prepare, Target};
+use super::course::{Likeness, Marking, Prepare, Target};
 use super::dialog::Dialog;
 use super::engine::Supersampled;
 use super::files::{Exported, Filmed};
@@ -95,6 +95,7 @@ fn workers() -> Vec<Served> {
         served::<Likeness>(),
         served::<Perceived>(),
         served::<Prepare>(),
+        served::<Marking>(),
         served::<Spheres>(),
         served::<Supersampled>(),
         served::<Target>(),

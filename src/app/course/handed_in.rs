@@ -1,0 +1,201 @@
+//! Answers that were handed in, beside their picture: by whom, to which lesson, and each with its mark.
+
+use super::data::Course;
+use super::marking::{HandedIn, Marked, MarkedAnswer, MarkedQuestion, Marking};
+use super::parts::{cross, error_ui, right_colour, waiting_ui};
+use super::prose::prose_ui;
+use crate::app::background::wake;
+use crate::app::focus::{keep_in_sight, named};
+use crate::app::sign::tick;
+use crate::app::state::AppState;
+use crate::lesson::HandIn;
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Sense, Stroke, Ui, vec2,
+};
+use egui_commonmark::CommonMarkCache;
+use std::sync::Arc;
+
+/// The side of the sign for right or wrong, points.
+const SIGN: f32 = 16.0;
+/// Width of what stands before an answer, points.
+const LABEL: f32 = 84.0;
+/// Times beyond a day say nothing of how long somebody has thought.
+const DAY: f64 = 86_400.0;
+
+/// The answers, with what is known of their marks.
+pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
+    let own = course.own.clone();
+    let Some(handed_in) = &mut course.handed_in else {
+        return;
+    };
+    let answers = Arc::clone(&handed_in.answers);
+    ScrollArea::vertical()
+        .id_salt("handed-in")
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            // Not under the scroll bar.
+            ui.set_max_width(ui.available_width() - 4.0);
+            match &*answers {
+                Err(why) => {
+                    ui.heading(state.document.origin.name());
+                    error_ui(ui, &text!("course-answers-void", why = why.to_string()));
+                }
+                Ok(answers) => {
+                    let work = &mut handed_in.work;
+                    work.take();
+                    if work.known().is_none()
+                        && work.progress().is_none()
+                        && let Some(marking) = Marking::of(answers, own.as_deref())
+                    {
+                        work.start(marking, wake(ui.ctx()));
+                    }
+                    head_ui(ui, state, answers, handed_in);
+                    body_ui(ui, state, handed_in);
+                }
+            }
+            ui.add_space(8.0);
+            keep_in_sight(ui);
+        });
+}
+
+/// By whom, to which lesson, and how many answers are right.
+fn head_ui(ui: &mut Ui, state: &AppState, answers: &HandIn, handed_in: &HandedIn) {
+    let marked = handed_in.work.answer();
+    let file = state.document.origin.name();
+    let name = Some(&answers.name).filter(|name| !name.is_empty());
+    ui.heading(name.unwrap_or(&file));
+    let title = marked.map_or(&answers.title, |marked| &marked.title);
+    ui.add(Label::new(RichText::new(title).weak()).wrap());
+    if let Some(Marked {
+        right, questions, ..
+    }) = marked
+    {
+        let count = questions.len();
+        let words = text!("course-answers-right", right = *right, count = count);
+        ui.label(RichText::new(words).strong());
+    }
+    ui.add_space(6.0);
+}
+
+fn body_ui(ui: &mut Ui, state: &mut AppState, handed_in: &mut HandedIn) {
+    let HandedIn { work, markdown, .. } = handed_in;
+    match work.known() {
+        None => waiting_ui(ui, text!("course-answers-marking")),
+        Some(Err(why)) => error_ui(ui, &text!("course-answers-void", why = why.as_str())),
+        Some(Ok(marked)) => {
+            for (index, question) in marked.questions.iter().enumerate() {
+                ui.push_id(index, |ui| {
+                    question_ui(ui, state, markdown, index + 1, question);
+                });
+                ui.add_space(4.0);
+            }
+        }
+    }
+}
+
+/// A card: what was asked, what was answered, whether that is right, and what is.
+fn question_ui(
+    ui: &mut Ui,
+    state: &mut AppState,
+    markdown: &mut CommonMarkCache,
+    number: usize,
+    question: &MarkedQuestion,
+) {
+    let stroke = Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color);
+    let card = Frame::new()
+        .stroke(stroke)
+        .corner_radius(8.0)
+        .inner_margin(Margin::same(10));
+    card.show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        ui.horizontal(|ui| {
+            verdict_ui(ui, question.given.as_ref());
+            let words = text!("course-answers-question", number = number);
+            ui.label(RichText::new(words).strong());
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let how = question.given.as_ref().map(how_given).unwrap_or_default();
+                ui.add(Label::new(RichText::new(how).weak()).truncate());
+            });
+        });
+        if let Some(failure) = &question.failure {
+            error_ui(ui, failure);
+        }
+        ui.push_id("ask", |ui| prose_ui(ui, state, markdown, &question.ask));
+        ui.add_space(4.0);
+        let given = question.given.as_ref();
+        let right = given.is_some_and(|given| given.grade.is_some_and(|grade| grade.right));
+        let first = given.and_then(|given| given.first.as_deref());
+        let words = given.map(|given| &*given.words);
+        let solution = question.right.as_deref().filter(|_| !right);
+        for (label, words) in [
+            (text!("course-answers-first"), first),
+            (
+                text!("course-answers-given"),
+                Some(words.unwrap_or(text!("course-answers-none"))),
+            ),
+            (text!("course-answers-solution"), solution),
+        ] {
+            if let Some(words) = words {
+                answer_ui(ui, state, markdown, label, words);
+            }
+        }
+    });
+}
+
+/// The sign for right or wrong, with its word for who does not see it; nothing where there is no mark.
+fn verdict_ui(ui: &mut Ui, given: Option<&MarkedAnswer>) {
+    let Some(grade) = given.and_then(|given| given.grade) else {
+        return;
+    };
+    let (room, response) = ui.allocate_exact_size(vec2(SIGN, SIGN), Sense::hover());
+    let word = if grade.right {
+        ui.painter().add(tick(room, right_colour(ui)));
+        text!("course-mark-right")
+    } else {
+        cross(ui, room.shrink(3.0), ui.visuals().error_fg_color);
+        text!("course-answers-wrong")
+    };
+    named(response, Role::Label, word).on_hover_text(word);
+}
+
+/// How near an answer is that is not right, after how many tries and how long.
+fn how_given(given: &MarkedAnswer) -> String {
+    let mut parts = Vec::new();
+    if let Some(grade) = given
+        .grade
+        .filter(|grade| !grade.right && grade.score > 0.0)
+    {
+        let share = format!("{:.0}", 100.0 * grade.score);
+        parts.push(text!("course-answers-close", share = share));
+    }
+    if given.tries > 1 {
+        parts.push(text!("course-answers-tries", count = given.tries));
+    }
+    if given.looked_up > 0 {
+        parts.push(text!("class-looked-up", count = given.looked_up));
+    }
+    if (1.0..DAY).contains(&given.seconds) {
+        let seconds = format!("{:.0}", given.seconds);
+        parts.push(text!("course-answers-seconds", seconds = seconds));
+    }
+    parts.join(" · ")
+}
+
+fn answer_ui(
+    ui: &mut Ui,
+    state: &mut AppState,
+    markdown: &mut CommonMarkCache,
+    label: &str,
+    words: &str,
+) {
+    ui.horizontal_top(|ui| {
+        let height = ui.text_style_height(&eframe::egui::TextStyle::Body);
+        ui.allocate_ui(vec2(LABEL, height), |ui| {
+            ui.set_width(LABEL);
+            ui.label(RichText::new(label).weak());
+        });
+        ui.vertical(|ui| ui.push_id(label, |ui| prose_ui(ui, state, markdown, words)));
+    });
+}

@@ -1,0 +1,215 @@
+//! Answers that were handed in, graded by the engine in the background.
+
+use crate::analysis::{Parcel, Watch};
+use crate::app::document::CoursePart;
+use crate::figure::short;
+use crate::jobs::{Background, Work};
+use crate::lesson::{
+    Answer, Asked, Given, Grade, HandIn, HandInError, Kind, Lesson, Question, are_there, lesson_of,
+    mark, short_answer, slider,
+};
+use crate::scene::parameter::Parameter;
+use crate::text::text;
+use egui_commonmark::CommonMarkCache;
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// The answers beside the picture that they were handed in with.
+pub struct HandedIn {
+    pub answers: Arc<Result<HandIn, HandInError>>,
+    pub work: Background<Marking>,
+    pub markdown: CommonMarkCache,
+    /// Whether the list of lessons is shown in its place.
+    pub closed: bool,
+}
+
+impl HandedIn {
+    /// The answers of a document, if it has any.
+    pub fn of(part: &CoursePart) -> Option<Self> {
+        let CoursePart::HandIn(answers) = part else {
+            return None;
+        };
+        Some(Self {
+            answers: Arc::clone(answers),
+            work: Background::default(),
+            markdown: CommonMarkCache::default(),
+            closed: false,
+        })
+    }
+
+    /// Whether it is that of a document.
+    pub fn is_of(&self, part: &CoursePart) -> bool {
+        matches!(part, CoursePart::HandIn(answers) if Arc::ptr_eq(answers, &self.answers))
+    }
+}
+
+/// Answers to be graded.
+#[derive(Serialize, Deserialize)]
+pub struct Marking {
+    answers: HandIn,
+    lesson: Result<LessonText, String>,
+}
+
+/// A lesson as it travels.
+#[derive(Serialize, Deserialize)]
+struct LessonText {
+    source: String,
+    folder: Option<PathBuf>,
+    /// Whether it came inside the hand-in: it may open no file then.
+    foreign: bool,
+}
+
+/// A hand-in with its grades.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Marked {
+    /// The lesson's.
+    pub title: String,
+    /// How many answers are right.
+    pub right: usize,
+    pub questions: Vec<MarkedQuestion>,
+}
+
+/// A question with what was answered.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct MarkedQuestion {
+    pub ask: String,
+    pub given: Option<MarkedAnswer>,
+    /// The right answer; none where there is no single one, or [`Self::failure`].
+    pub right: Option<String>,
+    /// Why there is no right answer.
+    pub failure: Option<String>,
+}
+
+/// An answer in words.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct MarkedAnswer {
+    pub words: String,
+    /// The first answer, where it was another.
+    pub first: Option<String>,
+    pub grade: Option<Grade>,
+    pub tries: u32,
+    pub looked_up: u32,
+    pub seconds: f64,
+}
+
+impl Marking {
+    /// The work of grading `answers`, once the program's lessons are there; `own` is the lesson that was opened from a file.
+    pub fn of(answers: &HandIn, own: Option<&Lesson>) -> Option<Self> {
+        let own = own.filter(|own| answers.is_of(own));
+        let found = match own {
+            Some(own) => Ok((own.clone(), false)),
+            None if are_there() => lesson_of(answers, None),
+            None => return None,
+        };
+        Some(Self {
+            answers: answers.clone(),
+            lesson: found.map(|(lesson, foreign)| LessonText {
+                source: lesson.source,
+                folder: lesson.folder,
+                foreign,
+            }),
+        })
+    }
+}
+
+impl Work for Marking {
+    type Answer = Marked;
+
+    const TRAVELS: Option<(Parcel<Self>, Parcel<Marked>)> =
+        Some((Parcel::plain(), Parcel::plain()));
+
+    fn run(&self, watch: &dyn Watch<Marked>) -> Result<Marked, String> {
+        let text = self.lesson.as_ref().map_err(Clone::clone)?;
+        let lesson = Lesson::read(&text.source, text.folder.as_deref());
+        let lesson = lesson.map_err(|error| error.to_string())?;
+        let count = lesson.steps.len() as f32;
+        let mut done = 0.0;
+        let mut progress = || {
+            done += 1.0;
+            // Whoever waits no longer does not read the answer.
+            let _ = watch.at(done / count);
+        };
+        let group = mark(self.answers.clone(), lesson, text.foreign, &mut progress)?;
+        let none = || text!("render-job-ended").to_owned();
+        let student = group.students.first().ok_or_else(none)?;
+        let questions = group.questions.iter().zip(&student.given);
+        Ok(Marked {
+            title: group.lesson.title.clone(),
+            right: student.right(),
+            questions: questions
+                .map(|(asked, given)| marked(asked, asked.question(&group.lesson), given.as_ref()))
+                .collect(),
+        })
+    }
+}
+
+fn marked(asked: &Asked, question: Option<&Question>, given: Option<&Given>) -> MarkedQuestion {
+    let words = |answer: &Answer| match question {
+        Some(question) => in_words(asked, &question.kind, answer),
+        None => short_answer(answer),
+    };
+    let given = given.map(
+        |Given {
+             answered, grade, ..
+         }| MarkedAnswer {
+            words: words(&answered.answer),
+            first: (answered.prediction != answered.answer).then(|| words(&answered.prediction)),
+            grade: *grade,
+            tries: answered.tries,
+            looked_up: answered.looked_up,
+            seconds: answered.seconds,
+        },
+    );
+    MarkedQuestion {
+        ask: asked.ask.clone(),
+        given,
+        right: asked
+            .solution
+            .as_ref()
+            .filter(|_| {
+                !question.is_some_and(|question| matches!(question.kind, Kind::Curve { .. }))
+            })
+            .map(|solution| words(&Answer::right(solution))),
+        failure: asked.failure.clone(),
+    }
+}
+
+/// An answer in the words of its question.
+fn in_words(asked: &Asked, kind: &Kind, answer: &Answer) -> String {
+    let option = |index: &usize| asked.options.get(*index).map(String::as_str);
+    match (answer, kind) {
+        (Answer::Choice(chosen), _) => option(chosen).unwrap_or_default().to_owned(),
+        (Answer::Order(order), _) => {
+            let items: Vec<&str> = order.iter().filter_map(option).collect();
+            items.join(text!("comma"))
+        }
+        (Answer::Curve(_), _) => text!("course-answers-curve").to_owned(),
+        (Answer::Value(value), Kind::Value { unit, .. }) => {
+            format!("{} {unit}", short(*value)).trim().to_owned()
+        }
+        (Answer::Settings(value), Kind::Settings { control, .. }) => setting(control, *value),
+        (Answer::Match(values), Kind::Match { controls, .. }) => {
+            let settings = controls.iter().zip(values);
+            let settings = settings.map(|(key, value)| setting(key, *value));
+            settings.collect::<Vec<_>>().join(text!("comma"))
+        }
+        (answer, _) => short_answer(answer),
+    }
+}
+
+fn setting(key: &str, value: f64) -> String {
+    format!("{} = {}", control_name(key), short(value))
+}
+
+/// A control as its row calls it.
+pub fn control_name(key: &str) -> String {
+    let named = |(parameter, index, _): (&'static Parameter, usize, _)| {
+        if parameter.letter.is_empty() {
+            parameter.full_name(index)
+        } else {
+            parameter.letter.to_owned()
+        }
+    };
+    slider(key).map_or_else(|| key.to_owned(), named)
+}
