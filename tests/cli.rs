@@ -19,7 +19,7 @@ fn a_model_drawn_without_its_materials_says_so_once() {
     let folder = Folder::new("materials-of-a-model");
     folder.write("plain.obj", TRIANGLE);
     folder.write("red.obj", format!("mtllib red.mtl\nusemtl red\n{TRIANGLE}"));
-    let note = "note: red.obj: the materials that the model names are not drawn; all of it has the scene's material\n";
+    let note = "note: red.obj: drawn with the scene's material; its own materials are not drawn\n";
     for arguments in [
         &["check", "MODEL"][..],
         &["render", "MODEL", "-o", "a.png", "--size", "8x8"],

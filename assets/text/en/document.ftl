@@ -19,4 +19,4 @@ document-unwritable = cannot be written ({ $error })
 document-nothing-to-draw = there is nothing to draw
 document-figure-too-large = the figure is too large
 # On stderr and in the window, beside a picture that is drawn.
-document-no-materials = { $name }: the materials that the model names are not drawn; all of it has the scene's material
+document-no-materials = { $name }: drawn with the scene's material; its own materials are not drawn

@@ -19,4 +19,4 @@ document-unwritable = 無法寫入（{ $error }）
 document-nothing-to-draw = 沒有可繪製的內容
 document-figure-too-large = 圖形太大
 # 在標準錯誤輸出與視窗中，隨圖一起出現。
-document-no-materials = { $name }：模型本身的材質不會繪出，整個模型使用場景的材質
+document-no-materials = { $name }：使用場景的材質繪製，模型本身的材質不會繪出
