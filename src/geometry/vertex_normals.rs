@@ -52,6 +52,7 @@ impl Mesh {
             normals,
             starts: self.starts.clone(),
             corners,
+            cut: self.cut.clone(),
             mirrored: vec![],
             closed,
             convex,
