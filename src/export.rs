@@ -69,14 +69,3 @@ pub fn export_mesh(scene: &Scene, mesh: &Mesh) -> VertexMesh {
     };
     mesh.with_vertex_normals(source, scene.object.weighting)
 }
-
-/// The triangles of a mesh, counter-clockwise from outside: each polygon a fan from its first vertex.
-fn fan(mesh: &VertexMesh) -> impl Iterator<Item = [u32; 3]> + '_ {
-    (0..mesh.face_count()).flat_map(|f| {
-        let vertices = mesh.face(f);
-        vertices
-            .windows(2)
-            .skip(1)
-            .map(|pair| [vertices[0], pair[0], pair[1]])
-    })
-}

@@ -190,24 +190,24 @@ fn faces_without_area_do_no_harm() {
 }
 
 #[test]
-fn concave_polygons_are_covered_by_their_fans() {
+fn concave_polygons_stay_whole_and_are_covered_once() {
     // An arrow head whose fan from its first corner would leave it, an L, and a comb that no fan covers.
     let arrow = "v 2 0 0\nv 0 1 0\nv 0.5 0 0\nv 0 -1 0\nf 1 2 3 4\nf 2 3 4 1\n";
     let l = "v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nf 2 3 4 5 6 1\n";
     let comb = "v 0 0 0\nv 5 0 0\nv 5 3 0\nv 4 3 0\nv 4 1 0\nv 3 1 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\nv 1 1 0\nv 1 3 0\n\
                 v 0 3 0\nf 1 2 3 4 5 6 7 8 9 10 11 12\n";
-    for (file, faces, area) in [(arrow, 2, 3.0), (l, 1, 5.0), (comb, 10, 11.0)] {
+    for (file, faces, area) in [
+        (arrow, &[4, 4][..], 3.0),
+        (l, &[6], 5.0),
+        (comb, &[12], 11.0),
+    ] {
         let mesh = good(file);
-        assert_eq!(mesh.face_count(), faces);
-        let mut covered = 0.0;
-        for f in 0..mesh.face_count() {
-            let at = |k: usize| mesh.positions[mesh.face(f)[k].position as usize].as_dvec3();
-            for k in 1..mesh.face(f).len() - 1 {
-                let doubled = (at(k) - at(0)).cross(at(k + 1) - at(0)).z;
-                assert!(doubled >= 0.0, "a triangle is turned over");
-                covered += doubled / 2.0;
-            }
-        }
+        assert_eq!(arities(&mesh), faces);
+        let areas = (0..mesh.face_count()).flat_map(|f| doubled_areas(&mesh, f));
+        let covered: f64 = areas
+            .inspect(|doubled| assert!(*doubled >= 0.0, "a triangle is turned over"))
+            .sum::<f64>()
+            / 2.0;
         assert!((covered - area).abs() < 1e-6, "{covered} {area}");
     }
     // A corner on a straight edge is no reason to change a polygon.
@@ -282,7 +282,7 @@ fn a_comb_of_any_number_of_corners_is_filled_as_a_comb() {
         assert_eq!(points.len(), corners);
         let mesh = one_polygon(&points);
         let area: f64 = (0..mesh.face_count())
-            .map(|f| doubled_area(&face_points(&mesh, f)))
+            .flat_map(|f| doubled_areas(&mesh, f))
             .sum();
         let expected = points
             .iter()
@@ -293,8 +293,10 @@ fn a_comb_of_any_number_of_corners_is_filled_as_a_comb() {
             (area - expected).abs() < 1e-5 * expected,
             "{corners}: {area}, expected {expected}"
         );
+        assert_eq!(mesh.face_count(), 1, "one polygon");
+        let triangles = mesh.face_triangles(0).flatten();
         let used: std::collections::HashSet<u32> =
-            mesh.corners.iter().map(|corner| corner.position).collect();
+            triangles.map(|corner| corner.position).collect();
         assert_eq!(used.len(), corners, "each corner belongs to a triangle");
         let mut scene = Scene::default();
         (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("comb.obj".into()));
@@ -320,19 +322,12 @@ fn a_comb_of_any_number_of_corners_is_filled_as_a_comb() {
     }
 }
 
-fn face_points(mesh: &Mesh, f: usize) -> Vec<DVec3> {
-    mesh.face(f)
-        .iter()
-        .map(|corner| mesh.positions[corner.position as usize].as_dvec3())
-        .collect()
-}
-
-/// Twice the area of a plane face's fan.
-fn doubled_area(points: &[DVec3]) -> f64 {
-    points[1..]
-        .windows(2)
-        .map(|pair| (pair[0] - points[0]).cross(pair[1] - points[0]).z)
-        .sum()
+/// Twice the areas of the triangles of a face in a plane z = constant.
+fn doubled_areas(mesh: &Mesh, f: usize) -> impl Iterator<Item = f64> {
+    mesh.face_triangles(f).map(|triangle| {
+        let [a, b, c] = triangle.map(|corner| mesh.positions[corner.position as usize].as_dvec3());
+        (b - a).cross(c - a).z
+    })
 }
 
 /// Polygons that cross themselves have no right cut; they come to an end all the same.
@@ -342,7 +337,7 @@ fn a_tangle_of_many_corners_is_read() {
     let points: Vec<DVec2> = (0..5000)
         .map(|k| DVec2::new(golden(k, 0.618_033_988), golden(k, 0.414_213_562)))
         .collect();
-    assert!(one_polygon(&points).face_count() > 0);
+    assert_eq!(one_polygon(&points).face_count(), 1);
 }
 
 #[test]

@@ -3,12 +3,13 @@
 //! In: a scene and its polygons. Out: C that sets up camera, lights and material, and with it a whole program that draws
 //! the polygons off screen.
 
+mod concave;
 mod lights;
 
 use super::limit::{Limit, holding, limit};
 use super::sources::{flat, interpolation, surroundings};
 use super::text::{c_double, c_float, c_four, c_three, filled, head, said};
-use super::{Export, ExportError, Part, export_mesh, fan};
+use super::{Export, ExportError, Part, export_mesh};
 use crate::geometry::{Mesh, VertexMesh};
 use crate::illumination::{Index, SpecularForm, blinn_from_phong};
 use crate::scene::{
@@ -16,6 +17,7 @@ use crate::scene::{
     ReflectionModel, Rgb, Scene, ShadingMode, View,
 };
 use crate::text::Message;
+use concave::Concave;
 use glam::{DVec3, Vec3};
 use lights::{GREATEST_EXPONENT, light_limits, lights};
 
@@ -406,8 +408,8 @@ fn material(scene: &Scene, mesh: &VertexMesh) -> String {
     )
 }
 
-/// The polygons as arrays, and off-screen drawing. Each polygon is fanned from its first vertex. For flat shading that vertex comes
-/// last, where OpenGL takes the shade from.
+/// The polygons as arrays, and off-screen drawing. For flat shading each is a fan from its first vertex, which comes last, where
+/// OpenGL takes the shade from.
 fn main(scene: &Scene, mesh: &VertexMesh) -> String {
     let [width, height] = scene.image.size.map(|side| side.to_string());
     let flat = scene.shading.mode == ShadingMode::Flat;
@@ -418,8 +420,21 @@ fn main(scene: &Scene, mesh: &VertexMesh) -> String {
             format!("    {{{a}, {b}, {c}}},\n")
         }
     };
-    let count = fan(mesh).count().to_string();
-    let triangles: String = fan(mesh).map(row).collect();
+    let concave = if flat {
+        Concave::of(mesh)
+    } else {
+        Concave::default()
+    };
+    let faces = (0..mesh.face_count()).filter(|f| !concave.has(*f));
+    let triangles: Vec<[u32; 3]> = faces.flat_map(|f| mesh.face_triangles(f)).collect();
+    let order = match (flat, mesh.cut.is_empty()) {
+        (true, true) => ", which gives the shade and so comes last",
+        (true, false) => ", which gives the shade and so comes last; some concave ones follow",
+        (false, true) => "",
+        (false, false) => ", or other triangles where it is concave",
+    };
+    let count = triangles.len().to_string();
+    let triangles: String = triangles.into_iter().map(row).collect();
     let list = |vectors: &[Vec3]| -> String {
         let vectors = if vectors.is_empty() {
             &[Vec3::ZERO]
@@ -441,14 +456,10 @@ fn main(scene: &Scene, mesh: &VertexMesh) -> String {
             ("origin", &mesh.origin.to_array().map(c_double).join(", ")),
             ("positions", &list(&mesh.positions)),
             ("normals", &list(&mesh.normals)),
-            (
-                "order",
-                if flat {
-                    ", which gives the shade and so comes last"
-                } else {
-                    ""
-                },
-            ),
+            ("order", order),
+            ("concave", &concave.text()),
+            ("draw_concave", concave.draw()),
+            ("stencil", concave.stencil()),
             (
                 "triangles",
                 if triangles.is_empty() {

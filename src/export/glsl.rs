@@ -107,7 +107,8 @@ fn host(scene: &Scene) -> String {
     };
     let provoking = match scene.shading.mode {
         ShadingMode::Flat => {
-            " glProvokingVertex(GL_FIRST_VERTEX_CONVENTION) takes the shade of the first vertex."
+            " glProvokingVertex(GL_FIRST_VERTEX_CONVENTION) takes the shade of the first vertex: each polygon is a fan \
+             about its own, a concave one drawn through the stencil buffer."
         }
         _ => "",
     };

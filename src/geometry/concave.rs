@@ -1,62 +1,40 @@
-//! Polygons that a fan from their first corner would not cover.
+//! Cuts polygons that a fan from their first corner would not cover into triangles.
 //!
 //! A polygon is drawn as a fan. That covers a convex one from any corner; of a concave one it may leave the outline. Such
-//! a polygon begins at a corner from which it does not, if there is one, or else is cut into triangles.
+//! a polygon stays one polygon with its corners in their order, and is covered by other triangles.
 
-use super::mesh::Corner;
-use crate::scene::area_vector;
 use earcut::Earcut;
 use glam::DVec3;
 
-/// Another first corner is looked for among as many as take this many steps, which is all of them up to some thousand.
-const STEPS: usize = 1 << 24;
-
-/// Gives `add` the polygon `face` in a form that fans cover: turned to begin elsewhere, or as triangles.
-pub fn fan_or_triangles(
-    face: &mut [Corner],
-    at: impl Fn(&Corner) -> DVec3,
-    mut add: impl FnMut(&[Corner]),
-) {
-    if face.len() == 3 {
-        return add(face);
-    }
-    let points: Vec<DVec3> = face.iter().map(at).collect();
-    let normal = area_vector(points.iter().copied());
-    if normal == DVec3::ZERO {
-        return add(face);
-    }
-    let mut firsts = (0..points.len()).take(1 + STEPS / points.len());
-    if let Some(first) = firsts.find(|&first| fan_covers(&points, first, normal)) {
-        face.rotate_left(first);
-        return add(face);
-    }
-    let triangles = triangles(&points, normal);
-    if triangles.is_empty() {
-        return add(face);
-    }
-    let mut used = vec![false; face.len()];
-    triangles.iter().flatten().for_each(|&k| used[k] = true);
-    for triangle in triangles {
-        let ring = with_straight_corners(triangle, &used);
-        add(&ring.into_iter().map(|k| face[k]).collect::<Vec<_>>());
-    }
+/// Returns whether the fan from the first point covers a polygon with this area vector: no triangle of it is turned over by
+/// more than `rounding`, an area, to which corners on a straight edge may be off.
+pub fn fan_covers(points: &[DVec3], area: DVec3, rounding: f64) -> bool {
+    let Some((&first, rest)) = points.split_first() else {
+        return true;
+    };
+    let normal = area.normalize_or_zero();
+    rest.windows(2)
+        .all(|pair| (pair[0] - first).cross(pair[1] - first).dot(normal) >= -2.0 * rounding)
 }
 
-/// Whether no triangle of the fan from point `first` is turned over.
-fn fan_covers(points: &[DVec3], first: usize, normal: DVec3) -> bool {
-    /// Corners on a straight edge make triangles without area, whose sign is rounding of single precision coordinates.
-    const STRAIGHT: f64 = 1e-6;
-    let least = -STRAIGHT * normal.length_squared();
-    let rest = points[first + 1..].iter().chain(&points[..first]);
-    let pairs = rest.clone().zip(rest.skip(1));
-    pairs
-        .into_iter()
-        .all(|(a, b)| (a - points[first]).cross(b - points[first]).dot(normal) >= least)
+/// Returns triangles that cover a polygon with this area vector and use each of its corners, by the corners' numbers,
+/// turned as it is.
+pub fn triangles(points: &[DVec3], area: DVec3) -> Vec<[usize; 3]> {
+    let coarse = coarse_triangles(points, area);
+    let mut used = vec![false; points.len()];
+    coarse.iter().flatten().for_each(|&k| used[k] = true);
+    let mut fine = Vec::with_capacity(points.len().saturating_sub(2));
+    for triangle in coarse {
+        let ring = with_straight_corners(triangle, &used);
+        let pairs = ring[1..].windows(2);
+        fine.extend(pairs.map(|pair| [ring[0], pair[0], pair[1]]));
+    }
+    fine
 }
 
 /// Triangles that cover a polygon seen along its normal, turned as it is. Corners on a straight edge may be left out.
-fn triangles(points: &[DVec3], normal: DVec3) -> Vec<[usize; 3]> {
-    let (u, v) = normal.normalize_or(DVec3::Z).any_orthonormal_pair();
+fn coarse_triangles(points: &[DVec3], area: DVec3) -> Vec<[usize; 3]> {
+    let (u, v) = area.normalize_or(DVec3::Z).any_orthonormal_pair();
     let flat: Vec<[f64; 2]> = points
         .iter()
         .map(|point| point - points[0])
@@ -67,7 +45,7 @@ fn triangles(points: &[DVec3], normal: DVec3) -> Vec<[usize; 3]> {
     let turned = |&[a, b, c]: &[usize; 3]| {
         let turn = (points[b] - points[a])
             .cross(points[c] - points[a])
-            .dot(normal);
+            .dot(area);
         if turn < 0.0 { [a, c, b] } else { [a, b, c] }
     };
     corners.as_chunks::<3>().0.iter().map(turned).collect()

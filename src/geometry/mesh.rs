@@ -1,5 +1,6 @@
 //! Meshes of n-sided polygons, and whether they are closed.
 
+use super::concave;
 use crate::scene::area_vector;
 use glam::{DVec3, Vec3};
 use serde::{Deserialize, Serialize};
@@ -41,8 +42,8 @@ pub(crate) const FAR: f64 = 1000.0;
 /// Polygons over shared points, as the shape or the file gives them.
 ///
 /// Polygons are counter-clockwise seen from outside. Faces that meet at a point share its position, creases included,
-/// so that averaging sees them all; `normals` may give each corner its own. Drawn as triangles, a polygon is a fan from
-/// its first corner.
+/// so that averaging sees them all; `normals` may give each corner its own. A polygon is one face whatever its shape; only
+/// where it is drawn is it taken as triangles, see [`Mesh::face_triangles`].
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mesh<C = Corner> {
     /// World position of (0, 0, 0) in `positions`: large offsets stay in double precision.
@@ -55,6 +56,9 @@ pub struct Mesh<C = Corner> {
     pub starts: Vec<u32>,
     /// The corners of all faces, face by face.
     pub corners: Vec<C>,
+    /// The triangles of faces that a fan from the first corner would not cover: the face, and three indices into
+    /// `corners`. Face by face in ascending order; [`Mesh::with_concave_faces_cut`] finds them.
+    pub cut: Vec<(u32, [u32; 3])>,
     /// Points at which the shape goes on beyond its border as its own mirror image in x: averaged normals there are
     /// those of both together.
     pub mirrored: Vec<u32>,
@@ -78,9 +82,8 @@ impl<C: AtPoint> Mesh<C> {
 
     /// Number of triangles that the polygons are drawn as.
     pub fn triangle_count(&self) -> usize {
-        self.starts
-            .windows(2)
-            .map(|pair| ((pair[1] - pair[0]) as usize).saturating_sub(2))
+        (0..self.face_count())
+            .map(|f| self.face_triangles(f).count())
             .sum()
     }
 
@@ -90,6 +93,22 @@ impl<C: AtPoint> Mesh<C> {
     /// If there is no face `f`.
     pub fn face(&self, f: usize) -> &[C] {
         &self.corners[self.starts[f] as usize..self.starts[f + 1] as usize]
+    }
+
+    /// The triangles that face `f` is drawn as, counter-clockwise from outside: those in `cut`, or else the fan from its
+    /// first corner.
+    ///
+    /// # Panics
+    /// If there is no face `f`, or `cut` has a triangle of it whose corners do not exist.
+    pub fn face_triangles(&self, f: usize) -> impl Iterator<Item = [C; 3]> {
+        let cut = &self.cut[self.cut.partition_point(|(face, _)| (*face as usize) < f)..];
+        let cut = &cut[..cut.partition_point(|(face, _)| *face as usize == f)];
+        let fan = if cut.is_empty() { self.face(f) } else { &[] };
+        let fan_pairs = fan.windows(2).skip(1);
+        fan_pairs.map(|pair| [fan[0], pair[0], pair[1]]).chain(
+            cut.iter()
+                .map(|(_, corners)| corners.map(|c| self.corners[c as usize])),
+        )
     }
 
     /// The points of face `f`, relative to `origin`, in double precision.
@@ -102,9 +121,18 @@ impl<C: AtPoint> Mesh<C> {
     /// The normal of face `f` by Newell's formula with its area as length; zero where the area is no more than the rounding of
     /// corners to single precision can make it, so that it tells no direction.
     fn area_vector(&self, f: usize) -> DVec3 {
+        let area = area_vector(self.face_points(f));
+        if area.length() > self.area_rounding(f) {
+            area
+        } else {
+            DVec3::ZERO
+        }
+    }
+
+    /// The area that the rounding of corners to single precision can give face `f`.
+    fn area_rounding(&self, f: usize) -> f64 {
         /// Half a unit in the last place of a coordinate, in all of a corner's coordinates, at all corners; twice that.
         const ROUNDING: f64 = 4.0 / (1 << 24) as f64;
-        let area = area_vector(self.face_points(f));
         let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (low, high) = self.face_points(f).fold(nothing, |(low, high), point| {
             (low.min(point), high.max(point))
@@ -113,11 +141,7 @@ impl<C: AtPoint> Mesh<C> {
             (high - low).max_element(),
             low.abs().max(high.abs()).max_element(),
         );
-        if area.length() > ROUNDING * extent * farthest {
-            area
-        } else {
-            DVec3::ZERO
-        }
+        ROUNDING * extent * farthest
     }
 
     /// The unit normal of face `f`; zero where the face has no area, or none beyond its points' rounding.
@@ -186,6 +210,31 @@ impl Mesh {
             *position = ((position.as_dvec3() - centre) * scale).as_vec3();
         }
         self.origin = DVec3::ZERO;
+        self
+    }
+
+    /// Sets `cut` from the polygons themselves: triangles for each that a fan from its first corner would not cover. Every
+    /// corner belongs to one of them, so that polygons side by side share their edges; a polygon without area, or one that
+    /// crosses itself so that it has no triangles, stays a fan.
+    pub fn with_concave_faces_cut(mut self) -> Self {
+        self.cut.clear();
+        let mut points = Vec::new();
+        for f in 0..self.face_count() {
+            if self.face(f).len() == 3 {
+                continue;
+            }
+            points.clear();
+            points.extend(self.face_points(f));
+            let area = self.area_vector(f);
+            if area == DVec3::ZERO || concave::fan_covers(&points, area, self.area_rounding(f)) {
+                continue;
+            }
+            let start = self.starts[f];
+            let triangles = concave::triangles(&points, area).into_iter();
+            let corners = triangles.map(|triangle| triangle.map(|k| start + k as u32));
+            self.cut.extend(corners.map(|corners| (f as u32, corners)));
+        }
+        self.cut.shrink_to_fit();
         self
     }
 

@@ -9,7 +9,6 @@
 
 mod prepare;
 
-use super::concave::fan_or_triangles;
 use super::mesh::{Corner, Mesh, NO_NORMAL};
 use glam::Vec3;
 pub use prepare::ObjError;
@@ -20,8 +19,8 @@ use std::io::{BufRead, BufReader};
 /// Reads a model; `progress` is told now and then how many bytes have been read.
 ///
 /// Vertices with equal coordinates become one point, so that averaging sees every face there; duplicate corners in a row
-/// and faces that this leaves with fewer than three are dropped; a polygon whose fan from its first corner would leave
-/// its outline begins at another corner, or is cut into triangles. A fourth number of a vertex is its weight and divides
+/// and faces that this leaves with fewer than three are dropped; a concave polygon stays one, see
+/// [`Mesh::with_concave_faces_cut`]. A fourth number of a vertex is its weight and divides
 /// the others, further ones are colours and passed over. Normals are made unit vectors; one that is zero or not finite
 /// counts as not given. Coordinates far from the origin are taken relative to the first vertex, in double precision.
 ///
@@ -82,7 +81,7 @@ fn put_together(pieces: Vec<tobj::Model>, about: About) -> Result<Mesh, ObjError
     if mesh.face_count() == 0 {
         Err(ObjError::NoFace)
     } else {
-        Ok(mesh.with_closedness_detected())
+        Ok(mesh.with_concave_faces_cut().with_closedness_detected())
     }
 }
 
@@ -137,11 +136,8 @@ fn add_piece(mesh: &mut Mesh, known: &mut HashMap<[u32; 3], u32>, piece: &tobj::
             face.pop();
         }
         if face.len() >= 3 {
-            let at = |corner: &Corner| positions[corner.position as usize].as_dvec3();
-            fan_or_triangles(&mut face, at, |polygon| {
-                corners.extend_from_slice(polygon);
-                starts.push(corners.len() as u32);
-            });
+            corners.extend_from_slice(&face);
+            starts.push(corners.len() as u32);
         }
     }
 }

@@ -53,6 +53,7 @@ impl Mesh {
             normals,
             starts: self.starts.clone(),
             corners,
+            cut: self.cut.clone(),
             mirrored: vec![],
             closed,
             convex,

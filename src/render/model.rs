@@ -48,7 +48,7 @@ impl MeshSource {
     pub fn count(&self, memory: &mut Memory) {
         if let Some(mesh) = self.mesh.get() {
             memory.vertices += room(&mesh.positions) + room(&mesh.normals) + room(&mesh.mirrored);
-            memory.triangles += room(&mesh.starts) + room(&mesh.corners);
+            memory.triangles += room(&mesh.starts) + room(&mesh.corners) + room(&mesh.cut);
         }
     }
 }
@@ -82,19 +82,11 @@ impl Model {
     pub fn new(mut mesh: VertexMesh) -> Self {
         mesh.starts.shrink_to_fit();
         mesh.corners.shrink_to_fit();
-        let count = mesh
-            .corners
-            .len()
-            .saturating_sub(2 * mesh.starts.len().saturating_sub(1));
+        let count = mesh.triangle_count();
         let (mut triangles, mut faces) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        for (face, range) in (0_u32..).zip(mesh.starts.windows(2)) {
-            // A fan from the face's first vertex.
-            if let Some((&first, rest)) =
-                mesh.corners[range[0] as usize..range[1] as usize].split_first()
-            {
-                triangles.extend(rest.windows(2).map(|pair| [first, pair[0], pair[1]]));
-                faces.resize(triangles.len(), face);
-            }
+        for face in 0..mesh.face_count() {
+            triangles.extend(mesh.face_triangles(face));
+            faces.resize(triangles.len(), face as u32);
         }
         Self {
             origin: mesh.origin,
@@ -137,6 +129,12 @@ impl Model {
     pub fn face(&self, face: u32) -> &[u32] {
         let face = face as usize;
         &self.indices[self.starts[face] as usize..self.starts[face + 1] as usize]
+    }
+
+    /// The triangles of face `face`.
+    pub fn triangles_of(&self, face: u32) -> &[[u32; 3]] {
+        let [begin, end] = [face, face + 1].map(|next| self.faces.partition_point(|f| *f < next));
+        &self.triangles[begin..end]
     }
 
     /// A vertex relative to `origin`.

@@ -5,7 +5,7 @@ use glam::DVec3;
 use shading_lab::export::{Limit, export_mesh, glsl_330};
 use shading_lab::geometry::{VertexMesh, tessellate};
 use shading_lab::render::{Frame, Renderer};
-use shading_lab::scene::{Encoding, Scene};
+use shading_lab::scene::{Encoding, Scene, ShadingMode};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -197,6 +197,21 @@ fn the_program_in_c_draws_the_same_picture() {
             "torus",
             &["shading={mode=\"flat\", flat_at=\"provoking-vertex\"}"],
         ),
+        (
+            "concave",
+            "sphere",
+            &[CONCAVE, "camera.eye=[1.5,2,3]", "shading.mode=interpolated"],
+        ),
+        (
+            "concave-flat",
+            "sphere",
+            &[
+                CONCAVE,
+                "camera.eye=[1.5,2,3]",
+                "light.0.position=[0.4,0.5,0.8]",
+                "shading={mode=\"flat\", flat_at=\"provoking-vertex\"}",
+            ],
+        ),
         ("overflow", "sphere", &["light.0.color=[4,4,4]"]),
         ("area", "cube", &[area]),
         (
@@ -245,18 +260,33 @@ fn the_calls_alone_compile() {
     }
 }
 
-/// A mesh as the host program reads it.
-fn bytes(mesh: &VertexMesh) -> Vec<u8> {
-    let triangles: Vec<[u32; 3]> = (0..mesh.face_count())
-        .flat_map(|f| {
-            mesh.face(f)
-                .windows(2)
-                .skip(1)
-                .map(move |pair| [mesh.face(f)[0], pair[0], pair[1]])
-        })
+/// The fan of a face about its first vertex, the triangles first that turn as the face does, and the number of these.
+fn fan(mesh: &VertexMesh, f: usize) -> (Vec<[u32; 3]>, u32) {
+    let at = |v: u32| mesh.positions[v as usize].as_dvec3();
+    let face = mesh.face(f);
+    let triangles = face[1..].windows(2).map(|pair| [face[0], pair[0], pair[1]]);
+    let (mut along, against): (Vec<_>, Vec<_>) = triangles.partition(|&[a, b, c]| {
+        (at(b) - at(a))
+            .cross(at(c) - at(a))
+            .dot(mesh.face_normal(f))
+            > 0.0
+    });
+    let first = along.len() as u32;
+    along.extend(against);
+    (along, first)
+}
+
+/// A mesh as the host program reads it. Where each polygon has one shade, concave ones are fans apart.
+fn bytes(mesh: &VertexMesh, flat: bool) -> Vec<u8> {
+    let is_concave = |f: &usize| flat && mesh.cut.iter().any(|(face, _)| *face as usize == *f);
+    let (concave, plain): (Vec<usize>, Vec<usize>) = (0..mesh.face_count()).partition(is_concave);
+    let triangles: Vec<[u32; 3]> = plain
+        .into_iter()
+        .flat_map(|f| mesh.face_triangles(f))
         .collect();
+    let fans: Vec<_> = concave.into_iter().map(|f| fan(mesh, f)).collect();
     let mut bytes = Vec::new();
-    for count in [mesh.positions.len(), triangles.len()] {
+    for count in [mesh.positions.len(), triangles.len(), fans.len()] {
         bytes.extend(u32::try_from(count).expect("a small mesh").to_ne_bytes());
     }
     for (position, normal) in mesh.positions.iter().zip(&mesh.normals) {
@@ -268,12 +298,15 @@ fn bytes(mesh: &VertexMesh) -> Vec<u8> {
                 .flat_map(|x| x.to_ne_bytes()),
         );
     }
-    bytes.extend(
-        triangles
-            .iter()
-            .flatten()
-            .flat_map(|index| index.to_ne_bytes()),
+    let counts = fans
+        .iter()
+        .flat_map(|(fan, along)| [fan.len() as u32, *along]);
+    let numbers = triangles.iter().flatten().copied().chain(counts);
+    let numbers = numbers.chain(
+        fans.iter()
+            .flat_map(|(fan, _)| fan.iter().flatten().copied()),
     );
+    bytes.extend(numbers.flat_map(u32::to_ne_bytes));
     bytes
 }
 
@@ -282,7 +315,8 @@ fn bytes(mesh: &VertexMesh) -> Vec<u8> {
 fn compare_glsl(host: &Path, name: &str, scene: &Scene) {
     let path = |ending: &str| folder().join(format!("glsl-{name}.{ending}"));
     let mesh = export_mesh(scene, &tessellate(&scene.object));
-    fs::write(path("mesh"), bytes(&mesh)).expect("a file");
+    let flat = scene.shading.mode == ShadingMode::Flat;
+    fs::write(path("mesh"), bytes(&mesh, flat)).expect("a file");
     let export = glsl_330(scene);
     for part in &export.parts {
         fs::write(path(part.ending), &part.text).expect("a file");
@@ -294,6 +328,14 @@ fn compare_glsl(host: &Path, name: &str, scene: &Scene) {
     succeeded(command.arg(path("ppm")).output(), name);
     agree(name, scene, &path("ppm"));
 }
+
+/// A prism over a U, of which no corner sees all, and a comb behind it.
+const CONCAVE: &str = "object={kind=\"polygons\", vertices=[\
+    [-0.8,0.7,0],[-0.8,-0.7,0],[0.8,-0.7,0],[0.8,0.7,0],[0.3,0.7,0],[0.3,-0.2,0],[-0.3,-0.2,0],[-0.3,0.7,0],\
+    [-0.8,0.7,-1],[-0.8,-0.7,-1],[0.8,-0.7,-1],[0.8,0.7,-1],[0.3,0.7,-1],[0.3,-0.2,-1],[-0.3,-0.2,-1],[-0.3,0.7,-1],\
+    [-1,-1,-0.9],[-1,1,-1.4],[-0.8,-0.6,-1],[0,1,-1.4],[0.8,-0.6,-1],[1,1,-1.4],[1,-1,-0.9]],\
+    faces=[[0,1,2,3,4,5,6,7],[15,14,13,12,11,10,9,8],[0,8,9,1],[1,9,10,2],[2,10,11,3],[3,11,12,4],[4,12,13,5],\
+    [5,13,14,6],[6,14,15,7],[7,15,8,0],[22,21,20,19,18,17,16]]}";
 
 /// Polygons that reach far out of the unit sphere, towards the eye and away from it.
 const POLYGONS: &str = "object={kind=\"polygons\", vertices=[[-1,-1,2],[1,-1,2],[1,1,-9],[-3,1,-9]], faces=[[0,1,2,3]]}";
@@ -450,6 +492,21 @@ fn the_shaders_draw_the_same_picture() {
         ("orthographic", "cone", &["camera.projection=orthographic"]),
         ("rolled", "cube", &["camera.roll=-50"]),
         ("polygons", "plane", &[POLYGONS]),
+        (
+            "concave",
+            "sphere",
+            &[CONCAVE, "camera.eye=[1.5,2,3]", "object.normals=averaged"],
+        ),
+        (
+            "concave-flat",
+            "sphere",
+            &[
+                CONCAVE,
+                "camera.eye=[1.5,2,3]",
+                "light.0.position=[0.4,0.5,0.8]",
+                "shading={mode=\"flat\", flat_at=\"provoking-vertex\"}",
+            ],
+        ),
     ] {
         let scene = small(preset, set);
         assert_eq!(glsl_330(&scene).limits, [] as [Limit; 0], "{name}");

@@ -1,6 +1,8 @@
 /* Draws a mesh by a pair of shaders with OpenGL 3.3 core, off screen.
  *     host VERTEX FRAGMENT MESH WIDTH HEIGHT RED GREEN BLUE OUT.ppm
- * MESH: two 32-bit counts, of vertices and of triangles; six floats a vertex, position and normal; three indices a triangle. */
+ * MESH: three 32-bit counts, of vertices, of triangles, and of concave polygons; six floats a vertex, position and normal; three
+ * indices a triangle; of each concave polygon the number of triangles of its fan, which follow those, and of the first of them that
+ * turn as it does. */
 #define GL_GLEXT_PROTOTYPES
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -45,7 +47,7 @@ static GLuint compile(GLenum kind, const char *path) {
 
 static void open_context(EGLint width, EGLint height) {
     const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                             EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_DEPTH_SIZE, 24, EGL_NONE};
+                             EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_DEPTH_SIZE, 24, EGL_STENCIL_SIZE, 8, EGL_NONE};
     const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
     const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
@@ -74,23 +76,45 @@ static void use_program(const char *vertex, const char *fragment) {
     glUseProgram(program);
 }
 
-static GLsizei bind_mesh(const char *path) {
+/* Draws the triangles, then each concave polygon where an odd number of its fan's triangles lie. */
+static void draw_mesh(const char *path) {
     const uint32_t *mesh = (const uint32_t *)read_whole(path);
-    const size_t vertices = mesh[0], triangles = mesh[1], stride = 6 * sizeof(float);
+    const size_t vertices = mesh[0], triangles = mesh[1], fans = mesh[2], stride = 6 * sizeof(float);
+    const uint32_t *indices = mesh + 3 + 6 * vertices, *counts = indices + 3 * triangles;
+    const char *offset = (const char *)0 + 12 * triangles;
+    size_t all = triangles;
     GLuint array, buffers[2];
+
+    for (size_t i = 0; i < fans; i++) all += counts[2 * i];
 
     glGenVertexArrays(1, &array);
     glBindVertexArray(array);
     glGenBuffers(2, buffers);
     glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(stride * vertices), mesh + 2, GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(stride * vertices), mesh + 3, GL_STATIC_DRAW);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(12 * triangles), mesh + 2 + 6 * vertices, GL_STATIC_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(12 * all), NULL, GL_STATIC_DRAW);
+    glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, (GLsizeiptr)(12 * triangles), indices);
+    glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, (GLintptr)(12 * triangles), (GLsizeiptr)(12 * (all - triangles)), counts + 2 * fans);
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, (GLsizei)stride, NULL);
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, (GLsizei)stride, (const char *)0 + 3 * sizeof(float));
-    return (GLsizei)(3 * triangles);
+    glDrawElements(GL_TRIANGLES, (GLsizei)(3 * triangles), GL_UNSIGNED_INT, NULL);
+    for (size_t i = 0; i < fans; offset += 12 * counts[2 * i++]) {
+        glEnable(GL_STENCIL_TEST);
+        glClear(GL_STENCIL_BUFFER_BIT);
+        glStencilFunc(GL_ALWAYS, 0, 1);
+        glStencilOp(GL_INVERT, GL_INVERT, GL_INVERT);
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        glDepthMask(GL_FALSE);
+        glDrawElements(GL_TRIANGLES, (GLsizei)(3 * counts[2 * i]), GL_UNSIGNED_INT, offset);
+        glStencilFunc(GL_EQUAL, 1, 1);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDepthMask(GL_TRUE);
+        glDrawElements(GL_TRIANGLES, (GLsizei)(3 * counts[2 * i + 1]), GL_UNSIGNED_INT, offset);
+    }
 }
 
 static void write_picture(const char *path, int width, int height) {
@@ -111,14 +135,13 @@ int main(int argc, char **argv) {
     int width = atoi(argv[4]), height = atoi(argv[5]);
     open_context(width, height);
     use_program(argv[1], argv[2]);
-    GLsizei indices = bind_mesh(argv[3]);
     glViewport(0, 0, width, height);
     glDisable(GL_DITHER);
     glEnable(GL_DEPTH_TEST);
     glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
     glClearColor((float)atof(argv[6]), (float)atof(argv[7]), (float)atof(argv[8]), 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glDrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_INT, NULL);
+    draw_mesh(argv[3]);
     if (glGetError() != GL_NO_ERROR) fail("OpenGL reports an error");
     write_picture(argv[9], width, height);
     return EXIT_SUCCESS;

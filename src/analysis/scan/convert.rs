@@ -130,6 +130,8 @@ impl Grid {
 struct Shading {
     /// The corners, world.
     points: Vec<DVec3>,
+    /// The triangles that the polygon is drawn as, by the numbers of its corners.
+    triangles: Vec<[usize; 3]>,
     orthographic: bool,
     equation: Equation<f64>,
     encoding: Encoding,
@@ -216,6 +218,7 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
     };
     let shading = Shading {
         points: polygon.corners.iter().map(|at| at.point).collect(),
+        triangles: polygon.triangles,
         orthographic: scene.camera.projection == Projection::Orthographic,
         equation,
         encoding: scene.display.encoding,
@@ -244,7 +247,7 @@ impl Shading {
         [r, g, b]
     }
 
-    /// The point seen at a place of the grid, world, and the value there by barycentric weights: on the triangle of the fan that
+    /// The point seen at a place of the grid, world, and the value there by barycentric weights: on the polygon's triangle that
     /// holds the place; of a place on the border beside all of them on the one that it leaves least. Nothing for a polygon
     /// without area.
     ///
@@ -252,8 +255,7 @@ impl Shading {
     /// orthographic picture do not enter.
     fn barycentric(&self, scan: &Scan, place: DVec2) -> Option<[DVec3; 2]> {
         let corners = &scan.corners;
-        let triangles = (1..corners.len().saturating_sub(1)).map(|k| [0, k, k + 1]);
-        let weighted = triangles.filter_map(|triangle| {
+        let weighted = self.triangles.iter().filter_map(|&triangle| {
             let [a, b, c] = triangle.map(|i| corners[i].place);
             let area = (b - a).perp_dot(c - a);
             let (w1, w2) = (

@@ -129,11 +129,8 @@ impl Historic {
         let culls = mesh.closed && (shade.view.eye - mesh.origin).length() > mesh.radius();
         let mut evaluations = 0;
         for face in 0..mesh.face_count() {
-            let Some((&first, rest)) = mesh.face(face).split_first() else {
-                continue;
-            };
-            for pair in rest.windows(2) {
-                let [a, b, c] = [first, pair[0], pair[1]].map(|vertex| corners[vertex as usize]);
+            for triangle in mesh.face_triangles(face) {
+                let [a, b, c] = triangle.map(|vertex| corners[vertex as usize]);
                 if let (Some(a), Some(b), Some(c)) = (a, b, c) {
                     evaluations += self.triangle(kernel, [a, b, c], culls);
                 }

@@ -19,6 +19,7 @@ static const GLuint triangles[][3] = {
 $triangles$
 };
 
+$concave$
 static void fail(const char *what) {
     fprintf(stderr, "%s\n", what);
     exit(EXIT_FAILURE);
@@ -27,7 +28,7 @@ static void fail(const char *what) {
 /* A context of OpenGL's compatibility profile and a picture of WIDTH x HEIGHT pixels, without any window. */
 static void open_context(void) {
     const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                             EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_DEPTH_SIZE, 24, EGL_NONE};
+                             EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_DEPTH_SIZE, 24, $stencil$EGL_NONE};
     const EGLint size[] = {EGL_WIDTH, WIDTH, EGL_HEIGHT, HEIGHT, EGL_NONE};
     EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
     EGLConfig config;
@@ -58,6 +59,7 @@ static void draw(void) {
     glVertexPointer(3, GL_FLOAT, 0, positions);
     glNormalPointer(GL_FLOAT, 0, normals);
     glDrawElements(GL_TRIANGLES, 3 * TRIANGLES, GL_UNSIGNED_INT, triangles);
+$draw_concave$
 }
 
 /* OpenGL's rows begin at the bottom, a picture's at the top. */

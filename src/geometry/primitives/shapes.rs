@@ -1,6 +1,5 @@
 //! The built-in shapes but for the teapot, face by face, and the polygons that a scene gives itself.
 
-use crate::geometry::concave::fan_or_triangles;
 use crate::geometry::mesh::{Corner, FAR, Mesh, NO_NORMAL};
 use crate::geometry::sizes::{
     CORRUGATED_HALF_HEIGHT, CUBE_HALF_EDGE, Frustum, TORUS_RING, TORUS_TUBE, corrugated_normal,
@@ -316,8 +315,7 @@ pub fn frustum(shape: &Frustum, segments: u32, rings: u32) -> Mesh {
 
 impl From<&Polygons> for Mesh {
     /// Any number of polygons. Faces share the points that they name by the same number, and no others: a vertex upon another, or
-    /// upon an edge, is a vertex of its own. Faces that name an unknown vertex, or fewer than three, are left out; a concave one is
-    /// turned or cut as a model's is.
+    /// upon an edge, is a vertex of its own. Faces that name an unknown vertex, or fewer than three, are left out.
     fn from(polygons: &Polygons) -> Self {
         let Polygons {
             vertices,
@@ -352,16 +350,9 @@ impl From<&Polygons> for Mesh {
             .iter()
             .filter(|face| face.len() >= 3 && face.iter().all(|&v| (v as usize) < vertices.len()))
         {
-            let mut face: Vec<Corner> = face.iter().map(corner).collect();
-            fan_or_triangles(
-                &mut face,
-                |corner| vertices[corner.position as usize] - origin,
-                |polygon| {
-                    mesh.corners.extend_from_slice(polygon);
-                    mesh.starts.push(mesh.corners.len() as u32);
-                },
-            );
+            mesh.corners.extend(face.iter().map(corner));
+            mesh.starts.push(mesh.corners.len() as u32);
         }
-        mesh.with_closedness_detected()
+        mesh.with_concave_faces_cut().with_closedness_detected()
     }
 }

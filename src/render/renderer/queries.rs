@@ -10,12 +10,15 @@ use crate::render::lens::{Lens, NEAR, pixel_centre};
 use crate::render::raster::{PlacedTriangles, UNPLACED};
 use crate::scene::{Rgb, Scene};
 use glam::{DVec2, DVec3};
+use std::collections::HashMap;
 
 /// A polygon of the last picture, as it is shaded.
 #[derive(Clone, Debug)]
 pub(crate) struct Polygon<'a> {
     /// Its corners, counter-clockwise from outside, each with the normal that the shading mode gives it.
     pub corners: Vec<WeightedPoint<'a>>,
+    /// The triangles that it is drawn as, by the numbers of its corners.
+    pub triangles: Vec<[usize; 3]>,
     /// Where flat shading evaluates the equation.
     pub flat: Vec<WeightedPoint<'a>>,
     /// Whether all of it lies beyond the near plane.
@@ -154,7 +157,13 @@ impl Renderer {
         let before_the_eye = corners
             .iter()
             .all(|at| last.lens.view_from_world(at.point).z >= NEAR);
+        let model = last.triangles.model;
+        let numbers: HashMap<u32, usize> = model.face(face).iter().copied().zip(0..).collect();
+        let triangles = model.triangles_of(face).iter();
         Some(Polygon {
+            triangles: triangles
+                .map(|vertices| vertices.map(|v| numbers[&v]))
+                .collect(),
             flat: last.flat_points(face),
             corners,
             before_the_eye,

@@ -1,0 +1,89 @@
+//! Concave polygons of one shade: OpenGL takes the shade of a triangle from one of its vertices, and not all triangles that cover
+//! such a polygon have its first one.
+
+use crate::export::text::filled;
+use crate::geometry::VertexMesh;
+
+/// A face that is drawn through the stencil buffer, as a fan about its first vertex, which comes last.
+struct Fan {
+    face: usize,
+    /// Those that turn as the polygon does, and those that turn the other way.
+    triangles: [Vec<[u32; 3]>; 2],
+}
+
+/// The faces that their fan does not cover.
+#[derive(Default)]
+pub struct Concave(Vec<Fan>);
+
+impl Concave {
+    /// Finds the faces of `mesh` that their fan does not cover.
+    pub fn of(mesh: &VertexMesh) -> Self {
+        let runs = mesh.cut.chunk_by(|a, b| a.0 == b.0);
+        let fan = |run: &[(u32, [u32; 3])]| {
+            let face = run[0].0 as usize;
+            let (vertices, normal) = (mesh.face(face), mesh.face_normal(face));
+            let turns_along = |triangle: &[u32; 3]| {
+                let [a, b, c] = triangle.map(|v| mesh.positions[v as usize].as_dvec3());
+                (b - a).cross(c - a).dot(normal) > 0.0
+            };
+            let triangles = vertices[1..]
+                .windows(2)
+                .map(|pair| [pair[0], pair[1], vertices[0]]);
+            Fan {
+                face,
+                triangles: triangles.partition(turns_along).into(),
+            }
+        };
+        Self(runs.map(fan).collect())
+    }
+
+    /// Whether face `f` is among them.
+    pub fn has(&self, f: usize) -> bool {
+        self.0.binary_search_by_key(&f, |fan| fan.face).is_ok()
+    }
+
+    /// Returns the part of the program that draws them; empty where there are none.
+    pub fn text(&self) -> String {
+        if self.0.is_empty() {
+            return String::new();
+        }
+        let row = |[a, b, c]: &[u32; 3]| format!("    {{{a}, {b}, {c}}},\n");
+        let count = |Fan {
+                         triangles: [along, against],
+                         ..
+                     }: &Fan| {
+            format!(
+                "    {{{}, {}}},\n",
+                along.len() + against.len(),
+                along.len()
+            )
+        };
+        let triangles = self.0.iter().flat_map(|fan| fan.triangles.iter().flatten());
+        let text = filled(
+            include_str!("concave.c"),
+            &[
+                ("fans", &triangles.map(row).collect::<String>()),
+                ("counts", &self.0.iter().map(count).collect::<String>()),
+            ],
+        );
+        text + "\n"
+    }
+
+    /// Returns the call of that part.
+    pub fn draw(&self) -> &'static str {
+        if self.0.is_empty() {
+            ""
+        } else {
+            "    draw_concave();"
+        }
+    }
+
+    /// Returns what the picture needs for it.
+    pub fn stencil(&self) -> &'static str {
+        if self.0.is_empty() {
+            ""
+        } else {
+            "EGL_STENCIL_SIZE, 8, "
+        }
+    }
+}
