@@ -32,7 +32,9 @@ pub use comparison::{
     difference_scale, draw_panes, error_figures, error_line, pane_areas, pane_figures,
     panes_on_sheet, region_errors,
 };
-pub use conditions::{CONDITIONS, Conditions, ConditionsQuestion, Variation, conditions};
+pub use conditions::{
+    Assumption, CONDITIONS, Conditions, ConditionsQuestion, Variation, conditions,
+};
 pub use curves::{Curves, CurvesQuestion};
 pub use defects::{
     DEFECTS, Defect, DefectMark, Defects, DefectsQuestion, Finding, MeasuredDefects, Orientation,

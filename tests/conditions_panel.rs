@@ -37,7 +37,7 @@ fn each_condition_is_met_and_broken_by_its_button() {
     assert!(wait(&mut harness, |harness| harness
         .query_all_by_label("Holds:")
         .count()
-        == 3));
+        == 4));
     press_when_there(&mut harness, "Bring the lights back");
     press_when_there(&mut harness, "Bring the viewer back");
     press_when_there(&mut harness, "Draw a curved object");

@@ -96,6 +96,7 @@ fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
             face: None,
             ambient,
             bounced: false,
+            color: scene.material.color,
             lights,
             reflected,
             transmission,

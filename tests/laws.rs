@@ -8,7 +8,7 @@ use shading_lab::illumination::{Equation, Index, LightAt, attenuation_at};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Attenuation, Distribution, Light, LightKind, Material, Reflectance, ReflectionModel, Rgb,
-    Scene, Viewer,
+    Scene, ShadingMode, Viewer,
 };
 use std::f64::consts::PI;
 use textbook::{Dice, amplitude_reflectance, cook_torrance, random_scene, spot_part};
@@ -345,6 +345,47 @@ fn microfacets_are_the_closed_form_and_reciprocal() {
                 assert!(
                     (at / l.z - back / v.z).abs() < 1e-9 * (1.0 + at / l.z),
                     "{distribution:?} {m}"
+                );
+            }
+        }
+    }
+}
+
+/// A normal that is left short of unit length enters as it is: cos α is N·H, as in Blinn's model.
+#[test]
+fn microfacets_take_a_short_normal_as_it_is() {
+    let mut dice = Dice(0x2007);
+    for distribution in [Distribution::Beckmann, Distribution::Ggx] {
+        for m in [0.2, 0.5, 1.0] {
+            let mut scene = bench(ReflectionModel::CookTorrance, 1.0);
+            (scene.shading.mode, scene.shading.renormalise) = (ShadingMode::Phong, false);
+            scene.reflection.distribution = distribution;
+            scene.material.roughness = m;
+            scene.camera.viewer = Viewer::Infinite;
+            scene.camera.eye = DVec3::new(0.3, 0.0, 1e3);
+            let v = (scene.camera.eye - scene.camera.target).normalize();
+            for _ in 0..500 {
+                let mut upper = || {
+                    DVec3 {
+                        z: 0.05 + dice.unit(),
+                        ..dice.direction()
+                    }
+                    .normalize()
+                };
+                let (l, n) = (upper(), upper());
+                let n = n * (1.0 - 0.2 * dice.unit());
+                if n.dot(l) < 1e-6 {
+                    continue;
+                }
+                scene.lights = vec![from(l)];
+                let at = Equation::<f64>::new(&scene)
+                    .respond_world(0, DVec3::ZERO, n, None)
+                    .specular_factor;
+                let expected = cook_torrance(distribution, m, n, l, v);
+                assert!(
+                    (at - expected).abs() < 1e-9 * (1.0 + expected),
+                    "{distribution:?} {m}, |N| = {}: {at} {expected}",
+                    n.length()
                 );
             }
         }

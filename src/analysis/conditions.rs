@@ -6,19 +6,23 @@
 //! 1. the light is at infinity, so that L and with it N·L are constant;
 //! 2. the viewer is at infinity, so that V and with it N·V are constant;
 //! 3. the polygon is the surface itself and stands for no curved one, so that N is constant.
+//!
+//! They assume besides that the equation takes nothing else that varies; [`Assumption`] lists what a scene can have that does.
 
-use super::report::{About, Answer, Column, Report, Table, cells};
-use super::{ErrorFigures, LinearPicture, Question, Subject, Watch, region_errors};
+use super::report::{About, Answer, Column, Report, Table, cells, grouped};
+use super::{ErrorFigures, LinearPicture, Question, Subject, Watch, error_figures, region_errors};
 use crate::geometry::Mesh;
-use crate::render::Renderer;
+use crate::render::{Cued, Plan, Renderer};
 use crate::scene::{
-    Compare, FlatAt, LightKind, NormalSource, Projection, Scene, ShadingMode, Viewer,
+    Attenuation, Compare, FlatAt, Light, LightKind, NormalSource, PatternKind, Rgb, Scene,
+    ShadingMode, Viewer,
 };
 use crate::text;
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
+use std::sync::Arc;
 
 /// Angles below this are what rounding corners and normals to single precision leaves, degrees.
 const ROUNDING: f64 = 0.01;
@@ -32,6 +36,27 @@ pub struct Variation {
     pub cosine: f64,
 }
 
+/// What the three conditions assume, and a scene does not keep: flat shading is then not exact, even where they hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Assumption {
+    /// Od is constant; a pattern varies it.
+    Pattern,
+    /// f is constant; it falls with the distance to the viewer.
+    ViewerDistance,
+    /// f is constant; it falls with the distance to a light.
+    LightDistance,
+    /// A light is as bright in all directions; a spot light is not.
+    Spot,
+    /// A light reaches all of a polygon; a shadow can fall on part of it.
+    Shadows,
+    /// The intensity does not fade; flat shading fades it by one depth a polygon.
+    DepthCueing,
+    /// N is the polygon's own; at the vertices, where the equation is evaluated, it is another.
+    VertexNormals,
+}
+
 /// Which conditions a scene meets.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Conditions {
@@ -39,10 +64,18 @@ pub struct Conditions {
     pub light: Variation,
     /// Of V.
     pub viewer: Variation,
-    /// Greatest angle between a polygon's normal and the surface's at its corners, degrees.
+    /// Greatest angle, degrees, between a polygon's normal and those that it stands for at its corners: the surface's, or
+    /// where there is none beyond the polygons the vertex normals.
     pub surface: f64,
-    /// Flat minus exact shading, where both show the object.
+    /// Whether the object has a surface beyond its polygons.
+    pub has_surface: bool,
+    /// What the scene does not keep of what the three conditions assume.
+    pub further: Vec<Assumption>,
+    /// Flat minus exact shading, where both show the object; of an object whose polygons are its surface, where both show the
+    /// same polygon.
     pub error: ErrorFigures,
+    /// The same where either shows the object, as a comparison of both pictures has it.
+    pub everywhere: ErrorFigures,
 }
 
 /// Whether a condition holds.
@@ -81,46 +114,126 @@ impl Question for ConditionsQuestion {
 
 /// Checks the three conditions for the object of `scene`, and compares its flat picture with the exact one.
 pub fn conditions(renderer: &mut Renderer, scene: &Scene) -> Conditions {
-    let alone = |mode: ShadingMode| {
-        let mut alone = Scene {
-            compare: Compare::default(),
-            ..scene.clone()
-        };
-        (alone.shading.mode, alone.shading.flat_at) = (mode, FlatAt::Centre);
-        alone
-    };
-    let [exact, flat] =
-        [ShadingMode::Exact, ShadingMode::Flat].map(|mode| renderer.linear_picture(&alone(mode)));
-    let picture = |pixels| LinearPicture {
+    let modes = [ShadingMode::Exact, ShadingMode::Flat];
+    let [exact, flat] = modes.map(|mode| renderer.linear_picture(&alone(scene, mode)));
+    let [exact, flat] = [&exact, &flat].map(|pixels| LinearPicture {
         width: scene.image.size[0],
         pixels,
         clamps: scene.clamps(),
+    });
+    let mesh = &*Arc::clone(renderer.mesh_shown());
+    let has_surface = scene.object.kind.has_surface();
+    // Where there is no surface beyond the polygons, the vertex normals say what they stand for.
+    let surface = if has_surface {
+        leaning(mesh, scene, NormalSource::Exact)
+    } else {
+        leaning(mesh, scene, scene.object.normals)
     };
-    let everywhere = vec![true; flat.len()];
-    // The flat picture was drawn last, from the polygons.
-    let mesh = renderer.mesh_shown();
+    let inside = if has_surface && surface < ROUNDING {
+        same_polygon(renderer, scene)
+    } else {
+        vec![true; flat.pixels.len()]
+    };
+    Conditions {
+        light: light_variation(mesh, scene),
+        // In parallel projection, too, V of a local viewer points to the eye.
+        viewer: match scene.camera.viewer {
+            Viewer::Infinite => Variation::default(),
+            Viewer::Local => variation(mesh, scene.camera.eye),
+        },
+        surface,
+        has_surface,
+        // The flat picture was drawn last.
+        further: renderer
+            .plan()
+            .map_or_else(Vec::new, |plan| assumptions(mesh, scene, plan)),
+        error: region_errors(flat, exact, &inside).interior,
+        everywhere: error_figures(flat, exact),
+    }
+}
+
+/// The scene without panes, in a shading mode.
+fn alone(scene: &Scene, mode: ShadingMode) -> Scene {
+    let mut alone = Scene {
+        compare: Compare::default(),
+        ..scene.clone()
+    };
+    alone.shading.mode = mode;
+    alone
+}
+
+/// In which pixels the exact and the flat picture show the same polygon of an object whose polygons are its surface, as the
+/// normals tell. A pixel's centre beside an edge can lie on either side of it by the picture's grid. The flat picture is drawn last.
+fn same_polygon(renderer: &mut Renderer, scene: &Scene) -> Vec<bool> {
+    let width = scene.image.size[0] as usize;
+    let [exact, flat] = [ShadingMode::Exact, ShadingMode::Flat].map(|mode| {
+        let count = renderer.render(&alone(scene, mode)).pixels.len();
+        let renderer = &*renderer;
+        let normal = |index: usize| {
+            let seen = renderer.evaluation((index % width) as u32, (index / width) as u32)?;
+            Some(seen.normal)
+        };
+        let normals: Vec<Option<DVec3>> = (0..count).into_par_iter().map(normal).collect();
+        normals
+    });
+    let same = |pair| match pair {
+        (Some(a), Some(b)) => angle(a, b) < ROUNDING,
+        _ => true,
+    };
+    exact.into_iter().zip(flat).map(same).collect()
+}
+
+/// How L varies, over all lights that are on and not at infinity.
+fn light_variation(mesh: &Mesh, scene: &Scene) -> Variation {
     let soloing = scene.soloing();
-    let far = |light: &&crate::scene::Light| light.kind != LightKind::Directional;
-    let light = scene
+    scene
         .lights
         .iter()
-        .filter(|light| light.shines(soloing))
-        .filter(far)
+        .filter(|light| light.shines(soloing) && light.kind != LightKind::Directional)
         .map(|light| variation(mesh, light.position))
-        .fold(Variation::default(), Variation::or_more);
-    let camera = &scene.camera;
-    let infinite =
-        camera.viewer == Viewer::Infinite || camera.projection == Projection::Orthographic;
-    Conditions {
-        light,
-        viewer: if infinite {
-            Variation::default()
-        } else {
-            variation(mesh, camera.eye)
-        },
-        surface: leaning(mesh, scene),
-        error: region_errors(picture(&flat), picture(&exact), &everywhere).interior,
-    }
+        .fold(Variation::default(), Variation::or_more)
+}
+
+/// What the scene does not keep of what the three conditions assume; `plan` is that of its flat picture.
+fn assumptions(mesh: &Mesh, scene: &Scene, plan: &Plan) -> Vec<Assumption> {
+    let any = |varies: fn(&Light) -> bool| {
+        let mut lights = scene.lights.iter().zip(&plan.lights);
+        lights.any(|(light, shines)| *shines && varies(light))
+    };
+    let (material, pattern) = (&scene.material, &scene.pattern);
+    let colored = material.ka != Rgb::ZERO || material.kd != Rgb::ZERO;
+    let patterned = pattern.kind != PatternKind::None && pattern.color != material.color;
+    let own_normals = || {
+        scene.shading.flat_at == FlatAt::Centre
+            || leaning(mesh, scene, Plan::normals(scene)) < ROUNDING
+    };
+    let broken = [
+        (Assumption::Pattern, patterned && colored),
+        (
+            Assumption::ViewerDistance,
+            any(|light| light.attenuation == Attenuation::Viewer),
+        ),
+        (Assumption::LightDistance, any(falls_with_distance)),
+        (Assumption::Spot, any(|light| light.kind == LightKind::Spot)),
+        (Assumption::Shadows, plan.shadows),
+        (Assumption::DepthCueing, plan.cued == Cued::AtPoints),
+        (
+            Assumption::VertexNormals,
+            scene.object.kind.has_surface() && !own_normals(),
+        ),
+    ];
+    let broken = broken.into_iter().filter(|(_, broken)| *broken);
+    broken.map(|(assumption, _)| assumption).collect()
+}
+
+/// Whether f of a light falls with the distance to it.
+fn falls_with_distance(light: &Light) -> bool {
+    let falls = match light.attenuation {
+        Attenuation::None | Attenuation::Viewer => false,
+        Attenuation::Light | Attenuation::InverseSquare => true,
+        Attenuation::Quadratic => light.c2 != 0.0 || light.c3 != 0.0,
+    };
+    falls && light.kind.has_position()
 }
 
 impl Variation {
@@ -164,16 +277,9 @@ fn variation(mesh: &Mesh, place: DVec3) -> Variation {
         .reduce(Variation::default, Variation::or_more)
 }
 
-/// The greatest angle between a polygon's normal and the surface's at its corners, degrees. Where there is no surface beyond
-/// the polygons, the vertex normals say what they stand for.
-fn leaning(mesh: &Mesh, scene: &Scene) -> f64 {
-    let object = &scene.object;
-    let source = if object.kind.has_surface() {
-        NormalSource::Exact
-    } else {
-        object.normals
-    };
-    let vertices = mesh.with_vertex_normals(source, object.weighting);
+/// The greatest angle between a polygon's normal and those at its corners, degrees.
+fn leaning(mesh: &Mesh, scene: &Scene, normals: NormalSource) -> f64 {
+    let vertices = mesh.with_vertex_normals(normals, scene.object.weighting);
     let of_face = |f: usize| {
         let normal = mesh.face_normal(f);
         let corners = vertices.face(f).iter();
@@ -195,6 +301,23 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
 }
 
 impl Conditions {
+    /// The sentence of a condition. Where there is no surface beyond the polygons, the third speaks of their normals.
+    pub fn title(&self, index: usize) -> &'static str {
+        match CONDITIONS[index].0 {
+            "picture-condition-surface" if !self.has_surface => text!("picture-condition-polygons"),
+            title => text!(title),
+        }
+    }
+
+    /// What of the scene varies besides L, V and N, in words.
+    pub fn further_words(&self) -> String {
+        if self.further.is_empty() {
+            return text!("picture-further-none").to_owned();
+        }
+        let words: Vec<&str> = self.further.iter().map(|found| found.words()).collect();
+        words.join(text!("point-sentence-gap"))
+    }
+
     /// What was measured of a condition, in words.
     pub fn figures(&self, index: usize) -> String {
         let varies = |key, found: &Variation| {
@@ -207,36 +330,73 @@ impl Conditions {
         match index {
             0 => varies("picture-condition-light.figures", &self.light),
             1 => varies("picture-condition-viewer.figures", &self.viewer),
-            _ => text!(
-                "picture-condition-surface.figures",
-                degrees = format!("{:.2}", self.surface)
-            ),
+            _ => {
+                let degrees = format!("{:.2}", self.surface);
+                if self.has_surface {
+                    text!("picture-condition-surface.figures", degrees = degrees)
+                } else {
+                    text!("picture-condition-polygons.figures", degrees = degrees)
+                }
+            }
+        }
+    }
+
+    /// Pixels at outlines and edges: those that show the object in one of the pictures only, or another polygon.
+    pub fn outline_pixels(&self) -> u64 {
+        self.everywhere.pixels - self.error.pixels
+    }
+}
+
+impl Assumption {
+    fn words(self) -> &'static str {
+        match self {
+            Self::Pattern => text!("picture-further-pattern"),
+            Self::ViewerDistance => text!("picture-further-viewer-distance"),
+            Self::LightDistance => text!("picture-further-light-distance"),
+            Self::Spot => text!("picture-further-spot"),
+            Self::Shadows => text!("picture-further-shadows"),
+            Self::DepthCueing => text!("picture-further-depth-cueing"),
+            Self::VertexNormals => text!("picture-further-vertex-normals"),
         }
     }
 }
 
+/// "Holds:" or "Fails:".
+fn verdict(holds: bool) -> &'static str {
+    if holds {
+        text!("picture-holds")
+    } else {
+        text!("picture-fails")
+    }
+}
+
 impl Answer for Conditions {
-    /// A section for each condition, and one for the pictures.
+    /// A section for each condition, one for what they assume, and one for the pictures.
     fn report(&self, about: &About<'_>) -> Report {
         let mut report = Report::new(text!(
             "picture-conditions-of",
             scene = about.heading().as_str()
         ));
-        for (index, (key, holds)) in CONDITIONS.iter().enumerate() {
-            let verdict = if holds(self) {
-                text!("picture-holds")
-            } else {
-                text!("picture-fails")
-            };
-            let section = report.section(text!(key));
-            section.line(format!("{verdict} {}", self.figures(index)));
+        for (index, (_, holds)) in CONDITIONS.iter().enumerate() {
+            let section = report.section(self.title(index));
+            section.line(format!("{} {}", verdict(holds(self)), self.figures(index)));
         }
+        let (holds, words) = (verdict(self.further.is_empty()), self.further_words());
+        report
+            .section(text!("picture-further"))
+            .line(format!("{holds} {words}"));
         let section = report.section(text!("picture-flat-and-exact"));
         section.quantity(
             format!("{:.4}", self.error.greatest),
             text!("picture-flat-greatest"),
         );
         section.quantity(format!("{:.4}", self.error.rms), "RMS");
+        section.line(text!(
+            "picture-flat-compared",
+            inside = grouped(self.error.pixels),
+            outline = grouped(self.outline_pixels()),
+            greatest = format!("{:.4}", self.everywhere.greatest)
+        ));
         report
     }
 
@@ -251,6 +411,14 @@ impl Answer for Conditions {
             let holds = if holds(self) { "true" } else { "false" };
             table.rows.push(cells![name, holds, degrees, cosine]);
         }
+        let holds = if self.further.is_empty() {
+            "true"
+        } else {
+            "false"
+        };
+        table
+            .rows
+            .push(cells!["further", holds, None::<f64>, None::<f64>]);
         Some(table)
     }
 
@@ -262,7 +430,10 @@ impl Answer for Conditions {
             "light": { "holds": light, "degrees": self.light.degrees, "cosine": self.light.cosine },
             "viewer": { "holds": viewer, "degrees": self.viewer.degrees, "cosine": self.viewer.cosine },
             "surface": { "holds": surface, "degrees": self.surface },
+            "further": { "holds": self.further.is_empty(), "fails": self.further },
             "flat_minus_exact": self.error,
+            "everywhere": self.everywhere,
+            "outline_pixels": self.outline_pixels(),
         })
     }
 }

@@ -65,6 +65,9 @@ pub struct ProbeHit {
     pub ambient: Rgb,
     /// Whether `ambient` is light from other surfaces.
     pub bounced: bool,
+    /// Od where the equation is evaluated; the weighted mean where that is at several points.
+    #[serde(skip)]
+    pub color: Rgb,
     /// One per light of the scene, in its order.
     pub lights: Vec<LightTerms>,
     /// Irefl: what the terms add up to.
@@ -217,21 +220,27 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
     let hit = stored
         .zip(renderer.evaluation(x, y))
         .map(|(stored, evaluation)| {
-            let (equation, shining) = (renderer.equation(scene), renderer.shining_equation(scene));
+            let mixture = renderer.mixture(x, y);
+            let bounced = mixture.and_then(|mixture| mixture.bounced);
+            // Where light bounces, the picture's equation has no ambient term.
+            let [equation, shining] = [renderer.equation(scene), renderer.shining_equation(scene)]
+                .map(|equation| match bounced {
+                    Some(_) => equation.without_ambient(),
+                    None => equation,
+                });
             let equations = [&equation, &shining];
             let lights = (0..scene.lights.len())
                 .map(|light| light_terms(scene, equations, &evaluation, light))
                 .collect();
-            let mixture = renderer.mixture(x, y);
-            let bounced = mixture.and_then(|mixture| mixture.bounced);
-            // The constant ambient term where the equation is evaluated.
-            let color = evaluation
+            // Od where the equation is evaluated, unless it is part of the coefficients.
+            let color: Rgb = evaluation
                 .points
                 .iter()
-                .map(|site| equation.pattern_color(site.point) * site.weight);
-            let constant = Rgb::from_array(equation.ambient) * color.sum::<Rgb>();
-            let difference = bounced.unwrap_or(Rgb::ZERO);
-            let reflected = (evaluation.intensity(&shining) + difference).max(Rgb::ZERO);
+                .map(|site| equation.pattern_color(site.point) * site.weight)
+                .sum();
+            let constant = Rgb::from_array(equation.ambient) * color;
+            let scattered = bounced.unwrap_or(Rgb::ZERO);
+            let reflected = evaluation.intensity(&shining) + scattered;
             let transmission = mixture.and_then(|mixture| mixture.transmission);
             let kt = scene.transparency.kt;
             let mixed = |reflected: Rgb, s0: f64| {
@@ -242,7 +251,7 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
             let intensity = mixed(reflected, 1.0);
             let cue = evaluation.cue.map(|_| {
                 let scale = evaluation.scale();
-                let reflected = (evaluation.kept(&shining) + scale * difference).max(Rgb::ZERO);
+                let reflected = evaluation.kept(&shining) + scale * scattered;
                 CueTerms {
                     scale,
                     kept: mixed(reflected, scale),
@@ -255,8 +264,13 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
                 view: equation.view_at(evaluation.position),
                 depth: evaluation.depth,
                 face: evaluation.face,
-                ambient: constant + difference,
+                ambient: constant + scattered,
                 bounced: bounced.is_some(),
+                color: if equation.has_pattern() {
+                    color
+                } else {
+                    scene.material.color
+                },
                 lights,
                 reflected,
                 transmission,

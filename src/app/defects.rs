@@ -163,19 +163,9 @@ fn conditions_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, size
         ui.label("…");
         return;
     };
-    let surface = state.shown.scene.object.kind.has_surface();
-    for (index, (title, holds)) in CONDITIONS.iter().enumerate() {
+    for (index, (_, holds)) in CONDITIONS.iter().enumerate() {
         let holds = holds(&found);
-        let title = if index == 2 && !surface {
-            "picture-condition-polygons"
-        } else {
-            title
-        };
-        ui.horizontal(|ui| {
-            verdict_ui(ui, holds);
-            ui.add(Label::new(RichText::new(text!(title)).strong()).wrap());
-        });
-        ui.label(found.figures(index));
+        condition_ui(ui, holds, found.title(index), &found.figures(index));
         let [meet, spoil] = match index {
             0 => [
                 "picture-condition-light.meet",
@@ -185,7 +175,7 @@ fn conditions_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, size
                 "picture-condition-viewer.meet",
                 "picture-condition-viewer.break",
             ],
-            _ if surface => [
+            _ if found.has_surface => [
                 "picture-condition-surface.meet",
                 "picture-condition-surface.break",
             ],
@@ -207,9 +197,27 @@ fn conditions_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, size
         }
         ui.add_space(6.0);
     }
-    conditions.view.section_ui(ui, CONDITIONS.len());
+    let further = found.further.is_empty();
+    condition_ui(
+        ui,
+        further,
+        text!("picture-further"),
+        &found.further_words(),
+    );
+    ui.add_space(6.0);
+    // The section of the pictures, after those of what is said above.
+    conditions.view.section_ui(ui, CONDITIONS.len() + 1);
     export_ui(ui, state, "conditions", || conditions.latest());
     ui.add_space(6.0);
+}
+
+/// A condition: whether it holds, and what was found.
+fn condition_ui(ui: &mut Ui, holds: bool, title: &str, found: &str) {
+    ui.horizontal(|ui| {
+        verdict_ui(ui, holds);
+        ui.add(Label::new(RichText::new(title).strong()).wrap());
+    });
+    ui.label(found);
 }
 
 /// A tick or a cross.

@@ -9,9 +9,9 @@ use super::text::{filled, float, head, said, vec3};
 use super::{Export, Part};
 use crate::illumination::{Index, SpecularForm};
 use crate::scene::{
-    Attenuation, Backfacing, Camera, CuedBy, Encoding, Interpolation, Light, LightKind,
-    NormalSource, Object, ObjectKind, Overflow, PatternKind, Projection, Scene, ShadingMode, View,
-    Viewer,
+    Attenuation, Backfacing, Camera, CuedBy, Distribution, Encoding, Interpolation, Light,
+    LightKind, NormalSource, Object, ObjectKind, Overflow, PatternKind, Projection, Scene,
+    ShadingMode, View, Viewer,
 };
 use crate::text::{Language, Message, in_language};
 use glam::{DMat4, DVec3, DVec4};
@@ -142,8 +142,8 @@ fn constants(scene: &Scene) -> String {
     };
     let (ks, os) = (vec3(material.ks), vec3(material.specular_color));
     let lobe = match form {
-        SpecularForm::Beckmann | SpecularForm::Ggx => {
-            let means = if form == SpecularForm::Ggx {
+        _ if form.has_microfacets() => {
+            let means = if scene.reflection.distribution == Distribution::Ggx {
                 "alpha"
             } else {
                 "the microfacets' root mean square slope"
@@ -219,7 +219,13 @@ fn terms(scene: &Scene) -> String {
 fn specular(form: SpecularForm) -> String {
     const PHONG: &str = "S = (R.V)^n with R = 2N(N.L) - L (Phong)";
     const BLINN: &str = "S = (N.H)^n with H = (L + V)/|L + V| (Blinn)";
-    const FACET: &str = concat!(include_str!("glsl/facet.glsl"), "\n");
+    const BECKMANN: &str = "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Beckmann)";
+    const GGX: &str = "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Walter et al.)";
+    const FACETS: &str = "facets(N, L, V, NL)";
+    let (by_cosine, by_chord) = (
+        include_str!("glsl/gap_of_cosine.glsl"),
+        include_str!("glsl/gap_of_chord.glsl"),
+    );
     let (power, chord) = (
         include_str!("glsl/power_of_cosine.glsl"),
         include_str!("glsl/power_of_chord.glsl"),
@@ -228,24 +234,21 @@ fn specular(form: SpecularForm) -> String {
         include_str!("glsl/beckmann.glsl"),
         include_str!("glsl/ggx.glsl"),
     );
-    let (facet, helpers, doc, body) = match form {
+    let (gap, helpers, doc, body) = match form {
         SpecularForm::None => return String::new(),
         SpecularForm::PhongCosine => ("", power, PHONG, "power(2.0 * NL * dot(N, V) - dot(L, V))"),
         SpecularForm::PhongChord => ("", chord, PHONG, "power(2.0 * NL * N - L, V)"),
         SpecularForm::BlinnCosine => ("", power, BLINN, "power(dot(N, normalize(L + V)))"),
         SpecularForm::BlinnChord => ("", chord, BLINN, "power(N, normalize(L + V))"),
-        SpecularForm::Beckmann => (
-            FACET,
-            beckmann,
-            "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Beckmann)",
-            "facets(N, L, V, NL)",
-        ),
-        SpecularForm::Ggx => (
-            FACET,
-            ggx,
-            "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Walter et al.)",
-            "facets(N, L, V, NL)",
-        ),
+        SpecularForm::Beckmann => (by_chord, beckmann, BECKMANN, FACETS),
+        SpecularForm::BeckmannCosine => (by_cosine, beckmann, BECKMANN, FACETS),
+        SpecularForm::Ggx => (by_chord, ggx, GGX, FACETS),
+        SpecularForm::GgxCosine => (by_cosine, ggx, GGX, FACETS),
+    };
+    let facet = if gap.is_empty() {
+        String::new()
+    } else {
+        filled(include_str!("glsl/facet.glsl"), &[("gap", gap)]) + "\n"
     };
     let signature = "float specular_factor(vec3 N, vec3 L, vec3 V, float NL)";
     format!("{facet}{helpers}\n// {doc}.\n{signature} {{\n    return {body};\n}}\n\n")

@@ -225,6 +225,15 @@ impl<T: Scalar> Equation<T> {
         }
     }
 
+    /// The same equation without its ambient term.
+    #[must_use]
+    pub(crate) fn without_ambient(self) -> Self {
+        Self {
+            ambient: [T::default(); 3],
+            ..self
+        }
+    }
+
     /// Evaluates terms even where the scene's numbers make them 0, and f even where it is 1.
     pub fn leave_nothing_out(&mut self, scene: &Scene) {
         self.form = SpecularForm::of_model(scene);

@@ -36,10 +36,14 @@ pub enum SpecularForm {
     BlinnCosine,
     /// `(N·H)^n` from the chord between N and H.
     BlinnChord,
-    /// Cook and Torrance's model with Beckmann's distribution.
+    /// Cook and Torrance's model with Beckmann's distribution, cos α = N·H from the chord between N and H.
     Beckmann,
-    /// The same with the distribution of Walter et al.
+    /// The same from the cosine, for normals that are not unit.
+    BeckmannCosine,
+    /// Cook and Torrance's model with the distribution of Walter et al., from the chord.
     Ggx,
+    /// The same from the cosine, for normals that are not unit.
+    GgxCosine,
 }
 
 impl SpecularForm {
@@ -67,9 +71,14 @@ impl SpecularForm {
     /// Whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
     #[inline(always)]
     pub fn at_halfway(self) -> bool {
+        matches!(self, Self::BlinnCosine | Self::BlinnChord) || self.has_microfacets()
+    }
+
+    /// Whether the model is Cook and Torrance's.
+    pub(crate) fn has_microfacets(self) -> bool {
         matches!(
             self,
-            Self::BlinnCosine | Self::BlinnChord | Self::Beckmann | Self::Ggx
+            Self::Beckmann | Self::BeckmannCosine | Self::Ggx | Self::GgxCosine
         )
     }
 
@@ -94,15 +103,15 @@ impl SpecularForm {
             Self::PhongChord => power_of_chord(reflect(n, l, n_dot_l), v, lobe),
             Self::BlinnCosine => power_of_cosine(n.dot(halfway(l, v)), lobe),
             Self::BlinnChord => power_of_chord(n, halfway(l, v), lobe),
-            Self::Beckmann => {
-                let f = Facet::new(site, l);
+            Self::Beckmann | Self::BeckmannCosine => {
+                let f = Facet::new(site, l, self == Self::Beckmann);
                 f.factor(
                     beckmann(f.gap, lobe),
                     geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h),
                 )
             }
-            Self::Ggx => {
-                let f = Facet::new(site, l);
+            Self::Ggx | Self::GgxCosine => {
+                let f = Facet::new(site, l, self == Self::Ggx);
                 f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
             }
         }
@@ -130,8 +139,12 @@ impl SpecularForm {
             (ReflectionModel::Phong, _) => Self::PhongCosine,
             (ReflectionModel::Blinn, _) if chord => Self::BlinnChord,
             (ReflectionModel::Blinn, _) => Self::BlinnCosine,
-            (ReflectionModel::CookTorrance, Distribution::Beckmann) => Self::Beckmann,
-            (ReflectionModel::CookTorrance, Distribution::Ggx) => Self::Ggx,
+            (ReflectionModel::CookTorrance, Distribution::Beckmann) if unit_normals => {
+                Self::Beckmann
+            }
+            (ReflectionModel::CookTorrance, Distribution::Beckmann) => Self::BeckmannCosine,
+            (ReflectionModel::CookTorrance, Distribution::Ggx) if unit_normals => Self::Ggx,
+            (ReflectionModel::CookTorrance, Distribution::Ggx) => Self::GgxCosine,
         }
     }
 }
@@ -239,21 +252,29 @@ struct Facet<R> {
     n_dot_h: R,
     n_dot_v: R,
     v_dot_h: R,
-    /// `1 − N·H`, from the chord.
+    /// `1 − N·H`, not below 0 nor above 1.
     gap: R,
 }
 
 impl<R: Real> Facet<R> {
+    /// The facets at a shading point; `by_chord` says that N is unit, so that 1 − N·H is half the square of its chord to H.
     #[inline(always)]
-    fn new(site: &ShadingPoint<R>, l: V3<R>) -> Self {
+    fn new(site: &ShadingPoint<R>, l: V3<R>, by_chord: bool) -> Self {
         let h = halfway(l, site.view);
-        let chord = site.normal - h;
-        let gap = (chord.dot(chord) * R::Scalar::from_f64(0.5)).min(l.x.number(1.0));
+        let n_dot_h = site.normal.dot(h);
+        let (zero, one) = (l.x.number(0.0), l.x.number(1.0));
+        let gap = if by_chord {
+            let chord = site.normal - h;
+            chord.dot(chord) * R::Scalar::from_f64(0.5)
+        } else {
+            // Rounding may take N·H past 1.
+            (one - n_dot_h).max(zero)
+        };
         Self {
-            n_dot_h: site.normal.dot(h),
+            n_dot_h,
             n_dot_v: site.normal.dot(site.view),
             v_dot_h: site.view.dot(h),
-            gap,
+            gap: gap.min(one),
         }
     }
 

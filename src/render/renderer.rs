@@ -5,6 +5,7 @@ mod bands;
 mod cue;
 mod display;
 mod frame;
+mod parts;
 mod pipeline;
 mod plan;
 mod queries;

@@ -4,7 +4,6 @@ use super::camera::Camera;
 use super::compare;
 use super::format::list_of;
 use super::light::Attenuation;
-use super::material::{AmbientSource, PatternKind};
 use super::object::ObjectKind;
 use super::parameter::{
     GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, at_most, is_grey,
@@ -14,10 +13,6 @@ use super::{Image, Rgb, Scene};
 use crate::text::text;
 use glam::DVec3;
 use std::fmt;
-
-/// Greatest ambient term in a picture that shows one bounce in its right half in place of it: the bounce is added as a difference,
-/// in single precision.
-const GREATEST_SPLIT: f64 = 1e4;
 
 /// Eye and target are two points when they are further apart than this part of their distance from the origin: of the
 /// 16 digits of an `f64`, 6 are left for the viewing direction.
@@ -81,9 +76,6 @@ impl Scene {
             && cue.front >= cue.back
         {
             checks.found("depth_cueing.back", text!("problem-depth-cueing"));
-        }
-        if self.ambient.source == AmbientSource::Split && self.greatest_ambient() > GREATEST_SPLIT {
-            checks.found("ambient.color", text!("problem-split-ambient"));
         }
         self.check_samples(&mut checks);
         if checks.found.is_empty() {
@@ -184,29 +176,6 @@ impl Scene {
         if self.shading.shadows && samples.saturating_mul(pixels) > Self::MAX_SHADOW_BITS {
             checks.found("image.size", text!("problem-shadow-pixels"));
         }
-    }
-
-    /// The greatest constant ambient term of the object and the ground, in any channel.
-    fn greatest_ambient(&self) -> f64 {
-        let Self {
-            material,
-            pattern,
-            ground,
-            ambient,
-            ..
-        } = self;
-        let patterned = if pattern.kind == PatternKind::None {
-            Rgb::ZERO
-        } else {
-            pattern.color
-        };
-        let object = material.ka * material.color.max(patterned);
-        let floor = if ground.visible {
-            ground.color * ground.ka
-        } else {
-            Rgb::ZERO
-        };
-        (object.max(floor) * ambient.color).max_element()
     }
 }
 

@@ -461,6 +461,16 @@ fn the_shaders_draw_the_same_picture() {
             ],
         ),
         (
+            "forgetful-facets",
+            "sphere",
+            &[
+                "reflection.model=cook-torrance",
+                "shading.renormalise=false",
+                "object.segments=8",
+                "object.rings=6",
+            ],
+        ),
+        (
             "affine",
             "plane",
             &[

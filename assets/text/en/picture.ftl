@@ -166,7 +166,7 @@ picture-axis-edge = along the edge
 
 # When flat shading is exact
 picture-conditions = When is flat shading exact?
-    .about = Flat shading evaluates the equation once per polygon. This is exact if three conditions hold:
+    .about = Flat shading evaluates the equation once per polygon. This is exact if three conditions hold and nothing else varies across a polygon:
 picture-conditions-of = { $scene }; when flat shading is exact
 picture-condition-light = The light is at infinity, so N·L is constant
     .figures = Across a polygon, L turns by up to { $degrees }° and N·L changes by up to { $change }.
@@ -181,12 +181,23 @@ picture-condition-surface = The polygons are the surface itself
     .meet = Draw a cube
     .break = Draw a curved object
 picture-condition-polygons = The vertex normals are the polygons’ own
+    .figures = A polygon’s normal differs from the normals at its vertices by up to { $degrees }°.
     .meet = Use each polygon’s own normal
     .break = Use averaged normals
+picture-further = Nothing else in the equation can vary across a polygon
+picture-further-none = Besides L, V and N, everything in the equation is constant.
+picture-further-pattern = The pattern can change Od within a polygon.
+picture-further-viewer-distance = f changes with the distance to the viewer.
+picture-further-light-distance = f changes with the distance to a light.
+picture-further-spot = The intensity of a spotlight changes with the angle from its axis.
+picture-further-shadows = A shadow can cover part of a polygon.
+picture-further-depth-cueing = The intensity fades with depth.
+picture-further-vertex-normals = The equation is evaluated at vertices, whose normals are not the polygon’s.
 picture-holds = Holds:
 picture-fails = Fails:
 picture-flat-and-exact = Flat minus exact shading
 picture-flat-greatest = greatest difference
+picture-flat-compared = Compared where both pictures show the same: { $inside } pixels. Left out at outlines and edges, where they do not: { $outline }. With these included, the greatest difference is { $greatest }.
 
 # What is wrong with panes, and why a setting has no effect
 picture-idle-one-pane = There is only one pane

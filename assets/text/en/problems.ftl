@@ -13,7 +13,6 @@ problem-no-equals = no `=` after a key, expected KEY=VALUE, for example material
 problem-single-value = is a single value, expected no `{ $part }` after it
 problem-no-element = has no element { $index }, expected { $expected }
 problem-depth-cueing = is not beyond `depth_cueing.front`, expected a greater depth
-problem-split-ambient = is too bright: one bounce would be lost to rounding beside it, expected an ambient term of at most 10000, or `ambient.source` "constant" or "bounce"
 problem-eye-target = is the same point as `camera.target`, expected two different points
 problem-up-parallel = is parallel to the viewing direction, expected a direction across it
 problem-path-missing = is missing, expected the path of a model since `object.kind` is "obj"

@@ -157,7 +157,7 @@ picture-axis-edge = 沿著邊
 
 # When flat shading is exact
 picture-conditions = 單一著色何時是精確的？
-    .about = 單一著色（flat）對每個多邊形只計算一次方程式。以下三個條件都成立時結果是精確的：
+    .about = 單一著色（flat）對每個多邊形只計算一次方程式。以下三個條件都成立，且其他量在一個多邊形內都不變時，結果是精確的：
 picture-conditions-of = { $scene }；單一著色何時是精確的
 picture-condition-light = 光源在無窮遠，N·L 固定
     .figures = 在一個多邊形內，L 最多轉 { $degrees }°，N·L 最多改變 { $change }。
@@ -172,12 +172,23 @@ picture-condition-surface = 多邊形就是真實表面
     .meet = 畫立方體
     .break = 畫曲面物體
 picture-condition-polygons = 頂點法向量就是多邊形本身的法向量
+    .figures = 多邊形的法向量與其頂點的法向量最多相差 { $degrees }°。
     .meet = 用各多邊形本身的法向量
     .break = 用平均的法向量
+picture-further = 方程式中沒有其他量會在一個多邊形內改變
+picture-further-none = 除了 L、V 和 N，方程式中的量都固定。
+picture-further-pattern = 花紋可能在多邊形內改變 Od。
+picture-further-viewer-distance = f 隨著與觀察者的距離改變。
+picture-further-light-distance = f 隨著與光源的距離改變。
+picture-further-spot = 聚光燈的強度隨著與軸的夾角改變。
+picture-further-shadows = 陰影可能只蓋住多邊形的一部分。
+picture-further-depth-cueing = 亮度隨著深度淡化。
+picture-further-vertex-normals = 方程式在頂點計算，而頂點的法向量不是多邊形的法向量。
 picture-holds = 成立：
 picture-fails = 不成立：
 picture-flat-and-exact = 單一著色減精確著色
 picture-flat-greatest = 最大差異
+picture-flat-compared = 比較兩張圖看到同一處的像素：{ $inside } 個。略過輪廓和稜邊上看到不同處的像素：{ $outline } 個。連同這些像素，最大差異是 { $greatest }。
 
 # What is wrong with panes, and why a setting has no effect
 picture-idle-one-pane = 只有一個窗格

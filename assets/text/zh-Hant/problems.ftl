@@ -13,7 +13,6 @@ problem-no-equals = 鍵之後沒有 `=`，應為 KEY=VALUE，例如 material.n=5
 problem-single-value = 是單一的值，其後不應有 `{ $part }`
 problem-no-element = 沒有第 { $index } 項，應為 { $expected }
 problem-depth-cueing = 沒有超過 `depth_cueing.front`，應為更大的深度
-problem-split-ambient = 太亮：一次反射的光會被捨入誤差掩蓋，環境光項應不超過 10000，或將 `ambient.source` 設為 "constant" 或 "bounce"
 problem-eye-target = 與 `camera.target` 是同一點，應為兩個不同的點
 problem-up-parallel = 與視線平行，應為與視線相交的方向
 problem-path-missing = 沒有指定，因為 `object.kind` 是 "obj"，應為模型的路徑

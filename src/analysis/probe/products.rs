@@ -122,14 +122,9 @@ impl<'a> Here<'a> {
     /// `Ka·Od·Ia`.
     pub fn ambient(self) -> Product {
         let (ka, ia) = (self.scene.material.ka, self.scene.ambient.color);
-        let known = self.od();
-        let od = TermColumn::new(
-            "{Od}",
-            known.unwrap_or_else(|| quotient(self.hit.ambient, ka * ia)),
-        );
         let od = TermColumn {
-            mean: known.is_none(),
-            ..od
+            mean: self.od().is_none(),
+            ..TermColumn::new("{Od}", self.hit.color)
         };
         let value = if self.hit.bounced {
             ka * od.values * ia

@@ -1,8 +1,4 @@
 // Cosines are lifted to this before anything is divided by them.
 const float SMALLEST_COSINE = 1e-4;
 
-// 1 - N.H from the chord between N and H, which keeps its digits where N and H are close.
-float gap_between(vec3 N, vec3 H) {
-    vec3 chord = N - H;
-    return min(0.5 * dot(chord, chord), 1.0);
-}
+$gap$

@@ -50,8 +50,8 @@ impl Receiver {
 /// Light that arrives at the pixels from other surfaces, and the constant that stands for it best.
 #[derive(Default)]
 pub struct Bounced {
-    /// What the surface scatters of the mean intensity that arrives, less the constant ambient term in the equation.
-    pub difference: Vec<Vec3>,
+    /// What the surface scatters of the mean intensity that arrives.
+    pub scattered: Vec<Vec3>,
     /// The Ia whose constant term differs least from it: least squares over all pixels that see a surface.
     pub fit: Option<Rgb>,
     /// Where the pixels gather; kept for its room.
@@ -68,7 +68,7 @@ struct Scratch {
 
 impl Bounced {
     pub fn count(&self, memory: &mut Memory) {
-        memory.pixels += room(&self.difference) + room(&self.receivers);
+        memory.pixels += room(&self.scattered) + room(&self.receivers);
     }
 
     /// Gathers light at every pixel; neither the floor nor `object` has the ambient light that the bounce takes the place of.
@@ -76,16 +76,16 @@ impl Bounced {
         let (scene, lens) = (world.scene, world.hits.lens);
         let [width, height] = scene.image.size.map(|side| side as usize);
         let Self {
-            difference,
+            scattered,
             receivers,
             ..
         } = self;
         receivers.clear();
         receivers.resize(width * height, Receiver::default());
         find_receivers(world, coverage, width, receivers);
-        gather(world, object, receivers, width, difference);
+        gather(world, object, receivers, width, scattered);
         let share = ROWS * width;
-        let parts = difference
+        let parts = scattered
             .par_chunks_mut(share)
             .zip(receivers.par_chunks(share));
         let sums: Vec<[Rgb; 2]> = parts
@@ -97,11 +97,11 @@ impl Bounced {
                     .filter(|(_, receiver)| receiver.is_there())
                 {
                     let point = lens.world(receiver.place.as_dvec3());
-                    let [constant, scattered] = returned(world, object, point, receiver.on_object);
-                    let arrived = light.as_dvec3() * scattered;
-                    products += constant * arrived;
+                    let [constant, diffuse] = returned(world, object, point, receiver.on_object);
+                    let returned = light.as_dvec3() * diffuse;
+                    products += constant * returned;
                     squares += constant * constant;
-                    *light = in_range(arrived - constant * scene.ambient.constant());
+                    *light = in_range(returned);
                 }
                 [products, squares]
             })

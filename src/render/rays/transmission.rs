@@ -10,6 +10,7 @@ use fearless_simd::dispatch;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use serde::Serialize;
+use std::ops::Range;
 
 /// Surfaces that a ray passes or is mirrored at before what it carries counts for nothing.
 const MOST_EVENTS: u32 = 16;
@@ -136,19 +137,30 @@ impl World<'_> {
         refracted
     }
 
-    /// What each pixel sees past the object, and behind its surface where light passes through that.
-    pub fn see_background(&self, coverage: Coverage<'_>, seen: &mut Vec<Vec3>) {
+    /// What each pixel of some columns sees past the object, and behind its surface where light passes through that.
+    pub fn see_background(
+        &self,
+        coverage: Coverage<'_>,
+        columns: &Range<usize>,
+        seen: &mut Vec<Vec3>,
+    ) {
         let (hits, passes) = (&self.hits, self.scene.transparency.kt > 0.0);
         let width = coverage.size[0] as usize;
-        seen.clear();
-        seen.resize(width * coverage.size[1] as usize, Vec3::NAN);
+        seen.resize(width * coverage.size[1] as usize, Vec3::ZERO);
+        // Unset are the pixels of these columns alone.
+        for line in seen.chunks_mut(width.max(1)) {
+            line[columns.clone()].fill(Vec3::NAN);
+        }
         let parts = seen.par_chunks_mut(ROWS * width).zip(coverage.parts());
         parts.for_each_init(
             <(LightScratch, FloorScratch)>::default,
             |(scratch, floor_scratch), (part, (band, fragments))| {
                 let first_row = band.place.first_row as usize;
-                hits.walk_covered(band, fragments, |row, columns| {
-                    part[row * width..(row + 1) * width][columns].fill(Vec3::ZERO);
+                hits.walk_covered(band, fragments, |row, covered| {
+                    let (start, end) = (covered.start.max(columns.start), covered.end.min(columns.end));
+                    if start < end {
+                        part[row * width + start..row * width + end].fill(Vec3::ZERO);
+                    }
                 });
                 if passes {
                     let mut follow = |rays: &mut Vec<_>| {
@@ -157,6 +169,9 @@ impl World<'_> {
                     };
                     let mut waiting = Vec::with_capacity(RAYS);
                     hits.walk(band, fragments, |x, row, hit| {
+                        if !columns.contains(&x) {
+                            return;
+                        }
                         waiting.push((row * width + x, hit, hits.lens.eye_ray(x, first_row + row).1));
                         if waiting.len() == RAYS {
                             follow(&mut waiting);

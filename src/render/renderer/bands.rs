@@ -1,10 +1,11 @@
 //! Coverage, interpolation and shading, band by band: a band goes through all three while it is in a core's cache.
 
 use super::display::{Linear, stored_pixel};
+use super::parts::Part;
 use super::plan::{Inputs, Per};
 use super::reference::Evaluation;
 use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
-use crate::illumination::{Equation, SpecularForm};
+use crate::illumination::SpecularForm;
 use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
 use crate::render::node::{Memory, room};
@@ -16,19 +17,20 @@ use crate::scene::FlatAt;
 use fearless_simd::{Simd, dispatch};
 use rayon::prelude::*;
 use std::cell::RefCell;
+use std::ops::Range;
 
 /// What interpolation keeps between frames.
 #[derive(Default)]
 pub struct Interpolated {
-    /// What each vertex carries to the pixels.
-    carried: Vec<Fragment>,
+    /// What each vertex carries to the pixels: its normal, or its intensity in each part of the picture.
+    carried: Vec<Vec<Fragment>>,
     /// What each pixel was brought.
     pub fragments: Vec<Block>,
 }
 
 impl Interpolated {
     pub fn count(&self, memory: &mut Memory) {
-        memory.vertices += room(&self.carried);
+        memory.vertices += self.carried.iter().map(room).sum::<u64>();
         memory.pixels += room(&self.fragments);
     }
 }
@@ -48,10 +50,10 @@ pub type Tally = [u64; 4];
 pub struct BandPainter<'a> {
     pub inputs: Inputs<'a>,
     pub clock: Option<fn() -> u64>,
-    pub equation: &'a Equation<f32>,
+    pub parts: &'a [Part],
     pub placed: &'a PlacedTriangles,
-    /// At vertices or faces.
-    pub intensity: &'a Planes,
+    /// At vertices or faces, for each part; empty where the equation is evaluated at pixels.
+    pub intensity: &'a [Planes],
     pub stale: Stale,
     /// Whether the bands are shaded, or covered and interpolated only.
     pub shades: bool,
@@ -97,19 +99,17 @@ impl BandPainter<'_> {
         };
         fragments.resize(blocks, Block::GAP);
         if self.stale.interpolation && plan.interpolates() {
-            let planes = if plan.per == Per::Pixel {
-                &triangles.model.normal
+            let sources = if plan.per == Per::Pixel {
+                std::slice::from_ref(&triangles.model.normal)
             } else {
                 self.intensity
             };
             let by_key = plan.carries && plan.perspective;
-            carry(
-                level,
-                planes.each_ref().map(Vec::as_slice),
-                by_key,
-                &triangles,
-                carried,
-            );
+            carried.resize_with(sources.len(), Vec::new);
+            for (planes, carried) in sources.iter().zip(carried.iter_mut()) {
+                let planes = planes.each_ref().map(Vec::as_slice);
+                carry(level, planes, by_key, &triangles, carried);
+            }
         }
         let carrying = self.now().saturating_sub(began);
         let jobs = jobs(bands, fragments, canvas, [width, height]).into_par_iter();
@@ -141,7 +141,7 @@ impl BandPainter<'_> {
             }
     }
 
-    fn paint(&self, job: Job<'_>, carried: &[Fragment]) -> Tally {
+    fn paint(&self, job: Job<'_>, carried: &[Vec<Fragment>]) -> Tally {
         if !self.inputs.plan.has_fragments() || self.inputs.plan.keeps_fragments() {
             return self.paint_with(job, carried);
         }
@@ -151,7 +151,7 @@ impl BandPainter<'_> {
         })
     }
 
-    fn paint_with(&self, mut job: Job<'_>, carried: &[Fragment]) -> Tally {
+    fn paint_with(&self, mut job: Job<'_>, carried: &[Vec<Fragment>]) -> Tally {
         let mut tally = Tally::default();
         let mut last = self.now();
         let mut lap = |step: usize| {
@@ -163,18 +163,32 @@ impl BandPainter<'_> {
             self.cover(&mut job);
             lap(0);
         }
-        if self.interpolates() {
-            let Job {
-                band, fragments, ..
-            } = &mut job;
-            let (sources, scanline) = ((self.inputs.triangles, carried), self.inputs.plan.scanline);
-            dispatch!(self.inputs.level, simd => interpolate(simd, band, sources, scanline, fragments));
+        let (interpolates, kept) = (self.interpolates(), self.inputs.plan.keeps_fragments());
+        if interpolates && kept {
+            self.interpolate(&mut job, &carried[0]);
             lap(1);
         }
-        let overflowing = if self.shades { self.shade(&mut job) } else { 0 };
-        lap(2);
+        let mut overflowing = 0;
+        // From the right: the lanes of a part's first pixels may reach into the part before it.
+        for (index, part) in self.parts.iter().enumerate().rev().filter(|_| self.shades) {
+            if interpolates && !kept {
+                self.interpolate(&mut job, &carried[index]);
+                lap(1);
+            }
+            overflowing += self.shade(&mut job, part, self.intensity.get(index));
+            lap(2);
+        }
         tally[3] = overflowing;
         tally
+    }
+
+    /// Brings every pixel of a band what the vertices carry.
+    fn interpolate(&self, job: &mut Job<'_>, carried: &[Fragment]) {
+        let Job {
+            band, fragments, ..
+        } = job;
+        let (sources, scanline) = ((self.inputs.triangles, carried), self.inputs.plan.scanline);
+        dispatch!(self.inputs.level, simd => interpolate(simd, band, sources, scanline, fragments));
     }
 
     fn cover(&self, job: &mut Job<'_>) {
@@ -212,8 +226,8 @@ impl BandPainter<'_> {
         }
     }
 
-    /// Shades a band; returns how many pixels overflow.
-    fn shade(&self, job: &mut Job<'_>) -> u64 {
+    /// Shades a part of a band; returns how many pixels overflow.
+    fn shade(&self, job: &mut Job<'_>, part: &Part, intensity: Option<&Planes>) -> u64 {
         let encoding = self.inputs.scene.display.encoding;
         let background = self.inputs.scene.image.background;
         if job.linear.is_empty() {
@@ -222,54 +236,69 @@ impl BandPainter<'_> {
                 background: stored_pixel(background, encoding),
                 encoding,
             };
-            self.shade_into(job.band, job.fragments, target)
+            self.shade_into((job.band, job.fragments), part, intensity, target)
         } else {
             let [r, g, b] = background.as_vec3().to_array();
             let target = Unstored {
                 pixels: &mut *job.linear,
                 background: [r, g, b, 0.0],
             };
-            self.shade_into(job.band, job.fragments, target)
+            self.shade_into((job.band, job.fragments), part, intensity, target)
         }
     }
 
-    fn shade_into(&self, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
+    fn shade_into(
+        &self,
+        (band, fragments): (&Band, &[Block]),
+        part: &Part,
+        intensity: Option<&Planes>,
+        mut target: impl Target,
+    ) -> u64 {
         let Inputs { level, plan, .. } = self.inputs;
+        let columns = &part.columns;
         if plan.pixels_in_double() {
-            return self.shade_in_double(band, fragments, target);
+            return self.shade_in_double(band, fragments, part, target);
         }
-        if !plan.has_fragments() {
-            return dispatch!(level, simd => self.fill_faces(simd, band, target));
+        if let (false, Some(intensity)) = (plan.has_fragments(), intensity) {
+            return dispatch!(level, simd => self.fill_faces(simd, band, columns, intensity, target));
         }
         if plan.per != Per::Pixel {
             let carried = Carried {
                 by_key: plan.carries && plan.perspective,
             };
-            return dispatch!(level, simd => shade(simd, band, fragments, carried, &mut target));
+            return dispatch!(level, simd => shade(simd, band, fragments, columns, carried, &mut target));
         }
-        let evaluated = |form| Evaluated::new(&self.inputs, self.equation, form);
-        dispatch!(level, simd => match self.equation.form() {
+        let evaluated = |form| Evaluated::new(&self.inputs, &part.equation, form);
+        dispatch!(level, simd => match part.equation.form() {
             // The usual form has a kernel of its own: the choice among all takes a tenth of the time.
             SpecularForm::PhongCosine => {
                 let colour = evaluated(SpecularForm::PhongCosine);
-                shade(simd, band, fragments, colour, &mut target)
+                shade(simd, band, fragments, columns, colour, &mut target)
             }
-            form => shade(simd, band, fragments, evaluated(form), &mut target),
+            form => shade(simd, band, fragments, columns, evaluated(form), &mut target),
         })
     }
 
     /// Flat shading: each run in its face's colour.
     #[inline(always)]
-    fn fill_faces<S: Simd>(&self, simd: S, band: &Band, mut target: impl Target) -> u64 {
+    fn fill_faces<S: Simd>(
+        &self,
+        simd: S,
+        band: &Band,
+        columns: &Range<usize>,
+        intensity: &Planes,
+        mut target: impl Target,
+    ) -> u64 {
         let width = band.place.width as usize;
+        let inside = |x: usize| x.clamp(columns.start, columns.end);
         for (row, extent) in band.extents.iter().enumerate() {
-            let line = row * width..(row + 1) * width;
+            let line = row * width;
             // Runs that are not sorted leave no gaps between them.
             if band.sorted || extent.is_empty() {
-                target.clear(line);
+                target.clear(line + columns.start..line + columns.end);
             } else {
-                target.clear(line.start..line.start + extent.start as usize);
-                target.clear(line.start + extent.end as usize..line.end);
+                target.clear(line + columns.start..line + inside(extent.start as usize));
+                target.clear(line + inside(extent.end as usize)..line + columns.end);
             }
         }
         let mut over = 0;
@@ -278,21 +307,22 @@ impl BandPainter<'_> {
             if last.0 != run.triangle {
                 last = (
                     run.triangle,
-                    target.ink(simd, self.face_intensity(run.triangle)),
+                    target.ink(simd, self.face_intensity(run.triangle, intensity)),
                 );
             }
             let row = usize::from(run.row) * width;
-            over += target.fill(row + usize::from(run.x0)..row + usize::from(run.x1), last.1);
+            let [x0, x1] = [run.x0, run.x1].map(|x| row + inside(usize::from(x)));
+            over += target.fill(x0..x1, last.1);
         }
         over
     }
 
     #[inline(always)]
-    fn face_intensity(&self, triangle: u32) -> [f32; 3] {
+    fn face_intensity(&self, triangle: u32, intensity: &Planes) -> [f32; 3] {
         let Inputs {
             triangles, scene, ..
         } = &self.inputs;
-        let at = |point: u32| self.intensity.each_ref().map(|plane| plane[point as usize]);
+        let at = |point: u32| intensity.each_ref().map(|plane| plane[point as usize]);
         let face = triangles.face(triangle);
         let corners = triangles.model.face(face);
         match scene.shading.flat_at {
@@ -310,10 +340,18 @@ impl BandPainter<'_> {
     }
 
     /// Pixels one by one in `f64`.
-    fn shade_in_double(&self, band: &Band, fragments: &[Block], mut target: impl Target) -> u64 {
-        let (inputs, equation, place) = (&self.inputs, self.inputs.equation(), band.place);
-        let width = place.width as usize;
-        target.clear(0..place.rows as usize * width);
+    fn shade_in_double(
+        &self,
+        band: &Band,
+        fragments: &[Block],
+        part: &Part,
+        mut target: impl Target,
+    ) -> u64 {
+        let (inputs, columns, place) = (&self.inputs, &part.columns, band.place);
+        let (equation, width) = (part.in_double(inputs), place.width as usize);
+        for row in 0..place.rows as usize {
+            target.clear(row * width + columns.start..row * width + columns.end);
+        }
         let mut over = 0;
         let mut put = |x: usize, row: usize, evaluation: Evaluation<'_>| {
             let color = evaluation.intensity(&equation);
@@ -324,7 +362,7 @@ impl BandPainter<'_> {
         let centre = |x: usize, row: usize| pixel_centre(x, place.first_row as usize + row);
         if inputs.plan.true_surface {
             for (row, line) in fragments.chunks(Block::count(place.width)).enumerate() {
-                for x in (0..width).filter(|x| is_seen(fragment(line, *x))) {
+                for x in columns.clone().filter(|x| is_seen(fragment(line, *x))) {
                     if let Some(evaluation) = inputs.of_surface(centre(x, row)) {
                         put(x, row, evaluation);
                     }
@@ -332,8 +370,9 @@ impl BandPainter<'_> {
             }
         }
         for run in &band.runs {
-            for x in run.x0..run.x1 {
-                let (x, row) = (usize::from(x), usize::from(run.row));
+            let seen = usize::from(run.x0).max(columns.start)..usize::from(run.x1).min(columns.end);
+            for x in seen {
+                let row = usize::from(run.row);
                 put(x, row, inputs.of_triangle(run.triangle, centre(x, row)));
             }
         }

@@ -1,7 +1,8 @@
 //! Puts the linear picture together and turns its intensities into stored values.
 
+use super::parts::bouncing;
 use crate::illumination::{BRIGHTEST, LANES, Lanes, Real};
-use crate::scene::{AmbientSource, Display, Encoding, Overflow, Rgb, Scene};
+use crate::scene::{Display, Encoding, Overflow, Rgb, Scene};
 use fearless_simd::{Level, dispatch, f32x4, i32x4, i32x16, mask32x16, prelude::*, u8x64};
 use glam::Vec3;
 use rayon::prelude::*;
@@ -19,7 +20,7 @@ pub fn compose(
 ) -> u64 {
     let width = scene.image.size[0] as usize;
     let kt = scene.transparency.kt as f32;
-    let side = scene.ambient.source;
+    let bouncing = bouncing(scene);
     let veil = scene.depth_cueing.color.as_vec3();
     let whole = linear.par_chunks_mut(width.max(1)).enumerate();
     let overflowing = whole.map(|(row, line)| {
@@ -38,9 +39,8 @@ pub fn compose(
                 .and_then(|faded| faded.get(index))
                 .copied()
                 .unwrap_or(1.0);
-            if let Some(difference) = bounced.get(index).filter(|_| bounces_at(side, x, width)) {
-                // What has faded holds its veil already, which no lack of light takes away.
-                color = (color + s0 * *difference).max((1.0 - s0) * veil);
+            if let Some(scattered) = bounced.get(index).filter(|_| bouncing.contains(&x)) {
+                color += s0 * *scattered;
             }
             if covered && kt > 0.0 {
                 color = color * (1.0 - kt) + (s0 * beyond + (1.0 - s0) * veil) * kt;
@@ -52,15 +52,6 @@ pub fn compose(
         over
     });
     overflowing.sum()
-}
-
-/// Whether a pixel's ambient light is gathered from other surfaces.
-pub fn bounces_at(source: AmbientSource, x: usize, width: usize) -> bool {
-    match source {
-        AmbientSource::Constant => false,
-        AmbientSource::Bounce => true,
-        AmbientSource::Split => 2 * x >= width,
-    }
 }
 
 /// The transfer function of IEC 61966-2-1 for 0 ≤ v ≤ 1.

@@ -101,7 +101,8 @@ pub struct Report {
     pub faces: u64,
     /// Vertices of the mesh: points with one normal.
     pub vertices: u64,
-    /// Vertices or faces at which the equation is evaluated; 0 where that is done at pixels.
+    /// Evaluations at vertices or faces, once for each half of a picture that compares two kinds of ambient light; 0 where
+    /// the equation is evaluated at pixels.
     pub points: u64,
     /// Triangles that show their front, or their back where backs are drawn, with a pixel centre in their bounds.
     pub candidates: u64,

@@ -7,6 +7,7 @@ use super::bands::{BandPainter, Interpolated, Stale};
 use super::cue::{CueLayer, fade_pixels};
 use super::display::{Linear, compose, display};
 use super::frame::{Frame, Report, Stage};
+use super::parts::Part;
 use super::plan::{Cued, Inputs, Per, Plan};
 use super::ray_nodes::RayNodes;
 use super::shade::{face_points, shade_points, shade_points_in_double};
@@ -54,8 +55,8 @@ pub struct Renderer {
     placed: Node<PlacedTriangles>,
     /// The middles and the normals of the faces, where these are shaded.
     faces: Node<[Planes; 2]>,
-    /// Intensities at vertices or faces.
-    points: Node<Planes>,
+    /// Intensities at vertices or faces, for each part of the picture.
+    points: Node<Vec<Planes>>,
     bands: Node<Vec<Band>>,
     interpolated: Node<Interpolated>,
     pub(super) rays: RayNodes,
@@ -91,7 +92,7 @@ pub(super) struct Job {
     pub scene: Scene,
     pub plan: Plan,
     pub lens: Lens,
-    equation: Equation<f32>,
+    parts: Vec<Part>,
 }
 
 impl Renderer {
@@ -250,7 +251,7 @@ impl Renderer {
             scene: scene.clone(),
             plan,
             lens,
-            equation,
+            parts: Part::of(scene, &equation),
         }
     }
 
@@ -283,7 +284,7 @@ impl Renderer {
             scene,
             plan,
             lens,
-            equation,
+            parts,
         } = job;
         self.report.points = 0;
         if plan.per == Per::Pixel {
@@ -313,14 +314,14 @@ impl Renderer {
         let visibility = plan.shadows.then(|| self.rays.stamps()[0]);
         let key = (
             self.model.stamp,
-            equation.clone(),
+            parts.clone(),
             plan.per,
             plan.double,
             visibility,
             cue,
         );
         let mut points = take(&mut self.points);
-        let ran = points.update(key, |intensity| {
+        let ran = points.update(key, |intensities| {
             let (inputs, model) = (self.inputs(job), &self.model.output);
             let [centre, facing] = &self.faces.output;
             let at = if at_faces {
@@ -328,18 +329,21 @@ impl Renderer {
             } else {
                 [&model.position, &model.normal]
             };
-            if plan.double {
-                shade_points_in_double(&inputs, at, intensity);
-            } else {
-                shade_points(&inputs, equation, at, intensity);
-            }
-            if plan.cued == Cued::AtPoints {
-                inputs.fade_points(model.origin, at[0], intensity);
+            intensities.resize_with(parts.len(), Planes::default);
+            for (part, intensity) in parts.iter().zip(intensities) {
+                if plan.double {
+                    shade_points_in_double(&inputs, &part.in_double(&inputs), at, intensity);
+                } else {
+                    shade_points(&inputs, &part.equation, at, intensity);
+                }
+                if plan.cued == Cued::AtPoints {
+                    inputs.fade_points(model.origin, at[0], intensity);
+                }
             }
         });
         self.points = points;
-        self.report.points = count as u64;
-        self.note(Stage::VertexShading, ran, began, count as u64);
+        self.report.points = (count * parts.len()) as u64;
+        self.note(Stage::VertexShading, ran, began, self.report.points);
     }
 
     /// Which triangle each pixel sees.
@@ -406,6 +410,7 @@ impl Renderer {
         let ran = rays.follow(
             &self.inputs(job),
             self.coverage(&job.scene),
+            &job.parts,
             [object, self.bands.stamp],
         );
         self.rays = rays;
@@ -418,7 +423,7 @@ impl Renderer {
             scene,
             plan,
             lens,
-            equation,
+            parts,
         } = job;
         let flat_at = (!plan.carries).then_some(scene.shading.flat_at);
         let cue = plan.cues_pixels().then(|| {
@@ -440,7 +445,7 @@ impl Renderer {
         });
         let shaded = self.picture.outdate((
             self.interpolated.stamp,
-            (plan.per == Per::Pixel).then(|| equation.clone()),
+            (plan.per == Per::Pixel).then(|| parts.clone()),
             scene.image.background.to_array(),
             scene.display.clone(),
             plan.whole_picture,
@@ -516,7 +521,7 @@ impl Renderer {
         let painter = BandPainter {
             inputs: self.inputs(job),
             clock: self.clock,
-            equation: &job.equation,
+            parts: &job.parts,
             placed: &self.placed.output,
             intensity: &self.points.output,
             stale,

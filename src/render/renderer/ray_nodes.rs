@@ -1,7 +1,7 @@
 //! The steps that follow rays, each run only when what it reads has changed: the hierarchy of boxes, which light is seen
 //! from where, what is seen past the object, and light from other surfaces.
 
-use super::display::bounces_at;
+use super::parts::{Part, bouncing, floor_ka};
 use super::plan::{Inputs, Per, Plan};
 use crate::render::lens::pixel_centre;
 use crate::render::node::{Memory, Node, room};
@@ -29,7 +29,7 @@ pub struct RayNodes {
 pub(crate) struct Mixture {
     /// Where light passes through the surface.
     pub transmission: Option<Transmission>,
-    /// What light from other surfaces has in excess of the constant ambient term that it takes the place of.
+    /// What the surface scatters of the light from other surfaces, which takes the place of the constant ambient term.
     pub bounced: Option<Rgb>,
 }
 
@@ -184,6 +184,7 @@ impl RayNodes {
         &mut self,
         inputs: &Inputs<'_>,
         coverage: Coverage<'_>,
+        parts: &[Part],
         [object, covered]: [u64; 2],
     ) -> bool {
         let Inputs {
@@ -237,8 +238,14 @@ impl RayNodes {
                     solid, covered, smooth, *lens, behind, glass, lights, shadows,
                 ),
                 |seen| {
-                    World::new(scene, inputs.hits(bvh), ground.ka, shadows)
-                        .see_background(coverage, seen);
+                    for part in parts {
+                        let ka = floor_ka(ground, part.bounces);
+                        World::new(scene, inputs.hits(bvh), ka, shadows).see_background(
+                            coverage,
+                            &part.columns,
+                            seen,
+                        );
+                    }
                 },
             );
         }
@@ -251,7 +258,6 @@ impl RayNodes {
                 material.color,
                 scene.pattern.clone(),
             );
-            let light = (ambient.constant(), scene.lights.clone());
             ran |= bounced.update(
                 (
                     object,
@@ -261,7 +267,7 @@ impl RayNodes {
                     ground.clone(),
                     wall,
                     surface,
-                    light,
+                    scene.lights.clone(),
                 ),
                 |bounced| {
                     let world = World::new(scene, inputs.hits(bvh), 0.0, true);
@@ -289,7 +295,7 @@ impl RayNodes {
         [
             &self.background.output,
             if bounces {
-                &self.bounced.output.difference
+                &self.bounced.output.scattered
             } else {
                 &[]
             },
@@ -329,19 +335,25 @@ impl RayNodes {
         } else {
             hits.of_triangle(coverage.triangle_at([x, y])?, place)
         };
+        let bounces = bouncing(scene).contains(&(x as usize));
         let mut transmission = None;
         if scene.transparency.kt > 0.0 {
             let ray = [(0, hit, lens.ray(place).1.normalize())];
-            let world = World::new(scene, hits, scene.ground.ka, inputs.shades_floor());
+            let world = World::new(
+                scene,
+                hits,
+                floor_ka(&scene.ground, bounces),
+                inputs.shades_floor(),
+            );
             world.transmit(&ray, &mut LightScratch::default(), |_, told| {
                 transmission = Some(told);
             });
         }
         let width = scene.image.size[0] as usize;
-        let [_, difference] = self.layers(scene);
-        let difference = difference.get(y as usize * width + x as usize);
-        let bounced = difference
-            .filter(|_| bounces_at(scene.ambient.source, x as usize, width))
+        let [_, scattered] = self.layers(scene);
+        let bounced = scattered
+            .get(y as usize * width + x as usize)
+            .filter(|_| bounces)
             .map(|light| light.as_dvec3());
         Some(Mixture {
             transmission,

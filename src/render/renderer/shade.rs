@@ -316,12 +316,14 @@ impl Target for Unstored<'_> {
     }
 }
 
-/// Colours a band and returns how many pixels overflow.
+/// Colours some columns of a band and returns how many pixels overflow. The lanes that hold the first of them may colour
+/// pixels to its left, too.
 #[inline(always)]
 pub fn shade<S: Simd>(
     simd: S,
     Band { place, extents, .. }: &Band,
     fragments: &[Block],
+    columns: &Range<usize>,
     mut colour: impl Colour,
     target: &mut impl Target,
 ) -> u64 {
@@ -333,21 +335,22 @@ pub fn shade<S: Simd>(
         .zip(fragments.chunks(Block::count(place.width)))
     {
         let start = row * width;
-        if extent.is_empty() {
-            target.clear(start..start + width);
+        let seen = columns.start.max(extent.start as usize)..columns.end.min(extent.end as usize);
+        if seen.is_empty() {
+            target.clear(start + columns.start..start + columns.end);
             continue;
         }
         // Whole blocks: what they have beyond the extent are gaps.
-        let first = extent.start as usize / LANES * LANES;
-        let end = (extent.end as usize).next_multiple_of(LANES).min(width);
-        target.clear(start..start + first);
-        target.clear(start + end..start + width);
+        let first = seen.start / LANES * LANES;
+        let end = seen.end.next_multiple_of(LANES).min(columns.end);
+        target.clear(start + columns.start..start + first.max(columns.start));
+        target.clear(start + end..start + columns.end);
         colour.row(place.first_row + row as u32);
         let limit = Lanes::splat(simd, f32::MIN);
         for x in (first..end).step_by(LANES) {
             let [a, b, c, key] = line[x / LANES].load(simd);
             let rgb = colour.at(simd, x, [a, b, c], key);
-            let count = LANES.min(width - x);
+            let count = LANES.min(columns.end - x);
             over += u64::from(target.put(simd, start + x, count, rgb, key.greater_than(limit)));
         }
     }
@@ -419,10 +422,10 @@ pub fn shade_points(
 /// The same in double precision.
 pub fn shade_points_in_double(
     inputs: &Inputs<'_>,
+    equation: &Equation<f64>,
     [position, normal]: [&Planes; 2],
     intensity: &mut Planes,
 ) {
-    let equation = inputs.equation();
     fit(intensity, position[0].len());
     let [r, g, b] = intensity;
     let at = |planes: &Planes, index: usize| {

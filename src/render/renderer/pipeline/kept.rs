@@ -80,7 +80,7 @@ impl Renderer {
         } else {
             &mut memory.vertices
         };
-        *points += room_of_planes(&self.points.output);
+        *points += self.points.output.iter().map(room_of_planes).sum::<u64>();
         // Each run has a pixel of its own at least, so that runs grow with the pixels.
         memory.pixels += self
             .bands

@@ -1,0 +1,61 @@
+//! The parts of a picture whose ambient light differs: one, or with `split` two halves.
+
+use super::plan::Inputs;
+use crate::illumination::Equation;
+use crate::scene::{AmbientSource, Ground, Scene};
+use std::ops::Range;
+
+/// Columns of a picture, and what stands there for the light that arrives from all sides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    pub columns: Range<usize>,
+    /// Light from other surfaces takes the place of the constant Ia.
+    pub bounces: bool,
+    /// The equation that these columns show; without an ambient term where light bounces.
+    pub equation: Equation<f32>,
+}
+
+impl Part {
+    /// The parts of the picture of `scene`, from left to right, whose lights `equation` has.
+    pub fn of(scene: &Scene, equation: &Equation<f32>) -> Vec<Self> {
+        let bouncing = bouncing(scene);
+        let part = |columns: Range<usize>, bounces| Self {
+            columns,
+            bounces,
+            equation: if bounces {
+                equation.clone().without_ambient()
+            } else {
+                equation.clone()
+            },
+        };
+        let both = [part(0..bouncing.start, false), part(bouncing, true)];
+        both.into_iter()
+            .filter(|part| !part.columns.is_empty())
+            .collect()
+    }
+
+    /// Its equation in double precision.
+    pub fn in_double(&self, inputs: &Inputs<'_>) -> Equation<f64> {
+        let equation = inputs.equation();
+        if self.bounces {
+            equation.without_ambient()
+        } else {
+            equation
+        }
+    }
+}
+
+/// The columns that show light from other surfaces.
+pub fn bouncing(scene: &Scene) -> Range<usize> {
+    let width = scene.image.size[0] as usize;
+    match scene.ambient.source {
+        AmbientSource::Constant => width..width,
+        AmbientSource::Bounce => 0..width,
+        AmbientSource::Split => width.div_ceil(2)..width,
+    }
+}
+
+/// The floor's coefficient of the constant ambient light, where light bounces or not.
+pub fn floor_ka(ground: &Ground, bounces: bool) -> f64 {
+    if bounces { 0.0 } else { ground.ka }
+}
