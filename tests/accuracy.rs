@@ -1,5 +1,7 @@
 //! Pictures of a sphere against rays that meet it in closed form, written apart from the engine, in double precision.
 
+#[path = "accuracy/grid.rs"]
+mod grid;
 #[path = "common/textbook.rs"]
 mod textbook;
 
