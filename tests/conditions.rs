@@ -1,5 +1,10 @@
 //! The three conditions under which flat shading is exact: what they measure, and that they are enough.
 
+#[path = "conditions/agree.rs"]
+mod agree;
+#[path = "common/textbook.rs"]
+mod textbook;
+
 use shading_lab::analysis::{
     Assumption, CONDITIONS, Conditions, LinearPicture, conditions, error_figures,
 };

@@ -255,7 +255,7 @@ prop_compose! {
         let samples: u64 = lights.iter().map(|light| u64::from(light.sample_count())).sum();
         let fits = u64::from(width) * u64::from(height) * samples <= Scene::MAX_SHADOW_BITS;
         let shading = Shading { shadows: shading.shadows && fits, ..shading };
-        let mut scene = Scene {
+        Scene {
             version: 1,
             about,
             camera,
@@ -273,12 +273,7 @@ prop_compose! {
             ambient: Ambient { color: ambient, source },
             lights,
             compare,
-        };
-        // Half the picture with the constant and half with the bounce is refused where the constant is very bright.
-        if scene.validate().is_err() && source == AmbientSource::Split {
-            scene.ambient.source = AmbientSource::Bounce;
         }
-        scene
     }
 }
 
@@ -296,6 +291,24 @@ fn a_sound_scene_survives_its_file() {
         .spawn(run)
         .expect("a thread");
     assert!(thread.join().is_ok(), "a scene does not survive its file");
+}
+
+#[test]
+fn a_name_without_letters_is_no_key() {
+    for text in [
+        ".={}",
+        ".=0",
+        "..=0",
+        ".shading.mode=flat",
+        "shading.={}",
+        "light.={}",
+    ] {
+        let found = Scene::default().with_override(text);
+        assert!(found.is_err(), "{text}");
+    }
+    for text in ["\"\" = {}", "[\"\".shading]\nmode = \"flat\""] {
+        assert!(Scene::parse(text, "s.toml").is_err(), "{text}");
+    }
 }
 
 proptest! {

@@ -184,6 +184,11 @@ pub fn meet(scene: &Scene, x: u32, y: u32) -> Option<(DVec3, f64)> {
 
 /// The equation of the unit sphere at `p`.
 pub fn textbook(scene: &Scene, p: DVec3) -> DVec3 {
+    textbook_at(scene, p, p)
+}
+
+/// The equation at `p` of a surface with normal `n`.
+pub fn textbook_at(scene: &Scene, p: DVec3, n: DVec3) -> DVec3 {
     let m = &scene.material;
     let od = surface_colour(scene, p);
     let mut sum = m.ka * od * scene.ambient.color;
@@ -197,10 +202,10 @@ pub fn textbook(scene: &Scene, p: DVec3) -> DVec3 {
                     color: light.color / points.len() as f64,
                     ..light.clone()
                 };
-                sum += from_light(scene, &sample, p, od);
+                sum += from_light(scene, &sample, [p, n], od);
             }
         } else {
-            sum += from_light(scene, light, p, od);
+            sum += from_light(scene, light, [p, n], od);
         }
     }
     sum
@@ -221,7 +226,7 @@ fn surface_colour(scene: &Scene, p: DVec3) -> DVec3 {
     }
 }
 
-fn from_light(scene: &Scene, light: &Light, p: DVec3, od: DVec3) -> DVec3 {
+fn from_light(scene: &Scene, light: &Light, [p, n]: [DVec3; 2], od: DVec3) -> DVec3 {
     let (m, camera) = (&scene.material, &scene.camera);
     let to_eye = camera.eye - p;
     let v = if camera.viewer == Viewer::Local {
@@ -249,8 +254,8 @@ fn from_light(scene: &Scene, light: &Light, p: DVec3, od: DVec3) -> DVec3 {
     } else {
         1.0
     };
-    let flipped = scene.reflection.backfacing == Backfacing::Flip && p.dot(l) < 0.0;
-    let n = if flipped { -p } else { p };
+    let flipped = scene.reflection.backfacing == Backfacing::Flip && n.dot(l) < 0.0;
+    let n = if flipped { -n } else { n };
     let n_dot_l = n.dot(l);
     if n_dot_l <= 0.0 {
         return DVec3::ZERO;

@@ -148,7 +148,8 @@ enum Node {
 impl Key {
     fn inside(&self, name: &str) -> Self {
         let join = |table: &str| {
-            if table.is_empty() {
+            // A name without letters is no key, and not the whole scene.
+            if table.is_empty() && !name.is_empty() {
                 name.to_owned()
             } else {
                 format!("{table}.{name}")
