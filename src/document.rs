@@ -396,18 +396,14 @@ fn write_text(path: &Path, text: &str) -> Result<(), SaveError> {
     write_whole(path, |out| out.write_all(text.as_bytes()))
 }
 
-/// Writes the parts of a scene's code, each to its [path](Export::path_of).
+/// Writes the parts of a scene's code, each to its [path](Export::path_of): all of them or none.
 ///
 /// # Errors
-/// See [`SaveError`]. That a path cannot be written is found before anything is.
+/// See [`SaveError`].
 pub fn save_code(target: &Path, export: &Export) -> Result<(), SaveError> {
-    for part in &export.parts {
-        check_target(&export.path_of(part, target))?;
-    }
-    export
-        .parts
-        .iter()
-        .try_for_each(|part| write_text(&export.path_of(part, target), &part.text))
+    let file = |part| (export.path_of(part, target), &*part.text);
+    let files: Vec<(PathBuf, &str)> = export.parts.iter().map(file).collect();
+    disk::write_texts(&files)
 }
 
 impl Format {
