@@ -515,6 +515,7 @@ impl eframe::App for App {
         }
         self.in_front = in_front;
         focus::show(&ctx);
+        links::open_addresses(&ctx);
         let (state, engine) = (&self.state, &self.engine);
         system::end_frame(
             &ctx,

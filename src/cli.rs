@@ -30,6 +30,10 @@ use shading_lab::text::{Language, set_language, text};
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::thread::available_parallelism;
+
+/// Most threads that the environment may ask for, unless there are more cores.
+const MOST_THREADS: usize = 256;
 
 /// What was asked for. The words of the help are in the catalogue: see [`help`].
 #[derive(Parser)]
@@ -96,6 +100,7 @@ impl Command {
 
 /// Does what the command line asks for, reports what goes wrong, and says how the process should end.
 pub fn run() -> ExitCode {
+    bound_threads();
     set_language(language_asked_for().unwrap_or_else(Language::of_system));
     let command = help::worded(Arguments::command(), Some(help::line_width()));
     let arguments = command
@@ -106,10 +111,25 @@ pub fn run() -> ExitCode {
         Err(error) => match (misspelt_command(&error), errors::worded(&error)) {
             (Some(failure), _) => Err(failure),
             (None, Some(message)) => Err(Failure::input(message)),
-            (None, None) => error.exit(),
+            (None, None) if error.use_stderr() => Err(Failure::input(error.kind())),
+            (None, None) => output::print_help(&error),
         },
     };
     result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+}
+
+/// Starts [`MOST_THREADS`] where `RAYON_NUM_THREADS` asks for more: each takes memory and time to start, a hundred thousand minutes.
+fn bound_threads() {
+    let asked = env::var("RAYON_NUM_THREADS").ok();
+    let asked = asked.and_then(|count| count.trim().parse::<usize>().ok());
+    let cores = available_parallelism().map_or(1, usize::from);
+    let most = cores.max(MOST_THREADS);
+    if asked.is_some_and(|asked| asked > most) {
+        // Another pool may be there only where something has used it before.
+        let _ = rayon::ThreadPoolBuilder::new()
+            .num_threads(most)
+            .build_global();
+    }
 }
 
 /// What follows `--language`, where that is a language. It is looked for before the arguments are read, since their help and

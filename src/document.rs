@@ -18,7 +18,7 @@ use crate::link::{self, Link, Shown};
 use crate::picture::{PictureError, PictureText, read_scene_text, write_png};
 use crate::render::Frame;
 use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, nearest, presets};
-use crate::text::{Message, text};
+use crate::text::{Message, excerpt, text};
 #[cfg(not(target_arch = "wasm32"))]
 pub use disk::STDOUT;
 #[cfg(target_arch = "wasm32")]
@@ -138,7 +138,7 @@ pub fn load_bytes(
 }
 
 /// Whether a file's content is a PNG picture.
-fn is_picture(bytes: &[u8]) -> bool {
+pub fn is_picture(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG")
 }
 
@@ -312,7 +312,7 @@ fn built_in(source: &Path) -> Result<Scene, LoadError> {
     if source.exists() || source.extension().is_some() || source.components().count() > 1 {
         return Err(LoadError::file(source, text!("document-unknown-kind")));
     }
-    let name: String = source.to_string_lossy().escape_debug().collect();
+    let name = excerpt(&source.to_string_lossy());
     let meant = nearest(&name, presets::ALL.iter().map(|preset| preset.name));
     let meant = meant
         .map(|meant| text!("document-did-you-mean", name = meant))
@@ -411,18 +411,14 @@ fn write_text(path: &Path, text: &str) -> Result<(), SaveError> {
     write_whole(path, |out| out.write_all(text.as_bytes()))
 }
 
-/// Writes the parts of a scene's code, each to its [path](Export::path_of).
+/// Writes the parts of a scene's code, each to its [path](Export::path_of): all of them or none.
 ///
 /// # Errors
-/// See [`SaveError`]. That a path cannot be written is found before anything is.
+/// See [`SaveError`].
 pub fn save_code(target: &Path, export: &Export) -> Result<(), SaveError> {
-    for part in &export.parts {
-        check_target(&export.path_of(part, target))?;
-    }
-    export
-        .parts
-        .iter()
-        .try_for_each(|part| write_text(&export.path_of(part, target), &part.text))
+    let file = |part| (export.path_of(part, target), &*part.text);
+    let files: Vec<(PathBuf, &str)> = export.parts.iter().map(file).collect();
+    disk::write_texts(&files)
 }
 
 impl Format {

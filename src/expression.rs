@@ -13,7 +13,7 @@
 //!   quantity = name { . name | [ number ] | [ "name" ] | [ * ] }
 //! ```
 
-use crate::text::text;
+use crate::text::{excerpt, text};
 use std::cmp::Ordering;
 
 /// How deep parentheses, signs, powers and calls may be nested.
@@ -74,7 +74,7 @@ struct Plain;
 
 impl Quantities for Plain {
     fn quantity(&self, name: &str, _: &[Part]) -> Result<Value, String> {
-        Err(text!("expression-unknown", name = name))
+        Err(text!("expression-unknown", name = excerpt(name)))
     }
 
     fn with(&self, _: &str, _: Todo<'_>) -> Result<Value, String> {
@@ -556,7 +556,7 @@ impl Rest<'_> {
         let wrong = |expected: usize| {
             Err(text!(
                 "expression-arguments",
-                name = &*name,
+                name = excerpt(&name),
                 expected = expected,
                 count = count
             ))
@@ -569,7 +569,7 @@ impl Rest<'_> {
         }
         let Some((_, function)) = NAMED.into_iter().find(|(known, _)| *known == name) else {
             self.at = begins;
-            return Err(text!("expression-unknown", name = &*name));
+            return Err(text!("expression-unknown", name = excerpt(&name)));
         };
         match function.arguments() {
             Some(expected) if expected != count => wrong(expected),

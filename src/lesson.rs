@@ -10,6 +10,7 @@ mod class;
 mod class_sheet;
 mod hand_in;
 mod lab;
+mod links;
 mod page;
 mod prose;
 mod question;
@@ -35,6 +36,7 @@ pub use hand_in::{
     read_hand_in,
 };
 pub use lab::{Lab, LabPlace};
+pub use links::{may_open, without_closed_links};
 pub use prose::Prose;
 pub use question::{
     ChoiceOption, CurveOf, Extreme, Find, Goal, Item, Kind, MatchValues, Question, RightIf, Term,
@@ -128,17 +130,23 @@ impl LessonError {
             problems: vec![LessonProblem { line, words }],
         }
     }
+
+    /// Returns each line of what is wrong, with the line of the lesson that it is about.
+    fn lines(&self) -> impl Iterator<Item = (u64, &str)> {
+        let problems = self.problems.iter();
+        problems.flat_map(|problem| problem.words.lines().map(|words| (problem.line, words)))
+    }
 }
 
 impl std::error::Error for LessonError {}
 
 impl fmt::Display for LessonError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, LessonProblem { line, words }) in self.problems.iter().enumerate() {
-            let end = if i > 0 { "\n" } else { "" };
-            write!(f, "{end}{line}: {words}")?;
-        }
-        Ok(())
+        let lines: Vec<_> = self
+            .lines()
+            .map(|(line, words)| format!("{line}: {words}"))
+            .collect();
+        f.write_str(&lines.join("\n"))
     }
 }
 
@@ -161,9 +169,8 @@ pub enum OpenError {
 
 fn in_file(path: &Path, error: &LessonError) -> String {
     let lines: Vec<_> = error
-        .problems
-        .iter()
-        .map(|LessonProblem { line, words }| format!("{}:{line}: {words}", path.display()))
+        .lines()
+        .map(|(line, words)| format!("{}:{line}: {words}", path.display()))
         .collect();
     lines.join("\n")
 }

@@ -7,7 +7,7 @@ use crate::render::Frame;
 use crate::scene::{Encoding, Scene};
 use crate::text::text;
 use png::text_metadata::ITXtChunk;
-use std::io::{BufRead, Seek, Write};
+use std::io::{BufRead, ErrorKind, Seek, Write};
 
 /// The keyword of the text chunk that holds the scene.
 pub const SCENE_KEYWORD: &str = "shading-lab:scene";
@@ -20,13 +20,13 @@ const ANCILLARY_LIMIT: usize = 64 << 20;
 #[non_exhaustive]
 pub enum PictureError {
     /// Not a PNG file, or a damaged one.
-    #[error("{}", text!("png-damaged", error = .0.to_string()))]
+    #[error("{}", text!("png-damaged", error = cause(.0)))]
     Damaged(png::DecodingError),
     /// A picture from elsewhere, or one whose text another program dropped.
     #[error("{}", text!("png-no-scene"))]
     NoScene,
     /// A text chunk does not hold text, or too many bytes of it.
-    #[error("{}", text!("png-unreadable-text", error = .error.to_string(), limit = .most >> 20))]
+    #[error("{}", text!("png-unreadable-text", error = cause(.error), limit = .most >> 20))]
     UnreadableText {
         /// What is wrong with it.
         error: png::DecodingError,
@@ -36,6 +36,19 @@ pub enum PictureError {
     /// The picture could not be written.
     #[error("{0}")]
     Unwritten(#[from] png::EncodingError),
+}
+
+/// Returns what is wrong with a PNG: the decoder's own words name its types.
+fn cause(error: &png::DecodingError) -> String {
+    use png::DecodingError::{Format, IoError, LimitsExceeded, Parameter};
+    match error {
+        IoError(error) if error.kind() == ErrorKind::UnexpectedEof => {
+            text!("png-cut-off").to_owned()
+        }
+        IoError(error) => error.to_string(),
+        LimitsExceeded => text!("png-too-large").to_owned(),
+        Format(_) | Parameter(_) => text!("png-malformed").to_owned(),
+    }
 }
 
 /// A text to go into a picture, by its keyword.
@@ -337,13 +350,23 @@ mod tests {
     #[test]
     fn no_damage_takes_the_reader_down() {
         let sound = written(&checkered(255), &Scene::default());
+        // Where it notices, it says so in words.
+        let read = |bytes: &[u8]| {
+            if let Err(error) = read_scene_text(Cursor::new(bytes)) {
+                let words = error.to_string();
+                assert!(
+                    !words.contains(['{', '"', '_']) && !words.contains("::"),
+                    "{words}"
+                );
+            }
+        };
         for end in 0..sound.len() {
-            let _ = read_scene_text(Cursor::new(&sound[..end]));
+            read(&sound[..end]);
         }
         for i in 0..sound.len() {
             let mut damaged = sound.clone();
             damaged[i] ^= 0xff;
-            let _ = read_scene_text(Cursor::new(damaged));
+            read(&damaged);
         }
     }
 }

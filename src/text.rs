@@ -1,6 +1,8 @@
 //! The text that people read, from one catalogue in two languages: `assets/text/LANGUAGE/*.ftl`, in the syntax of Project
 //! Fluent. What programs read (JSON, CSV keys, scene files) is not text and never changes with the language.
 
+mod foreign;
+
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -23,6 +25,7 @@ macro_rules! text {
 }
 pub use crate::text;
 pub use fluent_bundle::FluentValue as Value;
+pub use foreign::{escaped, escaped_json, excerpt, turns, with_short_names};
 
 /// A language of the catalogue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

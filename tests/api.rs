@@ -1,5 +1,10 @@
 //! What the types of the library promise to programs that use it.
 
+#[path = "common/program.rs"]
+mod program;
+#[path = "api/security.rs"]
+mod security;
+
 use shading_lab::analysis::{Probe, ProfileError, ProfileQuestion, ScanError, Subject};
 use shading_lab::animation::SweepError;
 use shading_lab::document::{LoadError, Loaded, SaveError, load};

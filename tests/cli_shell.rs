@@ -257,31 +257,35 @@ fn a_check_and_code_are_told_to_programs() {
     assert!(code["limits"].is_array());
 }
 
-/// Every command that prints, into a pipe that nobody reads.
+/// Every command that prints.
+#[cfg(unix)]
+const PRINTS: [&str; 16] = [
+    "--help",
+    "--version",
+    "help render",
+    "scenes --json",
+    "parameters",
+    "completions zsh",
+    "manual",
+    "check cube",
+    "check cube --json",
+    "link cube -o -",
+    "link cube",
+    "lesson",
+    "render cube -o - --size 300x300",
+    "profile cube --csv /dev/stdout --from 1,8 --to 15,8 --size 400x300",
+    "profile cube --csv - --from 1,8 --to 15,8 --size 400x300",
+    "normals cube --size 16x16",
+];
+
+/// Into a pipe that nobody reads.
 #[cfg(unix)]
 #[test]
 fn a_closed_pipe_ends_quietly() {
     let folder = Folder::new("closed");
-    let small = ["--size", "16x16"];
-    let line = ["--from", "1,8", "--to", "15,8", "--size", "400x300"];
-    let all: [&[&str]; 15] = [
-        &["--help"],
-        &["help", "render"],
-        &["scenes", "--json"],
-        &["parameters"],
-        &["completions", "zsh"],
-        &["manual"],
-        &["check", "cube"],
-        &["check", "cube", "--json"],
-        &["link", "cube", "-o", "-"],
-        &["link", "cube"],
-        &["lesson"],
-        &["render", "cube", "-o", "-", "--size", "300x300"],
-        &[&["profile", "cube", "--csv", "/dev/stdout"][..], &line].concat(),
-        &[&["profile", "cube", "--csv", "-"][..], &line].concat(),
-        &[&["normals", "cube"][..], &small].concat(),
-    ];
-    for arguments in all {
+    for arguments in PRINTS {
+        let arguments: Vec<_> = arguments.split(' ').collect();
+        let arguments = &arguments[..];
         let mut child = folder
             .command(arguments)
             .stdout(Stdio::piped())
@@ -293,6 +297,212 @@ fn a_closed_pipe_ends_quietly() {
         assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{arguments:?}");
         assert_eq!(output.status.code(), Some(0), "{arguments:?}");
     }
+}
+
+/// On a disk that is full.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_output_that_does_not_fit_is_a_failure() {
+    let folder = Folder::new("full");
+    for arguments in PRINTS {
+        let arguments: Vec<_> = arguments.split(' ').collect();
+        let full = fs::OpenOptions::new().write(true).open("/dev/full");
+        let output = folder
+            .command(&arguments)
+            .stdout(full.expect("a device"))
+            .stderr(Stdio::piped())
+            .output()
+            .expect("the program");
+        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {errors}");
+        assert!(
+            errors.starts_with("error: ") && errors.contains("No space left"),
+            "{arguments:?}: {errors}"
+        );
+    }
+}
+
+/// A lesson, a model and a scene whose words would turn letters red, rename the window, ring, and write from right to left.
+#[cfg(unix)]
+fn write_hostile(folder: &Folder) {
+    let acts = "\u{1b}[31m\u{1b}]0;x\u{7}\u{9b}31m\u{7f}\u{202e}";
+    let quoted = "\\u001b[31m\\u001b]0;x\\u0007\\u009b31m\\u007f\\u202e";
+    folder.write(
+        "a.md",
+        format!(
+            "+++\nlesson = 1\nname = \"a\"\ntitle = \"{quoted}\"\nabout = \"{quoted}\"\n+++\n\n## {acts}\n\n{acts}\n\n\
+             ```step\nscene = \"sphere\"\nset = [\"image.size=[9,9]\"]\n```\n\n```question\nkind = \"choice\"\nask = \"{quoted}\"\n\
+             why = \"{quoted}\"\n[[option]]\ntext = \"{quoted}\"\nright = true\n[[option]]\ntext = \"b\"\nright = false\n```\n"
+        ),
+    );
+    folder.write(
+        "key.md",
+        format!("+++\nlesson = 1\nname = \"a\"\ntitle = \"a\"\n\"{quoted}\" = 1\n+++\n"),
+    );
+    folder.write(
+        "scene.md",
+        format!("+++\nlesson = 1\nname = \"a\"\ntitle = \"a\"\n+++\n\n## a\n\n```step\nscene = \"{quoted}\"\n```\n"),
+    );
+    folder.write(
+        "a.obj",
+        format!("v 0 0 0\nv 1 0 0\nv 0 1 {}\n", "\u{1b}[31m\u{9b}31m"),
+    );
+    folder.write(
+        "a.toml",
+        format!("\"{quoted}\" = 1\nlight = [{{name = \"{quoted}\"}}]\nobject = {{kind = 'obj', path = \"{quoted}.obj\"}}\n"),
+    );
+    folder.write(
+        "path.toml",
+        format!("object = {{kind = 'obj', path = \"{quoted}.obj\"}}\n"),
+    );
+    folder.write(
+        "name.toml",
+        format!("compare.view = 'panes'\nimage.size = [9, 9]\n[[compare.pane]]\nname = \"{quoted}\"\nset = ['material.n=2']\n"),
+    );
+    folder.write(&format!("{acts}.txt"), "");
+}
+
+#[cfg(unix)]
+#[test]
+fn nothing_of_others_acts_on_the_terminal() {
+    let folder = Folder::new("escapes");
+    write_hostile(&folder);
+    let acts = "\u{1b}[31m\u{1b}]0;x\u{7}\u{9b}31m\u{202e}";
+    let with = |name: &str| format!("{acts}{name}");
+    let (toml, png, txt) = (with("a.toml"), with("/a.png"), with(".txt"));
+    let set = format!("{acts}=1");
+    let all: Vec<Vec<&str>> = vec![
+        vec!["lesson", "a.md"],
+        vec!["lesson", "a.md", "--json"],
+        vec!["check", "a.md", "--json"],
+        vec!["check", "key.md"],
+        vec!["check", "key.md", "--json"],
+        vec!["check", "scene.md"],
+        vec!["check", "a.obj"],
+        vec!["check", "a.toml"],
+        vec!["check", "a.toml", "--json"],
+        vec!["check", "path.toml"],
+        vec!["compare", "name.toml"],
+        vec!["compare", "name.toml", "--json"],
+        vec!["check", &toml],
+        vec!["check", &txt],
+        vec!["collect", &png],
+        vec!["collect", &png, "--json"],
+        vec!["render", "cube", "-o", &png],
+        vec!["render", "cube", "-o", "a.png", "--size", acts],
+        vec!["render", "cube", acts],
+        vec!["check", acts],
+        vec![acts],
+        vec![acts, "cube"],
+        vec!["help", acts],
+        vec!["lesson", acts],
+        vec!["check", "cube", "--set", &set],
+        vec!["link", "cube", "--url", acts],
+    ];
+    for arguments in all {
+        let output = folder.run(&arguments);
+        let text = [output.stdout, output.stderr].concat();
+        let text = String::from_utf8(text).expect("UTF-8");
+        let act = |c: char| (c.is_control() && c != '\n') || c == '\u{202e}';
+        assert!(!text.is_empty(), "{arguments:?}");
+        assert!(!text.contains(act), "{arguments:?}: {text:?}");
+    }
+    let shown = folder.prints(&["lesson", "a.md"]);
+    assert!(shown.starts_with("\\u{1b}[31m\\u{1b}]0;x\\u{7}"), "{shown}");
+    // In JSON the text is what it was.
+    let title = &folder.json(&["lesson", "a.md", "--json"])["title"];
+    assert_eq!(title, "\u{1b}[31m\u{1b}]0;x\u{7}\u{9b}31m\u{7f}\u{202e}");
+}
+
+#[test]
+fn what_others_wrote_is_repeated_in_short() {
+    let folder = Folder::new("excerpts");
+    let long = "x".repeat(3000);
+    let key = format!("material.{long}=1");
+    folder.write("a.obj", format!("v {long} 0 0\n"));
+    folder.write("a.toml", format!("{long} = 1\n"));
+    folder.write("b.toml", format!("[material]\nn = '{long}'\n"));
+    folder.write("key.md", format!("+++\n{long} = 1\n+++\n"));
+    let step = |inside: &str| {
+        format!(
+            "+++\nlesson = 1\nname = \"a\"\ntitle = \"a\"\n+++\n## a\n{inside}\n```step\nscene = \"sphere\"\n```\n"
+        )
+    };
+    folder.write("name.md", step(&format!("{{{{ {long} }}}}")));
+    folder.write("part.md", step(&format!("{{{{ scene.{long} }}}}")));
+    folder.write("scene.md", step("").replace("sphere", &long));
+    let all: [&[&str]; 14] = [
+        &["check", "a.obj"],
+        &["check", "a.toml"],
+        &["check", "b.toml"],
+        &["check", "key.md"],
+        &["check", "name.md"],
+        &["check", "part.md"],
+        &["check", "scene.md"],
+        &["check", &long],
+        &["check", "cube", "--set", &key],
+        &["help", &long],
+        &["lesson", &long],
+        &["render", "cube", "-o", "a.png", "--size", &long],
+        &["render", "cube", &long],
+        &["check", "cube", &format!("--{long}")],
+    ];
+    for arguments in all {
+        let output = folder.run(arguments);
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        let longest = text.split(|c| c != 'x').map(str::len).max();
+        assert!(
+            (20..=200).contains(&longest.unwrap_or(0)),
+            "{:?}: {text}",
+            arguments[0]
+        );
+    }
+}
+
+#[test]
+fn the_standard_input_is_read_as_far_as_a_scene_may_go() {
+    let folder = Folder::new("endless");
+    let mut child = folder
+        .command(&["check", "-"])
+        .stdin(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program");
+    let mut stdin = child.stdin.take().expect("a pipe");
+    let piece = [b'#'; 1 << 16];
+    let taken = (0..256).take_while(|_| stdin.write_all(&piece).is_ok());
+    // A pipe holds some of it.
+    let taken = taken.count() << 16;
+    assert!(taken < 6 << 20, "{taken} bytes were taken");
+    drop(stdin);
+    let output = child.wait_with_output().expect("an end");
+    assert_eq!(
+        String::from_utf8_lossy(&output.stderr),
+        "error: <stdin>:1: longer than 4 MiB, expected a scene\n"
+    );
+    assert_eq!(output.status.code(), Some(2));
+}
+
+#[test]
+fn the_environment_asks_for_so_many_threads_at_most() {
+    let folder = Folder::new("threads");
+    let threads = |asked: &str| {
+        let bench = [
+            "bench", "sphere", "--frames", "1", "--size", "8x8", "--json",
+        ];
+        let output = folder
+            .command(&bench)
+            .env("RAYON_NUM_THREADS", asked)
+            .output();
+        let bench: Value = serde_json::from_slice(&sound(output.expect("an end"))).expect("JSON");
+        bench["threads"].as_u64().expect("a number")
+    };
+    let cores = std::thread::available_parallelism()
+        .expect("a number")
+        .get() as u64;
+    assert_eq!(threads("3"), 3);
+    assert_eq!(threads("1000"), cores.max(256));
 }
 
 /// On a terminal help has colours, unless NO_COLOR asks for none, and a picture is not written to it.

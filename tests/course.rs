@@ -8,9 +8,9 @@ mod hands;
 mod left;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Pos2, Style, pos2, vec2};
+use eframe::egui::{Key, Modifiers, OpenUrl, OutputCommand, Pos2, Style, pos2, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use hands::{picture_place, press, scene, wait};
 use shading_lab::app::{App, Look, ViewName};
 use shading_lab::document::{load, save_scene};
@@ -499,4 +499,66 @@ fn a_question_out_of_sight_has_a_way_down_to_it() {
         low.run_ok();
     }
     assert!(!seen(&low));
+}
+
+/// The addresses that the desktop is asked to open in the next frames.
+fn addresses(harness: &mut Harness<'_, App>) -> Vec<String> {
+    let mut all = Vec::new();
+    for _ in 0..4 {
+        harness.step();
+        let commands = &harness.output().platform_output.commands;
+        all.extend(commands.iter().filter_map(|command| match command {
+            OutputCommand::OpenUrl(open) => Some(open.url.clone()),
+            _ => None,
+        }));
+    }
+    all
+}
+
+#[test]
+fn a_lesson_opens_pages_and_letters_and_nothing_else() {
+    let closed = [
+        ("closed script", "javascript:alert(1)"),
+        ("closed Script", "JaVaScRiPt:alert(1)"),
+        ("closed data", "data:text/html,x"),
+        ("closed file", "file:///etc/passwd"),
+        ("closed share", "smb://host/share"),
+        ("closed login", "ssh://host"),
+        ("closed beside", "other.html"),
+    ];
+    let links: String = closed
+        .iter()
+        .map(|(words, address)| format!("[{words}]({address})\n\n"))
+        .collect();
+    let text = format!(
+        "+++\nlesson = 1\nname = \"links\"\ntitle = \"Links\"\n+++\n\n## Links\n\n\
+         [page](https://example.org/?a=1) [letter](mailto:a@example.org) [[nested](x)](javascript:y)\n\n{links}\
+         ```step\nscene = \"sphere\"\n```\n"
+    );
+    let mut harness = window_with(Lesson::read(&text, None).expect("a lesson"));
+    // One in the status bar leads to a view.
+    let shown = harness.get_all_by_role(Role::Link);
+    let shown = shown.filter_map(|node| node.accesskit_node().label());
+    let shown: Vec<_> = shown
+        .filter(|words| !words.starts_with("left out"))
+        .collect();
+    assert_eq!(shown, ["page", "letter"]);
+    for (words, _) in closed {
+        let mut shown = harness.query_all_by_label_contains(words);
+        assert!(shown.next().is_some(), "{words}");
+    }
+    for (words, address) in [
+        ("page", "https://example.org/?a=1"),
+        ("letter", "mailto:a@example.org"),
+    ] {
+        harness
+            .get_by_role_and_label(Role::Link, words)
+            .click_accesskit();
+        assert_eq!(addresses(&mut harness), [address]);
+    }
+    // Nor does anything else in the window get past.
+    for (_, address) in closed {
+        harness.ctx.open_url(OpenUrl::same_tab(address));
+        assert_eq!(addresses(&mut harness), [""; 0], "{address}");
+    }
 }

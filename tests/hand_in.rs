@@ -405,3 +405,87 @@ fn the_table_says_who_is_right() {
     assert_eq!(other.status.code(), Some(2));
     assert_eq!(String::from_utf8_lossy(&other.stderr).lines().count(), 3);
 }
+
+#[test]
+fn what_is_wrong_with_a_lesson_inside_is_told_with_the_picture() {
+    let folder = folder("lesson-inside");
+    let hand_in = |name: &str, source: String, student: &str| {
+        let lesson = Lesson { source, ..lesson() };
+        let bytes = hand_in_bytes(
+            &picture(),
+            &Scene::default(),
+            &lesson,
+            &record(0.5, 1),
+            student,
+        );
+        fs::write(folder.join(name), bytes.expect("a picture")).expect("a file");
+    };
+    let twice = LESSON.replace("tolerance = 0.05", "tolerance = 0");
+    hand_in(
+        "two.png",
+        twice.replace("find = \"greatest\"", "find = \"best\""),
+        "Ada",
+    );
+    hand_in("none.png", LESSON.replace("cos(60)", "cos(x)"), "Ben");
+    let settings = "set = [\"material.n=-1\", \"material.ka=x\"]\nprobe = [";
+    hand_in("set.png", LESSON.replace("probe = [", settings), "Cleo");
+    let output = run(&folder, &["collect", "two.png", "none.png", "set.png"]);
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{errors}");
+    let inside = |picture: &str| {
+        let start = format!("error: {picture}: the lesson inside is not sound: line ");
+        errors
+            .lines()
+            .filter(|line| line.starts_with(&start))
+            .count()
+    };
+    assert!(
+        inside("two.png") == 2 && inside("none.png") >= 1,
+        "{errors}"
+    );
+    assert!(inside("set.png") >= 2, "{errors}");
+    let told = inside("two.png") + inside("none.png") + inside("set.png");
+    assert_eq!(told, errors.lines().count(), "{errors}");
+    // A lesson of one's own is told by its path.
+    fs::write(folder.join("own.md"), LESSON.replace("cos(60)", "cos(x)")).expect("a file");
+    let output = run(&folder, &["collect", "--lesson", "own.md", "none.png"]);
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(errors.starts_with("error: own.md:"), "{errors}");
+}
+
+#[test]
+fn a_spreadsheet_takes_no_name_for_a_formula() {
+    let folder = folder("formulas");
+    let names = [
+        "Ada;=1+1",
+        "＝1+1",
+        "\u{200b}=1+1",
+        "\u{feff}@SUM(A1)",
+        "-0.5",
+        "Eve",
+    ];
+    let files: Vec<String> = (0..names.len()).map(|i| format!("a;+{i}.png")).collect();
+    for (file, name) in files.iter().zip(names) {
+        fs::write(folder.join(file), handed_in(&record(0.5, 1), name)).expect("a file");
+    }
+    let mut arguments = vec!["collect", "--csv", "class.csv"];
+    arguments.extend(files.iter().map(String::as_str));
+    let output = run(&folder, &arguments);
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let table = fs::read_to_string(folder.join("class.csv")).expect("a table");
+    let rows: Vec<&str> = table.lines().skip(1).collect();
+    for (row, expected) in rows.iter().zip([
+        "\"a;'+0.png\",\"Ada;'=1+1\",own-lesson,2,4,0.500,0.5,1,B,1,,0,,0",
+        "\"a;'+1.png\",'＝1+1,own-lesson,",
+        "\"a;'+2.png\",'\u{200b}=1+1,own-lesson,",
+        "\"a;'+3.png\",'\u{feff}@SUM(A1),own-lesson,",
+        "\"a;'+4.png\",-0.5,own-lesson,",
+        "\"a;'+5.png\",Eve,own-lesson,",
+    ]) {
+        assert!(row.starts_with(expected), "{row}");
+    }
+}

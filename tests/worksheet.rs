@@ -285,6 +285,13 @@ fn a_lecturers_text_stays_text() {
     let page = written(&lesson, WITHOUT);
     check_page(&page, "hostile");
     assert!(!page.contains("A secret.") && !page.contains("<div class=\"answer\">"));
+    // Nor does a browser run or load what had got past.
+    let policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
+    assert!(page.contains(policy));
+    let words = in_words(&lesson, 1, true).expect("words");
+    assert!(
+        words.contains("bad, [good](https://x.org/?a=1&b=2)") && !words.contains("javascript:")
+    );
     // Another seed, another target.
     let other = Worksheet { seed: 2, ..WITHOUT };
     assert_ne!(written(&lesson, other), page);

@@ -3,6 +3,8 @@
 //! People read a report in the language of the moment: it is made when it is shown, from messages of the catalogue. Programs
 //! read the columns' keys and the words of choices, which are in the code; what text there is in CSV and JSON is English.
 
+mod csv;
+
 use super::Plot;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
 use crate::render::Frame;
@@ -536,18 +538,22 @@ impl Table {
                 .filter_map(|(column, index)| Some((column.key.as_deref()?, index)))
         };
         let field = |cell: Option<&Cell>| match cell {
-            Some(Cell::Text(text)) => text.clone(),
+            Some(Cell::Text(text)) => csv::field(text),
             Some(Cell::Number(value)) => value.to_string(),
             Some(Cell::Count(count)) => count.to_string(),
             Some(Cell::Empty) | None => String::new(),
         };
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        // Memory takes every row, and all have one length: nothing can fail.
-        let _ = writer.write_record(kept().map(|(key, _)| key));
-        for row in &self.rows {
-            let _ = writer.write_record(kept().map(|(_, index): (_, usize)| field(row.get(index))));
-        }
-        String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+        let line = |fields: Vec<String>| fields.join(",") + "\n";
+        let head = line(kept().map(|(key, _)| csv::field(key)).collect());
+        let rows = self.rows.iter();
+        let rows = rows.map(|row| {
+            line(
+                kept()
+                    .map(|(_, index): (_, usize)| field(row.get(index)))
+                    .collect(),
+            )
+        });
+        head + &rows.collect::<String>()
     }
 }
 

@@ -7,15 +7,17 @@ use super::focus::named;
 use super::look::ViewName;
 use super::place::{ProbePoint, ProfileLine};
 use super::state::AppState;
+use super::system;
 use super::theme::text_field;
 use crate::figure::QrCode;
+use crate::lesson::may_open;
 use crate::link::{Link, Shown, VIEWS, WriteError, Written, page, read, write};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{
     Align, Area, Button, Color32, Context, Event, FontId, Galley, Id, Key, Mesh, OpenUrl, Order,
-    Painter, Rect, RichText, Sense, Shape, Ui, pos2,
+    OutputCommand, Painter, Rect, RichText, Sense, Shape, Ui, pos2,
 };
 use std::sync::Arc;
 
@@ -179,6 +181,24 @@ impl AppState {
 
     fn no_link(&mut self, why: &str) {
         self.dialog = Some(Dialog::message(text!("link-not-made"), why.to_owned()));
+    }
+}
+
+/// Opens the addresses that this frame asks for, those that [`may_open`] allows. Every widget's request goes through here, so that no text
+/// of a lesson reaches the desktop or the browser by another way.
+pub fn open_addresses(ctx: &Context) {
+    let mut addresses = Vec::new();
+    ctx.output_mut(|output| {
+        output.commands.retain(|command| match command {
+            OutputCommand::OpenUrl(open) => {
+                addresses.push(open.url.clone());
+                false
+            }
+            _ => true,
+        });
+    });
+    for address in addresses.iter().filter(|address| may_open(address)) {
+        system::open_address(ctx, address);
     }
 }
 

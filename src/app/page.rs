@@ -179,6 +179,18 @@ pub fn fingers(ctx: &Context) -> bool {
     COARSE.get() || ctx.input(InputState::has_touch_screen)
 }
 
+/// Opens an address in a tab of its own, which learns nothing of this one; a letter in the program for letters.
+pub fn open_address(_: &Context, address: &str) {
+    let letter = address
+        .get(..7)
+        .is_some_and(|start| start.eq_ignore_ascii_case("mailto:"));
+    let tab = if letter { "_self" } else { "_blank" };
+    if let Some(window) = web_sys::window() {
+        // A browser that refuses opens nothing.
+        let _ = window.open_with_url_and_target_and_features(address, tab, "noopener");
+    }
+}
+
 pub fn set_title(_: &Context, title: &str) {
     document()
         .iter()

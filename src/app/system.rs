@@ -1,7 +1,7 @@
 //! What the system does for a window. A web page has its own, `page.rs`.
 
 use super::dialog::{FileKind, Picked};
-use eframe::egui::{Context, InputState, ViewportCommand};
+use eframe::egui::{Context, InputState, OpenUrl, ViewportCommand};
 use log::{Level, LevelFilter, Log, Metadata, Record};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -77,6 +77,11 @@ fn shown(opens: bool, kind: &FileKind) -> Option<PathBuf> {
 /// Whether fingers do what elsewhere the mouse does.
 pub fn fingers(ctx: &Context) -> bool {
     ctx.input(InputState::has_touch_screen)
+}
+
+/// Has the desktop open an address, in its browser or its program for letters.
+pub fn open_address(ctx: &Context, address: &str) {
+    ctx.open_url(OpenUrl::new_tab(address));
 }
 
 pub fn set_title(ctx: &Context, title: &str) {

@@ -4,7 +4,7 @@ use super::input::{
     PaneArguments, SceneArguments, choice, inside_picture, one_of, output_file, output_name,
     parse_pixel, parse_place, parse_size, parse_vertex, picture_name, whole,
 };
-use super::output::{Failure, check_picture_target, print, progress_bar};
+use super::output::{Failure, check_picture_target, print, print_json, progress_bar};
 use clap::Args;
 use glam::DVec2;
 use shading_lab::analysis::{
@@ -149,7 +149,11 @@ impl<A: Asks> Catalogued<A> {
             true
         };
         let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(asked.threads().map_or(0, usize::from))
+            .num_threads(
+                asked
+                    .threads()
+                    .map_or_else(rayon::current_num_threads, usize::from),
+            )
             .build()
             .map_err(|error| Failure::work(text!("cli-no-threads", error = error.to_string())))?;
         let answer = pool
@@ -180,7 +184,7 @@ impl<A: Asks> Catalogued<A> {
         }
         drop(bar);
         if output.json {
-            print(&json_text(answer, &about))?;
+            print_json(&json_text(answer, &about))?;
         } else if !silent {
             print(&answer.text(&about))?;
         }

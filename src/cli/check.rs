@@ -2,14 +2,14 @@
 
 use super::input::{STDIN, SceneArguments, is_stdin, stdin};
 use super::lesson;
-use super::output::{Failure, print, spinner};
+use super::output::{Failure, print, print_json, spinner};
 use clap::Args;
 use serde_json::{Value, json};
 use shading_lab::document::{LoadError, Loaded};
 use shading_lab::lesson::{Lesson, OpenError, check};
 use shading_lab::scene::{Choice, Place};
 use shading_lab::text::{Language, in_language, text};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct Check {
@@ -29,11 +29,7 @@ enum Sound {
 
 impl Check {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
-        let name = if is_stdin(&self.file) {
-            STDIN.to_owned()
-        } else {
-            self.file.display().to_string()
-        };
+        let name = self.called().display().to_string();
         let found = self.open(earlier);
         if self.json {
             let object = in_language(Language::English, || match &found {
@@ -46,11 +42,20 @@ impl Check {
                     }
                 },
             });
-            print(&format!("{object:#}\n"))?;
+            print_json(&format!("{object:#}\n"))?;
             return found.map(|_| ()).map_err(Failure::input);
         }
         let sound = found.map_err(Failure::input)?;
         print(&(sound.line(&name) + "\n"))
+    }
+
+    /// Returns what messages call the file.
+    fn called(&self) -> &Path {
+        if is_stdin(&self.file) {
+            Path::new(STDIN)
+        } else {
+            &self.file
+        }
     }
 
     fn open(&self, earlier: &[String]) -> Result<Sound, OpenError> {
@@ -58,7 +63,7 @@ impl Check {
             let lesson = lesson::read(&self.file)?;
             let working = spinner(text!("cli-working"));
             let checked = check(&lesson).map_err(|error| OpenError::Lesson {
-                path: self.file.clone(),
+                path: self.called().to_owned(),
                 error,
             });
             drop(working);

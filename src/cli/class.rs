@@ -1,15 +1,16 @@
 //! `collect`: the answers of a class, as a table for people, as JSON, CSV and a page.
 
 use super::input::{STDIN, is_stdin, output_file, stdin};
-use super::output::{Failure, columns, print, progress_bar};
+use super::output::{Failure, columns, print, print_json, progress_bar};
 use clap::Args;
 use serde_json::{Value, json};
+use shading_lab::analysis::{Cell, Column, Table};
 use shading_lab::document::{check_target, write_whole};
 use shading_lab::lesson::{
-    Asked, Class, Given, Group, Handed, Student, answer_parts, class_sheet, collect, short_answer,
-    short_solution, spread, without_marks,
+    Asked, Class, Given, Group, Handed, Student, Unreadable, answer_parts, class_sheet, collect,
+    short_answer, short_solution, spread, without_marks,
 };
-use shading_lab::text::text;
+use shading_lab::text::{escaped, excerpt, text};
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]
@@ -47,19 +48,21 @@ impl Collect {
             write_text(target, &class_sheet(&class))?;
         }
         if self.json {
-            print(&format!("{:#}\n", object(&class)))?;
+            print_json(&format!("{:#}\n", object(&class)))?;
         } else if self.csv.is_none() && self.output.is_none() {
             print(&class.groups.iter().map(table).collect::<String>())?;
         }
         let failures: Vec<String> = class
             .groups
             .iter()
-            .flat_map(failures)
+            .flat_map(|group| failures(group, self.lesson.as_deref()))
             .chain(
                 class
                     .unreadable
                     .iter()
-                    .map(|file| format!("{}: {}", file.file, file.why)),
+                    .flat_map(|Unreadable { file, why, .. }| {
+                        why.lines().map(move |line| format!("{file}: {line}"))
+                    }),
             )
             .collect();
         if failures.is_empty() {
@@ -84,18 +87,29 @@ fn write_text(target: &Path, text: &str) -> Result<(), Failure> {
     Ok(write_whole(target, |out| out.write_all(text.as_bytes()))?)
 }
 
-/// The questions that have no right answer.
-fn failures(group: &Group) -> impl Iterator<Item = String> {
+/// Returns the questions that have no right answer, each with its line in the lesson's file, or in the first picture with that lesson inside.
+fn failures(group: &Group, lesson: Option<&Path>) -> impl Iterator<Item = String> {
     let line = |asked: &Asked| {
-        group
-            .lesson
-            .steps
-            .get(asked.step)
-            .map_or(0, |step| step.line)
+        let step = group.lesson.steps.get(asked.step);
+        step.map_or(0, |step| step.line)
     };
-    group.questions.iter().filter_map(move |asked| {
-        let failure = asked.failure.as_ref()?;
-        Some(format!("{}:{}: {failure}", group.lesson.name, line(asked)))
+    let told = move |line: u64, failure: &str| match (lesson, group.students.first()) {
+        (Some(path), _) => format!("{}:{line}: {failure}", path.display()),
+        (None, Some(first)) if group.foreign() => {
+            let error = format!("{line}: {failure}");
+            format!(
+                "{}: {}",
+                first.file,
+                text!("class-bad-lesson", error = error)
+            )
+        }
+        _ => format!("{}:{line}: {failure}", group.lesson.name),
+    };
+    let failed = group.questions.iter();
+    let failed = failed.filter_map(move |asked| Some((line(asked), asked.failure.as_ref()?)));
+    failed.flat_map(move |(line, failure)| {
+        let lines = failure.lines().map(|words| told(line, words));
+        lines.collect::<Vec<_>>()
     })
 }
 
@@ -169,47 +183,38 @@ fn object(class: &Class) -> Value {
 }
 
 fn csv(class: &Class) -> String {
-    let most = class.groups.iter().map(|group| group.questions.len()).max();
-    let mut head = [
+    let heads = [
         "file",
         "name",
         "lesson",
         "right",
         "questions",
         "share_right",
-    ]
-    .map(str::to_owned)
-    .to_vec();
-    for question in 1..=most.unwrap_or(0) {
-        head.extend([format!("q{question}"), format!("q{question}_right")]);
-    }
-    let columns = head.len();
-    let mut rows = vec![head];
+    ];
+    let most = class.groups.iter().map(|group| group.questions.len()).max();
+    let questions = (1..=most.unwrap_or(0)).flat_map(|n| [format!("q{n}"), format!("q{n}_right")]);
+    let columns = heads.into_iter().map(str::to_owned).chain(questions);
+    let mut table = Table::new(columns.map(Column::key));
     for (group, student) in in_order(class) {
         let (right, questions) = (student.right(), group.questions.len());
-        let mut row = vec![
-            plain(&student.file),
-            plain(&student.name),
-            group.lesson.name.clone(),
-            right.to_string(),
-            questions.to_string(),
-            format!("{:.3}", right as f64 / questions.max(1) as f64),
+        let share = right as f64 / questions.max(1) as f64;
+        let mut row: Vec<Cell> = vec![
+            student.file.as_str().into(),
+            student.name.as_str().into(),
+            group.lesson.name.as_str().into(),
+            right.into(),
+            questions.into(),
+            format!("{share:.3}").into(),
         ];
         for given in &student.given {
             let given = given.as_ref();
-            row.push(given.map_or(String::new(), |given| cell(&given.answered.answer)));
-            row.push(u8::from(given.is_some_and(Given::is_right)).to_string());
+            row.push(given.map(|given| cell(&given.answered.answer)).into());
+            row.push(u64::from(given.is_some_and(Given::is_right)).into());
         }
-        row.resize(columns, String::new());
-        rows.push(row);
+        row.resize(table.columns.len(), Cell::Empty);
+        table.rows.push(row);
     }
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        // Memory takes every row.
-        let _ = writer.write_record(&row);
-    }
-    let bytes = writer.into_inner().unwrap_or_default();
-    String::from_utf8_lossy(&bytes).into_owned()
+    table.to_csv()
 }
 
 /// An answer in a cell: numbers as programs read them.
@@ -222,16 +227,6 @@ fn cell(answer: &shading_lab::lesson::Answer) -> String {
     match answer_parts(answer) {
         (kind, _) if kind == "choice" || kind == "order" => short_answer(answer),
         (_, value) => list(&value).unwrap_or_else(|| value.to_string()),
-    }
-}
-
-/// Text from anybody, which a spreadsheet must not take for a formula.
-fn plain(text: &str) -> String {
-    let formula = text.trim_start().starts_with(['=', '+', '-', '@']);
-    if formula || text.starts_with(['\t', '\r']) {
-        format!("'{text}")
-    } else {
-        text.to_owned()
     }
 }
 
@@ -333,8 +328,8 @@ fn question_line(group: &Group, index: usize) -> String {
     line + "\n"
 }
 
-/// Text from anybody without what a terminal would act on.
+/// Returns text from anybody as one line, as wide as the terminal shows it.
 fn one_line(text: &str) -> String {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    words.chars().filter(|c| !c.is_control()).collect()
+    escaped(&excerpt(&words))
 }

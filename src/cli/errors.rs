@@ -3,7 +3,7 @@
 use super::input::one_of;
 use clap::Error;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use shading_lab::text::text;
+use shading_lab::text::{excerpt, text};
 use std::error::Error as _;
 use std::num::{ParseFloatError, ParseIntError};
 
@@ -11,8 +11,8 @@ use std::num::{ParseFloatError, ParseIntError};
 /// cause, whose words are clap's.
 pub fn worded(error: &Error) -> Option<String> {
     let all = |kind| match error.get(kind) {
-        Some(ContextValue::String(text)) => vec![text.clone()],
-        Some(ContextValue::Strings(texts)) => texts.clone(),
+        Some(ContextValue::String(text)) => vec![excerpt(text)],
+        Some(ContextValue::Strings(texts)) => texts.iter().map(|text| excerpt(text)).collect(),
         _ => Vec::new(),
     };
     let arguments = all(ContextKind::InvalidArg).join(text!("comma"));

@@ -6,7 +6,7 @@ use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser};
 use glam::DVec2;
 use serde::Serialize;
 use shading_lab::analysis::word;
-use shading_lab::document::{LoadError, Loaded, STDOUT, load_bytes, load_with};
+use shading_lab::document::{LoadError, Loaded, STDOUT, is_picture, load_bytes, load_with};
 use shading_lab::scene::materials::{self, NamedMaterial};
 use shading_lab::scene::parameter::Parameter;
 use shading_lab::scene::{CompareView, Image, Pane, Scene, presets};
@@ -27,20 +27,29 @@ const STANDARD: &str = "-";
 /// What messages call the standard input.
 pub const STDIN: &str = "<stdin>";
 
-/// Most bytes that are taken from the standard input: more than any picture of this program has.
-const MOST_INPUT: u64 = 1 << 30;
+/// Most bytes of a picture that are taken from the standard input: more than any picture of this program has.
+const MOST_PICTURE: u64 = 1 << 30;
+
+/// Most bytes of a text: one more than a scene may have, so that its reader can object.
+const MOST_TEXT: u64 = Scene::MAX_TEXT as u64 + 1;
 
 /// Whether a file's name means the standard input.
 pub fn is_stdin(path: &Path) -> bool {
     path == Path::new(STANDARD)
 }
 
-/// All of the standard input, read once however often it is asked for.
+/// Returns the standard input, as much of it as a picture or a text may have; it is read once however often it is asked for.
 pub fn stdin() -> Result<Vec<u8>, LoadError> {
     static READ: OnceLock<Result<Vec<u8>, String>> = OnceLock::new();
     let read = || {
-        let mut bytes = Vec::new();
-        let read = io::stdin().lock().take(MOST_INPUT).read_to_end(&mut bytes);
+        let (mut input, mut bytes) = (io::stdin().lock(), Vec::new());
+        let read = input.by_ref().take(MOST_TEXT).read_to_end(&mut bytes);
+        let rest = if is_picture(&bytes) {
+            MOST_PICTURE - MOST_TEXT
+        } else {
+            0
+        };
+        let read = read.and_then(|_| input.take(rest).read_to_end(&mut bytes));
         read.map(|_| bytes).map_err(|error| error.to_string())
     };
     READ.get_or_init(read).clone().map_err(|error| {

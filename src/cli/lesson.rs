@@ -1,7 +1,7 @@
 //! `lesson`: the lessons that there are, one in words, or its worksheet.
 
 use super::input::{STDIN, is_stdin, output_ending_in, stdin};
-use super::output::{Failure, print, progress_bar, spinner};
+use super::output::{Failure, print, print_json, progress_bar, spinner};
 use clap::Args;
 use clap::builder::TypedValueParser;
 use serde_json::{Value, json};
@@ -10,7 +10,7 @@ use shading_lab::lesson::{
     LESSONS, Lesson, LessonError, OpenError, Worksheet, find, in_words, topic_name, worksheet,
 };
 use shading_lab::scene::nearest;
-use shading_lab::text::text;
+use shading_lab::text::{excerpt, text};
 use std::path::{Path, PathBuf};
 
 /// Samples a pixel of a worksheet's pictures.
@@ -38,7 +38,10 @@ pub fn page_name() -> impl TypedValueParser<Value = PathBuf> {
 impl LessonCommand {
     pub fn run(self) -> Result<(), Failure> {
         let Some(name) = &self.lesson else {
-            return print(&list(self.json));
+            return match self.json {
+                true => print_json(&summaries()),
+                false => print(&list()),
+            };
         };
         if let Some(target) = &self.output {
             check_target(target)?;
@@ -64,7 +67,7 @@ impl LessonCommand {
             return Ok(write_whole(target, |out| out.write_all(page.as_bytes()))?);
         }
         if self.json {
-            return print(&format!("{:#}\n", steps(&lesson)));
+            return print_json(&format!("{:#}\n", steps(&lesson)));
         }
         let working = spinner(text!("cli-working"));
         let words = in_words(&lesson, self.seed, answers).map_err(wrong)?;
@@ -81,7 +84,7 @@ fn open(name: &Path) -> Result<Lesson, Failure> {
     if is_stdin(name) || name.extension().is_some_and(|ending| ending == "md") {
         return open_file(name);
     }
-    let name: String = name.to_string_lossy().escape_debug().collect();
+    let name = excerpt(&name.to_string_lossy());
     let meant = nearest(&name, LESSONS.iter().map(|lesson| lesson.name));
     let meant = meant.map(|meant| text!("document-did-you-mean", name = meant));
     Err(Failure::input(text!(
@@ -107,12 +110,13 @@ pub fn read(path: &Path) -> Result<Lesson, OpenError> {
     })
 }
 
-fn list(as_json: bool) -> String {
+fn summaries() -> String {
+    let lessons = LESSONS.iter().map(|lesson| summary(&lesson.lesson()));
+    format!("{:#}\n", json!({ "lessons": lessons.collect::<Vec<_>>() }))
+}
+
+fn list() -> String {
     let lessons: Vec<Lesson> = LESSONS.iter().map(|lesson| lesson.lesson()).collect();
-    if as_json {
-        let lessons: Vec<Value> = lessons.iter().map(summary).collect();
-        return format!("{:#}\n", json!({ "lessons": lessons }));
-    }
     let width = lessons
         .iter()
         .map(|lesson| lesson.name.len())

@@ -1,7 +1,7 @@
 //! `link`: a scene as a link, and as a QR code.
 
 use super::input::{SceneArguments, output_ending_in};
-use super::output::{Failure, check_picture_target, note, print};
+use super::output::{Failure, check_picture_target, note, print, print_json};
 use clap::Args;
 use serde_json::json;
 use shading_lab::document::{Loaded, check_target, save_drawing};
@@ -57,7 +57,7 @@ impl Link {
         let model = left_out.map(|path| path.display().to_string());
         if self.json {
             let object = json!({ "link": link, "length": link.len(), "left_out": model });
-            print(&format!("{object:#}\n"))?;
+            print_json(&format!("{object:#}\n"))?;
         } else if self.output.is_none() {
             print(&(link + "\n"))?;
         }

@@ -7,7 +7,7 @@ use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
 use shading_lab::document::write_whole;
-use shading_lab::text::text;
+use shading_lab::text::{excerpt, text};
 use std::path::PathBuf;
 
 #[derive(Args)]
@@ -80,7 +80,7 @@ fn named(program: Command, name: Option<&str>) -> Result<Command, Failure> {
 pub fn no_command(program: &Command, name: &str) -> Failure {
     let known = program.get_subcommands().map(Command::get_name);
     let meant = did_you_mean(name, known);
-    let name: String = name.escape_debug().collect();
+    let name = excerpt(name);
     Failure::input(text!("cli-no-command", name = name, meant = meant))
 }
 

@@ -3,7 +3,7 @@
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use shading_lab::document::{LoadError, STDOUT, SaveError};
 use shading_lab::scene::nearest;
-use shading_lab::text::text;
+use shading_lab::text::{escaped, escaped_json, text};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
@@ -44,8 +44,7 @@ impl Failure {
             .lines()
             .map(|line| text!("cli-error", message = line) + "\n")
             .collect();
-        // Without stderr there is nowhere to say so.
-        let _ = io::stderr().write_all(lines.as_bytes());
+        tell(&lines);
         ExitCode::from(status)
     }
 }
@@ -78,11 +77,32 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// Writes `text` to stdout.
+/// Writes text to stdout, without what a terminal would act on.
 pub fn print(text: &str) -> Result<(), Failure> {
+    written(&escaped(text))
+}
+
+/// Writes a JSON object to stdout, for programs; what a terminal would act on is in JSON's own escapes.
+pub fn print_json(json: &str) -> Result<(), Failure> {
+    written(&escaped_json(json))
+}
+
+fn written(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes())?;
     Ok(out.flush()?)
+}
+
+/// Writes help to stdout, with the colours that a terminal has for it.
+pub fn print_help(help: &clap::Error) -> Result<(), Failure> {
+    help.print()?;
+    Ok(io::stdout().flush()?)
+}
+
+/// Writes to stderr what people read there, without what a terminal would act on.
+fn tell(text: &str) {
+    // Without stderr there is nowhere to say so.
+    let _ = io::stderr().write_all(escaped(text).as_bytes());
 }
 
 /// Refuses to write a picture on a terminal, which takes its bytes for commands.
@@ -95,8 +115,7 @@ pub fn check_picture_target(path: &Path) -> Result<(), Failure> {
 
 /// A note on stderr, beside results that are as they were asked for.
 pub fn note(message: &str) {
-    // Without stderr there is nowhere to say so.
-    let _ = writeln!(io::stderr(), "{}", text!("cli-note", message = message));
+    tell(&(text!("cli-note", message = message) + "\n"));
 }
 
 /// A bar on stderr until it is dropped, or nothing where that is no terminal.

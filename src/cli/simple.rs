@@ -2,7 +2,7 @@
 //! or as shaders.
 
 use super::input::{SceneArguments, output_file};
-use super::output::{Failure, note, print, spinner};
+use super::output::{Failure, note, print, print_json, spinner};
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
 use shading_lab::document::{Loaded, STDOUT, save_code};
@@ -125,7 +125,7 @@ impl List {
         object: impl Fn(&T) -> Value,
     ) -> Result<(), Failure> {
         match self.json {
-            true => print(&in_language(Language::English, || {
+            true => print_json(&in_language(Language::English, || {
                 let objects: Vec<_> = all.iter().map(object).collect();
                 format!("{:#}\n", json!({ name: objects }))
             })),
@@ -168,7 +168,7 @@ impl Code {
         };
         if self.json {
             drop(working);
-            return print(&format!("{:#}\n", object(self.target, &export)));
+            return print_json(&format!("{:#}\n", object(self.target, &export)));
         }
         let file = self.output.filter(|path| path != Path::new(STDOUT));
         match file {

@@ -1,8 +1,11 @@
 //! The files of the system: read as they are, written whole or not at all.
 
+mod hidden;
+
 use super::error::{LoadError, SaveError};
 use crate::text::{Message, text};
 use atomic_write_file::AtomicWriteFile;
+use hidden::HiddenFile;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -35,24 +38,84 @@ pub fn write_whole(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), SaveError> {
-    check_target(path)?;
-    let written = if is_stdout(path) {
-        fill(io::stdout().lock(), content)
-    } else if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
-        OpenOptions::new()
-            .write(true)
-            .open(path)
-            .and_then(|device| fill(device, content))
-    } else {
-        AtomicWriteFile::open(behind_links(path)).and_then(|mut file| {
-            fill(&mut file, content)?;
-            file.commit()
-        })
+    Unfinished::filled(path, content)?.finish(path)
+}
+
+/// Writes several texts like that: no file is replaced before all of them are whole and on the disk.
+///
+/// # Errors
+/// A target that cannot be written; nothing is left behind then.
+pub fn write_texts(files: &[(PathBuf, &str)]) -> Result<(), SaveError> {
+    let filled = |(path, text): &(PathBuf, &str)| {
+        Unfinished::filled(path, |out| out.write_all(text.as_bytes()))
     };
-    written.map_err(|source| SaveError::Unwritable {
+    let unfinished = files.iter().map(filled).collect::<Result<Vec<_>, _>>()?;
+    let mut whole = files.iter().zip(unfinished);
+    whole.try_for_each(|((path, _), unfinished)| unfinished.finish(path))
+}
+
+/// What is written to, before it is seen under its name.
+enum Unfinished {
+    /// A device, a pipe or the standard output: what is written cannot be taken back.
+    Direct(Box<dyn Write>),
+    /// A file that on Linux has no name until it is whole.
+    Whole(AtomicWriteFile),
+    /// A file with a hidden name.
+    Hidden(HiddenFile),
+}
+
+impl Unfinished {
+    fn filled(
+        path: &Path,
+        content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<Self, SaveError> {
+        check_target(path)?;
+        let filled = Self::open(path).and_then(|mut new| new.fill(content).map(|()| new));
+        filled.map_err(|error| unwritable(path, error))
+    }
+
+    fn open(path: &Path) -> io::Result<Self> {
+        if is_stdout(path) {
+            return Ok(Self::Direct(Box::new(io::stdout())));
+        }
+        if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+            let device = OpenOptions::new().write(true).open(path)?;
+            return Ok(Self::Direct(Box::new(device)));
+        }
+        let target = behind_links(path);
+        // Linux gives a file without a name one by its entry there, and some containers have none.
+        if cfg!(target_os = "linux") && !Path::new("/proc/self/fd").is_dir() {
+            return HiddenFile::open(target).map(Self::Hidden);
+        }
+        AtomicWriteFile::open(target).map(Self::Whole)
+    }
+
+    /// Writes the content, as far as to the disk: a full one is met here.
+    fn fill(&mut self, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+        match self {
+            Self::Direct(device) => fill(device, content),
+            Self::Whole(file) => fill(&mut *file, content).and_then(|()| file.sync_all()),
+            Self::Hidden(hidden) => {
+                fill(&hidden.file, content).and_then(|()| hidden.file.sync_all())
+            }
+        }
+    }
+
+    fn finish(self, path: &Path) -> Result<(), SaveError> {
+        let finished = match self {
+            Self::Direct(_) => Ok(()),
+            Self::Whole(file) => file.commit(),
+            Self::Hidden(hidden) => hidden.finish(),
+        };
+        finished.map_err(|error| unwritable(path, error))
+    }
+}
+
+fn unwritable(path: &Path, source: io::Error) -> SaveError {
+    SaveError::Unwritable {
         path: path.to_owned(),
         source,
-    })
+    }
 }
 
 /// The standard output, by the name that Linux and the BSDs have for it; meant everywhere. It may be a file that others write to
@@ -152,9 +215,6 @@ pub fn check_target(path: &Path) -> Result<(), SaveError> {
         }
         _ if error.kind() == io::ErrorKind::NotFound => Ok(()),
         // Links in a circle, for example, or a name that is too long.
-        _ => Err(SaveError::Unwritable {
-            path: path.to_owned(),
-            source: error,
-        }),
+        _ => Err(unwritable(path, error)),
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::link::LinkError;
 use crate::scene::SceneError;
-use crate::text::{Message, text};
+use crate::text::{Message, excerpt, text};
 use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,7 @@ pub enum LoadError {
     #[error(transparent)]
     Link(#[from] LinkError),
     /// The file itself, at a line counted from 1 where the problem has one.
-    #[error("{}:{} {problem}", .path.display(), .line.map(|line| format!("{line}:")).unwrap_or_default())]
+    #[error("{}:{} {problem}", shown(.path), .line.map(|line| format!("{line}:")).unwrap_or_default())]
     File {
         /// The file.
         path: PathBuf,
@@ -33,6 +33,19 @@ pub enum LoadError {
         /// A sentence that says what is wrong and what was expected.
         problem: String,
     },
+}
+
+/// Longest path that a system takes, in bytes.
+const MOST_PATH: usize = 4096;
+
+/// Returns a path as a message has it: whole, as editors look for it, unless it can be none.
+fn shown(path: &Path) -> String {
+    let text = path.display().to_string();
+    if text.len() > MOST_PATH {
+        excerpt(&text)
+    } else {
+        text
+    }
 }
 
 impl LoadError {

@@ -54,6 +54,15 @@ pub fn write_whole(
     download(&name, &bytes).map_err(|error| unwritable(io::Error::other(format!("{error:?}"))))
 }
 
+/// Downloads several texts.
+///
+/// # Errors
+/// That the browser refuses.
+pub fn write_texts(files: &[(PathBuf, &str)]) -> Result<(), SaveError> {
+    let mut files = files.iter();
+    files.try_for_each(|(path, text)| write_whole(path, |out| out.write_all(text.as_bytes())))
+}
+
 /// A download can always be begun.
 ///
 /// # Errors

@@ -3,7 +3,7 @@
 use super::solve::{matched_settings, picture_difference};
 use super::{Answer, Kind, Lab, Lesson, LessonError, LessonProblem, Solution, Step};
 use crate::scene::parameter::Parameter;
-use crate::text::text;
+use crate::text::{excerpt, text};
 
 /// Loads every scene, fills in every number and finds the answer of every question.
 ///
@@ -33,7 +33,7 @@ fn check_step(lesson: &Lesson, step: &Step) -> Result<(), LessonError> {
         if word != "light" && Parameter::by_word(word).is_none() {
             take(
                 step.stage.line_number,
-                text!("lesson-no-control", name = word.as_str()),
+                text!("lesson-no-control", name = excerpt(word)),
             );
         }
     }

@@ -121,6 +121,11 @@ impl Given {
 }
 
 impl Group {
+    /// Returns whether the lesson came inside a hand-in.
+    pub fn foreign(&self) -> bool {
+        self.foreign
+    }
+
     /// The answers to a question, of those who gave one.
     pub fn given(&self, question: usize) -> impl Iterator<Item = &Given> {
         let given =
@@ -265,9 +270,11 @@ pub fn lesson_of(hand_in: &HandIn, lesson: Option<&Lesson>) -> Result<(Lesson, b
         }
         (None, _, Some(source)) => {
             foreign = true;
-            let read = Lesson::read(source, None);
-            let read = read.map_err(|error| text!("class-bad-lesson", error = error.to_string()));
-            read?
+            Lesson::read(source, None).map_err(|error| {
+                let told = |line: &str| text!("class-bad-lesson", error = line);
+                let lines: Vec<_> = error.to_string().lines().map(told).collect();
+                lines.join("\n")
+            })?
         }
         (None, None, None) => return Err(text!("class-no-lesson", lesson = name)),
     };
@@ -409,7 +416,10 @@ impl Asked {
             return Err(text!("class-needs-lesson").to_owned());
         }
         let staged = step.stage.load(lesson.folder.as_deref());
-        let staged = staged.map_err(|error| error.to_string())?;
+        let staged = staged.map_err(|error| {
+            let words: Vec<_> = error.lines().map(|(_, words)| words).collect();
+            words.join("\n")
+        })?;
         let lab = Lab::new(&staged);
         let place = lab.place(&staged);
         if let Ok(filled) = Self::filled(self.step, question, place) {

@@ -9,7 +9,7 @@ use crate::document::{SaveError, save_picture_with};
 use crate::picture::{PictureError, SCENE_KEYWORD, read_texts, write_png};
 use crate::render::Frame;
 use crate::scene::Scene;
-use crate::text::{Language, language, text};
+use crate::text::{Language, language, text, turns};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::io::{BufRead, Seek};
@@ -248,8 +248,7 @@ fn clean_name(name: &str) -> String {
 
 /// Text from anybody as one short line, without control characters and marks that turn the direction of writing.
 fn clean(text: &str, most: usize) -> String {
-    let turns = |c: &char| matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    let plain = text.chars().filter(|c| !turns(c));
+    let plain = text.chars().filter(|c| !turns(*c));
     let plain = plain.map(|c| if c.is_control() { ' ' } else { c });
     plain.take(most).collect::<String>().trim().to_owned()
 }

@@ -13,7 +13,7 @@ use crate::expression::{Part, Quantities, Todo, Value};
 use crate::geometry::Mesh;
 use crate::render::{Frame, Renderer};
 use crate::scene::{Rgb, Scene, ShadingMode};
-use crate::text::text;
+use crate::text::{excerpt, text};
 use glam::DVec2;
 use serde_json::{Value as Json, json};
 use std::cell::RefCell;
@@ -346,7 +346,7 @@ impl Quantities for LabPlace<'_> {
             _ => {}
         }
         if !QUANTITIES.contains(&name) {
-            return Err(text!("expression-unknown", name = name));
+            return Err(text!("expression-unknown", name = excerpt(name)));
         }
         let found = self.known(name)?;
         part_of(&found, name, parts)
@@ -391,7 +391,7 @@ fn part_of(json: &Json, path: &str, parts: &[Part]) -> Result<Value, String> {
     };
     match next {
         Some(next) => part_of(next, &name, rest),
-        None => Err(text!("lesson-no-part", path = &*name)),
+        None => Err(text!("lesson-no-part", path = excerpt(&name))),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Parts of a page in HTML that stands alone: text, formulas, pictures and axes. Nothing of a lesson or a hand-in gets into it
 //! unescaped, and the page loads nothing.
 
+use super::links::may_open;
 use crate::document::picture_bytes;
 use crate::figure::{Axis, ticks};
 use crate::link::base64;
@@ -15,7 +16,7 @@ pub fn page(title: &str, style: &str, body: &str) -> String {
     format!(
         "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:\"/>\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\"/>\n\
          <title>{title}</title>\n<style>\n{COMMON}{style}</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
     )
 }
@@ -87,14 +88,9 @@ pub fn inline(text: &str) -> String {
     out
 }
 
-/// Without raw HTML, pictures, and links to anything but pages.
+/// Returns the parts of a text without raw HTML, pictures, and links that may not be opened.
 fn events(text: &str) -> Vec<Event<'_>> {
     let mut kept_links = Vec::new();
-    let page = |address: &str| {
-        ["https://", "http://", "mailto:"]
-            .iter()
-            .any(|start| address.starts_with(start))
-    };
     let plain = |c: char| !c.is_control() || "\n\t".contains(c);
     Parser::new_ext(text, Options::ENABLE_TABLES | Options::ENABLE_MATH)
         .filter_map(|event| match event {
@@ -115,7 +111,7 @@ fn events(text: &str) -> Vec<Event<'_>> {
             ),
             Event::Start(Tag::Image { .. }) | Event::End(TagEnd::Image) => None,
             Event::Start(Tag::Link { ref dest_url, .. }) => {
-                kept_links.push(page(dest_url));
+                kept_links.push(may_open(dest_url));
                 kept_links.last().copied().unwrap_or(false).then_some(event)
             }
             Event::End(TagEnd::Link) => kept_links.pop().unwrap_or(false).then_some(event),

@@ -6,7 +6,7 @@ mod stage;
 use super::stage::Stage;
 use super::{Lesson, LessonError, LessonProblem, Prose, Step};
 use crate::expression::Expression;
-use crate::text::text;
+use crate::text::{text, with_short_names};
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -98,7 +98,7 @@ impl<'s> Reader<'s> {
                 let at = error.span().map_or(0, |span| span.start);
                 self.wrong(
                     block.at + at,
-                    text!("problem-toml", message = error.message()),
+                    text!("problem-toml", message = with_short_names(error.message())),
                 );
                 None
             }

@@ -1,6 +1,7 @@
 //! A lesson in words, for a terminal.
 
 use super::class::{Asked, letter};
+use super::links::without_closed_links;
 use super::worksheet::answer_words;
 use super::{Kind, Lab, Lesson, LessonError, Question};
 use crate::text::text;
@@ -86,7 +87,8 @@ fn room(asked: &Asked, question: &Question) -> String {
     out
 }
 
-/// CommonMark without the marks of formulas.
+/// Returns CommonMark without the marks of formulas, and without links that may not be opened.
 pub fn without_marks(text: &str) -> String {
+    let text = without_closed_links(text);
     text.replace("`$", "").replace("$`", "").replace('$', "")
 }

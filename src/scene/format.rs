@@ -9,7 +9,7 @@ mod reader;
 use super::Scene;
 use super::parameter::{Kind, List, Parameter, defaults};
 use super::problem::{Cause, Finding, Place, SceneError};
-use crate::text::text;
+use crate::text::{text, with_short_names};
 use reader::read;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use toml::Value;
@@ -64,7 +64,7 @@ impl Scene {
             match DeTable::parse(text) {
                 Err(error) => whole(
                     error.span().map_or(0, |span| span.start),
-                    text!("problem-toml", message = error.message()),
+                    text!("problem-toml", message = with_short_names(error.message())),
                 ),
                 Ok(document) => {
                     (scene, findings) = read(document.get_ref());

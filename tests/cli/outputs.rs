@@ -265,3 +265,77 @@ fn a_picture_that_memory_is_too_short_for_is_a_failure() {
         Some(0)
     );
 }
+
+/// Some containers have no `/proc`, by which a file without a name is given one.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_is_replaced_whole_without_proc_as_well() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = Folder::new("without-proc");
+    let within = |script: &str| {
+        let script = format!("umount -l /proc && {script}");
+        let mut command = std::process::Command::new("unshare");
+        command.current_dir(&folder.0).env("LC_ALL", "C").args([
+            "-m",
+            "sh",
+            "-c",
+            &script,
+            env!("CARGO_BIN_EXE_shading-lab"),
+        ]);
+        command.output().ok()
+    };
+    if !within("true").is_some_and(|output| output.status.success()) {
+        eprintln!("skipped: /proc cannot be taken away here, which needs root and unshare");
+        return;
+    }
+    folder.write("a.png", "old");
+    fs::set_permissions(folder.0.join("a.png"), PermissionsExt::from_mode(0o640)).expect("a mode");
+    let output = within("exec \"$0\" render cube --size 8x8 -o a.png").expect("unshare");
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""));
+    assert_eq!(size_of(&folder.0.join("a.png")), (8, 8));
+    let mode = fs::metadata(folder.0.join("a.png"))
+        .expect("a file")
+        .permissions()
+        .mode();
+    assert_eq!(mode & 0o777, 0o640);
+    assert_eq!(folder.names(), ["a.png"]);
+    // What cannot be finished leaves the old one, and nothing beside it.
+    let before = fs::read(folder.0.join("a.png")).expect("a picture");
+    let short = "trap '' XFSZ; ulimit -f 1; exec \"$0\" render cube --size 300x300 -o a.png";
+    let output = within(short).expect("unshare");
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(fs::read(folder.0.join("a.png")).expect("a picture"), before);
+    assert_eq!(folder.names(), ["a.png"]);
+}
+
+/// On a disk that has room for the first of two files.
+#[cfg(unix)]
+#[test]
+fn of_a_pair_of_shaders_both_are_written_or_none() {
+    let folder = Folder::new("pair");
+    let write = |blocks: u32| {
+        let script = format!(
+            "trap '' XFSZ; ulimit -f {blocks}; exec {} code spotlight --target glsl -o pair",
+            env!("CARGO_BIN_EXE_shading-lab")
+        );
+        let mut command = std::process::Command::new("sh");
+        let output = command
+            .current_dir(&folder.0)
+            .env("LC_ALL", "C")
+            .args(["-c", &script])
+            .output();
+        output.expect("a shell").status.code()
+    };
+    assert_eq!(write(100), Some(0));
+    let size = |name| fs::metadata(folder.0.join(name)).expect("a file").len();
+    // In blocks of 512 bytes.
+    let (first, second) = (size("pair.vert"), size("pair.frag"));
+    let between = (first + second) / 1024;
+    assert!(first < 512 * between && 512 * between < second);
+    for name in ["pair.vert", "pair.frag"] {
+        fs::remove_file(folder.0.join(name)).expect("a file");
+    }
+    assert_eq!(write(between as u32), Some(1));
+    assert_eq!(folder.names(), [""; 0]);
+}

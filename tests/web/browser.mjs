@@ -67,8 +67,7 @@ export async function firefox({ width = 1280, height = 800 } = {}) {
   // As the other browser's.
   const newPage = async () => {
     const page = await launched.newPage();
-    const waitForFunction = (holds, parameter, options) => page.waitForFunction(holds, options, parameter);
-    const own = { addInitScript: (script) => page.evaluateOnNewDocument(script), waitForFunction };
+    const own = { addInitScript: (script) => page.evaluateOnNewDocument(script) };
     return new Proxy(page, { get: (page, name) => own[name] ?? (typeof page[name] === "function" ? page[name].bind(page) : page[name]) });
   };
   const close = async () => {
@@ -115,7 +114,7 @@ export async function open(context, url, first) {
   page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
   page.on("pageerror", (error) => problems.push(String(error)));
   await page.goto(url);
-  await page.waitForFunction(() => document.documentElement.dataset.state !== "loading", undefined, { timeout: 120_000 });
+  await until(async () => (await state(page)) !== "loading", 120_000);
   return { page, problems };
 }
 
@@ -133,7 +132,7 @@ export function site(launch = browser, options = {}) {
   own.on = async (path, todo) => {
     const { page, problems } = await open(own.browser.context, own.server.url + path, forget);
     try {
-      assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "ready");
+      assert.equal(await state(page), "ready");
       await todo(page);
       assert.deepEqual(problems, []);
     } finally {
@@ -143,14 +142,26 @@ export function site(launch = browser, options = {}) {
   return own;
 }
 
+/** Whether the page is loading, ready, or what hinders it. */
+export const state = (page) => page.evaluate(() => document.documentElement.dataset.state);
+
+/** Drops a file on the window. */
+export const drop = (page, name, content) =>
+  page.evaluate(([name, text]) => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([bytes], name));
+    document.querySelector("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  }, [name, Buffer.from(content).toString("base64")]);
+
 /** What stands in the address after the path. */
 export const address = (page) => page.evaluate(() => location.search);
 
 /** The size and the values of a PNG: red, green, blue and 255 of each pixel. */
 export async function pixels(page, bytes) {
   const decoded = await page.evaluate(async (text) => {
-    const blob = await (await fetch(`data:image/png;base64,${text}`)).blob();
-    const image = await createImageBitmap(blob, { colorSpaceConversion: "none" });
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }), { colorSpaceConversion: "none" });
     const canvas = new OffscreenCanvas(image.width, image.height);
     const context = canvas.getContext("2d");
     context.drawImage(image, 0, 0);

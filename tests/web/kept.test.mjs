@@ -1,7 +1,7 @@
 // Unsaved work: the browser asks before it leaves it, and it is offered when the page is opened again.
 import { test } from "node:test";
 import assert from "node:assert/strict";
-import { address, open, press, site, until, widget, widgets } from "./browser.mjs";
+import { address, open, press, site, state, until, widget, widgets } from "./browser.mjs";
 
 const here = site();
 
@@ -16,7 +16,7 @@ async function tab(link) {
     asked.push(dialog.type());
     dialog.accept();
   });
-  const ready = () => page.waitForFunction(() => document.documentElement.dataset.state === "ready");
+  const ready = () => until(async () => (await state(page)) === "ready");
   await ready();
   return { page, problems, asked, ready };
 }

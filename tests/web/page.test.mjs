@@ -1,7 +1,7 @@
 // The web page in a browser: it opens, draws what the native program draws, and follows links.
 import { test } from "node:test";
 import assert from "node:assert/strict";
-import { address, browser, difference, isNative, open, picture, pixels, press, site, until, widget, widgets } from "./browser.mjs";
+import { address, browser, difference, drop, isNative, open, picture, pixels, press, site, state, until, widget, widgets } from "./browser.mjs";
 
 const here = site();
 
@@ -89,9 +89,68 @@ test("it opens without a network", async () => {
     await here.browser.context.setOffline(true);
     try {
       await page.reload();
-      await page.waitForFunction(() => document.documentElement.dataset.state === "ready");
+      await until(async () => (await state(page)) === "ready");
     } finally {
       await here.browser.context.setOffline(false);
     }
   });
+});
+
+test("a link of a lesson opens pages alone, each in a tab of its own", async () => {
+  const lesson = `+++
+lesson = 1
+name = "links"
+title = "Links"
++++
+
+## Links
+
+[page](${here.server.url}OFL.txt)
+
+[script](javascript:document.title=1) [data](data:text/html,x) [file](file:///etc/passwd)
+
+\`\`\`step
+scene = "sphere"
+\`\`\`
+`;
+  await here.on("", async (page) => {
+    await drop(page, "links.md", lesson);
+    await until(async () => (await widget(page, "page", "Link")) !== undefined);
+    const links = (await widgets(page)).filter(({ role }) => role === "Link").map(({ name }) => name);
+    assert.deepEqual(links, ["page"], "what may not be opened is text");
+    const before = page.url();
+    const popup = page.waitForEvent("popup");
+    await press(page, "page", "Link");
+    const opened = await popup;
+    await opened.waitForLoadState();
+    assert.ok(opened.url().endsWith("/OFL.txt"), opened.url());
+    assert.equal(await opened.evaluate(() => window.opener), null);
+    await opened.close();
+    assert.equal(page.url().split("?")[0], before.split("?")[0], "the page stays");
+  });
+});
+
+test("the page runs no script but its own", async () => {
+  const { page } = await open(here.browser.context, here.server.url);
+  const { ran, refused } = await page.evaluate(async () => {
+    const refused = [];
+    document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => refused.push(effectiveDirective));
+    const inline = document.createElement("script");
+    inline.textContent = "window.ran = 'inline'";
+    document.body.append(inline);
+    const link = document.createElement("a");
+    link.href = "javascript:window.ran='link'";
+    document.body.append(link);
+    link.click();
+    const image = document.createElement("img");
+    image.setAttribute("onerror", "window.ran = 'handler'");
+    image.src = "no-such.png";
+    document.body.append(image);
+    await fetch("https://example.org/").catch(() => {});
+    await new Promise((later) => setTimeout(later, 500));
+    return { ran: window.ran, refused };
+  });
+  assert.equal(ran, undefined);
+  for (const directive of ["script-src-elem", "script-src-attr", "connect-src"]) assert.ok(refused.includes(directive), `${directive}: ${refused}`);
+  await page.close();
 });

@@ -2,7 +2,7 @@
 import { test } from "node:test";
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { address, difference, picture, pixels, press, site, told, until, widget, widgets } from "./browser.mjs";
+import { address, difference, drop, picture, pixels, press, site, told, until, widget, widgets } from "./browser.mjs";
 
 const here = site();
 
@@ -70,12 +70,7 @@ test("a picture that is exported opens again", async () => {
     await page.keyboard.press("1");
     await until(async () => (await address(page)).includes("flat"));
     // Dropped on the page it is the scene that it was made from.
-    await page.evaluate((text) => {
-      const content = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(new File([content], "again.png", { type: "image/png" }));
-      document.querySelector("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
-    }, bytes.toString("base64"));
+    await drop(page, "again.png", bytes);
     await until(async () => (await page.title()).startsWith("again.png"));
     assert.equal(difference(drawn, await pixels(page, await picture(page))), 0);
   });

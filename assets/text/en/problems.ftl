@@ -104,5 +104,8 @@ obj-no-such-normal = the face names normal { $number }, { $count ->
 
 # Pictures with a scene inside.
 png-damaged = not a valid PNG picture ({ $error }), expected one that shading-lab exported
+png-cut-off = the file ends early
+png-malformed = its data is damaged
+png-too-large = it asks for too much memory
 png-no-scene = a picture without a scene, expected one that shading-lab exported
 png-unreadable-text = a text in the picture cannot be read ({ $error }), expected at most { $limit } MiB

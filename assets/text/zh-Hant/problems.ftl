@@ -104,5 +104,8 @@ obj-no-such-normal = 面使用法向量 { $number }，{ $count ->
 
 # 內含場景的圖片。
 png-damaged = 不是有效的 PNG 圖片（{ $error }），應為 shading-lab 匯出的圖片
+png-cut-off = 檔案不完整
+png-malformed = 資料有誤
+png-too-large = 所需的記憶體過大
 png-no-scene = 圖片中沒有場景，應為 shading-lab 匯出的圖片
 png-unreadable-text = 無法讀取圖片中的文字（{ $error }），應不超過 { $limit } MiB

@@ -5,6 +5,7 @@ use crate::app::focus::one_stop;
 use crate::app::state::AppState;
 use crate::app::theme::TEXT;
 use crate::app::typeset::{Place, Run, spoken};
+use crate::lesson::without_closed_links;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Sense, TextStyle, Ui, WidgetInfo, vec2};
@@ -62,9 +63,11 @@ fn shown_ui(
     // Lines of a list are as far apart as those of a paragraph, not as rows of controls.
     let line = ui.text_style_height(&TextStyle::Body);
     let row = std::mem::replace(&mut ui.spacing_mut().interact_size.y, line);
-    CommonMarkViewer::new()
-        .render_math_fn(Some(&math))
-        .show(ui, cache, &joined(words));
+    CommonMarkViewer::new().render_math_fn(Some(&math)).show(
+        ui,
+        cache,
+        &joined(&without_closed_links(words)),
+    );
     ui.spacing_mut().interact_size.y = row;
     drop(math);
     if let Some(lent) = Rc::into_inner(lent) {

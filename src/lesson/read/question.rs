@@ -8,7 +8,7 @@ use crate::lesson::question::{
 use crate::lesson::solve::slider;
 use crate::scene::parameter::Parameter;
 use crate::scene::{Choice, ShadingMode, nearest};
-use crate::text::text;
+use crate::text::{excerpt, text};
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -133,7 +133,7 @@ impl Reader<'_> {
             let near = nearest(key, Parameter::all().map(|parameter| parameter.key));
             let words = text!(
                 "lesson-no-slider",
-                name = key,
+                name = excerpt(key),
                 near = near.unwrap_or("material.n")
             );
             self.wrong(at, words);

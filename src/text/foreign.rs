@@ -1,0 +1,89 @@
+//! Text that other people wrote, where this program repeats it: short in messages, and without what a terminal would act on.
+
+/// The longest piece of somebody else's text that a message repeats, in characters.
+pub const LONGEST_QUOTE: usize = 200;
+
+/// Returns a text as a message repeats it: its first 200 characters, and `…` where it is longer.
+pub fn excerpt(text: &str) -> String {
+    let mut chars = text.chars();
+    let mut short: String = chars.by_ref().take(LONGEST_QUOTE).collect();
+    if chars.next().is_some() {
+        short.push('…');
+    }
+    short
+}
+
+/// Returns another library's message with the names that it repeats between backquotes cut like that.
+pub fn with_short_names(message: &str) -> String {
+    let pieces: Vec<_> = message.split('`').map(excerpt).collect();
+    pieces.join("`")
+}
+
+/// Returns a text with what a terminal would act on written out: an escape as `\u{1b}`. The ends of lines and tabs stay.
+///
+/// # Examples
+/// ```
+/// use shading_lab::text::escaped;
+///
+/// assert_eq!(escaped("a\tb\n\u{1b}[31mc"), "a\tb\n\\u{1b}[31mc");
+/// ```
+pub fn escaped(text: &str) -> String {
+    written_out(text, |c| c.escape_unicode().to_string())
+}
+
+/// Returns JSON in which such characters are JSON's own escapes, so that it says the same.
+pub fn escaped_json(json: &str) -> String {
+    written_out(json, |c| format!("\\u{:04x}", u32::from(c)))
+}
+
+fn written_out(text: &str, escape: impl Fn(char) -> String) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if "\n\t".contains(c) || !(c.is_control() || turns(c)) {
+            out.push(c);
+        } else {
+            out += &escape(c);
+        }
+    }
+    out
+}
+
+/// Returns whether a character separates lines or turns the direction of writing: text with it can look like another text.
+pub fn turns(c: char) -> bool {
+    matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_of_what_a_terminal_acts_on_is_left() {
+        let all: String = ('\0'..='\u{ffff}').collect();
+        let acts = |c: char| (c.is_control() && c != '\n' && c != '\t') || turns(c);
+        for text in [escaped(&all), escaped_json(&all)] {
+            assert!(!text.contains(acts));
+        }
+        assert!(escaped(&all).contains("\\u{9b}") && escaped(&all).contains("\\u{202e}"));
+        // What is no danger stays as it is.
+        let plain = "θ = 30°, “中文” é 👩‍🔬\n\tn\\x";
+        assert_eq!(escaped(plain), plain);
+    }
+
+    #[test]
+    fn escaped_json_says_the_same() {
+        let value = serde_json::json!({ "a\u{9b}": "\u{7f}\u{1b}[31m\u{202e}\"\\" });
+        let json = escaped_json(&value.to_string());
+        assert!(!json.contains(['\u{9b}', '\u{7f}', '\u{202e}']));
+        assert_eq!(
+            serde_json::from_str::<serde_json::Value>(&json).ok(),
+            Some(value)
+        );
+    }
+
+    #[test]
+    fn a_long_text_is_cut() {
+        assert_eq!(excerpt("é".repeat(200).as_str()), "é".repeat(200));
+        assert_eq!(excerpt("é".repeat(201).as_str()), "é".repeat(200) + "…");
+    }
+}
