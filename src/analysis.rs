@@ -27,8 +27,8 @@ mod study;
 pub use crate::figure::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
 pub use bench::{Bench, BenchQuestion, CHANGES, Growth};
 pub use comparison::{
-    Brightest, Comparison, ComparisonQuestion, DrawnPane, ErrorFigures, LinearPicture, PaneArea,
-    PaneFigures, RegionErrors, brightest, caption, comparison_sheet, difference_picture,
+    Brightest, Comparison, ComparisonQuestion, DrawnPane, ErrorFigures, ErrorRegion, LinearPicture,
+    PaneArea, PaneFigures, RegionErrors, brightest, caption, comparison_sheet, difference_picture,
     difference_scale, draw_panes, error_figures, error_line, pane_areas, pane_figures,
     panes_on_sheet, region_errors,
 };

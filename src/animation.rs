@@ -3,6 +3,8 @@
 //! A [`Sweep`] says what each frame shows; whoever draws the frames hands them to [`write_film`] one after the other, so that one
 //! frame at a time is in memory.
 
+mod palette;
+
 use crate::picture::{Apng, PictureError};
 use crate::render::Frame;
 use crate::scene::parameter::{Kind, Parameter};
@@ -22,8 +24,6 @@ pub const USUAL_FRAMES: u32 = 60;
 pub const USUAL_RATE: f64 = 30.0;
 /// The longest that a frame may stand, seconds: APNG has 16 bits for the milliseconds.
 const LONGEST: f64 = 60.0;
-/// Of NeuQuant: how few of the pixels it learns a palette from, 1 to 30. From here on fewer cannot be told apart.
-const PALETTE_EFFORT: i32 = 5;
 
 /// How the frames lie between the two ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -420,12 +420,8 @@ fn write_gif(out: &mut dyn Write, frames: Frames<'_>) -> io::Result<()> {
             film = Some(begun);
         }
         if let Some(film) = &mut film {
-            let pixels: Vec<u8> = frame
-                .pixels
-                .iter()
-                .flat_map(|[r, g, b, _]| [*r, *g, *b])
-                .collect();
-            let mut shown = gif::Frame::from_rgb_speed(width, height, &pixels, PALETTE_EFFORT);
+            let (palette, numbers) = palette::indexed(&frame.pixels);
+            let mut shown = gif::Frame::from_palette_pixels(width, height, numbers, palette, None);
             shown.delay = delay;
             film.write_frame(&shown).map_err(refused)?;
         }

@@ -65,7 +65,7 @@ pub enum ExportError {
 pub fn export_mesh(scene: &Scene, mesh: &Mesh) -> VertexMesh {
     let source = match scene.shading.mode {
         ShadingMode::Interpolated => NormalSource::Facet,
-        _ => scene.object.normals,
+        _ => scene.object.normal_source(),
     };
     mesh.with_vertex_normals(source, scene.object.weighting)
 }

@@ -6,7 +6,8 @@ mod program;
 use program::{Folder, pixels_of};
 use shading_lab::animation::{Course, FilmFormat, Sweep, SweepError, write_film};
 use shading_lab::render::{Frame, Renderer};
-use shading_lab::scene::Scene;
+use shading_lab::scene::{Scene, presets};
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::{BufReader, ErrorKind};
 
@@ -319,6 +320,70 @@ fn a_gif_has_the_very_colours_where_they_are_few() {
             .flat_map(|p| [p[0], p[1], p[2]])
             .collect();
         assert_eq!(shown, pixels_of(&folder.0.join(format!("f{number}.png"))));
+    }
+}
+
+/// Frames as they were drawn, and as a GIF of them shows them.
+fn through_a_gif(name: &str, size: [u32; 2]) -> Vec<(Frame, Vec<u8>)> {
+    let mut scene = presets::find(name).expect("built in").scene();
+    scene.image.size = size;
+    let ends = (["camera.roll=0"], ["camera.roll=30"]);
+    let course = Course { frames: 2, ..STEPS };
+    let sweep = Sweep::new(&scene, &ends.0, &ends.1, course).expect("a sweep");
+    let (mut renderer, mut film, mut drawn) = (Renderer::default(), Vec::new(), Vec::new());
+    let mut draw = |scene: &Scene| {
+        drawn.push(renderer.render(scene).clone());
+        drawn.last().cloned()
+    };
+    write_film(&mut film, FilmFormat::Gif, &sweep, 1.0, &mut draw).expect("a film");
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(&film[..]).expect("a GIF");
+    let mut shown = Vec::new();
+    while let Some(frame) = decoder.read_next_frame().expect("a frame") {
+        shown.push(frame.buffer.to_vec());
+    }
+    drawn.into_iter().zip(shown).collect()
+}
+
+#[test]
+fn a_gif_uses_all_of_its_palette_and_is_off_by_a_few_codes() {
+    // What the pictures' own colours allow: many lights have more than a palette can come near.
+    for (name, size, most, rms) in [
+        ("sphere", [48, 48], 2, 0.3),
+        ("gold", [64, 64], 4, 0.6),
+        ("rings", [80, 60], 4, 0.6),
+        ("shadows", [96, 72], 8, 1.5),
+        ("three-lights", [96, 96], 8, 1.5),
+        ("colored-lights", [160, 120], 24, 3.0),
+    ] {
+        let frames = through_a_gif(name, size);
+        assert_eq!(frames.len(), 2);
+        for (frame, shown) in frames {
+            let (mut drawn, mut used) = (BTreeSet::new(), BTreeSet::new());
+            let (mut greatest, mut sum) = (0, 0.0);
+            for (pixel, code) in frame.pixels.iter().zip(shown.chunks(4)) {
+                drawn.insert(*pixel);
+                used.insert(code.to_vec());
+                assert_eq!(code[3], 255, "{name}: transparent");
+                for (a, b) in pixel.iter().zip(code) {
+                    greatest = greatest.max(a.abs_diff(*b));
+                    sum += f64::from(a.abs_diff(*b)).powi(2);
+                }
+            }
+            let mean = (sum / (3.0 * frame.pixels.len() as f64)).sqrt();
+            assert!(
+                greatest <= most && mean <= rms,
+                "{name}: off by {greatest} codes, RMS {mean:.2}"
+            );
+            // Two boxes may have the same mean, once rounded.
+            assert!(
+                used.len() + 8 >= drawn.len().min(256),
+                "{name}: {} of {} colours",
+                used.len(),
+                drawn.len()
+            );
+        }
     }
 }
 

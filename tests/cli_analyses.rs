@@ -92,6 +92,32 @@ fn curves_are_the_probes_own() {
 }
 
 #[test]
+fn lights_are_counted_from_1_by_people_and_from_0_in_keys() {
+    let folder = Folder::new("curves-lights");
+    for number in 1..=3 {
+        let light = number.to_string();
+        let arguments = ["curves", "three-lights", "--light", &light];
+        let text = folder.prints(&arguments);
+        assert!(text.contains(&format!(", light {number}\n")), "{text}");
+        let object = folder.json(&[&arguments[..], &["--json"]].concat());
+        assert_eq!(object["light"], number - 1);
+    }
+    // A true minus sign, and none before a zero.
+    let text = folder.prints(&["curves", "sphere", "--pixel", "230,384"]);
+    let angles: Vec<&str> = text
+        .lines()
+        .filter(|line| line.ends_with("° from N"))
+        .collect();
+    assert!(
+        angles.len() == 4
+            && angles
+                .iter()
+                .all(|line| !line.contains("-") && !line.contains("−0.0°")),
+        "{angles:?}"
+    );
+}
+
+#[test]
 fn curves_that_cannot_be_are_refused() {
     let folder = Folder::new("curves-refused");
     folder.refuses(
@@ -103,9 +129,13 @@ fn curves_that_cannot_be_are_refused() {
         "expected attenuation, exponent, reflectance or lobe",
     );
     folder.fails(
-        &["curves", "sphere", "--light", "1"],
+        &["curves", "three-lights", "--light", "4"],
         2,
-        &["error: --light 1: no such light in the scene, expected 0 to 0"],
+        &["error: --light 4: no such light in the scene, expected 1 to 3"],
+    );
+    folder.refuses(
+        &["curves", "three-lights", "--light", "0"],
+        "expected a whole number from 1 to",
     );
     folder.fails(
         &["curves", "sphere", "--pixel", "768,0"],
@@ -143,7 +173,7 @@ fn curves_that_cannot_be_are_refused() {
             "380,380",
         ],
         2,
-        &["error: light 0 is behind the surface at pixel 380,380, expected one in front of it"],
+        &["error: light 1 is behind the surface at pixel 380,380, expected one in front of it"],
     );
     assert!(folder.names().is_empty());
 }

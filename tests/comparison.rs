@@ -1,7 +1,7 @@
 //! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
 
 use shading_lab::analysis::{
-    DrawnPane, ErrorFigures, LinearPicture, PaneArea, brightest, comparison_sheet,
+    DrawnPane, ErrorFigures, ErrorRegion, LinearPicture, PaneArea, brightest, comparison_sheet,
     difference_picture, difference_scale, draw_panes, error_figures, luminance, pane_areas,
     pane_figures, panes_on_sheet, probe, region_errors,
 };
@@ -388,14 +388,20 @@ fn figures_are_of_the_object_alone_and_clamped_as_the_display_does() {
         rms: (0.3125_f64 / 9.0).sqrt(),
         greatest: 0.5,
         at: Some([1, 1]),
+        region: Some(ErrorRegion::Outline),
     };
     assert_eq!(figures, expected);
     let open = |pixels| LinearPicture {
         clamps: false,
         ..picture(pixels)
     };
-    assert_eq!(error_figures(open(&a), open(&b)).greatest, 2.0);
-    assert_eq!(error_figures(picture(&a), picture(&a)).at, None);
+    let unclamped = error_figures(open(&a), open(&b));
+    assert_eq!(
+        (unclamped.greatest, unclamped.at, unclamped.region),
+        (2.0, Some([1, 0]), Some(ErrorRegion::Inside))
+    );
+    let same = error_figures(picture(&a), picture(&a));
+    assert_eq!((same.at, same.region), (None, None));
 }
 
 #[test]

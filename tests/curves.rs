@@ -12,8 +12,8 @@ use shading_lab::analysis::{Curve, Ink, Plot, PlotKind, Probe, ReflectionLobe, p
 use shading_lab::illumination::{Index, attenuation_at, half_width};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Attenuation, Backfacing, Camera, Light, LightKind, Reflectance, ReflectionModel, Rgb, Scene,
-    Viewer, presets,
+    Attenuation, Backfacing, Camera, Distribution, Light, LightKind, Reflectance, ReflectionModel,
+    Rgb, Scene, Viewer, presets,
 };
 
 fn preset(name: &str) -> Scene {
@@ -109,6 +109,53 @@ fn microfacets_have_the_curve_of_their_distribution() {
             near(value(&plot.curves[0], degrees), beckmann, 1e-3);
         }
         assert!(plot.y.high >= 1.0 && plot.curves[0].points.iter().all(|[_, y]| *y <= plot.y.high));
+    }
+}
+
+/// φ lies between R and V; the models that measure N and H have α.
+#[test]
+fn the_highlights_angle_has_the_letter_of_its_model() {
+    let scene = preset("sphere");
+    for (model, distribution, letter, other) in [
+        (ReflectionModel::Phong, Distribution::Beckmann, 'φ', 'α'),
+        (ReflectionModel::Blinn, Distribution::Beckmann, 'α', 'φ'),
+        (
+            ReflectionModel::CookTorrance,
+            Distribution::Beckmann,
+            'α',
+            'φ',
+        ),
+        (ReflectionModel::CookTorrance, Distribution::Ggx, 'α', 'φ'),
+    ] {
+        let mut scene = scene.clone();
+        (scene.reflection.model, scene.reflection.distribution) = (model, distribution);
+        let (renderer, probe) = probed(&scene);
+        let terms = &probe.hit.as_ref().expect("the sphere").lights[0];
+        let angle = if letter == 'φ' {
+            terms.phi
+        } else {
+            terms.alpha
+        };
+        let plot = plot(PlotKind::Exponent, &renderer, &scene, &probe, 0).expect("a plot");
+        let mark = plot
+            .marks
+            .iter()
+            .find(|mark| mark.probe)
+            .expect("the probe's");
+        near(mark.x, angle.to_degrees(), 1e-9);
+        let texts = [
+            &plot.title,
+            &plot.note,
+            &plot.x.name,
+            &plot.y.name,
+            &mark.label,
+        ];
+        assert!(
+            texts
+                .iter()
+                .all(|text| text.contains(letter) && !text.contains(other)),
+            "{texts:?}"
+        );
     }
 }
 

@@ -79,9 +79,10 @@ fn silent_lights_are_left_out() {
     let mute = scene("three-lights", &["light.1.mute=true"]);
     let text = &snippet(&mute).parts[0].text;
     assert!(
-        text.contains("Light 0")
-            && !text.contains("Light 1,")
-            && text.contains("Light 2")
+        text.contains("Light 1")
+            && !text.contains("Light 0")
+            && !text.contains("Light 2,")
+            && text.contains("Light 3")
             && !text.contains("GL_LIGHT2")
     );
     let shaders = glsl_330(&mute);
@@ -127,7 +128,7 @@ fn fixed_function_names_what_it_cannot_say() {
         ("pattern.kind=checker", "pattern"),
         (
             "light.0.attenuation=viewer",
-            "Light 0: attenuation by the distance to the viewer",
+            "Light 1: attenuation by the distance to the viewer",
         ),
         ("light.0={kind=\"spot\", softness=0.5}", "soft edge"),
         ("light.0={kind=\"spot\", exponent=200}", "GL_SPOT_EXPONENT"),
@@ -295,7 +296,7 @@ fn a_name_cannot_end_a_comment() {
     assert!(
         snippet(&hostile).parts[0]
             .text
-            .contains("Light 0 \"key light\", a point light")
+            .contains("Light 1 \"key light\", a point light")
     );
 }
 

@@ -32,15 +32,15 @@ fn terms(scene: &Scene, light: &Light, position: DVec3, n: DVec3, v: DVec3) -> L
         _ => (light.position - position).normalize(),
     };
     let (r, h) = (2.0 * n.dot(l) * n - l, (l + v).normalize());
-    let phi = if scene.reflection.model == ReflectionModel::Blinn {
-        n.angle_between(h)
-    } else {
-        r.angle_between(v)
+    let (phi, alpha) = (r.angle_between(v), n.angle_between(h));
+    let lobe = match scene.reflection.model {
+        ReflectionModel::Phong => phi,
+        ReflectionModel::Blinn | ReflectionModel::CookTorrance => alpha,
     };
     let lit = if n.dot(l) > 0.0 { 1.0 } else { 0.0 };
     let diffuse = light.color * scene.material.kd * scene.material.color * n.dot(l) * lit;
     let specular =
-        light.color * scene.material.ks * phi.cos().max(0.0).powf(scene.material.n) * lit;
+        light.color * scene.material.ks * lobe.cos().max(0.0).powf(scene.material.n) * lit;
     let theta = n.angle_between(l);
     LightTerms {
         kind: light.kind,
@@ -50,6 +50,7 @@ fn terms(scene: &Scene, light: &Light, position: DVec3, n: DVec3, v: DVec3) -> L
         n_dot_l: n.dot(l),
         theta,
         phi,
+        alpha,
         attenuation: 1.0,
         spot: 1.0,
         reflectance: Rgb::ONE,

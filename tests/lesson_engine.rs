@@ -221,6 +221,14 @@ fn a_place_is_where_the_closed_form_has_it() {
     let question =
         "kind = \"point\"\nfind = \"zero\"\nof = \"probe.lights[0].n_dot_l\"\ntolerance = 0.03";
     let room = Room::new("\"light.0.direction=[-1,0,0]\"]", question);
+    let Solution::Places(places) = room.solve() else {
+        panic!("places");
+    };
+    assert!(
+        places[0].length() < 0.02,
+        "an end stands for all: {}",
+        places[0]
+    );
     for y in [-0.2, 0.0, 0.25] {
         assert!(room.grade(&Answer::Point([0.0, y])).right, "{y}");
     }

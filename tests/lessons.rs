@@ -132,6 +132,37 @@ fn the_right_answer_scores_full_marks_and_a_wrong_one_does_not() {
     );
 }
 
+/// What is asked for is what counts as right: the place on the scan line, not any of the same intensity.
+#[test]
+fn half_of_the_change_along_the_scan_line_is_in_its_middle() {
+    let lesson = shading_lab::lesson::find("scan-line").expect("a lesson");
+    let lesson = lesson.lesson_in(Language::English);
+    let asked = |step: &&Step| {
+        let question = step.question.as_ref();
+        question.is_some_and(|question| matches!(question.kind, Kind::Point { .. }))
+    };
+    let step = lesson.steps.iter().find(asked).expect("a click");
+    let question = step.question.as_ref().expect("a question");
+    let staged = step.stage.load(None).expect("a scene");
+    let lab = Lab::new(&staged);
+    let place = lab.place(&staged);
+    let solution = question.solve(place, 1).expect("a solution");
+    let Solution::Places(places) = &solution else {
+        panic!("places");
+    };
+    assert!(places[0].length() < 0.01, "{places:?}");
+    for (x, y, right) in [
+        (0.0, 0.0, true),
+        (0.02, -0.02, true),
+        (-0.25, -0.08, false),
+        (0.0, 0.1, false),
+        (0.1, 0.0, false),
+    ] {
+        let grade = Answer::Point([x, y]).grade(question, &solution, place);
+        assert_eq!(grade.map(|grade| grade.right), Some(right), "({x}, {y})");
+    }
+}
+
 fn kind(question: &Question) -> &'static str {
     match question.kind {
         Kind::Choice { .. } => "choice",

@@ -3,12 +3,15 @@
 
 use glam::{DVec2, DVec3, Vec3};
 use shading_lab::analysis::{
-    LitVertex, NeedleKind, Needles, NormalField, OverlayLayer, OverlayOptions, VertexNormal,
+    About, Answer, LitVertex, NeedleKind, Needles, NormalField, NormalsQuestion, OverlayLayer,
+    OverlayOptions, Question, Subject, VertexNormal, unwatched,
 };
+use shading_lab::export::glsl_330;
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, NormalOrigin, tessellate};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, View, Weighting, presets,
+    Choice, NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, View, Weighting,
+    presets,
 };
 use std::sync::Arc;
 use tiny_skia::Pixmap;
@@ -520,6 +523,56 @@ fn a_model_without_normals_is_shaded_with_the_weighting_that_it_asks_for() {
     for given in [NormalSource::Exact, NormalSource::File] {
         assert!(draw(given, Weighting::Angle) == by_angle, "{given:?}");
     }
+}
+
+/// A built-in shape comes with no file: its normals from there are averaged, in the picture and in words.
+#[test]
+fn a_built_in_shape_has_no_normals_of_a_file() {
+    let faceted = |kind: ObjectKind, normals| {
+        let mut scene = Scene::default();
+        (scene.object.kind, scene.object.normals) = (kind, normals);
+        (scene.object.segments, scene.object.rings) = (6, 4);
+        scene.object.weighting = Weighting::Angle;
+        scene.image.size = [48, 48];
+        scene
+    };
+    let shapes = ObjectKind::VALUES
+        .iter()
+        .copied()
+        .filter(|kind| kind.has_surface());
+    let mut told_apart = 0;
+    for kind in shapes {
+        let draw = |normals| {
+            let scene = faceted(kind, normals);
+            let mut renderer = Renderer::default();
+            let pixels = renderer.render(&scene).pixels.clone();
+            let field = NormalField::new(&renderer, &scene.object);
+            assert!(field.holds(&renderer, &scene.object));
+            (pixels, field.source, field.weighs())
+        };
+        let file = draw(NormalSource::File);
+        assert!(file == draw(NormalSource::Averaged), "{kind:?}");
+        told_apart += usize::from(file.0 != draw(NormalSource::Exact).0);
+    }
+    assert!(told_apart >= 4, "{told_apart}");
+    let subject = Subject {
+        scene: faceted(ObjectKind::Sphere, NormalSource::File),
+        model: None,
+        clock: || 0,
+    };
+    let question = NormalsQuestion::default();
+    let about = About {
+        name: "sphere",
+        scene: &subject.scene,
+    };
+    let answer: &dyn Answer = &question.answer(&subject, &unwatched).expect("a vertex");
+    let text = answer.text(&about);
+    assert!(text.contains("weighted by angle"), "{text}");
+    let host = &glsl_330(&subject.scene).parts[0].text;
+    assert!(
+        host.contains("the mean of the polygons' at the vertex"),
+        "{host}"
+    );
 }
 
 #[test]

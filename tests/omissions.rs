@@ -3,6 +3,7 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
+use shading_lab::analysis::probe;
 use shading_lab::render::{Frame, Per, Renderer, Term};
 use shading_lab::scene::{
     Attenuation, Backfacing, Choice, CuedBy, Distribution, Interpolation, Light, LightKind,
@@ -324,6 +325,73 @@ fn reasons_and_counts_are_those_of_the_scene() {
             .iter()
             .all(|term| term.omitted.is_none() || (term.per == Per::None && term.evaluations == 0))
     );
+}
+
+/// Rows of a band of the picture.
+const BAND: u32 = 16;
+
+/// How often another face begins along the rows of the bands, from the faces that the pixels see; bands of a convex solid are
+/// filled face by face.
+fn faces_begun(renderer: &mut Renderer, scene: &Scene, convex: bool) -> u64 {
+    let [width, height] = scene.image.size;
+    let mut count = 0;
+    for first in (0..height).step_by(BAND as usize) {
+        let rows = first..height.min(first + BAND);
+        let pixels = rows.flat_map(|y| (0..width).map(move |x| (x, y)));
+        let mut faces: Vec<u32> = pixels
+            .filter_map(|(x, y)| probe(renderer, scene, x, y).hit?.face)
+            .collect();
+        if convex {
+            faces.sort_unstable();
+        }
+        faces.dedup();
+        count += faces.len() as u64;
+    }
+    count
+}
+
+#[test]
+fn flat_shading_rounds_once_for_each_polygon_that_begins() {
+    let scene = |settings: &[&str]| {
+        let flat = ["shading.mode=flat", "image.size=[48,40]"];
+        let settings = [&flat[..], settings].concat();
+        Scene::default()
+            .with_overrides(&settings)
+            .expect("settings")
+    };
+    let one = [
+        "object.kind=plane",
+        "object.segments=1",
+        "object.rings=1",
+        "image.size=[64,64]",
+    ];
+    for (settings, convex, expected) in [
+        (&one[..], false, Some(4)),
+        (&["object.kind=torus", "object.segments=9"], false, None),
+        (
+            &[
+                "object.kind=corrugated",
+                "object.segments=4",
+                "object.rings=1",
+                "shading.flat_at=vertex-mean",
+            ],
+            false,
+            None,
+        ),
+        (&["object.kind=sphere", "object.segments=7"], true, None),
+    ] {
+        let scene = scene(settings);
+        let mut renderer = Renderer::default();
+        renderer.render(&scene);
+        let term = find(&renderer.terms(), "rounding to code values").clone();
+        let begun = faces_begun(&mut renderer, &scene, convex);
+        assert_eq!(
+            (term.per, term.evaluations),
+            (Per::Face, begun),
+            "{settings:?}"
+        );
+        assert!(expected.is_none_or(|expected| expected == begun), "{begun}");
+    }
 }
 
 #[test]

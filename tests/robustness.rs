@@ -164,6 +164,7 @@ fn not_finite(probe: &Probe) -> Option<&'static str> {
             ("N·L", light.n_dot_l),
             ("θ", light.theta),
             ("φ", light.phi),
+            ("α", light.alpha),
             ("the incidence", light.incidence),
         ];
         numbers.extend(angles);

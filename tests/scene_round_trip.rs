@@ -278,11 +278,20 @@ prop_compose! {
 }
 
 #[test]
-fn a_sound_scene_survives_its_file() {
+fn a_sound_scene_survives_its_file_and_its_settings() {
     let run = || {
         proptest!(|(scene in scene())| {
             prop_assert_eq!(scene.validate(), Ok(()));
-            prop_assert_eq!(Scene::parse(&scene.to_toml(), "s.toml"), Ok(scene));
+            prop_assert_eq!(Scene::parse(&scene.to_toml(), "s.toml"), Ok(scene.clone()));
+            let mut base = Scene::default();
+            base.lights.push(Light::default());
+            base.compare.panes.push(Pane::of(&["material.n=5"]));
+            for base in [Scene::default(), base] {
+                let settings = scene.settings_from(&base);
+                let made = base.with_overrides(&settings).expect("sound settings");
+                prop_assert!(made.differences(&scene).next().is_none(), "{settings:?}");
+                prop_assert_eq!(made.settings_from(&scene), Vec::<String>::new());
+            }
         });
     };
     // Without optimisation a whole scene's strategy needs more than the stack that a test has.

@@ -1,6 +1,7 @@
 //! Worksheets: every lesson becomes a page that is well formed and stands alone, and nothing of a lecturer's text gets into it
 //! as markup.
 
+use shading_lab::document::load_with;
 use shading_lab::lesson::{LESSONS, Lesson, Worksheet, check, in_words, worksheet};
 use shading_lab::text::{Language, in_language};
 use std::fs;
@@ -79,6 +80,55 @@ fn check_page(page: &str, name: &str) {
     );
 }
 
+/// The line under each step, given to a command, is the step's scene bit by bit, its lights and panes included.
+fn check_scene_lines(lesson: &Lesson, words: &str, name: &str) {
+    let lines: Vec<&str> = words
+        .lines()
+        .filter_map(|line| line.strip_prefix("    "))
+        .collect();
+    assert_eq!(lines.len(), lesson.steps.len(), "{name}");
+    for (line, step) in lines.into_iter().zip(&lesson.steps) {
+        let words = shell_words(line);
+        let (scene, options) = words.split_first().expect("a scene");
+        let settings: Vec<&String> = options
+            .chunks(2)
+            .map(|pair| match pair {
+                [option, setting] if option == "--set" => setting,
+                _ => panic!("{name}: {line}"),
+            })
+            .collect();
+        let shown = load_with(Path::new(scene), &settings, &mut |_, _| {}).expect(line);
+        let staged = step.stage.load(lesson.folder.as_deref()).expect("a scene");
+        let differing: Vec<_> = shown.scene.differences(&staged.scene).collect();
+        assert!(
+            differing.is_empty() && shown.scene == staged.scene,
+            "{name}, {}: {differing:?}",
+            step.title
+        );
+    }
+}
+
+/// The words of a command line, as a POSIX shell takes it apart.
+fn shell_words(line: &str) -> Vec<String> {
+    let (mut words, mut word, mut quoted) = (Vec::new(), String::new(), false);
+    let mut characters = line.chars();
+    while let Some(c) = characters.next() {
+        match c {
+            '\'' => quoted = !quoted,
+            _ if quoted => word.push(c),
+            ' ' => words.push(std::mem::take(&mut word)),
+            '\\' => word.extend(characters.next()),
+            _ => {
+                assert!(!"[]{}()<>*?;&|$`\"#~!".contains(c), "not quoted: {line}");
+                word.push(c);
+            }
+        }
+    }
+    assert!(!quoted, "{line}");
+    words.push(word);
+    words
+}
+
 #[test]
 fn every_lesson_has_a_worksheet_in_both_languages() {
     for lesson in &LESSONS {
@@ -111,6 +161,7 @@ fn every_lesson_has_a_worksheet_in_both_languages() {
                     "{name}"
                 );
                 let words = in_words(&lesson, 1, false).expect("words");
+                check_scene_lines(&lesson, &words, &name);
                 assert!(
                     !words.contains("{{") && words.starts_with(&lesson.title),
                     "{name}"
@@ -338,6 +389,21 @@ fn the_command_lists_prints_and_writes() {
         words.contains("number 20.0") && words.contains("Because *one*"),
         "{words}"
     );
+    // A scene file of the lecturer's, from another folder, with all that a shell could take apart.
+    let [text, folder_of_scene] = [HOSTILE, "the lecturer's $HOME"];
+    let inner = folder.join(folder_of_scene);
+    fs::create_dir_all(&inner).expect("a folder");
+    fs::write(inner.join("a b.toml"), "version = 1\n").expect("a file");
+    let (before, after) = text.split_once("scene = \"sphere\"").expect("a scene");
+    let panes = r#"panes = ["compare.name=It's \"$1\";material.n=5", "shading.mode=flat"]"#;
+    let text = format!("{before}scene = \"a b.toml\"\nlights = 3\n{panes}{after}");
+    fs::write(inner.join("own.md"), &text).expect("a file");
+    let path = inner.join("own.md");
+    let own = Lesson::open(&path).expect("a lesson");
+    let words = run(&folder, &["lesson", path.to_str().expect("Unicode")]);
+    assert!(words.status.success());
+    check_scene_lines(&own, &String::from_utf8_lossy(&words.stdout), "own");
+
     let words = run(&folder, &["lesson", "own.md", "--without-answers"]);
     assert!(!String::from_utf8_lossy(&words.stdout).contains("Because"));
 

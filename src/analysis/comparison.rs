@@ -8,7 +8,7 @@ pub use sheet::{
 };
 
 use super::perception::pixel_luminance;
-use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed};
+use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
 use super::{Question, Subject, Watch};
 use crate::scene::Scene;
 use crate::text;
@@ -75,6 +75,28 @@ pub struct ErrorFigures {
     pub greatest: f64,
     /// The first pixel that has it; nothing where nothing differs.
     pub at: Option<[u32; 2]>,
+    /// Where that pixel is.
+    pub region: Option<ErrorRegion>,
+}
+
+/// A part of the pixels that show an object in two pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ErrorRegion {
+    /// Both show the object.
+    Inside,
+    /// One of them shows it, the other what is beside it.
+    Outline,
+}
+
+impl ErrorRegion {
+    /// Its name in the language of the moment.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Inside => text!("picture-region-inside"),
+            Self::Outline => text!("picture-region-outline"),
+        }
+    }
 }
 
 /// The error of `picture` against `reference`, which is as large.
@@ -91,6 +113,10 @@ fn error_figures_where(
     counts: impl Fn(usize) -> bool + Sync,
 ) -> ErrorFigures {
     let count = picture.pixels.len().min(reference.pixels.len());
+    let region = |index| match picture.shows(index) == reference.shows(index) {
+        true => ErrorRegion::Inside,
+        false => ErrorRegion::Outline,
+    };
     // Of a part the sums in place of the means.
     let part = |chunk: usize| {
         let mut part = ErrorFigures::default();
@@ -102,6 +128,7 @@ fn error_figures_where(
                 part.rms += difference * difference;
                 if difference > part.greatest {
                     (part.greatest, part.at) = (difference, Some(picture.at(index)));
+                    part.region = Some(region(index));
                 }
             }
         }
@@ -118,7 +145,7 @@ fn error_figures_where(
         total.mean += part.mean;
         total.rms += part.rms;
         if part.greatest > total.greatest {
-            (total.greatest, total.at) = (part.greatest, part.at);
+            (total.greatest, total.at, total.region) = (part.greatest, part.at, part.region);
         }
     }
     #[expect(
@@ -298,6 +325,8 @@ fn table(panes: &[PaneFigures]) -> Table {
         Column::shown(text!("picture-column-at"), as_it_is).extra(),
         Column::key("x"),
         Column::key("y"),
+        Column::shown(text!("picture-column-region"), as_it_is),
+        Column::key("region"),
     ]);
     for PaneFigures {
         name,
@@ -307,6 +336,7 @@ fn table(panes: &[PaneFigures]) -> Table {
     } in panes
     {
         let (peak, at) = (brightest.map(|b| b.at), error.and_then(|e| e.at));
+        let region = error.and_then(|e| e.region);
         table.rows.push(cells![
             name.as_str(),
             brightest.map(|b| b.value),
@@ -319,6 +349,8 @@ fn table(panes: &[PaneFigures]) -> Table {
             at.map(|[x, y]| format!("{x},{y}")),
             at.map(|at| at[0]),
             at.map(|at| at[1]),
+            region.map(ErrorRegion::name),
+            region.as_ref().map(word),
         ]);
     }
     table

@@ -28,7 +28,7 @@ pub struct CurvesQuestion {
     pub kind: Option<PlotKind>,
     /// The pixel whose values are marked; otherwise the clearest one.
     pub pixel: Option<[u32; 2]>,
-    /// The light whose attenuation and lobe are plotted; otherwise the first that the point faces.
+    /// The light whose attenuation and lobe are plotted, by its number from 0; otherwise the first that the point faces.
     pub light: Option<usize>,
 }
 
@@ -91,7 +91,10 @@ impl Curves {
         let hit = self.hit.as_ref();
         let terms = hit.and_then(|hit| hit.lights.get(self.light));
         match kind {
-            PlotKind::Exponent => Some(exponent_plot(scene, terms.map(|terms| terms.phi))),
+            PlotKind::Exponent => {
+                let angle = terms.map(|terms| terms.lobe_angle(scene.reflection.model).1);
+                Some(exponent_plot(scene, angle))
+            }
             PlotKind::Reflectance => {
                 Some(reflectance_plot(scene, terms.map(|terms| terms.incidence)))
             }
@@ -118,9 +121,9 @@ impl Question for CurvesQuestion {
         let light = match self.light {
             Some(light) if light >= count => {
                 return Err(if count == 0 {
-                    text!("point-error-no-lights", light = light)
+                    text!("point-error-no-lights", light = light + 1)
                 } else {
-                    text!("point-error-no-such-light", light = light, last = count - 1)
+                    text!("point-error-no-such-light", light = light + 1, last = count)
                 });
             }
             Some(light) => light,
@@ -142,7 +145,7 @@ impl Question for CurvesQuestion {
         Err(match (kind, &probed.hit) {
             (PlotKind::Lobe, None) => text!("point-error-background", x = x, y = y),
             (PlotKind::Lobe, Some(_)) if light < count => {
-                text!("point-error-behind", light = light, x = x, y = y)
+                text!("point-error-behind", light = light + 1, x = x, y = y)
             }
             _ => text!("point-error-no-light").to_owned(),
         })

@@ -104,7 +104,7 @@ impl NormalField {
     pub fn new(renderer: &Renderer, object: &Object) -> Self {
         Self::of_mesh(
             Arc::clone(renderer.mesh_shown()),
-            object.normals,
+            object.normal_source(),
             object.weighting,
         )
     }
@@ -129,7 +129,7 @@ impl NormalField {
     pub fn holds(&self, renderer: &Renderer, object: &Object) -> bool {
         let same_weights = self.weighting == object.weighting || !self.weighs();
         Arc::ptr_eq(&self.mesh, renderer.mesh_shown())
-            && self.source == object.normals
+            && self.source == object.normal_source()
             && same_weights
     }
 

@@ -23,7 +23,7 @@ pub use zero::{ZeroCause, ZeroCauses};
 
 use crate::illumination::Equation;
 use crate::render::{Evaluation, Renderer, Transmission};
-use crate::scene::{LightKind, ReflectionModel, Rgb, Scene};
+use crate::scene::{Backfacing, LightKind, ReflectionModel, Rgb, Scene};
 use crate::text;
 use glam::DVec3;
 use serde::{Serialize, Serializer};
@@ -117,9 +117,12 @@ pub struct LightTerms {
     /// Angle between N and L, radians.
     #[serde(serialize_with = "in_degrees")]
     pub theta: f64,
-    /// Angle between R and V, radians (between N and H for the models that measure those).
+    /// Angle between R and V, radians.
     #[serde(serialize_with = "in_degrees")]
     pub phi: f64,
+    /// Angle between N and H, radians; N is turned towards the light where surfaces have two sides.
+    #[serde(serialize_with = "in_degrees")]
+    pub alpha: f64,
     /// The factor f; the mean of an area light's samples.
     pub attenuation: f64,
     /// The part of its intensity that a spot light sends this way; 1 for other lights.
@@ -146,6 +149,15 @@ pub struct LightTerms {
 }
 
 impl LightTerms {
+    /// The angle whose cosine a reflection model raises or distributes, with its letter: φ, or α for the models that measure
+    /// N and H.
+    pub fn lobe_angle(&self, model: ReflectionModel) -> (&'static str, f64) {
+        match model {
+            ReflectionModel::Phong => ("φ", self.phi),
+            ReflectionModel::Blinn | ReflectionModel::CookTorrance => ("α", self.alpha),
+        }
+    }
+
     /// Why the diffuse term is 0, in a clause; nothing where it adds something.
     pub fn why_no_diffuse(&self) -> Option<String> {
         self.diffuse_zero.clauses("Kd·Od")
@@ -312,18 +324,22 @@ fn light_terms(
         light,
         [diffuse, specular],
     );
-    let phi = match scene.reflection.model {
-        ReflectionModel::Phong => angle(here.r, here.v),
-        ReflectionModel::Blinn | ReflectionModel::CookTorrance => angle(evaluation.normal, here.h),
+    let n_dot_l = evaluation.normal.dot(here.l);
+    let flips = scene.reflection.backfacing == Backfacing::Flip && n_dot_l < 0.0;
+    let facing = if flips {
+        -evaluation.normal
+    } else {
+        evaluation.normal
     };
     LightTerms {
         kind: scene.lights[light].kind,
         l: here.l,
         r: here.r,
         h: here.h,
-        n_dot_l: evaluation.normal.dot(here.l),
+        n_dot_l,
         theta: angle(evaluation.normal, here.l),
-        phi,
+        phi: angle(here.r, here.v),
+        alpha: angle(facing, here.h),
         attenuation: here.attenuation,
         spot: here.spot,
         reflectance: here.reflectance,

@@ -277,11 +277,12 @@ fn plot_text(plot: &Plot) -> String {
     }
     text.extend(plot.marks.iter().map(|mark| format!("  {}\n", mark.label)));
     let from = text!("report-from-normal");
-    text.extend(
-        plot.directions
-            .iter()
-            .map(|arrow| format!("  {:20}{:11.1}° {from}\n", arrow.letter, arrow.angle)),
-    );
+    text.extend(plot.directions.iter().map(|arrow| {
+        // No minus sign before a zero.
+        let tenths = (10.0 * arrow.angle).round() / 10.0 + 0.0;
+        let angle = format!("{tenths:.1}°").replace('-', "−");
+        format!("  {:20}{angle:>12} {from}\n", arrow.letter)
+    }));
     text
 }
 

@@ -253,7 +253,7 @@ pub struct Curves {
     kind: Option<PlotKind>,
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
     pixel: Option<[u32; 2]>,
-    #[arg(long, value_name = "I")]
+    #[arg(long, value_name = "I", value_parser = whole::<usize>(1..=Scene::MAX_LIGHTS as u32))]
     light: Option<usize>,
 }
 
@@ -266,7 +266,7 @@ impl Asks for Curves {
         Ok(CurvesQuestion {
             kind: self.kind,
             pixel: checked(self.pixel, scene)?,
-            light: self.light,
+            light: self.light.map(|number| number - 1),
         })
     }
 }

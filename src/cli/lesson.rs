@@ -148,7 +148,8 @@ fn steps(lesson: &Lesson) -> Value {
         .iter()
         .map(|step| {
             json!({
-                "title": step.title, "scene": step.stage.scene, "set": step.stage.set, "view": step.stage.view,
+                "title": step.title, "scene": step.stage.scene, "lights": step.stage.lights, "panes": step.stage.panes,
+                "set": step.stage.set, "view": step.stage.view,
                 "question": step.question.as_ref().map(|question| question.kind.name()),
             })
         })

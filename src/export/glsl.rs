@@ -97,7 +97,7 @@ pub fn glsl_330(scene: &Scene) -> Export {
 
 /// What the program around the shaders has to do.
 fn host(scene: &Scene) -> String {
-    let normals = match (scene.shading.mode, scene.object.normals) {
+    let normals = match (scene.shading.mode, scene.object.normal_source()) {
         (ShadingMode::Interpolated, _) | (_, NormalSource::Facet) => {
             "each polygon's own, so that no vertex is shared"
         }

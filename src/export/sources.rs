@@ -85,7 +85,7 @@ impl Emitter<'_> {
         } else {
             String::new()
         };
-        format!("Light {}{name}, {kind}", self.index)
+        format!("Light {}{name}, {kind}", self.index + 1)
     }
 
     /// D, the unit vector along the axis of a spot light's cone.

@@ -23,7 +23,7 @@ pub enum Solution {
     Choice(usize),
     /// The number.
     Value(f64),
-    /// Any of these is right, the first as good as any.
+    /// Any of these is right; the first stands for all of them where one is shown.
     Places(Vec<DVec2>),
     /// `[x, y]` at [`CURVE_POINTS`] abscissae, evenly.
     Curve(Vec<[f64; 2]>),
@@ -234,6 +234,10 @@ impl Find {
                 if 2 * covered > values.len() {
                     return Err(text!("lesson-point-anywhere").to_owned());
                 }
+                // The one that is shown as the right one is typical: not an end of the curve, at the object's outline.
+                let middle = places.iter().sum::<DVec2>() / places.len() as f64;
+                let off = |place: &DVec2| place.distance_squared(middle);
+                places.sort_by(|a, b| off(a).total_cmp(&off(b)));
                 Ok(places)
             }
         }

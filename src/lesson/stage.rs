@@ -51,6 +51,8 @@ pub struct Staged {
     pub name: String,
     /// The file, where it is one.
     pub path: Option<PathBuf>,
+    /// What makes that scene or file into the scene, as `--set` takes it.
+    pub settings: Vec<String>,
     /// What is shown of it.
     pub shown: Shown,
 }
@@ -70,7 +72,7 @@ impl Stage {
         let none: [&str; 0] = [];
         let loaded = load_with(&source, &none, &mut |_, _| {});
         let loaded = loaded.map_err(|error| wrong(error.to_string()))?;
-        let mut scene = loaded.scene;
+        let mut scene = loaded.scene.clone();
         if let Some(count) = self.lights {
             scene.lights.resize(count, Default::default());
         }
@@ -81,8 +83,10 @@ impl Stage {
             }
         }
         let scene = scene.with_overrides(&self.set);
+        let scene = scene.map_err(|error| wrong(error.to_string()))?;
         Ok(Staged {
-            scene: scene.map_err(|error| wrong(error.to_string()))?,
+            settings: scene.settings_from(&loaded.scene),
+            scene,
             model: loaded.model,
             name: loaded.name,
             path: loaded.path,

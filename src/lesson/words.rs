@@ -3,7 +3,7 @@
 use super::class::{Asked, letter};
 use super::links::without_closed_links;
 use super::worksheet::answer_words;
-use super::{Kind, Lab, Lesson, LessonError, Question};
+use super::{Kind, Lab, Lesson, LessonError, Question, Staged};
 use crate::text::text;
 use std::fmt::Write as _;
 
@@ -31,14 +31,7 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
             step.title,
             without_marks(text.trim())
         );
-        let mut settings = vec![step.stage.scene.clone()];
-        settings.extend(
-            step.stage
-                .set
-                .iter()
-                .map(|setting| ["--set", setting].join(" ")),
-        );
-        let _ = writeln!(out, "\n    {}", settings.join(" "));
+        let _ = writeln!(out, "\n    {}", arguments(&staged, &step.stage.scene));
         let Some(question) = &step.question else {
             continue;
         };
@@ -64,6 +57,25 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
         let _ = write!(out, "\n{heading}\n\n{}\n", right.trim_end());
     }
     Ok(out)
+}
+
+/// Returns a step's scene as the arguments of any command that takes a scene.
+fn arguments(staged: &Staged, name: &str) -> String {
+    let path = staged.path.as_ref().map(|path| path.display().to_string());
+    let mut words = shell_word(path.as_deref().unwrap_or(name));
+    for setting in &staged.settings {
+        let _ = write!(words, " --set {}", shell_word(setting));
+    }
+    words
+}
+
+/// Returns a word as a shell reads it: in single quotation marks where it would be taken apart without.
+fn shell_word(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_.,:/=+".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', r"'\''"))
 }
 
 /// What there is to choose from, or what is expected.

@@ -48,12 +48,22 @@ impl Object {
     /// The finest tessellation in either direction: 4096 × 4096 quads are 33 million triangles.
     pub const MAX_DIVISIONS: u32 = 4096;
 
+    /// Returns where its vertex normals come from, which is what `normals` says as far as it is there: a built-in shape comes
+    /// with no file's normals, so they are averaged, and a model or a scene's polygons have no true surface beyond their own.
+    pub fn normal_source(&self) -> NormalSource {
+        match self.normals {
+            NormalSource::File if self.kind.has_surface() => NormalSource::Averaged,
+            NormalSource::Exact if !self.kind.has_surface() => NormalSource::File,
+            source => source,
+        }
+    }
+
     /// Whether vertex normals from this source may be averaged over faces: a surface has its own everywhere, but a model or a scene's
     /// polygons may lack some.
     pub fn averages(&self, source: NormalSource) -> bool {
         match source {
-            NormalSource::Averaged => true,
-            NormalSource::Exact | NormalSource::File => !self.kind.has_surface(),
+            NormalSource::Averaged | NormalSource::File => true,
+            NormalSource::Exact => !self.kind.has_surface(),
             NormalSource::Facet => false,
         }
     }

@@ -1,9 +1,9 @@
-//! Settings as short as `--set` takes them, for links.
+//! Settings as short as `--set` takes them, for links and for the lines of lessons.
 
 use super::Scene;
 use super::format::value_text;
 use super::overrides::parse_value;
-use super::parameter::Parameter;
+use super::parameter::{List, Parameter};
 use toml::Value;
 use toml::de::DeValue;
 
@@ -23,6 +23,27 @@ impl Parameter {
             0 | 1 => format!("[{text}]"),
             _ => text,
         })
+    }
+}
+
+impl Scene {
+    /// Returns the settings, as `--set` takes them, that make `base` into this scene, bit by bit. Where the two have different
+    /// numbers of lights or panes, that list begins anew. A model's path cannot be taken away.
+    pub fn settings_from(&self, base: &Self) -> Vec<String> {
+        let (mut base, mut settings) = (base.clone(), Vec::new());
+        for list in [List::Lights, List::Panes] {
+            let count = list.len(self);
+            if list.len(&base) != count {
+                list.renew(&mut base, count);
+                settings.push(format!("{}=[{}]", list.key(), vec!["{}"; count].join(", ")));
+            }
+        }
+        settings.extend(base.differences(self).map(|(parameter, index)| {
+            let value = parameter.short_setting(self, index);
+            let value = value.unwrap_or_else(|| parameter.setting(self, index));
+            format!("{}={value}", parameter.key(index))
+        }));
+        settings
     }
 }
 

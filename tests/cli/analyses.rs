@@ -92,6 +92,79 @@ fn a_probe_adds_up_to_its_pixel() {
 }
 
 #[test]
+fn phi_lies_between_r_and_v_and_alpha_between_n_and_h_in_every_model() {
+    let folder = Folder::new("probe-angles");
+    let degrees = |a: [f64; 3], b: [f64; 3]| dot(a, b).clamp(-1.0, 1.0).acos().to_degrees();
+    for (model, backfacing, lobe) in [
+        ("phong", "clamp", "(R·V)^n = cos^40 "),
+        ("blinn", "clamp", "(N·H)^n = cos^40 "),
+        ("blinn", "flip", "(N·H)^n = cos^40 "),
+        ("cook-torrance", "clamp", "S = "),
+    ] {
+        let sets = [
+            format!("reflection.model={model}"),
+            format!("reflection.backfacing={backfacing}"),
+            "material.n=40".to_owned(),
+            // From behind, where only the flipped normal is lit.
+            format!(
+                "light.0.position={}",
+                if backfacing == "flip" {
+                    "[3,1,-2]"
+                } else {
+                    "[2,2,3]"
+                }
+            ),
+        ];
+        let mut arguments = vec!["probe", "sphere", "--pixel", "330,310"];
+        sets.iter().for_each(|set| arguments.extend(["--set", set]));
+        let text = folder.prints(&arguments);
+        arguments.push("--json");
+        let probe = folder.json(&arguments);
+        let light = &probe["lights"][0];
+        let (mut n, h) = (vector(&probe["normal"]), vector(&light["h"]));
+        if backfacing == "flip" {
+            assert!(light["n_dot_l"].as_f64().expect("a cosine") < 0.0);
+            n = n.map(|part| -part);
+        }
+        let alpha = light["alpha"].as_f64().expect("degrees");
+        let phi = light["phi"].as_f64().expect("degrees");
+        assert!((alpha - degrees(n, h)).abs() < 1e-4, "{model}: α {alpha}");
+        let mirrored = degrees(vector(&light["r"]), vector(&probe["view"]));
+        assert!((phi - mirrored).abs() < 1e-4, "{model}: φ {phi}");
+        assert!((alpha - phi).abs() > 1.0, "the angles cannot be told apart");
+        for line in [
+            format!("{phi:.2}°  φ, R to V"),
+            format!("{alpha:.2}°  α, N to H"),
+        ] {
+            assert!(text.contains(&line), "{model}: {line}\n{text}");
+        }
+        let angle = if model == "phong" { phi } else { alpha };
+        let lobe = match model {
+            "cook-torrance" => lobe.to_owned(),
+            _ if angle > 90.0 => "points away".to_owned(),
+            _ => format!("{lobe}{angle:.2}°"),
+        };
+        assert!(text.contains(&lobe), "{model}: {lobe}\n{text}");
+    }
+    let gold = ["--set", "material.reflectance=gold"];
+    let text = folder.prints(&[&["probe", "sphere", "--pixel", "330,310"][..], &gold].concat());
+    assert!(text.contains("Ks·W(θ)·(R·V)^n]"), "{text}");
+    let text = folder.prints(&["probe", "three-lights", "--pixel", "384,500"]);
+    for number in 0..=4 {
+        let heading = text
+            .lines()
+            .any(|line| line.starts_with(&format!("light {number}")));
+        assert_eq!(heading, (1..=3).contains(&number), "light {number}\n{text}");
+    }
+    let one = ["--set", "light.0.kind=area", "--set", "light.0.samples=1"];
+    let text = folder.prints(&[&["probe", "sphere", "--pixel", "384,384"][..], &one].concat());
+    assert!(
+        text.contains("valuated at one point of the light\n"),
+        "{text}"
+    );
+}
+
+#[test]
 fn a_light_that_adds_nothing_says_why() {
     let folder = Folder::new("probe-why");
     let at = |pixel: &str, sets: &[&str]| {

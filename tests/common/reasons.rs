@@ -33,7 +33,7 @@ impl<'a> Judge<'a> {
         let normals = if facet {
             NormalSource::Facet
         } else {
-            scene.object.normals
+            scene.object.normal_source()
         };
         let vertices = mesh.with_vertex_normals(normals, scene.object.weighting);
         let exact = scene.shading.mode == ShadingMode::Exact;

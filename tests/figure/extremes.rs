@@ -65,7 +65,7 @@ fn numbers_beyond_reason_neither_panic_nor_reach_the_layout() {
                 1 => hit.normal = vector,
                 2 => hit.view = vector,
                 3 => (light.l, light.r, light.h) = (vector, vector, vector),
-                4 => (light.theta, light.phi) = (value, value),
+                4 => (light.theta, light.phi, light.alpha) = (value, value, value),
                 5 => (options.length, options.scale) = (Some(value), value),
                 6 => scene.lights[0].position = vector,
                 _ => {

@@ -107,7 +107,7 @@ cli-help-shared-version = Print version
 cli-help-shared-language = Language of the texts, instead of the system's
 cli-help-shared-source = A .toml, .obj or .png file, the name of a built-in scene, a link, or - for standard input
 cli-help-program-source = A .toml, .obj, .png or .md file, the name of a built-in scene, a link, or - for standard input
-cli-help-shared-set = Override one key of the scene, as in material.n=1005 or light.0.position=[2,2,3]
+cli-help-shared-set = Override one key of the scene, as in material.n=1005 or light.0.position=[2,2,3]; keys count lights from 0, so light.0 is light 1
 cli-help-shared-material = Use a named material (see `materials`); --set can then change it further
 cli-help-shared-url = Address of the page that links begin with, as in https://example.org/shading-lab/; the window remembers it
 cli-help-shared-seed = Number that decides what the questions of lessons draw at random
@@ -194,7 +194,7 @@ cli-help-curves = Plot the curves of local illumination at one pixel
     .long = f(d), the family of powers of a cosine, W(θ), and the specular lobe. Without a file it prints what the plots say in words and numbers.
 cli-help-curves-kind = Which plot: attenuation, exponent, reflectance or lobe; otherwise all that the scene has, f and W only where they vary
 cli-help-curves-pixel = The pixel whose values are marked, otherwise a lit one near the centre whose vectors are well apart
-cli-help-curves-light = The light whose attenuation and lobe are plotted, counted from 0; otherwise the first that the point faces
+cli-help-curves-light = The light whose attenuation and lobe are plotted, counted from 1; otherwise the first that the point faces
 cli-help-scenes = List the built-in scenes
 cli-help-materials = List the named materials of the OpenGL tradition, for --material
 cli-help-parameters = List every key of the scene file with its default, limits and meaning

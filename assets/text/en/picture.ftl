@@ -57,6 +57,9 @@ picture-column-brightest = brightest
 picture-column-mean = mean
 picture-column-greatest = greatest
 picture-column-at = at
+picture-column-region = which is
+picture-region-inside = inside
+picture-region-outline = at the outline
 
 # The normals of vertices
 picture-vertex-normal = Where a vertex normal comes from

@@ -47,7 +47,7 @@ point-legend-greatest = greatest I
 point-axis-from-viewer = { $symbol }, distance from the viewer (world units)
 point-axis-from-light = { $symbol }, distance from the light (world units)
 point-axis-theta = θ, angle of incidence (degrees)
-point-axis-phi = φ, angle between { $a } and { $b } (degrees)
+point-axis-lobe = { $letter }, angle between { $a } and { $b } (degrees)
 point-axis-from-normal = angle from N (degrees)
 point-red = red
 point-green = green
@@ -73,7 +73,7 @@ point-law-light = f = 1/(r + k), k = { $k }, r from the light
 point-law-none = f = 1: this light is not attenuated
 point-law-directional = f = 1: a directional light has no distance
 point-error-no-lights = --light { $light }: the scene has no light
-point-error-no-such-light = --light { $light }: no such light in the scene, expected 0 to { $last }
+point-error-no-such-light = --light { $light }: no such light in the scene, expected 1 to { $last }
 point-error-no-light = the scene has no light, expected one
 point-error-background = pixel { $x },{ $y } shows the background, expected one that shows the object
 point-error-behind = light { $light } is behind the surface at pixel { $x },{ $y }, expected one in front of it
@@ -126,7 +126,10 @@ point-what-t = transmitted
 point-over-centre = the polygon’s centre
 point-over-first-vertex = the polygon’s first vertex
 point-over-vertices = the polygon’s vertices
-point-over-samples = { $count } points of the light
+point-over-samples = { $count ->
+    [one] one point of the light
+   *[other] { $count } points of the light
+}
 point-and = { " and " }
 point-evaluated = Evaluated at { $over }
 point-evaluated-mean = Evaluated at { $over }. A bar over letters marks the mean.
@@ -188,6 +191,6 @@ point-report-places = Evaluated at { $places }. The vectors are those at the pix
 point-report-sampling = over the whole picture { $rms } (rms), { $greatest } (greatest) from { $samples } samples
 point-report-stored = sum and stored value
 point-report-fit = The constant Ia that fits the bounce in this picture best: { $r } { $g } { $b }
-point-report-light = light { $index }{ $name }, { $kind }, { $law }
+point-report-light = light { $number }{ $name }, { $kind }, { $law }
 point-report-share = { $name }, { $share } of the pixel’s luminance
 point-mean-of = mean of { $formula }

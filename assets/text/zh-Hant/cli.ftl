@@ -99,7 +99,7 @@ cli-help-shared-version = 顯示版本
 cli-help-shared-language = 文字的語言，取代系統語言
 cli-help-shared-source = .toml、.obj 或 .png 檔、內建場景的名稱、連結，或代表標準輸入的 -
 cli-help-program-source = .toml、.obj、.png 或 .md 檔、內建場景的名稱、連結，或代表標準輸入的 -
-cli-help-shared-set = 覆寫場景的一個鍵，例如 material.n=1005 或 light.0.position=[2,2,3]
+cli-help-shared-set = 覆寫場景的一個鍵，例如 material.n=1005 或 light.0.position=[2,2,3]；鍵中的光源從 0 起算，所以 light.0 是光源 1
 cli-help-shared-material = 使用具名材質（見 `materials`）；之後可再用 --set 修改
 cli-help-shared-url = 連結開頭的網頁位址，例如 https://example.org/shading-lab/；視窗會記住
 cli-help-shared-seed = 決定課程題目隨機取值的數字
@@ -186,7 +186,7 @@ cli-help-curves = 繪製一個像素的區域照明曲線
     .long = f(d)、餘弦的各次方、W(θ) 與鏡面反射葉。未指定檔案時，以文字與數字輸出圖表內容。
 cli-help-curves-kind = 圖表種類：attenuation、exponent、reflectance 或 lobe；否則為場景具有的全部圖表，f 與 W 只在有變化時列出
 cli-help-curves-pixel = 標示其數值的像素，否則取中央附近受光且各向量分明的像素
-cli-help-curves-light = 繪製其衰減與反射葉的光源，從 0 起算；否則取該點所面向的第一個光源
+cli-help-curves-light = 繪製其衰減與反射葉的光源，從 1 起算；否則取該點所面向的第一個光源
 cli-help-scenes = 列出內建場景
 cli-help-materials = 列出 OpenGL 傳統的具名材質，供 --material 使用
 cli-help-parameters = 列出場景檔的每個鍵及其預設值、範圍與意義

@@ -57,6 +57,9 @@ picture-column-brightest = 最亮
 picture-column-mean = 平均
 picture-column-greatest = 最大
 picture-column-at = 位置
+picture-column-region = 所在
+picture-region-inside = 內部
+picture-region-outline = 輪廓上
 
 # The normals of vertices
 picture-vertex-normal = 頂點法向量的來源

@@ -47,7 +47,7 @@ point-legend-greatest = 最大 I
 point-axis-from-viewer = { $symbol }，與觀察者的距離（世界單位）
 point-axis-from-light = { $symbol }，與光源的距離（世界單位）
 point-axis-theta = θ，入射角（度）
-point-axis-phi = φ，{ $a } 與 { $b } 的夾角（度）
+point-axis-lobe = { $letter }，{ $a } 與 { $b } 的夾角（度）
 point-axis-from-normal = 與 N 的夾角（度）
 point-red = 紅
 point-green = 綠
@@ -73,7 +73,7 @@ point-law-light = f = 1/(r + k)，k = { $k }，r 為與光源的距離
 point-law-none = f = 1：此光源不衰減
 point-law-directional = f = 1：平行光沒有距離可言
 point-error-no-lights = --light { $light }：場景中沒有光源
-point-error-no-such-light = --light { $light }：場景中沒有此光源，應為 0 到 { $last }
+point-error-no-such-light = --light { $light }：場景中沒有此光源，應為 1 到 { $last }
 point-error-no-light = 場景中沒有光源，至少需要一個
 point-error-background = 像素 { $x },{ $y } 顯示背景，請指定顯示物體的像素
 point-error-behind = 光源 { $light } 在像素 { $x },{ $y } 處位於表面背後，請指定位於正面的光源
@@ -179,6 +179,6 @@ point-report-places = 在{ $places }求值。向量則為像素中心處的向�
 point-report-sampling = 整張圖片與 { $samples } 個取樣相比：{ $rms }（均方根），{ $greatest }（最大）
 point-report-stored = 總和與儲存值
 point-report-fit = 最符合此圖片一次反射光的常數 Ia：{ $r } { $g } { $b }
-point-report-light = 光源 { $index }{ $name }，{ $kind }，{ $law }
+point-report-light = 光源 { $number }{ $name }，{ $kind }，{ $law }
 point-report-share = { $name }，占像素亮度的 { $share }
 point-mean-of = { $formula } 的平均

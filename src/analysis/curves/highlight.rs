@@ -1,4 +1,5 @@
-//! How the highlight falls with the angle φ: the family cosⁿ φ, and the polar lobe of a point.
+//! How the highlight falls with the angle φ between R and V, or α between N and H: the family of powers of its cosine, and
+//! the polar lobe of a point.
 
 use crate::analysis::probe::exponent;
 use crate::analysis::{
@@ -16,11 +17,9 @@ use std::f64::consts::{FRAC_PI_2, SQRT_2};
 pub const COURSE: [f64; 4] = [5.0, 15.0, 45.0, 1005.0];
 const DASHES: [Dash; 4] = [Dash::Long, Dash::Dashed, Dash::DashDot, Dash::Dotted];
 const TAGS: [f64; 4] = [0.44, 0.36, 0.28, 0.05];
-/// The course's highlight as a function of φ.
-const LOBE: &str = "cosⁿφ";
 /// Even steps of an angle in a right angle, a half of a degree each.
 const EVEN: i32 = 180;
-/// Steps in which a half-width is divided, and how many of them are sampled on each side: of the lobe, and of cosⁿ φ.
+/// Steps in which a half-width is divided, and how many of them are sampled on each side: of the lobe, and of the cosine's powers.
 const FINE: [[i32; 2]; 2] = [[16, 80], [12, 60]];
 /// The narrowest half-width that is sampled finely; a mirror's is none at all.
 const NARROW: f64 = 1e-4;
@@ -146,10 +145,11 @@ fn directions(lobe: &ReflectionLobe) -> Vec<Direction> {
         .collect()
 }
 
-/// The present falling of the highlight with φ, beside the course's exponents; `phi` is the probe's, radians.
+/// The present falling of the highlight with the angle that the model measures, beside the course's exponents; `angle` is the
+/// probe's, radians.
 ///
-/// For Cook and Torrance's model, which has no exponent, the present curve is the distribution of its microfacets, D(φ)/D(0).
-pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
+/// For Cook and Torrance's model, which has no exponent, the present curve is the distribution of its microfacets, D(α)/D(0).
+pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Plot {
     let (falling, model) = (Falling::new(scene), scene.reflection.model);
     let finer: Vec<_> = COURSE
         .into_iter()
@@ -159,10 +159,14 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
     let grid = angles(&finer, FINE[1]);
     let sampled = |falling: &Falling| {
         grid.iter()
-            .map(|phi| [phi.to_degrees(), falling.at(*phi)])
+            .map(|angle| [angle.to_degrees(), falling.at(*angle)])
             .collect::<Vec<_>>()
     };
-    let (name, symbol, formula) = falling.words(model);
+    let (letter, between) = match model {
+        ReflectionModel::Phong => ("φ", ["R", "V"]),
+        ReflectionModel::Blinn | ReflectionModel::CookTorrance => ("α", ["N", "H"]),
+    };
+    let (name, symbol, formula) = falling.words(letter, between);
     let notes = vec![degrees(falling.half_width())];
     let present = Curve {
         name: text!("point-now", name = &name[..]),
@@ -173,14 +177,14 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
         .points
         .iter()
         .fold(1.0, |top: f64, [_, y]| top.max(*y));
-    let marks = phi
-        .filter(|phi| phi.is_finite() && *phi <= FRAC_PI_2)
-        .map(|phi| {
-            let value = falling.at(phi);
+    let marks = angle
+        .filter(|angle| angle.is_finite() && *angle <= FRAC_PI_2)
+        .map(|angle| {
+            let value = falling.at(angle);
             let probe = text!("point-mark-probe");
-            let label = format!("{probe}: φ = {}, {}", degrees(phi), short(value));
+            let label = format!("{probe}: {letter} = {}, {}", degrees(angle), short(value));
             Mark {
-                x: phi.to_degrees(),
+                x: angle.to_degrees(),
                 label,
                 values: vec![(0, value)],
                 probe: true,
@@ -206,13 +210,10 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
             });
         }
     }
-    let angle = if model == ReflectionModel::Phong {
-        text!("point-axis-phi", a = "R", b = "V")
-    } else {
-        text!("point-axis-phi", a = "N", b = "H")
-    };
+    let [a, b] = between;
+    let abscissa = text!("point-axis-lobe", letter = letter, a = a, b = b);
     let axes = [
-        Axis::degrees(angle, -90.0, 90.0),
+        Axis::degrees(abscissa, -90.0, 90.0),
         Axis::new(symbol, 0.0, top),
     ];
     Plot {
@@ -220,7 +221,7 @@ pub fn exponent_plot(scene: &Scene, phi: Option<f64>) -> Plot {
         marks: marks.into_iter().collect(),
         ..Plot::new(
             PlotKind::Exponent,
-            text!("point-plot-exponent", lobe = LOBE),
+            text!("point-plot-exponent", lobe = power(letter)),
             formula,
             axes,
             curves,
@@ -239,7 +240,7 @@ pub fn highlight_half_width(scene: &Scene) -> f64 {
     }
 }
 
-/// How the highlight falls with φ.
+/// How the highlight falls with the angle that its model measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Falling {
     Power(f64),
@@ -257,15 +258,15 @@ impl Falling {
         }
     }
 
-    /// 1 at φ = 0, 0 beyond a right angle.
-    fn at(self, phi: f64) -> f64 {
-        let cosine = cosine(phi);
+    /// 1 at the angle 0, 0 beyond a right angle.
+    fn at(self, angle: f64) -> f64 {
+        let cosine = cosine(angle);
         match self {
-            Self::Power(n) if n.is_infinite() => f64::from(u8::from(phi == 0.0)),
+            Self::Power(n) if n.is_infinite() => f64::from(u8::from(angle == 0.0)),
             Self::Power(n) => cosine.powf(n),
             Self::Beckmann(_) | Self::Ggx(_) if cosine == 0.0 => 0.0,
-            Self::Beckmann(m) => (-(phi.tan() / m).powi(2)).exp() / cosine.powi(4),
-            Self::Ggx(a) => (a * a / (a * a * cosine * cosine + phi.sin().powi(2))).powi(2),
+            Self::Beckmann(m) => (-(angle.tan() / m).powi(2)).exp() / cosine.powi(4),
+            Self::Ggx(m) => (m * m / (m * m * cosine * cosine + angle.sin().powi(2))).powi(2),
         }
     }
 
@@ -295,37 +296,44 @@ impl Falling {
         }
     }
 
-    /// Its parameter, what is plotted, and the formula.
-    fn words(self, model: ReflectionModel) -> (String, &'static str, String) {
-        let vectors = if model == ReflectionModel::Phong {
-            "(R·V)ⁿ = cosⁿφ"
-        } else {
-            "(N·H)ⁿ = cosⁿφ"
-        };
-        match self {
-            Self::Power(n) => (format!("n = {}", exponent(n)), "cosⁿφ", vectors.to_owned()),
+    /// Its parameter, what is plotted, and the formula, in the letter of the angle between two vectors.
+    fn words(self, letter: &str, [a, b]: [&str; 2]) -> (String, String, String) {
+        let lobe = power(letter);
+        let (m, note) = match self {
+            Self::Power(n) => {
+                let formula = format!("({a}·{b})ⁿ = {lobe}");
+                return (format!("n = {}", exponent(n)), lobe, formula);
+            }
             Self::Beckmann(m) => (
-                format!("m = {}", short(m)),
-                "D(φ)/D(0)",
+                m,
                 text!(
                     "point-note-distribution",
-                    lobe = LOBE,
+                    lobe = lobe,
                     name = "Beckmann",
-                    formula = "D = exp(−tan²φ/m²)/(m² cos⁴φ)"
+                    formula = format!("D = exp(−tan²{letter}/m²)/(m² cos⁴{letter})")
                 ),
             ),
-            Self::Ggx(a) => (
-                format!("α = {}", short(a)),
-                "D(φ)/D(0)",
+            Self::Ggx(m) => (
+                m,
                 text!(
                     "point-note-distribution",
-                    lobe = LOBE,
+                    lobe = lobe,
                     name = "GGX",
-                    formula = "D = α²/(α² cos²φ + sin²φ)²"
+                    formula = format!("D = m²/(m² cos²{letter} + sin²{letter})²")
                 ),
             ),
-        }
+        };
+        (
+            format!("m = {}", short(m)),
+            format!("D({letter})/D(0)"),
+            note,
+        )
     }
+}
+
+/// The course's highlight as a function of an angle.
+fn power(letter: &str) -> String {
+    format!("cosⁿ{letter}")
 }
 
 /// An angle in degrees with one decimal.

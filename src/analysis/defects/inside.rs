@@ -166,7 +166,7 @@ pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexN
     }
     let own_contrast = contrast(renderer, scene).ok_or("picture-missing-object")?;
     let mesh = renderer.mesh_shown();
-    let vertices = mesh.with_vertex_normals(scene.object.normals, scene.object.weighting);
+    let vertices = mesh.with_vertex_normals(scene.object.normal_source(), scene.object.weighting);
     let normals = &vertices.normals;
     let of_face = |f: usize| {
         let face = mesh.face_normal(f);

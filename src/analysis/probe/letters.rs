@@ -99,6 +99,8 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
 /// A formula as plain text, with a dot between letters that stand side by side.
 pub fn plain_formula(formula: &str) -> String {
     let text = formula
+        .replace("}(θ) ", "(θ)}")
+        .replace("} {", "}{")
         .replace("{Σ}", "Σ ")
         .replace("}{n}", "}^n")
         .replace("){n}", ")^n")

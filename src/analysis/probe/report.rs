@@ -166,7 +166,7 @@ fn light_title(light: LightHere<'_>) -> String {
     };
     text!(
         "point-report-light",
-        index = light.index,
+        number = light.index + 1,
         name = name,
         kind = source.kind.label(),
         law = attenuation_law(source)

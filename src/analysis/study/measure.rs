@@ -326,7 +326,8 @@ fn mesh_of<'a>(
     let object = &scene.object;
     kept.take_if(|(made, _)| made != object);
     let (_, mesh) = kept.get_or_insert_with(|| {
-        let vertices = |mesh: &Mesh| mesh.with_vertex_normals(object.normals, object.weighting);
+        let vertices =
+            |mesh: &Mesh| mesh.with_vertex_normals(object.normal_source(), object.weighting);
         let mesh = match (object.kind, model) {
             (ObjectKind::Obj, Some(model)) => vertices(model),
             (ObjectKind::Obj, None) => vertices(&Mesh::default()),

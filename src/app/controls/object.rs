@@ -84,7 +84,7 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             ..View::default()
         },
     );
-    if scene.object.normals == NormalSource::Averaged {
+    if scene.object.normal_source() == NormalSource::Averaged {
         parameter(ui, lit, scene, &WEIGHTING);
     }
 }

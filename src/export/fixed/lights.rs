@@ -46,31 +46,31 @@ fn emitter_limits(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<
         (Attenuation::Quadratic, None, Place::Among(_)) => light.c1 < 1.0,
         _ => false,
     };
-    let index = emitter.index;
+    let number = emitter.index + 1;
     holding([
         (
             points > 0,
-            limit!("export-limit-light-area", light = index, points = points),
+            limit!("export-limit-light-area", light = number, points = points),
         ),
         (
             spot && light.softness > 0.0,
-            limit!("export-limit-light-soft", light = index),
+            limit!("export-limit-light-soft", light = number),
         ),
         (
             spot && light.exponent > GREATEST_EXPONENT,
             limit!(
                 "export-limit-light-exponent",
-                light = index,
+                light = number,
                 exponent = said(light.exponent)
             ),
         ),
         (
             light.attenuation == Attenuation::Viewer,
-            limit!("export-limit-light-viewer", light = index),
+            limit!("export-limit-light-viewer", light = number),
         ),
         (
             unclamped,
-            limit!("export-limit-light-unclamped", light = index),
+            limit!("export-limit-light-unclamped", light = number),
         ),
     ])
 }

@@ -158,9 +158,15 @@ impl Band {
         }
     }
 
-    /// Triangles that are seen, counted again where another comes between.
-    pub fn ink_count(&self) -> u64 {
-        self.runs.chunk_by(|a, b| a.triangle == b.triangle).count() as u64
+    /// The runs that follow each other and see the same face, with that face.
+    #[inline(always)]
+    pub fn runs_by_face<'b>(
+        &'b self,
+        triangles: &'b Triangles<'_>,
+    ) -> impl Iterator<Item = (u32, &'b [Run])> {
+        let face = |run: &Run| triangles.face(run.triangle);
+        let same = self.runs.chunk_by(move |a, b| a.triangle == b.triangle || face(a) == face(b));
+        same.map(move |runs| (face(&runs[0]), runs))
     }
 
     /// Forgets what was covered.

@@ -90,7 +90,7 @@ pub struct Account<'a> {
     pub report: &'a Report,
     /// Triangles of the picture that show their back.
     pub backs: u64,
-    /// Colours that flat shading makes ready: one for each triangle's runs that follow each other.
+    /// Colours that flat shading makes ready: one for each face's runs that follow each other.
     pub inks: u64,
 }
 
@@ -423,7 +423,7 @@ impl Account<'_> {
             (display.overflow == Overflow::Clamp).then_some(Message("render-why-overflow-clamped"));
         let single = (!plan.whole_picture).then_some(Message("render-why-stored-at-once"));
         let mixed = (!plan.composes).then_some(Message("render-why-equation-only"));
-        let by_faces = (per == Per::Face).then_some(Message("render-why-once-per-triangle"));
+        let by_faces = (per == Per::Face).then_some(Message("render-why-once-per-polygon"));
         let term = |name, count, omitted| self.term(Stage::Display, name, count, omitted);
         vec![
             term("render-term-mixing", (Per::Pixel, self.pixels()), mixed),

@@ -302,28 +302,23 @@ impl BandPainter<'_> {
             }
         }
         let mut over = 0;
-        let mut last = (u32::MAX, target.ink(simd, [0.0; 3]));
-        for run in &band.runs {
-            if last.0 != run.triangle {
-                last = (
-                    run.triangle,
-                    target.ink(simd, self.face_intensity(run.triangle, intensity)),
-                );
+        for (face, runs) in band.runs_by_face(&self.inputs.triangles) {
+            let ink = target.ink(simd, self.face_intensity(face, intensity));
+            for run in runs {
+                let row = usize::from(run.row) * width;
+                let [x0, x1] = [run.x0, run.x1].map(|x| row + inside(usize::from(x)));
+                over += target.fill(x0..x1, ink);
             }
-            let row = usize::from(run.row) * width;
-            let [x0, x1] = [run.x0, run.x1].map(|x| row + inside(usize::from(x)));
-            over += target.fill(x0..x1, last.1);
         }
         over
     }
 
     #[inline(always)]
-    fn face_intensity(&self, triangle: u32, intensity: &Planes) -> [f32; 3] {
+    fn face_intensity(&self, face: u32, intensity: &Planes) -> [f32; 3] {
         let Inputs {
             triangles, scene, ..
         } = &self.inputs;
         let at = |point: u32| intensity.each_ref().map(|plane| plane[point as usize]);
-        let face = triangles.face(triangle);
         let corners = triangles.model.face(face);
         match scene.shading.flat_at {
             FlatAt::Centre => at(face),

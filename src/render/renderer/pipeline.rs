@@ -630,7 +630,9 @@ impl Renderer {
         let inks = if plan.carries {
             0
         } else {
-            self.bands.output.iter().map(Band::ink_count).sum()
+            let triangles = self.placed.output.triangles(&self.model.output);
+            let count = |band: &Band| band.runs_by_face(&triangles).count() as u64;
+            self.bands.output.iter().map(count).sum()
         };
         Account {
             scene,

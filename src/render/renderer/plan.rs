@@ -136,7 +136,7 @@ impl Plan {
     pub fn normals(scene: &Scene) -> NormalSource {
         match scene.shading.mode {
             ShadingMode::Interpolated => NormalSource::Facet,
-            _ => scene.object.normals,
+            _ => scene.object.normal_source(),
         }
     }
 

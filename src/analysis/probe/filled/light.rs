@@ -143,23 +143,17 @@ impl LightHere<'_> {
     /// The angles and the factors that come from them: names and values.
     pub fn angles(self) -> Vec<(String, String)> {
         let (scene, hit, terms) = (self.here.scene, self.here.hit, self.terms);
-        let (material, phong) = (
-            &scene.material,
-            scene.reflection.model == ReflectionModel::Phong,
-        );
+        let material = &scene.material;
         let degrees = |angle: f64| format!("{:.2}°", angle.to_degrees());
         let between =
             |letter: &str, a: &str, b: &str| text!("point-angle", letter = letter, a = a, b = b);
-        let mut rows = vec![(between("θ", "N", "L"), degrees(terms.theta))];
-        if phong {
-            let alpha = self.facing_normal().angle_between(terms.h);
-            rows.push((between("φ", "R", "V"), degrees(terms.phi)));
-            rows.push((between("α", "N", "H"), degrees(alpha)));
-        } else {
-            rows.push((between("φ", "N", "H"), degrees(terms.phi)));
-        }
-        rows.push(("N·L".into(), fixed(terms.n_dot_l, 4)));
-        rows.push(("f".into(), digits(terms.attenuation)));
+        let mut rows = vec![
+            (between("θ", "N", "L"), degrees(terms.theta)),
+            (between("φ", "R", "V"), degrees(terms.phi)),
+            (between("α", "N", "H"), degrees(terms.alpha)),
+            ("N·L".into(), fixed(terms.n_dot_l, 4)),
+            ("f".into(), digits(terms.attenuation)),
+        ];
         if scene.reflection.model == ReflectionModel::CookTorrance {
             rows.push(("m".into(), short(material.roughness)));
         } else {
@@ -169,6 +163,7 @@ impl LightHere<'_> {
             rows.push(("s".into(), digits(terms.spot)));
         }
         if material.reflectance != Reflectance::Constant {
+            let phong = scene.reflection.model == ReflectionModel::Phong;
             let other = if phong { "N" } else { "H" };
             rows.push((between("W(θ)", "L", other), degrees(terms.incidence)));
         }
@@ -237,7 +232,7 @@ impl LightHere<'_> {
         )
     }
 
-    /// S from the cosine of φ.
+    /// S from the cosine of φ or α.
     fn lobe_formula(self) -> String {
         let model = self.here.scene.reflection.model;
         if model == ReflectionModel::CookTorrance {
@@ -262,11 +257,12 @@ impl LightHere<'_> {
                 text!("point-points-away", vector = vector)
             );
         }
-        // Neither the cosine of a small φ nor a high power of it can be read from four digits; the angle can.
+        // Neither the cosine of a small angle nor a high power of it can be read from four digits; the angle can.
         let power = if (self.here.hit.normal.length() - 1.0).abs() > UNIT {
             format!("{cosine:.4}{{^{n}}}")
         } else {
-            format!("cos{{^{n}}} {:.2}°", self.terms.phi.to_degrees())
+            let (_, angle) = self.terms.lobe_angle(model);
+            format!("cos{{^{n}}} {:.2}°", angle.to_degrees())
         };
         format!("{letters} = {power}{}", result(self.lobe()))
     }

@@ -58,9 +58,9 @@ pub enum Angle {
     Theta,
     /// Between N and R, which equals θ.
     Mirror,
-    /// Between R and V, or N and H for Blinn's model.
+    /// Between R and V.
     Phi,
-    /// Between N and H, where that is not φ.
+    /// Between N and H.
     Alpha,
 }
 
@@ -78,6 +78,7 @@ pub struct Arc {
 /// The equation at a point, ready to be drawn in any view.
 pub(super) struct Equation<'a> {
     hit: &'a ProbeHit,
+    phong: bool,
     half_vector: bool,
     pub(super) focus: Option<Focus<'a>>,
 }
@@ -90,8 +91,8 @@ pub(super) struct Focus<'a> {
     pub n: DVec3,
     /// Whether N·L > 0, without which there is no reflection to draw.
     pub lit: bool,
-    /// The vectors whose angle is φ.
-    pub phi_between: (DVec3, DVec3),
+    /// The vectors whose angle the specular term depends on.
+    pub lobe_between: (DVec3, DVec3),
 }
 
 impl<'a> Equation<'a> {
@@ -111,7 +112,7 @@ impl<'a> Equation<'a> {
             } else {
                 n
             };
-            let phi_between = if phong {
+            let lobe_between = if phong {
                 (terms.r, hit.view)
             } else {
                 (n, terms.h)
@@ -121,11 +122,12 @@ impl<'a> Equation<'a> {
                 terms,
                 n,
                 lit: lit(terms),
-                phi_between,
+                lobe_between,
             }
         });
         Self {
             hit,
+            phong,
             half_vector: options.half_vector || !phong,
             focus,
         }
@@ -154,8 +156,12 @@ impl<'a> Equation<'a> {
             return None;
         }
         let pane = side::pane(picture, sketch.origin, &sketch.style)?;
-        let phi_between = if focus.lit { focus.phi_between } else { (v, v) };
-        let mut side = side::sketch(pane, [focus.n, focus.terms.l, v], phi_between, options)?;
+        let lobe_between = if focus.lit {
+            focus.lobe_between
+        } else {
+            (v, v)
+        };
+        let mut side = side::sketch(pane, [focus.n, focus.terms.l, v], lobe_between, options)?;
         let mut layers = vec![OverlayLayer::Vectors, OverlayLayer::Angles];
         layers.extend(
             options
@@ -189,7 +195,8 @@ impl<'a> Equation<'a> {
         draw_point(sketch);
         let arcs = shown(OverlayLayer::Angles)
             .map(|focus| {
-                self.draw_angles(sketch, focus, &[Angle::Mirror, Angle::Theta, Angle::Phi])
+                let lobe = if self.phong { Angle::Phi } else { Angle::Alpha };
+                self.draw_angles(sketch, focus, &[Angle::Mirror, Angle::Theta, lobe])
             })
             .unwrap_or_default();
         if let Some(Focus { n, terms, .. }) = constructed {
@@ -292,7 +299,7 @@ impl<'a> Equation<'a> {
         arrows
     }
 
-    /// Draws the arcs of θ and φ and asks for their labels.
+    /// Draws arcs of angles and asks for their labels.
     pub fn draw_angles(&self, sketch: &mut Sketch, focus: &Focus<'_>, shown: &[Angle]) -> Vec<Arc> {
         let Focus { terms, n, .. } = focus;
         let subscript = self.subscript(Some(focus.index));
@@ -301,8 +308,8 @@ impl<'a> Equation<'a> {
             let (pair, letter, value) = match angle {
                 Angle::Theta => ((*n, terms.l), "θ", terms.theta),
                 Angle::Mirror => ((*n, terms.r), "", terms.theta),
-                Angle::Phi => (focus.phi_between, "φ", terms.phi),
-                Angle::Alpha => ((*n, terms.h), "α", n.angle_between(terms.h)),
+                Angle::Phi => ((terms.r, self.hit.view), "φ", terms.phi),
+                Angle::Alpha => ((*n, terms.h), "α", terms.alpha),
             };
             if *angle != Angle::Theta && !focus.lit {
                 continue;

@@ -45,11 +45,11 @@ pub(super) fn pane(picture: Area, point: DVec2, style: &Style) -> Option<Area> {
 pub(super) fn sketch(
     pane: Area,
     [n, l, v]: [DVec3; 3],
-    phi_between: (DVec3, DVec3),
+    lobe_between: (DVec3, DVec3),
     options: &OverlayOptions,
 ) -> Option<Sketch> {
     let side = (pane.max - pane.min).min_element();
-    let view = view(in_pane(pane, [n, l]), [n, l, v], phi_between);
+    let view = view(in_pane(pane, [n, l]), [n, l, v], lobe_between);
     let style = Style::new(2.3 * side, options);
     let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, Some(1.0), side)?;
     let ground = Shape::area(pane.corners(), style.halo_colour).plain();
@@ -90,9 +90,9 @@ fn in_pane(pane: Area, [n, l]: [DVec3; 2]) -> Frame {
 }
 
 /// The view, turned about N by as little as shows the angles and V at a fair part of their size. All vectors are unit.
-pub(super) fn view(frame: Frame, [n, l, v]: [DVec3; 3], phi_between: (DVec3, DVec3)) -> View {
+pub(super) fn view(frame: Frame, [n, l, v]: [DVec3; 3], lobe_between: (DVec3, DVec3)) -> View {
     let shown = |view: &View| {
-        [(n, l), phi_between, (v, DVec3::ZERO)]
+        [(n, l), lobe_between, (v, DVec3::ZERO)]
             .iter()
             .fold(1.0, |least: f64, (from, to)| {
                 let between = *from - *to;

@@ -8,7 +8,6 @@ use crate::analysis::probe::digits::fixed;
 use crate::analysis::probe::products::Here;
 use crate::figure::palette::{self, Rgb8, Vector, readable};
 use crate::figure::{Area, Drawing, PlotStyle, Shape};
-use crate::scene::ReflectionModel;
 use glam::{DVec2, DVec3};
 
 /// Room about the vectors for their letters, in ems: beside, above and below.
@@ -46,10 +45,9 @@ impl VectorsShown {
         }
     }
 
-    fn angles(self, phong: bool) -> &'static [Angle] {
+    fn angles(self) -> &'static [Angle] {
         match self {
-            Self::Angles if phong => &[Angle::Mirror, Angle::Theta, Angle::Phi, Angle::Alpha],
-            Self::Angles => &[Angle::Mirror, Angle::Theta, Angle::Phi],
+            Self::Angles => &[Angle::Mirror, Angle::Theta, Angle::Phi, Angle::Alpha],
             Self::Step(ConstructionStep::Cosine) => &[Angle::Theta],
             Self::Step(ConstructionStep::Mirror) => &[Angle::Mirror, Angle::Theta],
             Self::Step(_) | Self::Construction => &[],
@@ -95,9 +93,13 @@ pub fn draw_vectors(
         halo_colour: paper.ground,
         ..Style::of_text(LETTERS * style.text, Halo::Light)
     };
-    let phi_between = if focus.lit { focus.phi_between } else { (v, v) };
+    let lobe_between = if focus.lit {
+        focus.lobe_between
+    } else {
+        (v, v)
+    };
     let vectors = [focus.n, focus.terms.l, v];
-    let seen_from = |origin, unit| view(Frame { origin, unit }, vectors, phi_between);
+    let seen_from = |origin, unit| view(Frame { origin, unit }, vectors, lobe_between);
     // As large as the width allows, but not higher than wide.
     let through = here.hit.transmission.and_then(|through| through.t);
     let all = vectors
@@ -126,8 +128,7 @@ pub fn draw_vectors(
     draw_lines(&mut sketch, focus, shown);
     equation.draw_vectors(&mut sketch, false, |vector| shown.vector(vector));
     draw_point(&mut sketch);
-    let phong = here.scene.reflection.model == ReflectionModel::Phong;
-    equation.draw_angles(&mut sketch, focus, shown.angles(phong));
+    equation.draw_angles(&mut sketch, focus, shown.angles());
     draw_steps(&mut sketch, focus, here.hit.normal.length(), v, shown);
     let labels = sketch.labels(&[]);
     let mut drawing = Drawing::new(size, paper.ground);
