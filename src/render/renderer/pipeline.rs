@@ -620,7 +620,7 @@ impl Renderer {
         let Some(job) = &self.drawn else {
             return Vec::new();
         };
-        let Job { scene, plan, .. } = job;
+        let Job { scene, plan, parts, .. } = job;
         let culled = plan.cull || plan.true_surface;
         let backs = if culled {
             0
@@ -632,7 +632,7 @@ impl Renderer {
         } else {
             let triangles = self.placed.output.triangles(&self.model.output);
             let count = |band: &Band| band.runs_by_face(&triangles).count() as u64;
-            self.bands.output.iter().map(count).sum()
+            self.bands.output.iter().map(count).sum::<u64>() * parts.len() as u64
         };
         Account {
             scene,
