@@ -7,8 +7,8 @@ use glam::{DVec2, DVec3};
 use shading_lab::analysis::probe;
 use shading_lab::render::{Renderer, Stage};
 use shading_lab::scene::{
-    AmbientSource, AreaShape, Choice, CuedBy, FlatAt, Ground, Interpolation, Light, LightKind,
-    NormalSource, ObjectKind, PatternKind, Rgb, Scene, ShadingMode, presets,
+    AmbientSource, AreaShape, Backfacing, Choice, CuedBy, FlatAt, Ground, Interpolation, Light,
+    LightKind, NormalSource, ObjectKind, PatternKind, Rgb, Scene, ShadingMode, presets,
 };
 use std::time::Instant;
 
@@ -510,6 +510,29 @@ fn an_eye_next_to_its_target_sees_what_one_a_little_farther_sees() {
 
 /// Far above an evenly lit floor, a surface whose normal is tilted by β from straight down sees the floor in the share
 /// (1 + cos β)/2 of what arrives (the view factor of an infinite plane).
+/// The ground is solid, whatever side of the object is lit: a light below it lights none of it, with shadows or without.
+#[test]
+fn a_light_below_the_floor_does_not_light_it() {
+    let mut scene = over_floor();
+    let pixels = [[8, 150], [80, 155], [150, 120], [30, 152]];
+    let mut renderer = Renderer::default();
+    for backfacing in [Backfacing::Clamp, Backfacing::Flip] {
+        for shadows in [true, false] {
+            (scene.reflection.backfacing, scene.shading.shadows) = (backfacing, shadows);
+            for y in [-3.0, 3.0] {
+                scene.lights = vec![Light {
+                    position: DVec3::new(0.4, y, 0.3),
+                    ..Light::default()
+                }];
+                let frame = renderer.render(&scene);
+                let lit = pixels.map(|[x, y]| frame.pixel(x, y).expect("inside")[0] > 20);
+                let what = format!("{backfacing:?}, shadows {shadows}, light at {y}");
+                assert_eq!(lit, [y > 0.0; 4], "{what}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_bounce_off_an_infinite_floor_is_its_view_factor() {
     let mut scene = Scene::default();

@@ -31,8 +31,9 @@ table! {
         /// Where it stands, world; the centre of an area light. Not read of directional lights.
         POSITION position: DVec3 = DVec3::new(2.0, 2.0, 3.0), Point.letter("L", Symbol::Light).measured_in(Unit::World)
             .idle(|scene, index| unless(scene, index, |light| light.kind.has_position(), "idle-no-position"));
-        /// Where its light goes: the axis of a spot light, the normal of a rectangle; of any length but zero.
-        DIRECTION direction: DVec3 = DVec3::new(-2.0, -2.0, -3.0), Direction(has_direction).letter("D", Symbol::Light)
+        /// Where its light goes: the axis of a spot light, the normal of a rectangle; of any length but zero, also where it is
+        /// not read, so that every light can become one of any kind.
+        DIRECTION direction: DVec3 = DVec3::new(-2.0, -2.0, -3.0), Direction(|_, _| true).letter("D", Symbol::Light)
             .idle(|scene, index| unless(scene, index, Light::has_direction, "idle-no-direction"));
         /// Intensity Ip, linear, 0 to 10³⁰.
         COLOR color: Rgb = Rgb::ONE, Colour(Limits::INTENSITY).letter("Ip", Symbol::Ip);
@@ -83,10 +84,6 @@ fn unless(
         .get(index)
         .is_none_or(|light| !used(light))
         .then(|| text!(reason))
-}
-
-fn has_direction(scene: &Scene, index: usize) -> bool {
-    scene.lights.get(index).is_some_and(Light::has_direction)
 }
 
 fn no_spot(scene: &Scene, index: usize) -> Option<&'static str> {

@@ -599,26 +599,6 @@ impl Parameter {
             .map_or_else(String::new, |value| plain(&value))
     }
 
-    /// What it can be set to, in words.
-    pub fn range_text(&self) -> String {
-        match self.kind {
-            Kind::Other(.., limits) => limits(),
-            Kind::Choice(_) => self
-                .options()
-                .iter()
-                .map(|option| option.word)
-                .collect::<Vec<_>>()
-                .join(", "),
-            Kind::Switch(_) => ["true", "false"].join(", "),
-            Kind::Text(_, longest) => text!("range-text", longest = longest),
-            Kind::Direction(..) => text!("range-direction").to_owned(),
-            Kind::Point(_) => String::new(),
-            _ => self
-                .limits(defaults())
-                .map_or_else(String::new, |limits| limits.to_string()),
-        }
-    }
-
     /// What it can be set to, where that is one of a few words.
     pub fn options(&self) -> &'static [ChoiceOption] {
         match &self.kind {

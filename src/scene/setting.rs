@@ -1,7 +1,10 @@
-//! A setting, such as `shading.mode=gouraud`, in words.
+//! In words: a setting, such as `shading.mode=gouraud`, and what a parameter can be set to.
 
+use super::Scene;
+use super::choice::Choice;
+use super::object::ObjectKind;
 use super::overrides::key_and_value;
-use super::parameter::{Kind, Parameter};
+use super::parameter::{Kind, Limits, Parameter, defaults};
 use crate::text::text;
 
 /// `KEY=VALUE` as people read it: what the key is called, and the value's own word. What is no setting stays as it is.
@@ -48,6 +51,51 @@ fn without_number(key: &str) -> (Option<u32>, String) {
     found.map_or((None, key.to_owned()), |(part, number)| {
         (Some(number), key.replacen(&format!(".{part}."), ".N.", 1))
     })
+}
+
+impl Parameter {
+    /// What it can be set to, in words.
+    pub fn range_text(&self) -> String {
+        match self.kind {
+            Kind::Other(.., limits) => limits(),
+            Kind::Choice(_) => self
+                .options()
+                .iter()
+                .map(|option| option.word)
+                .collect::<Vec<_>>()
+                .join(", "),
+            Kind::Switch(_) => ["true", "false"].join(", "),
+            Kind::Text(_, longest) => text!("range-text", longest = longest),
+            Kind::Direction(..) => text!("range-direction").to_owned(),
+            Kind::Point(_) => String::new(),
+            Kind::Whole(_, limits, _) => range_of_shapes(limits),
+            _ => self
+                .limits(defaults())
+                .map_or_else(String::new, |limits| limits.to_string()),
+        }
+    }
+}
+
+/// Returns the limits of a whole number in words: those that most shapes have, and from where the others count.
+fn range_of_shapes(limits: fn(&Scene) -> Limits) -> String {
+    let of = |kind: ObjectKind| {
+        let mut scene = defaults().clone();
+        scene.object.kind = kind;
+        limits(&scene)
+    };
+    let all: Vec<Limits> = ObjectKind::VALUES.iter().copied().map(of).collect();
+    let alike = |limits: &&Limits| all.iter().filter(|other| other == limits).count();
+    let Some(usual) = all.iter().max_by_key(alike) else {
+        return String::new();
+    };
+    let shapes = ObjectKind::OPTIONS.iter().map(|shape| shape.word);
+    let others = shapes.zip(&all).filter(|(_, limits)| *limits != usual);
+    let words = others.map(|(shape, limits)| {
+        let least = limits.least.to_string();
+        text!("range-of-shape", shape = shape, least = least)
+    });
+    let words: Vec<String> = std::iter::once(usual.to_string()).chain(words).collect();
+    words.join(text!("comma"))
 }
 
 #[cfg(test)]

@@ -219,6 +219,15 @@ fn values_that_contradict_each_other_are_named() {
             "s.toml:1: `camera.up` is parallel to the viewing direction, expected a direction across it",
         ],
     );
+    // Whether its kind reads the direction or not: a point light can become a directional one.
+    for kind in ["point", "spot", "directional", "area"] {
+        assert_objections(
+            &format!("[[light]]\nkind = '{kind}'\ndirection = [0, 0, 0]\n"),
+            &[
+                "s.toml:3: `light.0.direction` is [0, 0, 0], expected a direction, of length 1e-30 or more",
+            ],
+        );
+    }
     assert_objections(
         "[camera]\nup = [0, 0, 0]\n",
         &["s.toml:2: `camera.up` is [0, 0, 0], expected a direction, of length 1e-30 or more"],

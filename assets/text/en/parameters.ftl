@@ -104,7 +104,7 @@ parameter-material-specular_color = highlight colour
     .help = Linear colour of the highlight. It multiplies Ks; white keeps the colour of the light, as on plastic.
 parameter-material-roughness = roughness
     .label = Roughness
-    .help = RMS slope of the microfacets (Beckmann) or their width α (GGX): the smaller, the smoother.
+    .help = RMS slope of the microfacets (Beckmann) or their width (GGX): the smaller, the smoother.
 parameter-material-reflectance = reflectance by angle
     .label = Fresnel
     .help = W(θ), the fraction of light reflected at the angle of incidence θ. It multiplies Ks.
@@ -564,6 +564,7 @@ range-text = at most { $longest } characters in one line
 range-direction = not zero
 range-size = 1 to { $side } each, at most { $pixels } pixels in total
 range-at-most = at most { $count }
+range-of-shape = { $shape } from { $least }
 range-faces = at most { $count }, with { $corners } corners in total
 range-vertex-normals = none, or one for each vertex
 

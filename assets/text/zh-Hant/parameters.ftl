@@ -103,7 +103,7 @@ parameter-material-specular_color = 高光顏色
     .help = 高光的線性顏色，乘在 Ks 上；白色保留光源的顏色，如同塑膠。
 parameter-material-roughness = 粗糙度
     .label = 粗糙度
-    .help = 微表面斜率的均方根（Beckmann）或寬度 α（GGX）：越小越光滑。
+    .help = 微表面斜率的均方根（Beckmann）或寬度（GGX）：越小越光滑。
 parameter-material-reflectance = 隨角度的反射率
     .label = 反射率
     .help = W(θ)：入射角為 θ 時反射光的比例，乘在 Ks 上。
@@ -563,6 +563,7 @@ range-text = 最多 { $longest } 個字元，不可換行
 range-direction = 不可為零
 range-size = 各為 1 到 { $side }，總共最多 { $pixels } 像素
 range-at-most = 最多 { $count }
+range-of-shape = { $shape } 從 { $least } 起
 range-faces = 最多 { $count } 個，總共 { $corners } 個角
 range-vertex-normals = 沒有，或每個頂點一個
 

@@ -165,7 +165,9 @@ impl Band {
         triangles: &'b Triangles<'_>,
     ) -> impl Iterator<Item = (u32, &'b [Run])> {
         let face = |run: &Run| triangles.face(run.triangle);
-        let same = self.runs.chunk_by(move |a, b| a.triangle == b.triangle || face(a) == face(b));
+        let same = self
+            .runs
+            .chunk_by(move |a, b| a.triangle == b.triangle || face(a) == face(b));
         same.map(move |runs| (face(&runs[0]), runs))
     }
 

@@ -6,7 +6,7 @@ use super::shadow::{ShadowCaster, Waiting};
 use super::solid::{PrimaryHits, Solid};
 use crate::illumination::{BRIGHTEST, Equation, Fields, LANES, Lanes, Reached, V3};
 use crate::render::lens::{FARTHEST, Lens};
-use crate::scene::{Ground, Material, Pattern, PatternKind, Reflectance, Rgb, Scene};
+use crate::scene::{Backfacing, Ground, Material, Pattern, PatternKind, Reflectance, Rgb, Scene};
 use fearless_simd::{dispatch, f64x8, prelude::*};
 use glam::{DVec2, DVec3, Vec3};
 
@@ -64,11 +64,13 @@ impl<'a> World<'a> {
             .as_ref()
             .map(|wall| (wall.centre - lens.eye).dot(lens.forward) / lens.unit);
         let Ground { kd, color, .. } = scene.ground;
-        let floor = matt_scene(
+        let mut floor = matt_scene(
             scene,
             [Rgb::splat(ka), Rgb::splat(kd), color],
             Pattern::default(),
         );
+        // The object may have two sides; the floor is solid ground.
+        floor.reflection.backfacing = Backfacing::Clamp;
         Self {
             scene,
             ground: scene.ground.visible.then_some(scene.ground.height),

@@ -620,7 +620,9 @@ impl Renderer {
         let Some(job) = &self.drawn else {
             return Vec::new();
         };
-        let Job { scene, plan, parts, .. } = job;
+        let Job {
+            scene, plan, parts, ..
+        } = job;
         let culled = plan.cull || plan.true_surface;
         let backs = if culled {
             0
