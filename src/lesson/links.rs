@@ -53,7 +53,7 @@ pub fn without_closed_links(text: &str) -> String {
             Event::End(TagEnd::CodeBlock) => in_code = false,
             // Where a link has become text, brackets around it must not become a link.
             Event::Text(_) if !in_code => {
-                edits.extend(brackets(text, range.clone()).map(|at| (at..at, "\\")))
+                edits.extend(brackets(text, range.clone()).map(|at| (at..at, "\\")));
             }
             _ => {}
         }
