@@ -19,8 +19,11 @@ use shading_lab::scene::{
 
 /// How far single precision and the picture's grid take an intensity, in parts of 1 and of itself.
 const ROUNDING: f64 = 4e-3;
-/// A place nearer than this to a step of the equation may be on either side of it.
+/// Where N·L is less, rounding may take a point to either side of the terminator.
 const NEAR: f64 = 2e-5;
+/// A point nearer than this to the edge of a field, world units, may be on either side of it: the picture's grid moves the weights of
+/// a polygon's corners by up to 1/1024, and with them the point along its ray.
+const FIELD_NEAR: f64 = 1e-3;
 /// A border of polygons nearer than this to a pixel's centre, pixels, is on either side of it by the picture's grid.
 const GRID: f64 = 0.02;
 /// Corners are no nearer than this to other edges.
@@ -218,7 +221,7 @@ fn picture_and_probe(
             continue;
         };
         let grazes = hit.lights.iter().any(|light| light.n_dot_l.abs() < NEAR);
-        steps[index] = field_edge(scene, hit.position, NEAR) || grazes;
+        steps[index] = field_edge(scene, hit.position, FIELD_NEAR) || grazes;
         for channel in 0..3 {
             let (shown, said) = (f64::from(linear[index][channel]), hit.sum[channel]);
             let stored = (shown.clamp(0.0, 1.0) * 255.0).round();
