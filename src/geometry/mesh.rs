@@ -83,7 +83,7 @@ impl<C: AtPoint> Mesh<C> {
     /// Number of triangles that the polygons are drawn as.
     pub fn triangle_count(&self) -> usize {
         (0..self.face_count())
-            .map(|f| self.face_triangles(f).count())
+            .map(|f| self.face_triangles(f).len())
             .sum()
     }
 
@@ -100,15 +100,19 @@ impl<C: AtPoint> Mesh<C> {
     ///
     /// # Panics
     /// If there is no face `f`, or `cut` has a triangle of it whose corners do not exist.
-    pub fn face_triangles(&self, f: usize) -> impl Iterator<Item = [C; 3]> {
+    pub fn face_triangles(&self, f: usize) -> impl ExactSizeIterator<Item = [C; 3]> {
         let cut = &self.cut[self.cut.partition_point(|(face, _)| (*face as usize) < f)..];
         let cut = &cut[..cut.partition_point(|(face, _)| *face as usize == f)];
-        let fan = if cut.is_empty() { self.face(f) } else { &[] };
-        let fan_pairs = fan.windows(2).skip(1);
-        fan_pairs.map(|pair| [fan[0], pair[0], pair[1]]).chain(
-            cut.iter()
-                .map(|(_, corners)| corners.map(|c| self.corners[c as usize])),
-        )
+        let face = self.face(f);
+        let count = if cut.is_empty() {
+            face.len().saturating_sub(2)
+        } else {
+            cut.len()
+        };
+        (0..count).map(move |k| match cut.get(k) {
+            Some((_, triangle)) => triangle.map(|c| self.corners[c as usize]),
+            None => [face[0], face[k + 1], face[k + 2]],
+        })
     }
 
     /// The points of face `f`, relative to `origin`, in double precision.

@@ -443,12 +443,15 @@ const U: [[f64; 2]; 8] = [
 
 #[test]
 fn a_u_is_one_shade_at_the_mean_of_its_corners() {
-    let mut scene = Scene::default();
-    scene.object = Object {
+    let object = Object {
         kind: ObjectKind::Polygons,
         vertices: U.iter().map(|[x, y]| DVec3::new(*x, *y, 0.0)).collect(),
         faces: vec![(0..8).collect()].into(),
         ..Object::default()
+    };
+    let mut scene = Scene {
+        object,
+        ..Scene::default()
     };
     scene.shading.mode = ShadingMode::Flat;
     scene.lights[0].position = DVec3::new(0.3, 0.3, 0.6);
