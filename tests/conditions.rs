@@ -198,7 +198,11 @@ fn what_the_three_conditions_assume_is_named() {
             &[Assumption::DepthCueing],
         ),
         (
-            |scene| scene.shading.flat_at = FlatAt::ProvokingVertex,
+            // The scene's own mode makes no difference.
+            |scene| {
+                scene.shading.flat_at = FlatAt::ProvokingVertex;
+                scene.shading.mode = ShadingMode::Interpolated;
+            },
             &[Assumption::VertexNormals],
         ),
         (

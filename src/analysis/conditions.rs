@@ -205,7 +205,7 @@ fn assumptions(mesh: &Mesh, scene: &Scene, plan: &Plan) -> Vec<Assumption> {
     let patterned = pattern.kind != PatternKind::None && pattern.color != material.color;
     let own_normals = || {
         scene.shading.flat_at == FlatAt::Centre
-            || leaning(mesh, scene, Plan::normals(scene)) < ROUNDING
+            || leaning(mesh, scene, scene.object.normals) < ROUNDING
     };
     let broken = [
         (Assumption::Pattern, patterned && colored),
