@@ -246,7 +246,7 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
                 ui.label(RichText::new(text!("course-hidden")).weak());
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                said_ui(ui, state, TextWrapMode::Truncate)
+                said_ui(ui, state, TextWrapMode::Truncate);
             });
         });
         ui.add_space(2.0);

@@ -12,6 +12,9 @@ use std::path::Path;
 
 const BACK: &str = "Back to the lesson";
 
+/// Leads to another scene.
+type Way<'w> = dyn Fn(&mut Harness<'_, App>) + 'w;
+
 /// Whether the lesson's locks hold, which must be the same everywhere.
 fn hides(harness: &mut Harness<'_, App>) -> bool {
     hands::open_view(harness, "Equation");
@@ -92,14 +95,13 @@ fn every_way_to_another_scene_leaves_the_lesson_and_undo_returns_to_it() {
     std::fs::create_dir_all(&folder).expect("a folder");
     let file = folder.join("own.toml");
     save_scene(&file, &load(Path::new("sphere")).expect("a scene").scene).expect("a file");
-    let ways: [(&str, &dyn Fn(&mut Harness<'_, App>)); 3] = [
-        ("the gallery", &|harness| {
-            choose_scene(harness, "Measured gold")
-        }),
-        ("a file", &|harness| open(harness, &file)),
-        ("a link", &|harness| {
-            paste(harness, "?scene=gold&set=material.n=5")
-        }),
+    let gallery = |harness: &mut Harness<'_, App>| choose_scene(harness, "Measured gold");
+    let opened = |harness: &mut Harness<'_, App>| open(harness, &file);
+    let link = |harness: &mut Harness<'_, App>| paste(harness, "?scene=gold&set=material.n=5");
+    let ways: [(&str, &Way); 3] = [
+        ("the gallery", &gallery),
+        ("a file", &opened),
+        ("a link", &link),
     ];
     for (way, go) in ways {
         let mut harness = at_the_choice();
